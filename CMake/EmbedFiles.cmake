@@ -1,0 +1,56 @@
+# antinode_embed_files (TARGET NAMESPACE FILES...): a static library with one function,
+#   std::span<const antinode::EmbeddedFile> NAMESPACE::files();
+# The bytes are assembled with .incbin: no generated megabytes of source, and a changed file rebuilds only this.
+function (antinode_embed_files target nameSpace)
+    set (directory ${CMAKE_CURRENT_BINARY_DIR}/${target})
+    set (assembly "    .section .rodata\n")
+    set (declarations "")
+    set (entries "")
+    set (index 0)
+    foreach (file IN LISTS ARGN)
+        get_filename_component (absolute ${file} ABSOLUTE)
+        file (RELATIVE_PATH name ${CMAKE_CURRENT_SOURCE_DIR} ${absolute})
+        if (IS_ABSOLUTE ${file} AND NOT file MATCHES "^${CMAKE_CURRENT_SOURCE_DIR}/")
+            get_filename_component (name ${file} NAME)
+        endif()
+        set (symbol ${target}_${index})
+        string (APPEND assembly
+            "    .global ${symbol}_begin\n${symbol}_begin:\n    .incbin \"${absolute}\"\n"
+            "    .global ${symbol}_end\n${symbol}_end:\n    .byte 0\n")
+        string (APPEND declarations "extern const char ${symbol}_begin[], ${symbol}_end[];\n")
+        string (APPEND entries "    { \"${name}\", ${symbol}_begin, ${symbol}_end },\n")
+        list (APPEND inputs ${absolute})
+        math (EXPR index "${index} + 1")
+    endforeach()
+    string (APPEND assembly "    .section .note.GNU-stack,\"\",%progbits\n")
+    file (CONFIGURE OUTPUT ${directory}/data.S CONTENT "${assembly}" @ONLY)
+    file (CONFIGURE OUTPUT ${directory}/files.cpp CONTENT
+"#include <antinode_model/EmbeddedFile.h>
+extern \"C\"
+{
+${declarations}}
+namespace ${nameSpace}
+{
+std::span<const antinode::EmbeddedFile> files();
+std::span<const antinode::EmbeddedFile> files()
+{
+    static const antinode::EmbeddedFile all[] = {
+${entries}    };
+    return all;
+}
+} // namespace ${nameSpace}
+" @ONLY)
+    file (CONFIGURE OUTPUT ${directory}/${target}.h CONTENT
+"#pragma once
+#include <antinode_model/EmbeddedFile.h>
+namespace ${nameSpace}
+{
+/** All files of this set, in the order of the build script. [any] */
+std::span<const antinode::EmbeddedFile> files();
+} // namespace ${nameSpace}
+" @ONLY)
+    add_library (${target} STATIC ${directory}/data.S ${directory}/files.cpp)
+    set_source_files_properties (${directory}/data.S PROPERTIES OBJECT_DEPENDS "${inputs}")
+    target_include_directories (${target} PUBLIC ${directory})
+    target_link_libraries (${target} PUBLIC antinode_model)
+endfunction()

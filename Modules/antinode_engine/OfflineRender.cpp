@@ -1,0 +1,161 @@
+#include "OfflineRender.h"
+
+#include "VoltageLimiter.h"
+#include "VoltageSynthesiser.h"
+
+#include <antinode_model/InputError.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+
+namespace antinode
+{
+namespace
+{
+constexpr double lowestRate = 8e3, highestRate = 2e6; // Hz
+constexpr double longestDuration = 60;                // s
+constexpr double mostMemory = 1024.0 * 1024 * 1024;   // bytes
+
+template <typename... Parts>
+std::string text (const Parts&... parts)
+{
+    std::ostringstream stream;
+    stream.precision (9); // 2000000 instead of 2e+06
+    (stream << ... << parts);
+    return stream.str();
+}
+
+void requireUsable (const RenderSettings& settings)
+{
+    const auto rate = settings.playback.sampleRate;
+
+    if (! (rate >= lowestRate && rate <= highestRate))
+        throw InputError ("sample rate",
+                          text ("is ", rate, " Hz, allowed is ", lowestRate, " to ", highestRate, " Hz"));
+
+    if (! (settings.duration > 0 && settings.duration <= longestDuration))
+        throw InputError ("duration",
+                          text ("is ", settings.duration, " s, allowed is more than 0 to ", longestDuration, " s"));
+
+    if (settings.blockSize < 1)
+        throw InputError ("block size", text ("is ", settings.blockSize, ", allowed is 1 or more"));
+}
+
+/** How many samples the duration has, once it is known that they fit into memory and hold the focus. */
+Eigen::Index countSamples (const RenderSettings& settings, Eigen::Index rows, std::int64_t focusSample)
+{
+    const auto count = std::max (1.0, std::round (settings.duration * settings.playback.sampleRate));
+    const auto bytes = count * static_cast<double> (rows) * sizeof (double);
+
+    if (bytes > mostMemory)
+        throw InputError ("duration",
+                          text ("needs ", std::ceil (bytes / (1024 * 1024)), " MiB at this sample rate, allowed is ",
+                                mostMemory / (1024 * 1024), " MiB; take a shorter duration or a lower rate"));
+
+    if (focusSample < 0 || static_cast<double> (focusSample) >= count)
+        throw InputError ("duration", text ("is ", settings.duration, " s and does not reach the focus at ",
+                                            static_cast<double> (focusSample) / settings.playback.sampleRate, " s"));
+
+    return static_cast<Eigen::Index> (count);
+}
+
+/** Calls back when another hundredth is done. */
+class Progress
+{
+public:
+    Progress (const std::function<void (double)>& callback, Eigen::Index whole) : call (callback), total (whole) {}
+
+    void reached (Eigen::Index done)
+    {
+        const auto hundredth = 100 * done / total;
+
+        if (call && hundredth != last)
+        {
+            last = hundredth;
+            call (static_cast<double> (done) / static_cast<double> (total));
+        }
+    }
+
+private:
+    const std::function<void (double)>& call;
+    Eigen::Index total, last = 0;
+};
+
+/** What an event passes through, in this order. */
+struct Kernels
+{
+    VoltageSynthesiser synthesiser;
+    VoltageLimiter limiter;
+    PlateModel plate;
+};
+
+/** Fills samples first .. first + count - 1 of the voltages, and as many modal velocities as that gives: they lag, so those
+    before the first sample are dropped. */
+void renderBlock (Kernels& kernels, Eigen::Index first, Eigen::Index count, Eigen::MatrixXd& voltages,
+                  Eigen::MatrixXd& modalVelocities)
+{
+    Eigen::MatrixXd block (modalVelocities.rows(), count);
+    kernels.synthesiser.process (first, voltages.middleCols (first, count));
+    kernels.limiter.process (voltages.middleCols (first, count));
+    kernels.plate.processModes (voltages.middleCols (first, count), block);
+
+    const auto target = first - kernels.plate.latencySamples();
+    const auto dropped = std::clamp<Eigen::Index> (-target, 0, count);
+    const auto kept = count - dropped;
+
+    if (kept > 0)
+        modalVelocities.middleCols (target + dropped, kept) = block.rightCols (kept);
+}
+
+/** Fills a render whose voltages have, beyond its samples, as many more as the plate model lags. */
+void renderAll (Kernels& kernels, int blockSize, Eigen::Index samples, const std::function<void (double)>& progress,
+                Render& render)
+{
+    Progress report (progress, samples);
+
+    for (Eigen::Index first = 0; first < samples; first += blockSize)
+    {
+        const auto count = std::min<Eigen::Index> (blockSize, samples - first);
+        renderBlock (kernels, first, count, render.voltages, render.modalVelocities);
+        report.reached (first + count);
+    }
+
+    render.limitedSamples = kernels.limiter.limitedSamples();
+
+    // What the plate does at the end depends on the voltages a little beyond it.
+    renderBlock (kernels, samples, render.voltages.cols() - samples, render.voltages, render.modalVelocities);
+    render.voltages.conservativeResize (Eigen::NoChange, samples);
+}
+} // namespace
+
+Render renderOffline (const ModalModel& model, const VoltageProgram& program, const RenderSettings& settings,
+                      const std::function<void (double)>& progress)
+{
+    requireUsable (settings);
+
+    if (program.allocation.rows() != model.actuators() || program.voltageLimits.size() != model.actuators())
+        throw InputError ("voltage program",
+                          "needs a row of the allocation and a limit for every ceramic of the device");
+
+    Kernels kernels { VoltageSynthesiser (program, settings.playback), VoltageLimiter (program.voltageLimits),
+                      PlateModel (model, settings.playback, settings.probeShapes) };
+
+    Render render;
+    const auto rows = model.actuators() + model.modes() + settings.probeShapes.rows();
+    const auto samples = countSamples (settings, rows, kernels.synthesiser.focusSample());
+    render.sampleRate = settings.playback.sampleRate;
+    render.focusSample = kernels.synthesiser.focusSample();
+    render.voltages.resize (model.actuators(), samples + kernels.plate.latencySamples());
+    render.modalVelocities.resize (model.modes(), samples);
+    renderAll (kernels, settings.blockSize, samples, progress, render);
+
+    if (kernels.limiter.isMuted())
+        throw InputError ("voltage program", "its voltages leave the range of numbers");
+
+    render.probeVelocities = settings.probeShapes * render.modalVelocities;
+    render.focusVelocities = render.modalVelocities.col (render.focusSample);
+    return render;
+}
+} // namespace antinode

@@ -1,0 +1,109 @@
+#include "PlateModel.h"
+
+#include <antinode_model/InputError.h>
+
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+constexpr double smallest = 1e-200;
+
+/** Sets what is too small to matter to 0: denormal numbers cost a hundred times the time of others. */
+template <typename Values>
+void dropDenormals (Values&& values)
+{
+    values = (values.abs() < smallest).select (0.0, values);
+}
+
+void requireAgreement (const ModalModel& model, const Eigen::MatrixXd& probeShapes)
+{
+    if (model.participation.rows() != model.modes() || ! model.participation.allFinite())
+        throw InputError ("device '" + model.name + "'",
+                          "the participation needs one row of finite numbers for every mode");
+
+    if (probeShapes.cols() != model.modes() || ! probeShapes.allFinite())
+        throw InputError ("probes", "the shapes at a probe need one finite number for every mode");
+}
+} // namespace
+
+PlateModel::PlateModel (const ModalModel& model, Playback playback, Eigen::MatrixXd shapes)
+    : recursion (modalRecursion (model, playback)), participation (model.participation),
+      probeShapes (std::move (shapes)), dampedFrequency (dampedFrequencies (model)),
+      decayPerTurn (decayRates (model).array() / dampedFrequency), turned (model.modes()),
+      forces (model.modes(), 2 * recursion.tapsReal.cols())
+{
+    requireAgreement (model, probeShapes);
+    reset();
+}
+
+void PlateModel::reset()
+{
+    stateReal.setZero (turned.size());
+    stateImaginary.setZero (turned.size());
+    velocity.setZero (turned.size());
+    displacement.setZero (turned.size());
+    forces.setZero();
+    newest = 0;
+}
+
+void PlateModel::pushForces (const Eigen::Ref<const Eigen::VectorXd>& voltages)
+{
+    const auto length = recursion.tapsReal.cols();
+    newest = (newest + 1) % length;
+    auto force = forces.col (newest);
+    force.setZero();
+
+    // Column by column: every force is added up in the same order, whatever the alignment of the voltages.
+    for (Eigen::Index ceramic = 0; ceramic < participation.cols(); ++ceramic)
+        force += participation.col (ceramic).array() * voltages[ceramic];
+
+    dropDenormals (force);
+    forces.col (newest + length) = force;
+}
+
+void PlateModel::advance (const Eigen::Ref<const Eigen::VectorXd>& voltages)
+{
+    pushForces (voltages);
+    turned = recursion.transitionReal * stateReal - recursion.transitionImaginary * stateImaginary;
+    stateImaginary = recursion.transitionReal * stateImaginary + recursion.transitionImaginary * stateReal;
+    stateReal.swap (turned);
+
+    for (Eigen::Index tap = 0; tap < recursion.tapsReal.cols(); ++tap)
+    {
+        const auto force = forces.col (newest + 1 + tap);
+        stateReal += recursion.tapsReal.col (tap) * force;
+        stateImaginary += recursion.tapsImaginary.col (tap) * force;
+    }
+
+    dropDenormals (stateReal);
+    dropDenormals (stateImaginary);
+    velocity.array() = stateReal - decayPerTurn * stateImaginary;
+}
+
+void PlateModel::process (Eigen::Ref<const Eigen::MatrixXd> voltages, Eigen::Ref<Eigen::MatrixXd> velocities)
+{
+    for (Eigen::Index n = 0; n < voltages.cols(); ++n)
+    {
+        advance (voltages.col (n));
+        velocities.col (n).setZero();
+
+        for (Eigen::Index k = 0; k < velocity.size(); ++k)
+            velocities.col (n) += probeShapes.col (k) * velocity[k];
+    }
+
+    displacement.array() = stateImaginary / dampedFrequency;
+}
+
+void PlateModel::processModes (Eigen::Ref<const Eigen::MatrixXd> voltages, Eigen::Ref<Eigen::MatrixXd> velocities)
+{
+    for (Eigen::Index n = 0; n < voltages.cols(); ++n)
+    {
+        advance (voltages.col (n));
+        velocities.col (n) = velocity;
+    }
+
+    displacement.array() = stateImaginary / dampedFrequency;
+}
+} // namespace antinode

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace antinode
+{
+/** The last guard before the outputs: no sample above its ceramic's limit, no NaN, no Inf.
+
+    A sample beyond its limit is clamped to it and counted per ceramic. A sample that is not finite latches a mute of all
+    ceramics: from that sample on all outputs are 0 until reset. Docs/Theory.md, section 6.4.
+*/
+class VoltageLimiter
+{
+public:
+    /** @param limits  N_b, V, at least 0
+        @throws InputError  when a limit is negative or not finite
+        [worker] allocates */
+    explicit VoltageLimiter (Eigen::VectorXd limits);
+
+    /** Limits in place. @param voltages N_b x n, V. [audio thread] allocates nothing, locks nothing */
+    void process (Eigen::Ref<Eigen::MatrixXd> voltages);
+
+    /** How many samples of each ceramic were clamped since the last reset. [audio thread] */
+    const std::vector<std::int64_t>& limitedSamples() const { return clamped; }
+
+    /** Whether a non-finite sample has muted the output. [audio thread] */
+    bool isMuted() const { return muted; }
+
+    /** Unlatches and counts from 0 again. [audio thread] */
+    void reset();
+
+private:
+    Eigen::VectorXd limits;
+    std::vector<std::int64_t> clamped;
+    bool muted = false;
+};
+} // namespace antinode

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <antinode_structure/DeviceDescription.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+
+namespace antinode
+{
+/** A device from JSON. SCHEMAS: antinode.device/1.
+    @param source  how errors name it: a file name, or "device 'staple'"
+    @throws InputError  source, JSON pointer, what is wrong, what is allowed, "did you mean"
+    [worker] */
+DeviceDescription readDevice (const nlohmann::json&, const std::string& source);
+
+/** A device of kind modal as JSON: what any other program can read. Written and read again it is the same to the bit: what Hz and
+    mm cannot express stands beside them in SI units, under "exact". [worker] */
+nlohmann::ordered_json modalDeviceToJson (const ModalModel&, const std::string& description);
+} // namespace antinode

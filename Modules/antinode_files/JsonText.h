@@ -1,0 +1,29 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace antinode
+{
+/** JSON from text: UTF-8, no duplicate keys, nesting at most 64 deep, all numbers finite.
+    @param source  how errors name it
+    @throws InputError  source, line and column or JSON pointer, what is wrong
+    [worker] */
+nlohmann::json parseJson (std::string_view text, const std::string& source);
+
+/** JSON from a file of at most 64 MiB.
+    @throws InputError  when it is missing, a directory, unreadable, too large, or not JSON as parseJson wants it
+    [worker] */
+nlohmann::json readJsonFile (const std::filesystem::path&);
+
+/** Sets one value, as `--set focus.targets.0.x_mm=24` gives it. A key that is a number indexes a list; the value is JSON where
+    it parses as such, else a string. Missing objects on the way are made; a list grows by one at most.
+    @param root        the document
+    @param assignment  "targets.0.x_mm=24"
+    @throws InputError  when it has no '=', or a part does not fit the document
+    [worker] */
+void applyAssignment (nlohmann::json& root, std::string_view assignment);
+} // namespace antinode

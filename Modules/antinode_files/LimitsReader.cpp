@@ -1,0 +1,14 @@
+#include "LimitsReader.h"
+
+#include "PhysicalRanges.h"
+
+namespace antinode
+{
+VoltageLimits readLimits (const JsonValue& value)
+{
+    const auto limits = value.object ({ "voltage_V", "full_scale_V" });
+    const auto voltage = limits.required ("voltage_V").number (ranges::voltage);
+    const auto fullScale = limits.optional ("full_scale_V");
+    return { voltage, fullScale ? fullScale->number (ranges::voltage) : voltage };
+}
+} // namespace antinode

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "JsonReader.h"
+
+namespace antinode
+{
+/** What a device's ceramics may get. */
+struct VoltageLimits
+{
+    double voltage = 0;   ///< U_max of every ceramic, V.
+    double fullScale = 0; ///< V that a sample of 1.0 stands for.
+};
+
+/** The object "limits" of a device; the full scale is the limit where it is not given. @throws InputError [worker] */
+VoltageLimits readLimits (const JsonValue&);
+} // namespace antinode

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "JsonReader.h"
+
+#include <antinode_structure/DeviceDescription.h>
+
+namespace antinode
+{
+/** A substrate's material: the name of a built-in one, or its constants. @throws InputError [worker] */
+ElasticMaterial readElasticMaterial (const JsonValue&);
+
+/** A ceramic's material: the name of a built-in one, or its constants. @throws InputError [worker] */
+PiezoelectricMaterial readPiezoelectricMaterial (const JsonValue&);
+} // namespace antinode

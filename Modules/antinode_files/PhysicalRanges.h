@@ -1,0 +1,24 @@
+#pragma once
+
+#include "JsonReader.h"
+
+namespace antinode
+{
+/** What files may say, wide enough for any device that can be built. In the unit that the keys name. */
+namespace ranges
+{
+constexpr std::size_t maximumCeramics = 1024;
+constexpr std::size_t maximumModes = 5000;
+constexpr std::size_t maximumPoints = 100000;
+constexpr std::size_t maximumNameBytes = 200;
+constexpr std::size_t maximumDescriptionBytes = 20000;
+
+constexpr NumberRange lengthMillimetre { 1e-4, 1e5 };
+constexpr NumberRange positionMillimetre { -1e5, 1e5 };
+constexpr NumberRange frequencyHz { 1e-3, 1e8 };
+constexpr NumberRange voltage { 1e-3, 1e5 };
+constexpr NumberRange timeMillisecond { 1e-3, 60000 };
+constexpr NumberRange dampingRatio { 0, 1, true, true };
+constexpr NumberRange qualityFactor { 0.5, 1e9, true };
+} // namespace ranges
+} // namespace antinode

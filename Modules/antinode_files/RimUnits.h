@@ -1,0 +1,23 @@
+#pragma once
+
+namespace antinode
+{
+/** mm to m (or mm/s to m/s), correctly rounded: 24 becomes the double next to 0.024. [any] */
+double fromMillimetres (double millimetres);
+
+/** ms to s, correctly rounded. [any] */
+double fromMilliseconds (double milliseconds);
+
+/** Hz to rad/s. [any] */
+double fromHertz (double hertz);
+
+/** The number of mm that fromMillimetres turns into this length again; of several the one with the fewest digits. A few
+    lengths in a hundred have none, because a double in mm is coarser there: then the nearest. [any] */
+double toMillimetres (double metres);
+
+/** The same for ms. [any] */
+double toMilliseconds (double seconds);
+
+/** The same for Hz; here about a third of all values have no exact number. [any] */
+double toHertz (double angularFrequency);
+} // namespace antinode

@@ -1,0 +1,128 @@
+#include "Allocation.h"
+
+#include "AllocationCertificate.h"
+#include "AllocationInput.h"
+#include "LimitedAllocation.h"
+#include "WhitenedAllocation.h"
+
+#include <antinode_model/InputError.h>
+
+#include <chrono>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+/** A peak ratio below which the limits leave so much room that the exact least one need not be known. */
+constexpr auto easyRatio = 0.97;
+
+/** Gaps beyond this are no solution. */
+constexpr auto largestGap = 1e-4;
+
+/** What the limits must have to spare for the least norm within them to be looked for. */
+constexpr auto leastRoom = 1e-6;
+
+/** Room above the least peak in which the norm is then made small. */
+constexpr auto roomAboveLeastPeak = 1.001;
+
+double secondsSince (std::chrono::steady_clock::time_point begin)
+{
+    return std::chrono::duration<double> (std::chrono::steady_clock::now() - begin).count();
+}
+
+Allocation nothing (const AllocationProblem& problem)
+{
+    Allocation allocation;
+    allocation.matrix = Eigen::MatrixXd::Zero (problem.voltageLimits.size(), problem.waveforms.rows());
+    return allocation;
+}
+
+void addEffort (AllocationCertificate& certificate, const AllocationEffort& effort)
+{
+    certificate.iterations += effort.iterations;
+    certificate.rounds += effort.rounds;
+}
+
+/** The largest error of a hard row, from the matrix itself. */
+double rowResidual (const AllocationProblem& problem, const Eigen::MatrixXd& matrix)
+{
+    const Eigen::VectorXd values =
+        problem.participation.cwiseProduct (problem.rows * matrix.transpose()).rowwise().sum();
+    return (values - problem.wanted).cwiseAbs().maxCoeff() / problem.wanted.cwiseAbs().maxCoeff();
+}
+
+void checkSolved (double gap)
+{
+    if (! (std::abs (gap) <= largestGap))
+        throw InputError ("allocation",
+                          "cannot be solved accurately because drives or rows are almost combinations of others: "
+                          "control fewer modes, or let their growths differ more");
+}
+
+/** The shares where the limits matter, with status, bound and effort of the certificate. */
+Eigen::MatrixXd limitedShares (const WhitenedAllocation& whitened, const RowSystem& rows, AllocationGoal goal,
+                               AllocationCertificate& certificate)
+{
+    const auto hardOnly = whitened.withoutGuards();
+    const auto isPeak = goal == AllocationGoal::peak;
+    const auto least = leastPeakShares (hardOnly, RowSystem (hardOnly), isPeak ? 0.0 : easyRatio);
+
+    if (isPeak || least.value > easyRatio)
+        checkSolved (least.gap());
+
+    const auto isInfeasible = ! isPeak && least.value > 1 - leastRoom;
+    const auto ratio = isPeak || isInfeasible ? roomAboveLeastPeak * least.bound : 1.0;
+    const auto result = leastNormShares (whitened, rows, ratio, least.shares);
+    certificate.status = isInfeasible ? AllocationStatus::infeasible : AllocationStatus::optimal;
+    certificate.leastPeakRatio = least.bound;
+    certificate.bound = result.bound;
+    addEffort (certificate, least.effort);
+    addEffort (certificate, result.effort);
+    return result.shares;
+}
+} // namespace
+
+Allocation solveAllocation (const AllocationProblem& problem, AllocationGoal goal)
+{
+    const auto begin = std::chrono::steady_clock::now();
+    validate (problem);
+
+    if (problem.wanted.isZero (0))
+        return nothing (problem);
+
+    const auto whitened = whiten (problem);
+    const RowSystem rows (whitened);
+    auto shares = rows.leastNormShares();
+    Allocation allocation;
+    auto& certificate = allocation.certificate;
+
+    if (goal == AllocationGoal::peak || whitened.peakRatio (shares) > 1)
+        shares = limitedShares (whitened, rows, goal, certificate);
+    else
+        certificate.bound =
+            leastNormBound (whitened, rows, Eigen::MatrixXd::Zero (whitened.basis.rows(), shares.cols()), 1);
+
+    const auto voltsSquared = whitened.voltageUnit * whitened.voltageUnit;
+    certificate.bound *= voltsSquared;
+    certificate.objective = whitened.objective (shares) * voltsSquared;
+    certificate.gap = (certificate.objective - certificate.bound) / certificate.objective;
+    checkSolved (certificate.gap);
+    certificate.peakRatio = whitened.peakRatio (shares);
+    allocation.matrix = whitened.matrix (shares);
+    certificate.rowResidual = rowResidual (problem, allocation.matrix);
+    certificate.milliseconds = 1000 * secondsSince (begin);
+    return allocation;
+}
+
+Eigen::MatrixXd minimumNormAllocation (const AllocationProblem& problem)
+{
+    validate (problem);
+
+    if (problem.wanted.isZero (0))
+        return nothing (problem).matrix;
+
+    const auto whitened = whiten (problem);
+    return whitened.matrix (RowSystem (whitened).leastNormShares());
+}
+} // namespace antinode

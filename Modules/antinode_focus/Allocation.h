@@ -1,0 +1,91 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace antinode
+{
+/** The allocation problem: which ceramic plays how much of which drive. Docs/Theory.md, section 4; paper (29), (30).
+
+    Unknown: M, N_b x N_d (ceramics x drives), V. With the drives sampled as Psi (N_d x N_s):
+
+        minimise    1/2 ||M Psi||_F^2 + guardWeight/2 * scale * sum_g (guard row g of M)^2
+        subject to  row k:   sum_i sum_l participation (k, i) rows (k, l) M (i, l) = wanted (k)      (hard)
+                    |(M Psi) (i, n)| <= voltageLimits (i)
+
+    A guard row is built like a hard row, from guardParticipation and guardRows, in the same unit, and wants 0.
+    `rows` is the identity for the paper's rows (29) and the matrix C of terminal velocities for exact rows.
+
+    So that guardWeight has no unit, scale = E / |wanted|^2, where E = ||M Psi||_F^2 is the least energy that meets the hard rows without
+    guards and limits: guards that end as large as all that is wanted cost guardWeight times that energy. At weight 100 a
+    guard error of 1 % of the wanted velocities costs as much as 1 % of the drive energy. The units of voltages,
+    velocities and participations and the number of samples do not matter.
+*/
+struct AllocationProblem
+{
+    Eigen::MatrixXd waveforms;          ///< Psi, N_d x N_s: the drives on a grid of times on which the limit holds.
+    Eigen::MatrixXd participation;      ///< N_k x N_b
+    Eigen::MatrixXd rows;               ///< N_k x N_d
+    Eigen::VectorXd wanted;             ///< N_k
+    Eigen::MatrixXd guardParticipation; ///< N_g x N_b, or empty
+    Eigen::MatrixXd guardRows;          ///< N_g x N_d, or empty
+    double guardWeight = 0;             ///< lambda, at least 0
+    Eigen::VectorXd voltageLimits;      ///< N_b, V, more than 0
+};
+
+/** What to minimise. */
+enum class AllocationGoal
+{
+    norm, ///< The norm, guards included, within the limits.
+    peak ///< The largest |U_i| / voltageLimits (i), guards ignored; then the norm, guards included, within 1.001 of it.
+};
+
+enum class AllocationStatus
+{
+    unconstrained, ///< The closed-form minimum norm keeps the limits.
+    optimal,       ///< The limits are active; the duality gap is certified. Always so for AllocationGoal::peak.
+    infeasible ///< No M keeps the limits with 1e-6 to spare: proven. The allocation is that of AllocationGoal::peak.
+};
+
+/** What is known for certain about an allocation. */
+struct AllocationCertificate
+{
+    AllocationStatus status = AllocationStatus::unconstrained;
+    int iterations = 0;   ///< Interior-point iterations over all rounds.
+    int rounds = 0;       ///< Rounds of peak constraint generation.
+    double objective = 0; ///< What is minimised, guards' part included, V^2.
+    /** A value that no M can go below which meets the rows and the limits (weak duality), V^2. Where the least peak was
+        asked for, or the limits cannot be kept, the limits are those times 1.001 leastPeakRatio. */
+    double bound = 0;
+    double gap = 0;       ///< (objective - bound) / objective.
+    double peakRatio = 0; ///< max |U_i| / voltageLimits (i) on the grid.
+    /** Certified: no M has a smaller peakRatio. The least there is, to 1e-6, for AllocationGoal::peak and infeasible limits;
+        otherwise only what came up on the way to knowing that the limits can be kept, or 0. */
+    double leastPeakRatio = 0;
+    double rowResidual = 0; ///< max |row error| / max |wanted|.
+    double milliseconds = 0;
+};
+
+struct Allocation
+{
+    Eigen::MatrixXd matrix; ///< M, N_b x N_d, V.
+    AllocationCertificate certificate;
+};
+
+/** The best allocation, with its certificate: closed form where that keeps the limits, else a primal-dual interior point
+    method on the peaks of the voltages. Deterministic. Limits are kept to 1e-9, rows to rounding. The gap is at most 1e-6, mostly 1e-9,
+    unless the limits leave less than 1e-4 to spare or drives almost coincide: then rounding can leave more, and the certificate says so.
+    Where the limits cannot be kept (status infeasible) the matrix is that of the least peak: the caller decides what to say;
+    all is linear in `wanted`, so wanted / certificate.leastPeakRatio can be reached.
+    Where drives are combinations of others (to 1e-5 of their length) each counts as if 1e-4 of its length were in a sample of its own.
+    `wanted` all 0 gives M = 0.
+    @throws InputError  when the problem is not well-formed, or a row cannot be met at all (a mode that no ceramic moves, or that
+                        cannot be steered apart from those before it), naming the row; or when rounding leaves a gap above 1e-4
+    [worker] Docs/Theory.md, section 4. */
+Allocation solveAllocation (const AllocationProblem&, AllocationGoal);
+
+/** The minimum-norm allocation without limits, guards included, closed form.
+    @return M, N_b x N_d.
+    @throws InputError  as solveAllocation
+    [worker] Docs/Theory.md, section 4.2. */
+Eigen::MatrixXd minimumNormAllocation (const AllocationProblem&);
+} // namespace antinode

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "FocusDesign.h"
+
+#include <antinode_model/InputError.h>
+
+#include <functional>
+
+namespace antinode
+{
+/** The voltage limit cannot be met by the wanted focus. The text says what can. */
+class LimitError : public InputError
+{
+public:
+    LimitError (const std::string& where, const std::string& wrong, double leastPeakVoltageToUse,
+                double reachableVelocityToUse);
+
+    double leastPeakVoltage;  ///< V: the least peak of these drives that brings the wanted field.
+    double reachableVelocity; ///< m/s: the peak velocity that the limit allows.
+};
+
+/** From what is wanted to what is played: project, choose modes, transients, allocate.
+    @param playback  what the exact terminal rows are computed for
+    @throws LimitError  when the voltage limit cannot be met (proven); InputError for all else that cannot be done
+    [worker] Docs/Theory.md, sections 2 to 4. */
+FocusDesign designFocus (const ModalModel&, const FocusDescription&, Playback);
+
+/** The second half: modal velocities prescribed instead of projected, for example for tests of single modes.
+    @param modes   ascending mode indices
+    @param wanted  their modal velocities at t_f, m/s kg^1/2
+    @throws        as designFocus
+    [worker] Docs/Theory.md, sections 3 and 4. */
+FocusDesign designModes (const ModalModel&, const FocusDescription&, std::vector<int> modes,
+                         const Eigen::VectorXd& wanted, Playback);
+
+/** The largest voltage of any ceramic that the drives of a design and their release ask for, before any limiter. V. [any] */
+double peakVoltage (const FocusDesign&);
+
+/** The voltage limit of each ceramic: the device's, or the focus's where that is lower. N_b, V. [any] */
+Eigen::VectorXd voltageLimits (const ModalModel&, const AllocationChoice&);
+} // namespace antinode

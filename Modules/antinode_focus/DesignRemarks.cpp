@@ -1,0 +1,93 @@
+#include "DesignRemarks.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace antinode
+{
+namespace
+{
+constexpr double poorCapture = 0.9;
+constexpr double reliableShareOfNyquist = 0.8; // the interpolation of the plate model and of real converters
+
+std::string methodName (AllocationMethod method)
+{
+    switch (method)
+    {
+        case AllocationMethod::oneToOne:
+            return "one ceramic a mode, the one that moves it most; neither other modes nor the limit are looked at";
+        case AllocationMethod::minimumNorm:
+            return "least norm of all voltages, each mode's own row only, without a limit";
+        case AllocationMethod::paper:
+            return "the paper's problem: least norm within the voltage limit, each mode's own row only";
+        case AllocationMethod::exact:
+            return "exact terminal velocities of all controlled modes at the least norm within the voltage limit, the "
+                   "others guarded";
+        case AllocationMethod::minimumPeak:
+            return "exact terminal velocities of all controlled modes at the least peak voltage, the others guarded";
+    }
+
+    return {};
+}
+
+void addChoices (FocusDesign& design, const ModalModel& model)
+{
+    const auto& description = design.description;
+    std::string modes;
+
+    for (const auto mode : design.controlledModes)
+        modes += (modes.empty() ? "" : ", ") + std::to_string (mode + 1);
+
+    design.choices.push_back ("Controlled modes: " + modes + " of " + std::to_string (model.modes()) + ".");
+
+    if (description.transients.growth.empty())
+        design.choices.push_back ("Growth chosen so that all modes rise together, by 4 e-folds before the focus.");
+
+    if (description.transients.cycles.empty())
+        design.choices.push_back ("Cycles chosen: as many as fit before the focus.");
+
+    design.choices.push_back ("Allocation: " + methodName (description.allocation.method) + ".");
+}
+
+void warnOfPeak (FocusDesign& design)
+{
+    const auto peak = design.certificate.peakRatio;
+
+    if (peak > 1 + 1e-9)
+        design.warnings.push_back ("This allocation asks for " + inWords (peak)
+                                   + " times the voltage limit; the limiter will clip it and the field will differ. "
+                                     "Use the allocation 'exact' or 'paper', a lower velocity or a higher limit.");
+    else if (design.certificate.status == AllocationStatus::optimal
+             && design.description.allocation.method != AllocationMethod::minimumPeak)
+        design.warnings.push_back (
+            "The voltage limit is reached: the load is spread over more ceramics than without it.");
+}
+} // namespace
+
+std::string inWords (double value)
+{
+    std::array<char, 32> text {};
+    std::snprintf (text.data(), text.size(), std::abs (value) >= 1000 && std::abs (value) < 1e7 ? "%.0f" : "%.4g",
+                   value);
+    return text.data();
+}
+
+void addRemarks (FocusDesign& design, const ModalModel& model)
+{
+    addChoices (design, model);
+
+    if (design.captured < poorCapture)
+        design.warnings.push_back ("The controlled modes carry only " + inWords (design.captured)
+                                   + " of the wanted field (1 is all): control more modes or widen the target.");
+
+    const auto highest = model.frequencyHz (design.controlledModes.back());
+
+    if (design.playback.sampleRate > 0 && highest > reliableShareOfNyquist * 0.5 * design.playback.sampleRate)
+        design.warnings.push_back (
+            "Mode " + std::to_string (design.controlledModes.back() + 1) + " at " + inWords (highest)
+            + " Hz lies near half the sample rate, where converters roll off: take a higher rate.");
+
+    warnOfPeak (design);
+}
+} // namespace antinode

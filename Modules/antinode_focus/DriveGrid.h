@@ -1,0 +1,24 @@
+#pragma once
+
+#include <antinode_model/Oscillation.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace antinode
+{
+/** Samples of one cycle of the fastest oscillation on the grid on which voltage limits are imposed. How fast an oscillation is says the
+    modulus of its exponent: a release bends by its decay as well as by its frequency. */
+constexpr int gridSamplesPerCycle = 32;
+
+/** What the grid's limit must be multiplied by so that the limit holds between its samples too: cos (pi / 32) = 0.9952.
+    [any] Docs/Theory.md, section 4.6. */
+double gridLimitMargin();
+
+/** Drives sampled from `first` to `last` inclusive, fine enough for gridLimitMargin.
+    @param drives  the oscillations of each drive
+    @return        drives x N_s
+    [worker] Docs/Theory.md, section 4.6. */
+Eigen::MatrixXd sampleDrives (const std::vector<std::vector<Oscillation>>& drives, double first, double last);
+} // namespace antinode

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** The shape of a wanted field around its centre. Docs/Theory.md, section 2; paper (34). */
+enum class TargetShape
+{
+    sinc,    ///< sin (a r) / (a r)
+    bump,    ///< e exp (-1 / (1 - (r/a)^2)), 0 beyond a
+    gaussian ///< exp (-4 ln 2 (r / width)^2)
+};
+
+/** One wanted place. */
+struct Target
+{
+    TargetShape shape = TargetShape::sinc;
+    double x = 0, y = 0;     ///< Centre, m.
+    double width = 0;        ///< Full width at half maximum, m.
+    double peakVelocity = 0; ///< m/s, more than 0.
+    int phase = 1;           ///< 1 or -1: the sign of the peak.
+};
+
+enum class ModeOrder
+{
+    energy,   ///< Those that carry most of the target's energy first.
+    frequency ///< The lowest first.
+};
+
+/** Which modes are controlled: at most one of count, captured, maximumFrequency; none: enough for 0.99 captured. */
+struct ModeChoice
+{
+    std::optional<int> count;
+    ModeOrder order = ModeOrder::energy;
+    std::optional<double> captured;         ///< sqrt (S/K) to be reached, 0 to 1.
+    std::optional<double> maximumFrequency; ///< Hz
+};
+
+enum class DriveKind
+{
+    offsetFree, ///< The default: no constant part, hardly any step at the start. Docs/Theory.md, section 3.3.
+    paper       ///< Paper (26) and appendix B, corrected. Docs/Theory.md, section 3.2.
+};
+
+/** How the modes are brought to their velocity. Lists hold one value for all modes, or one a controlled mode. */
+struct TransientChoice
+{
+    DriveKind drive = DriveKind::offsetFree;
+    std::vector<double> growth;            ///< gamma, at least 0; empty: chosen so that all modes rise together.
+    std::vector<int> cycles;               ///< N, at least 0; empty: as many as fit before the focus time.
+    std::optional<double> maximumDuration; ///< s, of the drive before the focus time.
+    std::optional<double> brake;           ///< gamma' > 1: decay after the focus, as a multiple of the free decay.
+};
+
+enum class AllocationMethod
+{
+    oneToOne,    ///< Each mode by the one ceramic that drives it best.
+    minimumNorm, ///< Rows (29), least norm, no limit: closed form.
+    paper,       ///< Rows (29) within the voltage limit: the paper's problem.
+    exact,       ///< Exact terminal rows within the voltage limit, soft guard modes: the default.
+    minimumPeak  ///< Exact terminal rows at the least peak voltage.
+};
+
+struct AllocationChoice
+{
+    AllocationMethod method = AllocationMethod::exact;
+    std::optional<double> voltageLimit; ///< V for every ceramic; else (and at most) the device's own.
+    std::optional<int> guardModes;      ///< How many uncontrolled modes are guarded (the lowest); none: all.
+    double guardWeight = 100;
+    std::optional<double>
+        window; ///< s before the focus time in which the norm is taken and the limit is imposed; none: all.
+};
+
+/** What is wanted: where, what shape, how strong, when, and how it is brought about. SCHEMAS: antinode.focus/1. */
+struct FocusDescription
+{
+    std::string name;
+    std::vector<Target> targets;
+    double focusTime = 0; ///< t_f, s after the trigger.
+    ModeChoice modes;
+    TransientChoice transients;
+    AllocationChoice allocation;
+    std::optional<double> edgeWindow;              ///< Tukey taper as a fraction of the surface's length, 0 to 1.
+    std::vector<std::pair<double, double>> probes; ///< x, y, m.
+};
+} // namespace antinode

@@ -1,0 +1,26 @@
+#include "FocusScore.h"
+
+#include <cmath>
+
+namespace antinode
+{
+FocusScore scoreField (const Surface& surface, const Eigen::VectorXd& reached, const Eigen::VectorXd& wanted)
+{
+    const Eigen::VectorXd share = surface.areas / surface.areas.sum();
+    const Eigen::VectorXd r = (reached.array() - share.dot (reached)).matrix();
+    const Eigen::VectorXd w = (wanted.array() - share.dot (wanted)).matrix();
+    const auto inner = [&] (const Eigen::VectorXd& a, const Eigen::VectorXd& b)
+    { return share.dot (a.cwiseProduct (b)); };
+    const auto deviations = std::sqrt (inner (r, r) * inner (w, w));
+    const Eigen::VectorXd difference = reached - wanted;
+
+    Eigen::Index peak = 0;
+    wanted.cwiseAbs().maxCoeff (&peak);
+
+    FocusScore score;
+    score.vScore = deviations > 0 ? inner (r, w) / deviations : 0.0;
+    score.fieldError = std::sqrt (inner (difference, difference) / inner (wanted, wanted));
+    score.peakRatio = reached[peak] / wanted[peak];
+    return score;
+}
+} // namespace antinode

@@ -1,0 +1,188 @@
+#include "LimitedAllocation.h"
+
+#include "AllocationCertificate.h"
+#include "AllocationInteriorPoint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace antinode
+{
+namespace
+{
+/** Iterations after which a gap that is small enough is taken for the smallest that can be had. */
+constexpr auto patience = 60;
+
+constexpr auto maximumIterations = 400;
+
+Eigen::VectorXd peaks (const Eigen::MatrixXd& voltages)
+{
+    return voltages.cwiseAbs().colwise().maxCoeff().transpose();
+}
+
+double peakRatio (const Eigen::MatrixXd& voltages, const Eigen::VectorXd& limits)
+{
+    return peaks (voltages).cwiseQuotient (limits).maxCoeff();
+}
+
+/** Local maxima of |voltage| above a threshold each, a list a ceramic: between two zeros only they can break a limit. */
+std::vector<SampleList> peaksAbove (const Eigen::MatrixXd& voltages, const Eigen::VectorXd& thresholds)
+{
+    std::vector<SampleList> lists (static_cast<std::size_t> (voltages.cols()));
+    const auto last = voltages.rows() - 1;
+
+    for (Eigen::Index i = 0; i < voltages.cols(); ++i)
+        for (Eigen::Index n = 0; n <= last; ++n)
+        {
+            const auto value = std::abs (voltages (n, i));
+
+            if (value > thresholds[i] && value >= std::abs (voltages (std::max<Eigen::Index> (n - 1, 0), i))
+                && value >= std::abs (voltages (std::min (n + 1, last), i)))
+                lists[static_cast<std::size_t> (i)].push_back (n);
+        }
+
+    return lists;
+}
+
+/** The interior point method with constraint generation: every peak beyond its limit joins the working set at once. */
+class PeakSearch
+{
+public:
+    PeakSearch (const WhitenedAllocation& problemToUse, const RowSystem& rowsToUse, AllocationInteriorPoint::Ratio kind,
+                double ratio, double curvature, const Eigen::MatrixXd& start)
+        : problem (problemToUse), rows (rowsToUse), currentShares (start), currentVoltages (problem.voltages (start)),
+          method (problem, kind, ratio, curvature, start)
+    {
+    }
+
+    /** Limits the peaks above a threshold each, where there are any. */
+    void limitPeaks (const Eigen::VectorXd& thresholds)
+    {
+        const auto found = peaksAbove (currentVoltages, thresholds);
+
+        if (std::all_of (found.begin(), found.end(), [] (const auto& list) { return list.empty(); }))
+            return;
+
+        method.addSamples (found);
+        ++work.rounds;
+    }
+
+    /** One step, to shares that meet the hard rows.
+        @return  false where none is left */
+    bool advance()
+    {
+        if (work.iterations == maximumIterations || ! method.step())
+            return false;
+
+        ++work.iterations;
+        currentShares = rows.withExactRows (method.shares());
+        currentVoltages = problem.voltages (currentShares);
+        return true;
+    }
+
+    /** Whether a relative gap may stay: the smallest that rounding allows is aimed at, but not at any price. */
+    bool isEnough (double gap, double aim, double need) const
+    {
+        return gap <= (work.iterations < patience ? aim : need);
+    }
+
+    const AllocationInteriorPoint& state() const { return method; }
+    const AllocationEffort& effort() const { return work; }
+    const Eigen::MatrixXd& shares() const { return currentShares; }
+    const Eigen::MatrixXd& voltages() const { return currentVoltages; }
+
+private:
+    const WhitenedAllocation& problem;
+    const RowSystem& rows;
+    Eigen::MatrixXd currentShares, currentVoltages;
+    AllocationInteriorPoint method;
+    AllocationEffort work;
+};
+
+/** A curvature that changes the least peak by about 1e-8 of itself. */
+double tinyCurvature (const WhitenedAllocation& problem, double ratio)
+{
+    return 1e-8 / (static_cast<double> (problem.basis.rows()) * problem.limits.squaredNorm() * ratio);
+}
+
+/** Shares pulled towards a point inside the limits until none of their samples is beyond. */
+Eigen::MatrixXd pulledInside (const Eigen::MatrixXd& shares, double reached, double allowed,
+                              const Eigen::MatrixXd& inside, double insideRatio)
+{
+    if (reached <= allowed)
+        return shares;
+
+    const auto weight = std::min (1.0, (reached - allowed) / (reached - insideRatio));
+    return (1 - weight) * shares + weight * inside;
+}
+} // namespace
+
+LimitedAllocation leastPeakShares (const WhitenedAllocation& problem, const RowSystem& rows, double easyRatio)
+{
+    constexpr auto aim = 1e-7;
+    constexpr auto need = 5e-7;
+    constexpr auto firstPeaks = 0.2;
+    constexpr auto room = 1.1;
+    LimitedAllocation best;
+    best.shares = rows.leastNormShares();
+    best.value = problem.peakRatio (best.shares);
+    PeakSearch search (problem, rows, AllocationInteriorPoint::Ratio::free, room * best.value,
+                       tinyCurvature (problem, best.value), best.shares);
+    search.limitPeaks (firstPeaks * peaks (search.voltages()));
+
+    while (best.value > easyRatio && ! search.isEnough (best.gap(), aim, need) && search.advance())
+    {
+        const auto& state = search.state();
+        best.improve (search.shares(), peakRatio (search.voltages(), problem.limits),
+                      leastPeakBound (problem, state.rowMultipliers(), state.sampleMultipliers()));
+        search.limitPeaks (state.peakRatio() * problem.limits);
+    }
+
+    best.effort = search.effort();
+    return best;
+}
+
+LimitedAllocation leastNormShares (const WhitenedAllocation& problem, const RowSystem& rows, double ratio,
+                                   const Eigen::MatrixXd& inside)
+{
+    constexpr auto aim = 1e-9;
+    constexpr auto need = 1e-7;
+    constexpr auto firstPeaks = 0.8;
+    const auto insideRatio = problem.peakRatio (inside);
+    const Eigen::VectorXd limits = ratio * problem.limits;
+    LimitedAllocation best;
+    best.shares = inside;
+    best.value = problem.objective (inside);
+    PeakSearch search (problem, rows, AllocationInteriorPoint::Ratio::fixed, ratio, 1, inside);
+    search.limitPeaks (firstPeaks * limits);
+
+    while (! search.isEnough (best.gap(), aim, need) && search.advance())
+    {
+        const auto reached = peakRatio (search.voltages(), problem.limits);
+        const auto allowed = pulledInside (search.shares(), reached, ratio, inside, insideRatio);
+        best.improve (allowed, problem.objective (allowed),
+                      leastNormBound (problem, rows, search.state().sampleMultipliers(), ratio));
+        search.limitPeaks (limits);
+    }
+
+    best.effort = search.effort();
+    return best;
+}
+
+double LimitedAllocation::gap() const
+{
+    return (value - bound) / value;
+}
+
+void LimitedAllocation::improve (const Eigen::MatrixXd& newShares, double newValue, double newBound)
+{
+    bound = std::max (bound, newBound);
+
+    if (newValue < value)
+    {
+        value = newValue;
+        shares = newShares;
+    }
+}
+} // namespace antinode

@@ -1,0 +1,149 @@
+#include "Prediction.h"
+
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+using namespace std::complex_literals;
+using Complex = std::complex<double>;
+
+/** (e^{p L} - e^{s L}) / (p - s), also where p comes near s. */
+Complex exponentialDifference (Complex p, Complex s, double length)
+{
+    const auto z = (p - s) * length;
+
+    if (std::abs (z) > 0.5)
+        return (std::exp (p * length) - std::exp (s * length)) / (p - s);
+
+    // (e^z - 1)/z by its series: 14 terms leave 0.5^14 / 15! < 1e-16.
+    Complex sum = 1, term = 1;
+
+    for (int n = 2; n <= 15; ++n)
+    {
+        term *= z / static_cast<double> (n);
+        sum += term;
+    }
+
+    return std::exp (s * length) * length * sum;
+}
+
+/** sum over n = 0 .. count-1 of r_p^n r_s^{count-1-n} with r = e^{(.) T}. */
+Complex geometricDifference (Complex p, Complex s, double period, double count)
+{
+    const auto step = exponentialDifference (p, s, period);
+    return exponentialDifference (p, s, period * count) / step;
+}
+
+template <typename Response>
+Complex realResponse (const Oscillation& oscillation, Response&& response)
+{
+    const auto p = oscillation.exponent();
+    const auto x = oscillation.phasor();
+    return 0.5 * (x * response (p) + std::conj (x) * response (std::conj (p)));
+}
+
+Complex terminalState (Complex pole, const Oscillation& oscillation, double focusTime, Playback playback)
+{
+    if (playback.sampleRate > 0 && playback.reconstruction == Reconstruction::zeroOrderHold)
+        return heldModalResponse (pole, oscillation, focusTime, playback.sampleRate);
+
+    return modalResponse (pole, oscillation, focusTime);
+}
+} // namespace
+
+Complex modalResponse (Complex pole, const Oscillation& oscillation, double time)
+{
+    const auto length = std::min (time, oscillation.end) - oscillation.start;
+
+    if (length <= 0)
+        return 0;
+
+    const auto state = realResponse (oscillation, [&] (Complex p) { return exponentialDifference (p, pole, length); });
+    return state * std::exp (pole * std::max (time - oscillation.end, 0.0));
+}
+
+Complex heldModalResponse (Complex pole, const Oscillation& oscillation, double time, double sampleRate)
+{
+    // The samples lie at time - m / rate, m = 1, 2, ...; those with start <= t < end act, each held for one period.
+    constexpr double onSample = 1e-6;
+    const auto period = 1 / sampleRate;
+    const auto lastBack = std::max (1.0, std::floor ((time - oscillation.end) * sampleRate + onSample) + 1);
+    const auto firstBack = std::floor ((time - oscillation.start) * sampleRate + onSample);
+    const auto count = firstBack - lastBack + 1;
+
+    if (count <= 0)
+        return 0;
+
+    const auto firstTime = time - firstBack * period - oscillation.start;
+    const auto heldGain = exponentialDifference (0, pole, period); // integral of e^{s t} over one period
+    const auto state =
+        realResponse (oscillation, [&] (Complex p)
+                      { return std::exp (p * firstTime) * geometricDifference (p, pole, period, count); });
+    return state * heldGain * std::exp (pole * (lastBack - 1) * period);
+}
+
+Eigen::VectorXcd modalPoles (const ModalModel& model)
+{
+    Eigen::VectorXcd poles (model.modes());
+    poles.real() = -decayRates (model);
+    poles.imag() = dampedFrequencies (model);
+    return poles;
+}
+
+Eigen::VectorXd modalVelocities (const ModalModel& model, const Eigen::VectorXcd& states)
+{
+    const Eigen::ArrayXd ratio = decayRates (model).array() / dampedFrequencies (model).array();
+    return (states.real().array() - ratio * states.imag().array()).matrix();
+}
+
+Eigen::VectorXd modalDisplacements (const ModalModel& model, const Eigen::VectorXcd& states)
+{
+    return states.imag().cwiseQuotient (dampedFrequencies (model));
+}
+
+Eigen::VectorXcd predictStates (const ModalModel& model, const VoltageProgram& program, double time)
+{
+    const auto poles = modalPoles (model);
+    const Eigen::MatrixXd forces = model.participation * program.allocation; // N_m x oscillations
+    Eigen::VectorXcd states = Eigen::VectorXcd::Zero (model.modes());
+
+    for (Eigen::Index k = 0; k < states.size(); ++k)
+        for (Eigen::Index c = 0; c < forces.cols(); ++c)
+            states[k] +=
+                forces (k, c) * modalResponse (poles[k], program.oscillations[static_cast<std::size_t> (c)], time);
+
+    return states;
+}
+
+Eigen::MatrixXd terminalVelocities (const ModalModel& model, const std::vector<int>& modes,
+                                    const std::vector<std::vector<Oscillation>>& drives, double focusTime,
+                                    Playback playback)
+{
+    const auto poles = modalPoles (model);
+    Eigen::MatrixXd velocities (modes.size(), drives.size());
+
+    for (Eigen::Index l = 0; l < velocities.cols(); ++l)
+        for (Eigen::Index k = 0; k < velocities.rows(); ++k)
+        {
+            const auto pole = poles[modes[static_cast<std::size_t> (k)]];
+            Complex state = 0;
+
+            for (const auto& oscillation : drives[static_cast<std::size_t> (l)])
+                state += terminalState (pole, oscillation, focusTime, playback);
+
+            velocities (k, l) = state.real() + pole.real() / pole.imag() * state.imag();
+        }
+
+    return velocities;
+}
+
+double oscillationValue (const Oscillation& oscillation, double time)
+{
+    if (time < oscillation.start || time >= oscillation.end)
+        return 0;
+
+    return (oscillation.phasor() * std::exp (oscillation.exponent() * (time - oscillation.start))).real();
+}
+} // namespace antinode

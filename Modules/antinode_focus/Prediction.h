@@ -1,0 +1,54 @@
+#pragma once
+
+#include <antinode_model/ModalModel.h>
+#include <antinode_model/Oscillation.h>
+#include <antinode_model/Playback.h>
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <vector>
+
+namespace antinode
+{
+/** The state y of a mode under one oscillation, in closed form: y' = s y + value (t), y = 0 before; s = -a + j b.
+    q = Im (y) / b, q' = Re[(1 + j a/b) y].
+    @param pole  s, 1/s
+    @param time  s, from the trigger; after the oscillation's end the mode decays freely
+    @return      y, exact for any growth, also at p = s
+    [any] Docs/Theory.md, section 3.1. */
+std::complex<double> modalResponse (std::complex<double> pole, const Oscillation&, double time);
+
+/** The same for the oscillation played as samples on a grid through `focusTime` and held between them.
+    @param time  s; a time of the grid
+    [any] Docs/Theory.md, section 6.3. */
+std::complex<double> heldModalResponse (std::complex<double> pole, const Oscillation&, double time, double sampleRate);
+
+/** The poles s_k = -a_k + j b_k of all modes, 1/s. [any] */
+Eigen::VectorXcd modalPoles (const ModalModel&);
+
+/** Velocity and displacement from states.
+    @param states  y_k of all modes
+    [any] Docs/Theory.md, section 3.1. */
+Eigen::VectorXd modalVelocities (const ModalModel&, const Eigen::VectorXcd& states);
+Eigen::VectorXd modalDisplacements (const ModalModel&, const Eigen::VectorXcd& states);
+
+/** The states of all modes at one time under a whole program, for the continuous voltages.
+    @param time  s from the trigger
+    @return      N_m values y_k
+    [worker] Docs/Theory.md, section 3.1. */
+Eigen::VectorXcd predictStates (const ModalModel&, const VoltageProgram&, double time);
+
+/** Terminal velocities per unit participation: C (k, l), the velocity of mode k at t_f when drive l alone acts on it with
+    participation 1. Played band-limited, a drive and its release are what they are as continuous waveforms, so one closed form serves
+    both; held samples have their own exact sum.
+    @param modes   the modes k that are looked at
+    @param drives  the oscillations of each drive l
+    @return        modes x drives, (m/s kg^1/2) / (N kg^-1/2)
+    [worker] Docs/Theory.md, sections 4.1 and 6.3. */
+Eigen::MatrixXd terminalVelocities (const ModalModel&, const std::vector<int>& modes,
+                                    const std::vector<std::vector<Oscillation>>& drives, double focusTime, Playback);
+
+/** The value of an oscillation at one time: for start <= t < end, else 0. [any] */
+double oscillationValue (const Oscillation&, double time);
+} // namespace antinode

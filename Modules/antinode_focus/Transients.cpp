@@ -1,0 +1,168 @@
+#include "Transients.h"
+
+#include <antinode_model/InputError.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace antinode
+{
+namespace
+{
+using namespace std::complex_literals;
+using Complex = std::complex<double>;
+
+constexpr double envelopeFolds = 4;           // e-folds of growth that the chosen envelope spends before the focus
+constexpr double greatestEnvelopeFolds = 600; // beyond, the start of a drive would leave the range of numbers
+constexpr double chosenGreatestFolds = 40;    // beyond, an earlier start adds less than 1e-17
+constexpr double brakeDecay = 1e-6;
+constexpr double releaseRate = 20000; // 1/s: 50 us, short against what a finger feels, long against a sample
+constexpr double releaseDecay = 1e-6;
+
+double driveDuration (double dampedFrequency, int cycles)
+{
+    return (0.5 + 2 * cycles) * std::numbers::pi / dampedFrequency;
+}
+
+Oscillation oscillationFrom (int mode, double start, double end, Complex exponent, Complex phasor)
+{
+    return { mode, start, end, exponent.real(), exponent.imag(), -phasor.imag(), phasor.real() };
+}
+
+std::string nameOf (const ModalModel& model, int mode)
+{
+    return "mode " + std::to_string (mode + 1) + " (" + std::to_string (std::lround (model.frequencyHz (mode)))
+           + " Hz)";
+}
+
+template <typename Value>
+Value valueFor (const std::vector<Value>& list, std::size_t index)
+{
+    return list.size() == 1 ? list.front() : list[index];
+}
+
+void checkLength (std::size_t length, std::size_t modes, const char* pointer)
+{
+    if (length > 1 && length != modes)
+        throw InputError (std::string ("focus: /transients/") + pointer,
+                          "has " + std::to_string (length) + " values, but " + std::to_string (modes)
+                              + " modes are controlled: allowed is one value, or one a mode");
+}
+
+int cyclesThatFit (double dampedFrequency, double time)
+{
+    return static_cast<int> (std::floor ((dampedFrequency * time / std::numbers::pi - 0.5) / 2 + 1e-9));
+}
+
+int chooseCycles (const ModalModel& model, int mode, double a, double b, double growth, double time)
+{
+    const auto most = cyclesThatFit (b, time);
+
+    if (most < 0)
+        throw InputError ("focus: /focus_time_ms", "leaves " + std::to_string (time * 1000) + " ms to drive "
+                                                       + nameOf (model, mode)
+                                                       + ", which needs a quarter period: allowed is at least "
+                                                       + std::to_string (driveDuration (b, 0) * 1000));
+
+    if (growth * a * time <= chosenGreatestFolds)
+        return most;
+
+    return std::clamp (cyclesThatFit (b, chosenGreatestFolds / (growth * a)), 0, most);
+}
+
+void checkCycles (const ModalModel& model, int mode, double a, double b, double growth, int cycles, double time)
+{
+    const auto most = growth * a * time <= greatestEnvelopeFolds
+                          ? cyclesThatFit (b, time)
+                          : cyclesThatFit (b, greatestEnvelopeFolds / (growth * a));
+
+    if (cycles > most)
+        throw InputError ("focus: /transients/cycles", "asks for " + std::to_string (cycles) + " cycles of "
+                                                           + nameOf (model, mode) + ", allowed is 0 to "
+                                                           + std::to_string (std::max (most, 0))
+                                                           + " with this focus time and growth");
+}
+} // namespace
+
+double releaseDuration()
+{
+    return -std::log (releaseDecay) / releaseRate;
+}
+
+std::vector<Oscillation> releaseOf (const Oscillation& oscillation)
+{
+    const auto phasor =
+        oscillation.phasor() * std::exp (oscillation.exponent() * (oscillation.end - oscillation.start));
+    const auto share = oscillation.growth / releaseRate;
+    const auto part = [&] (double folds, double weight)
+    {
+        return oscillationFrom (oscillation.mode, oscillation.end, oscillation.end + releaseDuration(),
+                                { -folds * releaseRate, oscillation.angularFrequency }, weight * phasor);
+    };
+    return { part (1, 2 + share), part (2, -1 - share) };
+}
+
+ModeDrive driveMode (int mode, double a, double b, DriveKind kind, double growth, int cycles, double focusTime)
+{
+    const auto duration = driveDuration (b, cycles);
+    const auto start = focusTime - duration;
+    const Complex exponent (growth * a, b);
+    const auto squaredExponent = std::norm (exponent);                     // D of the paper
+    const auto constantShare = (a * a + b * b) / squaredExponent;          // rho
+    const auto stiffness = (growth + 1) * a * ((growth + 1) * a + 2i * b); // P (p)
+    const auto grown = std::exp (growth * a * duration);
+    ModeDrive drive { mode, growth, cycles, {} };
+
+    const auto amplitude =
+        kind == DriveKind::paper ? 1 / grown : 1 / (grown - constantShare * std::exp (-a * duration));
+    drive.oscillations.push_back (
+        oscillationFrom (mode, start, focusTime, exponent, -1i * amplitude * stiffness / exponent));
+
+    // Without the constant the mode's own decay e^{-at} appears beside the envelope; with it the paper's (26) is exact.
+    if (kind == DriveKind::paper)
+        drive.oscillations.push_back (oscillationFrom (mode, start, focusTime, 0.0, amplitude * b * constantShare));
+
+    const auto driven = drive.oscillations;
+
+    for (const auto& oscillation : driven)
+        for (const auto& release : releaseOf (oscillation))
+            drive.oscillations.push_back (release);
+
+    return drive;
+}
+
+std::vector<ModeDrive> driveModes (const ModalModel& model, const std::vector<int>& modes, double focusTime,
+                                   const TransientChoice& choice)
+{
+    checkLength (choice.growth.size(), modes.size(), "growth");
+    checkLength (choice.cycles.size(), modes.size(), "cycles");
+    const auto time = std::min (focusTime, choice.maximumDuration.value_or (focusTime));
+    const auto decay = decayRates (model);
+    const auto frequency = dampedFrequencies (model);
+    std::vector<ModeDrive> drives;
+
+    for (std::size_t i = 0; i < modes.size(); ++i)
+    {
+        const auto mode = modes[i];
+        const auto a = decay[mode];
+        const auto b = frequency[mode];
+        const auto growth = choice.growth.empty() ? envelopeFolds / (time * a) : valueFor (choice.growth, i);
+        const auto cycles =
+            choice.cycles.empty() ? chooseCycles (model, mode, a, b, growth, time) : valueFor (choice.cycles, i);
+        checkCycles (model, mode, a, b, growth, cycles, time);
+        drives.push_back (driveMode (mode, a, b, choice.drive, growth, cycles, focusTime));
+    }
+
+    return drives;
+}
+
+Oscillation brakeMode (int mode, double a, double b, double brake, double displacement, double velocity, double start)
+{
+    const Complex exponent (-brake * a, b);
+    const Complex motion = displacement - 1i * (velocity + brake * a * displacement) / b; // Q
+    const auto stiffness = (1 - brake) * a * ((1 - brake) * a + 2i * b);                  // P (p)
+    return oscillationFrom (mode, start, start - std::log (brakeDecay) / (brake * a), exponent, stiffness * motion);
+}
+} // namespace antinode

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "FocusDescription.h"
+
+#include <antinode_model/ModalModel.h>
+#include <antinode_model/Oscillation.h>
+
+#include <vector>
+
+namespace antinode
+{
+/** What one mode is driven with: an oscillation up to the focus (and a constant where the paper's drive is asked for), then its release.
+    Normalised: alone in its own mode it brings the modal velocity 1 (m/s kg^1/2) at t_f. */
+struct ModeDrive
+{
+    int mode = 0;
+    double growth = 0; ///< gamma
+    int cycles = 0;    ///< N
+    std::vector<Oscillation> oscillations;
+};
+
+/** How long a drive takes to be released after the focus, s: its envelope has then fallen by 2e-6. [any] */
+double releaseDuration();
+
+/** What follows an oscillation that ends at the focus, so that neither it nor its slope jumps there: the oscillation goes on with the
+    envelope (2 + g/r) e^{-r tau} - (1 + g/r) e^{-2 r tau}, g its growth, r = 20000/s. A drive that is cut would ring in any
+    band-limited playback, and the ringing before t_f would shake high modes at the very instant of the focus.
+    [any] Docs/Theory.md, section 3.7. */
+std::vector<Oscillation> releaseOf (const Oscillation&);
+
+/** The drive of one mode from rest. Starts at t_f - T, b T = pi/2 + 2 pi N, is released after t_f.
+    @param decayRate, dampedFrequency  a (1/s) and b (rad/s) of the mode
+    @param growth, cycles              gamma >= 0, N >= 0
+    [any] Docs/Theory.md, sections 3.2, 3.3 and 3.7; paper (26). */
+ModeDrive driveMode (int mode, double decayRate, double dampedFrequency, DriveKind, double growth, int cycles,
+                     double focusTime);
+
+/** The drives of all controlled modes, growth and cycles chosen where they are not given: all velocities then grow with one common
+    rate of 4 / (time before the focus), with as many cycles as fit.
+    @param modes  mode indices
+    @throws InputError  when a list has a wrong length, the cycles asked for do not fit before the focus, or an envelope
+                        would grow beyond what a drive can start from
+    [any] Docs/Theory.md, section 3.5. */
+std::vector<ModeDrive> driveModes (const ModalModel&, const std::vector<int>& modes, double focusTime,
+                                   const TransientChoice&);
+
+/** The brake of one mode: from displacement and velocity at `start` the velocity decays with the envelope e^{-brake a t}.
+    Ends when the envelope has fallen by 1e-6.
+    @param displacement, velocity  q (m kg^1/2) and q' (m/s kg^1/2) at `start`
+    @param brake                   gamma' > 1
+    @param start                   s from the trigger
+    [any] Docs/Theory.md, section 3.4. */
+Oscillation brakeMode (int mode, double decayRate, double dampedFrequency, double brake, double displacement,
+                       double velocity, double start);
+} // namespace antinode

@@ -1,0 +1,233 @@
+#include "WhitenedAllocation.h"
+
+#include <antinode_model/InputError.h>
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+namespace
+{
+using Rows = std::vector<Eigen::Index>;
+
+bool areIndependent (const Eigen::HouseholderQR<Eigen::MatrixXd>& columns)
+{
+    constexpr auto dependence = 1e-5;
+    return columns.rows() >= columns.cols() && columns.matrixQR().diagonal().cwiseAbs().minCoeff() > dependence;
+}
+
+Eigen::MatrixXd inverseOf (const Eigen::MatrixXd& upperTriangle)
+{
+    const auto size = upperTriangle.rows();
+    return upperTriangle.triangularView<Eigen::Upper>().solve (Eigen::MatrixXd::Identity (size, size));
+}
+
+/** Basis and shares of the drives, orthonormalised twice. Where a drive depends on others each gets a tiny sample of its own, so that
+    no matrix lives from the cancellation of huge shares. */
+void whitenDrives (WhitenedAllocation& whitened, const Eigen::MatrixXd& waveforms)
+{
+    constexpr auto ownSample = 1e-4;
+    const auto drives = waveforms.rows();
+    Eigen::VectorXd lengths = waveforms.rowwise().norm();
+    lengths = (lengths.array() > 0).select (lengths, 1.0);
+    Eigen::MatrixXd columns = (lengths.cwiseInverse().asDiagonal() * waveforms).transpose();
+    Eigen::HouseholderQR<Eigen::MatrixXd> factors (columns);
+
+    if (! areIndependent (factors))
+    {
+        columns.conservativeResize (columns.rows() + drives, Eigen::NoChange);
+        columns.bottomRows (drives) = Eigen::MatrixXd::Identity (drives, drives) * ownSample;
+        factors.compute (columns);
+    }
+
+    const auto inverse = inverseOf (factors.matrixQR().topRows (drives));
+    whitened.basis = columns * inverse;
+    const Eigen::LLT<Eigen::MatrixXd> rounding (whitened.basis.transpose() * whitened.basis);
+    const auto correction = inverseOf (rounding.matrixU());
+    whitened.basis *= correction;
+    whitened.toShares = whitened.voltageUnit * lengths.cwiseInverse().asDiagonal() * inverse * correction;
+}
+
+/** Which rows some ceramic moves. */
+Rows movedRows (const Eigen::MatrixXd& participation, const Eigen::MatrixXd& rows)
+{
+    constexpr auto nothing = 1e-13;
+    Rows moved;
+
+    if (participation.size() == 0 || rows.size() == 0)
+        return moved;
+
+    const auto participationFloor = nothing * participation.cwiseAbs().maxCoeff();
+    const auto rowFloor = nothing * rows.cwiseAbs().maxCoeff();
+
+    for (Eigen::Index k = 0; k < rows.rows(); ++k)
+        if (participation.row (k).cwiseAbs().maxCoeff() > participationFloor
+            && rows.row (k).cwiseAbs().maxCoeff() > rowFloor)
+            moved.push_back (k);
+
+    return moved;
+}
+
+Rows movedHardRows (const AllocationProblem& problem)
+{
+    auto moved = movedRows (problem.participation, problem.rows);
+
+    for (Eigen::Index k = 0; k < problem.wanted.size(); ++k)
+        if (problem.wanted[k] != 0 && ! std::binary_search (moved.begin(), moved.end(), k))
+            throw InputError ("allocation",
+                              "no ceramic moves controlled mode row " + std::to_string (k + 1)
+                                  + " (counted from 1), leave that mode out or place a ceramic where it bends");
+
+    return moved;
+}
+
+/** Puts rows below those that are there, each scaled to a Gram entry of 1.
+    @return  the factors by which they were scaled */
+Eigen::VectorXd appendRows (WhitenedAllocation& whitened, const Eigen::MatrixXd& participation,
+                            const Eigen::MatrixXd& rows)
+{
+    const Eigen::MatrixXd responses = rows * whitened.toShares;
+    Eigen::VectorXd scale = responses.rowwise().norm().cwiseProduct (participation.rowwise().norm()).cwiseInverse();
+    const auto first = whitened.responses.rows();
+    whitened.responses.conservativeResize (first + rows.rows(), rows.cols());
+    whitened.responses.bottomRows (rows.rows()) = scale.asDiagonal() * responses;
+    whitened.participation.conservativeResize (first + rows.rows(), participation.cols());
+    whitened.participation.bottomRows (rows.rows()) = participation;
+    return scale;
+}
+
+Eigen::MatrixXd rowGram (const WhitenedAllocation& whitened)
+{
+    return (whitened.responses * whitened.responses.transpose())
+        .cwiseProduct (whitened.participation * whitened.participation.transpose());
+}
+
+/** Refuses rows that contradict or repeat those before them: the pivots of their Gram matrix are squared distances from the span of
+    those. The shift keeps the factoring from breaking down at the first such row. */
+void checkIndependentRows (const Eigen::MatrixXd& gram, const Rows& names)
+{
+    constexpr auto smallestDistance = 1e-6;
+    constexpr auto shift = 1e-13;
+    const auto count = gram.rows();
+    const Eigen::LLT<Eigen::MatrixXd> shifted (gram + shift * Eigen::MatrixXd::Identity (count, count));
+
+    for (Eigen::Index k = 0; k < count; ++k)
+        if (! (shifted.matrixLLT() (k, k) > smallestDistance))
+            throw InputError ("allocation",
+                              "controlled mode row " + std::to_string (names[static_cast<std::size_t> (k)] + 1)
+                                  + " (counted from 1) cannot be steered apart from the rows before it: too few "
+                                    "ceramics or drives, leave a mode out or place another ceramic");
+}
+
+/** Guards beyond a stiffness are as good as hard; the floor keeps the system solvable. */
+void appendGuards (WhitenedAllocation& whitened, const AllocationProblem& problem)
+{
+    constexpr auto leastCompliance = 1e-12;
+    const auto moved = movedRows (problem.guardParticipation, problem.guardRows);
+
+    if (moved.empty() || problem.guardWeight == 0)
+        return;
+
+    const auto leastEnergy = whitened.wanted.dot (whitened.hardGram.solve (whitened.wanted));
+    const auto stiffness = problem.guardWeight * leastEnergy / problem.wanted.squaredNorm();
+    const auto scale =
+        appendRows (whitened, problem.guardParticipation (moved, Eigen::all), problem.guardRows (moved, Eigen::all));
+    const auto count = static_cast<Eigen::Index> (moved.size());
+    whitened.wanted.conservativeResize (whitened.hardRows + count);
+    whitened.wanted.tail (count).setZero();
+    whitened.compliance.conservativeResize (whitened.hardRows + count);
+    whitened.compliance.tail (count) = (scale.array().square() / stiffness).max (leastCompliance);
+}
+} // namespace
+
+WhitenedAllocation WhitenedAllocation::withoutGuards() const
+{
+    auto hard = *this;
+    hard.responses.conservativeResize (hardRows, Eigen::NoChange);
+    hard.participation.conservativeResize (hardRows, Eigen::NoChange);
+    hard.wanted.conservativeResize (hardRows);
+    hard.compliance.conservativeResize (hardRows);
+    return hard;
+}
+
+Eigen::VectorXd WhitenedAllocation::rowValues (const Eigen::MatrixXd& shares) const
+{
+    return (responses * shares).cwiseProduct (participation).rowwise().sum();
+}
+
+Eigen::MatrixXd WhitenedAllocation::weightedRows (const Eigen::VectorXd& multipliers) const
+{
+    return responses.transpose() * (multipliers.asDiagonal() * participation);
+}
+
+double WhitenedAllocation::peakRatio (const Eigen::MatrixXd& shares) const
+{
+    return voltages (shares).cwiseAbs().colwise().maxCoeff().transpose().cwiseQuotient (limits).maxCoeff();
+}
+
+double WhitenedAllocation::objective (const Eigen::MatrixXd& shares) const
+{
+    const auto guards = wanted.size() - hardRows;
+    const Eigen::ArrayXd errors = rowValues (shares).tail (guards);
+    return 0.5 * (shares.squaredNorm() + (errors.square() / compliance.tail (guards).array()).sum());
+}
+
+Eigen::MatrixXd WhitenedAllocation::matrix (const Eigen::MatrixXd& shares) const
+{
+    return (toShares * shares).transpose();
+}
+
+WhitenedAllocation whiten (const AllocationProblem& problem)
+{
+    const auto hard = movedHardRows (problem);
+    WhitenedAllocation whitened;
+    whitened.voltageUnit = problem.voltageLimits.maxCoeff();
+    whitened.limits = problem.voltageLimits / whitened.voltageUnit;
+    whitenDrives (whitened, problem.waveforms);
+    const auto scale = appendRows (whitened, problem.participation (hard, Eigen::all), problem.rows (hard, Eigen::all));
+    whitened.hardRows = scale.size();
+    whitened.wanted = scale.cwiseProduct (problem.wanted (hard));
+    whitened.compliance = Eigen::VectorXd::Zero (scale.size());
+    const auto gram = rowGram (whitened);
+    checkIndependentRows (gram, hard);
+    whitened.hardGram.compute (gram);
+    appendGuards (whitened, problem);
+    return whitened;
+}
+
+RowSystem::RowSystem (const WhitenedAllocation& problemToUse) : problem (problemToUse)
+{
+    Eigen::MatrixXd gram = rowGram (problem);
+    gram.diagonal() += problem.compliance;
+    factors.compute (gram);
+}
+
+Eigen::VectorXd RowSystem::multipliers (const Eigen::VectorXd& values) const
+{
+    return factors.solve (values);
+}
+
+Eigen::MatrixXd RowSystem::leastNormShares() const
+{
+    return withExactRows (problem.weightedRows (multipliers (problem.wanted)));
+}
+
+Eigen::MatrixXd RowSystem::withExactRows (Eigen::MatrixXd shares) const
+{
+    constexpr auto refinements = 2;
+
+    for (int i = 0; i < refinements; ++i)
+    {
+        Eigen::VectorXd change = Eigen::VectorXd::Zero (problem.wanted.size());
+        change.head (problem.hardRows) =
+            problem.hardGram.solve ((problem.wanted - problem.rowValues (shares)).head (problem.hardRows));
+        shares += problem.weightedRows (change);
+    }
+
+    return shares;
+}
+} // namespace antinode

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "Allocation.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+namespace antinode
+{
+/** The allocation problem in coordinates in which the norm is Euclidean. Docs/Theory.md, section 4.
+
+    With the drives scaled to unit length, diag (1/|psi|) Psi = R' Q' (thin QR), the share of ceramic i is x_i = R diag (|psi|) m_i,
+    its voltages are Q x_i and their norm is |x_i|. All x_i together are a matrix X, N_d x N_b. Voltages count in the largest
+    limit. The first hardRows rows are the wanted ones, the others the guards; each is scaled so that its Gram entry is 1:
+
+        minimise 1/2 |X|^2 + sum over guards (row value)^2 / (2 compliance),  hard row values = wanted,  |Q x_i| <= limits (i)
+*/
+struct WhitenedAllocation
+{
+    Eigen::MatrixXd basis;         ///< Q, N_s x N_d, orthonormal columns.
+    Eigen::MatrixXd toShares;      ///< N_d x N_d: m_i = toShares x_i, V.
+    Eigen::MatrixXd responses;     ///< N_r x N_d: row r sees ceramic i as participation (r, i) responses (r, :) x_i.
+    Eigen::MatrixXd participation; ///< N_r x N_b
+    Eigen::VectorXd wanted;        ///< N_r; 0 for guards.
+    Eigen::VectorXd compliance;    ///< N_r; 0 for hard rows.
+    Eigen::VectorXd limits;        ///< N_b; the largest is 1.
+    Eigen::LLT<Eigen::MatrixXd> hardGram; ///< Of the hard rows.
+    Eigen::Index hardRows = 0;
+    double voltageUnit = 1; ///< V
+
+    Eigen::Index drives() const { return basis.cols(); }
+    Eigen::Index ceramics() const { return participation.cols(); }
+
+    /** The same without its guards. [worker] */
+    WhitenedAllocation withoutGuards() const;
+
+    /** What the rows give for shares X: N_r values. [any] */
+    Eigen::VectorXd rowValues (const Eigen::MatrixXd& shares) const;
+
+    /** The transpose of rowValues: sum of rows weighted by multipliers, N_d x N_b. [any] */
+    Eigen::MatrixXd weightedRows (const Eigen::VectorXd& multipliers) const;
+
+    /** Voltages of all ceramics, N_s x N_b, in voltageUnit. [any] */
+    Eigen::MatrixXd voltages (const Eigen::MatrixXd& shares) const { return basis * shares; }
+
+    /** The largest |voltage| / limit on the grid. [any] */
+    double peakRatio (const Eigen::MatrixXd& shares) const;
+
+    /** What is minimised, with the guards' part. [any] */
+    double objective (const Eigen::MatrixXd& shares) const;
+
+    /** M, N_b x N_d, V. [any] */
+    Eigen::MatrixXd matrix (const Eigen::MatrixXd& shares) const;
+};
+
+/** Whitens a valid problem that wants something. Where drives are combinations of others (to 1e-5 of their length) each gets a sample
+    of 1e-4 of its length that no other drive has, at the end of the basis. Rows that nothing moves and that want 0 are left out.
+    @throws InputError  when a hard row cannot be met, naming it
+    [worker] 4 N_s N_d^2 */
+WhitenedAllocation whiten (const AllocationProblem&);
+
+/** The Gram matrix of the rows, with compliance on its diagonal, factored. N_r x N_r. */
+class RowSystem
+{
+public:
+    /** [worker] N_r^2 (N_d + N_b) + N_r^3 / 6 */
+    explicit RowSystem (const WhitenedAllocation&);
+
+    /** Multipliers y with rowValues (weightedRows (y)) + compliance y = values. [any] */
+    Eigen::VectorXd multipliers (const Eigen::VectorXd& values) const;
+
+    /** The shares of least objective without limits. [worker] */
+    Eigen::MatrixXd leastNormShares() const;
+
+    /** Shares with their hard row values brought back to the wanted ones, to rounding, by the smallest change. [worker] */
+    Eigen::MatrixXd withExactRows (Eigen::MatrixXd shares) const;
+
+private:
+    const WhitenedAllocation& problem;
+    Eigen::LLT<Eigen::MatrixXd> factors;
+};
+} // namespace antinode

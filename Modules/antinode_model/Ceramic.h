@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+namespace antinode
+{
+/** A ceramic (bimorph) as the rooms right of structure see it: where it lies, what it may get. Ceramic k is output channel k. */
+struct Ceramic
+{
+    std::string name;
+    double xMinimum = 0, xMaximum = 0; ///< Extent, m.
+    double yMinimum = 0, yMaximum = 0; ///< Extent, m; both 0 on a line.
+    double voltageLimit = 0;           ///< U_max, V, at least 0.
+};
+} // namespace antinode

@@ -1,0 +1,109 @@
+#include "ModalModel.h"
+
+#include "InputError.h"
+#include "ShapeInterpolation.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace antinode
+{
+namespace
+{
+void require (bool fulfilled, const ModalModel& model, const std::string& wrong)
+{
+    if (! fulfilled)
+        throw InputError ("device '" + model.name + "'", wrong);
+}
+
+void validateModes (const ModalModel& model)
+{
+    double previous = 0;
+
+    for (Eigen::Index k = 0; k < model.modes(); ++k)
+    {
+        const auto which = "mode " + std::to_string (k + 1);
+        const auto frequency = model.angularFrequencies[k];
+        const auto damping = model.dampingRatios[k];
+        require (std::isfinite (frequency) && frequency > 0, model, which + " has no positive frequency");
+        require (frequency >= previous, model,
+                 which + " is lower than the one before it; modes must ascend in frequency");
+        require (damping > 0 && damping < 1, model, which + " has a damping ratio outside 0 to 1");
+        previous = frequency;
+    }
+}
+} // namespace
+
+double ModalModel::frequencyHz (Eigen::Index mode) const
+{
+    return angularFrequencies[mode] / (2 * std::numbers::pi);
+}
+
+Eigen::VectorXd decayRates (const ModalModel& model)
+{
+    return model.dampingRatios.cwiseProduct (model.angularFrequencies);
+}
+
+Eigen::VectorXd dampedFrequencies (const ModalModel& model)
+{
+    return (model.angularFrequencies.array() * (1 - model.dampingRatios.array().square()).sqrt()).matrix();
+}
+
+Eigen::RowVectorXd shapesAt (const ModalModel& model, double x, double y)
+{
+    const auto& surface = model.surface;
+    const auto isLine = surface.kind == SurfaceKind::line;
+    const auto margin = 1e-9 + 1e-9 * (surface.xMaximum - surface.xMinimum);
+    const auto inside = x >= surface.xMinimum - margin && x <= surface.xMaximum + margin
+                        && (isLine || (y >= surface.yMinimum - margin && y <= surface.yMaximum + margin));
+
+    if (! inside)
+    {
+        const auto millimetres = [] (double metres) { return std::to_string (metres * 1000) + " mm"; };
+        auto allowed = "x from " + millimetres (surface.xMinimum) + " to " + millimetres (surface.xMaximum);
+
+        if (! isLine)
+            allowed += ", y from " + millimetres (surface.yMinimum) + " to " + millimetres (surface.yMaximum);
+
+        throw InputError ("point (" + millimetres (x) + ", " + millimetres (y) + ")",
+                          "lies outside the surface of '" + model.name + "', allowed is " + allowed);
+    }
+
+    return isLine ? interpolateOnLine (surface.points.col (0), model.shapes, model.slopes, x)
+                  : interpolateInPlane (surface.points, model.shapes, x, y);
+}
+
+ModalModel withSplineSlopes (ModalModel model)
+{
+    const Eigen::VectorXd x = model.surface.points.col (0);
+
+    for (Eigen::Index i = 1; i < x.size(); ++i)
+        require (x[i] > x[i - 1], model, "the points of a line must ascend in x, each in a place of its own");
+
+    model.slopes = naturalSplineSlopes (x, model.shapes);
+    return model;
+}
+
+void validate (const ModalModel& model)
+{
+    const auto modes = model.modes();
+    const auto points = model.surface.points.rows();
+    require (modes > 0, model, "has no modes");
+    require (points > 0, model, "has no points");
+    require (model.dampingRatios.size() == modes, model, "needs one damping ratio a mode");
+    require (model.shapes.rows() == points && model.shapes.cols() == modes, model,
+             "needs a shape value for each point and mode");
+    require (model.surface.masses.size() == points && model.surface.areas.size() == points, model,
+             "needs a weight for each point");
+    require (model.participation.rows() == modes, model, "needs the participation of every mode");
+    require (model.participation.cols() == static_cast<Eigen::Index> (model.ceramics.size()), model,
+             "needs one column of participation a ceramic");
+    require (model.surface.points.allFinite() && model.shapes.allFinite() && model.participation.allFinite(), model,
+             "has a number that is not finite");
+    require (model.surface.masses.allFinite() && model.surface.areas.allFinite() && model.surface.masses.minCoeff() >= 0
+                 && model.surface.areas.minCoeff() >= 0 && model.surface.masses.sum() > 0
+                 && model.surface.areas.sum() > 0,
+             model, "has weights that are negative, not finite or all zero");
+    validateModes (model);
+}
+} // namespace antinode

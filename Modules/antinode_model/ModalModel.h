@@ -1,0 +1,59 @@
+#pragma once
+
+#include "Ceramic.h"
+#include "Surface.h"
+
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** A device as its modes: all that focus and engine know of it, computed or measured.
+
+    N_m flexible modes, ascending in frequency; N_p points; N_b ceramics. The shapes are mass-normalised over the whole
+    body: integral m phi_k phi_l = delta_kl. Docs/Theory.md, section 1; paper (13) to (23).
+*/
+struct ModalModel
+{
+    std::string name;
+    Surface surface;
+    Eigen::VectorXd angularFrequencies; ///< N_m: omega_k, rad/s, undamped.
+    Eigen::VectorXd dampingRatios;      ///< N_m: xi_k, 0 < xi < 1.
+    Eigen::MatrixXd shapes;             ///< N_p x N_m: phi_k normal to the surface, kg^-1/2.
+    Eigen::MatrixXd slopes;             ///< N_p x N_m: dphi_k/dx, kg^-1/2 / m. On a line only, else empty.
+    Eigen::MatrixXd participation;      ///< N_m x N_b: alpha_ki, N kg^-1/2 / V.
+    std::vector<Ceramic> ceramics;      ///< N_b
+    double fullScaleVoltage = 1;        ///< V that a sample of 1.0 stands for in files and at the outputs.
+    bool coversWholeBody =
+        true; ///< False where shapes are measured on a part only: then fields are projected by least squares.
+    int rigidBodyModes = 0;          ///< How many modes of frequency 0 the body has beside the flexible ones.
+    int unknowns = 0;                ///< Degrees of freedom of the solution; 0 where measured.
+    Eigen::VectorXd frequencyErrors; ///< N_m: estimated relative error of each frequency; empty where unknown.
+
+    Eigen::Index modes() const { return angularFrequencies.size(); }
+    Eigen::Index points() const { return shapes.rows(); }
+    Eigen::Index actuators() const { return participation.cols(); }
+    double frequencyHz (Eigen::Index mode) const;
+};
+
+/** The decay rate a = xi omega of every mode, 1/s. [any] */
+Eigen::VectorXd decayRates (const ModalModel&);
+
+/** The damped angular frequency b = omega sqrt (1 - xi^2) of every mode, rad/s. [any] */
+Eigen::VectorXd dampedFrequencies (const ModalModel&);
+
+/** The row of mode shapes at one place of the surface.
+    @param x, y  m, inside the surface (y is ignored on a line)
+    @return      N_m values, kg^-1/2: cubic Hermite between points on a line, thin-plate spline through the points of a plate
+    @throws InputError  when the place lies outside the surface
+    [worker] Docs/Theory.md, section 1.5. */
+Eigen::RowVectorXd shapesAt (const ModalModel&, double x, double y);
+
+/** A model whose slopes are filled in by the natural cubic spline through the points of a line. [worker]
+    @throws InputError  when points do not ascend in x */
+ModalModel withSplineSlopes (ModalModel);
+
+/** Checks what every model must fulfil: sizes agree, numbers are finite, 0 < xi < 1, frequencies ascend and are positive.
+    @throws InputError  naming the first thing that is wrong. [worker] */
+void validate (const ModalModel&);
+} // namespace antinode

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <vector>
+
+namespace antinode
+{
+/** One exponentially enveloped oscillation: with tau = t - start,
+    value (t) = e^{growth tau} (inPhase sin (angularFrequency tau) + quadrature cos (angularFrequency tau)),
+    for start <= t < end, else 0. A constant is an oscillation of frequency 0 with a quadrature.
+    Docs/Theory.md, section 3; paper (26). */
+struct Oscillation
+{
+    int mode = 0;                ///< The mode that it drives, an index into the modal model.
+    double start = 0, end = 0;   ///< s, counted from the trigger.
+    double growth = 0;           ///< 1/s
+    double angularFrequency = 0; ///< rad/s
+    double inPhase = 0, quadrature = 0;
+
+    /** The exponent p = growth + j angularFrequency, 1/s. [any] */
+    std::complex<double> exponent() const { return { growth, angularFrequency }; }
+
+    /** The phasor X with value = Re[X e^{p tau}]. [any] */
+    std::complex<double> phasor() const { return { quadrature, -inPhase }; }
+};
+
+/** What is played: oscillations and the matrix that mixes them to the ceramics' voltages,
+    U_i (t) = sum_c allocation (i, c) value_c (t). Real-time code needs nothing else. Docs/Theory.md, section 4. */
+struct VoltageProgram
+{
+    std::vector<Oscillation> oscillations;
+    Eigen::MatrixXd allocation;    ///< N_b x oscillations, V.
+    Eigen::VectorXd voltageLimits; ///< N_b: U_max of each ceramic, V.
+    double focusTime = 0;          ///< t_f, s, counted from the trigger.
+};
+} // namespace antinode

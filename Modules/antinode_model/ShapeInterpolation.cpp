@@ -1,0 +1,125 @@
+#include "ShapeInterpolation.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace antinode
+{
+namespace
+{
+constexpr Eigen::Index thinPlateNeighbours = 48;
+
+std::vector<Eigen::Index> nearestPoints (const Eigen::MatrixX2d& points, const Eigen::RowVector2d& place)
+{
+    std::vector<Eigen::Index> order (static_cast<std::size_t> (points.rows()));
+    std::iota (order.begin(), order.end(), Eigen::Index { 0 });
+    const auto distance = [&] (Eigen::Index i) { return (points.row (i) - place).squaredNorm(); };
+    std::stable_sort (order.begin(), order.end(), [&] (auto a, auto b) { return distance (a) < distance (b); });
+    order.resize (std::min (order.size(), static_cast<std::size_t> (thinPlateNeighbours)));
+    return order;
+}
+
+/** r^2 ln r, from r^2. */
+double thinPlateKernel (double squaredDistance)
+{
+    return squaredDistance > 0 ? 0.5 * squaredDistance * std::log (squaredDistance) : 0.0;
+}
+} // namespace
+
+Eigen::RowVectorXd interpolateOnLine (const Eigen::VectorXd& points, const Eigen::MatrixXd& values,
+                                      const Eigen::MatrixXd& slopes, double x)
+{
+    const auto count = points.size();
+    const auto* above = std::upper_bound (points.data(), points.data() + count, x);
+
+    if (above == points.data())
+        return values.row (0);
+
+    if (above == points.data() + count)
+        return values.row (count - 1);
+
+    const auto right = static_cast<Eigen::Index> (above - points.data());
+    const auto left = right - 1;
+    const auto h = points[right] - points[left];
+    const auto t = (x - points[left]) / h;
+    const auto u = 1 - t;
+    return (1 + 2 * t) * u * u * values.row (left) + (1 + 2 * u) * t * t * values.row (right)
+           + h * t * u * (u * slopes.row (left) - t * slopes.row (right));
+}
+
+Eigen::MatrixXd naturalSplineSlopes (const Eigen::VectorXd& points, const Eigen::MatrixXd& values)
+{
+    const auto n = points.size();
+
+    if (n < 2)
+        return Eigen::MatrixXd::Zero (n, values.cols());
+
+    // Thomas' algorithm on the slopes' tridiagonal system; the natural ends are 2 s_0 + s_1 = 3 (y_1 - y_0) / h_0.
+    Eigen::VectorXd upper (n);
+    Eigen::MatrixXd slopes (n, values.cols());
+    const auto secant = [&] (Eigen::Index i) -> Eigen::RowVectorXd
+    { return (values.row (i + 1) - values.row (i)) / (points[i + 1] - points[i]); };
+    upper[0] = 0.5;
+    slopes.row (0) = 1.5 * secant (0);
+
+    for (Eigen::Index i = 1; i < n; ++i)
+    {
+        const auto isLast = i == n - 1;
+        const auto left = isLast ? 1.0 : 1 / (points[i] - points[i - 1]);
+        const auto right = isLast ? 0.0 : 1 / (points[i + 1] - points[i]);
+        const auto pivot = 2 * (left + right) - left * upper[i - 1];
+        Eigen::RowVectorXd load = 3 * left * secant (i - 1);
+
+        if (! isLast)
+            load += 3 * right * secant (i);
+
+        upper[i] = right / pivot;
+        slopes.row (i) = (load - left * slopes.row (i - 1)) / pivot;
+    }
+
+    for (Eigen::Index i = n - 2; i >= 0; --i)
+        slopes.row (i) -= upper[i] * slopes.row (i + 1);
+
+    return slopes;
+}
+
+Eigen::RowVectorXd interpolateInPlane (const Eigen::MatrixX2d& points, const Eigen::MatrixXd& values, double x,
+                                       double y)
+{
+    const Eigen::RowVector2d place (x, y);
+    const auto nearest = nearestPoints (points, place);
+    const auto n = static_cast<Eigen::Index> (nearest.size());
+    const auto reach = std::max ((points.row (nearest.back()) - place).norm(), 1e-12);
+    const auto scaled = [&] (Eigen::Index i) -> Eigen::RowVector2d
+    { return (points.row (nearest[static_cast<std::size_t> (i)]) - place) / reach; };
+
+    Eigen::MatrixXd system = Eigen::MatrixXd::Zero (n + 3, n + 3);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero (n + 3);
+
+    for (Eigen::Index i = 0; i < n; ++i)
+    {
+        for (Eigen::Index j = 0; j < n; ++j)
+            system (i, j) = thinPlateKernel ((scaled (i) - scaled (j)).squaredNorm());
+
+        system.row (i).tail (3) << 1, scaled (i);
+        right[i] = thinPlateKernel (scaled (i).squaredNorm());
+    }
+
+    system.bottomLeftCorner (3, n) = system.topRightCorner (n, 3).transpose();
+    right[n] = 1;
+
+    // The system is symmetric, so its solution for the kernel's row at the place holds the points' weights. Few or collinear
+    // points leave the plane's part undetermined: the least-squares solution of the rank-revealing QR serves there too.
+    const Eigen::VectorXd weights = system.completeOrthogonalDecomposition().solve (right).head (n);
+    Eigen::RowVectorXd result = Eigen::RowVectorXd::Zero (values.cols());
+
+    for (Eigen::Index i = 0; i < n; ++i)
+        result += weights[i] * values.row (nearest[static_cast<std::size_t> (i)]);
+
+    return result;
+}
+} // namespace antinode

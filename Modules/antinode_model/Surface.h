@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace antinode
+{
+/** How the points of a surface lie. */
+enum class SurfaceKind
+{
+    line, ///< A beam's top: y = 0, x ascending.
+    plate ///< Any points in the plane.
+};
+
+/** The part of a device that is touched, as points on which mode shapes and fields are given. N_p points. */
+struct Surface
+{
+    SurfaceKind kind = SurfaceKind::line;
+    double xMinimum = 0, xMaximum = 0; ///< Extent, m.
+    double yMinimum = 0, yMaximum = 0; ///< Extent, m; both 0 on a line.
+    Eigen::MatrixX2d points;           ///< N_p x 2: x and y, m. On a line ascending in x.
+    Eigen::VectorXd masses; ///< N_p: mass each point stands for, kg; sum m phi_k phi_l is the Gram matrix of the part.
+    Eigen::VectorXd areas;  ///< N_p: share of the surface each point stands for, m^2 (any common factor).
+};
+} // namespace antinode

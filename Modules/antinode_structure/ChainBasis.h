@@ -1,0 +1,55 @@
+#pragma once
+
+#include "ElementChain.h"
+#include "Legendre.h"
+
+namespace antinode
+{
+/** The motion of one element: places on it x columns of the coefficients. */
+struct ElementMotion
+{
+    Eigen::MatrixXd axial, transverse, slope; ///< Along and across the element, and d transverse / dx.
+};
+
+/** The motion of a whole chain, element by element. */
+struct ChainMotion
+{
+    std::vector<ElementMotion> elements;
+    Eigen::MatrixXd end; ///< 3 x columns: along X, along Y and the rotation of the last end.
+};
+
+/** The displacements that a chain can have: on every element a polynomial, across it of the given degree, along it of half of it,
+    continuous (across it with its slope) from element to element: p-version finite elements.
+
+    The coefficients are, first, the free motions of the first end (at most along X, along Y, rotation), then for each element
+    those of Legendre polynomials for its curvature and for its strain, so scaled that the strain energy is half the sum of
+    the squares of those. This basis spans the same space as Hermite functions with bubbles on every element, but no stiffness of a
+    very short element (a narrow gap between two ceramics) ever has to cancel. Docs/Theory.md, section 1.3.
+*/
+class ChainBasis
+{
+public:
+    /** @param degree  of the transverse displacement, at least 3 */
+    ChainBasis (const ElementChain&, int degree);
+
+    /** How many coefficients there are. [any] */
+    Eigen::Index unknowns() const;
+
+    /** How many of them, the first ones, move the first end and so bear no strain energy. [any] */
+    Eigen::Index rigidUnknowns() const { return startMotion.cols(); }
+
+    /** The motion that coefficients describe.
+        @param coefficients  unknowns x columns
+        @param places        for each element, in -1..1; must end with 1
+        [any] */
+    ChainMotion motion (const Eigen::MatrixXd& coefficients, const std::vector<Eigen::VectorXd>& places) const;
+
+private:
+    ElementMotion elementMotion (std::size_t element, const Eigen::VectorXd& places, const Eigen::MatrixXd& startState,
+                                 const Eigen::MatrixXd& coefficients) const;
+
+    ElementChain chain;
+    Eigen::Index curvatures, strains; ///< Coefficients of each kind on an element.
+    Eigen::MatrixXd startMotion;      ///< 3 x rigid unknowns: the first end's motion.
+};
+} // namespace antinode

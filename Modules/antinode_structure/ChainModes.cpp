@@ -1,0 +1,168 @@
+#include "ChainModes.h"
+
+#include <antinode_model/InputError.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace antinode
+{
+namespace
+{
+constexpr Eigen::Index maximumUnknowns = 3000; ///< Dense matrices: about 300 MB and a minute.
+
+/** The stiffness and mass of a chain on a basis of what its ends allow. */
+struct ChainProblem
+{
+    Eigen::MatrixXd allowed;      ///< Unknowns x allowed: the basis, orthonormal columns.
+    Eigen::MatrixXd displacement; ///< B, places x allowed, with M = B' B.
+    Eigen::MatrixXd stiffness, mass;
+};
+
+/** sqrt (m) times the displacements at the quadrature's places, one row a place and direction: B with M = B' B. */
+Eigen::MatrixXd weightedMotion (const ElementChain& chain, const ChainMotion& motion, const QuadratureRule& rule)
+{
+    const auto count = rule.places.size();
+    const auto directions = chain.stretches ? 2 : 1;
+    Eigen::MatrixXd result (static_cast<Eigen::Index> (chain.elements.size()) * count * directions, motion.end.cols());
+    Eigen::Index row = 0;
+
+    for (std::size_t e = 0; e < chain.elements.size(); ++e)
+    {
+        const auto& element = chain.elements[e];
+        const Eigen::VectorXd factors =
+            (rule.weights * (element.section.massPerLength * element.length / 2)).cwiseSqrt();
+        result.middleRows (row, count) = factors.asDiagonal() * motion.elements[e].transverse;
+        row += count;
+
+        if (chain.stretches)
+        {
+            result.middleRows (row, count) = factors.asDiagonal() * motion.elements[e].axial;
+            row += count;
+        }
+    }
+
+    return result;
+}
+
+/** What the restraints of the last end forbid: rows that must vanish, scaled to one size. */
+Eigen::MatrixXd forbiddenMotions (const ElementChain& chain, const Eigen::MatrixXd& endMotion)
+{
+    const bool forbidden[] { chain.stretches && chain.end.alongX, chain.end.alongY, chain.end.rotation };
+    Eigen::MatrixXd rows (3, endMotion.cols());
+    Eigen::Index count = 0;
+
+    for (Eigen::Index direction = 0; direction < 3; ++direction)
+        if (forbidden[direction])
+            rows.row (count++) = endMotion.row (direction).normalized();
+
+    return rows.topRows (count);
+}
+
+/** An orthonormal basis of the vectors that a few rows map to zero. */
+Eigen::MatrixXd nullSpace (const Eigen::MatrixXd& rows)
+{
+    const auto size = rows.cols();
+    Eigen::MatrixXd basis = Eigen::MatrixXd::Identity (size, size).rightCols (size - rows.rows());
+
+    if (rows.rows() > 0)
+        basis.applyOnTheLeft (Eigen::HouseholderQR<Eigen::MatrixXd> (rows.transpose()).householderQ());
+
+    return basis;
+}
+
+ChainProblem problemOf (const ElementChain& chain, const ChainBasis& basis, int degree)
+{
+    if (basis.unknowns() > maximumUnknowns)
+        throw InputError ("device", "needs " + std::to_string (basis.unknowns()) + " unknowns, allowed are "
+                                        + std::to_string (maximumUnknowns)
+                                        + "; ask for fewer modes, a lower frequency or fewer ceramics");
+
+    // Exact to degree 2 (degree + 2) - 3, which is more than the degree of the square of a displacement.
+    const auto rule = gaussLobattoRule (degree + 2);
+    const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity (basis.unknowns(), basis.unknowns());
+    const auto motion = basis.motion (unit, std::vector (chain.elements.size(), rule.places));
+
+    ChainProblem problem;
+    problem.allowed = nullSpace (forbiddenMotions (chain, motion.end));
+    problem.displacement = weightedMotion (chain, motion, rule) * problem.allowed;
+    const auto strained = problem.allowed.bottomRows (basis.unknowns() - basis.rigidUnknowns());
+    problem.mass = problem.displacement.transpose() * problem.displacement;
+    problem.stiffness = strained.transpose() * strained;
+
+    if (! problem.mass.allFinite() || ! problem.stiffness.allFinite())
+        throwNumbersTooFarApart();
+
+    return problem;
+}
+
+/** The vectors made orthonormal in M, each against those before it. The mass is formed again from their displacements: M itself
+    is rounded to what the lowest modes carry, which is much beside the highest ones. */
+Eigen::MatrixXd massNormalised (const ChainProblem& problem, const Eigen::MatrixXd& vectors)
+{
+    const Eigen::MatrixXd moved = problem.displacement * vectors;
+    const Eigen::LLT<Eigen::MatrixXd> gram (moved.transpose() * moved);
+    return gram.matrixU().solve<Eigen::OnTheRight> (vectors);
+}
+
+/** An angular frequency below that of any flexible mode of a straight beam: what the loosest supports (pinned and guided,
+    beta L = pi/2) give where the softest section bears the heaviest mass all along. */
+double lowestPossibleAngularFrequency (const ElementChain& chain)
+{
+    auto softest = chain.elements.front().section.bendingStiffness;
+    double heaviest = 0, length = 0;
+
+    for (const auto& element : chain.elements)
+    {
+        softest = std::min (softest, element.section.bendingStiffness);
+        heaviest = std::max (heaviest, element.section.massPerLength);
+        length += element.length;
+    }
+
+    const auto waveNumber = std::numbers::pi / 2 / length;
+    return waveNumber * waveNumber * std::sqrt (softest / heaviest);
+}
+
+/** The strain energy of each mode, doubled, as a frequency: since the mode is good to rounding, this is good to its square. Equal
+    ones may come out exchanged by rounding, so none is left below the one before. */
+Eigen::VectorXd rayleighFrequencies (const ChainBasis& basis, const Eigen::MatrixXd& coefficients)
+{
+    Eigen::VectorXd frequencies = coefficients.bottomRows (basis.unknowns() - basis.rigidUnknowns()).colwise().norm();
+    std::partial_sum (frequencies.begin(), frequencies.end(), frequencies.begin(),
+                      [] (double a, double b) { return std::max (a, b); });
+    return frequencies;
+}
+} // namespace
+
+ChainModes solveChain (const ElementChain& chain, int degree, double angularFrequency)
+{
+    // M x = mu (K + sigma M) x, mu = 1 / (omega^2 + sigma): with sigma between the lowest and the highest wanted omega^2 rounding
+    // costs every wanted mode only their ratio, once; unshifted it would cost the square.
+    const ChainBasis basis (chain, degree);
+    const auto problem = problemOf (chain, basis, degree);
+    const auto lowest = lowestPossibleAngularFrequency (chain);
+    const auto shift = lowest * angularFrequency;
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver (problem.mass,
+                                                                            problem.stiffness + shift * problem.mass);
+
+    if (solver.info() != Eigen::Success || ! solver.eigenvalues().allFinite())
+        throwNumbersTooFarApart();
+
+    const Eigen::ArrayXd mu = solver.eigenvalues().reverse();
+    const auto rigid = (mu > 1 / (lowest * lowest / 2 + shift)).count();
+    const auto flexible = (mu > 1 / (4 * angularFrequency * angularFrequency + shift)).count() - rigid;
+    const Eigen::MatrixXd vectors = solver.eigenvectors().rowwise().reverse().middleCols (rigid, flexible);
+
+    ChainModes modes;
+    modes.rigidBodyModes = static_cast<int> (rigid);
+    modes.coefficients = problem.allowed * massNormalised (problem, vectors);
+    modes.angularFrequencies = rayleighFrequencies (basis, modes.coefficients);
+    return modes;
+}
+} // namespace antinode

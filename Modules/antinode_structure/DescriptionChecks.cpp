@@ -1,0 +1,127 @@
+#include "DescriptionChecks.h"
+
+#include <antinode_model/InputError.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+namespace antinode
+{
+namespace
+{
+std::string text (double number)
+{
+    std::ostringstream stream;
+    stream << number;
+    return stream.str();
+}
+
+std::string millimetres (double metres)
+{
+    return text (metres * 1000) + " mm";
+}
+
+void requirePositive (const std::string& where, const std::string& what, double value)
+{
+    if (! (std::isfinite (value) && value > 0))
+        throw InputError (where, what + " is " + text (value) + ", allowed are positive numbers");
+}
+
+void requireCommon (const StructureCommon& common)
+{
+    requirePositive ("device", "thickness", common.thickness);
+    requirePositive ("device", "Young's modulus of the substrate", common.material.youngsModulus1);
+    requirePositive ("device", "density of the substrate", common.material.density);
+    requirePositive ("device", "full-scale voltage", common.fullScaleVoltage);
+
+    if (! (std::isfinite (common.voltageLimit) && common.voltageLimit >= 0))
+        throw InputError ("device",
+                          "voltage limit is " + text (common.voltageLimit) + ", allowed are 0 and positive numbers");
+
+    if (common.dampingRatios.empty())
+        throw InputError ("device", "has no damping ratio, allowed is one for all modes or a list");
+
+    for (const auto ratio : common.dampingRatios)
+        if (! (ratio > 0 && ratio < 1))
+            throw InputError ("device",
+                              "damping ratio is " + text (ratio) + ", allowed is between 0 and 1, both excluded");
+}
+
+void requireCeramic (const std::string& place, const CeramicDescription& ceramic, double length, double width)
+{
+    requirePositive (place, "thickness", ceramic.thickness);
+    requirePositive (place, "Young's modulus", ceramic.material.youngsModulus);
+    requirePositive (place, "density", ceramic.material.density);
+    requirePositive (place, "width", ceramic.sizeY);
+
+    if (! std::isfinite (ceramic.material.d31))
+        throw InputError (place, "d31 is not a finite number");
+
+    if (ceramic.polarity != 1 && ceramic.polarity != -1)
+        throw InputError (place, "polarity is " + std::to_string (ceramic.polarity) + ", allowed are 1 and -1");
+
+    if (ceramic.sizeY > width + edgeTolerance)
+        throw InputError (place, "is " + millimetres (ceramic.sizeY) + " wide, allowed is up to the device's width of "
+                                     + millimetres (width));
+
+    if (! (ceramic.sizeX >= 10 * edgeTolerance))
+        throw InputError (place, "length is " + millimetres (ceramic.sizeX) + ", allowed is "
+                                     + millimetres (10 * edgeTolerance) + " and more");
+
+    if (! (ceramic.x >= -length / 2 - edgeTolerance && ceramic.x + ceramic.sizeX <= length / 2 + edgeTolerance))
+        throw InputError (place, "reaches from " + millimetres (ceramic.x) + " to "
+                                     + millimetres (ceramic.x + ceramic.sizeX) + ", allowed is "
+                                     + millimetres (-length / 2) + " to " + millimetres (length / 2));
+}
+
+void requireNoOverlap (const std::vector<CeramicDescription>& ceramics)
+{
+    std::vector<std::size_t> order (ceramics.size());
+    std::iota (order.begin(), order.end(), std::size_t { 0 });
+    std::stable_sort (order.begin(), order.end(), [&] (auto a, auto b) { return ceramics[a].x < ceramics[b].x; });
+
+    for (std::size_t i = 1; i < order.size(); ++i)
+    {
+        const auto& left = ceramics[order[i - 1]];
+        const auto& right = ceramics[order[i]];
+        const auto overlap = left.x + left.sizeX - right.x;
+
+        if (overlap > edgeTolerance)
+            throw InputError (ceramicPlace (order[i], right), "overlaps " + ceramicPlace (order[i - 1], left) + " by "
+                                                                  + millimetres (overlap) + ", allowed is to touch it");
+    }
+}
+
+void requireLine (const StructureCommon& common, double length, double width)
+{
+    requirePositive ("device", "width", width);
+    requireCommon (common);
+
+    for (std::size_t i = 0; i < common.ceramics.size(); ++i)
+        requireCeramic (ceramicPlace (i, common.ceramics[i]), common.ceramics[i], length, width);
+
+    requireNoOverlap (common.ceramics);
+}
+} // namespace
+
+std::string ceramicPlace (std::size_t index, const CeramicDescription& ceramic)
+{
+    const auto place = "ceramic " + std::to_string (index + 1);
+    return ceramic.name.empty() ? place : place + " (" + ceramic.name + ")";
+}
+
+void requireSolvable (const BeamDescription& beam)
+{
+    requirePositive ("device", "length", beam.length);
+    requireLine (beam.common, beam.length, beam.width);
+}
+
+void requireSolvable (const StapleDescription& staple)
+{
+    requirePositive ("device", "length of the top", staple.topLength);
+    requirePositive ("device", "length of the legs", staple.legLength);
+    requireLine (staple.common, staple.topLength, staple.width);
+}
+} // namespace antinode

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "DeviceDescription.h"
+
+namespace antinode
+{
+/** Closer than this two edges are one, m: rounding, not geometry. */
+constexpr double edgeTolerance = 1e-9;
+
+/** Where an error of a ceramic lies, for example "ceramic 3 (C3)". [any] */
+std::string ceramicPlace (std::size_t index, const CeramicDescription&);
+
+/** Checks a beam's dimensions, substrate, damping, limits and ceramics.
+    @throws InputError  naming the first thing that is wrong, and what is allowed. [worker] */
+void requireSolvable (const BeamDescription&);
+
+/** The same for a staple, whose ceramics lie on its top. [worker] */
+void requireSolvable (const StapleDescription&);
+} // namespace antinode

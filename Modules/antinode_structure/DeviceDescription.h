@@ -1,0 +1,114 @@
+#pragma once
+
+#include <antinode_model/ModalModel.h>
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace antinode
+{
+/** An elastic material in plane stress. Isotropic: E1 = E2, G12 = E / (2 (1 + nu)). */
+struct ElasticMaterial
+{
+    double youngsModulus1 = 0, youngsModulus2 = 0; ///< Pa, along x and y.
+    double shearModulus = 0;                       ///< Pa
+    double poissonRatio12 = 0;
+    double density = 0; ///< kg/m^3
+};
+
+/** A piezoelectric ceramic, poled through its thickness, isotropic in its plane. */
+struct PiezoelectricMaterial
+{
+    double youngsModulus = 0;        ///< Pa, 1/s11E
+    double poissonRatio = 0;         ///< -s12E/s11E
+    double density = 0;              ///< kg/m^3
+    double d31 = 0;                  ///< m/V, negative for the usual ones
+    double permittivityRelative = 0; ///< eps33T/eps0, 0 where not given
+};
+
+enum class EdgeCondition
+{
+    clamped,
+    simplySupported,
+    free,
+    guided ///< Beam ends only: no slope, free to move.
+};
+
+enum class CeramicMounting
+{
+    bothSides,
+    oneSide
+};
+
+enum class CeramicWiring
+{
+    parallel, ///< Each ceramic of a pair sees the whole voltage.
+    series    ///< Each sees half of it.
+};
+
+/** A ceramic of a beam, staple (y and sizeY across the width) or plate. */
+struct CeramicDescription
+{
+    std::string name;
+    double x = 0, y = 0; ///< Lower left corner, m (files give a beam's ceramics by their centre: the reader converts).
+    double sizeX = 0, sizeY = 0; ///< m
+    double thickness = 0;        ///< m, of one ceramic
+    PiezoelectricMaterial material;
+    CeramicMounting mounting = CeramicMounting::bothSides;
+    CeramicWiring wiring = CeramicWiring::parallel;
+    int polarity = 1; ///< 1 or -1
+};
+
+/** What all described (not measured) devices share. */
+struct StructureCommon
+{
+    double thickness = 0; ///< m
+    ElasticMaterial material;
+    std::vector<double> dampingRatios; ///< One for all modes, or one a mode; the last one serves the modes beyond.
+    std::vector<CeramicDescription> ceramics;
+    double voltageLimit = 0;                ///< V, of every ceramic
+    double fullScaleVoltage = 0;            ///< V
+    std::optional<double> maximumFrequency; ///< Hz
+    std::optional<int> modeCount;
+};
+
+/** A straight beam; x from its middle. Ceramics are `width`-centred. */
+struct BeamDescription
+{
+    StructureCommon common;
+    double length = 0, width = 0; ///< m
+    EdgeCondition left = EdgeCondition::free, right = EdgeCondition::free;
+};
+
+/** A staple: a top on two legs with clamped feet, sharp corners; x from the middle of the top, ceramics on the top. */
+struct StapleDescription
+{
+    StructureCommon common;
+    double topLength = 0, legLength = 0, width = 0; ///< m
+};
+
+/** A rectangular plate; origin in its lower left corner. */
+struct PlateDescription
+{
+    StructureCommon common;
+    double lengthX = 0, lengthY = 0; ///< m
+    EdgeCondition left = EdgeCondition::free, right = EdgeCondition::free;
+    EdgeCondition bottom = EdgeCondition::free, top = EdgeCondition::free;
+};
+
+/** A device as a file describes it. SCHEMAS: antinode.device/1. */
+struct DeviceDescription
+{
+    std::string name;
+    std::string description;
+    std::variant<BeamDescription, StapleDescription, PlateDescription, ModalModel> body;
+};
+
+/** The modal model of a described device: solves a beam, staple or plate; hands a measured model on as it is.
+    @param modeCount  how many flexible modes, or none: what the description says, or a default of 40
+    @throws InputError  where the description cannot be solved, saying why
+    [worker] Docs/Theory.md, section 1. */
+ModalModel solveStructure (const DeviceDescription&, std::optional<int> modeCount = {});
+} // namespace antinode

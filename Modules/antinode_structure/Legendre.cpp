@@ -1,0 +1,62 @@
+#include "Legendre.h"
+
+#include <numbers>
+
+namespace antinode
+{
+QuadratureRule gaussLobattoRule (Eigen::Index count)
+{
+    // The places are the zeros of (1 - x^2) P'_n (x), n = count - 1: Newton's method, from the zeros of Chebyshev's polynomials.
+    constexpr int newtonSteps = 12;
+    const auto n = count - 1;
+    const auto degree = static_cast<double> (n);
+    Eigen::VectorXd x = -Eigen::ArrayXd::LinSpaced (count, 0, std::numbers::pi).cos();
+
+    for (int step = 0; step < newtonSteps; ++step)
+    {
+        const Eigen::MatrixXd p = legendrePolynomials (x, count);
+        x -= ((x.array() * p.col (n).array() - p.col (n - 1).array()) / ((degree + 1) * p.col (n).array())).matrix();
+    }
+
+    x[0] = -1;
+    x[n] = 1;
+    const Eigen::VectorXd last = legendrePolynomials (x, count).col (n);
+    return { x, (2 / (degree * (degree + 1) * last.array().square())).matrix() };
+}
+
+Eigen::MatrixXd legendrePolynomials (const Eigen::VectorXd& places, Eigen::Index count)
+{
+    Eigen::MatrixXd p (places.size(), count);
+    p.col (0).setOnes();
+
+    if (count > 1)
+        p.col (1) = places;
+
+    for (Eigen::Index n = 2; n < count; ++n)
+    {
+        const auto degree = static_cast<double> (n);
+        p.col (n) = ((2 * degree - 1) * places.cwiseProduct (p.col (n - 1)) - (degree - 1) * p.col (n - 2)) / degree;
+    }
+
+    return p;
+}
+
+LegendreIntegrals legendreIntegrals (const Eigen::VectorXd& places, Eigen::Index count)
+{
+    // The integral of P_n from -1 is (P_{n+1} - P_{n-1}) / (2 n + 1); used twice.
+    const auto p = legendrePolynomials (places, count + 2);
+    const auto divisor = [] (Eigen::Index n) { return static_cast<double> (2 * n + 1); };
+    Eigen::MatrixXd once (places.size(), count + 1);
+    Eigen::MatrixXd twice (places.size(), count);
+    once.col (0) = (places.array() + 1).matrix();
+    twice.col (0) = once.col (0).cwiseAbs2() / 2;
+
+    for (Eigen::Index n = 1; n <= count; ++n)
+        once.col (n) = (p.col (n + 1) - p.col (n - 1)) / divisor (n);
+
+    for (Eigen::Index n = 1; n < count; ++n)
+        twice.col (n) = (once.col (n + 1) - once.col (n - 1)) / divisor (n);
+
+    return { once.leftCols (count), twice };
+}
+} // namespace antinode

@@ -1,0 +1,176 @@
+#include "ChainModel.h"
+#include "DescribedChain.h"
+#include "DescriptionChecks.h"
+#include "DeviceDescription.h"
+
+#include <antinode_model/InputError.h>
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+constexpr int elementDegree = 8;      ///< What subdivided() divides for.
+constexpr int maximumModeCount = 200; ///< A beam of more has waves far shorter than thin-beam theory allows.
+constexpr int defaultModeCount = 40;
+
+/** Which modes of a description are wanted: so many, or all up to a frequency. */
+struct WantedModes
+{
+    std::optional<int> count;
+    double limit = std::numeric_limits<double>::infinity(); ///< rad/s
+    double expected = 0;                                    ///< rad/s: about as high as modes have to be right.
+};
+
+WantedModes modesUpTo (const ElementChain& chain, double frequency)
+{
+    const auto limit = 2 * std::numbers::pi * frequency;
+
+    if (! (limit > 0 && halfWavesAt (chain, limit) <= maximumModeCount))
+        throw InputError ("device", "maximum frequency is " + std::to_string (frequency)
+                                        + " Hz, allowed are positive ones with up to "
+                                        + std::to_string (maximumModeCount) + " modes below");
+
+    return { {}, limit, std::max (limit, angularFrequencyOfHalfWaves (chain, 2)) };
+}
+
+WantedModes wantedModes (const ElementChain& chain, const StructureCommon& common, std::optional<int> argument)
+{
+    const auto given = argument ? argument : common.modeCount;
+
+    if (! given && common.maximumFrequency)
+        return modesUpTo (chain, *common.maximumFrequency);
+
+    WantedModes wanted;
+    wanted.count = given.value_or (defaultModeCount);
+
+    if (*wanted.count < 1 || *wanted.count > maximumModeCount)
+        throw InputError ("device", "number of modes is " + std::to_string (*wanted.count) + ", allowed is 1 to "
+                                        + std::to_string (maximumModeCount));
+
+    wanted.expected = angularFrequencyOfHalfWaves (chain, *wanted.count + 2);
+    return wanted;
+}
+
+/** A chain divided finely enough for the wanted ones of its modes, and these. */
+struct Solution
+{
+    ElementChain chain;
+    ChainModes modes;
+    double angularFrequency = 0; ///< rad/s: what the chain was divided for.
+};
+
+void keepFirst (ChainModes& modes, Eigen::Index count)
+{
+    modes.angularFrequencies.conservativeResize (count);
+    modes.coefficients.conservativeResize (Eigen::NoChange, count);
+}
+
+Solution solveWanted (const ElementChain& whole, const WantedModes& wanted)
+{
+    // How high so many modes reach is known but roughly where sections change often: look higher until they are there.
+    for (auto angularFrequency = wanted.expected;; angularFrequency *= 1.25)
+    {
+        Solution solution { subdivided (whole, angularFrequency), {}, angularFrequency };
+        solution.modes = solveChain (solution.chain, elementDegree, angularFrequency);
+        const auto highest = std::min (angularFrequency, wanted.limit);
+        const auto found = (solution.modes.angularFrequencies.array() <= highest).count();
+
+        if (! wanted.count && found == 0)
+            throw InputError ("device", "has no mode up to its maximum frequency, allowed are higher ones");
+
+        if (! wanted.count || found >= *wanted.count)
+        {
+            keepFirst (solution.modes, wanted.count.value_or (static_cast<int> (found)));
+            return solution;
+        }
+    }
+}
+
+Eigen::VectorXd dampingOfModes (const std::vector<double>& ratios, Eigen::Index modes)
+{
+    return Eigen::VectorXd::NullaryExpr (
+        modes, [&] (Eigen::Index k) { return ratios[std::min (static_cast<std::size_t> (k), ratios.size() - 1)]; });
+}
+
+/** The change of each frequency against a solution of a lower degree, which is many times the error left. */
+Eigen::VectorXd estimatedErrors (const Solution& solution)
+{
+    constexpr double rounding = 1e-12; // What no change of degree shows.
+    const auto& fine = solution.modes.angularFrequencies;
+    const auto coarse = solveChain (solution.chain, elementDegree - 1, solution.angularFrequency).angularFrequencies;
+    return (coarse.head (fine.size()) - fine).cwiseQuotient (fine).cwiseAbs().cwiseMax (rounding);
+}
+
+/** What a model takes over from the description as it is. */
+void describe (ModalModel& model, const std::string& name, const StructureCommon& common)
+{
+    model.name = name;
+    model.dampingRatios = dampingOfModes (common.dampingRatios, model.modes());
+    model.fullScaleVoltage = common.fullScaleVoltage;
+
+    for (std::size_t i = 0; i < common.ceramics.size(); ++i)
+    {
+        const auto& ceramic = common.ceramics[i];
+        const auto place = [&] (double x) { return std::clamp (x, model.surface.xMinimum, model.surface.xMaximum); };
+        model.ceramics.push_back ({ ceramic.name.empty() ? "C" + std::to_string (i + 1) : ceramic.name,
+                                    place (ceramic.x), place (ceramic.x + ceramic.sizeX), 0, 0, common.voltageLimit });
+    }
+}
+
+Eigen::VectorXd momentsPerVolt (const StructureCommon& common, double width)
+{
+    Eigen::VectorXd moments (static_cast<Eigen::Index> (common.ceramics.size()));
+    std::transform (common.ceramics.begin(), common.ceramics.end(), moments.begin(),
+                    [&] (const CeramicDescription& ceramic) { return momentPerVolt (common, width, ceramic); });
+    return moments;
+}
+
+template <typename Body>
+ModalModel solveLine (const std::string& name, const Body& body, std::optional<int> modeCount)
+{
+    requireSolvable (body);
+    const auto whole = chainOf (body);
+    const auto solution = solveWanted (whole, wantedModes (whole, body.common, modeCount));
+    auto model = modelOf (solution.chain, solution.modes, elementDegree, solution.angularFrequency, body.width,
+                          momentsPerVolt (body.common, body.width));
+    model.frequencyErrors = estimatedErrors (solution);
+    describe (model, name, body.common);
+    validate (model);
+    return model;
+}
+
+/** Solves what a device's body is. */
+struct BodySolver
+{
+    ModalModel operator() (const BeamDescription& beam) const { return solveLine (name, beam, modeCount); }
+    ModalModel operator() (const StapleDescription& staple) const { return solveLine (name, staple, modeCount); }
+
+    ModalModel operator() (const PlateDescription&) const
+    {
+        throw InputError ("device '" + name + "'",
+                          "is a plate; plates are not supported by this version yet, allowed are beams, "
+                          "staples and modal devices");
+    }
+
+    ModalModel operator() (const ModalModel& measured) const
+    {
+        validate (measured);
+        const auto needsSlopes = measured.surface.kind == SurfaceKind::line && measured.slopes.size() == 0;
+        return needsSlopes ? withSplineSlopes (measured) : measured;
+    }
+
+    const std::string& name;
+    std::optional<int> modeCount;
+};
+} // namespace
+
+ModalModel solveStructure (const DeviceDescription& device, std::optional<int> modeCount)
+{
+    return std::visit (BodySolver { device.name, modeCount }, device.body);
+}
+} // namespace antinode

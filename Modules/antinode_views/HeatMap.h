@@ -1,0 +1,48 @@
+#pragma once
+
+#include "Annotations.h"
+#include "Ticks.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** Which colours stand for values. */
+enum class ColourScale
+{
+    sequential, ///< From little to much.
+    diverging   ///< Balanced about zero: the range is made symmetrical.
+};
+
+/** A rectangle over a map, for example a ceramic. */
+struct MapRectangle
+{
+    double xMinimum = 0, xMaximum = 0, yMinimum = 0, yMaximum = 0; ///< In the units of the axes.
+    std::string label;
+};
+
+/** A cross over a map, for example the focus. */
+struct MapPoint
+{
+    double x = 0, y = 0; ///< In the units of the axes.
+    std::string label;
+};
+
+/** A matrix as colours: a spectrogram, or a field over the plane or over time. Values that are not finite stay empty. */
+struct HeatMap
+{
+    std::string title, xLabel, yLabel, valueLabel; ///< Labels carry the unit.
+    Eigen::MatrixXd values;                        ///< A row for each y from below, a column for each x.
+    AxisRange x, y;                                ///< What the outer edges of the matrix stand for.
+    std::optional<AxisRange> valueRange;           ///< Chosen from the data where it is missing.
+    ColourScale scale = ColourScale::sequential;
+    bool equalAspect = false; ///< One unit is as long in x as in y: for plates.
+    std::vector<MapRectangle> rectangles;
+    std::vector<MapPoint> points;
+    std::vector<Marker> markers;
+};
+} // namespace antinode

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "Theme.h"
+#include "Ticks.h"
+
+#include <juce_graphics/juce_graphics.h>
+
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** A mark on an axis. */
+struct AxisTick
+{
+    double value = 0;
+    std::string label;
+};
+
+/** One axis of a plot. */
+struct Axis
+{
+    std::string label;
+    AxisRange range;
+    bool logarithmic = false;
+    std::vector<AxisTick>
+        ticks; ///< Chosen at layout where empty; those that are given are thinned out until labels fit.
+    bool grid = true;
+
+    /** Where a value lies: 0 at the minimum, 1 at the maximum, never further out than 20; NaN for what has no place.
+        [any] */
+    float fraction (double value) const;
+};
+
+/** Room round a plot for what stands outside of it, in pixels at scale 1. */
+struct PlotMargins
+{
+    float above = 0, right = 0;
+};
+
+/** Where a plot lies and how values become pixels. */
+struct PlotFrame
+{
+    juce::Rectangle<float> plot;
+    Axis x, y;
+
+    float xAt (double value) const { return plot.getX() + x.fraction (value) * plot.getWidth(); }
+    float yAt (double value) const { return plot.getBottom() - y.fraction (value) * plot.getHeight(); }
+    juce::Point<float> at (double xValue, double yValue) const { return { xAt (xValue), yAt (yValue) }; }
+};
+
+/** A range of positive values for a logarithmic axis, whatever came in. [any] */
+AxisRange positiveRange (AxisRange);
+
+/** Gives axes, tick labels and margins their room and chooses ticks whose labels do not touch. [any] */
+PlotFrame layOutPlot (juce::Rectangle<float> area, Axis x, Axis y, PlotMargins, const Theme&);
+
+/** The plot made smaller, in the middle of its place, so that one unit is as long in x as in y. [any] */
+PlotFrame withEqualAspect (PlotFrame);
+
+/** The ticks of an axis of so many pixels, and in its label the power of ten that the tick labels leave out. [any] */
+Axis withTicks (Axis, float length, float spacing);
+
+/** Background and grid: below the data. [any] */
+void drawGrid (juce::Graphics&, const PlotFrame&, const Theme&);
+
+/** Axes with their labels: above the data. [any] */
+void drawAxes (juce::Graphics&, const PlotFrame&, const Theme&);
+
+/** Says in the middle of the plot that there is nothing to show. [any] */
+void drawNoData (juce::Graphics&, const PlotFrame&, const Theme&);
+
+/** Fills the chart's background and draws its title; gives what remains of the area. [any] */
+juce::Rectangle<float> drawTitle (juce::Graphics&, juce::Rectangle<float> area, const std::string& title, const Theme&);
+
+/** A straight line along whole pixels. [any] */
+void drawHorizontal (juce::Graphics&, float y, float fromX, float toX, float thickness = 1);
+void drawVertical (juce::Graphics&, float x, float fromY, float toY, float thickness = 1);
+} // namespace antinode

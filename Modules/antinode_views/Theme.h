@@ -1,0 +1,41 @@
+#pragma once
+
+#include "Annotations.h"
+#include "ColourMap.h"
+
+#include <juce_graphics/juce_graphics.h>
+
+#include <vector>
+
+namespace antinode
+{
+/** How everything looks: one value for the screen, the report and print. Sizes in pixels at scale 1.
+    The series' colours are those of Okabe and Ito ("Color Universal Design", 2008), told apart with every kind of colour
+    vision, made darker or lighter where the background needs it. */
+struct Theme
+{
+    juce::Colour background, plotBackground, grid, axis, text, mutedText;
+    juce::Colour limit; ///< Limits, and values beyond them.
+    juce::Colour span;  ///< Shaded parts of an axis.
+    std::vector<juce::Colour> series;
+    ColourMap sequential, diverging;
+    float titleHeight = 17, labelHeight = 14, tickHeight = 13; ///< Line heights of the text.
+    bool boldTitle = true;
+    float lineWidth = 1.6f;
+    float padding = 12; ///< Round a chart.
+
+    /** For a white page. [any] */
+    static const Theme& light();
+
+    /** For a dark page. [any] */
+    static const Theme& dark();
+};
+
+/** The same theme for smaller panels: smaller text, thinner lines. [any] */
+Theme compact (Theme);
+
+/** The colour of a series.
+    @param colour  as chosen in the chart
+    @param order   the place of the series in it, from 0 [any] */
+juce::Colour seriesColour (const Theme&, int colour, std::size_t order);
+} // namespace antinode

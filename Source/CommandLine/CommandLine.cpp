@@ -1,0 +1,62 @@
+#include "CommandLine.h"
+
+#include "Commands.h"
+
+#include <antinode_model/InputError.h>
+
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <new>
+
+namespace antinode
+{
+namespace
+{
+constexpr int done = 0, badInput = 1, wrongUsage = 2;
+
+int complain (const char* text)
+{
+    std::fprintf (stderr, "antinode: %s\n", text);
+    return badInput;
+}
+} // namespace
+
+int runCommandLine (int argumentCount, const char* const* arguments)
+{
+    CLI::App app ("Antinode: the voltages that make a surface vibrate at one chosen place at one chosen instant.",
+                  "antinode");
+    app.require_subcommand (1);
+    app.footer (
+        "Every command has --help. With no more arguments, `antinode render` renders the embedded demonstrator.");
+    addDevicesCommand (app);
+    addModesCommand (app);
+    addDesignCommand (app);
+    addRenderCommand (app);
+    addPaperCommand (app);
+    addVersionCommand (app);
+
+    try
+    {
+        app.parse (argumentCount, arguments);
+        return done;
+    }
+    catch (const CLI::Success& success) // --help
+    {
+        return app.exit (success);
+    }
+    catch (const CLI::ParseError& error)
+    {
+        app.exit (error, std::cout, std::cerr);
+        return wrongUsage;
+    }
+    catch (const std::bad_alloc&)
+    {
+        return complain ("not enough memory for this: take a shorter duration, a lower sample rate or fewer modes");
+    }
+    catch (const std::exception& error)
+    {
+        return complain (error.what());
+    }
+}
+} // namespace antinode

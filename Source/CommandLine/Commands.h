@@ -1,0 +1,14 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace antinode
+{
+// Each adds its sub-command with its options and what it does; one file each. [worker]
+void addDevicesCommand (CLI::App&);
+void addModesCommand (CLI::App&);
+void addDesignCommand (CLI::App&);
+void addRenderCommand (CLI::App&);
+void addPaperCommand (CLI::App&);
+void addVersionCommand (CLI::App&);
+} // namespace antinode

@@ -1,0 +1,52 @@
+#include "CommonOptions.h"
+
+#include "Inputs.h"
+
+#include <antinode_focus/DesignFocus.h>
+#include <antinode_model/InputError.h>
+
+namespace antinode
+{
+namespace
+{
+constexpr double lowestRate = 8000, highestRate = 2e6; // Hz
+constexpr const char* bandLimited = "band_limited";
+constexpr const char* zeroOrderHold = "zero_order_hold";
+} // namespace
+
+Playback CommonOptions::playback() const
+{
+    return { reconstruction == bandLimited ? Reconstruction::bandLimited : Reconstruction::zeroOrderHold, rate };
+}
+
+void addCommonOptions (CLI::App& command, CommonOptions& options)
+{
+    command.add_option ("focus", options.focus, "Focus: an embedded name or a .json file")->capture_default_str();
+    command.add_option ("--device", options.device, "Device: an embedded name or a .json file")->capture_default_str();
+    command.add_option ("--out", options.folder, "Folder for the results")->capture_default_str();
+    command.add_option ("--rate", options.rate, "Sample rate, Hz")->capture_default_str();
+    command
+        .add_option ("--reconstruction", options.reconstruction,
+                     "How samples become voltages: an audio interface or a held generator")
+        ->check (CLI::IsMember ({ bandLimited, zeroOrderHold }))
+        ->capture_default_str();
+    command
+        .add_option ("--set", options.assignments, "Overrides a key, for example focus.targets.0.x_mm=24 (repeatable)")
+        ->allow_extra_args (false)
+        ->type_name ("KEY=VALUE");
+    command.add_flag ("--quiet", options.isQuiet, "Prints errors only");
+}
+
+std::pair<ModalModel, FocusDesign> designFrom (const CommonOptions& options)
+{
+    checkAssignments (options.assignments);
+
+    if (! (options.rate >= lowestRate && options.rate <= highestRate))
+        throw InputError ("--rate", "is " + std::to_string (options.rate) + " Hz, allowed is 8000 to 2000000");
+
+    const auto focus = loadFocus (options.focus, options.assignments);
+    auto model = solveStructure (loadDevice (options.device, options.assignments));
+    auto design = designFocus (model, focus, options.playback());
+    return { std::move (model), std::move (design) };
+}
+} // namespace antinode

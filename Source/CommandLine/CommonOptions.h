@@ -1,0 +1,32 @@
+#pragma once
+
+#include "RenderedFocus.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** What design and render have in common on the command line. */
+struct CommonOptions
+{
+    std::string focus = "demonstrator";
+    std::string device = "staple";
+    std::string folder = "antinode-out";
+    double rate = 192000; ///< Hz
+    std::string reconstruction = "band_limited";
+    std::vector<std::string> assignments;
+    bool isQuiet = false;
+
+    Playback playback() const;
+};
+
+/** Adds them to a sub-command. The struct must live as long as the app. */
+void addCommonOptions (CLI::App&, CommonOptions&);
+
+/** A focus designed as these options say.
+    @throws InputError  for anything that cannot be read, solved or met. [worker] */
+std::pair<ModalModel, FocusDesign> designFrom (const CommonOptions&);
+} // namespace antinode

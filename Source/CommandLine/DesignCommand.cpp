@@ -1,0 +1,47 @@
+#include "Commands.h"
+#include "CommonOptions.h"
+
+#include <antinode_files/DesignFile.h>
+#include <antinode_files/OutputFolder.h>
+#include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/DesignRemarks.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <memory>
+
+namespace antinode
+{
+namespace
+{
+void design (const CommonOptions& options)
+{
+    const auto [model, result] = designFrom (options);
+    OutputFolder folder (options.folder);
+    folder.write ("design.json", designToJson (result, model).dump (2) + "\n");
+    folder.commit();
+
+    if (options.isQuiet)
+        return;
+
+    std::printf ("%s on %s: %zu modes, captured %.4f, peak %s V of %s V, duality gap %.1e\n",
+                 result.description.name.c_str(), model.name.c_str(), result.controlledModes.size(), result.captured,
+                 inWords (peakVoltage (result)).c_str(), inWords (result.program.voltageLimits.maxCoeff()).c_str(),
+                 result.certificate.gap);
+
+    for (const auto& warning : result.warnings)
+        std::printf ("Warning: %s\n", warning.c_str());
+
+    std::printf ("%s/design.json\n", options.folder.c_str());
+}
+} // namespace
+
+void addDesignCommand (CLI::App& app)
+{
+    auto* command = app.add_subcommand ("design", "Computes who plays what for a focus and writes design.json");
+    auto options = std::make_shared<CommonOptions>();
+    addCommonOptions (*command, *options);
+    command->callback ([options] { design (*options); });
+}
+} // namespace antinode

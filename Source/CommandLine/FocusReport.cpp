@@ -1,0 +1,195 @@
+#include "FocusReport.h"
+
+#include <antinode_files/FocusWords.h>
+#include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/DesignRemarks.h>
+#include <antinode_views/FocusCharts.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace antinode
+{
+namespace
+{
+constexpr double milli = 1000;
+constexpr int shownTransients = 6;
+constexpr double shownAroundFocus = 0.0015; // s
+
+std::string fixed (double value, int decimals)
+{
+    std::array<char, 64> text {};
+    std::snprintf (text.data(), text.size(), "%.*f", decimals, value);
+    return text.data();
+}
+
+std::string percent (double share)
+{
+    return inWords (share * 100) + " %";
+}
+
+/** A little above the highest controlled mode. */
+double shownFrequency (const RenderedFocus& focus)
+{
+    return 1.3 * focus.model.frequencyHz (focus.design.controlledModes.back());
+}
+
+std::vector<ReportScore> scoresOf (const RenderedFocus& focus)
+{
+    const auto& design = focus.design;
+    const auto limit = inWords (design.program.voltageLimits.maxCoeff());
+    const auto peakVoltage = focus.render.voltages.cwiseAbs().maxCoeff();
+    const auto peakVelocity = focus.reachedField.cwiseAbs().maxCoeff() * milli;
+    return {
+        { "v-score", fixed (focus.truncatedScore.vScore, 5),
+          "Correlation of the reached field with what the controlled modes can carry; against the wanted field itself "
+          "it is "
+              + fixed (focus.score.vScore, 4) + ". 1 is best." },
+        { "Field error", percent (focus.truncatedScore.fieldError),
+          "RMS of the difference to what the controlled modes can carry; to the wanted field itself it is "
+              + percent (focus.score.fieldError) + "." },
+        { "Captured", fixed (design.captured, 4),
+          "Share of the wanted field (root of its energy) that the " + std::to_string (design.controlledModes.size())
+              + " controlled modes carry. 1 is all." },
+        { "Peak velocity", inWords (peakVelocity) + " mm/s",
+          "Largest velocity anywhere on the surface at the focus; " + percent (focus.score.peakRatio)
+              + " of the wanted one at its place." },
+        { "Peak voltage", inWords (peakVoltage) + " V",
+          "Largest voltage of any ceramic; the limit is " + limit + " V. No waveform at all could do it below "
+              + inWords (design.lowerBoundVoltage) + " V." },
+        { "Contrast", inWords (focus.contrast),
+          "Peak over RMS of the motion outside the focal spot at the same instant." },
+    };
+}
+
+ReportSection fieldSection (const RenderedFocus& focus)
+{
+    const auto& design = focus.design;
+    ReportSection section;
+    section.heading = "The field at the focus";
+    section.figures.push_back (
+        { "Velocity at the focus: wanted, carried by the controlled modes, and reached. Ceramics are shaded.",
+          {},
+          fieldChart (focus.model, design.target.field, design.truncatedField, focus.reachedField),
+          900,
+          400 });
+    section.figures.push_back ({ "Velocity around the focus over place and time.",
+                                 {},
+                                 fieldOverTimeChart (focus.model, design, focus.render, shownAroundFocus),
+                                 900,
+                                 400 });
+    section.figures.push_back (
+        { "Modal velocities at the focus. Modes without a wanted bar are not controlled: they are kept small.",
+          {},
+          spectrumChart (focus.model, design, focus.render.focusVelocities),
+          900,
+          340 });
+    return section;
+}
+
+ReportSection voltageSection (const RenderedFocus& focus)
+{
+    auto traces = voltagesChart (focus.model, focus.design.program, focus.render);
+    const auto height = comfortableHeight (traces);
+    ReportSection section;
+    section.heading = "The voltages";
+    section.figures.push_back (
+        { "Voltage of each ceramic; dashed lines are its limits, the number at the right is its peak.",
+          {},
+          std::move (traces),
+          900,
+          height });
+    return section;
+}
+
+ReportSection motionSection (const RenderedFocus& focus)
+{
+    auto transients = transientsChart (focus.model, focus.design, focus.render, shownTransients);
+    const auto height = comfortableHeight (transients);
+    ReportSection section;
+    section.heading = "The motion over time";
+
+    for (std::size_t i = 0; i < focus.probes.size(); ++i)
+    {
+        const auto place = inWords (focus.probes[i].first * milli) + " mm";
+        section.figures.push_back ({ "Velocity at the probe at x = " + place + ".",
+                                     {},
+                                     probeChart (focus.render, static_cast<Eigen::Index> (i), "x = " + place),
+                                     900,
+                                     320 });
+    }
+
+    section.figures.push_back (
+        { "Transients of the strongest controlled modes: the largest velocity that each adds anywhere on the surface.",
+          {},
+          std::move (transients),
+          900,
+          height });
+
+    if (! focus.probes.empty())
+        section.figures.push_back ({ "Spectrogram of the velocity at the first probe.",
+                                     {},
+                                     spectrogramChart (focus.render, 0, shownFrequency (focus)),
+                                     900,
+                                     360 });
+
+    return section;
+}
+
+ReportTable modeTable (const RenderedFocus& focus)
+{
+    const auto& design = focus.design;
+    ReportTable table { "The controlled modes",
+                        { "mode", "frequency (Hz)", "Q", "wanted (mm/s \xE2\x88\x9Akg)", "reached", "growth",
+                          "cycles" },
+                        {} };
+
+    for (std::size_t i = 0; i < design.controlledModes.size(); ++i)
+    {
+        const auto mode = design.controlledModes[i];
+        table.rows.push_back ({ std::to_string (mode + 1), fixed (focus.model.frequencyHz (mode), 1),
+                                fixed (0.5 / focus.model.dampingRatios[mode], 0),
+                                fixed (design.target.modalVelocities[mode] * milli, 4),
+                                fixed (focus.render.focusVelocities[mode] * milli, 4), inWords (design.growth[i]),
+                                std::to_string (design.cycles[i]) });
+    }
+
+    return table;
+}
+
+ReportSection designSection (const RenderedFocus& focus)
+{
+    const auto& design = focus.design;
+    const auto& certificate = design.certificate;
+    ReportSection section;
+    section.heading = "The design";
+    section.paragraphs = design.choices;
+    section.paragraphs.push_back ("Solver: " + std::string (wordFor (allocationStatusWords, certificate.status))
+                                  + ", duality gap " + inWords (certificate.gap) + ", "
+                                  + std::to_string (certificate.iterations) + " iterations, "
+                                  + inWords (certificate.milliseconds) + " ms. The voltages as designed peak at "
+                                  + inWords (peakVoltage (design)) + " V.");
+    section.tables.push_back (modeTable (focus));
+    return section;
+}
+} // namespace
+
+ReportPage focusReport (const RenderedFocus& focus)
+{
+    ReportPage page;
+    const auto& design = focus.design;
+    page.title = design.description.name.empty() ? "Focus" : design.description.name;
+    page.subtitle = focus.model.name + ": " + std::to_string (focus.model.actuators()) + " ceramics, "
+                    + std::to_string (focus.model.modes()) + " modes simulated, focus at "
+                    + inWords (static_cast<double> (focus.render.focusSample) / focus.render.sampleRate * milli)
+                    + " ms, " + inWords (focus.render.sampleRate) + " Hz";
+    page.scores = scoresOf (focus);
+    page.warnings = design.warnings;
+    page.sections = { fieldSection (focus), voltageSection (focus), motionSection (focus), designSection (focus) };
+    page.links = { { "summary.json", "summary.json" }, { "design.json", "design.json" }, { "probe.csv", "probe.csv" } };
+    page.footer = "Antinode " ANTINODE_VERSION ". The scores come from the plate model fed with the rendered samples.";
+    return page;
+}
+} // namespace antinode

@@ -1,0 +1,96 @@
+#include "Commands.h"
+#include "Inputs.h"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+namespace antinode
+{
+namespace
+{
+struct ModesOptions
+{
+    std::string device = "staple";
+    std::optional<int> count;
+    std::vector<std::string> assignments;
+    bool isJson = false;
+};
+
+nlohmann::ordered_json modesJson (const ModalModel& model, const std::string& kind, double milliseconds)
+{
+    auto modes = nlohmann::ordered_json::array();
+
+    for (Eigen::Index k = 0; k < model.modes(); ++k)
+    {
+        const Eigen::RowVectorXd participation = model.participation.row (k);
+        nlohmann::ordered_json mode;
+        mode["frequency_Hz"] = model.frequencyHz (k);
+        mode["damping_ratio"] = model.dampingRatios[k];
+        mode["participation_per_V"] = std::vector<double> (participation.begin(), participation.end());
+
+        if (model.frequencyErrors.size() > 0)
+            mode["error_estimate_relative"] = model.frequencyErrors[k];
+
+        modes.push_back (mode);
+    }
+
+    return { { "device", model.name },
+             { "kind", kind },
+             { "modes", modes },
+             { "rigid_body_modes", model.rigidBodyModes },
+             { "unknowns", model.unknowns },
+             { "time_ms", milliseconds } };
+}
+
+void printTable (const ModalModel& model)
+{
+    std::printf ("%s: %td modes, %td ceramics, %d rigid-body modes\n", model.name.c_str(), model.modes(),
+                 model.actuators(), model.rigidBodyModes);
+    std::printf ("%5s %14s %8s %10s %22s\n", "mode", "frequency/Hz", "Q", "error", "participation, largest");
+
+    for (Eigen::Index k = 0; k < model.modes(); ++k)
+    {
+        Eigen::Index best = 0;
+        const auto largest = model.actuators() > 0 ? model.participation.row (k).cwiseAbs().maxCoeff (&best) : 0.0;
+        const auto error = model.frequencyErrors.size() > 0 ? model.frequencyErrors[k] : 0.0;
+        std::printf ("%5td %14.3f %8.1f %10.1e %12.4g (%s)\n", k + 1, model.frequencyHz (k),
+                     0.5 / model.dampingRatios[k], error, largest,
+                     model.actuators() > 0 ? model.ceramics[static_cast<std::size_t> (best)].name.c_str() : "none");
+    }
+}
+
+void listModes (const ModesOptions& options)
+{
+    checkAssignments (options.assignments);
+    const auto start = std::chrono::steady_clock::now();
+    const auto description = loadDevice (options.device, options.assignments);
+    const auto model = solveStructure (description, options.count);
+    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+    constexpr const char* kinds[] = { "beam", "staple", "plate", "modal" };
+
+    if (options.isJson)
+        std::printf ("%s\n", modesJson (model, kinds[description.body.index()], elapsed.count()).dump (2).c_str());
+    else
+        printTable (model);
+}
+} // namespace
+
+void addModesCommand (CLI::App& app)
+{
+    auto* command = app.add_subcommand ("modes", "Lists the modes of a device");
+    auto options = std::make_shared<ModesOptions>();
+    command->add_option ("device", options->device, "Device: an embedded name or a .json file")->capture_default_str();
+    command->add_option ("--count", options->count, "How many flexible modes")->check (CLI::Range (1, 500));
+    command
+        ->add_option ("--set", options->assignments,
+                      "Overrides a key, for example device.thickness_mm=1.5 (repeatable)")
+        ->allow_extra_args (false)
+        ->type_name ("KEY=VALUE");
+    command->add_flag ("--json", options->isJson, "Writes JSON to standard output");
+    command->callback ([options] { listModes (*options); });
+}
+} // namespace antinode

@@ -1,0 +1,80 @@
+#include "RenderFiles.h"
+
+#include <antinode_files/TfwFile.h>
+#include <antinode_files/WaveFile.h>
+
+#include <array>
+#include <cstdio>
+
+namespace antinode
+{
+namespace
+{
+constexpr double milli = 1000;
+constexpr double probeFullScale = 1; // m/s
+
+std::string numbered (const char* format, std::size_t number)
+{
+    std::array<char, 64> text {};
+    std::snprintf (text.data(), text.size(), format, number);
+    return text.data();
+}
+
+void writeVoltagesCsv (OutputFolder& folder, const RenderedFocus& focus)
+{
+    std::vector<std::string> columns;
+
+    for (std::size_t i = 0; i < focus.model.ceramics.size(); ++i)
+        columns.push_back (numbered ("voltage_V_%zu", i + 1));
+
+    folder.write ("voltages.csv", encodeCsv (focus.render.voltages, columns, focus.render.sampleRate, 0));
+}
+
+/** One file a ceramic, and a sheet: a .tfw holds only the shape, the rest is set on the generator by hand. */
+void writeVoltagesTfw (OutputFolder& folder, const RenderedFocus& focus)
+{
+    std::string sheet = "file,ceramic,amplitude_Vpp,offset_V,high_V,low_V,period_s\n";
+
+    for (std::size_t i = 0; i < focus.model.ceramics.size(); ++i)
+    {
+        const auto file =
+            encodeTfw (focus.render.voltages.row (static_cast<Eigen::Index> (i)).transpose(), focus.render.sampleRate);
+        const auto name = numbered ("voltages-%02zu.tfw", i + 1);
+        folder.write (name, file.bytes);
+        std::array<char, 256> numbers {};
+        std::snprintf (numbers.data(), numbers.size(), ",%.9g,%.9g,%.9g,%.9g,%.12g\n", file.amplitudePeakToPeak,
+                       file.offset, file.highVoltage, file.lowVoltage, file.period);
+        sheet.append (name).append (",").append (std::to_string (i + 1)).append (numbers.data());
+    }
+
+    folder.write ("voltages-tfw.csv", sheet);
+}
+
+void writeProbes (OutputFolder& folder, const RenderedFocus& focus)
+{
+    std::vector<std::string> columns;
+
+    for (std::size_t i = 0; i < focus.probes.size(); ++i)
+        columns.push_back (numbered ("velocity_mm_s_%zu", i + 1));
+
+    folder.write ("probe.csv", encodeCsv (focus.render.probeVelocities * milli, columns, focus.render.sampleRate, 0));
+}
+} // namespace
+
+void writeSamples (OutputFolder& folder, const RenderedFocus& focus, const std::string& format)
+{
+    const auto rate = focus.render.sampleRate;
+
+    if (format == "csv")
+        writeVoltagesCsv (folder, focus);
+    else if (format == "tfw")
+        writeVoltagesTfw (folder, focus);
+    else
+        folder.write ("voltages.wav", encodeWave (focus.render.voltages, focus.model.fullScaleVoltage, rate));
+
+    if (! focus.probes.empty())
+        folder.write ("probe.wav", encodeWave (focus.render.probeVelocities, probeFullScale, rate));
+
+    writeProbes (folder, focus);
+}
+} // namespace antinode

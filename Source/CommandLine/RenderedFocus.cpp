@@ -1,0 +1,128 @@
+#include "RenderedFocus.h"
+
+#include <antinode_files/FocusWords.h>
+#include <antinode_focus/TargetField.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+constexpr double leastAftermath = 0.025; // s
+
+double durationOf (const FocusDesign& design)
+{
+    const auto focus = design.program.focusTime;
+    auto end = std::max (2 * focus, focus + leastAftermath);
+
+    for (const auto& oscillation : design.program.oscillations)
+        end = std::max (end, oscillation.end);
+
+    return end;
+}
+
+std::vector<std::pair<double, double>> probesOf (const FocusDesign& design, const RenderOptions& options)
+{
+    if (! options.probes.empty())
+        return options.probes;
+
+    if (! design.description.probes.empty())
+        return design.description.probes;
+
+    std::vector<std::pair<double, double>> probes;
+
+    for (const auto& target : design.description.targets)
+        probes.emplace_back (target.x, target.y);
+
+    return probes;
+}
+
+nlohmann::ordered_json probesJson (const RenderedFocus& focus)
+{
+    auto list = nlohmann::ordered_json::array();
+
+    for (std::size_t i = 0; i < focus.probes.size(); ++i)
+    {
+        const auto velocity = focus.render.probeVelocities.row (static_cast<Eigen::Index> (i));
+        Eigen::Index peak = 0;
+        velocity.cwiseAbs().maxCoeff (&peak);
+        list.push_back ({ { "x_mm", focus.probes[i].first * 1000 },
+                          { "y_mm", focus.probes[i].second * 1000 },
+                          { "velocity_at_focus_mm_s", velocity[focus.render.focusSample] * 1000 },
+                          { "peak_velocity_mm_s", velocity[peak] * 1000 },
+                          { "peak_time_ms", static_cast<double> (peak) / focus.render.sampleRate * 1000 } });
+    }
+
+    return list;
+}
+} // namespace
+
+RenderedFocus renderFocus (ModalModel model, FocusDesign design, const RenderOptions& options,
+                           const std::function<void (double)>& progress)
+{
+    RenderedFocus result;
+    result.probes = probesOf (design, options);
+
+    RenderSettings settings;
+    settings.playback = options.playback;
+    settings.duration = options.duration.value_or (durationOf (design));
+    settings.blockSize = options.blockSize;
+    settings.probeShapes.resize (static_cast<Eigen::Index> (result.probes.size()), model.modes());
+
+    for (std::size_t i = 0; i < result.probes.size(); ++i)
+        settings.probeShapes.row (static_cast<Eigen::Index> (i)) =
+            shapesAt (model, result.probes[i].first, result.probes[i].second);
+
+    result.render = renderOffline (model, design.program, settings, progress);
+    result.reachedField = model.shapes * result.render.focusVelocities;
+    result.score = scoreField (model.surface, result.reachedField, design.target.field);
+    result.truncatedScore = scoreField (model.surface, result.reachedField, design.truncatedField);
+    result.contrast = fieldContrast (model.surface, result.reachedField, design.description.targets);
+    result.model = std::move (model);
+    result.design = std::move (design);
+    return result;
+}
+
+nlohmann::ordered_json summaryOf (const RenderedFocus& focus)
+{
+    const auto& design = focus.design;
+    const auto& certificate = design.certificate;
+    nlohmann::ordered_json summary;
+    summary["device"] = focus.model.name;
+    summary["focus"] = design.description.name;
+    summary["sample_rate_Hz"] = focus.render.sampleRate;
+    summary["reconstruction"] =
+        design.playback.reconstruction == Reconstruction::bandLimited ? "band_limited" : "zero_order_hold";
+    summary["ceramics"] = focus.model.actuators();
+    summary["modes_controlled"] = design.controlledModes.size();
+    summary["modes_simulated"] = focus.model.modes();
+    summary["captured"] = design.captured;
+    summary["residue"] = design.residue;
+    summary["v_score"] = focus.score.vScore;
+    summary["field_error"] = focus.score.fieldError;
+    summary["peak_ratio"] = focus.score.peakRatio;
+    summary["v_score_truncated"] = focus.truncatedScore.vScore;
+    summary["field_error_truncated"] = focus.truncatedScore.fieldError;
+    summary["peak_ratio_truncated"] = focus.truncatedScore.peakRatio;
+    summary["contrast"] = focus.contrast;
+    summary["focus_time_ms"] = static_cast<double> (focus.render.focusSample) / focus.render.sampleRate * 1000;
+    summary["peak_velocity_mm_s"] = focus.reachedField.cwiseAbs().maxCoeff() * 1000;
+    summary["peak_voltage_V"] = focus.render.voltages.cwiseAbs().maxCoeff();
+    summary["voltage_limit_V"] = design.program.voltageLimits.maxCoeff();
+    summary["full_scale_V"] = focus.model.fullScaleVoltage;
+    summary["lower_bound_voltage_V"] = design.lowerBoundVoltage;
+    summary["limited_samples"] = focus.render.limitedSamples;
+    summary["allocation"] = wordFor (allocationMethodWords, design.description.allocation.method);
+    summary["solver"] = { { "status", wordFor (allocationStatusWords, certificate.status) },
+                          { "iterations", certificate.iterations },
+                          { "gap", certificate.gap },
+                          { "time_ms", certificate.milliseconds } };
+    summary["probes"] = probesJson (focus);
+    summary["warnings"] = design.warnings;
+    return summary;
+}
+} // namespace antinode

@@ -1,0 +1,22 @@
+#include "Commands.h"
+
+#include <juce_core/juce_core.h>
+
+#include <Eigen/Core>
+
+#include <cstdio>
+
+namespace antinode
+{
+void addVersionCommand (CLI::App& app)
+{
+    app.add_subcommand ("version", "Says which version this is and what it is built with")
+        ->callback (
+            []
+            {
+                std::printf ("antinode %s (JUCE %d.%d.%d, Eigen %d.%d.%d)\n", ANTINODE_VERSION, JUCE_MAJOR_VERSION,
+                             JUCE_MINOR_VERSION, JUCE_BUILDNUMBER, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
+                             EIGEN_MINOR_VERSION);
+            });
+}
+} // namespace antinode

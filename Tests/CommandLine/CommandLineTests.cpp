@@ -1,0 +1,176 @@
+#include "Support/RunProgram.h"
+
+#include <nlohmann/json.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+using namespace antinode;
+using test::contentOf;
+using test::runProgram;
+
+namespace
+{
+std::ptrdiff_t linesIn (const std::string& text)
+{
+    return std::count (text.begin(), text.end(), '\n');
+}
+} // namespace
+
+TEST_CASE ("Help ends with 0, wrong usage with 2, bad input with 1 and one line", "[command line]")
+{
+    CHECK (runProgram ({ "--help" }).exitCode == 0);
+
+    for (const auto* command : { "devices", "modes", "design", "render", "paper", "version" })
+        CHECK (runProgram ({ command, "--help" }).exitCode == 0);
+
+    CHECK (runProgram ({}).exitCode == 2);
+    CHECK (runProgram ({ "rendr" }).exitCode == 2);
+    CHECK (runProgram ({ "render", "--no-such-option" }).exitCode == 2);
+    CHECK (runProgram ({ "render", "--format", "mp3" }).exitCode == 2);
+
+    for (const auto& arguments :
+         std::vector<std::vector<std::string>> { { "render", "no-such-focus" },
+                                                 { "render", "missing.json" },
+                                                 { "render", "--device", "no-such-device" },
+                                                 { "render", "--rate", "7999" },
+                                                 { "render", "--rate", "nan" },
+                                                 { "render", "--probe", "24,0,0" },
+                                                 { "render", "--probe", "200" },
+                                                 { "render", "--set", "x=1" },
+                                                 { "render", "--set", "focus.targets.7.x_mm=1" },
+                                                 { "render", "--set", "focus.target.0.x_mm=1" },
+                                                 { "render", "--duration-ms", "1" },
+                                                 { "render", "--out", "/dev/null" },
+                                                 { "modes", "/" },
+                                                 { "design", "--set", "focus.allocation.voltage_limit_V=1" } })
+    {
+        const auto run = runProgram (arguments);
+        INFO (arguments.back() << ": " << run.errors);
+        CHECK (run.exitCode == 1);
+        CHECK (linesIn (run.errors) == 1);
+        CHECK (run.output.empty());
+    }
+}
+
+TEST_CASE ("A limit that cannot be met is answered with the reachable velocity", "[command line]")
+{
+    const TemporaryFolder folder;
+    const auto run =
+        runProgram ({ "render", "--out", folder.path() / "out", "--set", "focus.allocation.voltage_limit_V=5" });
+    CHECK (run.exitCode == 1);
+    CHECK_THAT (run.errors, Catch::Contains ("these drives need at least") && Catch::Contains ("mm/s can be reached"));
+    CHECK_FALSE (std::filesystem::exists (folder.path() / "out" / "summary.json"));
+}
+
+TEST_CASE ("render writes what the contract names, and the numbers keep what is promised of the demonstrator",
+           "[command line]")
+{
+    const TemporaryFolder folder;
+    const auto run = runProgram ({ "render", "--out", folder.path() });
+    REQUIRE (run.exitCode == 0);
+    CHECK (run.errors.empty());
+
+    for (const auto* name : { "voltages.wav", "probe.wav", "probe.csv", "design.json", "summary.json", "report.html" })
+        CHECK (std::filesystem::file_size (folder.path() / name) > 0);
+
+    const auto summary = nlohmann::json::parse (contentOf (folder.path() / "summary.json"));
+
+    for (const auto* key : { "device",
+                             "sample_rate_Hz",
+                             "ceramics",
+                             "modes_controlled",
+                             "modes_simulated",
+                             "captured",
+                             "residue",
+                             "v_score",
+                             "field_error",
+                             "peak_ratio",
+                             "v_score_truncated",
+                             "field_error_truncated",
+                             "peak_ratio_truncated",
+                             "contrast",
+                             "focus_time_ms",
+                             "peak_velocity_mm_s",
+                             "peak_voltage_V",
+                             "voltage_limit_V",
+                             "full_scale_V",
+                             "lower_bound_voltage_V",
+                             "allocation",
+                             "probes" })
+        CHECK (summary.contains (key));
+
+    for (const auto* key : { "status", "iterations", "gap", "time_ms" })
+        CHECK (summary.at ("solver").contains (key));
+
+    CHECK (summary.at ("v_score_truncated") >= 0.9999);
+    CHECK (summary.at ("field_error_truncated") <= 0.005);
+    CHECK (summary.at ("peak_voltage_V") <= summary.at ("voltage_limit_V"));
+    CHECK (summary.at ("lower_bound_voltage_V") < summary.at ("peak_voltage_V"));
+    CHECK (summary.at ("solver").at ("gap") <= 1e-6);
+
+    for (const auto& samples : summary.at ("limited_samples"))
+        CHECK (samples == 0);
+}
+
+TEST_CASE ("--set overrides any key, --quiet says nothing, formats are as asked for", "[command line]")
+{
+    const TemporaryFolder folder;
+    const auto run = runProgram ({ "render", "--quiet", "--no-report", "--format", "tfw", "--out", folder.path(),
+                                   "--set", "focus.targets.0.x_mm=-24", "--set", "focus.name=moved", "--set",
+                                   "device.quality_factor=80", "--probe", "-24", "--probe", "0,0" });
+    REQUIRE (run.exitCode == 0);
+    CHECK (run.output.empty());
+    CHECK (run.errors.empty());
+    CHECK_FALSE (std::filesystem::exists (folder.path() / "report.html"));
+    CHECK (contentOf (folder.path() / "voltages-08.tfw").substr (0, 10) == "TEKAFG3000");
+    CHECK_FALSE (std::filesystem::exists (folder.path() / "voltages.wav"));
+    const auto summary = nlohmann::json::parse (contentOf (folder.path() / "summary.json"));
+    CHECK (summary.at ("focus") == "moved");
+    REQUIRE (summary.at ("probes").size() == 2);
+    CHECK (summary.at ("probes").at (0).at ("x_mm") == -24);
+    CHECK (summary.at ("probes").at (0).at ("velocity_at_focus_mm_s") == Approx (40).epsilon (0.1));
+}
+
+TEST_CASE ("modes as JSON has the keys of the contract", "[command line]")
+{
+    const auto run = runProgram ({ "modes", "staple", "--json", "--count", "6" });
+    REQUIRE (run.exitCode == 0);
+    const auto json = nlohmann::json::parse (run.output);
+    CHECK (json.at ("device") == "staple");
+    CHECK (json.at ("kind") == "staple");
+    CHECK (json.at ("rigid_body_modes") == 0);
+    CHECK (json.at ("unknowns") > 0);
+    CHECK (json.at ("time_ms") > 0);
+    REQUIRE (json.at ("modes").size() == 6);
+    CHECK (json.at ("modes").at (0).at ("frequency_Hz") == Approx (399).epsilon (0.002));
+    CHECK (json.at ("modes").at (0).at ("participation_per_V").size() == 8);
+    CHECK (json.at ("modes").at (0).contains ("error_estimate_relative"));
+    CHECK (json.at ("modes").at (0).at ("damping_ratio") == Approx (1.0 / 380));
+}
+
+TEST_CASE ("devices lists what is embedded, and what it shows can be used as a file", "[command line]")
+{
+    const auto list = runProgram ({ "devices" });
+    CHECK_THAT (list.output, Catch::Contains ("staple") && Catch::Contains ("beam"));
+    CHECK_THAT (runProgram ({ "devices", "--materials" }).output,
+                Catch::Contains ("NCE51") && Catch::Contains ("aluminium"));
+    CHECK_THAT (runProgram ({ "devices", "--focuses" }).output, Catch::Contains ("paper-bump25-p5"));
+    const TemporaryFolder folder;
+    std::ofstream (folder.path() / "own.json") << runProgram ({ "devices", "--show", "beam" }).output;
+    const auto modes = runProgram ({ "modes", folder.path() / "own.json", "--json" });
+    REQUIRE (modes.exitCode == 0);
+    CHECK (nlohmann::json::parse (modes.output).at ("kind") == "beam");
+}
+
+TEST_CASE ("design and render agree on design.json", "[command line]")
+{
+    const TemporaryFolder first, second;
+    REQUIRE (runProgram ({ "design", "--out", first.path() }).exitCode == 0);
+    REQUIRE (runProgram ({ "render", "--out", second.path(), "--no-report" }).exitCode == 0);
+    auto designed = nlohmann::json::parse (contentOf (first.path() / "design.json"));
+    auto rendered = nlohmann::json::parse (contentOf (second.path() / "design.json"));
+    CHECK (designed.at ("oscillations") == rendered.at ("oscillations"));
+    CHECK (designed.at ("allocation") == rendered.at ("allocation"));
+}

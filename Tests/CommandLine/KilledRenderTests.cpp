@@ -1,0 +1,78 @@
+#include "Support/RunProgram.h"
+
+#include <nlohmann/json.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+using namespace antinode;
+
+namespace
+{
+/** Whether every visible file of a result folder is whole. */
+void checkWhole (const std::filesystem::path& folder)
+{
+    for (const auto& entry : std::filesystem::directory_iterator (folder))
+    {
+        const auto name = entry.path().filename().string();
+
+        if (name.starts_with ("."))
+            continue;
+
+        const auto content = test::contentOf (entry.path());
+        INFO (name);
+
+        if (name.ends_with (".json"))
+            CHECK (nlohmann::json::accept (content));
+        else if (name.ends_with (".html"))
+            CHECK_THAT (content, Catch::Contains ("</html>"));
+        else if (name.ends_with (".wav"))
+            CHECK (content.size()
+                   == 8 + static_cast<std::size_t> (static_cast<unsigned char> (content[4]))
+                          + (static_cast<std::size_t> (static_cast<unsigned char> (content[5])) << 8)
+                          + (static_cast<std::size_t> (static_cast<unsigned char> (content[6])) << 16)
+                          + (static_cast<std::size_t> (static_cast<unsigned char> (content[7])) << 24));
+        else
+            CHECK_FALSE (content.empty());
+    }
+
+    // summary.json comes last: where it is, everything is.
+    if (std::filesystem::exists (folder / "summary.json"))
+        for (const auto* name : { "voltages.wav", "probe.csv", "design.json", "report.html" })
+            CHECK (std::filesystem::exists (folder / name));
+}
+} // namespace
+
+TEST_CASE ("A render that is killed at any moment leaves nothing half-written, and the next one cleans up",
+           "[command line]")
+{
+    using namespace std::chrono;
+    const TemporaryFolder folder, streams;
+    const auto out = folder.path() / "out";
+    const std::vector<std::string> render { "render", "--quiet", "--out", out };
+    const auto begin = steady_clock::now();
+    REQUIRE (test::waitForProgram (test::startProgram (render, streams.path())) == 0);
+    const auto whole = steady_clock::now() - begin;
+    std::filesystem::remove_all (out);
+    constexpr int moments = 24;
+
+    for (int i = 0; i < moments; ++i)
+    {
+        const auto program = test::startProgram (render, streams.path());
+        std::this_thread::sleep_for (whole * i / moments);
+        kill (program, SIGKILL);
+        test::waitForProgram (program);
+
+        if (std::filesystem::exists (out))
+            checkWhole (out);
+    }
+
+    REQUIRE (test::waitForProgram (test::startProgram (render, streams.path())) == 0);
+    checkWhole (out);
+
+    for (const auto& entry : std::filesystem::directory_iterator (out))
+        CHECK_FALSE (entry.path().filename().string().starts_with ("."));
+}

@@ -1,0 +1,185 @@
+#include "Support/SineBeam.h"
+
+#include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/Detuning.h>
+#include <antinode_focus/FocusScore.h>
+#include <antinode_focus/Prediction.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+using namespace antinode;
+
+namespace
+{
+FocusDescription sincFocus (AllocationMethod method, double limit = 150)
+{
+    FocusDescription focus;
+    focus.targets = { { TargetShape::sinc, 0.02, 0, 0.025, 0.04, 1 } };
+    focus.focusTime = 0.025;
+    focus.modes.count = 8;
+    focus.allocation.method = method;
+    focus.allocation.voltageLimit = limit;
+    return focus;
+}
+
+Eigen::VectorXd velocitiesAt (const ModalModel& model, const FocusDesign& design, double time)
+{
+    return modalVelocities (model, predictStates (model, design.program, time));
+}
+
+double errorOfField (const ModalModel& model, const FocusDesign& design)
+{
+    const Eigen::VectorXd field = model.shapes * velocitiesAt (model, design, design.program.focusTime);
+    return scoreField (model.surface, field, design.truncatedField).fieldError;
+}
+} // namespace
+
+TEST_CASE ("Exact rows bring every controlled mode to its velocity to 1e-9", "[focus]")
+{
+    const auto model = test::sineBeam (20, 8);
+
+    for (const auto method : { AllocationMethod::exact, AllocationMethod::minimumPeak })
+    {
+        const auto design = designFocus (model, sincFocus (method), {});
+        const auto reached = velocitiesAt (model, design, 0.025);
+
+        for (const auto mode : design.controlledModes)
+            CHECK (reached[mode]
+                   == Approx (design.target.modalVelocities[mode]).margin (1e-9 * reached.cwiseAbs().maxCoeff()));
+    }
+}
+
+TEST_CASE ("The paper's rows leave the couplings between modes: small on a beam, but there", "[focus]")
+{
+    const auto model = test::sineBeam (20, 8);
+    const auto paper = errorOfField (model, designFocus (model, sincFocus (AllocationMethod::paper), {}));
+    const auto exact = errorOfField (model, designFocus (model, sincFocus (AllocationMethod::exact), {}));
+    CHECK (paper < 0.05);
+    CHECK (exact < 0.005);
+    CHECK (exact < paper / 2);
+}
+
+TEST_CASE ("Soft guards lower the field error and cost hardly any voltage", "[focus]")
+{
+    const auto model = test::sineBeam (20, 8);
+    auto focus = sincFocus (AllocationMethod::exact);
+    const auto guarded = designFocus (model, focus, {});
+    focus.allocation.guardModes = 0;
+    const auto free = designFocus (model, focus, {});
+    CHECK (errorOfField (model, guarded) < errorOfField (model, free));
+    CHECK (peakVoltage (guarded) < 1.2 * peakVoltage (free));
+}
+
+TEST_CASE ("The allocation needs less voltage than one ceramic a mode", "[focus]")
+{
+    const auto model = test::sineBeam (20, 8);
+    const auto oneToOne = peakVoltage (designFocus (model, sincFocus (AllocationMethod::oneToOne), {}));
+    const auto minimumNorm = peakVoltage (designFocus (model, sincFocus (AllocationMethod::minimumNorm), {}));
+    const auto minimumPeak = peakVoltage (designFocus (model, sincFocus (AllocationMethod::minimumPeak), {}));
+    CHECK (minimumNorm < oneToOne);
+    CHECK (minimumPeak < minimumNorm);
+}
+
+TEST_CASE ("A limit that cannot be met is refused with what can be reached, and that can be reached", "[focus]")
+{
+    const auto model = test::sineBeam (20, 8);
+    const auto least = designFocus (model, sincFocus (AllocationMethod::minimumPeak), {}).leastPeakVoltage;
+    auto focus = sincFocus (AllocationMethod::exact, 0.8 * least);
+
+    try
+    {
+        designFocus (model, focus, {});
+        FAIL ("the limit was not refused");
+    }
+    catch (const LimitError& error)
+    {
+        CHECK_THAT (error.what(),
+                    Catch::Contains ("these drives need at least") && Catch::Contains ("mm/s can be reached"));
+        CHECK (error.leastPeakVoltage == Approx (least).epsilon (2e-3));
+        CHECK (error.reachableVelocity == Approx (0.8 * 0.04).epsilon (2e-3));
+        focus.targets[0].peakVelocity = 0.998 * error.reachableVelocity;
+        CHECK_NOTHROW (designFocus (model, focus, {}));
+    }
+
+    CHECK_NOTHROW (designFocus (model, sincFocus (AllocationMethod::exact, 1.05 * least), {}));
+}
+
+TEST_CASE ("Within an active limit the voltages touch it and the duality gap is certified", "[focus]")
+{
+    const auto model = test::sineBeam (20, 8);
+    const auto least = designFocus (model, sincFocus (AllocationMethod::minimumPeak), {}).leastPeakVoltage;
+    const auto design = designFocus (model, sincFocus (AllocationMethod::exact, 1.05 * least), {});
+    CHECK (design.certificate.status == AllocationStatus::optimal);
+    CHECK (design.certificate.gap <= 1e-6);
+    CHECK (design.certificate.gap >= -1e-9);
+    CHECK (design.certificate.peakRatio == Approx (1).epsilon (1e-6));
+    CHECK (design.lowerBoundVoltage > 0);
+    CHECK (design.lowerBoundVoltage < least);
+}
+
+TEST_CASE ("At the paper's growth of 4 the offset-free drive needs less voltage than the paper's", "[focus]")
+{
+    const auto model = test::sineBeam (20, 8);
+    auto focus = sincFocus (AllocationMethod::minimumNorm);
+    focus.transients.growth = { 4 };
+    const auto offsetFree = peakVoltage (designFocus (model, focus, {}));
+    focus.transients.drive = DriveKind::paper;
+    CHECK (peakVoltage (designFocus (model, focus, {})) > 1.3 * offsetFree);
+}
+
+TEST_CASE ("The brake takes the field down faster than free decay", "[focus]")
+{
+    const auto model = test::sineBeam (20, 8, 100);
+    auto focus = sincFocus (AllocationMethod::exact);
+    const auto norm = [&] (const FocusDesign& design, double time)
+    { return velocitiesAt (model, design, time) (design.controlledModes).norm(); };
+    const auto free = designFocus (model, focus, {});
+    focus.transients.brake = 40;
+    const auto braked = designFocus (model, focus, {});
+    CHECK (norm (braked, 0.025) == Approx (norm (free, 0.025)).epsilon (0.01));
+    CHECK (norm (braked, 0.06) < 0.1 * norm (free, 0.06));
+    // Of each mode the drive, the two parts of its release, and the brake.
+    CHECK (braked.program.oscillations.size() == 4 * braked.controlledModes.size());
+}
+
+TEST_CASE ("What cannot be is refused with the place in the file", "[focus]")
+{
+    const auto model = test::sineBeam (20, 8);
+    auto focus = sincFocus (AllocationMethod::exact);
+    focus.targets[0].x = 0.2;
+    CHECK_THROWS_WITH (designFocus (model, focus, {}),
+                       Catch::Contains ("/targets/0/x_mm: is 200, which is beside the surface"));
+    focus = sincFocus (AllocationMethod::exact);
+    focus.modes.count = 20;
+    CHECK_THROWS_WITH (designFocus (model, focus, { Reconstruction::bandLimited, 48000 }),
+                       Catch::Contains ("cannot play mode 15"));
+    auto bare = test::sineBeam (20, 0);
+    CHECK_THROWS_WITH (designFocus (bare, sincFocus (AllocationMethod::exact), {}),
+                       Catch::Contains ("has no ceramics"));
+}
+
+TEST_CASE ("A poor capture and a limit that clips are said in plain words", "[focus]")
+{
+    const auto model = test::sineBeam (20, 8);
+    auto focus = sincFocus (AllocationMethod::oneToOne, 0.5);
+    focus.modes.count = 2;
+    const auto warnings = designFocus (model, focus, {}).warnings;
+    REQUIRE (warnings.size() == 2);
+    CHECK_THAT (warnings[0], Catch::Contains ("carry only"));
+    CHECK_THAT (warnings[1], Catch::Contains ("limiter will clip"));
+}
+
+TEST_CASE ("A detuned model is reproducible and as far off as asked for", "[focus]")
+{
+    const auto model = test::sineBeam (200, 8);
+    const auto plate = detuned (model, { 0.002, 0.1, 0.05 }, 7);
+    CHECK (plate.angularFrequencies == detuned (model, { 0.002, 0.1, 0.05 }, 7).angularFrequencies);
+    CHECK (plate.angularFrequencies != detuned (model, { 0.002, 0.1, 0.05 }, 8).angularFrequencies);
+    const Eigen::ArrayXd off = plate.angularFrequencies.array() / model.angularFrequencies.array() - 1;
+    CHECK (std::sqrt (off.square().mean()) == Approx (0.002).epsilon (0.2));
+    const Eigen::ArrayXd damping = plate.dampingRatios.array() / model.dampingRatios.array() - 1;
+    CHECK (std::sqrt (damping.square().mean()) == Approx (0.1).epsilon (0.2));
+    CHECK (detuned (model, {}, 7).participation == model.participation);
+}

@@ -1,0 +1,100 @@
+#include <antinode_focus/Projection.h>
+#include <antinode_model/InputError.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+
+using namespace antinode;
+
+namespace
+{
+/** A pinned string-like line of unit mass with sine shapes, which are orthonormal over it. */
+ModalModel sineModel (int modes, int points)
+{
+    ModalModel model;
+    model.name = "sines";
+    model.surface.xMaximum = 1;
+    model.surface.points = Eigen::MatrixX2d::Zero (points, 2);
+    model.surface.points.col (0) = Eigen::VectorXd::LinSpaced (points, 0, 1);
+    model.surface.masses = Eigen::VectorXd::Constant (points, 1.0 / (points - 1));
+    model.surface.areas = model.surface.masses;
+    model.angularFrequencies.resize (modes);
+    model.dampingRatios = Eigen::VectorXd::Constant (modes, 0.01);
+    model.shapes.resize (points, modes);
+    model.participation = Eigen::MatrixXd::Ones (modes, 1);
+    model.ceramics.resize (1);
+
+    for (int k = 0; k < modes; ++k)
+    {
+        model.angularFrequencies[k] = 1000.0 * (k + 1) * (k + 1);
+        model.shapes.col (k) =
+            std::numbers::sqrt2 * ((k + 1) * std::numbers::pi * model.surface.points.col (0).array()).sin().matrix();
+    }
+
+    return model;
+}
+} // namespace
+
+TEST_CASE ("The projection by mass weights recovers the amplitudes of modes", "[focus]")
+{
+    const auto model = sineModel (10, 201);
+    Eigen::VectorXd amplitudes = Eigen::VectorXd::Zero (10);
+    amplitudes[2] = 0.3;
+    amplitudes[7] = -0.1;
+    const auto target = projectField (model, model.shapes * amplitudes);
+    CHECK ((target.modalVelocities - amplitudes).norm() < 1e-13);
+    CHECK (target.energy == Approx (0.1).epsilon (1e-12));
+}
+
+TEST_CASE ("Where shapes cover a part only, the least-squares projection is right and mass weights are not", "[focus]")
+{
+    auto model = sineModel (6, 201);
+    const auto part = Eigen::seq (0, 140);
+    model.shapes = Eigen::MatrixXd (model.shapes (part, Eigen::all));
+    model.surface.points = Eigen::MatrixX2d (model.surface.points (part, Eigen::all));
+    model.surface.masses = Eigen::VectorXd (model.surface.masses (part));
+    const Eigen::VectorXd amplitudes = (Eigen::VectorXd (6) << 1, -2, 0.5, 0, 3, 1).finished();
+    const Eigen::VectorXd field = model.shapes * amplitudes;
+    CHECK ((projectField (model, field).modalVelocities - amplitudes).norm() > 0.5);
+    model.coversWholeBody = false;
+    CHECK ((projectField (model, field).modalVelocities - amplitudes).norm() < 1e-10);
+}
+
+TEST_CASE ("Modes are chosen by energy, by frequency, by captured energy or by a highest frequency", "[focus]")
+{
+    const auto model = sineModel (8, 201);
+    const Eigen::VectorXd amplitudes = (Eigen::VectorXd (8) << 0.1, 3, 0.2, 0, 4, 0, 0, 1).finished();
+    const auto target = projectField (model, model.shapes * amplitudes);
+    const auto total = amplitudes.squaredNorm();
+
+    const auto byEnergy = selectModes (model, target, { 2, ModeOrder::energy, {}, {} });
+    CHECK (byEnergy.modes == std::vector<int> { 1, 4 });
+    CHECK (byEnergy.captured == Approx (std::sqrt (25 / total)));
+    CHECK (selectModes (model, target, { 2, ModeOrder::frequency, {}, {} }).modes == std::vector<int> { 0, 1 });
+    CHECK (selectModes (model, target, { {}, ModeOrder::energy, 0.99, {} }).modes == std::vector<int> { 1, 4, 7 });
+    CHECK (selectModes (model, target, { {}, ModeOrder::energy, {}, 9100 / (2 * std::numbers::pi) }).modes
+           == std::vector<int> { 0, 1, 2 });
+    CHECK ((byEnergy.truncated - 3 * model.shapes.col (1) - 4 * model.shapes.col (4)).norm() < 1e-11);
+}
+
+TEST_CASE ("A mode that no ceramic moves is not chosen", "[focus]")
+{
+    auto model = sineModel (4, 101);
+    model.participation (1, 0) = 0;
+    const auto target = projectField (model, model.shapes * Eigen::Vector4d (1, 5, 2, 3));
+    CHECK (selectModes (model, target, { 2, ModeOrder::energy, {}, {} }).modes == std::vector<int> { 2, 3 });
+    CHECK_THROWS_WITH (selectModes (model, target, { 4, ModeOrder::energy, {}, {} }),
+                       Catch::Contains ("has 3 simulated modes"));
+    model.participation.setZero();
+    CHECK_THROWS_AS (selectModes (model, target, {}), InputError);
+}
+
+TEST_CASE ("A capture that cannot be reached is an error that says what can", "[focus]")
+{
+    const auto model = sineModel (3, 101);
+    const Eigen::VectorXd field = Eigen::VectorXd::Ones (101);
+    CHECK_THROWS_WITH (selectModes (model, projectField (model, field), { {}, ModeOrder::energy, 0.999, {} }),
+                       Catch::Contains ("all 3 modes together capture 0.9"));
+}

@@ -1,0 +1,93 @@
+#include "ExampleCharts.h"
+
+#include <antinode_views/Drawing.h>
+#include <antinode_views/Lettering.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <future>
+
+using namespace antinode;
+using namespace antinode::example_charts;
+
+TEST_CASE ("A picture has the size asked for times its scale, on the theme's background")
+{
+    const auto image = decoded (renderPng (lines(), 450, 180, 1.5f, Theme::dark()));
+    REQUIRE (image.isValid());
+    CHECK (image.getWidth() == 675);
+    CHECK (image.getHeight() == 270);
+    CHECK (image.getPixelAt (0, 0) == Theme::dark().background);
+    CHECK (image.getPixelAt (674, 269) == Theme::dark().background);
+}
+
+TEST_CASE ("A picture's bytes are the same each time it is drawn, whatever was drawn in between")
+{
+    const auto first = picturesOf (everyKind());
+    auto reversed = everyKind();
+    std::reverse (reversed.begin(), reversed.end());
+    auto second = picturesOf (reversed);
+    std::reverse (second.begin(), second.end());
+    CHECK (second == first);
+}
+
+TEST_CASE ("Threads that draw at the same time draw the same pictures")
+{
+    auto one = std::async (std::launch::async, picturesOf, everyKind());
+    auto other = std::async (std::launch::async, picturesOf, everyKind());
+    const auto expected = picturesOf (everyKind());
+    CHECK (one.get() == expected);
+    CHECK (other.get() == expected);
+}
+
+TEST_CASE ("Titles, labels and legends leave glyphs in the picture")
+{
+    const auto change = [] (auto alter)
+    {
+        auto chart = lines();
+        alter (chart);
+        return pngOf (chart) != pngOf (lines());
+    };
+    CHECK (change ([] (LineChart& chart) { chart.title = "Velocitx"; }));
+    CHECK (change ([] (LineChart& chart) { chart.yLabel = "velocity (m/s)"; }));
+    CHECK (change ([] (LineChart& chart) { chart.series[0].name = "achieved"; }));
+    CHECK (change ([] (LineChart& chart) { chart.markers[0].label = "t_f"; }));
+    CHECK (change ([] (LineChart& chart) { chart.limits[0].label = "limit"; }));
+    CHECK (change ([] (LineChart& chart) { chart.spans[0].label = "C2"; }));
+}
+
+TEST_CASE ("The compiled-in font has what the charts write: digits, units, Greek, minus, powers")
+{
+    const TextStyle style { 20, false, juce::Colours::black };
+    for (const auto* text : { "0", "V", "\u2212", "×", "⁻", "⁶", "±", "√", "…", "φ", "ω", "\u2013", "é" })
+    {
+        juce::Image image (juce::Image::RGB, 40, 30, false, juce::SoftwareImageType());
+        image.clear (image.getBounds(), juce::Colours::white);
+        juce::Graphics g (image);
+        drawText (g, text, { 0, 0, 40, 30 }, juce::Justification::centred, style);
+        INFO (text);
+        CHECK (pixelsUnlike (image, juce::Colours::white) > 4);
+        CHECK (textWidth (text, style) > 3);
+    }
+}
+
+TEST_CASE ("A text that is too long is shortened to its area")
+{
+    juce::Image image (juce::Image::RGB, 200, 30, false, juce::SoftwareImageType());
+    image.clear (image.getBounds(), juce::Colours::white);
+    juce::Graphics g (image);
+    drawText (g, "a name that is much longer than its place", { 0, 0, 80, 30 }, juce::Justification::centredLeft,
+              { 15, true, juce::Colours::black });
+    CHECK (pixelsUnlike (image.getClippedImage ({ 0, 0, 80, 30 }), juce::Colours::white) > 50);
+    CHECK (pixelsUnlike (image.getClippedImage ({ 81, 0, 119, 30 }), juce::Colours::white) == 0);
+}
+
+TEST_CASE ("A map shows large values in other colours than small ones, the first row at the bottom")
+{
+    HeatMap chart;
+    chart.values = (Eigen::Matrix2d() << 0, 0, 1, 1).finished();
+    const auto image = decoded (pngOf (chart));
+    const auto& map = Theme::light().sequential;
+    CHECK (image.getPixelAt (150, 40) == map.at (1));
+    CHECK (image.getPixelAt (150, 250) == map.at (0));
+}
