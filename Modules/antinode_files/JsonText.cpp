@@ -42,7 +42,7 @@ std::string reasonOf (const nlohmann::detail::exception& error)
         reason.erase (0, reason.find (": ", place) + 2);
 
     if (const auto token = reason.find ("; last read: "); token != std::string::npos)
-        reason.erase (token, std::max (reason.rfind ("; expected"), token) - token);
+        reason.erase (token, reason.find ("; expected", token) - token);
 
     return "is not valid JSON: " + printable (reason, 160);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace antinode
 {
@@ -19,6 +20,8 @@ AllocationInteriorPoint::AllocationInteriorPoint (const WhitenedAllocation& prob
     : problem (problemToUse), kind (kindToUse), ratio (ratioToUse), curvature (curvatureToUse), x (std::move (shares)),
       y (Eigen::VectorXd::Zero (problemToUse.wanted.size()))
 {
+    ceramics.reserve (static_cast<std::size_t> (problem.ceramics()));
+
     for (Eigen::Index i = 0; i < problem.ceramics(); ++i)
         ceramics.emplace_back (problem.limits[i], problem.drives());
 }

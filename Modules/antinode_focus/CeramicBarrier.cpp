@@ -1,6 +1,7 @@
 #include "CeramicBarrier.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace antinode
 {
@@ -39,7 +40,7 @@ CeramicBarrier::CeramicBarrier (double limitToUse, Eigen::Index drives) : limit 
 void CeramicBarrier::add (const SampleList& samples, const Eigen::MatrixXd& basis, const Eigen::VectorXd& share,
                           double ratio, double barrier)
 {
-    constexpr auto leastSlack = 0.02;
+    constexpr auto leastSlack = 0.02; // Of the limit: smaller ones would tie the next steps to a barely kept limit.
     SampleList fresh;
 
     for (const auto sample : samples)

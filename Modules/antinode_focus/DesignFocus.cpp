@@ -283,7 +283,7 @@ FocusDesign designFocus (const ModalModel& model, const FocusDescription& descri
     return design;
 }
 
-FocusDesign designModes (const ModalModel& model, const FocusDescription& description, std::vector<int> modes,
+FocusDesign designModes (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
                          const Eigen::VectorXd& wanted, Playback playback)
 {
     const Eigen::VectorXd field = model.shapes (Eigen::all, modes) * wanted;

@@ -30,7 +30,7 @@ FocusDesign designFocus (const ModalModel&, const FocusDescription&, Playback);
     @param wanted  their modal velocities at t_f, m/s kg^1/2
     @throws        as designFocus
     [worker] Docs/Theory.md, sections 3 and 4. */
-FocusDesign designModes (const ModalModel&, const FocusDescription&, std::vector<int> modes,
+FocusDesign designModes (const ModalModel&, const FocusDescription&, const std::vector<int>& modes,
                          const Eigen::VectorXd& wanted, Playback);
 
 /** The largest voltage of any ceramic that the drives of a design and their release ask for, before any limiter. V. [any] */

@@ -29,7 +29,7 @@ struct LimitedAllocation
     void improve (const Eigen::MatrixXd& newShares, double newValue, double newBound);
 };
 
-/** Shares whose largest |voltage| / limit is the least that these drives allow, to 1e-7, for a problem without guards.
+/** Shares whose largest |voltage| / limit is the least that these drives allow, to 5e-7, for a problem without guards.
     @param easyRatio  once a ratio below this is reached the search ends early
     [worker] Docs/Theory.md, section 4. */
 LimitedAllocation leastPeakShares (const WhitenedAllocation&, const RowSystem&, double easyRatio);

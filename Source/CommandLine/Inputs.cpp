@@ -65,8 +65,10 @@ nlohmann::json loadDocument (const std::string& folder, const std::string& nameO
     if (isFileName (nameOrFile))
         return readJsonFile (nameOrFile);
 
+    const auto path = folder + "/" + nameOrFile + std::string (extension);
+
     for (const auto& file : resources::files())
-        if (file.name == folder + "/" + nameOrFile + std::string (extension))
+        if (file.name == path)
             return parseJson (file.text(), sourceOf (folder, nameOrFile));
 
     std::string allowed;

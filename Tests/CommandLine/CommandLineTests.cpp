@@ -114,7 +114,7 @@ TEST_CASE ("render writes what the contract names, and the numbers keep what is 
         CHECK (samples == 0);
 }
 
-TEST_CASE ("--set overrides any key, --quiet says nothing, formats are as asked for", "[command line]")
+TEST_CASE ("Any key can be overridden with --set, --quiet says nothing, formats are as asked for", "[command line]")
 {
     const TemporaryFolder folder;
     const auto run = runProgram ({ "render", "--quiet", "--no-report", "--format", "tfw", "--out", folder.path(),

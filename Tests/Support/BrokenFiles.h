@@ -43,14 +43,16 @@ private:
         constexpr std::size_t longestName = 80;
 
         if (known.insert (bytes).second)
-            files.push_back ({ (std::string (current.name) + ": " + name).substr (0, longestName), bytes, current.isFocus });
+            files.push_back (
+                { (std::string (current.name) + ": " + name).substr (0, longestName), bytes, current.isFocus });
     }
 
     void breakFile (const GoodFile& good)
     {
         current = good;
         const auto document = Json::parse (good.text);
-        visit (document, Pointer(), [&] (const Pointer& place, const Json& value) { breakValue (document, place, value); });
+        visit (document, Pointer(),
+               [&] (const Pointer& place, const Json& value) { breakValue (document, place, value); });
 
         if (good.isMinimal)
             return;
@@ -61,7 +63,8 @@ private:
         duplicateKeys (text);
     }
 
-    static void visit (const Json& value, const Pointer& place, const std::function<void (const Pointer&, const Json&)>& action)
+    static void visit (const Json& value, const Pointer& place,
+                       const std::function<void (const Pointer&, const Json&)>& action)
     {
         if (! place.empty())
             action (place, value);
@@ -123,13 +126,31 @@ private:
 
     void breakNumber (const Json& document, const Pointer& place)
     {
-        static const std::set<std::string> positive {
-            "length_mm",     "width_mm",    "thickness_mm",   "length_x_mm",          "length_y_mm",     "voltage_V",
-            "E1_GPa",        "E2_GPa",      "G12_GPa",        "youngs_modulus_GPa",   "density_kg_m3",   "full_scale_V",
-            "damping_ratio", "count",       "quality_factor", "maximum_frequency_Hz", "frequency_Hz",    "focus_time_ms",
-            "window_ms",     "brake",       "phase",          "polarity",             "permittivity_relative",
-            "maximum_duration_ms", "peak_velocity_mm_s"
-        };
+        static const std::set<std::string> positive { "length_mm",
+                                                      "width_mm",
+                                                      "thickness_mm",
+                                                      "length_x_mm",
+                                                      "length_y_mm",
+                                                      "voltage_V",
+                                                      "E1_GPa",
+                                                      "E2_GPa",
+                                                      "G12_GPa",
+                                                      "youngs_modulus_GPa",
+                                                      "density_kg_m3",
+                                                      "full_scale_V",
+                                                      "damping_ratio",
+                                                      "count",
+                                                      "quality_factor",
+                                                      "maximum_frequency_Hz",
+                                                      "frequency_Hz",
+                                                      "focus_time_ms",
+                                                      "window_ms",
+                                                      "brake",
+                                                      "phase",
+                                                      "polarity",
+                                                      "permittivity_relative",
+                                                      "maximum_duration_ms",
+                                                      "peak_velocity_mm_s" };
 
         for (const auto& wrong : { Json ("text"), Json (true), Json::array(), Json (1e300), Json (-1e300) })
             replace (document, place, wrong);
@@ -202,8 +223,10 @@ private:
         std::replace (quotes.begin(), quotes.end(), '"', '\'');
         add ("with single quotation marks", quotes);
 
-        for (const auto* const token : { "nan", "Infinity", "+1", "01", ".5", "1.", "0x10", "1,5", "tru", "undefined", "1e", "--1" })
-            add (std::string ("with the token ") + token, text.substr (0, text.size() - 1) + ",\"surprise\":" + token + "}");
+        for (const auto* const token :
+             { "nan", "Infinity", "+1", "01", ".5", "1.", "0x10", "1,5", "tru", "undefined", "1e", "--1" })
+            add (std::string ("with the token ") + token,
+                 text.substr (0, text.size() - 1) + ",\"surprise\":" + token + "}");
 
         for (const std::size_t depth : { 64U, 65U, 1000U, 100000U })
         {
@@ -217,9 +240,11 @@ private:
         using namespace std::string_literals;
         constexpr std::size_t places = 6;
 
-        for (const auto& bytes : { "\xff"s, "\xc0\x80"s, "\xed\xa0\x80"s, "\xf4\x90\x80\x80"s, "\xe2\x82"s, "\0"s, "\x1b"s })
+        for (const auto& bytes :
+             { "\xff"s, "\xc0\x80"s, "\xed\xa0\x80"s, "\xf4\x90\x80\x80"s, "\xe2\x82"s, "\0"s, "\x1b"s })
             for (std::size_t i = 0; i < places; ++i)
-                add ("bytes that are no text, " + std::to_string (i) + "/6", std::string (text).insert (i * text.size() / places, bytes));
+                add ("bytes that are no text, " + std::to_string (i) + "/6",
+                     std::string (text).insert (i * text.size() / places, bytes));
 
         std::string wide = "\xff\xfe";
 
@@ -236,7 +261,8 @@ private:
         {
             const auto begin = text.rfind ('"', colon - 1);
             const auto member = text.substr (begin, colon - begin) + "\":null,";
-            add ("twice " + text.substr (begin, colon - begin + 1) + " at " + std::to_string (begin), std::string (text).insert (begin, member));
+            add ("twice " + text.substr (begin, colon - begin + 1) + " at " + std::to_string (begin),
+                 std::string (text).insert (begin, member));
         }
     }
 
@@ -245,9 +271,27 @@ private:
         using namespace std::string_literals;
         current = { "no document", {}, false, false };
 
-        for (const auto& text : { ""s, " "s, "\n\n"s, "\0"s, "null"s, "true"s, "7"s, "\"text\""s, "[]"s, "{}"s, "[{}]"s, "{\"\":{}}"s,
-                                  "\xef\xbb\xbf"s, "\xff\xfe"s, "PK\x03\x04"s, "<html>"s, "{\"schema\":null}"s, "{\"schema\":\"\"}"s,
-                                  std::string (100000, '['), std::string (100000, '{'), std::string (1000000, ' ') })
+        for (const auto& text : { ""s,
+                                  " "s,
+                                  "\n\n"s,
+                                  "\0"s,
+                                  "null"s,
+                                  "true"s,
+                                  "7"s,
+                                  "\"text\""s,
+                                  "[]"s,
+                                  "{}"s,
+                                  "[{}]"s,
+                                  "{\"\":{}}"s,
+                                  "\xef\xbb\xbf"s,
+                                  "\xff\xfe"s,
+                                  "PK\x03\x04"s,
+                                  "<html>"s,
+                                  "{\"schema\":null}"s,
+                                  "{\"schema\":\"\"}"s,
+                                  std::string (100000, '['),
+                                  std::string (100000, '{'),
+                                  std::string (1000000, ' ') })
             add ("text " + std::to_string (files.size()), text);
     }
 
