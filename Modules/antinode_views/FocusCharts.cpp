@@ -142,8 +142,11 @@ HeatMap spectrogramChart (const Render& render, Eigen::Index probe, double maxim
     map.xLabel = "time (ms)";
     map.yLabel = "frequency (kHz)";
     map.valueLabel = "level (dB re largest)";
-    map.values = result.decibels;
-    map.x = { 0, static_cast<double> (signal.size() - 1) / render.sampleRate * milli };
+    // Before the trigger there is silence, but after the last sample the plate goes on: windows that reach beyond it would show a cut.
+    const auto end = static_cast<double> (signal.size() - 1) / render.sampleRate;
+    const auto shown = (result.times.array() <= end - 0.5 * settings.windowDuration).count();
+    map.values = result.decibels.leftCols (std::max<Eigen::Index> (shown, 1));
+    map.x = { 0, result.times[std::max<Eigen::Index> (shown, 1) - 1] * milli };
     map.y = { 0, result.frequencies[result.frequencies.size() - 1] / milli };
     map.markers = { { focusTime (render), "focus" } };
     return map;
