@@ -10,12 +10,14 @@ namespace antinode
 {
 namespace
 {
-constexpr double toleranceMillimetre = 1e-6; ///< By so much ceramics may overlap or leave the device: rounding, not geometry.
+constexpr double toleranceMillimetre =
+    1e-6; ///< By so much ceramics may overlap or leave the device: rounding, not geometry.
 
 constexpr WordList<CeramicMounting, 2> mountingWords { { { "both_sides", CeramicMounting::bothSides },
                                                          { "one_side", CeramicMounting::oneSide } } };
 
-constexpr WordList<CeramicWiring, 2> wiringWords { { { "parallel", CeramicWiring::parallel }, { "series", CeramicWiring::series } } };
+constexpr WordList<CeramicWiring, 2> wiringWords { { { "parallel", CeramicWiring::parallel },
+                                                     { "series", CeramicWiring::series } } };
 
 /** A position that keeps the ceramic on the device. */
 double readPosition (const JsonValue& value, double minimum, double maximum)
@@ -101,8 +103,8 @@ std::vector<CeramicDescription> readCornerCeramics (const JsonValue& list, doubl
 
     for (const auto& place : places)
     {
-        const auto object = place.object ({ "name", "x_mm", "y_mm", "size_x_mm", "size_y_mm", "thickness_mm", "material", "mounting",
-                                            "wiring", "polarity" });
+        const auto object = place.object ({ "name", "x_mm", "y_mm", "size_x_mm", "size_y_mm", "thickness_mm",
+                                            "material", "mounting", "wiring", "polarity" });
         const auto sizeX = readSize (object.required ("size_x_mm"), lengthX);
         const auto sizeY = readSize (object.required ("size_y_mm"), lengthY);
         auto ceramic = readCeramic (object);

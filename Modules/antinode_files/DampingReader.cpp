@@ -33,6 +33,7 @@ std::vector<double> readDampingRatios (const JsonObject& object)
 double readDampingRatio (const JsonObject& mode)
 {
     const auto [key, value] = mode.oneOf (ratioKey, qualityKey);
-    return key == ratioKey ? value.number (ranges::dampingRatio) : ratioOfQuality (value.number (ranges::qualityFactor));
+    return key == ratioKey ? value.number (ranges::dampingRatio)
+                           : ratioOfQuality (value.number (ranges::qualityFactor));
 }
 } // namespace antinode

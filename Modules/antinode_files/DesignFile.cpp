@@ -15,13 +15,16 @@ using Json = nlohmann::ordered_json;
 
 Json conventions()
 {
-    return { { "mode", "index into the device's flexible modes, the lowest is 0" },
-             { "time", "seconds from the trigger" },
-             { "oscillation",
-               "value(t) = exp(growth_per_s tau) (in_phase sin(2 pi frequency_Hz tau) + quadrature cos(2 pi frequency_Hz tau)), "
-               "tau = t - start_s, for start_s <= t < end_s, else 0" },
-             { "angular_frequency_rad_s", "2 pi frequency_Hz to the last bit" },
-             { "allocation", "one row a ceramic, one column an oscillation: U_i(t) = sum over c of allocation[i][c] value_c(t), in V" } };
+    return {
+        { "mode", "index into the device's flexible modes, the lowest is 0" },
+        { "time", "seconds from the trigger" },
+        { "oscillation", "value(t) = exp(growth_per_s tau) (in_phase sin(2 pi frequency_Hz tau) + quadrature cos(2 pi "
+                         "frequency_Hz tau)), "
+                         "tau = t - start_s, for start_s <= t < end_s, else 0" },
+        { "angular_frequency_rad_s", "2 pi frequency_Hz to the last bit" },
+        { "allocation",
+          "one row a ceramic, one column an oscillation: U_i(t) = sum over c of allocation[i][c] value_c(t), in V" }
+    };
 }
 
 Json oscillationToJson (const Oscillation& oscillation)
@@ -71,7 +74,8 @@ Json certificateToJson (const AllocationCertificate& certificate)
 Json playbackToJson (const Playback& playback)
 {
     const auto isBandLimited = playback.reconstruction == Reconstruction::bandLimited;
-    return { { "reconstruction", isBandLimited ? "band_limited" : "zero_order_hold" }, { "sample_rate_Hz", playback.sampleRate } };
+    return { { "reconstruction", isBandLimited ? "band_limited" : "zero_order_hold" },
+             { "sample_rate_Hz", playback.sampleRate } };
 }
 
 Json fieldToJson (const FocusDesign& design, const ModalModel& model)

@@ -17,9 +17,10 @@ enum class DeviceKind
     modal
 };
 
-constexpr WordList<DeviceKind, 4> kindWords {
-    { { "plate", DeviceKind::plate }, { "beam", DeviceKind::beam }, { "staple", DeviceKind::staple }, { "modal", DeviceKind::modal } }
-};
+constexpr WordList<DeviceKind, 4> kindWords { { { "plate", DeviceKind::plate },
+                                                { "beam", DeviceKind::beam },
+                                                { "staple", DeviceKind::staple },
+                                                { "modal", DeviceKind::modal } } };
 } // namespace
 
 DeviceDescription readDevice (const nlohmann::json& document, const std::string& source)

@@ -40,7 +40,8 @@ Target readTarget (const JsonValue& value)
     target.x = fromMillimetres (object.required ("x_mm").number (ranges::positionMillimetre));
     target.y = fromMillimetres (optionalNumber (object, "y_mm", ranges::positionMillimetre).value_or (0));
     target.width = fromMillimetres (object.required ("width_mm").number (ranges::lengthMillimetre));
-    target.peakVelocity = fromMillimetres (object.required ("peak_velocity_mm_s").number (velocityMillimetresPerSecond));
+    target.peakVelocity =
+        fromMillimetres (object.required ("peak_velocity_mm_s").number (velocityMillimetresPerSecond));
 
     if (const auto phase = object.optional ("phase"))
         target.phase = phase->sign();
@@ -61,7 +62,8 @@ ModeChoice readModeChoice (const JsonValue& value)
         modes.count = count->integer (1, static_cast<int> (ranges::maximumModes));
 
     if (modes.count.has_value() + modes.captured.has_value() + modes.maximumFrequency.has_value() > 1)
-        value.fail ("has more than one of 'count', 'captured' and 'maximum_frequency_Hz', allowed is at most one of them");
+        value.fail (
+            "has more than one of 'count', 'captured' and 'maximum_frequency_Hz', allowed is at most one of them");
 
     if (choose && ! count)
         choose->fail ("is given without 'count', allowed is only both together");
@@ -116,7 +118,8 @@ std::optional<int> readGuardModes (const JsonValue& value)
 AllocationMethod readMethod (const JsonValue& value)
 {
     if (value.isWord ("free_waveform"))
-        value.fail ("is 'free_waveform', which this version does not have, allowed is one of " + listed (wordsOf (allocationMethodWords)));
+        value.fail ("is 'free_waveform', which this version does not have, allowed is one of "
+                    + listed (wordsOf (allocationMethodWords)));
 
     return value.choice (allocationMethodWords);
 }
@@ -156,8 +159,8 @@ FocusDescription readFocus (const nlohmann::json& document, const std::string& s
 {
     const JsonValue value (document, source);
     value.requireSchema ("antinode.focus/1");
-    const auto object = value.object (
-        { "schema", "name", "targets", "focus_time_ms", "modes", "transients", "allocation", "edge_window", "probes_mm" });
+    const auto object = value.object ({ "schema", "name", "targets", "focus_time_ms", "modes", "transients",
+                                        "allocation", "edge_window", "probes_mm" });
     FocusDescription focus;
 
     for (const auto& target : object.required ("targets").items (1, maximumTargets))

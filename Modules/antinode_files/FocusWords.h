@@ -8,21 +8,27 @@
 namespace antinode
 {
 /** The words of focus files, in both directions. */
-inline constexpr WordList<TargetShape, 3> targetShapeWords { { { "sinc", TargetShape::sinc },
-                                                               { "bump", TargetShape::bump },
-                                                               { "gaussian", TargetShape::gaussian } } };
+inline constexpr WordList<TargetShape, 3> targetShapeWords {
+    { { "sinc", TargetShape::sinc }, { "bump", TargetShape::bump }, { "gaussian", TargetShape::gaussian } }
+};
 
-inline constexpr WordList<ModeOrder, 2> modeOrderWords { { { "energy", ModeOrder::energy }, { "frequency", ModeOrder::frequency } } };
+inline constexpr WordList<ModeOrder, 2> modeOrderWords { { { "energy", ModeOrder::energy },
+                                                           { "frequency", ModeOrder::frequency } } };
 
-inline constexpr WordList<DriveKind, 2> driveKindWords { { { "offset_free", DriveKind::offsetFree }, { "paper", DriveKind::paper } } };
+inline constexpr WordList<DriveKind, 2> driveKindWords { { { "offset_free", DriveKind::offsetFree },
+                                                           { "paper", DriveKind::paper } } };
 
-inline constexpr WordList<AllocationMethod, 5> allocationMethodWords { { { "exact", AllocationMethod::exact },
-                                                                         { "paper", AllocationMethod::paper },
-                                                                         { "one_to_one", AllocationMethod::oneToOne },
-                                                                         { "minimum_norm", AllocationMethod::minimumNorm },
-                                                                         { "minimum_peak", AllocationMethod::minimumPeak } } };
+inline constexpr WordList<AllocationMethod, 5> allocationMethodWords {
+    { { "exact", AllocationMethod::exact },
+      { "paper", AllocationMethod::paper },
+      { "one_to_one", AllocationMethod::oneToOne },
+      { "minimum_norm", AllocationMethod::minimumNorm },
+      { "minimum_peak", AllocationMethod::minimumPeak } }
+};
 
-inline constexpr WordList<AllocationStatus, 3> allocationStatusWords { { { "unconstrained", AllocationStatus::unconstrained },
-                                                                         { "optimal", AllocationStatus::optimal },
-                                                                         { "infeasible", AllocationStatus::infeasible } } };
+inline constexpr WordList<AllocationStatus, 3> allocationStatusWords {
+    { { "unconstrained", AllocationStatus::unconstrained },
+      { "optimal", AllocationStatus::optimal },
+      { "infeasible", AllocationStatus::infeasible } }
+};
 } // namespace antinode

@@ -41,7 +41,8 @@ Json& elementOf (Json& list, std::string_view part, const std::string& where)
     std::from_chars (part.data(), part.data() + part.size(), index);
 
     if (index > list.size())
-        throw InputError (where, "index " + std::string (part) + " is beyond the list, allowed is 0 to " + std::to_string (list.size()));
+        throw InputError (where, "index " + std::string (part) + " is beyond the list, allowed is 0 to "
+                                     + std::to_string (list.size()));
 
     if (index == list.size())
         list.push_back (nullptr);

@@ -35,12 +35,14 @@ std::string escaped (std::string_view key)
 
 bool NumberRange::contains (double value) const
 {
-    return value >= minimum && value <= maximum && ! (aboveMinimum && value == minimum) && ! (belowMaximum && value == maximum);
+    return value >= minimum && value <= maximum && ! (aboveMinimum && value == minimum)
+           && ! (belowMaximum && value == maximum);
 }
 
 std::string NumberRange::text() const
 {
-    return (aboveMinimum ? "more than " : "") + numberText (minimum) + (belowMaximum ? " to less than " : " to ") + numberText (maximum);
+    return (aboveMinimum ? "more than " : "") + numberText (minimum) + (belowMaximum ? " to less than " : " to ")
+           + numberText (maximum);
 }
 
 JsonValue::JsonValue (const nlohmann::json& document, const std::string& sourceName)
@@ -73,7 +75,8 @@ int JsonValue::integer (int minimum, int maximum) const
     const auto value = json->is_number() ? json->get<double>() : std::nan ("");
 
     if (! (value >= minimum && value <= maximum && value == std::floor (value)))
-        fail (description() + ", allowed is a whole number from " + std::to_string (minimum) + " to " + std::to_string (maximum));
+        fail (description() + ", allowed is a whole number from " + std::to_string (minimum) + " to "
+              + std::to_string (maximum));
 
     return static_cast<int> (value);
 }
@@ -104,9 +107,12 @@ std::string JsonValue::text (std::size_t maximumBytes, bool lineBreaksAllowed) c
     if (text.size() > maximumBytes)
         fail ("is too long, allowed are " + std::to_string (maximumBytes) + " bytes");
 
-    const auto forbidden = [&] (char c) { return static_cast<unsigned char> (c) < 0x20 && ! (lineBreaksAllowed && c == '\n'); };
+    auto line = text;
 
-    if (! isUtf8 (text) || std::any_of (text.begin(), text.end(), forbidden))
+    if (lineBreaksAllowed)
+        std::erase (line, '\n');
+
+    if (printable (line, line.size()) != line)
         fail ("has control characters, allowed is plain text in UTF-8");
 
     return text;
@@ -135,7 +141,8 @@ std::vector<JsonValue> JsonValue::items (std::size_t minimum, std::size_t maximu
     return result;
 }
 
-std::vector<double> JsonValue::numbers (std::size_t minimumCount, std::size_t maximumCount, const NumberRange& range) const
+std::vector<double> JsonValue::numbers (std::size_t minimumCount, std::size_t maximumCount,
+                                        const NumberRange& range) const
 {
     requireCount (minimumCount, maximumCount);
     std::vector<double> result;
@@ -219,21 +226,23 @@ std::string JsonValue::description() const
     return json->is_array() ? "is a list" : json->is_object() ? "is an object" : "is null";
 }
 
-JsonObject::JsonObject (JsonValue valueToRead, std::vector<std::string_view> allowedKeys) : value (std::move (valueToRead))
+JsonObject::JsonObject (JsonValue valueToRead, std::vector<std::string_view> allowedKeys)
+    : value (std::move (valueToRead))
 {
     if (! value.isObject())
         value.fail (value.description() + ", allowed is an object with the keys " + listed (allowedKeys));
 
     for (const auto& [key, entry] : value.json->items())
         if (std::find (allowedKeys.begin(), allowedKeys.end(), key) == allowedKeys.end())
-            value.child (key, entry).fail ("is not a key here" + didYouMean (key, allowedKeys) + ", allowed are " + listed (allowedKeys));
+            value.child (key, entry)
+                .fail ("is not a key here" + didYouMean (key, allowedKeys) + ", allowed are " + listed (allowedKeys));
 }
 
 std::pair<std::string_view, JsonValue> JsonObject::oneOf (std::string_view first, std::string_view second) const
 {
     if (has (first) == has (second))
-        value.fail ((has (first) ? "has both " : "has neither ") + inQuotes (first) + (has (first) ? " and " : " nor ") + inQuotes (second)
-                    + ", allowed is exactly one of them");
+        value.fail ((has (first) ? "has both " : "has neither ") + inQuotes (first) + (has (first) ? " and " : " nor ")
+                    + inQuotes (second) + ", allowed is exactly one of them");
 
     const auto given = has (first) ? first : second;
     return { given, required (given) };

@@ -36,7 +36,8 @@ std::string reasonOf (const nlohmann::detail::exception& error)
     std::string reason = error.what();
 
     if (error.id == numberOverflow)
-        return "has a number that is too large: " + printable (reason.substr (reason.find ('\''))) + ", allowed is up to 1.7e308";
+        return "has a number that is too large: " + printable (reason.substr (reason.find ('\'')))
+               + ", allowed is up to 1.7e308";
 
     if (const auto place = reason.find ("column "); place != std::string::npos)
         reason.erase (0, reason.find (": ", place) + 2);
@@ -52,7 +53,10 @@ std::string reasonOf (const nlohmann::detail::exception& error)
 class StrictBuilder final : public nlohmann::json_sax<Json>
 {
 public:
-    StrictBuilder (std::string_view textToRead, const std::string& sourceOfText) : text (textToRead), source (sourceOfText) {}
+    StrictBuilder (std::string_view textToRead, const std::string& sourceOfText)
+        : text (textToRead), source (sourceOfText)
+    {
+    }
 
     Json takeDocument() { return std::move (document); }
 

@@ -29,7 +29,8 @@ ElasticMaterial readIsotropic (const JsonValue& value)
     const auto material = value.object ({ "youngs_modulus_GPa", "poisson_ratio", "density_kg_m3" });
     const auto modulus = readModulus (material, "youngs_modulus_GPa");
     const auto poisson = material.required ("poisson_ratio").number (poissonRatio);
-    return { modulus, modulus, modulus / (2 * (1 + poisson)), poisson, material.required ("density_kg_m3").number (density) };
+    return { modulus, modulus, modulus / (2 * (1 + poisson)), poisson,
+             material.required ("density_kg_m3").number (density) };
 }
 
 ElasticMaterial readOrthotropic (const JsonValue& value)
@@ -58,8 +59,8 @@ Material builtIn (const JsonValue& value, const std::optional<Material>& found, 
         return *found;
 
     const std::vector<std::string_view> words (names.begin(), names.end());
-    value.fail (value.description() + didYouMean (value.text (ranges::maximumNameBytes), words) + ", allowed is one of " + listed (words)
-                + ", or an object with the material's constants");
+    value.fail (value.description() + didYouMean (value.text (ranges::maximumNameBytes), words) + ", allowed is one of "
+                + listed (words) + ", or an object with the material's constants");
 }
 } // namespace
 
@@ -74,9 +75,11 @@ ElasticMaterial readElasticMaterial (const JsonValue& value)
 PiezoelectricMaterial readPiezoelectricMaterial (const JsonValue& value)
 {
     if (value.isString())
-        return builtIn (value, findPiezoelectricMaterial (value.text (ranges::maximumNameBytes)), piezoelectricMaterialNames());
+        return builtIn (value, findPiezoelectricMaterial (value.text (ranges::maximumNameBytes)),
+                        piezoelectricMaterialNames());
 
-    const auto object = value.object ({ "youngs_modulus_GPa", "poisson_ratio", "density_kg_m3", "d31_m_per_V", "permittivity_relative" });
+    const auto object = value.object (
+        { "youngs_modulus_GPa", "poisson_ratio", "density_kg_m3", "d31_m_per_V", "permittivity_relative" });
     PiezoelectricMaterial material;
     material.youngsModulus = readModulus (object, "youngs_modulus_GPa");
     material.poissonRatio = object.required ("poisson_ratio").number (poissonRatio);

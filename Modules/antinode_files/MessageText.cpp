@@ -151,7 +151,8 @@ std::string didYouMean (std::string_view word, const std::vector<std::string_vie
 
     // A word that only lacks its end, most often the unit, is as close as one with a letter amiss.
     for (const auto candidate : candidates)
-        if (const auto distance = candidate.starts_with (word) ? 1 : editDistance (word, candidate); distance < smallest)
+        if (const auto distance = candidate.starts_with (word) ? 1 : editDistance (word, candidate);
+            distance < smallest)
         {
             smallest = distance;
             best = candidate;

@@ -43,8 +43,8 @@ std::vector<JsonObject> readModeList (const JsonObject& device)
     std::vector<JsonObject> modes;
 
     for (const auto& mode : device.required ("modes").items (1, ranges::maximumModes))
-        modes.push_back (mode.object ({ "frequency_Hz", "damping_ratio", "quality_factor", "participation_per_V", "shape", "slope",
-                                        "frequency_error_relative", "frequency_standard_deviation_Hz",
+        modes.push_back (mode.object ({ "frequency_Hz", "damping_ratio", "quality_factor", "participation_per_V",
+                                        "shape", "slope", "frequency_error_relative", "frequency_standard_deviation_Hz",
                                         "damping_ratio_standard_deviation" }));
 
     return modes;
@@ -78,7 +78,8 @@ void readModes (const JsonObject& device, const std::vector<Eigen::Index>& order
     const auto hasSlopes = allHave (modes, "slope");
 
     if (hasSlopes && model.surface.kind == SurfaceKind::plate)
-        modes.front().required ("slope").fail ("is given for a plate, allowed on a line only (all points with the same y)");
+        modes.front().required ("slope").fail (
+            "is given for a plate, allowed on a line only (all points with the same y)");
 
     // The first mode says how many ceramics there are; the others must agree.
     const auto ceramics = modes.front().required ("participation_per_V").items (0, ranges::maximumCeramics).size();
@@ -182,8 +183,9 @@ bool shapesAreOrthonormal (const ModalModel& model)
 
 ModalModel readModalModel (const JsonValue& device)
 {
-    const auto body = device.object ({ "schema", "name", "description", "kind", "modes", "points_mm", "weights_kg", "areas_m2", "ceramics",
-                                       "limits", "delay_s", "covers_whole_body", "rigid_body_modes", "exact" });
+    const auto body =
+        device.object ({ "schema", "name", "description", "kind", "modes", "points_mm", "weights_kg", "areas_m2",
+                         "ceramics", "limits", "delay_s", "covers_whole_body", "rigid_body_modes", "exact" });
     std::optional<JsonObject> exact;
 
     if (const auto given = body.optional ("exact"))

@@ -63,7 +63,7 @@ void removeStaleFolders (const fs::path& target)
 fs::path makeTemporaryFolder (const fs::path& target)
 {
     std::random_device random;
-    const auto path = target / (std::string (temporaryPrefix) + std::to_string (getpid()) + '-' + std::to_string (random()));
+    auto path = target / (std::string (temporaryPrefix) + std::to_string (getpid()) + '-' + std::to_string (random()));
     std::error_code error;
 
     if (! fs::create_directory (path, error))
@@ -73,7 +73,7 @@ fs::path makeTemporaryFolder (const fs::path& target)
 }
 } // namespace
 
-OutputFolder::OutputFolder (std::filesystem::path targetFolder)
+OutputFolder::OutputFolder (const std::filesystem::path& targetFolder)
 {
     std::error_code error;
     target = fs::absolute (targetFolder, error);
@@ -104,7 +104,8 @@ OutputFolder::~OutputFolder()
 
 std::filesystem::path OutputFolder::pathFor (const std::string& fileName)
 {
-    if (fileName.empty() || fileName.front() == '.' || fileName.find_first_of (std::string_view ("/\0", 2)) != std::string::npos)
+    if (fileName.empty() || fileName.front() == '.'
+        || fileName.find_first_of (std::string_view ("/\0", 2)) != std::string::npos)
         fail (target, inQuotes (fileName) + " is no plain name for a file");
 
     if (std::find (fileNames.begin(), fileNames.end(), fileName) == fileNames.end())

@@ -1,8 +1,8 @@
 #include "DesignFile.h"
 #include "JsonReader.h"
 #include "PhysicalRanges.h"
-#include "SurfaceReader.h"
 #include "RimUnits.h"
+#include "SurfaceReader.h"
 
 namespace antinode
 {
@@ -16,10 +16,10 @@ constexpr NumberRange limit { 0, 1e5 };
 
 Oscillation readOscillation (const JsonValue& value)
 {
-    const auto object = value.object (
-        { "mode", "start_s", "end_s", "growth_per_s", "frequency_Hz", "angular_frequency_rad_s", "in_phase", "quadrature" });
+    const auto object = value.object ({ "mode", "start_s", "end_s", "growth_per_s", "frequency_Hz",
+                                        "angular_frequency_rad_s", "in_phase", "quadrature" });
     Oscillation oscillation;
-    oscillation.mode = object.required ("mode").integer (0, static_cast<int> (ranges::maximumModes));
+    oscillation.mode = object.required ("mode").integer (0, static_cast<int> (ranges::maximumModes) - 1);
     oscillation.start = object.required ("start_s").number (time);
     oscillation.end = object.required ("end_s").number ({ oscillation.start, time.maximum });
     oscillation.growth = object.required ("growth_per_s").number (anyNumber);
@@ -47,14 +47,15 @@ VoltageProgram readProgram (const nlohmann::json& document, const std::string& s
     const auto limits = value.required ("voltage_limits_V").numbers (0, ranges::maximumCeramics, limit);
     const auto rows = value.required ("allocation").items (limits.size(), limits.size());
     const auto columns = program.oscillations.size();
-    program.voltageLimits = Eigen::Map<const Eigen::VectorXd> (limits.data(), static_cast<Eigen::Index> (limits.size()));
+    program.voltageLimits =
+        Eigen::Map<const Eigen::VectorXd> (limits.data(), static_cast<Eigen::Index> (limits.size()));
     program.allocation.resize (program.voltageLimits.size(), static_cast<Eigen::Index> (columns));
 
     for (std::size_t i = 0; i < rows.size(); ++i)
     {
         const auto row = rows[i].numbers (columns, columns, anyNumber);
-        program.allocation.row (static_cast<Eigen::Index> (i))
-            = Eigen::Map<const Eigen::RowVectorXd> (row.data(), program.allocation.cols());
+        program.allocation.row (static_cast<Eigen::Index> (i)) =
+            Eigen::Map<const Eigen::RowVectorXd> (row.data(), program.allocation.cols());
     }
 
     return program;

@@ -13,7 +13,8 @@ namespace
 double roundedToDigits (double value, int digits)
 {
     std::array<char, 40> buffer {};
-    const auto written = std::to_chars (buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
+    const auto written =
+        std::to_chars (buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
     std::from_chars (buffer.data(), written.ptr, value);
     return value;
 }

@@ -23,8 +23,9 @@ constexpr WordList<EdgeCondition, 4> beamEndWords { { { "clamped", EdgeCondition
 /** An object of a device whose kind adds these keys to those that all described devices share. */
 JsonObject readBody (const JsonValue& device, std::initializer_list<std::string_view> keysOfKind)
 {
-    std::vector<std::string_view> keys { "schema",        "name",           "description", "kind",   "thickness_mm", "material",
-                                         "damping_ratio", "quality_factor", "ceramics",    "limits", "modes" };
+    std::vector<std::string_view> keys { "schema",       "name",     "description",   "kind",
+                                         "thickness_mm", "material", "damping_ratio", "quality_factor",
+                                         "ceramics",     "limits",   "modes" };
     keys.insert (keys.end(), keysOfKind);
     return device.object (keys);
 }

@@ -18,7 +18,8 @@ constexpr NumberRange anyExact { -1e12, 1e12 };
 void readPoints (const JsonValue& list, const std::optional<JsonObject>& exact, Surface& surface)
 {
     const auto points = list.items (2, ranges::maximumPoints);
-    const auto exactPoints = exact ? exact->required ("points_m").items (points.size(), points.size()) : std::vector<JsonValue> {};
+    const auto exactPoints =
+        exact ? exact->required ("points_m").items (points.size(), points.size()) : std::vector<JsonValue> {};
     surface.points.resize (static_cast<Eigen::Index> (points.size()), 2);
 
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -39,7 +40,7 @@ Eigen::VectorXd readWeights (const JsonValue& list, Eigen::Index points)
 {
     const auto count = static_cast<std::size_t> (points);
     const auto numbers = list.numbers (count, count, weight);
-    const Eigen::VectorXd weights = Eigen::Map<const Eigen::VectorXd> (numbers.data(), points);
+    Eigen::VectorXd weights = Eigen::Map<const Eigen::VectorXd> (numbers.data(), points);
 
     if (! (weights.sum() > 0))
         list.fail ("is zero everywhere, allowed is at least one number above 0");

@@ -37,8 +37,8 @@ std::string header (Eigen::Index samples)
 void validate (const Eigen::VectorXd& samples, double sampleRate)
 {
     if (samples.size() < fewestSamples || samples.size() > mostSamples)
-        throw InputError ("TFW", "has " + std::to_string (samples.size()) + " samples, allowed are " + std::to_string (fewestSamples)
-                                     + " to " + std::to_string (mostSamples));
+        throw InputError ("TFW", "has " + std::to_string (samples.size()) + " samples, allowed are "
+                                     + std::to_string (fewestSamples) + " to " + std::to_string (mostSamples));
 
     if (! std::isfinite (samples.maxCoeff() - samples.minCoeff()) || ! samples.allFinite())
         throw InputError ("TFW", "has a value that is not finite");

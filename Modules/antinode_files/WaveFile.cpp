@@ -38,15 +38,18 @@ void validate (const WaveShape& shape, double sampleRate)
     constexpr std::uint64_t mostChannels = 16383;
 
     if (shape.channels < 1 || shape.channels > mostChannels)
-        throw InputError ("WAV", "has " + std::to_string (shape.channels) + " channels, allowed are 1 to " + std::to_string (mostChannels));
+        throw InputError ("WAV", "has " + std::to_string (shape.channels) + " channels, allowed are 1 to "
+                                     + std::to_string (mostChannels));
 
-    if (! (sampleRate >= 1 && sampleRate <= static_cast<double> (largestNumber32) && sampleRate == std::floor (sampleRate)))
-        throw InputError ("WAV", "has a sample rate of " + numberText (sampleRate) + " Hz, allowed are whole numbers from 1 to "
-                                     + std::to_string (largestNumber32));
+    if (! (sampleRate >= 1 && sampleRate <= static_cast<double> (largestNumber32)
+           && sampleRate == std::floor (sampleRate)))
+        throw InputError ("WAV", "has a sample rate of " + numberText (sampleRate)
+                                     + " Hz, allowed are whole numbers from 1 to " + std::to_string (largestNumber32));
 
     if (shape.frames > largestNumber32 / (bytesPerSample * shape.channels)
         || shape.dataBytes() > largestNumber32 - (bytesBeforeData - 8))
-        throw InputError ("WAV", "has " + std::to_string (shape.frames) + " samples a channel, allowed are 4 GiB in all");
+        throw InputError ("WAV",
+                          "has " + std::to_string (shape.frames) + " samples a channel, allowed are 4 GiB in all");
 }
 
 void appendHeader (std::string& bytes, const WaveShape& shape)
@@ -100,8 +103,8 @@ void appendNumber (std::string& text, double value)
     if (! std::isfinite (value))
         throw InputError ("CSV", "has a value that is not finite");
 
-    const auto written
-        = std::to_chars (buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, significantDigits);
+    const auto written = std::to_chars (buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general,
+                                        significantDigits);
     text.append (buffer.data(), written.ptr);
 }
 } // namespace
@@ -134,7 +137,8 @@ std::string encodeCsv (const Eigen::MatrixXd& samples, const std::vector<std::st
                        double firstTime)
 {
     if (static_cast<Eigen::Index> (columns.size()) != samples.rows())
-        throw InputError ("CSV", "has " + std::to_string (columns.size()) + " names for " + std::to_string (samples.rows()) + " columns");
+        throw InputError ("CSV", "has " + std::to_string (columns.size()) + " names for "
+                                     + std::to_string (samples.rows()) + " columns");
 
     std::string text = "time_s";
 

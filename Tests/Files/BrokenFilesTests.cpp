@@ -63,12 +63,14 @@ TEST_CASE ("What is no file to be read is said in words", "[files]")
     const auto path = folder.path() / "my.json";
 
     CHECK (errorText ([&] { readJsonFile (path); }) == path.string() + ": does not exist");
-    CHECK (errorText ([&] { readJsonFile (folder.path()); }) == folder.path().string() + ": is a directory, allowed is a JSON file");
+    CHECK (errorText ([&] { readJsonFile (folder.path()); })
+           == folder.path().string() + ": is a directory, allowed is a JSON file");
     CHECK (errorText ([&] { readJsonFile (""); }).find ("does not exist") != std::string::npos);
 
     std::ofstream (path).close();
     CHECK (errorText ([&] { readJsonFile (path); }) == path.string() + ": is empty, allowed is a JSON document");
-    CHECK (errorText ([&] { readJsonFile (path / "below.json"); }) == (path / "below.json").string() + ": does not exist");
+    CHECK (errorText ([&] { readJsonFile (path / "below.json"); })
+           == (path / "below.json").string() + ": does not exist");
 }
 
 TEST_CASE ("A file that opens but cannot be read is an error", "[files]")

@@ -91,28 +91,35 @@ TEST_CASE ("Typical mistakes in focuses are named with their place and what is a
 {
     CHECK (errorWith ("focus_time_ms=-25") == "my.json: /focus_time_ms: is -25, allowed is 0.001 to 60000");
     CHECK (errorWith ("targets.0.shape=sync")
-           == "my.json: /targets/0/shape: is the text 'sync' (did you mean 'sinc'?), allowed is one of 'sinc', 'bump', 'gaussian'");
+           == "my.json: /targets/0/shape: is the text 'sync' (did you mean 'sinc'?), allowed is one of 'sinc', 'bump', "
+              "'gaussian'");
     CHECK (errorWith ("targets=[]") == "my.json: /targets: has 0 entries, allowed is a list of 1 to 64");
     CHECK (errorWith ("targets.0.phase=0.5") == "my.json: /targets/0/phase: is 0.5, allowed is 1 or -1");
     CHECK (errorWith ("targets.1={\"shape\": \"sinc\", \"x_mm\": 0, \"peak_velocity_mm_s\": 40}")
            == "my.json: /targets/1/width_mm: is missing, it must be given");
     CHECK (errorWith ("targets.0.peak_velocity=40")
-           == "my.json: /targets/0/peak_velocity: is not a key here (did you mean 'peak_velocity_mm_s'?), allowed are 'shape', 'x_mm', "
+           == "my.json: /targets/0/peak_velocity: is not a key here (did you mean 'peak_velocity_mm_s'?), allowed are "
+              "'shape', 'x_mm', "
               "'y_mm', 'width_mm', 'peak_velocity_mm_s', 'phase'");
     CHECK (errorWith ("modes.captured=0.9")
-           == "my.json: /modes: has more than one of 'count', 'captured' and 'maximum_frequency_Hz', allowed is at most one of them");
+           == "my.json: /modes: has more than one of 'count', 'captured' and 'maximum_frequency_Hz', allowed is at "
+              "most one of them");
     CHECK (errorWith ("modes={\"choose\": \"energy\"}")
            == "my.json: /modes/choose: is given without 'count', allowed is only both together");
     CHECK (errorWith ("modes={\"captured\": 0}") == "my.json: /modes/captured: is 0, allowed is more than 0 to 1");
     CHECK (errorWith ("transients.brake=1") == "my.json: /transients/brake: is 1, allowed is more than 1 to 1000");
-    CHECK (errorWith ("transients.cycles=2.5") == "my.json: /transients/cycles: is 2.5, allowed is a whole number from 0 to 1000000");
+    CHECK (errorWith ("transients.cycles=2.5")
+           == "my.json: /transients/cycles: is 2.5, allowed is a whole number from 0 to 1000000");
     CHECK (errorWith ("allocation.method=free_waveform")
-           == "my.json: /allocation/method: is 'free_waveform', which this version does not have, allowed is one of 'exact', 'paper', "
+           == "my.json: /allocation/method: is 'free_waveform', which this version does not have, allowed is one of "
+              "'exact', 'paper', "
               "'one_to_one', 'minimum_norm', 'minimum_peak'");
-    CHECK (errorWith ("allocation.guard_modes=some") == "my.json: /allocation/guard_modes: is the text 'some', allowed is 'all'");
+    CHECK (errorWith ("allocation.guard_modes=some")
+           == "my.json: /allocation/guard_modes: is the text 'some', allowed is 'all'");
     CHECK (errorWith ("edge_window={\"tukey\": 1.5}") == "my.json: /edge_window/tukey: is 1.5, allowed is 0 to 1");
     CHECK (errorWith ("probes_mm.0=[1]") == "my.json: /probes_mm/0: has 1 entries, allowed is a list of 2");
-    CHECK (errorWith ("device=staple").find ("my.json: /device: is not a key here, allowed are 'schema', 'name', ") == 0);
+    CHECK (errorWith ("device=staple").find ("my.json: /device: is not a key here, allowed are 'schema', 'name', ")
+           == 0);
 }
 
 TEST_CASE ("A focus written and read again says the same", "[files]")

@@ -78,7 +78,8 @@ ModalModel irregularModel (SurfaceKind kind)
     }
 
     for (Eigen::Index i = 0; i < ceramics; ++i)
-        model.ceramics.push_back ({ "C" + std::to_string (i), next(), 1 + next(), 0, next() / 3, i == 2 ? 70.0 : 150.0 });
+        model.ceramics.push_back (
+            { "C" + std::to_string (i), next(), 1 + next(), 0, next() / 3, i == 2 ? 70.0 : 150.0 });
 
     return model;
 }
@@ -108,8 +109,10 @@ void checkSame (const ModalModel& a, const ModalModel& b)
     {
         CHECK (a.ceramics[i].name == b.ceramics[i].name);
         CHECK (a.ceramics[i].voltageLimit == b.ceramics[i].voltageLimit);
-        CHECK (std::pair (a.ceramics[i].xMinimum, a.ceramics[i].xMaximum) == std::pair (b.ceramics[i].xMinimum, b.ceramics[i].xMaximum));
-        CHECK (std::pair (a.ceramics[i].yMinimum, a.ceramics[i].yMaximum) == std::pair (b.ceramics[i].yMinimum, b.ceramics[i].yMaximum));
+        CHECK (std::pair (a.ceramics[i].xMinimum, a.ceramics[i].xMaximum)
+               == std::pair (b.ceramics[i].xMinimum, b.ceramics[i].xMaximum));
+        CHECK (std::pair (a.ceramics[i].yMinimum, a.ceramics[i].yMaximum)
+               == std::pair (b.ceramics[i].yMinimum, b.ceramics[i].yMaximum));
     }
 }
 } // namespace
@@ -167,7 +170,8 @@ TEST_CASE ("What a modal device leaves out follows from the rest", "[files]")
     CHECK (model.surface.areas.isApprox (Eigen::Vector3d (0.025, 0.045, 0.02), 1e-14));
     CHECK_FALSE (model.coversWholeBody);
     REQUIRE (model.slopes.rows() == 3);
-    CHECK (model.slopes (1, 0) == Approx ((1 / 0.05 * 0.04 + 1 / 0.04 * 0.05) / 0.09)); // Natural cubic spline, by hand.
+    CHECK (model.slopes (1, 0)
+           == Approx ((1 / 0.05 * 0.04 + 1 / 0.04 * 0.05) / 0.09)); // Natural cubic spline, by hand.
 }
 
 TEST_CASE ("Points whose weights make the shapes orthonormal stand for the whole body", "[files]")
@@ -208,12 +212,16 @@ TEST_CASE ("A modal device is written in people's numbers where there are such",
 TEST_CASE ("Modal devices whose parts do not fit together are refused", "[files]")
 {
     CHECK (errorWith ("modes.0.shape=[1, 2]") == "my.json: /modes/0/shape: has 2 entries, allowed is a list of 3");
-    CHECK (errorWith ("modes.1.participation_per_V=[1]") == "my.json: /modes/1/participation_per_V: has 1 entries, allowed is a list of 2");
-    CHECK (errorWith ("weights_kg=[0, 0, 0]") == "my.json: /weights_kg: is zero everywhere, allowed is at least one number above 0");
+    CHECK (errorWith ("modes.1.participation_per_V=[1]")
+           == "my.json: /modes/1/participation_per_V: has 1 entries, allowed is a list of 2");
+    CHECK (errorWith ("weights_kg=[0, 0, 0]")
+           == "my.json: /weights_kg: is zero everywhere, allowed is at least one number above 0");
     CHECK (errorWith ("ceramics=[]") == "my.json: /ceramics: has 0 entries, allowed is a list of 2");
-    CHECK (errorWith ("ceramics.0.voltage_limit_V=121") == "my.json: /ceramics/0/voltage_limit_V: is 121, allowed is 0 to 120");
-    CHECK (errorWith ("points_mm.2=[0, 0]")
-           == "my.json: /points_mm: has entries 1 and 2 in one place, allowed on a line is a place of its own for each");
+    CHECK (errorWith ("ceramics.0.voltage_limit_V=121")
+           == "my.json: /ceramics/0/voltage_limit_V: is 121, allowed is 0 to 120");
+    CHECK (
+        errorWith ("points_mm.2=[0, 0]")
+        == "my.json: /points_mm: has entries 1 and 2 in one place, allowed on a line is a place of its own for each");
     CHECK (errorWith ("points_mm.2=[40, 1]")
            == "my.json: /modes/0/slope: is given for a plate, allowed on a line only (all points with the same y)");
     CHECK (errorWith ("modes.2={\"frequency_Hz\": 5}")
@@ -226,6 +234,7 @@ TEST_CASE ("Exact numbers that contradict the keys with units are refused", "[fi
     CHECK (readModel (document).points() == 3);
     applyAssignment (document, "points_mm.2.0=41");
     CHECK (errorText ([&] { readModel (document); })
-           == "my.json: /exact/points_m/2/0: is 0.04, allowed is 0.041 as the key with the unit says; a file that is changed by hand "
+           == "my.json: /exact/points_m/2/0: is 0.04, allowed is 0.041 as the key with the unit says; a file that is "
+              "changed by hand "
               "should leave out 'exact'");
 }
