@@ -8,7 +8,7 @@
 
 namespace antinode
 {
-/** A device from JSON. SCHEMAS: antinode.device/1.
+/** A device from JSON. Docs/FileFormats.md.
     @param source  how errors name it: a file name, or "device 'staple'"
     @throws InputError  source, JSON pointer, what is wrong, what is allowed, "did you mean"
     [worker] */

@@ -8,7 +8,7 @@
 
 namespace antinode
 {
-/** A focus from JSON. SCHEMAS: antinode.focus/1.
+/** A focus from JSON. Docs/FileFormats.md.
     @param source  how errors name it
     @throws InputError  source, JSON pointer, what is wrong, what is allowed, "did you mean"
     [worker] */

@@ -18,6 +18,6 @@ struct TfwFile
 
 /** @param samples  N_s values, V, 2 to 65536
     @throws InputError  when there are too few or too many samples, or one is not finite
-    [worker] SCHEMAS: TFW. */
+    [worker] Docs/FileFormats.md. */
 TfwFile encodeTfw (const Eigen::VectorXd& samples, double sampleRate);
 } // namespace antinode

@@ -74,7 +74,7 @@ struct AllocationChoice
         window; ///< s before the focus time in which the norm is taken and the limit is imposed; none: all.
 };
 
-/** What is wanted: where, what shape, how strong, when, and how it is brought about. SCHEMAS: antinode.focus/1. */
+/** What is wanted: where, what shape, how strong, when, and how it is brought about. Docs/FileFormats.md. */
 struct FocusDescription
 {
     std::string name;

@@ -98,7 +98,7 @@ struct PlateDescription
     EdgeCondition bottom = EdgeCondition::free, top = EdgeCondition::free;
 };
 
-/** A device as a file describes it. SCHEMAS: antinode.device/1. */
+/** A device as a file describes it. Docs/FileFormats.md. */
 struct DeviceDescription
 {
     std::string name;

@@ -12,6 +12,6 @@ namespace antinode
     with "tfw" one voltages-NN.tfw a ceramic and their settings in voltages-tfw.csv; probe.csv always.
     1.0 in voltages.wav is the full scale of the device, in probe.wav 1 m/s.
     @throws InputError  when a format cannot hold the samples
-    [worker] SCHEMAS: Written. */
+    [worker] Docs/FileFormats.md. */
 void writeSamples (OutputFolder&, const RenderedFocus&, const std::string& format);
 } // namespace antinode
