@@ -1,7 +1,7 @@
 #include "ModalRecursion.h"
 
-#include "GaussLegendre.h"
 #include "KaiserSinc.h"
+#include <antinode_model/GaussLegendre.h>
 
 #include <antinode_model/InputError.h>
 

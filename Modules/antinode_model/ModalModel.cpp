@@ -69,8 +69,11 @@ Eigen::RowVectorXd shapesAt (const ModalModel& model, double x, double y)
                           "lies outside the surface of '" + model.name + "', allowed is " + allowed);
     }
 
-    return isLine ? interpolateOnLine (surface.points.col (0), model.shapes, model.slopes, x)
-                  : interpolateInPlane (surface.points, model.shapes, x, y);
+    if (isLine)
+        return interpolateOnLine (surface.points.col (0), model.shapes, model.slopes, x);
+
+    return surface.grid ? interpolateOnGrid (*surface.grid, model.shapes, x, y)
+                        : interpolateInPlane (surface.points, model.shapes, x, y);
 }
 
 ModalModel withSplineSlopes (ModalModel model)
@@ -87,23 +90,27 @@ ModalModel withSplineSlopes (ModalModel model)
 void validate (const ModalModel& model)
 {
     const auto modes = model.modes();
-    const auto points = model.surface.points.rows();
+    const auto& surface = model.surface;
+    const auto points = surface.points.rows();
     require (modes > 0, model, "has no modes");
     require (points > 0, model, "has no points");
     require (model.dampingRatios.size() == modes, model, "needs one damping ratio a mode");
     require (model.shapes.rows() == points && model.shapes.cols() == modes, model,
              "needs a shape value for each point and mode");
-    require (model.surface.masses.size() == points && model.surface.areas.size() == points, model,
-             "needs a weight for each point");
+    require (surface.masses.size() == points && surface.areas.size() == points, model, "needs a weight for each point");
     require (model.participation.rows() == modes, model, "needs the participation of every mode");
     require (model.participation.cols() == static_cast<Eigen::Index> (model.ceramics.size()), model,
              "needs one column of participation a ceramic");
-    require (model.surface.points.allFinite() && model.shapes.allFinite() && model.participation.allFinite(), model,
+    require (surface.points.allFinite() && model.shapes.allFinite() && model.participation.allFinite(), model,
              "has a number that is not finite");
-    require (model.surface.masses.allFinite() && model.surface.areas.allFinite() && model.surface.masses.minCoeff() >= 0
-                 && model.surface.areas.minCoeff() >= 0 && model.surface.masses.sum() > 0
-                 && model.surface.areas.sum() > 0,
+    require (surface.masses.allFinite() && surface.areas.allFinite() && surface.masses.minCoeff() >= 0
+                 && surface.areas.minCoeff() >= 0 && surface.masses.sum() > 0 && surface.areas.sum() > 0,
              model, "has weights that are negative, not finite or all zero");
+
+    if (surface.grid)
+        require (surface.grid->x.places.size() * surface.grid->y.places.size() == points, model,
+                 "has a grid of another size than its points");
+
     validateModes (model);
 }
 } // namespace antinode

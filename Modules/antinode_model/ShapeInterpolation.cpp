@@ -87,6 +87,20 @@ Eigen::MatrixXd naturalSplineSlopes (const Eigen::VectorXd& points, const Eigen:
     return slopes;
 }
 
+Eigen::RowVectorXd interpolateOnGrid (const PlateGrid& grid, const Eigen::MatrixXd& values, double x, double y)
+{
+    const auto rowX = interpolationRows (grid.x, Eigen::VectorXd::Constant (1, x));
+    const auto rowY = interpolationRows (grid.y, Eigen::VectorXd::Constant (1, y));
+    Eigen::RowVectorXd result = Eigen::RowVectorXd::Zero (values.cols());
+
+    for (Eigen::Index j = 0; j < rowY.cols(); ++j)
+        for (Eigen::Index i = 0; i < rowX.cols(); ++i)
+            if (rowX (0, i) != 0 && rowY (0, j) != 0)
+                result += rowX (0, i) * rowY (0, j) * values.row (i + j * rowX.cols());
+
+    return result;
+}
+
 Eigen::RowVectorXd interpolateInPlane (const Eigen::MatrixX2d& points, const Eigen::MatrixXd& values, double x,
                                        double y)
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include "PlateGrid.h"
 
 namespace antinode
 {
@@ -19,6 +19,12 @@ Eigen::RowVectorXd interpolateOnLine (const Eigen::VectorXd& points, const Eigen
     @return        N_p x N
     [worker] */
 Eigen::MatrixXd naturalSplineSlopes (const Eigen::VectorXd& points, const Eigen::MatrixXd& values);
+
+/** Values between the points of a grid: polynomials in x and y through the points of the segments that hold the place.
+    @param values  N_p x N
+    @return        N values
+    [worker] Docs/Theory.md, section 1.5. */
+Eigen::RowVectorXd interpolateOnGrid (const PlateGrid&, const Eigen::MatrixXd& values, double x, double y);
 
 /** Values between scattered points of a plane: the thin-plate spline through the nearest 48 of them. Exact at the points.
     @param points  N_p x 2

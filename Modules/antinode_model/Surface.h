@@ -1,6 +1,8 @@
 #pragma once
 
-#include <Eigen/Core>
+#include "PlateGrid.h"
+
+#include <optional>
 
 namespace antinode
 {
@@ -9,6 +11,12 @@ enum class SurfaceKind
 {
     line, ///< A beam's top: y = 0, x ascending.
     plate ///< Any points in the plane.
+};
+
+/** Edges at which the surface cannot move: targets are tapered there. Of a line only left and right count. */
+struct HeldEdges
+{
+    bool left = true, right = true, bottom = true, top = true;
 };
 
 /** The part of a device that is touched, as points on which mode shapes and fields are given. N_p points. */
@@ -20,5 +28,7 @@ struct Surface
     Eigen::MatrixX2d points;           ///< N_p x 2: x and y, m. On a line ascending in x.
     Eigen::VectorXd masses; ///< N_p: mass each point stands for, kg; sum m phi_k phi_l is the Gram matrix of the part.
     Eigen::VectorXd areas;  ///< N_p: share of the surface each point stands for, m^2 (any common factor).
+    std::optional<PlateGrid> grid; ///< Of a computed plate: its points are the product of two axes.
+    HeldEdges held;                ///< All of them where it is not known.
 };
 } // namespace antinode

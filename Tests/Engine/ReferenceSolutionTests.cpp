@@ -1,5 +1,5 @@
 #include <Support/AdaptiveOde.h>
-#include <antinode_engine/GaussLegendre.h>
+#include <antinode_model/GaussLegendre.h>
 
 #include <catch2/catch.hpp>
 
