@@ -29,6 +29,7 @@ struct ModalModel
     int rigidBodyModes = 0;          ///< How many modes of frequency 0 the body has beside the flexible ones.
     int unknowns = 0;                ///< Degrees of freedom of the solution; 0 where measured.
     Eigen::VectorXd frequencyErrors; ///< N_m: estimated relative error of each frequency; empty where unknown.
+    std::vector<std::string> warnings; ///< What the user should know of how good the model is, in plain words.
 
     Eigen::Index modes() const { return angularFrequencies.size(); }
     Eigen::Index points() const { return shapes.rows(); }
@@ -53,6 +54,11 @@ Eigen::RowVectorXd shapesAt (const ModalModel&, double x, double y);
 /** A model whose slopes are filled in by the natural cubic spline through the points of a line. [worker]
     @throws InputError  when points do not ascend in x */
 ModalModel withSplineSlopes (ModalModel);
+
+/** A model of a computed plate on another grid of the same segments: more points to look at, or fewer. Weights stay exact.
+    @param density  how many times as many points along either axis, more than 0
+    [worker] Docs/Theory.md, section 1.5. */
+ModalModel withGridDensity (ModalModel, double density);
 
 /** Checks what every model must fulfil: sizes agree, numbers are finite, 0 < xi < 1, frequencies ascend and are positive.
     @throws InputError  naming the first thing that is wrong. [worker] */

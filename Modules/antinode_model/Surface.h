@@ -31,4 +31,6 @@ struct Surface
     std::optional<PlateGrid> grid; ///< Of a computed plate: its points are the product of two axes.
     HeldEdges held;                ///< All of them where it is not known.
 };
+/** Puts a surface on a grid: points, areas and extent. Masses are made as many, and left to be given. [any] */
+void placeOnGrid (Surface&, const PlateGrid&);
 } // namespace antinode

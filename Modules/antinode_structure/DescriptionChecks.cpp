@@ -49,7 +49,8 @@ void requireCommon (const StructureCommon& common)
                               "damping ratio is " + text (ratio) + ", allowed is between 0 and 1, both excluded");
 }
 
-void requireCeramic (const std::string& place, const CeramicDescription& ceramic, double length, double width)
+/** What does not depend on where a ceramic lies. */
+void requireCeramic (const std::string& place, const CeramicDescription& ceramic)
 {
     requirePositive (place, "thickness", ceramic.thickness);
     requirePositive (place, "Young's modulus", ceramic.material.youngsModulus);
@@ -61,6 +62,11 @@ void requireCeramic (const std::string& place, const CeramicDescription& ceramic
 
     if (ceramic.polarity != 1 && ceramic.polarity != -1)
         throw InputError (place, "polarity is " + std::to_string (ceramic.polarity) + ", allowed are 1 and -1");
+}
+
+void requireLineCeramic (const std::string& place, const CeramicDescription& ceramic, double length, double width)
+{
+    requireCeramic (place, ceramic);
 
     if (ceramic.sizeY > width + edgeTolerance)
         throw InputError (place, "is " + millimetres (ceramic.sizeY) + " wide, allowed is up to the device's width of "
@@ -94,13 +100,50 @@ void requireNoOverlap (const std::vector<CeramicDescription>& ceramics)
     }
 }
 
+/** Poisson's ratios of a material that stores energy whatever it is strained: nu^2 < E1 / E2. */
+void requirePoissonRatio (const std::string& where, double ratio, double stiffnessRatio)
+{
+    const auto limit = std::sqrt (stiffnessRatio);
+
+    if (! (std::abs (ratio) < limit))
+        throw InputError (where, "Poisson's ratio is " + text (ratio) + ", allowed is between " + text (-limit)
+                                     + " and " + text (limit) + ", both excluded");
+}
+
+/** One side of a plate's ceramic, along one axis. */
+void requireInside (const std::string& place, const std::string& axis, double from, double size, double length)
+{
+    if (! (size >= 10 * edgeTolerance))
+        throw InputError (place, "size along " + axis + " is " + millimetres (size) + ", allowed is "
+                                     + millimetres (10 * edgeTolerance) + " and more");
+
+    if (! (from >= -edgeTolerance && from + size <= length + edgeTolerance))
+        throw InputError (place, "reaches from " + axis + " = " + millimetres (from) + " to "
+                                     + millimetres (from + size) + ", allowed is 0 to " + millimetres (length));
+}
+
+void requireNoOverlapInPlane (const std::vector<CeramicDescription>& ceramics)
+{
+    for (std::size_t i = 0; i < ceramics.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+        {
+            const auto &a = ceramics[i], &b = ceramics[j];
+            const auto inX = std::min (a.x + a.sizeX, b.x + b.sizeX) - std::max (a.x, b.x);
+            const auto inY = std::min (a.y + a.sizeY, b.y + b.sizeY) - std::max (a.y, b.y);
+
+            if (inX > edgeTolerance && inY > edgeTolerance)
+                throw InputError (ceramicPlace (i, a), "overlaps " + ceramicPlace (j, b) + " by " + millimetres (inX)
+                                                           + " x " + millimetres (inY) + ", allowed is to touch it");
+        }
+}
+
 void requireLine (const StructureCommon& common, double length, double width)
 {
     requirePositive ("device", "width", width);
     requireCommon (common);
 
     for (std::size_t i = 0; i < common.ceramics.size(); ++i)
-        requireCeramic (ceramicPlace (i, common.ceramics[i]), common.ceramics[i], length, width);
+        requireLineCeramic (ceramicPlace (i, common.ceramics[i]), common.ceramics[i], length, width);
 
     requireNoOverlap (common.ceramics);
 }
@@ -123,5 +166,32 @@ void requireSolvable (const StapleDescription& staple)
     requirePositive ("device", "length of the top", staple.topLength);
     requirePositive ("device", "length of the legs", staple.legLength);
     requireLine (staple.common, staple.topLength, staple.width);
+}
+
+void requireSolvable (const PlateDescription& plate)
+{
+    requirePositive ("device", "length along x", plate.lengthX);
+    requirePositive ("device", "length along y", plate.lengthY);
+    requireCommon (plate.common);
+    const auto& material = plate.common.material;
+    requirePositive ("device", "second Young's modulus of the substrate", material.youngsModulus2);
+    requirePositive ("device", "shear modulus of the substrate", material.shearModulus);
+    requirePoissonRatio ("device", material.poissonRatio12, material.youngsModulus1 / material.youngsModulus2);
+
+    for (const auto edge : { plate.left, plate.right, plate.bottom, plate.top })
+        if (edge == EdgeCondition::guided)
+            throw InputError ("device", "has a guided edge, allowed are clamped, simply supported and free ones");
+
+    for (std::size_t i = 0; i < plate.common.ceramics.size(); ++i)
+    {
+        const auto& ceramic = plate.common.ceramics[i];
+        const auto place = ceramicPlace (i, ceramic);
+        requireCeramic (place, ceramic);
+        requirePoissonRatio (place, ceramic.material.poissonRatio, 1);
+        requireInside (place, "x", ceramic.x, ceramic.sizeX, plate.lengthX);
+        requireInside (place, "y", ceramic.y, ceramic.sizeY, plate.lengthY);
+    }
+
+    requireNoOverlapInPlane (plate.common.ceramics);
 }
 } // namespace antinode

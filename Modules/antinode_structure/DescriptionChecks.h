@@ -16,4 +16,6 @@ void requireSolvable (const BeamDescription&);
 
 /** The same for a staple, whose ceramics lie on its top. [worker] */
 void requireSolvable (const StapleDescription&);
+/** The same for a plate: its material, edges and ceramics in the plane. [worker] */
+void requireSolvable (const PlateDescription&);
 } // namespace antinode

@@ -1,7 +1,9 @@
 #include "ChainModel.h"
 #include "DescribedChain.h"
+#include "DescribedModel.h"
 #include "DescriptionChecks.h"
 #include "DeviceDescription.h"
+#include "PlateModel.h"
 
 #include <antinode_model/InputError.h>
 
@@ -91,12 +93,6 @@ Solution solveWanted (const ElementChain& whole, const WantedModes& wanted)
     }
 }
 
-Eigen::VectorXd dampingOfModes (const std::vector<double>& ratios, Eigen::Index modes)
-{
-    return Eigen::VectorXd::NullaryExpr (
-        modes, [&] (Eigen::Index k) { return ratios[std::min (static_cast<std::size_t> (k), ratios.size() - 1)]; });
-}
-
 /** The change of each frequency against a solution of a lower degree, which is many times the error left. */
 Eigen::VectorXd estimatedErrors (const Solution& solution)
 {
@@ -106,28 +102,25 @@ Eigen::VectorXd estimatedErrors (const Solution& solution)
     return (coarse.head (fine.size()) - fine).cwiseQuotient (fine).cwiseAbs().cwiseMax (rounding);
 }
 
-/** What a model takes over from the description as it is. */
-void describe (ModalModel& model, const std::string& name, const StructureCommon& common)
-{
-    model.name = name;
-    model.dampingRatios = dampingOfModes (common.dampingRatios, model.modes());
-    model.fullScaleVoltage = common.fullScaleVoltage;
-
-    for (std::size_t i = 0; i < common.ceramics.size(); ++i)
-    {
-        const auto& ceramic = common.ceramics[i];
-        const auto place = [&] (double x) { return std::clamp (x, model.surface.xMinimum, model.surface.xMaximum); };
-        model.ceramics.push_back ({ ceramic.name.empty() ? "C" + std::to_string (i + 1) : ceramic.name,
-                                    place (ceramic.x), place (ceramic.x + ceramic.sizeX), 0, 0, common.voltageLimit });
-    }
-}
-
 Eigen::VectorXd momentsPerVolt (const StructureCommon& common, double width)
 {
     Eigen::VectorXd moments (static_cast<Eigen::Index> (common.ceramics.size()));
     std::transform (common.ceramics.begin(), common.ceramics.end(), moments.begin(),
                     [&] (const CeramicDescription& ceramic) { return momentPerVolt (common, width, ceramic); });
     return moments;
+}
+
+/** At a free or guided end of a beam the surface moves; the top of a staple is held by its legs. */
+HeldEdges heldEdges (const BeamDescription& beam)
+{
+    const auto isHeld = [] (EdgeCondition end)
+    { return end == EdgeCondition::clamped || end == EdgeCondition::simplySupported; };
+    return { isHeld (beam.left), isHeld (beam.right), true, true };
+}
+
+HeldEdges heldEdges (const StapleDescription&)
+{
+    return {};
 }
 
 template <typename Body>
@@ -139,6 +132,7 @@ ModalModel solveLine (const std::string& name, const Body& body, std::optional<i
     auto model = modelOf (solution.chain, solution.modes, elementDegree, solution.angularFrequency, body.width,
                           momentsPerVolt (body.common, body.width));
     model.frequencyErrors = estimatedErrors (solution);
+    model.surface.held = heldEdges (body);
     describe (model, name, body.common);
     validate (model);
     return model;
@@ -150,12 +144,7 @@ struct BodySolver
     ModalModel operator() (const BeamDescription& beam) const { return solveLine (name, beam, modeCount); }
     ModalModel operator() (const StapleDescription& staple) const { return solveLine (name, staple, modeCount); }
 
-    ModalModel operator() (const PlateDescription&) const
-    {
-        throw InputError ("device '" + name + "'",
-                          "is a plate; plates are not supported by this version yet, allowed are beams, "
-                          "staples and modal devices");
-    }
+    ModalModel operator() (const PlateDescription& plate) const { return solvePlate (name, plate, modeCount); }
 
     ModalModel operator() (const ModalModel& measured) const
     {

@@ -135,14 +135,6 @@ TEST_CASE ("ceramics may lie in any order and fill the beam to its ends", "[stru
     CHECK (solved (beam, 3).participation == participation.rowwise().reverse());
 }
 
-TEST_CASE ("a plate is refused by name", "[structure]")
-{
-    PlateDescription plate;
-    plate.common = plainCommon (1e-3);
-    plate.lengthX = plate.lengthY = 0.1;
-    CHECK_THROWS_WITH (solved (plate), Catch::Contains ("plates are not supported by this version yet"));
-}
-
 TEST_CASE ("a measured line is handed on with slopes, and a broken one is refused", "[structure]")
 {
     auto measured = solved (uniformBeam (EdgeCondition::simplySupported, EdgeCondition::simplySupported), 3);

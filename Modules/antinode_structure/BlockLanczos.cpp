@@ -1,0 +1,158 @@
+#include "BlockLanczos.h"
+
+#include "DenseKernels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+namespace antinode
+{
+namespace
+{
+constexpr double residualTolerance = 1e-7; ///< Of a pair, relative to its eigenvalue of the shifted inverse.
+
+/** The orthonormal basis that grows by a block a step, and the shifted inverse on it. */
+class KrylovSpace
+{
+public:
+    KrylovSpace (const BlockBandedFactor& factorToUse, const TensorOperator& massToUse, Eigen::Index unknowns,
+                 Eigen::Index blockColumns, Eigen::Index mostColumns)
+        : factor (factorToUse), mass (massToUse), basis (unknowns, mostColumns), massBasis (unknowns, mostColumns),
+          projected (Eigen::MatrixXd::Zero (mostColumns, mostColumns)), width (blockColumns)
+    {
+        block = randomBlock();
+        factor.solveInPlace (block);
+        orthonormalise();
+    }
+
+    Eigen::Index size() const { return filled; }
+    bool canGrow() const { return filled + width <= basis.cols(); }
+
+    /** Takes the next block into the basis and applies the shifted inverse to it. */
+    void grow()
+    {
+        basis.middleCols (filled, width) = block;
+        massBasis.middleCols (filled, width) = massBlock;
+        filled += width;
+        block = massBlock;
+        factor.solveInPlace (block);
+        const Eigen::MatrixXd coefficients = orthogonalise();
+        projected.block (0, filled - width, filled, width) = coefficients;
+        orthonormalise();
+    }
+
+    /** The eigenpairs of the projected inverse, the largest first, and the residual norm of each. */
+    SymmetricEigen ritzPairs (Eigen::VectorXd& residuals) const
+    {
+        // Its upper triangle is known: what each block leaves on those before it.
+        auto pairs = symmetricEigen (projected.topLeftCorner (filled, filled).transpose());
+        pairs.values.reverseInPlace();
+        pairs.vectors = pairs.vectors.rowwise().reverse().eval();
+        residuals = (remainder * pairs.vectors.bottomRows (width)).colwise().norm();
+        return pairs;
+    }
+
+    Eigen::MatrixXd vectors (const Eigen::MatrixXd& coefficients) const
+    {
+        Eigen::MatrixXd result = Eigen::MatrixXd::Zero (basis.rows(), coefficients.cols());
+        addProduct (result, 1, basis.leftCols (filled), coefficients);
+        return result;
+    }
+
+private:
+    Eigen::MatrixXd randomBlock()
+    {
+        // Not std::uniform_real_distribution: what it gives is left to the library.
+        return Eigen::MatrixXd::NullaryExpr (basis.rows(), width,
+                                             [&] { return static_cast<double> (random()) / 4294967296.0 - 0.5; });
+    }
+
+    /** Takes from the block what lies in the basis, twice; what it was. */
+    Eigen::MatrixXd orthogonalise()
+    {
+        Eigen::MatrixXd all = Eigen::MatrixXd::Zero (filled, width);
+
+        for (int pass = 0; pass < 2; ++pass)
+        {
+            Eigen::MatrixXd part = Eigen::MatrixXd::Zero (filled, width);
+            addTransposedLeft (part, 1, massBasis.leftCols (filled), block);
+            addProduct (block, -1, basis.leftCols (filled), part);
+            all += part;
+        }
+
+        return all;
+    }
+
+    /** Makes the block orthonormal in M. Directions that vanish beside the others are used up: random ones take their place. */
+    void orthonormalise()
+    {
+        remainder = Eigen::MatrixXd::Identity (width, width);
+
+        massBlock = mass (block);
+
+        for (int pass = 0; pass < 2; ++pass)
+        {
+            Eigen::MatrixXd gram = Eigen::MatrixXd::Zero (width, width);
+            addTransposedLeft (gram, 1, block, massBlock);
+            const auto pairs = symmetricEigen (gram);
+            const auto largest = pairs.values[width - 1];
+
+            if (! (largest > 0 && std::isfinite (largest)))
+                throw std::runtime_error ("eigenpairs: the space of the iteration is used up");
+
+            // What is left of a used-up direction is rounding: a random one is as good, and is met by the passes that follow.
+            const Eigen::VectorXd sizes = pairs.values.cwiseMax (1e-24 * largest).cwiseSqrt();
+            const Eigen::MatrixXd scaled = pairs.vectors * sizes.cwiseInverse().asDiagonal();
+            block = (block * scaled).eval();
+            massBlock = (massBlock * scaled).eval();
+            remainder = (sizes.asDiagonal() * pairs.vectors.transpose() * remainder).eval();
+
+            if (pass == 0 && pairs.values[0] < 1e-20 * largest)
+            {
+                orthogonalise();
+                massBlock = mass (block);
+            }
+        }
+    }
+
+    const BlockBandedFactor& factor;
+    const TensorOperator& mass;
+    Eigen::MatrixXd basis, massBasis, projected, block, massBlock, remainder;
+    Eigen::Index width, filled = 0;
+    std::mt19937 random { 1 };
+};
+} // namespace
+
+Eigenpairs lowestEigenpairs (const BlockBandedFactor& factor, const TensorOperator& mass, double shift,
+                             Eigen::Index count)
+{
+    const auto unknowns = mass.innerRows * mass.outerRows;
+    const auto width = std::clamp<Eigen::Index> (count / 12, 2, 12);
+    const auto most = std::min (unknowns / width * width, (6 * count + 80) / width * width);
+    KrylovSpace space (factor, mass, unknowns, width, most);
+    auto nextCheck = std::min (most, 2 * count + 4 * width);
+
+    while (space.canGrow())
+    {
+        space.grow();
+
+        if (space.size() < nextCheck && space.canGrow())
+            continue;
+
+        Eigen::VectorXd residuals;
+        const auto pairs = space.ritzPairs (residuals);
+        const auto isConverged =
+            (residuals.head (count).array() <= residualTolerance * pairs.values.head (count).array()).all();
+
+        if (isConverged || ! space.canGrow())
+            return { (shift + pairs.values.head (count).array().inverse()).matrix(),
+                     space.vectors (pairs.vectors.leftCols (count)) };
+
+        nextCheck = space.size() + std::max (count / 6, 2 * width);
+    }
+
+    throw std::runtime_error ("eigenpairs: more are wanted than there are");
+}
+} // namespace antinode

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace antinode
+{
+// What the solution of plates spends its time on, by the system's BLAS and LAPACK: made for the processor it runs on, on one
+// thread. All matrices are column by column, a part of a larger one or whole.
+using MatrixIn = Eigen::Ref<const Eigen::MatrixXd>;
+using MatrixOut = Eigen::Ref<Eigen::MatrixXd>;
+
+/** Where the system's BLAS has threads: its matrices here are so small that these cost more than they bring. [worker] */
+void keepToOneThread();
+
+/** to += factor a b. [worker] */
+void addProduct (MatrixOut to, double factor, const MatrixIn& a, const MatrixIn& b);
+
+/** to += factor a' b. [worker] */
+void addTransposedLeft (MatrixOut to, double factor, const MatrixIn& a, const MatrixIn& b);
+
+/** to += factor a b'. [worker] */
+void addTransposedRight (MatrixOut to, double factor, const MatrixIn& a, const MatrixIn& b);
+
+/** x = L^-1 x, L the lower triangle of a with ones on its diagonal. [worker] */
+void solveUnitLower (const MatrixIn& a, MatrixOut x);
+
+/** x = L'^-1 x, L the lower triangle of a with ones on its diagonal. [worker] */
+void solveUnitLowerTransposed (const MatrixIn& a, MatrixOut x);
+
+/** x = x L'^-1, L the lower triangle of a with ones on its diagonal. [worker] */
+void solveUnitLowerTransposedFromRight (const MatrixIn& a, MatrixOut x);
+
+/** x = x R^-1, R the upper triangle of a. [worker] */
+void solveUpperFromRight (const MatrixIn& a, MatrixOut x);
+
+/** The eigenvalues of a symmetric matrix, ascending, and its eigenvectors, orthonormal, one a column. */
+struct SymmetricEigen
+{
+    Eigen::VectorXd values;
+    Eigen::MatrixXd vectors;
+};
+
+/** @param a  its lower triangle is used; finite
+    @throws std::runtime_error  when the iteration does not converge
+    [worker] */
+SymmetricEigen symmetricEigen (Eigen::MatrixXd a);
+} // namespace antinode

@@ -1,0 +1,33 @@
+#include "DescribedModel.h"
+
+#include <algorithm>
+
+namespace antinode
+{
+namespace
+{
+Eigen::VectorXd dampingOfModes (const std::vector<double>& ratios, Eigen::Index modes)
+{
+    return Eigen::VectorXd::NullaryExpr (
+        modes, [&] (Eigen::Index k) { return ratios[std::min (static_cast<std::size_t> (k), ratios.size() - 1)]; });
+}
+} // namespace
+
+void describe (ModalModel& model, const std::string& name, const StructureCommon& common)
+{
+    const auto& surface = model.surface;
+    model.name = name;
+    model.dampingRatios = dampingOfModes (common.dampingRatios, model.modes());
+    model.fullScaleVoltage = common.fullScaleVoltage;
+
+    for (std::size_t i = 0; i < common.ceramics.size(); ++i)
+    {
+        const auto& ceramic = common.ceramics[i];
+        const auto alongX = [&] (double x) { return std::clamp (x, surface.xMinimum, surface.xMaximum); };
+        const auto alongY = [&] (double y) { return std::clamp (y, surface.yMinimum, surface.yMaximum); };
+        model.ceramics.push_back ({ ceramic.name.empty() ? "C" + std::to_string (i + 1) : ceramic.name,
+                                    alongX (ceramic.x), alongX (ceramic.x + ceramic.sizeX), alongY (ceramic.y),
+                                    alongY (ceramic.y + ceramic.sizeY), common.voltageLimit });
+    }
+}
+} // namespace antinode

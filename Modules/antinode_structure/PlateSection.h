@@ -1,0 +1,25 @@
+#pragma once
+
+#include "DeviceDescription.h"
+
+namespace antinode
+{
+/** What a plate's section brings to its bending, and what a ceramic does to it per volt. Docs/Theory.md, section 1.1. */
+struct PlateSection
+{
+    double massPerArea = 0;          ///< kg/m^2
+    double d11 = 0, d22 = 0;         ///< Bending stiffness along x and y, N m
+    double d12 = 0;                  ///< Coupling of the two curvatures, N m
+    double d66 = 0;                  ///< Twisting stiffness, N m: M12 = 2 D66 w,12 and its energy is 2 D66 w,12^2.
+    double momentX = 0, momentY = 0; ///< kappa_b, N / V: moment per length and volt about either axis, with its sign.
+};
+
+/** The bare substrate. [any] */
+PlateSection bareSection (const StructureCommon&);
+
+/** The substrate with a ceramic, or a pair of them. A ceramic on one side couples bending to stretching: what is left when no force
+    acts in the plane, D - B A^-1 B, is taken, which for equal Poisson's ratios is the section about its shifted neutral axis.
+    One ceramic alone sees the whole voltage whatever its wiring.
+    [any] Docs/Theory.md, sections 1.1 and 1.4; paper (10), (23). */
+PlateSection ceramicSection (const StructureCommon&, const CeramicDescription&);
+} // namespace antinode

@@ -1,0 +1,255 @@
+#include "PlateSolution.h"
+
+#include "DenseKernels.h"
+#include "ElementChain.h"
+#include "PlateEnergy.h"
+#include "PlateWaves.h"
+
+#include <antinode_model/GaussLegendre.h>
+#include <antinode_model/InputError.h>
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace antinode
+{
+namespace
+{
+constexpr int maximumModeCount = 500;
+constexpr int defaultModeCount = 100;
+
+/** Eigenvalues are in units of D / (m L^4) of the bare substrate and the longer side. */
+double eigenvalueUnit (const PlateDescription& plate, const PlateLayout& layout)
+{
+    const auto bare = bareSection (plate.common);
+    return bare.d11 / bare.massPerArea / std::pow (layout.unit, 4);
+}
+
+void requireCount (int count)
+{
+    if (count < 1 || count > maximumModeCount)
+        throw InputError ("device", "number of modes is " + std::to_string (count) + ", allowed is 1 to "
+                                        + std::to_string (maximumModeCount));
+}
+
+/** Rigid motions that the edges allow: all three of a free plate, the rotation about a single supported edge, else none. */
+int rigidBodyModes (const PlateDescription& plate)
+{
+    const std::array edges { plate.left, plate.right, plate.bottom, plate.top };
+    const auto free = std::count (edges.begin(), edges.end(), EdgeCondition::free);
+    const auto supported = std::count (edges.begin(), edges.end(), EdgeCondition::simplySupported);
+    return free == 4 ? 3 : free == 3 && supported == 1 ? 1 : 0;
+}
+
+/** From the finest down: where lines crowd, cells are small anyway, and splines of less degree do. */
+PlateProblem affordableProblem (const PlateDescription& plate, const PlateLayout& layout, double waveNumber)
+{
+    constexpr Eigen::Index comfortable = 25000, most = 70000; // unknowns
+    const auto wavelength = 2 * std::numbers::pi / (waveNumber * layout.unit);
+    const std::array resolutions { PlateResolution { 5, 0.4 * wavelength, 2, 0.25 },
+                                   PlateResolution { 4, 0.3 * wavelength, 1, 0.25 },
+                                   PlateResolution { 3, 0.25 * wavelength, 0, 0.25 } };
+
+    for (const auto& resolution : resolutions)
+    {
+        const auto unknowns = expectedUnknowns (plate, layout, resolution);
+
+        if (unknowns <= comfortable || (&resolution == &resolutions.back() && unknowns <= most))
+            return plateProblem (plate, layout, resolution);
+    }
+
+    throw InputError ("device", "needs more than " + std::to_string (most)
+                                    + " unknowns: ask for fewer modes, line the ceramics up, or take fewer of them");
+}
+
+/** How many flexible modes lie below a frequency, by inertia. */
+int modesBelow (const PlateDescription& plate, const PlateLayout& layout, double frequency)
+{
+    const auto angularFrequency = 2 * std::numbers::pi * frequency;
+    const auto waveNumber = std::max (waveNumberAt (plate, angularFrequency), expectedWaveNumber (plate, 2));
+    const auto tooMany = "maximum frequency is " + std::to_string (frequency)
+                         + " Hz, allowed are positive ones with up to " + std::to_string (maximumModeCount)
+                         + " modes below";
+
+    if (! (waveNumber <= 2 * expectedWaveNumber (plate, maximumModeCount)))
+        throw InputError ("device", tooMany);
+
+    const auto problem = affordableProblem (plate, layout, waveNumber);
+    const auto below = eigenvaluesBelow (problem, angularFrequency * angularFrequency / eigenvalueUnit (plate, layout));
+    const auto count = static_cast<int> (below.value_or (0)) - rigidBodyModes (plate);
+
+    if (count < 1)
+        throw InputError ("device", "has no mode up to its maximum frequency, allowed are higher ones");
+
+    if (count > maximumModeCount)
+        throw InputError ("device", tooMany);
+
+    return count;
+}
+
+int wantedCount (const PlateDescription& plate, const PlateLayout& layout, std::optional<int> argument)
+{
+    const auto given = argument ? argument : plate.common.modeCount;
+
+    if (! given && plate.common.maximumFrequency)
+        return modesBelow (plate, layout, *plate.common.maximumFrequency);
+
+    requireCount (given.value_or (defaultModeCount));
+    return given.value_or (defaultModeCount);
+}
+
+Eigen::MatrixXd innerProducts (const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
+{
+    Eigen::MatrixXd products = Eigen::MatrixXd::Zero (a.cols(), b.cols());
+    addTransposedLeft (products, 1, a, b);
+    return products;
+}
+
+/** Replaces the lowest pairs, which rounding in the operator reaches, by Ritz's in the space of them, from strain energies. */
+void sharpen (Eigenpairs& pairs, const PlateDescription& plate, const PlateLayout& layout, const PlateProblem& problem)
+{
+    constexpr double wanted = 1e-8;
+    constexpr Eigen::Index most = 24; // The eigenvalues grow with the square of their number, and rounding does not.
+    const auto limit = stiffnessRounding (problem) / wanted;
+    const auto low = std::min ((pairs.values.array() < limit).count(), most);
+
+    if (low == 0)
+        return;
+
+    const Eigen::MatrixXd fields = pairs.vectors.leftCols (low);
+    const auto ritz = symmetricEigen (strainEnergies (plate, layout, problem, fields));
+    pairs.values.head (low) = ritz.values;
+    pairs.vectors.leftCols (low) = fields * ritz.vectors;
+
+    // The last of them may come to lie above the next one.
+    for (Eigen::Index k = 1; k < pairs.values.size(); ++k)
+        pairs.values[k] = std::max (pairs.values[k], pairs.values[k - 1]);
+}
+
+/** What splines of one degree less give: one step of inverse iteration from the finer modes, and Ritz's pairs in the space that it
+    spans. */
+Eigenpairs coarserPairs (const PlateDescription& plate, const PlateLayout& layout, const PlateProblem& fine,
+                         const Eigenpairs& pairs)
+{
+    constexpr double shift = -1;
+    const auto coarse = plateProblem (plate, layout, fine.x().withDegree (fine.x().degree() - 1),
+                                      fine.y().withDegree (fine.y().degree() - 1));
+    const BlockBandedFactor factor (coarse.stiffness, coarse.mass, shift, coarse.outer);
+    const auto loads = massBetween (plate, layout, coarse, fine) (pairs.vectors);
+    auto vectors = loads;
+    factor.solveInPlace (vectors);
+
+    // (K - shift M) v = load, so that v' load is the projected operator: of it and v' M v the eigenvalues.
+    const Eigen::LLT<Eigen::MatrixXd> root (innerProducts (vectors, loads));
+    const Eigen::MatrixXd half = root.matrixL().solve (innerProducts (vectors, coarse.mass (vectors)));
+    const auto inverse = symmetricEigen (root.matrixL().solve (half.transpose()));
+    const Eigen::VectorXd inverses = inverse.values.reverse();
+    const Eigen::MatrixXd turn = root.matrixU().solve (inverse.vectors.rowwise().reverse());
+    Eigenpairs result { (shift + inverses.array().inverse()).matrix(),
+                        Eigen::MatrixXd::Zero (vectors.rows(), turn.cols()) };
+    addProduct (result.vectors, 1, vectors, turn * inverses.cwiseSqrt().cwiseInverse().asDiagonal());
+    sharpen (result, plate, layout, coarse);
+    return result;
+}
+
+Eigenpairs flexiblePairs (const PlateDescription& plate, const PlateLayout& layout, const PlateProblem& problem,
+                          int count)
+{
+    const auto rigid = rigidBodyModes (plate);
+    const auto all = solve (problem, rigid + count);
+    Eigenpairs pairs { all.values.tail (count), all.vectors.rightCols (count) };
+
+    // A rigid motion of a frequency that is seen beside that of the first flexible mode is rounding that spoils this one, too.
+    constexpr double negligible = 0.03;
+
+    if (! all.values.allFinite() || ! (pairs.values[0] > 0)
+        || (rigid > 0 && all.values.head (rigid).cwiseAbs().maxCoeff() > negligible * pairs.values[0]))
+        throwNumbersTooFarApart();
+
+    sharpen (pairs, plate, layout, problem);
+    return pairs;
+}
+
+/** The integrals of the splines from one place to another, inside cells as well. */
+Eigen::VectorXd splineIntegrals (const SplineAxis& axis, double from, double to)
+{
+    const auto rule = gaussLegendre (axis.degree() / 2 + 1, 1);
+    Eigen::VectorXd integrals = Eigen::VectorXd::Zero (axis.size());
+
+    for (auto cell = axis.cellAt (from); cell < axis.cells() && axis.cellStart (cell) < to; ++cell)
+    {
+        const auto begin = std::max (from, axis.cellStart (cell));
+        const auto length = std::min (to, axis.cellStart (cell) + axis.cellLength (cell)) - begin;
+        const auto some = axis.onCell (cell, (begin + length * rule.nodes.array()).matrix(), 0);
+        integrals.segment (some.first, some.values.cols()) += length * some.values.transpose() * rule.weights;
+    }
+
+    return integrals;
+}
+
+/** How much the slopes of the splines change from one place to another. */
+Eigen::VectorXd slopeChanges (const SplineAxis& axis, double from, double to)
+{
+    const Eigen::Vector2d ends (from, to);
+    const auto slopes = axis.at (ends, 1);
+    return (slopes.row (1) - slopes.row (0)).transpose();
+}
+PlateSolution solutionFor (const PlateDescription& plate, const PlateLayout& layout, int count, double waveNumber)
+{
+    const auto problem = affordableProblem (plate, layout, waveNumber);
+    const auto pairs = flexiblePairs (plate, layout, problem, count);
+    const auto coarser = coarserPairs (plate, layout, problem, pairs).values;
+    const Eigen::VectorXd errors =
+        (coarser.cwiseQuotient (pairs.values).cwiseSqrt().array() - 1).abs().max (1e-12).matrix();
+
+    // A real solution is never so coarse; numbers that are far apart make it noise.
+    if (! (errors.maxCoeff() < 0.1))
+        throwNumbersTooFarApart();
+
+    const Eigen::VectorXd angularFrequencies = (pairs.values * eigenvalueUnit (plate, layout)).cwiseSqrt();
+    const auto massScale = std::sqrt (bareSection (plate.common).massPerArea) * layout.unit;
+    return { layout,
+             problem,
+             rigidBodyModes (plate),
+             angularFrequencies,
+             pairs.vectors / massScale,
+             errors,
+             waveNumberAt (plate, angularFrequencies[count - 1]) };
+}
+} // namespace
+
+PlateSolution solvePlateModes (const PlateDescription& plate, std::optional<int> modeCount)
+{
+    keepToOneThread();
+    const auto layout = layoutOf (plate);
+    const auto count = wantedCount (plate, layout, modeCount);
+    constexpr int resolvedModes = 60; // At least: then few modes are right to many digits, and still cost little.
+    auto waveNumber = expectedWaveNumber (plate, std::max (count, resolvedModes));
+
+    for (;;)
+    {
+        const auto solution = solutionFor (plate, layout, count, waveNumber);
+        constexpr double excused = 1.15; // Cells are small enough for that.
+
+        if (solution.waveNumber <= excused * waveNumber)
+            return solution;
+
+        waveNumber = solution.waveNumber;
+    }
+}
+
+Eigen::VectorXd rectangleLoad (const PlateProblem& problem, const PlateSection& section, double xFrom, double xTo,
+                               double yFrom, double yTo)
+{
+    const auto integralX = splineIntegrals (problem.x(), xFrom, xTo);
+    const auto integralY = splineIntegrals (problem.y(), yFrom, yTo);
+    const auto slopeX = slopeChanges (problem.x(), xFrom, xTo);
+    const auto slopeY = slopeChanges (problem.y(), yFrom, yTo);
+    return problem.field (section.momentX * slopeX * integralY.transpose()
+                          + section.momentY * integralX * slopeY.transpose());
+}
+} // namespace antinode

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "PlateProblem.h"
+
+#include <optional>
+
+namespace antinode
+{
+/** A plate with the lowest of its modes as coefficients of splines. */
+struct PlateSolution
+{
+    PlateLayout layout;
+    PlateProblem problem;
+    int rigidBodyModes = 0;
+    Eigen::VectorXd angularFrequencies; ///< Of the flexible modes, rad/s, ascending.
+    Eigen::MatrixXd coefficients;       ///< Unknowns x flexible modes, mass-normalised in SI: kg^-1/2.
+    Eigen::VectorXd frequencyErrors;    ///< Estimated from splines of one degree less, relative.
+    double waveNumber = 0;              ///< Of the bare plate at the highest mode, rad/m.
+};
+
+/** Solves for so many flexible modes, for those that the description asks for, or for 100.
+    Modes of equal frequency are told apart by where they move most along x, and every mode is positive where it first exceeds a
+    tenth of its largest amplitude (that is done when it is put on a grid).
+    @throws InputError  when the plate cannot be solved, saying why
+    [worker] Docs/Theory.md, section 1.6. */
+PlateSolution solvePlateModes (const PlateDescription&, std::optional<int> modeCount);
+
+/** What one volt on a ceramic over a rectangle does to each spline: kappa_x integral B,xx + kappa_y integral B,yy, exact.
+    Times the coefficients of a shape it is this shape's participation.
+    @param section  whose moments per volt are meant
+    @param xFrom, xTo, yFrom, yTo  the rectangle, in units of the longer side, anywhere on the plate
+    @return         one value an unknown
+    [worker] Docs/Theory.md, section 1.4; paper (23). */
+Eigen::VectorXd rectangleLoad (const PlateProblem&, const PlateSection& section, double xFrom, double xTo, double yFrom,
+                               double yTo);
+} // namespace antinode

@@ -1,0 +1,68 @@
+#include "PlateStatics.h"
+
+#include "DenseKernels.h"
+#include "PlateModel.h"
+
+namespace antinode
+{
+namespace
+{
+/** What each ceramic does to the splines per volt, unknowns x N_b. */
+Eigen::MatrixXd loadsOf (const PlateDescription& plate, const PlateSolution& solution)
+{
+    const auto& [unit, linesX, linesY, patches] = solution.layout;
+    Eigen::MatrixXd loads (solution.problem.unknowns(), static_cast<Eigen::Index> (patches.size()));
+
+    for (std::size_t i = 0; i < patches.size(); ++i)
+    {
+        const auto& patch = patches[i];
+        const auto section = ceramicSection (plate.common, plate.common.ceramics[i]);
+        loads.col (static_cast<Eigen::Index> (i)) =
+            rectangleLoad (solution.problem, section, linesX[patch.left], linesX[patch.right], linesY[patch.bottom],
+                           linesY[patch.top]);
+    }
+
+    return loads;
+}
+
+/** The deflections, free of rigid motion, that balance loads once their rigid part is borne by the plate's inertia. */
+Eigen::MatrixXd deflections (const PlateProblem& problem, int rigidBodyModes, const Eigen::MatrixXd& loads)
+{
+    // K x = f is singular where the plate may move freely. (K + M) x = f + M x is not, and as a fixed point it gains a factor of
+    // 1 + lambda_1, more than 10 for any plate, a step.
+    constexpr double shift = -1;
+    constexpr int steps = 16;
+    const BlockBandedFactor factor (problem.stiffness, problem.mass, shift, problem.outer);
+    const auto rigid = lowestEigenpairs (factor, problem.mass, shift, std::max (rigidBodyModes, 1)).vectors;
+    const Eigen::MatrixXd motions = rigid.leftCols (rigidBodyModes);
+    const Eigen::MatrixXd weighted = problem.mass (motions);
+    const Eigen::MatrixXd flexible = loads - weighted * (motions.transpose() * loads);
+    Eigen::MatrixXd x = Eigen::MatrixXd::Zero (loads.rows(), loads.cols());
+
+    for (int step = 0; step < steps; ++step)
+    {
+        x = flexible + problem.mass (x);
+        factor.solveInPlace (x);
+        x -= motions * (weighted.transpose() * x);
+    }
+
+    return x;
+}
+} // namespace
+
+Eigen::MatrixXd staticShapes (const PlateDescription& plate, const PlateSolution& solution, const PlateGrid& grid)
+{
+    const auto& problem = solution.problem;
+    const auto unit = solution.layout.unit;
+    const auto scale = unit * unit / bareSection (plate.common).d11;
+    return shapesOn (grid, problem, unit,
+                     scale * deflections (problem, solution.rigidBodyModes, loadsOf (plate, solution)));
+}
+
+Eigen::MatrixXd staticResidual (const PlateDescription& plate, const PlateSolution& solution, const ModalModel& model)
+{
+    const Eigen::VectorXd squares = model.angularFrequencies.cwiseAbs2();
+    return staticShapes (plate, solution, model.surface.grid.value())
+           - model.shapes * (squares.cwiseInverse().asDiagonal() * model.participation);
+}
+} // namespace antinode

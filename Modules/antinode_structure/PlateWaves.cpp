@@ -1,0 +1,126 @@
+#include "PlateWaves.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace antinode
+{
+namespace
+{
+using std::numbers::pi;
+
+double softerStiffness (const PlateSection& section)
+{
+    return std::min (section.d11, section.d22);
+}
+
+/** What an edge takes from the area's share of modes, in units of the edge's length times k / (4 pi). */
+double edgeTerm (EdgeCondition condition)
+{
+    return condition == EdgeCondition::clamped ? 1.8 : condition == EdgeCondition::simplySupported ? 1.0 : 0.0;
+}
+
+/** The area of a bare plate with as many modes: waves are longer on ceramics. */
+double equivalentArea (const PlateDescription& plate, const PlateSection& bare)
+{
+    const auto density = [] (const PlateSection& s) { return std::sqrt (s.massPerArea / std::sqrt (s.d11 * s.d22)); };
+    auto area = plate.lengthX * plate.lengthY * density (bare);
+
+    for (const auto& ceramic : plate.common.ceramics)
+        area += ceramic.sizeX * ceramic.sizeY * (density (ceramicSection (plate.common, ceramic)) - density (bare));
+
+    return area / std::sqrt (bare.massPerArea / softerStiffness (bare));
+}
+
+double lowestAcross (EdgeCondition a, EdgeCondition b, double length)
+{
+    const auto held = (a != EdgeCondition::free ? 1 : 0) + (b != EdgeCondition::free ? 1 : 0);
+    return held == 0 ? 0 : held == 1 ? pi / length : 1.6 * pi / length;
+}
+
+/** So many modes of one beam-like family lie below this: no plate has fewer. */
+double stripWaveNumber (const PlateDescription& plate, int modeCount)
+{
+    const auto alongX =
+        std::hypot ((modeCount + 2) * pi / plate.lengthX, lowestAcross (plate.bottom, plate.top, plate.lengthY));
+    const auto alongY =
+        std::hypot ((modeCount + 2) * pi / plate.lengthY, lowestAcross (plate.left, plate.right, plate.lengthX));
+    return std::min (alongX, alongY);
+}
+
+/** By how much thin-plate theory exceeds Mindlin's, relative, for small k h. */
+double excess (double waveNumber, double thickness, double poissonRatio)
+{
+    constexpr double shearFactor = 5.0 / 6;
+    const auto relative = waveNumber * thickness;
+    return relative * relative / 24 * (1 + 2 / (shearFactor * (1 - poissonRatio)));
+}
+
+/** The largest excess anywhere on the plate: of the substrate, or of a ceramic's section with its longer waves. */
+double largestExcess (const PlateDescription& plate, double angularFrequency)
+{
+    const auto& common = plate.common;
+    const auto poissonRatio = common.material.poissonRatio12;
+    auto largest = excess (waveNumberAt (plate, angularFrequency), common.thickness, poissonRatio);
+
+    for (const auto& ceramic : common.ceramics)
+    {
+        const auto section = ceramicSection (common, ceramic);
+        const auto waveNumber =
+            std::sqrt (angularFrequency * std::sqrt (section.massPerArea / softerStiffness (section)));
+        const auto sides = ceramic.mounting == CeramicMounting::bothSides ? 2 : 1;
+        largest = std::max (largest, excess (waveNumber, common.thickness + sides * ceramic.thickness, poissonRatio));
+    }
+
+    return largest;
+}
+} // namespace
+
+double waveNumberAt (const PlateDescription& plate, double angularFrequency)
+{
+    const auto section = bareSection (plate.common);
+    return std::sqrt (angularFrequency * std::sqrt (section.massPerArea / softerStiffness (section)));
+}
+
+double angularFrequencyAt (const PlateDescription& plate, double waveNumber)
+{
+    const auto section = bareSection (plate.common);
+    return waveNumber * waveNumber * std::sqrt (softerStiffness (section) / section.massPerArea);
+}
+
+double expectedWaveNumber (const PlateDescription& plate, int modeCount)
+{
+    const auto edges = plate.lengthY * (edgeTerm (plate.left) + edgeTerm (plate.right))
+                       + plate.lengthX * (edgeTerm (plate.bottom) + edgeTerm (plate.top));
+    const auto area = equivalentArea (plate, bareSection (plate.common));
+    const auto weyl = (edges / 2 + std::sqrt (edges * edges / 4 + 16 * pi * area * (modeCount + 1))) / (2 * area);
+    return std::min (weyl, stripWaveNumber (plate, modeCount));
+}
+
+std::vector<std::string> thicknessWarnings (const PlateDescription& plate, const Eigen::VectorXd& angularFrequencies)
+{
+    constexpr double tolerable = 0.02;
+    const auto first = std::find_if (angularFrequencies.begin(), angularFrequencies.end(),
+                                     [&] (double omega) { return largestExcess (plate, omega) > tolerable; });
+
+    if (first == angularFrequencies.end())
+        return {};
+
+    const auto highest = angularFrequencies[angularFrequencies.size() - 1];
+    std::array<char, 400> text {};
+    std::snprintf (text.data(), text.size(),
+                   "From mode %d (%.0f Hz) on, waves are so short beside the thickness that thin-plate theory gives "
+                   "frequencies more than 2 %% too high; at mode %d (%.0f Hz), where a wave is %.1f thicknesses of the "
+                   "bare plate long, about %.0f %%.",
+                   static_cast<int> (first - angularFrequencies.begin()) + 1, *first / (2 * pi),
+                   static_cast<int> (angularFrequencies.size()), highest / (2 * pi),
+                   2 * pi / (waveNumberAt (plate, highest) * plate.common.thickness),
+                   100 * largestExcess (plate, highest));
+    return { text.data() };
+}
+} // namespace antinode

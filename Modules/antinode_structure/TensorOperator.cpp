@@ -1,0 +1,83 @@
+#include "TensorOperator.h"
+
+#include "DenseKernels.h"
+
+#include <antinode_model/GaussLegendre.h>
+
+#include <algorithm>
+
+namespace antinode
+{
+namespace
+{
+/** Grows a range of splines so that it holds another. */
+struct SplineRange
+{
+    Eigen::Index first = 0, end = 0;
+
+    static SplineRange of (const SplineAxis& axis, Eigen::Index firstCell, Eigen::Index endCell)
+    {
+        const Eigen::VectorXd none (0);
+        const auto low = axis.onCell (firstCell, none, 0);
+        const auto high = axis.onCell (endCell - 1, none, 0);
+        return { low.first, high.first + high.values.cols() };
+    }
+
+    Eigen::Index size() const { return end - first; }
+};
+} // namespace
+
+SplineProducts splineProducts (const SplineAxis& rows, const SplineAxis& columns, Eigen::Index firstCell,
+                               Eigen::Index endCell)
+{
+    const auto rowRange = SplineRange::of (rows, firstCell, endCell);
+    const auto columnRange = SplineRange::of (columns, firstCell, endCell);
+    const auto rule = gaussLegendre (std::max (rows.degree(), columns.degree()) + 1, 1);
+    const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero (rowRange.size(), columnRange.size());
+    SplineProducts products { rowRange.first, columnRange.first, zero, zero, zero, zero };
+
+    for (auto cell = firstCell; cell < endCell; ++cell)
+    {
+        const auto length = rows.cellLength (cell);
+        const Eigen::VectorXd places = (rows.cellStart (cell) + length * rule.nodes.array()).matrix();
+        const Eigen::VectorXd weights = length * rule.weights;
+        const auto add = [&] (Eigen::MatrixXd& to, int rowDerivative, int columnDerivative)
+        {
+            const auto row = rows.onCell (cell, places, rowDerivative);
+            const auto column = columns.onCell (cell, places, columnDerivative);
+            to.block (row.first - rowRange.first, column.first - columnRange.first, row.values.cols(),
+                      column.values.cols()) +=
+                (row.values.transpose() * weights.asDiagonal()).lazyProduct (column.values);
+        };
+        add (products.values, 0, 0);
+        add (products.slopes, 1, 1);
+        add (products.curvatures, 2, 2);
+        add (products.curvatureValue, 2, 0);
+    }
+
+    return products;
+}
+
+Eigen::MatrixXd TensorOperator::operator() (const Eigen::MatrixXd& fields) const
+{
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero (innerRows * outerRows, fields.cols());
+    Eigen::MatrixXd half;
+
+    for (Eigen::Index k = 0; k < fields.cols(); ++k)
+    {
+        const Eigen::Map<const Eigen::MatrixXd> from (fields.col (k).data(), innerColumns, outerColumns);
+        Eigen::Map<Eigen::MatrixXd> to (result.col (k).data(), innerRows, outerRows);
+
+        for (const auto& term : terms)
+        {
+            half.setZero (term.inner.rows(), term.outer.cols());
+            addProduct (half, 1, term.inner,
+                        from.block (term.innerColumn, term.outerColumn, term.inner.cols(), term.outer.cols()));
+            addTransposedRight (to.block (term.innerRow, term.outerRow, term.inner.rows(), term.outer.rows()), 1, half,
+                                term.outer);
+        }
+    }
+
+    return result;
+}
+} // namespace antinode
