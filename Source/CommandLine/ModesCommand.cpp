@@ -1,4 +1,5 @@
 #include "Commands.h"
+#include "CommonOptions.h"
 #include "Inputs.h"
 
 #include <nlohmann/json.hpp>
@@ -17,6 +18,7 @@ struct ModesOptions
     std::string device = "staple";
     std::optional<int> count;
     std::vector<std::string> assignments;
+    bool usesCache = true;
     bool isJson = false;
 };
 
@@ -68,7 +70,7 @@ void listModes (const ModesOptions& options)
     checkAssignments (options.assignments);
     const auto start = std::chrono::steady_clock::now();
     const auto description = loadDevice (options.device, options.assignments);
-    const auto model = solveStructure (description, options.count);
+    const auto model = solveDevice (description, options.count, options.usesCache);
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
     constexpr const char* kinds[] = { "beam", "staple", "plate", "modal" };
 
@@ -90,6 +92,7 @@ void addModesCommand (CLI::App& app)
                       "Overrides a key, for example device.thickness_mm=1.5 (repeatable)")
         ->allow_extra_args (false)
         ->type_name ("KEY=VALUE");
+    addCacheFlag (*command, options->usesCache);
     command->add_flag ("--json", options->isJson, "Writes JSON to standard output");
     command->callback ([options] { listModes (*options); });
 }
