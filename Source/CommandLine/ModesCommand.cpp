@@ -2,6 +2,9 @@
 #include "CommonOptions.h"
 #include "Inputs.h"
 
+#include <antinode_files/ModeTable.h>
+#include <antinode_files/OutputFolder.h>
+
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -18,6 +21,7 @@ struct ModesOptions
     std::string device = "staple";
     std::optional<int> count;
     std::vector<std::string> assignments;
+    std::string csvFile;
     bool usesCache = true;
     bool isJson = false;
 };
@@ -74,6 +78,9 @@ void listModes (const ModesOptions& options)
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
     constexpr const char* kinds[] = { "beam", "staple", "plate", "modal" };
 
+    if (! options.csvFile.empty())
+        writeWholeFile (options.csvFile, encodeModeTable (model));
+
     if (options.isJson)
         std::printf ("%s\n", modesJson (model, kinds[description.body.index()], elapsed.count()).dump (2).c_str());
     else
@@ -92,6 +99,7 @@ void addModesCommand (CLI::App& app)
                       "Overrides a key, for example device.thickness_mm=1.5 (repeatable)")
         ->allow_extra_args (false)
         ->type_name ("KEY=VALUE");
+    command->add_option ("--csv", options->csvFile, "Writes the modes as CSV to a file too")->type_name ("FILE");
     addCacheFlag (*command, options->usesCache);
     command->add_flag ("--json", options->isJson, "Writes JSON to standard output");
     command->callback ([options] { listModes (*options); });
