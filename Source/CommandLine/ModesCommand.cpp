@@ -4,6 +4,7 @@
 
 #include <antinode_files/ModeTable.h>
 #include <antinode_files/OutputFolder.h>
+#include <antinode_files/UniversalFile.h>
 
 #include <nlohmann/json.hpp>
 
@@ -21,7 +22,7 @@ struct ModesOptions
     std::string device = "staple";
     std::optional<int> count;
     std::vector<std::string> assignments;
-    std::string csvFile;
+    std::string csvFile, universalFile;
     bool usesCache = true;
     bool isJson = false;
 };
@@ -81,6 +82,9 @@ void listModes (const ModesOptions& options)
     if (! options.csvFile.empty())
         writeWholeFile (options.csvFile, encodeModeTable (model));
 
+    if (! options.universalFile.empty())
+        writeWholeFile (options.universalFile, encodeUniversalFile (model));
+
     if (options.isJson)
         std::printf ("%s\n", modesJson (model, kinds[description.body.index()], elapsed.count()).dump (2).c_str());
     else
@@ -100,6 +104,8 @@ void addModesCommand (CLI::App& app)
         ->allow_extra_args (false)
         ->type_name ("KEY=VALUE");
     command->add_option ("--csv", options->csvFile, "Writes the modes as CSV to a file too")->type_name ("FILE");
+    command->add_option ("--uff", options->universalFile, "Writes frequencies and shapes as a Universal File too")
+        ->type_name ("FILE");
     addCacheFlag (*command, options->usesCache);
     command->add_flag ("--json", options->isJson, "Writes JSON to standard output");
     command->callback ([options] { listModes (*options); });
