@@ -148,4 +148,23 @@ void OutputFolder::commit()
     fileNames.clear();
     fs::remove_all (temporary, error);
 }
+
+void writeWholeFile (const std::filesystem::path& path, std::string_view content)
+{
+    std::error_code error;
+    const auto exists = fs::exists (path, error);
+
+    if (! path.has_filename())
+        fail (path, "is no name for a file");
+
+    // A rename would put a file in the place of /dev/null.
+    if (exists && ! fs::is_regular_file (path, error))
+        fail (path, fs::is_directory (path, error) ? "is a folder, allowed is a file"
+                                                   : "is a device or pipe, allowed is a plain file");
+
+    const auto target = exists ? fs::canonical (path, error) : path;
+    OutputFolder folder (target.has_parent_path() ? target.parent_path() : fs::path ("."));
+    folder.write (target.filename().string(), content);
+    folder.commit();
+}
 } // namespace antinode

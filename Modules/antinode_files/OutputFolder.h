@@ -38,4 +38,9 @@ private:
     std::vector<std::string> fileNames;
     bool madeTarget = false;
 };
+
+/** Writes one file, which appears under its name only when it is complete. Folders on the way are made; a link is followed.
+    @throws InputError  when it cannot be written, or its name is that of a folder or of anything else that is no plain file
+    [worker] */
+void writeWholeFile (const std::filesystem::path&, std::string_view content);
 } // namespace antinode

@@ -1,12 +1,11 @@
 #include "WaveFile.h"
 
+#include "CsvText.h"
 #include "MessageText.h"
 
 #include <antinode_model/InputError.h>
 
-#include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -81,32 +80,6 @@ void appendHeader (std::string& bytes, const WaveShape& shape)
     bytes += "data";
     appendLittleEndian (bytes, static_cast<std::uint32_t> (shape.dataBytes()));
 }
-
-std::string csvField (const std::string& text)
-{
-    if (text.find_first_of (",\"\r\n") == std::string::npos)
-        return text;
-
-    std::string quotedText = "\"";
-
-    for (const auto character : text)
-        quotedText += character == '"' ? std::string ("\"\"") : std::string (1, character);
-
-    return quotedText + '"';
-}
-
-void appendNumber (std::string& text, double value)
-{
-    constexpr int significantDigits = 9;
-    std::array<char, 32> buffer {};
-
-    if (! std::isfinite (value))
-        throw InputError ("CSV", "has a value that is not finite");
-
-    const auto written = std::to_chars (buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general,
-                                        significantDigits);
-    text.append (buffer.data(), written.ptr);
-}
 } // namespace
 
 std::string encodeWave (const Eigen::MatrixXd& samples, double fullScale, double sampleRate)
@@ -140,6 +113,7 @@ std::string encodeCsv (const Eigen::MatrixXd& samples, const std::vector<std::st
         throw InputError ("CSV", "has " + std::to_string (columns.size()) + " names for "
                                      + std::to_string (samples.rows()) + " columns");
 
+    constexpr int significantDigits = 9;
     std::string text = "time_s";
 
     for (const auto& column : columns)
@@ -148,12 +122,12 @@ std::string encodeCsv (const Eigen::MatrixXd& samples, const std::vector<std::st
     for (Eigen::Index n = 0; n < samples.cols(); ++n)
     {
         text += '\n';
-        appendNumber (text, firstTime + static_cast<double> (n) / sampleRate);
+        appendCsvNumber (text, firstTime + static_cast<double> (n) / sampleRate, significantDigits);
 
         for (Eigen::Index i = 0; i < samples.rows(); ++i)
         {
             text += ',';
-            appendNumber (text, samples (i, n));
+            appendCsvNumber (text, samples (i, n), significantDigits);
         }
     }
 

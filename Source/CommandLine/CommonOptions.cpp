@@ -34,7 +34,13 @@ void addCommonOptions (CLI::App& command, CommonOptions& options)
         .add_option ("--set", options.assignments, "Overrides a key, for example focus.targets.0.x_mm=24 (repeatable)")
         ->allow_extra_args (false)
         ->type_name ("KEY=VALUE");
+    addCacheFlag (command, options.usesCache);
     command.add_flag ("--quiet", options.isQuiet, "Prints errors only");
+}
+
+void addCacheFlag (CLI::App& command, bool& usesCache)
+{
+    command.add_flag ("!--no-cache", usesCache, "Solves the device anew and keeps nothing of it for the next time");
 }
 
 std::pair<ModalModel, FocusDesign> designFrom (const CommonOptions& options)
@@ -45,7 +51,7 @@ std::pair<ModalModel, FocusDesign> designFrom (const CommonOptions& options)
         throw InputError ("--rate", "is " + std::to_string (options.rate) + " Hz, allowed is 8000 to 2000000");
 
     const auto focus = loadFocus (options.focus, options.assignments);
-    auto model = solveStructure (loadDevice (options.device, options.assignments));
+    auto model = solveDevice (loadDevice (options.device, options.assignments), {}, options.usesCache);
     auto design = designFocus (model, focus, options.playback());
     return { std::move (model), std::move (design) };
 }

@@ -18,6 +18,7 @@ struct CommonOptions
     double rate = 192000; ///< Hz
     std::string reconstruction = "band_limited";
     std::vector<std::string> assignments;
+    bool usesCache = true;
     bool isQuiet = false;
 
     Playback playback() const;
@@ -25,6 +26,9 @@ struct CommonOptions
 
 /** Adds them to a sub-command. The struct must live as long as the app. */
 void addCommonOptions (CLI::App&, CommonOptions&);
+
+/** The flag that solves anew what the user's cache may have. The bool must live as long as the app. */
+void addCacheFlag (CLI::App&, bool& usesCache);
 
 /** A focus designed as these options say.
     @throws InputError  for anything that cannot be read, solved or met. [worker] */

@@ -5,6 +5,7 @@
 #include <antinode_files/DeviceFile.h>
 #include <antinode_files/FocusFile.h>
 #include <antinode_files/JsonText.h>
+#include <antinode_files/ModeCache.h>
 #include <antinode_model/InputError.h>
 
 #include <algorithm>
@@ -88,6 +89,13 @@ DeviceDescription loadDevice (const std::string& nameOrFile, const std::vector<s
 FocusDescription loadFocus (const std::string& nameOrFile, const std::vector<std::string>& assignments)
 {
     return readFocus (loadAssigned ("Focuses", nameOrFile, assignments), sourceOf ("Focuses", nameOrFile));
+}
+
+ModalModel solveDevice (const DeviceDescription& device, std::optional<int> modeCount, bool usesCache)
+{
+    const auto folder = usesCache ? userCacheFolder() : std::nullopt;
+    const auto cache = folder ? std::optional (ModeCache (*folder)) : std::nullopt;
+    return solveCached (device, modeCount, cache ? &*cache : nullptr);
 }
 
 void checkAssignments (const std::vector<std::string>& assignments)

@@ -26,6 +26,11 @@ DeviceDescription loadDevice (const std::string& nameOrFile, const std::vector<s
 /** A focus by embedded name or file, with the assignments that begin with "focus." applied. [worker] */
 FocusDescription loadFocus (const std::string& nameOrFile, const std::vector<std::string>& assignments);
 
+/** The modal model of a device, with modes from the user's cache where they are there.
+    @param usesCache  false: solved in any case, and not kept
+    @throws InputError  as solveStructure. [worker] */
+ModalModel solveDevice (const DeviceDescription&, std::optional<int> modeCount, bool usesCache);
+
 /** @throws InputError  when an assignment begins with neither "device." nor "focus.". [any] */
 void checkAssignments (const std::vector<std::string>& assignments);
 } // namespace antinode

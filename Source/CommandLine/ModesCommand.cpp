@@ -1,5 +1,10 @@
 #include "Commands.h"
+#include "CommonOptions.h"
 #include "Inputs.h"
+
+#include <antinode_files/ModeTable.h>
+#include <antinode_files/OutputFolder.h>
+#include <antinode_files/UniversalFile.h>
 
 #include <nlohmann/json.hpp>
 
@@ -17,6 +22,8 @@ struct ModesOptions
     std::string device = "staple";
     std::optional<int> count;
     std::vector<std::string> assignments;
+    std::string csvFile, universalFile;
+    bool usesCache = true;
     bool isJson = false;
 };
 
@@ -68,9 +75,15 @@ void listModes (const ModesOptions& options)
     checkAssignments (options.assignments);
     const auto start = std::chrono::steady_clock::now();
     const auto description = loadDevice (options.device, options.assignments);
-    const auto model = solveStructure (description, options.count);
+    const auto model = solveDevice (description, options.count, options.usesCache);
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
     constexpr const char* kinds[] = { "beam", "staple", "plate", "modal" };
+
+    if (! options.csvFile.empty())
+        writeWholeFile (options.csvFile, encodeModeTable (model));
+
+    if (! options.universalFile.empty())
+        writeWholeFile (options.universalFile, encodeUniversalFile (model));
 
     if (options.isJson)
         std::printf ("%s\n", modesJson (model, kinds[description.body.index()], elapsed.count()).dump (2).c_str());
@@ -90,6 +103,10 @@ void addModesCommand (CLI::App& app)
                       "Overrides a key, for example device.thickness_mm=1.5 (repeatable)")
         ->allow_extra_args (false)
         ->type_name ("KEY=VALUE");
+    command->add_option ("--csv", options->csvFile, "Writes the modes as CSV to a file too")->type_name ("FILE");
+    command->add_option ("--uff", options->universalFile, "Writes frequencies and shapes as a Universal File too")
+        ->type_name ("FILE");
+    addCacheFlag (*command, options->usesCache);
     command->add_flag ("--json", options->isJson, "Writes JSON to standard output");
     command->callback ([options] { listModes (*options); });
 }

@@ -174,3 +174,36 @@ TEST_CASE ("design and render agree on design.json", "[command line]")
     CHECK (designed.at ("oscillations") == rendered.at ("oscillations"));
     CHECK (designed.at ("allocation") == rendered.at ("allocation"));
 }
+
+TEST_CASE ("Solved modes are kept for the next run, without a cache they are not", "[command line]")
+{
+    const TemporaryFolder folder;
+    const auto cached = folder.path() / "cache" / "antinode" / "modes";
+    const auto run = [&] (const std::vector<std::string>& arguments)
+    { return test::waitForProgram (test::startProgram (arguments, folder.path())); };
+
+    REQUIRE (run ({ "modes", "beam", "--no-cache" }) == 0);
+    CHECK_FALSE (std::filesystem::exists (cached));
+    const auto solved = contentOf (folder.path() / "stdout");
+    REQUIRE (run ({ "modes", "beam" }) == 0);
+    CHECK_FALSE (std::filesystem::is_empty (cached));
+    CHECK (contentOf (folder.path() / "stdout") == solved);
+    REQUIRE (run ({ "modes", "beam" }) == 0);
+    CHECK (contentOf (folder.path() / "stdout") == solved);
+}
+
+TEST_CASE ("modes writes files beside what it prints", "[command line]")
+{
+    const TemporaryFolder folder;
+    const auto csv = folder.path() / "modes.csv", uff = folder.path() / "modes.uff";
+    const auto run = runProgram ({ "modes", "staple", "--count", "5", "--json", "--csv", csv, "--uff", uff });
+    REQUIRE (run.exitCode == 0);
+    CHECK (nlohmann::json::parse (run.output)["modes"].size() == 5);
+    CHECK (linesIn (contentOf (csv)) == 6);
+    CHECK (contentOf (uff).starts_with ("    -1\n   151\n"));
+
+    const auto refused = runProgram ({ "modes", "staple", "--uff", folder.path() });
+    CHECK (refused.exitCode == 1);
+    CHECK (refused.output.empty());
+    CHECK (linesIn (refused.errors) == 1);
+}

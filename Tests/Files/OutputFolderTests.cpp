@@ -214,3 +214,40 @@ TEST_CASE ("Killed at any moment, a program leaves only whole files", "[files]")
     }
     CHECK (namesIn (target, true).empty());
 }
+
+TEST_CASE ("A single file appears whole, in new folders, and through a link", "[files]")
+{
+    const TemporaryFolder scratch;
+    const auto path = scratch.path() / "a" / "b" / "modes.csv";
+    writeWholeFile (path, "first");
+    CHECK (contentOf (path) == "first");
+    writeWholeFile (path, std::string (100000, 'x'));
+    CHECK (contentOf (path).size() == 100000);
+
+    const auto link = scratch.path() / "link.csv";
+    fs::create_symlink (path, link);
+    writeWholeFile (link, "through");
+    CHECK (fs::is_symlink (link));
+    CHECK (contentOf (path) == "through");
+
+    const auto before = fs::current_path();
+    fs::current_path (scratch.path());
+    writeWholeFile ("bare.csv", "here");
+    fs::current_path (before);
+    CHECK (contentOf (scratch.path() / "bare.csv") == "here");
+    CHECK (namesIn (scratch.path(), true).empty());
+    CHECK (namesIn (path.parent_path(), true).empty());
+}
+
+TEST_CASE ("A single file that cannot be written is refused in a sentence", "[files]")
+{
+    const TemporaryFolder scratch;
+    const auto error = [] (const fs::path& path) { return errorText ([&] { writeWholeFile (path, "x"); }); };
+    CHECK (error (scratch.path()) == scratch.path().string() + ": is a folder, allowed is a file");
+    CHECK (error ("/dev/null") == "/dev/null: is a device or pipe, allowed is a plain file");
+    CHECK (fs::is_character_file ("/dev/null"));
+    CHECK (error ("/proc/none/modes.csv").find ("/proc/none: cannot be made: ") == 0);
+    CHECK (error (scratch.path() / "new" / "") == (scratch.path() / "new/").string() + ": is no name for a file");
+    CHECK (error ("") == "is no name for a file");
+    CHECK (namesIn (scratch.path()).empty());
+}

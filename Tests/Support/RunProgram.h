@@ -27,7 +27,7 @@ inline std::string contentOf (const std::filesystem::path& path)
     return { std::istreambuf_iterator<char> (stream), {} };
 }
 
-/** Starts the built program; its output goes to files in the folder. */
+/** Starts the built program; its output goes to files in the folder, and its modes are cached in there too. */
 inline pid_t startProgram (const std::vector<std::string>& arguments, const std::filesystem::path& folder)
 {
     const auto program = fork();
@@ -39,6 +39,7 @@ inline pid_t startProgram (const std::vector<std::string>& arguments, const std:
     { dup2 (open ((folder / name).c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600), stream); };
     redirect ("stdout", STDOUT_FILENO);
     redirect ("stderr", STDERR_FILENO);
+    setenv ("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
     std::vector<char*> words { const_cast<char*> (ANTINODE_PROGRAM) };
 
     for (const auto& argument : arguments)

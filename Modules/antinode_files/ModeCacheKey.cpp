@@ -1,0 +1,29 @@
+#include "ModeCacheKey.h"
+
+#include "DescriptionFields.h"
+
+namespace antinode
+{
+namespace
+{
+constexpr int cacheFormat = 1; // To be raised when an entry is written in another way.
+}
+
+std::optional<std::string> modeCacheKey (const DeviceDescription& device, std::optional<int> modeCount)
+{
+    if (std::holds_alternative<ModalModel> (device.body))
+        return {};
+
+    FieldWriter writer;
+    writer (cacheFormat, std::string (ANTINODE_VERSION), std::string (ANTINODE_SOLVER), device.name, modeCount,
+            device.body.index());
+    std::visit (
+        [&] (const auto& body)
+        {
+            if constexpr (! std::is_same_v<decltype (body), const ModalModel&>)
+                writer (body);
+        },
+        device.body);
+    return std::move (writer.bytes);
+}
+} // namespace antinode

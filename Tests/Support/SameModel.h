@@ -1,0 +1,60 @@
+#pragma once
+
+#include <antinode_model/ModalModel.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace antinode::test
+{
+/** True where both have the same size and the same bits: -0 is not 0. */
+template <typename Derived>
+bool isSameToTheBit (const Eigen::PlainObjectBase<Derived>& a, const Eigen::PlainObjectBase<Derived>& b)
+{
+    const auto bytes = static_cast<std::size_t> (a.size()) * sizeof (typename Derived::Scalar);
+    return a.rows() == b.rows() && a.cols() == b.cols() && (bytes == 0 || std::memcmp (a.data(), b.data(), bytes) == 0);
+}
+
+inline bool isSameToTheBit (double a, double b)
+{
+    return std::memcmp (&a, &b, sizeof (double)) == 0;
+}
+
+inline bool isSameToTheBit (const GridAxis& a, const GridAxis& b)
+{
+    return isSameToTheBit (a.places, b.places) && isSameToTheBit (a.weights, b.weights)
+           && isSameToTheBit (a.edges, b.edges) && isSameToTheBit (a.first, b.first);
+}
+
+inline bool isSameToTheBit (const Surface& a, const Surface& b)
+{
+    const auto sameGrid =
+        a.grid.has_value() == b.grid.has_value()
+        && (! a.grid || (isSameToTheBit (a.grid->x, b.grid->x) && isSameToTheBit (a.grid->y, b.grid->y)));
+    return sameGrid && a.kind == b.kind && isSameToTheBit (a.xMinimum, b.xMinimum)
+           && isSameToTheBit (a.xMaximum, b.xMaximum) && isSameToTheBit (a.yMinimum, b.yMinimum)
+           && isSameToTheBit (a.yMaximum, b.yMaximum) && isSameToTheBit (a.points, b.points)
+           && isSameToTheBit (a.masses, b.masses) && isSameToTheBit (a.areas, b.areas) && a.held.left == b.held.left
+           && a.held.right == b.held.right && a.held.bottom == b.held.bottom && a.held.top == b.held.top;
+}
+
+inline bool isSameToTheBit (const Ceramic& a, const Ceramic& b)
+{
+    return a.name == b.name && isSameToTheBit (a.xMinimum, b.xMinimum) && isSameToTheBit (a.xMaximum, b.xMaximum)
+           && isSameToTheBit (a.yMinimum, b.yMinimum) && isSameToTheBit (a.yMaximum, b.yMaximum)
+           && isSameToTheBit (a.voltageLimit, b.voltageLimit);
+}
+
+inline bool isSameToTheBit (const ModalModel& a, const ModalModel& b)
+{
+    return a.name == b.name && isSameToTheBit (a.surface, b.surface)
+           && isSameToTheBit (a.angularFrequencies, b.angularFrequencies)
+           && isSameToTheBit (a.dampingRatios, b.dampingRatios) && isSameToTheBit (a.shapes, b.shapes)
+           && isSameToTheBit (a.slopes, b.slopes) && isSameToTheBit (a.participation, b.participation)
+           && std::equal (a.ceramics.begin(), a.ceramics.end(), b.ceramics.begin(), b.ceramics.end(),
+                          [] (const auto& left, const auto& right) { return isSameToTheBit (left, right); })
+           && isSameToTheBit (a.fullScaleVoltage, b.fullScaleVoltage) && a.coversWholeBody == b.coversWholeBody
+           && a.rigidBodyModes == b.rigidBodyModes && a.unknowns == b.unknowns
+           && isSameToTheBit (a.frequencyErrors, b.frequencyErrors);
+}
+} // namespace antinode::test
