@@ -51,6 +51,20 @@ Eigen::RowVectorXd interpolateOnLine (const Eigen::VectorXd& points, const Eigen
            + h * t * u * (u * slopes.row (left) - t * slopes.row (right));
 }
 
+Eigen::RowVectorXd slopesOnLine (const Eigen::VectorXd& points, const Eigen::MatrixXd& values,
+                                 const Eigen::MatrixXd& slopes, double x)
+{
+    const auto count = points.size();
+    const auto above = std::upper_bound (points.data(), points.data() + count, x) - points.data();
+    const auto right = std::clamp<Eigen::Index> (above, 1, count - 1);
+    const auto left = right - 1;
+    const auto h = points[right] - points[left];
+    const auto t = std::clamp ((x - points[left]) / h, 0.0, 1.0);
+    const auto u = 1 - t;
+    return 6 * t * u / h * (values.row (right) - values.row (left)) + u * (1 - 3 * t) * slopes.row (left)
+           + t * (1 - 3 * u) * slopes.row (right);
+}
+
 Eigen::MatrixXd naturalSplineSlopes (const Eigen::VectorXd& points, const Eigen::MatrixXd& values)
 {
     const auto n = points.size();

@@ -13,6 +13,10 @@ namespace antinode
 Eigen::RowVectorXd interpolateOnLine (const Eigen::VectorXd& points, const Eigen::MatrixXd& values,
                                       const Eigen::MatrixXd& slopes, double x);
 
+/** The slope of what interpolateOnLine gives. [any] */
+Eigen::RowVectorXd slopesOnLine (const Eigen::VectorXd& points, const Eigen::MatrixXd& values,
+                                 const Eigen::MatrixXd& slopes, double x);
+
 /** Slopes at the points of a line by the natural cubic spline through the values.
     @param points  N_p, strictly ascending
     @param values  N_p x N

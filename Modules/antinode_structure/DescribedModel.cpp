@@ -4,14 +4,11 @@
 
 namespace antinode
 {
-namespace
-{
 Eigen::VectorXd dampingOfModes (const std::vector<double>& ratios, Eigen::Index modes)
 {
     return Eigen::VectorXd::NullaryExpr (
         modes, [&] (Eigen::Index k) { return ratios[std::min (static_cast<std::size_t> (k), ratios.size() - 1)]; });
 }
-} // namespace
 
 void describe (ModalModel& model, const std::string& name, const StructureCommon& common)
 {

@@ -31,6 +31,7 @@ int runCommandLine (int argumentCount, const char* const* arguments)
         "Every command has --help. With no more arguments, `antinode render` renders the embedded demonstrator.");
     addDevicesCommand (app);
     addModesCommand (app);
+    addPlaceCommand (app);
     addDesignCommand (app);
     addRenderCommand (app);
     addPaperCommand (app);

@@ -7,6 +7,7 @@ namespace antinode
 // Each adds its sub-command with its options and what it does; one file each. [worker]
 void addDevicesCommand (CLI::App&);
 void addModesCommand (CLI::App&);
+void addPlaceCommand (CLI::App&);
 void addDesignCommand (CLI::App&);
 void addRenderCommand (CLI::App&);
 void addPaperCommand (CLI::App&);

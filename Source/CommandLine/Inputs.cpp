@@ -81,9 +81,14 @@ nlohmann::json loadDocument (const std::string& folder, const std::string& nameO
                                                          + allowed + ", or a file whose name ends in .json");
 }
 
+nlohmann::json loadDeviceDocument (const std::string& nameOrFile, const std::vector<std::string>& assignments)
+{
+    return loadAssigned ("Devices", nameOrFile, assignments);
+}
+
 DeviceDescription loadDevice (const std::string& nameOrFile, const std::vector<std::string>& assignments)
 {
-    return readDevice (loadAssigned ("Devices", nameOrFile, assignments), sourceOf ("Devices", nameOrFile));
+    return readDevice (loadDeviceDocument (nameOrFile, assignments), sourceOf ("Devices", nameOrFile));
 }
 
 FocusDescription loadFocus (const std::string& nameOrFile, const std::vector<std::string>& assignments)

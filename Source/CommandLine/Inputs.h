@@ -19,6 +19,9 @@ std::vector<std::string> embeddedNames (const std::string& folder);
     [worker] */
 nlohmann::json loadDocument (const std::string& folder, const std::string& nameOrFile);
 
+/** A device's JSON with the assignments that begin with "device." applied. [worker] */
+nlohmann::json loadDeviceDocument (const std::string& nameOrFile, const std::vector<std::string>& assignments);
+
 /** A device by embedded name or file, with the assignments that begin with "device." applied.
     @throws InputError  as loadDocument and readDevice. [worker] */
 DeviceDescription loadDevice (const std::string& nameOrFile, const std::vector<std::string>& assignments);

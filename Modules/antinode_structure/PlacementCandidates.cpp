@@ -1,0 +1,174 @@
+#include "PlacementCandidates.h"
+
+#include "BeamSection.h"
+#include "DescribedModel.h"
+#include "DescriptionChecks.h"
+#include "PlateSolution.h"
+
+#include <antinode_model/InputError.h>
+#include <antinode_model/ShapeInterpolation.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+constexpr std::size_t mostCandidates = 5000;
+
+/** Positions from one end to the other, symmetrical about the middle, at most a step apart. */
+std::vector<double> positions (double from, double to, double step)
+{
+    if (! (step > 0))
+        throw InputError ("--step-mm", "is not a positive number, allowed are positive ones");
+
+    const auto length = std::max (to - from, 0.0);
+    const auto intervals = std::ceil (length / step - 1e-9);
+
+    if (! (intervals < static_cast<double> (mostCandidates)))
+        throw InputError ("--step-mm",
+                          "gives more than " + std::to_string (mostCandidates) + " positions, allowed are wider steps");
+
+    std::vector<double> result;
+
+    for (double i = 0; i <= intervals; ++i)
+        result.push_back (intervals > 0 ? from + length * i / intervals : (from + to) / 2);
+
+    return result;
+}
+
+[[noreturn]] void throwTooLarge()
+{
+    throw InputError ("--size-mm", "is more than the device's, allowed are sizes that fit on it");
+}
+
+/** The wanted candidates of a plate, row by row. */
+std::vector<CeramicDescription> onPlate (const PlateDescription& plate, const CeramicDescription& like,
+                                         const CandidateGrid& grid)
+{
+    if (like.sizeX > plate.lengthX + edgeTolerance || like.sizeY > plate.lengthY + edgeTolerance)
+        throwTooLarge();
+
+    std::vector<CeramicDescription> ceramics;
+    const auto xs = positions (0, plate.lengthX - like.sizeX, grid.step);
+
+    for (const auto y : positions (0, plate.lengthY - like.sizeY, grid.step))
+        for (const auto x : xs)
+        {
+            auto ceramic = like;
+            ceramic.x = x;
+            ceramic.y = y;
+            const auto toEdge = std::min ({ x, y, plate.lengthX - x - like.sizeX, plate.lengthY - y - like.sizeY });
+
+            if (! grid.rim || toEdge <= *grid.rim)
+                ceramics.push_back (ceramic);
+        }
+
+    return ceramics;
+}
+
+struct CandidateFinder
+{
+    const DeviceDescription& device;
+    const CeramicDescription& like;
+    const CandidateGrid& grid;
+
+    PlacementCandidates operator() (const PlateDescription& plate) const
+    {
+        PlacementCandidates candidates;
+        candidates.ceramics = onPlate (plate, like, grid);
+        requireFew (candidates);
+        const auto solution = solvePlateModes (plate, grid.modes);
+        candidates.angularFrequencies = solution.angularFrequencies;
+        candidates.dampingRatios = dampingOfModes (plate.common.dampingRatios, grid.modes);
+        const auto section = ceramicSection (plate.common, like);
+        const auto unit = solution.layout.unit;
+        candidates.participation.resize (grid.modes, static_cast<Eigen::Index> (candidates.ceramics.size()));
+
+        for (std::size_t i = 0; i < candidates.ceramics.size(); ++i)
+        {
+            const auto& c = candidates.ceramics[i];
+            candidates.participation.col (static_cast<Eigen::Index> (i)) =
+                solution.coefficients.transpose()
+                * rectangleLoad (solution.problem, section, c.x / unit, (c.x + c.sizeX) / unit, c.y / unit,
+                                 (c.y + c.sizeY) / unit);
+        }
+
+        return candidates;
+    }
+
+    PlacementCandidates operator() (const BeamDescription& beam) const { return onLine (beam, beam.length); }
+    PlacementCandidates operator() (const StapleDescription& staple) const { return onLine (staple, staple.topLength); }
+
+    PlacementCandidates operator() (const ModalModel&) const
+    {
+        throw InputError ("device '" + device.name + "'",
+                          "is given by its modes, allowed are beams, staples and plates");
+    }
+
+private:
+    static void requireFew (const PlacementCandidates& candidates)
+    {
+        if (candidates.ceramics.size() > mostCandidates)
+            throw InputError ("--step-mm", "gives more than " + std::to_string (mostCandidates)
+                                               + " positions, allowed are wider steps");
+    }
+
+    template <typename Body>
+    PlacementCandidates onLine (const Body& body, double length) const
+    {
+        if (like.sizeX > length + edgeTolerance || like.sizeY > body.width + edgeTolerance)
+            throwTooLarge();
+
+        PlacementCandidates candidates;
+        const auto model = solveStructure (device, grid.modes);
+        candidates.angularFrequencies = model.angularFrequencies;
+        candidates.dampingRatios = model.dampingRatios;
+        const auto moment = momentPerVolt (body.common, body.width, like);
+        const auto lefts = positions (-length / 2, length / 2 - like.sizeX, grid.step);
+        candidates.participation.resize (grid.modes, static_cast<Eigen::Index> (lefts.size()));
+
+        for (std::size_t i = 0; i < lefts.size(); ++i)
+        {
+            auto ceramic = like;
+            ceramic.x = lefts[i];
+            ceramic.y = -like.sizeY / 2;
+            candidates.ceramics.push_back (ceramic);
+            const auto slopeAt = [&] (double x)
+            { return slopesOnLine (model.surface.points.col (0), model.shapes, model.slopes, x); };
+            candidates.participation.col (static_cast<Eigen::Index> (i)) =
+                moment * (slopeAt (ceramic.x + ceramic.sizeX) - slopeAt (ceramic.x)).transpose();
+        }
+
+        return candidates;
+    }
+};
+} // namespace
+
+bool PlacementCandidates::overlap (Eigen::Index a, Eigen::Index b) const
+{
+    const auto& first = ceramics[static_cast<std::size_t> (a)];
+    const auto& second = ceramics[static_cast<std::size_t> (b)];
+    return std::abs (first.x - second.x) < first.sizeX - edgeTolerance
+           && std::abs (first.y - second.y) < first.sizeY - edgeTolerance;
+}
+
+DeviceDescription withCeramics (DeviceDescription device, const std::vector<CeramicDescription>& ceramics)
+{
+    const auto set = [&] (auto& body)
+    {
+        if constexpr (! std::is_same_v<std::decay_t<decltype (body)>, ModalModel>)
+            body.common.ceramics = ceramics;
+    };
+    std::visit (set, device.body);
+    return device;
+}
+
+PlacementCandidates placementCandidates (const DeviceDescription& device, const CeramicDescription& like,
+                                         const CandidateGrid& grid)
+{
+    const auto bare = withCeramics (device, {});
+    return std::visit (CandidateFinder { bare, like, grid }, bare.body);
+}
+} // namespace antinode

@@ -1,0 +1,82 @@
+#include "Placing.h"
+
+#include "Controllability.h"
+
+#include <antinode_model/InputError.h>
+
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+/** What a mode's participations and kernel are divided by: then a ceramic in an average place brings 1 / count. */
+struct Scaling
+{
+    Eigen::VectorXd participation, kernel; ///< N_m each
+};
+
+Scaling scalingOf (const PlacementCandidates& candidates, const Eigen::MatrixXd& kernel, Eigen::Index count)
+{
+    Scaling scaling;
+    scaling.participation =
+        candidates.participation.rowwise().norm() / std::sqrt (static_cast<double> (candidates.participation.cols()));
+    scaling.kernel = (kernel.diagonal() * static_cast<double> (count)).cwiseSqrt();
+    const auto largest = scaling.participation.maxCoeff();
+
+    for (Eigen::Index k = 0; k < scaling.participation.size(); ++k)
+        if (! (scaling.participation[k] > 1e-9 * largest))
+            throw InputError ("--modes", "reach mode " + std::to_string (k + 1)
+                                             + ", which ceramics of this size move from none of the places: allowed "
+                                               "are fewer modes, smaller ceramics or finer steps");
+
+    return scaling;
+}
+
+Eigen::MatrixXd scaledKernel (const Eigen::VectorXd& angularFrequencies, const Eigen::VectorXd& dampingRatios,
+                              double duration, const Scaling& scaling)
+{
+    const Eigen::VectorXd inverse = scaling.kernel.cwiseInverse();
+    return inverse.asDiagonal() * velocityKernel (angularFrequencies, dampingRatios, duration) * inverse.asDiagonal();
+}
+} // namespace
+
+PlacedCeramics placeCeramics (const DeviceDescription& device, const CeramicDescription& like,
+                              const PlacingOptions& options, const std::function<void (double)>& progress)
+{
+    const auto candidates = placementCandidates (device, like, options.grid);
+    const auto kernel = velocityKernel (candidates.angularFrequencies, candidates.dampingRatios, options.duration);
+    const auto scaling = scalingOf (candidates, kernel, options.count);
+    const Eigen::MatrixXd participation = scaling.participation.cwiseInverse().asDiagonal() * candidates.participation;
+
+    PlacementProblem problem;
+    problem.kernel = scaledKernel (candidates.angularFrequencies, candidates.dampingRatios, options.duration, scaling);
+    problem.participation = participation;
+    problem.count = options.count;
+    problem.exclude = [&] (Eigen::Index a, Eigen::Index b) { return candidates.overlap (a, b); };
+    const auto placement = searchPlacement (problem, progress);
+
+    PlacedCeramics placed;
+    placed.candidates = participation.cols();
+    placed.controllability = placement.controllability;
+    placed.exchanges = placement.exchanges;
+    placed.perMode =
+        participation (Eigen::all, placement.chosen).cwiseAbs2().rowwise().sum() / static_cast<double> (options.count);
+
+    for (const auto index : placement.chosen)
+    {
+        placed.ceramics.push_back (candidates.ceramics[static_cast<std::size_t> (index)]);
+        placed.ceramics.back().name = "C" + std::to_string (placed.ceramics.size());
+    }
+
+    if (options.isResolved)
+    {
+        const auto model = solveStructure (withCeramics (device, placed.ceramics), options.grid.modes);
+        placed.resolved = worstControllability (
+            scaledKernel (model.angularFrequencies, model.dampingRatios, options.duration, scaling),
+            scaling.participation.cwiseInverse().asDiagonal() * model.participation);
+    }
+
+    return placed;
+}
+} // namespace antinode

@@ -1,0 +1,205 @@
+#include "Commands.h"
+#include "Inputs.h"
+#include "Progress.h"
+
+#include <antinode_files/DeviceFile.h>
+#include <antinode_files/OutputFolder.h>
+#include <antinode_focus/DesignRemarks.h>
+#include <antinode_model/InputError.h>
+#include <antinode_structure/Placing.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+namespace antinode
+{
+namespace
+{
+constexpr double milli = 1000;
+
+struct PlaceOptions
+{
+    std::string device = "aluminium-200x120";
+    int count = 8;
+    std::string size;                          // mm, "L" or "LxW"
+    std::optional<double> step, rim, duration; // mm, mm, ms
+    int modes = 40;
+    std::string file;
+    std::vector<std::string> assignments;
+    bool isFrozen = false, isQuiet = false;
+};
+
+/** "20" or "20x10", mm. */
+std::pair<double, double> parseSize (const std::string& text)
+{
+    const auto fail = [&] { throw InputError ("--size-mm " + text, "is no size: allowed is 20 or 20x10, in mm"); };
+    std::pair<double, double> size;
+    const auto* const end = text.data() + text.size();
+    const auto first = std::from_chars (text.data(), end, size.first);
+    size.second = size.first;
+
+    if (first.ec == std::errc() && first.ptr != end)
+    {
+        const auto second = std::from_chars (first.ptr + 1, end, size.second);
+
+        if (*first.ptr != 'x' || second.ec != std::errc() || second.ptr != end)
+            fail();
+    }
+
+    if (first.ec != std::errc() || ! (size.first > 0 && size.second > 0))
+        fail();
+
+    return size;
+}
+
+/** The first ceramic of the device, or an ordinary one, in another size where one is given. */
+nlohmann::json ceramicLike (const nlohmann::json& document, bool isPlate, const std::string& size)
+{
+    const auto* const lengthKey = isPlate ? "size_x_mm" : "length_mm";
+    const auto* const widthKey = isPlate ? "size_y_mm" : "width_mm";
+    const auto list = document.value ("ceramics", nlohmann::json::array());
+    auto ceramic = list.is_array() && ! list.empty() ? list.front()
+                                                     : nlohmann::json { { "x_mm", 0 },
+                                                                        { "thickness_mm", 0.5 },
+                                                                        { "material", "NCE51" },
+                                                                        { "wiring", "parallel" },
+                                                                        { "mounting", "both_sides" },
+                                                                        { lengthKey, 10 },
+                                                                        { widthKey, 10 } };
+
+    if (isPlate)
+        ceramic["y_mm"] = 0;
+
+    ceramic["x_mm"] = 0;
+
+    if (! size.empty())
+        std::tie (ceramic[lengthKey], ceramic[widthKey]) = parseSize (size);
+
+    return ceramic;
+}
+
+double rounded (double metres)
+{
+    return std::round (metres * milli * 1e6) / 1e6;
+}
+
+nlohmann::json ceramicJson (nlohmann::json like, const CeramicDescription& ceramic, bool isPlate)
+{
+    like["name"] = ceramic.name;
+    like["x_mm"] = rounded (isPlate ? ceramic.x : ceramic.x + ceramic.sizeX / 2);
+
+    if (isPlate)
+        like["y_mm"] = rounded (ceramic.y);
+
+    return like;
+}
+
+CeramicDescription describedCeramic (nlohmann::json document, const nlohmann::json& ceramic)
+{
+    document["ceramics"] = nlohmann::json::array ({ ceramic });
+    const auto described = readDevice (document, "--size-mm");
+    return std::visit (
+        [] (const auto& body) -> CeramicDescription
+        {
+            if constexpr (std::is_same_v<std::decay_t<decltype (body)>, ModalModel>)
+                throw InputError ("device", "is given by its modes, allowed are beams, staples and plates");
+            else
+                return body.common.ceramics.front();
+        },
+        described.body);
+}
+
+void printResult (const PlacedCeramics& placed, const PlaceOptions& options)
+{
+    Eigen::Index worst = 0;
+    placed.perMode.minCoeff (&worst);
+    std::printf ("%zu ceramics in the best of %td places for %d modes\n", placed.ceramics.size(), placed.candidates,
+                 options.modes);
+    std::printf ("  worst controllability  %.4g of ceramics in average places (mode %td least: %.4g)\n",
+                 placed.controllability, worst + 1, placed.perMode[worst]);
+
+    if (placed.resolved)
+        std::printf ("  with their mass and stiffness  %.4g\n", *placed.resolved);
+
+    for (const auto& ceramic : placed.ceramics)
+        std::printf ("  %-4s x %8.3f  y %8.3f mm, %g x %g mm\n", ceramic.name.c_str(), ceramic.x * milli,
+                     ceramic.y * milli, ceramic.sizeX * milli, ceramic.sizeY * milli);
+
+    std::printf ("Device: %s\n", options.file.c_str());
+}
+
+void place (PlaceOptions options)
+{
+    checkAssignments (options.assignments);
+    auto document = loadDeviceDocument (options.device, options.assignments);
+    const auto device = loadDevice (options.device, options.assignments);
+    const auto isPlate = std::holds_alternative<PlateDescription> (device.body);
+    const auto like = ceramicLike (document, isPlate, options.size);
+    const auto ceramic = describedCeramic (document, like);
+
+    PlacingOptions placing;
+    placing.count = options.count;
+    placing.grid.modes = options.modes;
+    placing.grid.step = options.step ? *options.step / milli : std::min (ceramic.sizeX, ceramic.sizeY) / 2;
+    placing.isResolved = ! options.isFrozen;
+
+    if (options.rim)
+        placing.grid.rim = *options.rim / milli;
+
+    if (options.duration)
+        placing.duration = *options.duration / milli;
+
+    Progress progress (options.isQuiet);
+    const auto placed =
+        placeCeramics (device, ceramic, placing, [&] (double share) { progress.show ("Placing ceramics", share); });
+    document["ceramics"] = nlohmann::json::array();
+    document["name"] = device.name + ", " + std::to_string (options.count) + " ceramics placed";
+
+    for (const auto& one : placed.ceramics)
+        document["ceramics"].push_back (ceramicJson (like, one, isPlate));
+
+    if (options.file.empty())
+        options.file = device.name + "-placed.json";
+
+    writeWholeFile (options.file, document.dump (2) + "\n");
+
+    if (! options.isQuiet)
+        printResult (placed, options);
+}
+} // namespace
+
+void addPlaceCommand (CLI::App& app)
+{
+    auto* command = app.add_subcommand (
+        "place", "Finds the places on a device from where so many ceramics move its modes best; writes a device file");
+    auto options = std::make_shared<PlaceOptions>();
+    command->add_option ("device", options->device, "Device: an embedded name or a .json file")->capture_default_str();
+    command->add_option ("--count", options->count, "How many ceramics")
+        ->check (CLI::Range (1, 64))
+        ->capture_default_str();
+    command->add_option ("--size-mm", options->size,
+                         "Size of a ceramic, 20 or 20x10; without it that of the device's first one, or 10");
+    command->add_option ("--step-mm", options->step, "Between neighbouring places; without it half a ceramic");
+    command->add_option ("--rim-mm", options->rim, "On a plate: ceramics begin within this distance of an edge")
+        ->check (CLI::NonNegativeNumber);
+    command->add_option ("--modes", options->modes, "How many of the lowest modes are to be moved")
+        ->check (CLI::Range (1, 200))
+        ->capture_default_str();
+    command->add_option ("--focus-time-ms", options->duration, "Time in which they are to be moved; without it 25")
+        ->check (CLI::Range (0.1, 60000.0));
+    command->add_option ("--out", options->file, "The device file; without it DEVICE-placed.json");
+    command->add_flag ("--frozen", options->isFrozen, "Does not solve the device again with its ceramics");
+    command
+        ->add_option ("--set", options->assignments,
+                      "Overrides a key, for example device.thickness_mm=1.5 (repeatable)")
+        ->allow_extra_args (false)
+        ->type_name ("KEY=VALUE");
+    command->add_flag ("--quiet", options->isQuiet, "Prints errors only");
+    command->callback ([options] { place (*options); });
+}
+} // namespace antinode
