@@ -1,5 +1,8 @@
 #include "Commands.h"
 #include "Inputs.h"
+#include "ModesReport.h"
+
+#include <antinode_files/OutputFolder.h>
 
 #include <nlohmann/json.hpp>
 
@@ -18,6 +21,7 @@ struct ModesOptions
     std::optional<int> count;
     std::vector<std::string> assignments;
     bool isJson = false;
+    std::string reportFolder; ///< None where empty.
 };
 
 nlohmann::ordered_json modesJson (const ModalModel& model, const std::string& kind, double milliseconds)
@@ -63,6 +67,13 @@ void printTable (const ModalModel& model)
     }
 }
 
+void writeReport (const std::string& target, const ModalModel& model)
+{
+    OutputFolder folder (target);
+    folder.write ("report.html", renderReport (modesReport (model)));
+    folder.commit();
+}
+
 void listModes (const ModesOptions& options)
 {
     checkAssignments (options.assignments);
@@ -70,6 +81,10 @@ void listModes (const ModesOptions& options)
     const auto description = loadDevice (options.device, options.assignments);
     const auto model = solveStructure (description, options.count);
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+
+    if (! options.reportFolder.empty())
+        writeReport (options.reportFolder, model);
+
     constexpr const char* kinds[] = { "beam", "staple", "plate", "modal" };
 
     if (options.isJson)
@@ -91,6 +106,8 @@ void addModesCommand (CLI::App& app)
         ->allow_extra_args (false)
         ->type_name ("KEY=VALUE");
     command->add_flag ("--json", options->isJson, "Writes JSON to standard output");
+    command->add_option ("--report", options->reportFolder, "Writes a report with pictures of the modes into a folder")
+        ->type_name ("DIR");
     command->callback ([options] { listModes (*options); });
 }
 } // namespace antinode

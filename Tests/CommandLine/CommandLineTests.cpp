@@ -174,3 +174,17 @@ TEST_CASE ("design and render agree on design.json", "[command line]")
     CHECK (designed.at ("oscillations") == rendered.at ("oscillations"));
     CHECK (designed.at ("allocation") == rendered.at ("allocation"));
 }
+
+TEST_CASE ("modes --report writes a page beside the table, or says in a line why not", "[command line]")
+{
+    const TemporaryFolder folder;
+    const auto run = runProgram ({ "modes", "staple", "--count", "5", "--report", folder.path() / "modes" });
+    REQUIRE (run.exitCode == 0);
+    CHECK (linesIn (run.output) == 7);
+    const auto page = contentOf (folder.path() / "modes" / "report.html");
+    CHECK_THAT (page, Catch::Contains ("staple: modes") && Catch::Contains ("The lowest 5 of 5 modes"));
+    const auto refused = runProgram ({ "modes", "staple", "--report", "/dev/null" });
+    CHECK (refused.exitCode == 1);
+    CHECK (linesIn (refused.errors) == 1);
+    CHECK (refused.output.empty());
+}
