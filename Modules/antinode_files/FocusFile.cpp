@@ -34,7 +34,8 @@ std::optional<double> optionalMilliseconds (const JsonObject& object, std::strin
 
 Target readTarget (const JsonValue& value)
 {
-    const auto object = value.object ({ "shape", "x_mm", "y_mm", "width_mm", "peak_velocity_mm_s", "phase" });
+    const auto object =
+        value.object ({ "shape", "profile", "x_mm", "y_mm", "width_mm", "width_y_mm", "peak_velocity_mm_s", "phase" });
     Target target;
     target.shape = object.required ("shape").choice (targetShapeWords);
     target.x = fromMillimetres (object.required ("x_mm").number (ranges::positionMillimetre));
@@ -45,6 +46,18 @@ Target readTarget (const JsonValue& value)
 
     if (const auto phase = object.optional ("phase"))
         target.phase = phase->sign();
+
+    if (const auto profile = object.optional ("profile"))
+        target.profile = profile->choice (targetProfileWords);
+
+    if (const auto width = object.optional ("width_y_mm"))
+    {
+        if (target.profile == TargetProfile::radial)
+            width->fail ("is given for a radial target, which has one width; allowed is only with "
+                         "\"profile\": \"separable\"");
+
+        target.widthY = fromMillimetres (width->number (ranges::lengthMillimetre));
+    }
 
     return target;
 }

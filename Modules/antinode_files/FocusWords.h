@@ -12,6 +12,9 @@ inline constexpr WordList<TargetShape, 3> targetShapeWords {
     { { "sinc", TargetShape::sinc }, { "bump", TargetShape::bump }, { "gaussian", TargetShape::gaussian } }
 };
 
+inline constexpr WordList<TargetProfile, 2> targetProfileWords { { { "radial", TargetProfile::radial },
+                                                                   { "separable", TargetProfile::separable } } };
+
 inline constexpr WordList<ModeOrder, 2> modeOrderWords { { { "energy", ModeOrder::energy },
                                                            { "frequency", ModeOrder::frequency } } };
 

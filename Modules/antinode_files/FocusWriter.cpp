@@ -25,12 +25,18 @@ void putMilliseconds (Json& object, const char* key, const std::optional<double>
 
 Json targetToJson (const Target& target)
 {
-    return { { "shape", wordFor (targetShapeWords, target.shape) },
-             { "x_mm", toMillimetres (target.x) },
-             { "y_mm", toMillimetres (target.y) },
-             { "width_mm", toMillimetres (target.width) },
-             { "peak_velocity_mm_s", toMillimetres (target.peakVelocity) },
-             { "phase", target.phase } };
+    Json object { { "shape", wordFor (targetShapeWords, target.shape) },
+                  { "profile", wordFor (targetProfileWords, target.profile) },
+                  { "x_mm", toMillimetres (target.x) },
+                  { "y_mm", toMillimetres (target.y) },
+                  { "width_mm", toMillimetres (target.width) } };
+
+    if (target.widthY)
+        object["width_y_mm"] = toMillimetres (*target.widthY);
+
+    object["peak_velocity_mm_s"] = toMillimetres (target.peakVelocity);
+    object["phase"] = target.phase;
+    return object;
 }
 
 Json modesToJson (const ModeChoice& modes)

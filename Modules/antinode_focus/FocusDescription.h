@@ -14,6 +14,13 @@ enum class TargetShape
     gaussian ///< exp (-4 ln 2 (r / width)^2)
 };
 
+/** How a target's shape spreads over a plate; on a line both are the same. Docs/Theory.md, section 2.1. */
+enum class TargetProfile
+{
+    radial,   ///< A function of the distance from the centre.
+    separable ///< The product of one profile in x and one in y.
+};
+
 /** One wanted place. */
 struct Target
 {
@@ -22,6 +29,8 @@ struct Target
     double width = 0;        ///< Full width at half maximum, m.
     double peakVelocity = 0; ///< m/s, more than 0.
     int phase = 1;           ///< 1 or -1: the sign of the peak.
+    TargetProfile profile = TargetProfile::radial;
+    std::optional<double> widthY = {}; ///< Full width at half maximum in y, m, of a separable target; none: as in x.
 };
 
 enum class ModeOrder

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace antinode
 {
@@ -38,33 +39,98 @@ std::vector<int> drivableModes (const ModalModel& model)
 
 void sortByEnergy (std::vector<int>& modes, const ModalModel& model, const ProjectedTarget& target)
 {
-    const Eigen::VectorXd norms = model.shapes.cwiseAbs2().transpose() * model.surface.masses;
-    const auto energy = [&] (int k)
-    { return (model.coversWholeBody ? 1.0 : norms[k]) * target.modalVelocities[k] * target.modalVelocities[k]; };
-    std::stable_sort (modes.begin(), modes.end(), [&] (int a, int b) { return energy (a) > energy (b); });
+    Eigen::VectorXd energies = target.modalVelocities.cwiseAbs2();
+
+    if (! model.coversWholeBody)
+        for (Eigen::Index k = 0; k < energies.size(); ++k)
+            energies[k] *= model.surface.masses.dot (model.shapes.col (k).cwiseAbs2());
+
+    std::stable_sort (modes.begin(), modes.end(), [&] (int a, int b) { return energies[a] > energies[b]; });
+}
+
+double capturedShare (double carried, const ProjectedTarget& target)
+{
+    return target.energy > 0 ? std::sqrt (std::min (carried / target.energy, 1.0)) : 0.0;
+}
+
+/** The energy that a growing set of shapes carries of a field, in the mass-weighted least-squares sense: each shape's part
+    that is orthogonal to those before it adds its own. */
+class FittedEnergy
+{
+public:
+    FittedEnergy (const ModalModel& modelToUse, const ProjectedTarget& target, std::size_t mostModes)
+        : model (modelToUse), root (model.surface.masses.cwiseSqrt()), field (root.cwiseProduct (target.field)),
+          basis (model.points(), std::min (model.points(), static_cast<Eigen::Index> (mostModes)))
+    {
+    }
+
+    double with (int mode)
+    {
+        Eigen::VectorXd rest = root.cwiseProduct (model.shapes.col (mode));
+        const auto whole = rest.norm();
+        const auto before = basis.leftCols (count);
+
+        // Gram and Schmidt twice: once loses the orthogonality where shapes are nearly dependent.
+        for (int pass = 0; pass < 2; ++pass)
+            rest -= before * (before.transpose() * rest).eval();
+
+        // What is left of a shape that depends on those before it is rounding, of no direction.
+        if (count < basis.cols() && rest.norm() > 1e-12 * whole)
+        {
+            basis.col (count) = rest.normalized();
+            const auto part = basis.col (count++).dot (field);
+            carried += part * part;
+        }
+
+        return carried;
+    }
+
+private:
+    const ModalModel& model;
+    Eigen::VectorXd root, field;
+    Eigen::MatrixXd basis;
+    Eigen::Index count = 0;
+    double carried = 0;
+};
+
+/** The energy that each prefix of a list of modes carries, up to the first that reaches the wanted one. */
+std::vector<double> carriedByPrefixes (const ModalModel& model, const ProjectedTarget& target,
+                                       const std::vector<int>& modes, double wanted)
+{
+    std::vector<double> energies;
+    std::optional<FittedEnergy> fitted;
+    double carried = 0;
+
+    if (! model.coversWholeBody)
+        fitted.emplace (model, target, modes.size());
+
+    for (const auto mode : modes)
+    {
+        const auto velocity = target.modalVelocities[mode];
+        carried = fitted ? fitted->with (mode) : carried + velocity * velocity;
+        energies.push_back (carried);
+
+        if (capturedShare (carried, target) >= wanted)
+            break;
+    }
+
+    return energies;
 }
 
 std::vector<int> modesForCapture (const ModalModel& model, const ProjectedTarget& target, std::vector<int> modes,
                                   double wanted, bool isDefault)
 {
-    double best = 0;
+    const auto energies = carriedByPrefixes (model, target, modes, wanted);
+    const auto best = capturedShare (energies.back(), target);
 
-    for (std::size_t count = 1; count <= modes.size(); ++count)
-    {
-        std::vector<int> chosen (modes.begin(), modes.begin() + static_cast<std::ptrdiff_t> (count));
-        best = restrictToModes (model, target, chosen).captured;
+    if (best < wanted && ! isDefault)
+        throw InputError ("focus: /modes/captured", "is " + std::to_string (wanted) + ", but all "
+                                                        + std::to_string (modes.size()) + " modes together capture "
+                                                        + std::to_string (best)
+                                                        + ": ask for less, widen the target, or simulate more modes");
 
-        if (best >= wanted)
-            return chosen;
-    }
-
-    if (isDefault)
-        return modes;
-
-    throw InputError ("focus: /modes/captured", "is " + std::to_string (wanted) + ", but all "
-                                                    + std::to_string (modes.size()) + " modes together capture "
-                                                    + std::to_string (best)
-                                                    + ": ask for less, widen the target, or simulate more modes");
+    modes.resize (energies.size());
+    return modes;
 }
 } // namespace
 
@@ -82,23 +148,19 @@ ProjectedTarget projectField (const ModalModel& model, const Eigen::VectorXd& fi
 ModeSelection restrictToModes (const ModalModel& model, const ProjectedTarget& target, std::vector<int> modes)
 {
     std::sort (modes.begin(), modes.end());
-    const Eigen::MatrixXd shapes = model.shapes (Eigen::all, modes);
     ModeSelection selection;
-    double carried = 0;
+    selection.wanted = model.coversWholeBody
+                           ? Eigen::VectorXd (target.modalVelocities (modes))
+                           : leastSquares (model.shapes (Eigen::all, modes), model.surface.masses, target.field);
+    selection.truncated = Eigen::VectorXd::Zero (model.points());
 
-    if (model.coversWholeBody)
-    {
-        selection.wanted = target.modalVelocities (modes);
-        carried = selection.wanted.squaredNorm();
-    }
-    else
-    {
-        selection.wanted = leastSquares (shapes, model.surface.masses, target.field);
-        carried = model.surface.masses.dot ((shapes * selection.wanted).cwiseAbs2());
-    }
+    for (std::size_t i = 0; i < modes.size(); ++i)
+        selection.truncated += selection.wanted[static_cast<Eigen::Index> (i)] * model.shapes.col (modes[i]);
 
-    selection.truncated = shapes * selection.wanted;
-    selection.captured = target.energy > 0 ? std::sqrt (std::min (carried / target.energy, 1.0)) : 0.0;
+    selection.captured =
+        capturedShare (model.coversWholeBody ? selection.wanted.squaredNorm()
+                                             : model.surface.masses.dot (selection.truncated.cwiseAbs2()),
+                       target);
     selection.modes = std::move (modes);
     return selection;
 }

@@ -20,22 +20,61 @@ double bump (double u)
     return std::abs (u) < 1 ? std::exp (1 - 1 / (1 - u * u)) : 0.0;
 }
 
-/** 1 inside, falling as a raised cosine to 0 at the ends. */
-double tukey (double position, double minimum, double maximum, double share)
+/** One end of Tukey's window: 0 at the end, rising as a raised cosine to 1 at the taper's length. */
+double tukey (double fromEnd, double taper)
 {
-    const auto taper = 0.5 * share * (maximum - minimum);
-    const auto fromEnd = std::min (position - minimum, maximum - position);
-
     if (taper <= 0 || fromEnd >= taper)
         return 1;
 
     return 0.5 * (1 - std::cos (std::numbers::pi * std::max (fromEnd, 0.0) / taper));
 }
 
-double distanceTo (const Surface& surface, Eigen::Index point, const Target& target)
+/** The window at a point: tapered at the edges that cannot move. */
+double edgeFactor (const Surface& surface, Eigen::Index point, double share)
 {
-    const auto dx = surface.points (point, 0) - target.x;
-    return surface.kind == SurfaceKind::line ? std::abs (dx) : std::hypot (dx, surface.points (point, 1) - target.y);
+    const auto x = surface.points (point, 0), y = surface.points (point, 1);
+    const auto taperX = 0.5 * share * (surface.xMaximum - surface.xMinimum);
+    const auto taperY = 0.5 * share * (surface.yMaximum - surface.yMinimum);
+    const auto& held = surface.held;
+    const auto left = held.left ? tukey (x - surface.xMinimum, taperX) : 1.0;
+    const auto right = held.right ? tukey (surface.xMaximum - x, taperX) : 1.0;
+
+    if (surface.kind == SurfaceKind::line)
+        return left * right;
+
+    const auto bottom = held.bottom ? tukey (y - surface.yMinimum, taperY) : 1.0;
+    const auto top = held.top ? tukey (surface.yMaximum - y, taperY) : 1.0;
+    return left * right * bottom * top;
+}
+
+double widthInY (const Target& target)
+{
+    return target.widthY.value_or (target.width);
+}
+
+/** From the target's centre, m. */
+Eigen::Vector2d offsetFrom (const Surface& surface, Eigen::Index point, const Target& target)
+{
+    const auto y = surface.kind == SurfaceKind::line ? 0.0 : surface.points (point, 1) - target.y;
+    return { surface.points (point, 0) - target.x, y };
+}
+
+double profileAt (const Surface& surface, Eigen::Index point, const Target& target)
+{
+    const auto offset = offsetFrom (surface, point, target);
+
+    if (target.profile == TargetProfile::radial)
+        return targetProfile (target.shape, offset.norm(), target.width);
+
+    return targetProfile (target.shape, offset.x(), target.width)
+           * targetProfile (target.shape, offset.y(), widthInY (target));
+}
+
+/** The distance from the target's centre in widths, each axis in its own: the spot ends at 1. */
+double widthsAway (const Surface& surface, Eigen::Index point, const Target& target)
+{
+    const auto offset = offsetFrom (surface, point, target);
+    return std::hypot (offset.x() / target.width, offset.y() / widthInY (target));
 }
 } // namespace
 
@@ -65,16 +104,10 @@ Eigen::VectorXd targetField (const Surface& surface, const std::vector<Target>& 
     for (Eigen::Index i = 0; i < field.size(); ++i)
     {
         for (const auto& target : targets)
-            field[i] += target.phase * target.peakVelocity
-                        * targetProfile (target.shape, distanceTo (surface, i, target), target.width);
+            field[i] += target.phase * target.peakVelocity * profileAt (surface, i, target);
 
         if (edgeWindow)
-        {
-            field[i] *= tukey (surface.points (i, 0), surface.xMinimum, surface.xMaximum, *edgeWindow);
-
-            if (surface.kind == SurfaceKind::plate)
-                field[i] *= tukey (surface.points (i, 1), surface.yMinimum, surface.yMaximum, *edgeWindow);
-        }
+            field[i] *= edgeFactor (surface, i, *edgeWindow);
     }
 
     return field;
@@ -86,9 +119,8 @@ double fieldContrast (const Surface& surface, const Eigen::VectorXd& field, cons
 
     for (Eigen::Index i = 0; i < field.size(); ++i)
     {
-        const auto outside =
-            std::all_of (targets.begin(), targets.end(),
-                         [&] (const Target& target) { return distanceTo (surface, i, target) > target.width; });
+        const auto outside = std::all_of (targets.begin(), targets.end(),
+                                          [&] (const Target& target) { return widthsAway (surface, i, target) > 1; });
 
         if (outside)
         {

@@ -12,18 +12,20 @@
 namespace antinode
 {
 /** One target's profile: 1 at its centre, 1/2 at half its width.
-    @param distance  m, from the centre
+    @param distance  m, from the centre, of either sign
     @param width     full width at half maximum, m
     [any] Docs/Theory.md, section 2.1; paper (34) for the bump. */
 double targetProfile (TargetShape, double distance, double width);
 
-/** The wanted velocity v* on the surface's points: the sum of all targets, radial around their centres.
-    @param edgeWindow  Tukey taper, the share of the surface's length that is tapered (half of it at either end), or none
+/** The wanted velocity v* on the surface's points: the sum of all targets.
+    @param edgeWindow  Tukey taper, the share of the surface's length that is tapered (half of it at either end where the edge is held),
+                       or none
     @return            N_p values, m/s
     [any] Docs/Theory.md, section 2.1. */
 Eigen::VectorXd targetField (const Surface&, const std::vector<Target>&, std::optional<double> edgeWindow);
 
-/** Peak over RMS outside the focal spots (farther than a width from every target's centre). 0 where nothing lies outside or moves.
+/** Peak over RMS, weighted by area, outside the focal spots: farther than a width from every target's centre, each axis in its own
+    width. 0 where nothing lies outside or moves.
     @param field  N_p values, m/s
     [any] Docs/Theory.md, section 5. */
 double fieldContrast (const Surface&, const Eigen::VectorXd& field, const std::vector<Target>&);

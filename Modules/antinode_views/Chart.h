@@ -3,6 +3,7 @@
 #include "BarChart.h"
 #include "HeatMap.h"
 #include "LineChart.h"
+#include "PlanView.h"
 #include "StackedTraces.h"
 
 #include <optional>
@@ -27,5 +28,5 @@ struct ChartGrid
 };
 
 /** Anything that can be drawn. */
-using Chart = std::variant<LineChart, BarChart, HeatMap, StackedTraces, ChartGrid>;
+using Chart = std::variant<LineChart, BarChart, HeatMap, StackedTraces, PlanView, ChartGrid>;
 } // namespace antinode

@@ -1,6 +1,7 @@
 #include "ColourBar.h"
 
 #include "Lettering.h"
+#include "MapImage.h"
 
 #include <algorithm>
 
@@ -38,12 +39,10 @@ void drawColourBar (juce::Graphics& g, juce::Rectangle<float> area, const Axis& 
     const TextStyle style { theme.tickHeight, false, theme.mutedText };
     area.removeFromLeft (gap);
     const auto bar = area.removeFromLeft (barWidth);
-    const auto rows = static_cast<int> (bar.getHeight());
-    for (int k = 0; k < rows; ++k)
-    {
-        g.setColour (map.at (1 - (k + 0.5) / rows));
-        g.fillRect (bar.withTop (bar.getY() + static_cast<float> (k)).withHeight (1));
-    }
+    // Stretched as a whole: rows that were drawn one by one would show seams at odd scales.
+    const Eigen::VectorXd shades = Eigen::VectorXd::LinSpaced (256, 0, 1);
+    g.setOpacity (1);
+    g.drawImage (colourImage (shades, { 0, 1 }, map), bar, juce::RectanglePlacement::stretchToFit);
     const auto widest = widestTick (axis, style);
     area.removeFromLeft (tickRoom);
     const auto labels = area.removeFromLeft (widest);

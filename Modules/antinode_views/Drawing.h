@@ -14,6 +14,7 @@ void draw (juce::Graphics&, juce::Rectangle<float> area, const LineChart&, const
 void draw (juce::Graphics&, juce::Rectangle<float> area, const BarChart&, const Theme&);
 void draw (juce::Graphics&, juce::Rectangle<float> area, const HeatMap&, const Theme&);
 void draw (juce::Graphics&, juce::Rectangle<float> area, const StackedTraces&, const Theme&);
+void draw (juce::Graphics&, juce::Rectangle<float> area, const PlanView&, const Theme&);
 void draw (juce::Graphics&, juce::Rectangle<float> area, const ChartGrid&, const Theme&);
 void draw (juce::Graphics&, juce::Rectangle<float> area, const Chart&, const Theme&);
 } // namespace antinode

@@ -23,12 +23,12 @@ std::string modeName (const ModalModel& model, int mode)
     return "mode " + std::to_string (mode + 1) + ", " + std::to_string (std::lround (model.frequencyHz (mode))) + " Hz";
 }
 
-Series fieldSeries (const Eigen::VectorXd& x, const std::string& name, const Eigen::VectorXd& field, LineStyle style,
-                    int colour)
+Series fieldSeries (const Eigen::VectorXd& places, const std::string& name, const Eigen::VectorXd& field,
+                    LineStyle style, int colour)
 {
     Series series;
     series.name = name;
-    series.x = x;
+    series.x = places * milli;
     series.y = field * milli;
     series.style = style;
     series.colour = colour;
@@ -36,17 +36,25 @@ Series fieldSeries (const Eigen::VectorXd& x, const std::string& name, const Eig
 }
 } // namespace
 
-LineChart fieldChart (const ModalModel& model, const Eigen::VectorXd& wanted, const Eigen::VectorXd& truncated,
-                      const Eigen::VectorXd& reached)
+LineChart profileChart (const Eigen::VectorXd& places, const Eigen::MatrixX3d& velocities)
 {
-    const Eigen::VectorXd x = model.surface.points.col (0) * milli;
     LineChart chart;
     chart.xLabel = "place (mm)";
     chart.yLabel = "velocity (mm/s)";
     // What was reached mostly covers what could be carried: the dashes go on top.
-    chart.series = { fieldSeries (x, "wanted", wanted, LineStyle::dotted, series_colour::neutral),
-                     fieldSeries (x, "reached", reached, LineStyle::solid, 0),
-                     fieldSeries (x, "carried by the controlled modes", truncated, LineStyle::dashed, 1) };
+    chart.series = { fieldSeries (places, "wanted", velocities.col (0), LineStyle::dotted, series_colour::neutral),
+                     fieldSeries (places, "reached", velocities.col (2), LineStyle::solid, 0),
+                     fieldSeries (places, "carried by the controlled modes", velocities.col (1), LineStyle::dashed,
+                                  1) };
+    return chart;
+}
+
+LineChart fieldChart (const ModalModel& model, const Eigen::VectorXd& wanted, const Eigen::VectorXd& truncated,
+                      const Eigen::VectorXd& reached)
+{
+    Eigen::MatrixX3d velocities (model.points(), 3);
+    velocities << wanted, truncated, reached;
+    auto chart = profileChart (model.surface.points.col (0), velocities);
 
     for (const auto& ceramic : model.ceramics)
         chart.spans.push_back ({ ceramic.xMinimum * milli, ceramic.xMaximum * milli, ceramic.name });
@@ -107,9 +115,13 @@ LineChart probeChart (const Render& render, Eigen::Index probe, const std::strin
 
 StackedTraces transientsChart (const ModalModel& model, const FocusDesign& design, const Render& render, int count)
 {
-    const auto strength = [&] (int mode)
-    { return std::abs (design.target.modalVelocities[mode]) * model.shapes.col (mode).cwiseAbs().maxCoeff(); };
     auto modes = design.controlledModes;
+    Eigen::VectorXd largest = Eigen::VectorXd::Zero (model.modes());
+
+    for (const auto mode : modes)
+        largest[mode] = model.shapes.col (mode).cwiseAbs().maxCoeff();
+
+    const auto strength = [&] (int mode) { return std::abs (design.target.modalVelocities[mode]) * largest[mode]; };
     std::stable_sort (modes.begin(), modes.end(), [&] (int a, int b) { return strength (a) > strength (b); });
     modes.resize (std::min (modes.size(), static_cast<std::size_t> (count)));
     std::sort (modes.begin(), modes.end());
@@ -123,8 +135,8 @@ StackedTraces transientsChart (const ModalModel& model, const FocusDesign& desig
 
     for (std::size_t i = 0; i < modes.size(); ++i)
     {
-        const auto shape = model.shapes.col (modes[i]).cwiseAbs().maxCoeff();
-        traces.values.row (static_cast<Eigen::Index> (i)) = render.modalVelocities.row (modes[i]) * (shape * milli);
+        traces.values.row (static_cast<Eigen::Index> (i)) =
+            render.modalVelocities.row (modes[i]) * (largest[modes[i]] * milli);
         traces.names.push_back (modeName (model, modes[i]));
     }
 
@@ -157,9 +169,11 @@ HeatMap fieldOverTimeChart (const ModalModel& model, const FocusDesign& design, 
     Eigen::MatrixXd shapes (mapColumns, model.modes());
     const auto& surface = model.surface;
     const auto width = surface.xMaximum - surface.xMinimum;
+    const auto isPlate = surface.kind == SurfaceKind::plate;
+    const auto y = isPlate ? design.description.targets.front().y : 0.0;
 
     for (Eigen::Index i = 0; i < mapColumns; ++i)
-        shapes.row (i) = shapesAt (model, surface.xMinimum + width * (static_cast<double> (i) + 0.5) / mapColumns, 0);
+        shapes.row (i) = shapesAt (model, surface.xMinimum + width * (static_cast<double> (i) + 0.5) / mapColumns, y);
 
     Eigen::MatrixXd velocities (model.modes(), mapRows);
 
@@ -173,7 +187,7 @@ HeatMap fieldOverTimeChart (const ModalModel& model, const FocusDesign& design, 
     }
 
     HeatMap map;
-    map.xLabel = "place (mm)";
+    map.xLabel = isPlate ? "x (mm)" : "place (mm)";
     map.yLabel = "time from the focus (ms)";
     map.valueLabel = "velocity (mm/s)";
     map.values = (shapes * velocities).transpose() * milli;
@@ -181,8 +195,10 @@ HeatMap fieldOverTimeChart (const ModalModel& model, const FocusDesign& design, 
     map.y = { -span * milli, span * milli };
     map.scale = ColourScale::diverging;
 
+    // Those that lie on the line.
     for (const auto& target : design.description.targets)
-        map.points.push_back ({ target.x * milli, 0, "focus" });
+        if (! isPlate || target.y == y)
+            map.points.push_back ({ target.x * milli, 0, "focus" });
 
     return map;
 }

@@ -10,6 +10,12 @@
 
 namespace antinode
 {
+/** Velocities along a line at one instant.
+    @param places      N, m
+    @param velocities  N x 3: wanted, truncated to the controlled modes, reached, m/s
+    [any] */
+LineChart profileChart (const Eigen::VectorXd& places, const Eigen::MatrixX3d& velocities);
+
 /** The velocity on a line at the focus: wanted, truncated to the controlled modes, reached, with the ceramics beneath.
     @param wanted, truncated, reached  N_p values, m/s
     [any] */
@@ -39,7 +45,7 @@ StackedTraces transientsChart (const ModalModel&, const FocusDesign&, const Rend
     [worker] */
 HeatMap spectrogramChart (const Render&, Eigen::Index probe, double maximumFrequency);
 
-/** The velocity on a line around the focus as a map over place and time.
+/** The velocity around the focus as a map over place and time: on a line all of it, on a plate along x through the first focus.
     @param span  s before and after the focus
     [worker] */
 HeatMap fieldOverTimeChart (const ModalModel&, const FocusDesign&, const Render&, double span);

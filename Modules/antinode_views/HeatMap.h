@@ -32,6 +32,14 @@ struct MapPoint
     std::string label;
 };
 
+/** Lines of equal values over a map. */
+struct MapContours
+{
+    std::vector<double> levels; ///< In the unit of the values.
+    std::optional<double>
+        nodalLinesFrom; ///< Zero lines, thinner, where values beside them reach this; none: no such lines.
+};
+
 /** A matrix as colours: a spectrogram, or a field over the plane or over time. Values that are not finite stay empty. */
 struct HeatMap
 {
@@ -44,5 +52,8 @@ struct HeatMap
     std::vector<MapRectangle> rectangles;
     std::vector<MapPoint> points;
     std::vector<Marker> markers;
+    MapContours contours;
+    std::vector<std::string> columnNames, rowNames; ///< A table: each value fills its cell, names stand at the axes.
+    bool isBare = false;                            ///< Without axes and colour bar: a small map among others.
 };
 } // namespace antinode

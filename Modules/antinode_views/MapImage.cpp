@@ -46,6 +46,14 @@ Eigen::MatrixXd resampled (const Eigen::MatrixXd& values, int rows, int columns)
     return withRows (turned, columns).transpose();
 }
 
+Eigen::MatrixXd repeated (const Eigen::MatrixXd& values, int rows, int columns)
+{
+    return Eigen::MatrixXd::NullaryExpr (
+        rows, columns,
+        [&] (Eigen::Index row, Eigen::Index column)
+        { return values (row * values.rows() / rows, column * values.cols() / columns); });
+}
+
 juce::Image colourImage (const Eigen::MatrixXd& pixels, AxisRange range, const ColourMap& map)
 {
     const auto width = static_cast<int> (pixels.cols());

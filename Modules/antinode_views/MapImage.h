@@ -14,6 +14,9 @@ namespace antinode
     @return        rows x columns; not finite where a value that takes part is not [any] */
 Eigen::MatrixXd resampled (const Eigen::MatrixXd& values, int rows, int columns);
 
+/** A matrix brought to so many pixels, each that of the cell that it lies in. [any] */
+Eigen::MatrixXd repeated (const Eigen::MatrixXd& values, int rows, int columns);
+
 /** A matrix of pixels as colours, its first row at the bottom; transparent where a value is not finite. [any] */
 juce::Image colourImage (const Eigen::MatrixXd& pixels, AxisRange, const ColourMap&);
 } // namespace antinode

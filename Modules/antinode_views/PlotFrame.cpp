@@ -40,9 +40,9 @@ float widestLabel (const Axis& axis, const TextStyle& style)
 }
 
 // Categories have given ticks: only every n-th is shown where all of them would touch.
-Axis withThinnedTicks (Axis axis, float length, const TextStyle& style)
+Axis withThinnedTicks (Axis axis, float length, float labelLength)
 {
-    const auto needed = (widestLabel (axis, style) + 6) * static_cast<float> (axis.ticks.size());
+    const auto needed = labelLength * static_cast<float> (axis.ticks.size());
     const auto stride = static_cast<std::size_t> (niceStep (std::max (1.0f, needed / std::max (1.0f, length)), 1));
     std::vector<AxisTick> kept;
     for (std::size_t k = 0; k < axis.ticks.size(); k += stride)
@@ -54,7 +54,7 @@ Axis withThinnedTicks (Axis axis, float length, const TextStyle& style)
 Axis withFittingTicks (const Axis& axis, float length, const TextStyle& style)
 {
     if (! axis.ticks.empty())
-        return withThinnedTicks (axis, length, style);
+        return withThinnedTicks (axis, length, widestLabel (axis, style) + 6);
     auto fitted = withTicks (axis, length, 60);
     for (auto spacing = 80.0f; spacing < length && spacing < 2 * widestLabel (fitted, style) + 100; spacing += 20)
     {
@@ -156,7 +156,8 @@ PlotFrame layOutPlot (juce::Rectangle<float> area, Axis x, Axis y, PlotMargins m
     const TextStyle style { theme.tickHeight, false, theme.mutedText };
     area.removeFromTop (std::max (margins.above, theme.tickHeight / 2));
     area.removeFromBottom (tickLength + 1 + theme.tickHeight + labelHeight (x.label, theme));
-    y = y.ticks.empty() ? withTicks (y, area.getHeight(), 2.6f * theme.tickHeight) : y;
+    y = y.ticks.empty() ? withTicks (y, area.getHeight(), 2.6f * theme.tickHeight)
+                        : withThinnedTicks (y, area.getHeight(), 1.1f * theme.tickHeight);
     area.removeFromLeft (tickLength + 4 + widestLabel (y, style) + labelHeight (y.label, theme));
     area.removeFromRight (margins.right);
     x = withFittingTicks (x, area.getWidth(), style);

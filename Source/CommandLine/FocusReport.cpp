@@ -1,5 +1,7 @@
 #include "FocusReport.h"
 
+#include "FieldFigures.h"
+
 #include <antinode_files/FocusWords.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/DesignRemarks.h>
@@ -16,7 +18,6 @@ namespace
 {
 constexpr double milli = 1000;
 constexpr int shownTransients = 6;
-constexpr double shownAroundFocus = 0.0015; // s
 
 std::string fixed (double value, int decimals)
 {
@@ -28,6 +29,13 @@ std::string fixed (double value, int decimals)
 std::string percent (double share)
 {
     return inWords (share * 100) + " %";
+}
+
+std::string placeOf (const RenderedFocus& focus, std::size_t probe)
+{
+    const auto [x, y] = focus.probes[probe];
+    const auto place = "x = " + inWords (x * milli) + " mm";
+    return focus.model.surface.kind == SurfaceKind::line ? place : place + ", y = " + inWords (y * milli) + " mm";
 }
 
 /** A little above the highest controlled mode. */
@@ -69,17 +77,7 @@ ReportSection fieldSection (const RenderedFocus& focus)
     const auto& design = focus.design;
     ReportSection section;
     section.heading = "The field at the focus";
-    section.figures.push_back (
-        { "Velocity at the focus: wanted, carried by the controlled modes, and reached. Ceramics are shaded.",
-          {},
-          fieldChart (focus.model, design.target.field, design.truncatedField, focus.reachedField),
-          900,
-          400 });
-    section.figures.push_back ({ "Velocity around the focus over place and time.",
-                                 {},
-                                 fieldOverTimeChart (focus.model, design, focus.render, shownAroundFocus),
-                                 900,
-                                 400 });
+    section.figures = fieldFigures (focus);
     section.figures.push_back (
         { "Modal velocities at the focus. Modes without a wanted bar are not controlled: they are kept small.",
           {},
@@ -113,10 +111,10 @@ ReportSection motionSection (const RenderedFocus& focus)
 
     for (std::size_t i = 0; i < focus.probes.size(); ++i)
     {
-        const auto place = inWords (focus.probes[i].first * milli) + " mm";
-        section.figures.push_back ({ "Velocity at the probe at x = " + place + ".",
+        const auto place = placeOf (focus, i);
+        section.figures.push_back ({ "Velocity at the probe at " + place + ".",
                                      {},
-                                     probeChart (focus.render, static_cast<Eigen::Index> (i), "x = " + place),
+                                     probeChart (focus.render, static_cast<Eigen::Index> (i), place),
                                      900,
                                      320 });
     }

@@ -1,6 +1,9 @@
 #include "Commands.h"
 #include "CommonOptions.h"
 #include "Inputs.h"
+#include "ModesReport.h"
+
+#include <antinode_files/OutputFolder.h>
 
 #include <antinode_files/ModeTable.h>
 #include <antinode_files/OutputFolder.h>
@@ -25,6 +28,7 @@ struct ModesOptions
     std::string csvFile, universalFile;
     bool usesCache = true;
     bool isJson = false;
+    std::string reportFolder; ///< None where empty.
 };
 
 nlohmann::ordered_json modesJson (const ModalModel& model, const std::string& kind, double milliseconds)
@@ -70,6 +74,13 @@ void printTable (const ModalModel& model)
     }
 }
 
+void writeReport (const std::string& target, const ModalModel& model)
+{
+    OutputFolder folder (target);
+    folder.write ("report.html", renderReport (modesReport (model)));
+    folder.commit();
+}
+
 void listModes (const ModesOptions& options)
 {
     checkAssignments (options.assignments);
@@ -77,6 +88,10 @@ void listModes (const ModesOptions& options)
     const auto description = loadDevice (options.device, options.assignments);
     const auto model = solveDevice (description, options.count, options.usesCache);
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+
+    if (! options.reportFolder.empty())
+        writeReport (options.reportFolder, model);
+
     constexpr const char* kinds[] = { "beam", "staple", "plate", "modal" };
 
     if (! options.csvFile.empty())
@@ -108,6 +123,8 @@ void addModesCommand (CLI::App& app)
         ->type_name ("FILE");
     addCacheFlag (*command, options->usesCache);
     command->add_flag ("--json", options->isJson, "Writes JSON to standard output");
+    command->add_option ("--report", options->reportFolder, "Writes a report with pictures of the modes into a folder")
+        ->type_name ("DIR");
     command->callback ([options] { listModes (*options); });
 }
 } // namespace antinode

@@ -207,3 +207,17 @@ TEST_CASE ("modes writes files beside what it prints", "[command line]")
     CHECK (refused.output.empty());
     CHECK (linesIn (refused.errors) == 1);
 }
+
+TEST_CASE ("modes --report writes a page beside the table, or says in a line why not", "[command line]")
+{
+    const TemporaryFolder folder;
+    const auto run = runProgram ({ "modes", "staple", "--count", "5", "--report", folder.path() / "modes" });
+    REQUIRE (run.exitCode == 0);
+    CHECK (linesIn (run.output) == 7);
+    const auto page = contentOf (folder.path() / "modes" / "report.html");
+    CHECK_THAT (page, Catch::Contains ("staple: modes") && Catch::Contains ("The lowest 5 of 5 modes"));
+    const auto refused = runProgram ({ "modes", "staple", "--report", "/dev/null" });
+    CHECK (refused.exitCode == 1);
+    CHECK (linesIn (refused.errors) == 1);
+    CHECK (refused.output.empty());
+}

@@ -43,6 +43,10 @@ TEST_CASE ("A focus is read with all its keys, in SI units", "[files]")
     CHECK (focus.targets[0].width == 0.025);
     CHECK (focus.targets[0].peakVelocity == 0.04);
     CHECK (focus.targets[0].phase == -1);
+    CHECK (focus.targets[0].profile == TargetProfile::separable);
+    CHECK (focus.targets[0].widthY == 0.015);
+    CHECK (focus.targets[1].profile == TargetProfile::radial);
+    CHECK_FALSE (focus.targets[1].widthY.has_value());
     CHECK (focus.targets[1].shape == TargetShape::gaussian);
     CHECK (focus.targets[1].phase == 1);
     CHECK (focus.focusTime == 0.025);
@@ -99,8 +103,13 @@ TEST_CASE ("Typical mistakes in focuses are named with their place and what is a
            == "my.json: /targets/1/width_mm: is missing, it must be given");
     CHECK (errorWith ("targets.0.peak_velocity=40")
            == "my.json: /targets/0/peak_velocity: is not a key here (did you mean 'peak_velocity_mm_s'?), allowed are "
-              "'shape', 'x_mm', "
-              "'y_mm', 'width_mm', 'peak_velocity_mm_s', 'phase'");
+              "'shape', 'profile', 'x_mm', 'y_mm', 'width_mm', 'width_y_mm', 'peak_velocity_mm_s', 'phase'");
+    CHECK (errorWith ("targets.0.profile=radial")
+           == "my.json: /targets/0/width_y_mm: is given for a radial target, which has one width; allowed is only with "
+              "\"profile\": \"separable\"");
+    CHECK (errorWith ("targets.1.width_y_mm=20").find ("my.json: /targets/1/width_y_mm: is given for a radial") == 0);
+    CHECK (errorWith ("targets.0.profile=circular").find ("allowed is one of 'radial', 'separable'")
+           != std::string::npos);
     CHECK (errorWith ("modes.captured=0.9")
            == "my.json: /modes: has more than one of 'count', 'captured' and 'maximum_frequency_Hz', allowed is at "
               "most one of them");

@@ -1,8 +1,12 @@
+#include "Support/SinePlate.h"
+
 #include <antinode_focus/Projection.h>
+#include <antinode_focus/TargetField.h>
 #include <antinode_model/InputError.h>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -97,4 +101,68 @@ TEST_CASE ("A capture that cannot be reached is an error that says what can", "[
     const Eigen::VectorXd field = Eigen::VectorXd::Ones (101);
     CHECK_THROWS_WITH (selectModes (model, projectField (model, field), { {}, ModeOrder::energy, 0.999, {} }),
                        Catch::Contains ("all 3 modes together capture 0.9"));
+}
+
+namespace
+{
+/** How many modes a capture takes when every count is tried, in the order that selectModes gives. */
+ModeSelection firstThatCaptures (const ModalModel& model, const ProjectedTarget& target, double wanted)
+{
+    for (int count = 1; count <= static_cast<int> (model.modes()); ++count)
+    {
+        auto selection = selectModes (model, target, { count, ModeOrder::energy, {}, {} });
+
+        if (selection.captured >= wanted)
+            return selection;
+    }
+
+    return {};
+}
+} // namespace
+
+TEST_CASE ("The modes for a capture are those that trying every count gives", "[focus]")
+{
+    auto dependent = test::scatteredPlate (24, 60);
+    dependent.shapes.col (7) = 2 * dependent.shapes.col (3) - dependent.shapes.col (1);
+
+    for (const auto& model : { test::SinePlate().model (60), test::scatteredPlate (40, 300), dependent })
+    {
+        const auto target = projectField (
+            model, targetField (model.surface, { { TargetShape::gaussian, 0.07, 0.08, 0.035, 0.04, 1 } }, {}));
+
+        for (const auto wanted : { 0.2, 0.5, 0.8, 0.9, 0.92 })
+        {
+            INFO (model.surface.points.rows() << " points, captured " << wanted);
+            const auto expected = firstThatCaptures (model, target, wanted);
+            const auto selection = selectModes (model, target, { {}, ModeOrder::energy, wanted, {} });
+            CHECK (selection.modes == expected.modes);
+            CHECK (selection.captured == expected.captured);
+            CHECK (selection.truncated == expected.truncated);
+        }
+    }
+}
+
+TEST_CASE ("On a plate the modal velocities of a target are its Fourier coefficients", "[focus]")
+{
+    // A separable gaussian far from the edges: the integrals are those over the whole plane, product of
+    // sqrt (pi / c) exp (-k^2 / 4c) sin (k x_c) with c = 4 ln 2 / width^2. What is cut off at the edges is below exp (-40).
+    const test::SinePlate plate;
+    const auto model = plate.model (40);
+    const Target wanted { TargetShape::gaussian, 0.09, 0.08, 0.02, 0.04, 1, TargetProfile::separable, 0.016 };
+    const auto target = projectField (model, targetField (model.surface, { wanted }, {}));
+    const auto halves = plate.halfWaves (40);
+    const auto factor = [] (double wave, double centre, double width)
+    {
+        const auto c = 4 * std::numbers::ln2 / (width * width);
+        return std::sqrt (std::numbers::pi / c) * std::exp (-wave * wave / (4 * c)) * std::sin (wave * centre);
+    };
+
+    for (Eigen::Index mode = 0; mode < 40; ++mode)
+    {
+        const auto [m, n] = halves[static_cast<std::size_t> (mode)];
+        const auto expected = plate.massPerArea() * plate.amplitude() * 0.04
+                              * factor (m * std::numbers::pi / plate.lengthX, 0.09, 0.02)
+                              * factor (n * std::numbers::pi / plate.lengthY, 0.08, 0.016);
+        CHECK (target.modalVelocities[mode] == Approx (expected).margin (1e-9));
+    }
 }

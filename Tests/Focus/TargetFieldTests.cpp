@@ -1,3 +1,5 @@
+#include "Support/SinePlate.h"
+
 #include <antinode_focus/FocusScore.h>
 #include <antinode_focus/TargetField.h>
 
@@ -109,4 +111,95 @@ TEST_CASE ("Contrast compares the peak with what moves outside the spot", "[focu
     field[50] = 2;
     CHECK (fieldContrast (surface, field, { sincAt (0, 0.01, 1) }) == Approx (20));
     CHECK (fieldContrast (surface, field, { sincAt (0, 0.2, 1) }) == 0);
+}
+
+TEST_CASE ("A separable target is the product of its profiles in x and y, each with a width of its own", "[focus]")
+{
+    const auto surface = test::SinePlate().surface();
+    const Target target { TargetShape::sinc, 0.09, 0.06, 0.03, 0.04, -1, TargetProfile::separable, 0.02 };
+    const auto field = targetField (surface, { target }, {});
+    const Eigen::ArrayXd x = (surface.points.col (0).array() - 0.09) * 3.790988534 / 0.03;
+    const Eigen::ArrayXd y = (surface.points.col (1).array() - 0.06) * 3.790988534 / 0.02;
+    CHECK ((field.array() + 0.04 * (x.sin() / x) * (y.sin() / y)).abs().maxCoeff() < 1e-10);
+
+    auto square = target;
+    square.widthY.reset();
+    CHECK (targetField (surface, { square }, {})[0]
+           == Approx (-0.04 * std::sin (x[0]) / x[0] * std::sin (y[0] * 2 / 3) / (y[0] * 2 / 3)));
+}
+
+TEST_CASE ("A separable gaussian of one width is the radial one", "[focus]")
+{
+    const auto surface = test::SinePlate().surface();
+    Target target { TargetShape::gaussian, 0.09, 0.06, 0.03, 0.04, 1 };
+    const auto radial = targetField (surface, { target }, {});
+    target.profile = TargetProfile::separable;
+    CHECK ((targetField (surface, { target }, {}) - radial).cwiseAbs().maxCoeff() < 1e-16);
+}
+
+TEST_CASE ("On a line a separable target is a radial one", "[focus]")
+{
+    const auto surface = lineSurface (301, 0.15);
+    auto target = sincAt (0.02, 0.01, 0.04);
+    const auto radial = targetField (surface, { target }, {});
+    target.profile = TargetProfile::separable;
+    target.y = 0.1;
+    CHECK ((targetField (surface, { target }, {}) - radial).cwiseAbs().maxCoeff() == 0);
+}
+
+TEST_CASE ("Several foci on a plate add up with their phases", "[focus]")
+{
+    const auto surface = test::SinePlate().surface();
+    const Target one { TargetShape::sinc, 0.05, 0.05, 0.03, 0.04, 1 };
+    const Target other { TargetShape::bump, 0.15, 0.1, 0.04, 0.02, -1, TargetProfile::separable, 0.03 };
+    const Eigen::VectorXd sum = targetField (surface, { one }, {}) + targetField (surface, { other }, {});
+    CHECK ((targetField (surface, { one, other }, {}) - sum).cwiseAbs().maxCoeff() < 1e-16);
+}
+
+TEST_CASE ("The window tapers at held edges only", "[focus]")
+{
+    auto surface = test::SinePlate().surface();
+    surface.held = { true, false, false, true };
+    const std::vector<Target> targets { { TargetShape::sinc, 0.09, 0.06, 0.03, 0.04, 1 } };
+    const auto plain = targetField (surface, targets, {});
+    const auto windowed = targetField (surface, targets, 0.5);
+
+    for (Eigen::Index i = 0; i < plain.size(); ++i)
+    {
+        // Tapers of 50 mm at the left and of 37.5 mm at the top; in the middle of each the cosine is 1/2.
+        const auto x = surface.points (i, 0), fromTop = 0.15 - surface.points (i, 1);
+        const auto taper = [] (double distance, double length)
+        { return distance >= length ? 1.0 : std::pow (std::sin (0.5 * 3.141592653589793 * distance / length), 2); };
+        CHECK (windowed[i] == Approx (plain[i] * taper (x, 0.05) * taper (fromTop, 0.0375)).margin (1e-16));
+    }
+
+    auto line = lineSurface (301, 0.15);
+    line.held = { false, true, false, false };
+    const auto onLine = targetField (line, { sincAt (0.01, 0.05, 0.04) }, 0.4);
+    CHECK (onLine[0] == targetField (line, { sincAt (0.01, 0.05, 0.04) }, {})[0]);
+    CHECK (onLine[300] == Approx (0).margin (1e-17));
+}
+
+TEST_CASE ("Contrast on a plate weights by area and leaves out a spot as wide as the target in each direction",
+           "[focus]")
+{
+    // 1 on the left half outside the spot, 0 elsewhere, peak 3: the mean square is the share of the area, whatever the points.
+    const test::SinePlate plate { .segments = 20, .placesPerSegment = 6 };
+    const auto surface = plate.surface();
+    Eigen::VectorXd field = (surface.points.col (0).array() < 0.1).cast<double>();
+    const Target target { TargetShape::sinc, 0.15, 0.075, 0.02, 1, 1, TargetProfile::separable, 0.04 };
+    const auto spot = [&] (Eigen::Index i, double scale)
+    {
+        const auto dx = (surface.points (i, 0) - 0.15) / 0.02, dy = (surface.points (i, 1) - 0.075) / 0.04;
+        return dx * dx + dy * dy < scale * scale;
+    };
+
+    for (Eigen::Index i = 0; i < field.size(); ++i)
+        if (spot (i, 0.99))
+            field[i] = 3;
+
+    // Outside of the ellipse, half of the plate moves. The ellipse's edge crosses cells of some 2 mm: 1 % of its area.
+    const auto whole = 0.2 * 0.15, ellipse = 3.141592653589793 * 0.02 * 0.04;
+    CHECK (fieldContrast (surface, field, { target })
+           == Approx (3 / std::sqrt (0.5 * whole / (whole - ellipse))).epsilon (0.01));
 }

@@ -52,7 +52,8 @@ inline const std::vector<GoodFile>& goodFiles()
             "rigid_body_modes": 2 })" },
         { "focus", R"({ "schema": "antinode.focus/1", "name": "two places",
             "targets": [
-              { "shape": "sinc", "x_mm": -24, "y_mm": 3, "width_mm": 25, "peak_velocity_mm_s": 40, "phase": -1 },
+              { "shape": "sinc", "profile": "separable", "x_mm": -24, "y_mm": 3, "width_mm": 25, "width_y_mm": 15,
+                "peak_velocity_mm_s": 40, "phase": -1 },
               { "shape": "gaussian", "x_mm": 24, "width_mm": 18, "peak_velocity_mm_s": 20 } ],
             "focus_time_ms": 25, "modes": { "count": 6, "choose": "frequency" },
             "transients": { "drive": "paper", "growth": [10, 4], "cycles": [3, 5], "maximum_duration_ms": 20, "brake": 20 },

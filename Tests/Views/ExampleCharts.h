@@ -57,6 +57,37 @@ inline HeatMap map()
     chart.y = { 0, 120 };
     chart.rectangles = { { 10, 60, 15, 40, "C1" } };
     chart.points = { { 120, 70, "focus" } };
+    chart.contours = { { -0.5, 0.5 }, 1e-4 };
+    return chart;
+}
+
+inline HeatMap table()
+{
+    HeatMap chart;
+    chart.title = "Participation";
+    chart.values = waves (2, 3);
+    chart.columnNames = { "1", "2", "3" };
+    chart.rowNames = { "C1", "C2" };
+    return chart;
+}
+
+inline HeatMap bareMap()
+{
+    auto chart = map();
+    chart.isBare = true;
+    return chart;
+}
+
+inline PlanView plan()
+{
+    PlanView chart;
+    chart.title = "Device";
+    chart.xLabel = "x (mm)";
+    chart.yLabel = "y (mm)";
+    chart.x = { 0, 200 };
+    chart.y = { 0, 120 };
+    chart.rectangles = { { 10, 60, 15, 40, "C1" } };
+    chart.points = { { 120, 70, "focus" } };
     return chart;
 }
 
@@ -86,7 +117,7 @@ inline ChartGrid grid()
 
 inline std::vector<Chart> everyKind()
 {
-    return { lines(), bars(), map(), traces(), grid() };
+    return { lines(), bars(), map(), table(), bareMap(), traces(), plan(), grid() };
 }
 
 inline juce::Image decoded (const std::string& png)

@@ -36,7 +36,7 @@ TEST_CASE ("A single sample of 20 000 shows in the picture")
 TEST_CASE ("Empty charts of every kind say that there is no data")
 {
     for (const auto& chart :
-         std::vector<Chart> { LineChart {}, BarChart {}, HeatMap {}, StackedTraces {}, ChartGrid {} })
+         std::vector<Chart> { LineChart {}, BarChart {}, HeatMap {}, StackedTraces {}, PlanView {}, ChartGrid {} })
         CHECK (pixelsUnlike (decoded (pngOf (chart)), Theme::light().background) > 50);
     LineChart nothing;
     nothing.series = { { "nothing", Eigen::VectorXd::Constant (5, notANumber),
@@ -73,11 +73,16 @@ TEST_CASE ("Values that are not finite, huge or tiny are drawn as gaps or bounde
         heat.x = { any(), any() };
         heat.points = { { any(), any(), "f" } };
         heat.rectangles = { { any(), any(), any(), any(), "g" } };
+        heat.contours = { { any() }, any() };
+        auto seen = plan();
+        seen.y = { any(), any() };
+        seen.points = heat.points;
+        seen.rectangles = heat.rectangles;
         auto stack = traces();
         stack.values = Eigen::MatrixXd::NullaryExpr (2, 2500, any);
         stack.limits = Eigen::Vector2d (any(), any());
         stack.step = any();
-        for (const auto& chart : std::vector<Chart> { line, bar, heat, stack })
+        for (const auto& chart : std::vector<Chart> { line, bar, heat, seen, stack })
             CHECK (decoded (renderPng (chart, 160, 100, 1, Theme::dark())).isValid());
     }
 }
@@ -87,7 +92,7 @@ TEST_CASE ("Charts too small for their labels and names in any script are drawn"
     auto stack = traces();
     stack.names = { std::string ("\xff\xfe broken \xe2\x82"),
                     "\u6771\u4EAC \u0645\u0631\u062D\u0628\u0627 \U0001F600" };
-    for (const auto& chart : std::vector<Chart> { lines(), bars(), map(), stack, grid() })
+    for (const auto& chart : std::vector<Chart> { lines(), bars(), map(), table(), bareMap(), plan(), stack, grid() })
         CHECK (decoded (renderPng (chart, 16, 16, 1, Theme::light())).getWidth() == 16);
     CHECK (decoded (pngOf (stack)).isValid());
 }
@@ -97,6 +102,9 @@ TEST_CASE ("Parts of a chart that do not belong together, and impossible sizes, 
     auto line = lines();
     line.series[0].y.conservativeResize (3);
     CHECK_THROWS_AS (pngOf (line), InputError);
+    auto cells = table();
+    cells.rowNames.pop_back();
+    CHECK_THROWS_AS (pngOf (cells), InputError);
     auto bar = bars();
     bar.categories.pop_back();
     CHECK_THROWS_AS (pngOf (bar), InputError);

@@ -91,3 +91,35 @@ TEST_CASE ("A map shows large values in other colours than small ones, the first
     CHECK (image.getPixelAt (150, 40) == map.at (1));
     CHECK (image.getPixelAt (150, 250) == map.at (0));
 }
+
+TEST_CASE ("The cells of a table have one colour each, a map runs from one to the next")
+{
+    HeatMap chart;
+    chart.values = (Eigen::MatrixXd (1, 2) << 0, 1).finished();
+    const auto shades = [&]
+    {
+        const auto image = decoded (pngOf (chart));
+        std::vector<juce::uint32> colours;
+        for (int x = 100; x < 300; ++x)
+            colours.push_back (image.getPixelAt (x, 100).getARGB());
+        std::sort (colours.begin(), colours.end());
+        return std::unique (colours.begin(), colours.end()) - colours.begin();
+    };
+    CHECK (shades() > 50);
+    chart.columnNames = { "one", "other" };
+    CHECK (shades() == 2);
+}
+
+TEST_CASE ("Contours, and nodal lines where something moves, leave lines on a map")
+{
+    auto chart = map();
+    chart.contours = {};
+    const auto plain = pngOf (chart);
+    chart.contours.nodalLinesFrom = 2;
+    CHECK (pngOf (chart) == plain);
+    chart.contours.nodalLinesFrom = 0.5;
+    const auto nodal = pngOf (chart);
+    CHECK (nodal != plain);
+    chart.contours.levels = { 0.5 };
+    CHECK (pngOf (chart) != nodal);
+}

@@ -1,0 +1,72 @@
+#include "FieldSampling.h"
+
+#include <antinode_model/ShapeInterpolation.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+constexpr int mostScatteredCells = 64;
+
+/** The middles of equal cells. */
+Eigen::VectorXd middles (double minimum, double maximum, Eigen::Index cells)
+{
+    const auto half = 0.5 * (maximum - minimum) / static_cast<double> (cells);
+    return Eigen::VectorXd::LinSpaced (cells, minimum + half, maximum - half);
+}
+
+std::vector<Eigen::MatrixXd> mapsOfGrid (const PlateGrid& grid, const Eigen::MatrixXd& fields, const Eigen::VectorXd& x,
+                                         const Eigen::VectorXd& y)
+{
+    const auto rowsX = interpolationRows (grid.x, x), rowsY = interpolationRows (grid.y, y);
+    std::vector<Eigen::MatrixXd> maps;
+
+    for (const auto& field : fields.colwise())
+    {
+        const Eigen::VectorXd values = field;
+        const Eigen::Map<const Eigen::MatrixXd> onGrid (values.data(), rowsX.cols(), rowsY.cols());
+        maps.emplace_back (rowsY * (rowsX * onGrid).transpose());
+    }
+
+    return maps;
+}
+} // namespace
+
+Eigen::MatrixXd fieldsAt (const Surface& surface, const Eigen::MatrixXd& fields, const Eigen::MatrixX2d& places)
+{
+    Eigen::MatrixXd values (places.rows(), fields.cols());
+
+    for (Eigen::Index i = 0; i < places.rows(); ++i)
+        values.row (i) = surface.grid ? interpolateOnGrid (*surface.grid, fields, places (i, 0), places (i, 1))
+                                      : interpolateInPlane (surface.points, fields, places (i, 0), places (i, 1));
+
+    return values;
+}
+
+std::vector<Eigen::MatrixXd> fieldMaps (const Surface& surface, const Eigen::MatrixXd& fields, int mostCells)
+{
+    const auto width = surface.xMaximum - surface.xMinimum, height = surface.yMaximum - surface.yMinimum;
+    const auto cells = surface.grid ? mostCells : std::min (mostCells, mostScatteredCells);
+    const auto along = [&] (double length)
+    { return std::max<Eigen::Index> (1, std::lround (cells * length / std::max (width, height))); };
+    const auto x = middles (surface.xMinimum, surface.xMaximum, along (width));
+    const auto y = middles (surface.yMinimum, surface.yMaximum, along (height));
+
+    if (surface.grid)
+        return mapsOfGrid (*surface.grid, fields, x, y);
+
+    Eigen::MatrixX2d places (x.size() * y.size(), 2);
+    places.col (0) = x.replicate (y.size(), 1);
+    places.col (1) = y.transpose().replicate (x.size(), 1).reshaped();
+    const auto values = fieldsAt (surface, fields, places);
+    std::vector<Eigen::MatrixXd> maps;
+
+    for (const auto& map : values.colwise())
+        maps.emplace_back (map.reshaped (x.size(), y.size()).transpose());
+
+    return maps;
+}
+} // namespace antinode

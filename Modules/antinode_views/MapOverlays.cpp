@@ -1,0 +1,141 @@
+#include "MapOverlays.h"
+
+#include "Contours.h"
+#include "Curve.h"
+#include "Lettering.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+constexpr auto crossArm = 7.0f;
+
+// Lines and labels over a map stand on a halo of the page's colour: legible on every colour.
+void drawWithHalo (juce::Graphics& g, const CurvePiece& line, float width, const Theme& theme)
+{
+    drawCurve (g, line, { theme.background.withAlpha (0.7f), width + 2, LineStyle::solid });
+    drawCurve (g, line, { theme.text, width, LineStyle::solid });
+}
+
+juce::Rectangle<float> tagAt (const std::string& label, juce::Point<float> centre, const Theme& theme)
+{
+    const auto width = textWidth (label, { theme.tickHeight, false, {} }) + 6;
+    return juce::Rectangle<float> (width, theme.tickHeight + 1).withCentre (centre);
+}
+
+void drawTag (juce::Graphics& g, const std::string& label, juce::Point<float> centre, const Theme& theme)
+{
+    if (label.empty())
+        return;
+    const TextStyle style { theme.tickHeight, false, theme.text };
+    const auto tag = tagAt (label, centre, theme);
+    g.setColour (theme.background.withAlpha (0.75f));
+    g.fillRoundedRectangle (tag, 3);
+    drawText (g, label, tag, juce::Justification::centred, style);
+}
+
+// Its name stands where it fits and hides no point.
+void drawRectangle (juce::Graphics& g, const PlotFrame& frame, const MapRectangle& rectangle,
+                    const std::vector<MapPoint>& points, const Theme& theme)
+{
+    const auto one = frame.at (rectangle.xMinimum, rectangle.yMinimum);
+    const auto other = frame.at (rectangle.xMaximum, rectangle.yMaximum);
+    if (! one.isFinite() || ! other.isFinite())
+        return;
+    drawWithHalo (g, { one, { other.x, one.y }, other, { one.x, other.y }, one }, 0.6f * theme.lineWidth, theme);
+    const auto tag = tagAt (rectangle.label, (one + other) / 2.0f, theme);
+    const auto fits = tag.getWidth() <= std::abs (other.x - one.x) && tag.getHeight() <= std::abs (other.y - one.y);
+    const auto hidesPoint = std::any_of (points.begin(), points.end(),
+                                         [&] (const auto& point)
+                                         { return tag.expanded (crossArm).contains (frame.at (point.x, point.y)); });
+    if (fits && ! hidesPoint)
+        drawTag (g, rectangle.label, (one + other) / 2.0f, theme);
+}
+
+void drawPoint (juce::Graphics& g, const PlotFrame& frame, const MapPoint& point, const Theme& theme)
+{
+    constexpr auto arm = crossArm;
+    const auto centre = frame.at (point.x, point.y);
+    if (! centre.isFinite())
+        return;
+    drawWithHalo (g, { centre.translated (-arm, 0), centre.translated (arm, 0) }, 1.3f, theme);
+    drawWithHalo (g, { centre.translated (0, -arm), centre.translated (0, arm) }, 1.3f, theme);
+    const auto width = textWidth (point.label, { theme.tickHeight, false, {} });
+    const auto side = centre.x + arm + width + 10 < frame.plot.getRight() ? 1.0f : -1.0f;
+    drawTag (g, point.label, centre.translated (side * (arm + 5 + width / 2), -arm), theme);
+}
+
+// With its outer values repeated, so that lines go on to the edge of the map: half a cell beyond the outer values.
+Eigen::MatrixXd withRim (const Eigen::MatrixXd& values)
+{
+    const auto repeated = [] (Eigen::Index count)
+    {
+        Eigen::VectorXi indices = Eigen::VectorXi::LinSpaced (count + 2, -1, static_cast<int> (count));
+        return indices.cwiseMax (0).cwiseMin (static_cast<int> (count) - 1).eval();
+    };
+    return values (repeated (values.rows()), repeated (values.cols()));
+}
+
+// Where hardly anything moves the sign is chance: values that neither reach the bound nor lie beside one that does are left out.
+Eigen::MatrixXd withoutStill (const Eigen::MatrixXd& values, double bound)
+{
+    Eigen::MatrixXd kept = Eigen::MatrixXd::Constant (values.rows(), values.cols(), std::nan (""));
+    for (Eigen::Index column = 0; column < values.cols(); ++column)
+        for (Eigen::Index row = 0; row < values.rows(); ++row)
+        {
+            const auto firstRow = std::max<Eigen::Index> (row - 1, 0),
+                       firstColumn = std::max<Eigen::Index> (column - 1, 0);
+            const auto around = values.block (firstRow, firstColumn, std::min (row + 2, values.rows()) - firstRow,
+                                              std::min (column + 2, values.cols()) - firstColumn);
+            if (around.cwiseAbs().maxCoeff() >= bound)
+                kept (row, column) = values (row, column);
+        }
+    return kept;
+}
+
+double placeInRange (double index, Eigen::Index count, AxisRange range)
+{
+    const auto share = std::clamp ((index - 0.5) / static_cast<double> (count), 0.0, 1.0);
+    return range.minimum + share * (range.maximum - range.minimum);
+}
+
+void drawLevel (juce::Graphics& g, const PlotFrame& frame, const Eigen::MatrixXd& rimmed, double level,
+                const CurveStyle& style)
+{
+    for (const auto& line : contourLines (rimmed, level))
+    {
+        CurvePiece piece;
+        piece.reserve (line.size());
+        for (const auto& place : line)
+            piece.push_back (frame.at (placeInRange (place.x(), rimmed.cols() - 2, frame.x.range),
+                                       placeInRange (place.y(), rimmed.rows() - 2, frame.y.range)));
+        drawCurve (g, piece, style);
+    }
+}
+} // namespace
+
+void drawContours (juce::Graphics& g, const PlotFrame& frame, const HeatMap& chart, const Theme& theme)
+{
+    const auto& contours = chart.contours;
+    if (chart.values.size() == 0 || (contours.levels.empty() && ! contours.nodalLinesFrom))
+        return;
+    const auto rimmed = withRim (chart.values);
+    if (contours.nodalLinesFrom)
+        drawLevel (g, frame, withoutStill (rimmed, *contours.nodalLinesFrom), 0,
+                   { theme.text.withAlpha (0.5f), 0.5f * theme.lineWidth, LineStyle::solid });
+    for (const auto level : contours.levels)
+        drawLevel (g, frame, rimmed, level, { theme.text.withAlpha (0.9f), 0.75f * theme.lineWidth, LineStyle::solid });
+}
+
+void drawPlaces (juce::Graphics& g, const PlotFrame& frame, const std::vector<MapRectangle>& rectangles,
+                 const std::vector<MapPoint>& points, const Theme& theme)
+{
+    for (const auto& rectangle : rectangles)
+        drawRectangle (g, frame, rectangle, points, theme);
+    for (const auto& point : points)
+        drawPoint (g, frame, point, theme);
+}
+} // namespace antinode

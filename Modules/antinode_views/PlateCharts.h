@@ -1,0 +1,44 @@
+#pragma once
+
+#include "Chart.h"
+
+#include <antinode_focus/FocusDesign.h>
+#include <antinode_model/ModalModel.h>
+
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** A velocity field over a plate: ceramics outlined, a cross on every focus, contours at plus and minus half of the peak, nodal
+    lines thin.
+    @param field  N_p values, m/s
+    @param label  what the colours stand for; the unit mm/s is added
+    [worker] */
+HeatMap plateFieldChart (const ModalModel&, const Eigen::VectorXd& field, const std::string& label,
+                         const std::vector<Target>&);
+
+/** The wanted, the truncated and the reached field of a plate in the same colours, and the difference of reached and wanted in its
+    own: two by two.
+    @param reached  N_p values, m/s
+    [worker] */
+ChartGrid plateFieldsChart (const ModalModel&, const FocusDesign&, const Eigen::VectorXd& reached);
+
+/** A direction along a side of a plate. */
+enum class PlateDirection
+{
+    alongX,
+    alongY
+};
+
+/** A cross section of a plate through its first focus: wanted, truncated, reached, with the ceramics that it passes.
+    @param reached  N_p values, m/s
+    [worker] */
+LineChart crossSectionChart (const ModalModel&, const FocusDesign&, const Eigen::VectorXd& reached, PlateDirection);
+
+/** The ceramics of a plate in mm, with their names. [any] */
+std::vector<MapRectangle> ceramicRectangles (const ModalModel&);
+
+/** The height at which maps of a plate, in so many columns and rows, fill a picture of this width with their axes. [any] */
+int plateFigureHeight (const Surface&, int width, int columns, int rows);
+} // namespace antinode

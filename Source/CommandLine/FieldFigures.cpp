@@ -1,0 +1,78 @@
+#include "FieldFigures.h"
+
+#include <antinode_focus/DesignRemarks.h>
+#include <antinode_views/FocusCharts.h>
+#include <antinode_views/PlateCharts.h>
+
+namespace antinode
+{
+namespace
+{
+constexpr double shownAroundFocus = 0.0015; // s
+constexpr int figureWidth = 900;            // pixels
+
+std::string millimetres (double length)
+{
+    return inWords (length * 1000) + " mm";
+}
+
+std::vector<ReportFigure> lineFigures (const RenderedFocus& focus)
+{
+    const auto& design = focus.design;
+    return {
+        { "Velocity at the focus: wanted, carried by the controlled modes, and reached. Ceramics are shaded.",
+          {},
+          fieldChart (focus.model, design.target.field, design.truncatedField, focus.reachedField),
+          figureWidth,
+          400 },
+        { "Velocity around the focus over place and time.",
+          {},
+          fieldOverTimeChart (focus.model, design, focus.render, shownAroundFocus),
+          figureWidth,
+          400 },
+    };
+}
+
+std::vector<ReportFigure> plateFigures (const RenderedFocus& focus)
+{
+    const auto& design = focus.design;
+    const auto& model = focus.model;
+    const auto& targets = design.description.targets;
+    const auto x = millimetres (targets.front().x), y = millimetres (targets.front().y);
+    return {
+        { "Velocity reached at the focus. Crosses mark the focuses, bold lines half of the peak, thin lines where the "
+          "plate stands still; ceramics are outlined.",
+          {},
+          plateFieldChart (model, focus.reachedField, "velocity", targets),
+          figureWidth,
+          plateFigureHeight (model.surface, figureWidth, 1, 1) },
+        { "The wanted field, what the controlled modes carry of it, and what was reached, in the same colours; the "
+          "difference has colours of its own.",
+          {},
+          plateFieldsChart (model, design, focus.reachedField),
+          figureWidth,
+          plateFigureHeight (model.surface, figureWidth, 2, 2) },
+        { "Cross section along x through the focus, at y = " + y + ". Ceramics under it are shaded.",
+          {},
+          crossSectionChart (model, design, focus.reachedField, PlateDirection::alongX),
+          figureWidth,
+          360 },
+        { "Cross section along y through the focus, at x = " + x + ".",
+          {},
+          crossSectionChart (model, design, focus.reachedField, PlateDirection::alongY),
+          figureWidth,
+          360 },
+        { "Velocity around the focus over time, along x at y = " + y + ".",
+          {},
+          fieldOverTimeChart (model, design, focus.render, shownAroundFocus),
+          figureWidth,
+          400 },
+    };
+}
+} // namespace
+
+std::vector<ReportFigure> fieldFigures (const RenderedFocus& focus)
+{
+    return focus.model.surface.kind == SurfaceKind::plate ? plateFigures (focus) : lineFigures (focus);
+}
+} // namespace antinode

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "RenderedFocus.h"
+
+#include <antinode_views/Report.h>
+
+namespace antinode
+{
+/** Pictures of the field at the focus and around it: curves of a line; maps and cross sections of a plate. [worker] */
+std::vector<ReportFigure> fieldFigures (const RenderedFocus&);
+} // namespace antinode
