@@ -58,7 +58,7 @@ void requireCeramic (const std::string& place, const CeramicDescription& ceramic
     requirePositive (place, "width", ceramic.sizeY);
 
     if (! std::isfinite (ceramic.material.d31))
-        throw InputError (place, "d31 is not a finite number");
+        throw InputError (place, "d31 is " + text (ceramic.material.d31) + ", allowed are finite numbers");
 
     if (ceramic.polarity != 1 && ceramic.polarity != -1)
         throw InputError (place, "polarity is " + std::to_string (ceramic.polarity) + ", allowed are 1 and -1");

@@ -25,37 +25,65 @@ class Search
 {
 public:
     Search (const PlacementProblem& problemToUse, const std::function<void (double)>& progressToUse)
-        : problem (problemToUse), progress (progressToUse),
-          sum (Eigen::MatrixXd::Zero (problem.kernel.rows(), problem.kernel.cols()))
+        : problem (problemToUse), progress (progressToUse)
     {
     }
 
+    /** The best of several runs, each of which begins with another candidate. */
     Placement run()
     {
-        Placement placement;
+        Placement best;
+        std::vector<Eigen::Index> begun;
+
+        for (start = 0; start < starts; ++start)
+        {
+            sum = Eigen::MatrixXd::Zero (problem.kernel.rows(), problem.kernel.cols());
+            const auto first = bestBeside (begun, -1, true);
+
+            if (first.index < 0)
+                break;
+
+            begun.push_back (first.index);
+            auto placement = greedyFrom (first);
+            exchange (placement);
+
+            if (best.chosen.empty() || placement.controllability > best.controllability)
+                best = placement;
+
+            report (start + 1);
+        }
+
+        std::sort (best.chosen.begin(), best.chosen.end());
+        return best;
+    }
+
+private:
+    static constexpr int starts = 6;
+
+    Placement greedyFrom (const Candidate& first)
+    {
+        Placement placement { { first.index }, first.value, 0 };
+        add (first.index, 1);
 
         while (static_cast<Eigen::Index> (placement.chosen.size()) < problem.count)
         {
-            const auto best = bestBeside (placement.chosen, -1);
+            const auto next = bestBeside (placement.chosen, -1);
 
-            if (best.index < 0)
+            if (next.index < 0)
                 throw InputError ("--count", "is " + std::to_string (problem.count) + ", but beside "
                                                  + std::to_string (placement.chosen.size())
                                                  + " ceramics there is no room for another: allowed are fewer, or "
                                                    "smaller ones");
 
-            placement.chosen.push_back (best.index);
-            placement.controllability = best.value;
-            add (best.index, 1);
-            report (placement.chosen.size());
+            placement.chosen.push_back (next.index);
+            placement.controllability = next.value;
+            add (next.index, 1);
+            report (start + 0.5 * static_cast<double> (placement.chosen.size()) / static_cast<double> (problem.count));
         }
 
-        exchange (placement);
-        std::sort (placement.chosen.begin(), placement.chosen.end());
         return placement;
     }
 
-private:
     void exchange (Placement& placement)
     {
         constexpr int mostRounds = 20;
@@ -82,7 +110,6 @@ private:
                 }
 
                 add (place, 1);
-                report (placement.chosen.size());
             }
         }
     }
@@ -101,7 +128,7 @@ private:
     }
 
     /** The best candidate that may stand beside the others, or none where none exceeds a value. */
-    Candidate bestBeside (const std::vector<Eigen::Index>& others, double toExceed)
+    Candidate bestBeside (const std::vector<Eigen::Index>& others, double toExceed, bool mayOverlap = false) const
     {
         const auto threads = std::max (1U, std::thread::hardware_concurrency());
         std::vector<Candidate> best (threads);
@@ -109,7 +136,8 @@ private:
 
         for (unsigned thread = 0; thread < threads; ++thread)
             workers.emplace_back (
-                [&, thread] { best[thread] = bestOfShare (others, toExceed, thread, static_cast<int> (threads)); });
+                [&, thread]
+                { best[thread] = bestOfShare (others, toExceed, mayOverlap, thread, static_cast<int> (threads)); });
 
         for (auto& worker : workers)
             worker.join();
@@ -119,15 +147,17 @@ private:
                                   { return a.value != b.value ? a.value < b.value : a.index > b.index; });
     }
 
-    Candidate bestOfShare (const std::vector<Eigen::Index>& others, double toExceed, Eigen::Index first, int step) const
+    Candidate bestOfShare (const std::vector<Eigen::Index>& others, double toExceed, bool mayOverlap,
+                           Eigen::Index first, int step) const
     {
         Candidate best { -1, toExceed };
 
         for (auto candidate = first; candidate < problem.participation.cols(); candidate += step)
         {
-            const auto isFree = std::none_of (others.begin(), others.end(),
-                                              [&] (Eigen::Index other)
-                                              { return other == candidate || problem.exclude (other, candidate); });
+            const auto isFree =
+                std::none_of (others.begin(), others.end(),
+                              [&] (Eigen::Index other)
+                              { return other == candidate || (! mayOverlap && problem.exclude (other, candidate)); });
 
             if (isFree)
                 consider (best, candidate);
@@ -157,20 +187,16 @@ private:
             best = { candidate, value };
     }
 
-    void report (std::size_t chosen)
+    void report (double startsDone) const
     {
-        // How many rounds there will be is not known: every step comes a little nearer to the end.
-        ++steps;
-        const auto expected = 4.0 * static_cast<double> (problem.count);
-
-        if (progress && chosen > 0)
-            progress (steps / (steps + expected) * 1.25 < 1 ? steps / (steps + expected) * 1.25 : 0.99);
+        if (progress)
+            progress (startsDone / starts);
     }
 
     const PlacementProblem& problem;
     const std::function<void (double)>& progress;
     Eigen::MatrixXd sum;
-    double steps = 0;
+    int start = 0;
 };
 } // namespace
 

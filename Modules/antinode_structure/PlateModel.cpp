@@ -3,10 +3,13 @@
 #include "DenseKernels.h"
 #include "DescribedModel.h"
 #include "DescriptionChecks.h"
+#include "ElementChain.h"
 #include "PlateWaves.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 namespace antinode
 {
@@ -136,6 +139,24 @@ Eigen::MatrixXd participationOf (const PlateDescription& plate, const PlateSolut
     return participation;
 }
 
+/** Where ceramics lie out of line the splines have to be coarse. */
+void warnOfErrors (ModalModel& model)
+{
+    constexpr double tolerable = 5e-3;
+    const auto largest = model.frequencyErrors.maxCoeff();
+
+    if (largest <= tolerable)
+        return;
+
+    std::array<char, 200> text {};
+    std::snprintf (
+        text.data(), text.size(),
+        "Frequencies are estimated to be up to %.1f %% too high: fewer modes, or ceramics whose edges lie in "
+        "line, can be solved more finely.",
+        100 * largest);
+    model.warnings.emplace_back (text.data());
+}
+
 bool isHeld (EdgeCondition condition)
 {
     return condition == EdgeCondition::clamped || condition == EdgeCondition::simplySupported;
@@ -175,7 +196,12 @@ ModalModel modelOf (const PlateDescription& plate, const PlateSolution& solution
     model.rigidBodyModes = solution.rigidBodyModes;
     model.unknowns = static_cast<int> (solution.problem.unknowns());
     model.warnings = thicknessWarnings (plate, solution.angularFrequencies);
+    warnOfErrors (model);
     model.participation = participationOf (plate, solution);
+
+    if (! model.participation.allFinite())
+        throwNumbersTooFarApart();
+
     model.shapes = shapesOn (grid, solution.problem, layout.unit, solution.coefficients);
     settleEqualFrequencies (model);
     settleSigns (model);

@@ -43,7 +43,7 @@ PlateProblem plateProblem (const PlateDescription&, const PlateLayout&, const Pl
 /** The same on given axes, in units of the longer side. [worker] */
 PlateProblem plateProblem (const PlateDescription&, const PlateLayout&, const SplineAxis& x, const SplineAxis& y);
 
-/** How many unknowns it would have. [worker] */
+/** How many unknowns it would have, the largest number where they cannot be counted. [worker] */
 Eigen::Index expectedUnknowns (const PlateDescription&, const PlateLayout&, const PlateResolution&);
 
 /** The mass operator between the splines of two problems of one plate with the same breaks: integral m u v, u of `rows` and v of

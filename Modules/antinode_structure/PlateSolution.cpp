@@ -51,6 +51,7 @@ PlateProblem affordableProblem (const PlateDescription& plate, const PlateLayout
     constexpr Eigen::Index comfortable = 25000, most = 70000; // unknowns
     const auto wavelength = 2 * std::numbers::pi / (waveNumber * layout.unit);
     const std::array resolutions { PlateResolution { 5, 0.4 * wavelength, 2, 0.25 },
+                                   PlateResolution { 5, 0.4 * wavelength, 1, 0.2 },
                                    PlateResolution { 4, 0.3 * wavelength, 1, 0.25 },
                                    PlateResolution { 3, 0.25 * wavelength, 0, 0.25 } };
 
@@ -70,12 +71,13 @@ PlateProblem affordableProblem (const PlateDescription& plate, const PlateLayout
 int modesBelow (const PlateDescription& plate, const PlateLayout& layout, double frequency)
 {
     const auto angularFrequency = 2 * std::numbers::pi * frequency;
-    const auto waveNumber = std::max (waveNumberAt (plate, angularFrequency), expectedWaveNumber (plate, 2));
+    const auto lowest = angularFrequencyAt (plate, expectedWaveNumber (plate, 2));
+    const auto waveNumber = largestWaveNumberAt (plate, std::max (angularFrequency, lowest));
     const auto tooMany = "maximum frequency is " + std::to_string (frequency)
                          + " Hz, allowed are positive ones with up to " + std::to_string (maximumModeCount)
                          + " modes below";
 
-    if (! (waveNumber <= 2 * expectedWaveNumber (plate, maximumModeCount)))
+    if (! (waveNumberAt (plate, angularFrequency) <= 2 * expectedWaveNumber (plate, maximumModeCount)))
         throw InputError ("device", tooMany);
 
     const auto problem = affordableProblem (plate, layout, waveNumber);
@@ -218,7 +220,7 @@ PlateSolution solutionFor (const PlateDescription& plate, const PlateLayout& lay
              angularFrequencies,
              pairs.vectors / massScale,
              errors,
-             waveNumberAt (plate, angularFrequencies[count - 1]) };
+             largestWaveNumberAt (plate, angularFrequencies[count - 1]) };
 }
 } // namespace
 
@@ -228,7 +230,8 @@ PlateSolution solvePlateModes (const PlateDescription& plate, std::optional<int>
     const auto layout = layoutOf (plate);
     const auto count = wantedCount (plate, layout, modeCount);
     constexpr int resolvedModes = 60; // At least: then few modes are right to many digits, and still cost little.
-    auto waveNumber = expectedWaveNumber (plate, std::max (count, resolvedModes));
+    const auto expected = expectedWaveNumber (plate, std::max (count, resolvedModes));
+    auto waveNumber = largestWaveNumberAt (plate, angularFrequencyAt (plate, expected));
 
     for (;;)
     {

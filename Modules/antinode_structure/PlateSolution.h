@@ -15,7 +15,7 @@ struct PlateSolution
     Eigen::VectorXd angularFrequencies; ///< Of the flexible modes, rad/s, ascending.
     Eigen::MatrixXd coefficients;       ///< Unknowns x flexible modes, mass-normalised in SI: kg^-1/2.
     Eigen::VectorXd frequencyErrors;    ///< Estimated from splines of one degree less, relative.
-    double waveNumber = 0;              ///< Of the bare plate at the highest mode, rad/m.
+    double waveNumber = 0;              ///< Of the shortest waves anywhere at the highest mode, rad/m.
 };
 
 /** Solves for so many flexible modes, for those that the description asks for, or for 100.

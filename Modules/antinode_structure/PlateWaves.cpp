@@ -19,6 +19,11 @@ double softerStiffness (const PlateSection& section)
     return std::min (section.d11, section.d22);
 }
 
+double waveNumberOf (const PlateSection& section, double angularFrequency)
+{
+    return std::sqrt (angularFrequency * std::sqrt (section.massPerArea / softerStiffness (section)));
+}
+
 /** What an edge takes from the area's share of modes, in units of the edge's length times k / (4 pi). */
 double edgeTerm (EdgeCondition condition)
 {
@@ -70,9 +75,7 @@ double largestExcess (const PlateDescription& plate, double angularFrequency)
 
     for (const auto& ceramic : common.ceramics)
     {
-        const auto section = ceramicSection (common, ceramic);
-        const auto waveNumber =
-            std::sqrt (angularFrequency * std::sqrt (section.massPerArea / softerStiffness (section)));
+        const auto waveNumber = waveNumberOf (ceramicSection (common, ceramic), angularFrequency);
         const auto sides = ceramic.mounting == CeramicMounting::bothSides ? 2 : 1;
         largest = std::max (largest, excess (waveNumber, common.thickness + sides * ceramic.thickness, poissonRatio));
     }
@@ -83,8 +86,17 @@ double largestExcess (const PlateDescription& plate, double angularFrequency)
 
 double waveNumberAt (const PlateDescription& plate, double angularFrequency)
 {
-    const auto section = bareSection (plate.common);
-    return std::sqrt (angularFrequency * std::sqrt (section.massPerArea / softerStiffness (section)));
+    return waveNumberOf (bareSection (plate.common), angularFrequency);
+}
+
+double largestWaveNumberAt (const PlateDescription& plate, double angularFrequency)
+{
+    auto largest = waveNumberAt (plate, angularFrequency);
+
+    for (const auto& ceramic : plate.common.ceramics)
+        largest = std::max (largest, waveNumberOf (ceramicSection (plate.common, ceramic), angularFrequency));
+
+    return largest;
 }
 
 double angularFrequencyAt (const PlateDescription& plate, double waveNumber)

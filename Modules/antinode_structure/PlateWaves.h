@@ -10,7 +10,10 @@ namespace antinode
 /** The wave number of bending waves on the bare plate, rad/m; of an orthotropic one along its softer direction. [any] */
 double waveNumberAt (const PlateDescription&, double angularFrequency);
 
-/** The reverse of it, rad/s. [any] */
+/** That of the shortest waves anywhere: of the bare plate, or of a ceramic that is heavier than it is stiff, rad/m. [any] */
+double largestWaveNumberAt (const PlateDescription&, double angularFrequency);
+
+/** The reverse of waveNumberAt, rad/s. [any] */
 double angularFrequencyAt (const PlateDescription&, double waveNumber);
 
 /** A wave number, rad/m, that so many modes hardly exceed: Weyl's law with its term for the edges, and for narrow plates the

@@ -54,6 +54,7 @@ nlohmann::ordered_json modesJson (const ModalModel& model, const std::string& ki
              { "modes", modes },
              { "rigid_body_modes", model.rigidBodyModes },
              { "unknowns", model.unknowns },
+             { "warnings", model.warnings },
              { "time_ms", milliseconds } };
 }
 
@@ -72,6 +73,9 @@ void printTable (const ModalModel& model)
                      0.5 / model.dampingRatios[k], error, largest,
                      model.actuators() > 0 ? model.ceramics[static_cast<std::size_t> (best)].name.c_str() : "none");
     }
+
+    for (const auto& warning : model.warnings)
+        std::printf ("%s\n", warning.c_str());
 }
 
 void writeReport (const std::string& target, const ModalModel& model)

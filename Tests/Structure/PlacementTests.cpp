@@ -1,0 +1,165 @@
+#include "PlateExamples.h"
+
+#include <antinode_model/InputError.h>
+#include <antinode_structure/Controllability.h>
+#include <antinode_structure/Placing.h>
+
+#include <random>
+
+using namespace antinode;
+using namespace antinode::examples;
+
+namespace
+{
+DeviceDescription deviceOf (const PlateDescription& plate)
+{
+    return { "plate", "", plate };
+}
+
+PlacingOptions optionsFor (Eigen::Index count, int modes, double step)
+{
+    PlacingOptions options;
+    options.count = count;
+    options.grid = { step, {}, modes };
+    return options;
+}
+
+Eigen::MatrixXd randomMatrix (Eigen::Index rows, Eigen::Index columns)
+{
+    std::mt19937 random (5);
+    return Eigen::MatrixXd::NullaryExpr (rows, columns,
+                                         [&] { return static_cast<double> (random()) / 2147483648.0 - 1; });
+}
+} // namespace
+
+TEST_CASE ("The kernel of terminal velocities against quadrature", "[structure][placement]")
+{
+    const Eigen::Vector3d omega (1000, 1010, 4000), damping (0.01, 0.02, 0.005);
+    const auto duration = 0.02;
+    const auto kernel = velocityKernel (omega, damping, duration);
+    constexpr int steps = 200000;
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+
+    for (int i = 0; i < steps; ++i)
+    {
+        const auto t = (i + 0.5) * duration / steps;
+        Eigen::Vector3d h;
+
+        for (int k = 0; k < 3; ++k)
+        {
+            const auto a = damping[k] * omega[k], b = omega[k] * std::sqrt (1 - damping[k] * damping[k]);
+            h[k] = std::exp (-a * t) * (std::cos (b * t) - a / b * std::sin (b * t));
+        }
+
+        sum += h * h.transpose() * duration / steps;
+    }
+
+    CHECK ((kernel - sum).norm() < 1e-8 * sum.norm());
+}
+
+TEST_CASE ("One ceramic for the lowest mode of a supported plate goes to its middle", "[structure][placement]")
+{
+    const auto placed = placeCeramics (deviceOf (barePlate ("SSSS", 0.2, 0.12)), plateCeramic (0, 0, 0.02, 0.02),
+                                       optionsFor (1, 1, 0.01));
+    REQUIRE (placed.ceramics.size() == 1);
+    CHECK (placed.ceramics[0].x == Approx (0.09));
+    CHECK (placed.ceramics[0].y == Approx (0.05));
+    CHECK (placed.ceramics[0].name == "C1");
+    CHECK (placed.resolved.value() > 0);
+}
+
+TEST_CASE ("One ceramic for the lowest mode of a cantilever goes to its clamp", "[structure][placement]")
+{
+    auto beam = uniformBeam (EdgeCondition::clamped, EdgeCondition::free);
+    auto options = optionsFor (1, 1, 0.005);
+    options.isResolved = false;
+    const auto placed = placeCeramics ({ "beam", "", beam }, pairOfCeramics (0, 0.02, 0.01, 0.5e-3), options);
+    CHECK (placed.ceramics[0].x == Approx (-0.1));
+    CHECK_FALSE (placed.resolved.has_value());
+}
+
+TEST_CASE ("Exchange reaches at least 95 % of the best of all choices", "[structure][placement]")
+{
+    const Eigen::MatrixXd participation = randomMatrix (6, 18);
+    PlacementProblem problem;
+    problem.kernel = Eigen::MatrixXd::Identity (6, 6);
+    problem.kernel.diagonal (1).setConstant (0.3);
+    problem.kernel.diagonal (-1).setConstant (0.3);
+    problem.participation = participation;
+    problem.count = 3;
+    problem.exclude = [] (Eigen::Index, Eigen::Index) { return false; };
+    double best = 0;
+
+    for (Eigen::Index a = 0; a < 18; ++a)
+        for (Eigen::Index b = 0; b < a; ++b)
+            for (Eigen::Index c = 0; c < b; ++c)
+            {
+                const std::vector<Eigen::Index> chosen { a, b, c };
+                best = std::max (best, worstControllability (problem.kernel, participation (Eigen::all, chosen)));
+            }
+
+    const auto placement = searchPlacement (problem);
+    CHECK (placement.controllability >= 0.95 * best);
+    CHECK (placement.controllability
+           == Approx (worstControllability (problem.kernel, participation (Eigen::all, placement.chosen))));
+    CHECK (searchPlacement (problem).chosen == placement.chosen);
+}
+
+TEST_CASE ("Placed ceramics do not overlap and stay within the rim", "[structure][placement]")
+{
+    auto options = optionsFor (12, 20, 0.006);
+    options.grid.rim = 0.01;
+    double share = 0;
+    const auto plate = barePlate ("FFFF", 0.15, 0.08);
+    const auto placed = placeCeramics (deviceOf (plate), plateCeramic (0, 0, 0.012, 0.01), options,
+                                       [&] (double now)
+                                       {
+                                           CHECK (now >= share);
+                                           share = now;
+                                       });
+    REQUIRE (placed.ceramics.size() == 12);
+    auto carrying = plate;
+    carrying.common.ceramics = placed.ceramics;
+    CHECK_NOTHROW (solved (carrying, 5));
+
+    for (const auto& ceramic : placed.ceramics)
+        CHECK (std::min ({ ceramic.x, ceramic.y, 0.15 - ceramic.x - 0.012, 0.08 - ceramic.y - 0.01 }) <= 0.01 + 1e-9);
+}
+
+TEST_CASE ("Better places than an ordinary layout", "[structure][placement]")
+{
+    // Plate A's own eight places against those that were searched for.
+    const auto plate = patchedPlate();
+    auto options = optionsFor (8, 30, 0.0125);
+    options.isResolved = false;
+    const auto placed = placeCeramics (deviceOf (plate), plate.common.ceramics[0], options);
+    options.grid.step = 0.005; // All of its own places lie on this grid.
+    const auto candidates = placementCandidates (deviceOf (plate), plate.common.ceramics[0], options.grid);
+    const auto kernel = velocityKernel (candidates.angularFrequencies, candidates.dampingRatios, options.duration);
+    std::vector<Eigen::Index> own;
+
+    for (const auto& ceramic : plate.common.ceramics)
+        for (std::size_t i = 0; i < candidates.ceramics.size(); ++i)
+            if (std::hypot (candidates.ceramics[i].x - ceramic.x, candidates.ceramics[i].y - ceramic.y) < 1e-6)
+                own.push_back (static_cast<Eigen::Index> (i));
+
+    REQUIRE (own.size() == 8);
+    const Eigen::VectorXd scale = candidates.participation.rowwise().norm() / std::sqrt (candidates.ceramics.size());
+    const Eigen::VectorXd root = (8 * kernel.diagonal()).cwiseSqrt().cwiseProduct (scale).cwiseInverse();
+    const auto before = worstControllability (root.asDiagonal() * kernel * root.asDiagonal(),
+                                              candidates.participation (Eigen::all, own));
+    CHECK (placed.controllability > 1.5 * before);
+}
+
+TEST_CASE ("What cannot be placed is said", "[structure][placement]")
+{
+    const auto plate = deviceOf (barePlate ("SSSS", 0.1, 0.1));
+    CHECK_THROWS_WITH (placeCeramics (plate, plateCeramic (0, 0, 0.2, 0.01), optionsFor (1, 1, 0.01)),
+                       Catch::Contains ("--size-mm"));
+    CHECK_THROWS_WITH (placeCeramics (plate, plateCeramic (0, 0, 0.06, 0.06), optionsFor (2, 1, 0.01)),
+                       Catch::Contains ("no room for another"));
+    CHECK_THROWS_WITH (placeCeramics (plate, plateCeramic (0, 0, 0.01, 0.01), optionsFor (1, 1, 1e-5)),
+                       Catch::Contains ("--step-mm"));
+    CHECK_THROWS_WITH (placeCeramics (plate, plateCeramic (0, 0, 0.1, 0.1), optionsFor (1, 2, 0.01)),
+                       Catch::Contains ("mode 2"));
+}
