@@ -5,6 +5,32 @@
 
 namespace antinode
 {
+namespace
+{
+/** How far from its diagonal a matrix has entries. */
+Eigen::Index bandwidth (const Eigen::MatrixXd& matrix)
+{
+    Eigen::Index band = 0;
+
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+        for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+            if (matrix (i, j) != 0)
+                band = std::max (band, std::abs (i - j));
+
+    return band;
+}
+
+void addBand (MatrixOut to, double factor, const Eigen::MatrixXd& matrix, Eigen::Index band)
+{
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+    {
+        const auto first = std::max<Eigen::Index> (j - band, 0);
+        const auto count = std::min (j + band + 1, matrix.rows()) - first;
+        to.col (j).segment (first, count) += factor * matrix.col (j).segment (first, count);
+    }
+}
+} // namespace
+
 BlockBandedFactor::BlockBandedFactor (const TensorOperator& stiffness, const TensorOperator& mass, double shift,
                                       const SplineAxis& outer)
     : blockSize (stiffness.innerRows), pivots (stiffness.innerRows * stiffness.outerRows)
@@ -27,12 +53,17 @@ BlockBandedFactor::BlockBandedFactor (const TensorOperator& stiffness, const Ten
 void BlockBandedFactor::addTerms (const TensorOperator& tensor, double factor)
 {
     for (const auto& term : tensor.terms)
+    {
+        const auto band = bandwidth (term.inner);
+
         for (Eigen::Index j = 0; j < term.outer.cols(); ++j)
             for (Eigen::Index i = j; i < term.outer.rows(); ++i)
                 if (term.outer (i, j) != 0)
-                    panels[static_cast<std::size_t> (term.outerColumn + j)].block (
-                        (i - j) * blockSize + term.innerRow, term.innerColumn, term.inner.rows(), term.inner.cols()) +=
-                        factor * term.outer (i, j) * term.inner;
+                    addBand (panels[static_cast<std::size_t> (term.outerColumn + j)].block (
+                                 (i - j) * blockSize + term.innerRow, term.innerColumn, term.inner.rows(),
+                                 term.inner.cols()),
+                             factor * term.outer (i, j), term.inner, band);
+    }
 }
 
 void BlockBandedFactor::eliminate (Eigen::Index block)

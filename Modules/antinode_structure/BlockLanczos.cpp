@@ -69,17 +69,18 @@ private:
                                              [&] { return static_cast<double> (random()) / 4294967296.0 - 0.5; });
     }
 
-    /** Takes from the block what lies in the basis, twice; what it was. */
+    /** Takes from the block what lies in the basis; what it was. But for rounding that is in the last two blocks only: once they are
+        out, one pass over all of them leaves nothing. */
     Eigen::MatrixXd orthogonalise()
     {
         Eigen::MatrixXd all = Eigen::MatrixXd::Zero (filled, width);
 
-        for (int pass = 0; pass < 2; ++pass)
+        for (const auto count : { std::min (filled, 2 * width), filled })
         {
-            Eigen::MatrixXd part = Eigen::MatrixXd::Zero (filled, width);
-            addTransposedLeft (part, 1, massBasis.leftCols (filled), block);
-            addProduct (block, -1, basis.leftCols (filled), part);
-            all += part;
+            Eigen::MatrixXd part = Eigen::MatrixXd::Zero (count, width);
+            addTransposedLeft (part, 1, massBasis.middleCols (filled - count, count), block);
+            addProduct (block, -1, basis.middleCols (filled - count, count), part);
+            all.bottomRows (count) += part;
         }
 
         return all;
@@ -105,8 +106,8 @@ private:
             // What is left of a used-up direction is rounding: a random one is as good, and is met by the passes that follow.
             const Eigen::VectorXd sizes = pairs.values.cwiseMax (1e-24 * largest).cwiseSqrt();
             const Eigen::MatrixXd scaled = pairs.vectors * sizes.cwiseInverse().asDiagonal();
-            block = (block * scaled).eval();
-            massBlock = (massBlock * scaled).eval();
+            transform (block, scaled);
+            transform (massBlock, scaled);
             remainder = (sizes.asDiagonal() * pairs.vectors.transpose() * remainder).eval();
 
             if (pass == 0 && pairs.values[0] < 1e-20 * largest)
@@ -115,6 +116,13 @@ private:
                 massBlock = mass (block);
             }
         }
+    }
+
+    static void transform (Eigen::MatrixXd& columns, const Eigen::MatrixXd& by)
+    {
+        Eigen::MatrixXd result = Eigen::MatrixXd::Zero (columns.rows(), by.cols());
+        addProduct (result, 1, columns, by);
+        columns.swap (result);
     }
 
     const BlockBandedFactor& factor;

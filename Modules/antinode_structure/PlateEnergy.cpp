@@ -42,11 +42,15 @@ Eigen::MatrixXd sampled (const PlateProblem& problem, const Eigen::MatrixXd& fie
 {
     const Eigen::MatrixXd weightedX = x.weights.cwiseSqrt().asDiagonal() * x.*ofX;
     const Eigen::MatrixXd weightedY = y.weights.cwiseSqrt().asDiagonal() * y.*ofY;
-    Eigen::MatrixXd samples (weightedX.rows() * weightedY.rows(), fields.cols());
+    Eigen::MatrixXd samples = Eigen::MatrixXd::Zero (weightedX.rows() * weightedY.rows(), fields.cols());
 
     for (Eigen::Index k = 0; k < fields.cols(); ++k)
-        Eigen::Map<Eigen::MatrixXd> (samples.col (k).data(), weightedX.rows(), weightedY.rows()) =
-            weightedX * problem.coefficients (fields.col (k)) * weightedY.transpose();
+    {
+        Eigen::MatrixXd half = Eigen::MatrixXd::Zero (weightedX.rows(), weightedY.cols());
+        addProduct (half, 1, weightedX, problem.coefficients (fields.col (k)));
+        addTransposedRight (Eigen::Map<Eigen::MatrixXd> (samples.col (k).data(), weightedX.rows(), weightedY.rows()), 1,
+                            half, weightedY);
+    }
 
     return samples;
 }

@@ -229,7 +229,7 @@ PlateSolution solvePlateModes (const PlateDescription& plate, std::optional<int>
     keepToOneThread();
     const auto layout = layoutOf (plate);
     const auto count = wantedCount (plate, layout, modeCount);
-    constexpr int resolvedModes = 60; // At least: then few modes are right to many digits, and still cost little.
+    constexpr int resolvedModes = 50; // At least: then few modes are right to many digits, and still cost little.
     const auto expected = expectedWaveNumber (plate, std::max (count, resolvedModes));
     auto waveNumber = largestWaveNumberAt (plate, angularFrequencyAt (plate, expected));
 
