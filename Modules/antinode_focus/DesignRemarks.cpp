@@ -9,7 +9,7 @@ namespace antinode
 namespace
 {
 constexpr double poorCapture = 0.9;
-constexpr double wholeCapture = 0.99; // what the default choice of modes asks for
+constexpr double wholeCapture = 0.99;          // what the default choice of modes asks for
 constexpr double reliableShareOfNyquist = 0.8; // the interpolation of the plate model and of real converters
 
 std::string methodName (AllocationMethod method)
@@ -80,8 +80,9 @@ void addRemarks (FocusDesign& design, const ModalModel& model)
     design.warnings.insert (design.warnings.end(), model.warnings.begin(), model.warnings.end());
 
     if (model.rigidBodyModes > 0 && design.captured < wholeCapture)
-        design.warnings.emplace_back ("The device is free to move as a whole. What the wanted field has of such motion no "
-                                      "ceramic can bring about: foci of opposite sign, or a sinc, have less of it.");
+        design.warnings.emplace_back (
+            "The device is free to move as a whole. What the wanted field has of such motion no "
+            "ceramic can bring about: foci of opposite sign, or a sinc, have less of it.");
 
     if (design.captured < poorCapture)
         design.warnings.push_back ("The controlled modes carry only " + inWords (design.captured)

@@ -26,9 +26,9 @@ struct ModalModel
     double fullScaleVoltage = 1;        ///< V that a sample of 1.0 stands for in files and at the outputs.
     bool coversWholeBody =
         true; ///< False where shapes are measured on a part only: then fields are projected by least squares.
-    int rigidBodyModes = 0;          ///< How many modes of frequency 0 the body has beside the flexible ones.
-    int unknowns = 0;                ///< Degrees of freedom of the solution; 0 where measured.
-    Eigen::VectorXd frequencyErrors; ///< N_m: estimated relative error of each frequency; empty where unknown.
+    int rigidBodyModes = 0;            ///< How many modes of frequency 0 the body has beside the flexible ones.
+    int unknowns = 0;                  ///< Degrees of freedom of the solution; 0 where measured.
+    Eigen::VectorXd frequencyErrors;   ///< N_m: estimated relative error of each frequency; empty where unknown.
     std::vector<std::string> warnings; ///< What the user should know of how good the model is, in plain words.
 
     Eigen::Index modes() const { return angularFrequencies.size(); }

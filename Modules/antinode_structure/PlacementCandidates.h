@@ -10,7 +10,7 @@ namespace antinode
 struct PlacementCandidates
 {
     std::vector<CeramicDescription> ceramics;
-    Eigen::MatrixXd participation;                      ///< N_m x candidates, of the bare device's modes.
+    Eigen::MatrixXd participation;                     ///< N_m x candidates, of the bare device's modes.
     Eigen::VectorXd angularFrequencies, dampingRatios; ///< N_m, of the bare device.
 
     /** Whether two of them would overlap. [any] */

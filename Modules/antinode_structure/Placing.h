@@ -9,9 +9,9 @@ namespace antinode
 struct PlacedCeramics
 {
     std::vector<CeramicDescription> ceramics; ///< Named C1, C2 and so on.
-    double controllability = 0;               ///< Worst, relative to ceramics in average places that do not couple modes.
-    std::optional<double> resolved;           ///< The same with the ceramics' mass and stiffness.
-    Eigen::VectorXd perMode;                  ///< N_m: the Gramian's diagonal, likewise relative.
+    double controllability = 0;     ///< Worst, relative to ceramics in average places that do not couple modes.
+    std::optional<double> resolved; ///< The same with the ceramics' mass and stiffness.
+    Eigen::VectorXd perMode;        ///< N_m: the Gramian's diagonal, likewise relative.
     Eigen::Index candidates = 0;
     int exchanges = 0;
 };
