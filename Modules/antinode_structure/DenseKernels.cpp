@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+// NOLINTNEXTLINE(readability-identifier-naming): LAPACK names it.
 extern "C" void dsyevd_ (const char* job, const char* triangle, const int* size, double* matrix, const int* stride,
                          double* values, double* work, const int* workSize, int* integerWork,
                          const int* integerWorkSize, int* info);

@@ -24,15 +24,17 @@ std::vector<double> positions (double from, double to, double step)
         throw InputError ("--step-mm", "is not a positive number, allowed are positive ones");
 
     const auto length = std::max (to - from, 0.0);
-    const auto intervals = std::ceil (length / step - 1e-9);
+    const auto wanted = std::ceil (length / step - 1e-9);
 
-    if (! (intervals < static_cast<double> (mostCandidates)))
+    if (! (wanted < static_cast<double> (mostCandidates)))
         throw InputError ("--step-mm",
                           "gives more than " + std::to_string (mostCandidates) + " positions, allowed are wider steps");
 
     std::vector<double> result;
 
-    for (double i = 0; i <= intervals; ++i)
+    const auto intervals = static_cast<int> (wanted);
+
+    for (int i = 0; i <= intervals; ++i)
         result.push_back (intervals > 0 ? from + length * i / intervals : (from + to) / 2);
 
     return result;

@@ -58,10 +58,10 @@ std::vector<double> layerDistances (double cell, const PlateResolution& resoluti
     return distances;
 }
 /** Segments longer than two cells get more of them: in short ones the layers at the ends help. */
-double cellsOn (double length, double largestCell)
+int cellsOn (double length, double largestCell)
 {
     const auto cells = length / largestCell;
-    return std::max (1.0, std::ceil (cells + 0.8 * std::max (0.0, cells - 2) - 1e-9));
+    return std::max (1, static_cast<int> (std::ceil (cells + 0.8 * std::max (0.0, cells - 2) - 1e-9)));
 }
 } // namespace
 
@@ -121,7 +121,7 @@ SplineBreaks divide (const Eigen::VectorXd& lines, const PlateResolution& resolu
         for (const auto distance : layers)
             add (lines[s] + distance, 1);
 
-        for (double i = 1; i < cells; ++i)
+        for (int i = 1; i < cells; ++i)
             add (lines[s] + i * cell, 1);
 
         for (auto distance = layers.rbegin(); distance != layers.rend(); ++distance)

@@ -235,7 +235,7 @@ PlateSolution solvePlateModes (const PlateDescription& plate, std::optional<int>
 
     for (;;)
     {
-        const auto solution = solutionFor (plate, layout, count, waveNumber);
+        auto solution = solutionFor (plate, layout, count, waveNumber);
         constexpr double excused = 1.15; // Cells are small enough for that.
 
         if (solution.waveNumber <= excused * waveNumber)

@@ -4,9 +4,7 @@
 #include "ModesReport.h"
 
 #include <antinode_files/OutputFolder.h>
-
 #include <antinode_files/ModeTable.h>
-#include <antinode_files/OutputFolder.h>
 #include <antinode_files/UniversalFile.h>
 
 #include <nlohmann/json.hpp>
