@@ -3,8 +3,8 @@
 #include "Inputs.h"
 #include "ModesReport.h"
 
-#include <antinode_files/OutputFolder.h>
 #include <antinode_files/ModeTable.h>
+#include <antinode_files/OutputFolder.h>
 #include <antinode_files/UniversalFile.h>
 
 #include <nlohmann/json.hpp>
