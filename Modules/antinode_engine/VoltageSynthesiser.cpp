@@ -3,7 +3,9 @@
 #include <antinode_model/InputError.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -11,20 +13,12 @@ namespace antinode
 {
 namespace
 {
-constexpr std::int64_t tileSize = 64;
 constexpr double furthestSample = 1e15; // below 2^53: every sample's index is exact
+constexpr int ceramicsAtOnce = 16;      // of those that pass through a buffer on the stack
 
 std::int64_t tileOf (std::int64_t sample)
 {
-    return sample >= 0 ? sample / tileSize : -((-sample + tileSize - 1) / tileSize);
-}
-
-/** e^{p t} to the precision of double, however large the phase. */
-std::complex<double> exponential (const Oscillation& oscillation, long double time)
-{
-    const auto size = std::exp (oscillation.growth * time);
-    const auto phase = oscillation.angularFrequency * time;
-    return { static_cast<double> (size * std::cos (phase)), static_cast<double> (size * std::sin (phase)) };
+    return sample >= 0 ? sample / synthesisTile : -((-sample + synthesisTile - 1) / synthesisTile);
 }
 
 void requireUsable (const Oscillation& oscillation, const std::string& where, double rate)
@@ -44,7 +38,7 @@ void requireUsable (const Oscillation& oscillation, const std::string& where, do
 
     // The tile of the first sample begins up to one tile before the start, where a decaying envelope is larger still.
     const auto spread = std::max (0.0, oscillation.growth) * (oscillation.end - oscillation.start)
-                        + std::abs (oscillation.growth) * static_cast<double> (tileSize) / rate;
+                        + std::abs (oscillation.growth) * static_cast<double> (synthesisTile) / rate;
 
     if (! std::isfinite (std::abs (oscillation.phasor()) * std::exp (spread)))
         throw InputError (where, "grows or decays beyond the range of numbers");
@@ -70,29 +64,156 @@ void requireUsable (const VoltageProgram& program, double rate)
 }
 } // namespace
 
-VoltageSynthesiser::VoltageSynthesiser (VoltageProgram voltageProgram, Playback playback)
-    : program (std::move (voltageProgram)), rate (playback.sampleRate)
+template <>
+const VoltageSynthesiser::Tables<double>& VoltageSynthesiser::tables<double>() const
+{
+    return doubles;
+}
+
+template <>
+const VoltageSynthesiser::Tables<float>& VoltageSynthesiser::tables<float>() const
+{
+    return floats;
+}
+
+/** Samples that are asked for, of some of the ceramics. */
+template <typename Sample>
+struct VoltageSynthesiser::Block
+{
+    std::int64_t first = 0, count = 0;
+    double amplitude = 1;
+    int firstCeramic = 0, ceramics = 0;
+    Sample* const* channels = nullptr; // of these ceramics
+};
+
+/** Plays a chunk of the oscillations through the tiles of a block. */
+template <typename Sample>
+class VoltageSynthesiser::ChunkPlayer
+{
+public:
+    ChunkPlayer (const VoltageSynthesiser& owner, const Block<Sample>& what, std::size_t from)
+        : synthesiser (owner), tables (owner.tables<Sample>()), block (what), firstVoice (from),
+          lastVoice (std::min (from + synthesisChunk, owner.voices.size()))
+    {
+        groups.fill (-1);
+    }
+
+    void addAll()
+    {
+        const auto end = tileOf (block.first + block.count - 1) + 1;
+
+        for (auto tile = tileOf (block.first); tile < end;)
+        {
+            const auto runEnd = std::min (end, gather (tile));
+
+            for (auto strip = tile; chunk.count > 0 && strip < runEnd; strip += synthesisStrip)
+                addStrip (tile, strip, std::min<std::int64_t> (synthesisStrip, runEnd - strip));
+
+            tile = runEnd;
+        }
+    }
+
+private:
+    /** Lists the oscillations that sound in a tile. @return  up to which tile the list and its anchors hold */
+    std::int64_t gather (std::int64_t tile)
+    {
+        auto runEnd = std::numeric_limits<std::int64_t>::max();
+        chunk.count = 0;
+        edges = false;
+
+        for (auto c = firstVoice; c < lastVoice; ++c)
+        {
+            const auto& voice = synthesiser.voices[c];
+
+            if (tile < voice.firstTile)
+                runEnd = std::min (runEnd, voice.firstTile);
+            else if (tile <= voice.lastTile)
+                runEnd = std::min (runEnd, append (c, tile));
+        }
+
+        return runEnd;
+    }
+
+    std::int64_t append (std::size_t c, std::int64_t tile)
+    {
+        const auto& voice = synthesiser.voices[c];
+        const auto group = (tile - voice.firstTile) / synthesisGroup;
+        const auto groupStart = voice.firstTile + group * synthesisGroup;
+
+        if (auto& known = groups[c - firstVoice]; known != group)
+        {
+            known = group;
+            anchors[c - firstVoice] = block.amplitude * voice.phasors.atGroup (group);
+        }
+
+        numbers[chunk.count] = c;
+        chunk.sounding[chunk.count++] = { anchors[c - firstVoice], voice.phasors.withinGroup() + (tile - groupStart),
+                                          tables.fine.data() + c * (2 * synthesisTile),
+                                          tables.mixing.data() + c * synthesiser.ceramics + block.firstCeramic };
+
+        if (voice.hasEdgeIn (tile))
+        {
+            edges = true;
+            return tile + 1;
+        }
+
+        return std::min (voice.lastTile, groupStart + synthesisGroup);
+    }
+
+    /** Adds a few tiles of a run, or what of them lies in the block. */
+    void addStrip (std::int64_t run, std::int64_t tile, std::int64_t tiles)
+    {
+        const auto offset = tile * synthesisTile - block.first;
+        const auto begin = std::max<std::int64_t> (0, -offset);
+        const auto end = std::min (tiles * synthesisTile, block.count - offset);
+        tables.kernel.evaluate (chunk, static_cast<int> (tile - run), static_cast<int> (tiles));
+
+        for (int slot = 0; edges && slot < chunk.count; ++slot)
+            if (const auto& voice = synthesiser.voices[numbers[slot]]; voice.hasEdgeIn (tile))
+                weigh (voice, tile, chunk.values + slot * chunk.samples);
+
+        tables.kernel.mix (chunk, static_cast<int> (begin), static_cast<int> (end), block.ceramics, block.channels,
+                           offset + begin);
+    }
+
+    /** Silences values before the start and after the end; on an edge they may count half. */
+    static void weigh (const Voice& voice, std::int64_t tile, Sample* values)
+    {
+        for (int j = 0; j < synthesisTile; ++j)
+        {
+            const auto n = tile * synthesisTile + j;
+            const auto weight = voice.start.weightAt (n) - voice.end.weightAt (n);
+            values[j] = weight > 0 ? static_cast<Sample> (weight) * values[j] : Sample (0);
+        }
+    }
+
+    const VoltageSynthesiser& synthesiser;
+    const Tables<Sample>& tables;
+    const Block<Sample>& block;
+    std::size_t firstVoice, lastVoice;
+    std::array<std::int64_t, synthesisChunk> groups;
+    std::array<std::complex<double>, synthesisChunk> anchors; // the phasors at the starts of these groups
+    std::array<std::size_t, synthesisChunk> numbers;          // of the voices that sound
+    bool edges = false; // whether one of them starts or ends in the run, which is then one tile
+    SynthesisChunk<Sample> chunk;
+};
+
+VoltageSynthesiser::VoltageSynthesiser (const VoltageProgram& program, Playback playback) : rate (playback.sampleRate)
 {
     requireUsable (program, rate);
     focus = std::llround (program.focusTime * rate);
-    rotations.resize (tileSize, program.allocation.cols());
+    ceramics = static_cast<int> (program.allocation.rows());
 
-    for (Eigen::Index c = 0; c < rotations.cols(); ++c)
-    {
-        const auto& oscillation = program.oscillations[static_cast<std::size_t> (c)];
-        const auto offset = static_cast<long double> (program.focusTime) - oscillation.start;
-        voices.push_back ({ edgeAt (oscillation.start, playback.reconstruction),
-                            edgeAt (oscillation.end, playback.reconstruction), offset });
+    for (const auto& oscillation : program.oscillations)
+        voices.push_back (voiceOf (oscillation, program.focusTime, playback.reconstruction));
 
-        for (Eigen::Index j = 0; j < tileSize; ++j)
-            rotations (j, c) = exponential (oscillation, static_cast<long double> (j) / rate);
-    }
+    doubles = tablesOf<double> (program);
+    floats = tablesOf<float> (program);
 }
 
-VoltageSynthesiser::Edge VoltageSynthesiser::edgeAt (double time, Reconstruction reconstruction) const
+VoltageSynthesiser::Edge VoltageSynthesiser::edgeAt (double time, double focusTime, Reconstruction reconstruction) const
 {
-    const auto position =
-        static_cast<long double> (focus) + (static_cast<long double> (time) - program.focusTime) * rate;
+    const auto position = static_cast<long double> (focus) + (static_cast<long double> (time) - focusTime) * rate;
     const auto nearest = std::round (position);
 
     if (std::abs (position - nearest) < 1e-6L)
@@ -101,42 +222,85 @@ VoltageSynthesiser::Edge VoltageSynthesiser::edgeAt (double time, Reconstruction
     return { static_cast<std::int64_t> (std::ceil (position)), 1.0 };
 }
 
-std::complex<double> VoltageSynthesiser::phasorAt (std::size_t oscillation, std::int64_t sample) const
+VoltageSynthesiser::Voice VoltageSynthesiser::voiceOf (const Oscillation& oscillation, double focusTime,
+                                                       Reconstruction reconstruction) const
 {
+    const auto start = edgeAt (oscillation.start, focusTime, reconstruction);
+    const auto end = edgeAt (oscillation.end, focusTime, reconstruction);
+    const auto firstTile = tileOf (start.sample), lastTile = tileOf (end.sample);
+
     // Extended precision: 1e-16 of a phase of 1e5 rad would already be more than the 1e-12 that are promised.
-    const auto tau = static_cast<long double> (sample - focus) / rate + voices[oscillation].focusOffset;
-    return program.oscillations[oscillation].phasor() * exponential (program.oscillations[oscillation], tau);
+    const auto tau = static_cast<long double> (firstTile * synthesisTile - focus) / rate
+                     + (static_cast<long double> (focusTime) - oscillation.start);
+    const auto first = oscillation.phasor() * exponential (oscillation, tau);
+    return { start, end, firstTile, lastTile, TilePhasors (oscillation, first, rate, lastTile - firstTile + 1) };
 }
 
-void VoltageSynthesiser::addOscillation (std::size_t oscillation, std::int64_t tile, std::int64_t first,
-                                         Eigen::Ref<Eigen::MatrixXd> voltages) const
+template <typename Sample>
+VoltageSynthesiser::Tables<Sample> VoltageSynthesiser::tablesOf (const VoltageProgram& program) const
 {
-    const auto& voice = voices[oscillation];
-    const auto tileStart = tile * tileSize;
-    const auto begin = std::max ({ tileStart, first, voice.start.sample });
-    const auto end = std::min ({ tileStart + tileSize, first + voltages.cols(), voice.end.sample + 1 });
+    Tables<Sample> tables { synthesisKernel<Sample>(), {}, {} };
 
-    if (begin >= end)
+    for (const auto& oscillation : program.oscillations)
+    {
+        std::array<std::complex<double>, synthesisTile> fine;
+
+        for (std::size_t j = 0; j < fine.size(); ++j)
+            fine[j] = exponential (oscillation, static_cast<long double> (j) / rate);
+
+        for (const auto& value : fine)
+            tables.fine.push_back (static_cast<Sample> (value.real()));
+
+        for (const auto& value : fine)
+            tables.fine.push_back (static_cast<Sample> (value.imag()));
+    }
+
+    for (const auto value : program.allocation.reshaped())
+        tables.mixing.push_back (static_cast<Sample> (value));
+
+    return tables;
+}
+
+template <typename Sample>
+void VoltageSynthesiser::addBlock (const Block<Sample>& block) const
+{
+    if (block.count <= 0)
         return;
 
-    const auto column = static_cast<Eigen::Index> (oscillation);
-    const auto coarse = phasorAt (oscillation, tileStart);
-
-    for (auto n = begin; n < end; ++n)
-    {
-        const auto fine = rotations (n - tileStart, column);
-        const auto value = coarse.real() * fine.real() - coarse.imag() * fine.imag();
-        const auto weight = voice.start.weightAt (n) - voice.end.weightAt (n);
-        voltages.col (n - first) += program.allocation.col (column) * (weight * value);
-    }
+    // Chunk by chunk, so that the tables of a chunk are read from the fastest cache in all tiles but the first.
+    for (std::size_t voice = 0; voice < voices.size(); voice += synthesisChunk)
+        ChunkPlayer<Sample> (*this, block, voice).addAll();
 }
+
+template <typename Sample>
+void VoltageSynthesiser::add (std::int64_t first, int count, double amplitude, Sample* const* channels) const
+{
+    addBlock<Sample> ({ first, count, amplitude, 0, ceramics, channels });
+}
+
+template void VoltageSynthesiser::add (std::int64_t, int, double, double* const*) const;
+template void VoltageSynthesiser::add (std::int64_t, int, double, float* const*) const;
 
 void VoltageSynthesiser::process (std::int64_t first, Eigen::Ref<Eigen::MatrixXd> voltages) const
 {
-    voltages.setZero();
+    std::array<std::array<double, synthesisTile>, ceramicsAtOnce> planar;
+    std::array<double*, ceramicsAtOnce> channels;
+    std::transform (planar.begin(), planar.end(), channels.begin(), [] (auto& channel) { return channel.data(); });
 
-    for (auto tile = tileOf (first); tile * tileSize < first + voltages.cols(); ++tile)
-        for (std::size_t c = 0; c < voices.size(); ++c)
-            addOscillation (c, tile, first, voltages);
+    for (int ceramic = 0; ceramic < ceramics; ceramic += ceramicsAtOnce)
+    {
+        const auto rows = std::min (ceramicsAtOnce, ceramics - ceramic);
+
+        for (Eigen::Index n = 0; n < voltages.cols(); n += synthesisTile)
+        {
+            const auto count = std::min<Eigen::Index> (synthesisTile, voltages.cols() - n);
+            planar = {};
+            addBlock<double> ({ first + n, count, 1.0, ceramic, rows, channels.data() });
+
+            for (int i = 0; i < rows; ++i)
+                voltages.row (ceramic + i).segment (n, count) =
+                    Eigen::Map<const Eigen::RowVectorXd> (channels[static_cast<std::size_t> (i)], count);
+        }
+    }
 }
 } // namespace antinode

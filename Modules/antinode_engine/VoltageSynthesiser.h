@@ -1,11 +1,14 @@
 #pragma once
 
+#include "AlignedVector.h"
+#include "SynthesisKernel.h"
+#include "TilePhasors.h"
+
 #include <antinode_model/Oscillation.h>
 #include <antinode_model/Playback.h>
 
 #include <Eigen/Core>
 
-#include <complex>
 #include <cstdint>
 #include <vector>
 
@@ -18,24 +21,34 @@ namespace antinode
     both sides (the value a band-limited signal has at a step), a zero-order hold the value from there on. Each sample is
     computed from its absolute index, so the output does not depend, to the bit, on the blocks.
 
-    An oscillation Re[X e^{p tau}] is a phasor factored in two: X e^{p tau} at the first sample of a tile of 64, from extended
-    precision, times e^{p j / rate} from a table. So its error does not grow with time: below 1e-12 of the envelope after
-    1 s at 192 kHz (where long double is wider than double). Docs/Theory.md, section 6.1.
-*/
+    An oscillation Re[X e^{p tau}] is a phasor factored in two: X e^{p tau} at the first sample of a tile of 64, from exact
+    tables (TilePhasors), times e^{p j / rate} from another one. So its error does not grow with time: below 1e-12 of the
+    envelope after 1 s at 192 kHz in double, 3e-7 in float (where long double is wider than double). The voltages of the
+    last ones differ between processors by as much. Docs/Theory.md, section 6.1; Docs/Decisions/0015-kernels.md. */
 class VoltageSynthesiser
 {
 public:
     /** @throws InputError  when the rate is not finite and positive, sizes do not agree, a number of the program is not finite, an
                             oscillation ends before it starts, or its envelope leaves the range of numbers
         [worker] allocates */
-    VoltageSynthesiser (VoltageProgram, Playback);
+    VoltageSynthesiser (const VoltageProgram&, Playback);
 
     /** The sample on which the focus falls: round (focusTime * rate). [any] */
     std::int64_t focusSample() const { return focus; }
 
+    /** N_b, the number of channels. [any] */
+    int channelCount() const { return ceramics; }
+
+    /** Adds the voltages of the samples first .. first + count - 1, times an amplitude, to planar channels.
+        @param amplitude  no unit
+        @param channels   N_b pointers to count samples each, V; of any alignment
+        [audio thread] allocates nothing, locks nothing, any count >= 0, any order of blocks; 40 KiB of stack */
+    template <typename Sample>
+    void add (std::int64_t first, int count, double amplitude, Sample* const* channels) const;
+
     /** Voltages of the samples first .. first + n - 1.
         @param voltages  N_b x n, V
-        [audio thread] allocates nothing, locks nothing, any n >= 0, any order of blocks */
+        [audio thread] allocates nothing, locks nothing, any n >= 0, any order of blocks; 40 KiB of stack */
     void process (std::int64_t first, Eigen::Ref<Eigen::MatrixXd> voltages) const;
 
 private:
@@ -51,18 +64,40 @@ private:
     struct Voice
     {
         Edge start, end;
-        long double focusOffset = 0; // s, from its start to the focus
+        std::int64_t firstTile = 0, lastTile = -1; // none where it is silent
+        TilePhasors phasors;
+
+        bool hasEdgeIn (std::int64_t tile) const { return tile == firstTile || tile == lastTile; }
     };
 
-    Edge edgeAt (double time, Reconstruction) const;
-    std::complex<double> phasorAt (std::size_t oscillation, std::int64_t sample) const;
-    void addOscillation (std::size_t oscillation, std::int64_t tile, std::int64_t first,
-                         Eigen::Ref<Eigen::MatrixXd> voltages) const;
+    /** What the kernel reads, in its precision. */
+    template <typename Sample>
+    struct Tables
+    {
+        SynthesisKernel<Sample> kernel;
+        AlignedVector<Sample> fine;   // oscillations x 2 x 64: real and imaginary parts of e^{p j / rate}
+        AlignedVector<Sample> mixing; // oscillations x N_b, V
+    };
 
-    VoltageProgram program;
+    template <typename Sample>
+    struct Block;
+    template <typename Sample>
+    class ChunkPlayer;
+
+    Edge edgeAt (double time, double focusTime, Reconstruction) const;
+    Voice voiceOf (const Oscillation&, double focusTime, Reconstruction) const;
+    template <typename Sample>
+    Tables<Sample> tablesOf (const VoltageProgram&) const;
+    template <typename Sample>
+    const Tables<Sample>& tables() const;
+    template <typename Sample>
+    void addBlock (const Block<Sample>&) const;
+
     double rate = 0;
     std::int64_t focus = 0;
+    int ceramics = 0;
     std::vector<Voice> voices;
-    Eigen::MatrixXcd rotations; // 64 x oscillations: e^{p j / rate}
+    Tables<double> doubles;
+    Tables<float> floats;
 };
 } // namespace antinode
