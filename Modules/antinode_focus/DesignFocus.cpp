@@ -196,7 +196,7 @@ double lowerBound (const ModalModel& model, const std::vector<int>& modes, const
 }
 
 FocusDesign designDrives (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
-                          const Eigen::VectorXd& wanted, Playback playback, double peakVelocity)
+                          const Eigen::VectorXd& wanted, Playback playback, double peakVelocity, DesignExtent extent)
 {
     checkRate (model, modes, playback);
     const auto modeDrives = driveModes (model, modes, description.focusTime, description.transients);
@@ -222,7 +222,9 @@ FocusDesign designDrives (const ModalModel& model, const FocusDescription& descr
     design.playback = playback;
     design.leastPeakVoltage = allocation.certificate.leastPeakRatio * limits.maxCoeff();
     design.reachablePeakVelocity = peakVelocity;
-    design.lowerBoundVoltage = lowerBound (model, modes, wanted, limits, description.focusTime);
+
+    if (extent == DesignExtent::complete)
+        design.lowerBoundVoltage = lowerBound (model, modes, wanted, limits, description.focusTime);
 
     if (description.transients.brake)
         appendBrake (design, model);
@@ -256,7 +258,8 @@ double peakVoltage (const FocusDesign& design)
     return design.certificate.peakRatio * gridLimitMargin() * design.program.voltageLimits.maxCoeff();
 }
 
-FocusDesign designFocus (const ModalModel& model, const FocusDescription& description, Playback playback)
+FocusDesign designFocus (const ModalModel& model, const FocusDescription& description, Playback playback,
+                         DesignExtent extent)
 {
     if (model.actuators() == 0)
         throw InputError ("device '" + model.name + "'", "has no ceramics, a focus needs at least one");
@@ -274,7 +277,7 @@ FocusDesign designFocus (const ModalModel& model, const FocusDescription& descri
     for (const auto& wantedPlace : description.targets)
         peakVelocity = std::max (peakVelocity, wantedPlace.peakVelocity);
 
-    auto design = designDrives (model, description, selection.modes, selection.wanted, playback, peakVelocity);
+    auto design = designDrives (model, description, selection.modes, selection.wanted, playback, peakVelocity, extent);
     design.target = target;
     design.truncatedField = selection.truncated;
     design.captured = selection.captured;
@@ -287,7 +290,8 @@ FocusDesign designModes (const ModalModel& model, const FocusDescription& descri
                          const Eigen::VectorXd& wanted, Playback playback)
 {
     const Eigen::VectorXd field = model.shapes (Eigen::all, modes) * wanted;
-    auto design = designDrives (model, description, modes, wanted, playback, field.cwiseAbs().maxCoeff());
+    auto design =
+        designDrives (model, description, modes, wanted, playback, field.cwiseAbs().maxCoeff(), DesignExtent::complete);
     design.target = projectField (model, field);
     design.truncatedField = field;
     design.captured = 1;

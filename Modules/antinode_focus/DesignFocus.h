@@ -19,11 +19,19 @@ public:
     double reachableVelocity; ///< m/s: the peak velocity that the limit allows.
 };
 
+/** What a design is made for. */
+enum class DesignExtent
+{
+    complete, ///< To be looked at: with the bound that no waveform beats, which takes longer than all the rest.
+    playable  ///< To be played at once: without it.
+};
+
 /** From what is wanted to what is played: project, choose modes, transients, allocate.
     @param playback  what the exact terminal rows are computed for
     @throws LimitError  when the voltage limit cannot be met (proven); InputError for all else that cannot be done
     [worker] Docs/Theory.md, sections 2 to 4. */
-FocusDesign designFocus (const ModalModel&, const FocusDescription&, Playback);
+FocusDesign designFocus (const ModalModel&, const FocusDescription&, Playback,
+                         DesignExtent extent = DesignExtent::complete);
 
 /** The second half: modal velocities prescribed instead of projected, for example for tests of single modes.
     @param modes   ascending mode indices

@@ -35,8 +35,9 @@ struct FocusDesign
     AllocationCertificate certificate;
     double leastPeakVoltage = 0; ///< V: the least peak of these drives and rows where the solver computed it, else 0.
     double reachablePeakVelocity = 0; ///< m/s: what the limit allows where it cannot be met; else the wanted one.
-    double lowerBoundVoltage = 0; ///< V: certified; no waveform reaches the terminal velocities within t_f below it.
-    Playback playback;            ///< What the terminal rows were computed for.
+    double lowerBoundVoltage =
+        0; ///< V: certified; no waveform reaches the terminal velocities within t_f below it; 0 where it was not computed.
+    Playback playback;                 ///< What the terminal rows were computed for.
     std::vector<std::string> choices;  ///< What was chosen and why, in plain words.
     std::vector<std::string> warnings; ///< In plain words.
 };

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "VoltageSynthesiser.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+namespace antinode
+{
+/** A designed focus, ready to be played: read only from here on. */
+struct PlayableFocus
+{
+    /** @throws InputError  as VoltageSynthesiser [worker] allocates */
+    PlayableFocus (const VoltageProgram&, Playback);
+
+    VoltageSynthesiser synthesiser;
+    std::int64_t firstSample = 0; ///< From the trigger: nothing sounds before it,
+    std::int64_t endSample = 0;   ///< and nothing from it on.
+};
+
+/** What the notes play: 128 places, each with a focus or none. Made on a worker, handed over whole, never changed. */
+struct FocusBank
+{
+    static constexpr int places = 128;
+
+    std::array<std::shared_ptr<const PlayableFocus>, places> foci;
+
+    /** The latest focus of all, in samples after its trigger: the delay that lets every focus fall on its note. [any] */
+    std::int64_t latestFocusSample() const;
+};
+} // namespace antinode

@@ -1,0 +1,296 @@
+#include "FocusPlayer.h"
+
+#include <antinode_model/InputError.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace antinode
+{
+namespace
+{
+constexpr double longestFade = 1; // s
+
+template <typename Sample>
+std::vector<Sample*> pointersInto (std::vector<Sample>& samples, std::size_t count, std::size_t stride)
+{
+    std::vector<Sample*> pointers;
+
+    for (std::size_t i = 0; i < count; ++i)
+        pointers.push_back (samples.data() + i * stride);
+
+    return pointers;
+}
+} // namespace
+
+FocusPlayer::FocusPlayer (int ceramicsToUse, double sampleRate, PlayerSettings settingsToUse)
+    : ceramics (ceramicsToUse), settings (settingsToUse),
+      fadeLength (std::max<std::int64_t> (1, std::llround (settings.fadeTime * sampleRate)))
+{
+    if (ceramics < 1 || ! (sampleRate > 0 && std::isfinite (sampleRate)))
+        throw InputError ("player", "needs at least one ceramic and a positive sample rate");
+
+    if (! (settings.fadeTime >= 0 && settings.fadeTime <= longestFade))
+        throw InputError ("player", "fade time is " + std::to_string (settings.fadeTime) + " s, allowed is 0 to 1");
+
+    for (std::int64_t n = 0; n < fadeLength; ++n)
+        fadeGains.push_back (
+            0.5 + 0.5 * std::cos (std::numbers::pi * static_cast<double> (n + 1) / static_cast<double> (fadeLength)));
+
+    const auto count = static_cast<std::size_t> (ceramics);
+    scratchDouble.resize (count * fadeChunk);
+    scratchFloat.resize (count * fadeChunk);
+    channelsDouble = pointersInto (scratchDouble, count, fadeChunk);
+    channelsFloat = pointersInto (scratchFloat, count, fadeChunk);
+    shiftedDouble.resize (count);
+    shiftedFloat.resize (count);
+}
+
+FocusPlayer::~FocusPlayer()
+{
+    for (const auto& used : banks)
+        delete used.bank;
+}
+
+std::int64_t FocusPlayer::Voice::end (std::int64_t fadeLength) const
+{
+    const auto own = trigger + focus->endSample;
+    return fadeStart == never ? own : std::min (own, fadeStart + fadeLength);
+}
+
+int FocusPlayer::activeVoices() const
+{
+    return static_cast<int> (
+        std::count_if (voices.begin(), voices.end(), [] (const Voice& voice) { return voice.focus != nullptr; }));
+}
+
+void FocusPlayer::reset()
+{
+    for (auto& voice : voices)
+        if (voice.focus != nullptr)
+            finish (voice);
+}
+
+void FocusPlayer::takeBank()
+{
+    // The last place for a bank is found again only when voices end: until then the newest bank waits where it is.
+    const auto place =
+        std::find_if (banks.begin(), banks.end(), [] (const UsedBank& used) { return used.bank == nullptr; });
+
+    if (place == banks.end())
+        return;
+
+    if (const auto* const bank = exchange.take())
+    {
+        *place = { bank, 0 };
+        current = static_cast<int> (place - banks.begin());
+        latency = bank->latestFocusSample();
+    }
+}
+
+void FocusPlayer::giveUnusedBanks()
+{
+    for (int i = 0; i < static_cast<int> (banks.size()); ++i)
+    {
+        auto& used = banks[static_cast<std::size_t> (i)];
+
+        if (used.bank != nullptr && used.users == 0 && i != current && exchange.canGiveBack())
+        {
+            exchange.giveBack (used.bank);
+            used.bank = nullptr;
+        }
+    }
+}
+
+void FocusPlayer::finish (Voice& voice)
+{
+    --banks[static_cast<std::size_t> (voice.bank)].users;
+    voice = {};
+}
+
+void FocusPlayer::finishEnded()
+{
+    for (auto& voice : voices)
+        if (voice.focus != nullptr && voice.end (fadeLength) <= clock)
+            finish (voice);
+}
+
+void FocusPlayer::fade (Voice& voice)
+{
+    if (voice.fadeStart == never)
+        voice.fadeStart = clock;
+}
+
+template <typename Condition>
+void FocusPlayer::fadeWhere (Condition condition)
+{
+    for (auto& voice : voices)
+        if (voice.focus != nullptr && condition (voice))
+            fade (voice);
+}
+
+void FocusPlayer::handle (const FocusEvent& event)
+{
+    switch (event.kind)
+    {
+        case FocusEventKind::trigger:
+            trigger (event);
+            break;
+        case FocusEventKind::release:
+            if (settings.noteOff == NoteOffBehaviour::fade)
+                fadeWhere ([&] (const Voice& voice) { return voice.place == event.place; });
+            break;
+        case FocusEventKind::stopAll:
+            fadeWhere ([] (const Voice&) { return true; });
+            break;
+    }
+}
+
+FocusPlayer::Voice& FocusPlayer::freeVoice()
+{
+    const auto sounds = [] (const Voice& voice) { return voice.focus != nullptr && voice.fadeStart == never; };
+    const auto isOlder = [&] (const Voice& a, const Voice& b)
+    { return sounds (a) != sounds (b) ? sounds (a) : a.order < b.order; };
+
+    if (std::count_if (voices.begin(), voices.end(), sounds) >= soundingVoices)
+    {
+        fade (*std::min_element (voices.begin(), voices.end(), isOlder));
+        ++counts.stolen;
+    }
+
+    const auto unused =
+        std::find_if (voices.begin(), voices.end(), [] (const Voice& voice) { return voice.focus == nullptr; });
+
+    if (unused != voices.end())
+        return *unused;
+
+    // All of them play or fade: the one whose fade began first has the least left.
+    auto& nearlyDone = *std::min_element (voices.begin(), voices.end(),
+                                          [] (const Voice& a, const Voice& b) { return a.fadeStart < b.fadeStart; });
+    finish (nearlyDone);
+    ++counts.cut;
+    return nearlyDone;
+}
+
+void FocusPlayer::trigger (const FocusEvent& event)
+{
+    const auto isPlace = event.place >= 0 && event.place < FocusBank::places && std::isfinite (event.amplitude);
+    const auto* const bank = current >= 0 ? banks[static_cast<std::size_t> (current)].bank : nullptr;
+    const auto* const focus =
+        bank != nullptr && isPlace ? bank->foci[static_cast<std::size_t> (event.place)].get() : nullptr;
+
+    if (focus == nullptr || focus->synthesiser.channelCount() != ceramics)
+    {
+        ++counts.empty;
+        return;
+    }
+
+    if (settings.retrigger == RetriggerBehaviour::restart)
+        fadeWhere ([&] (const Voice& voice) { return voice.place == event.place; });
+
+    auto& voice = freeVoice();
+    const auto delay = settings.focusOnNote ? latency - focus->synthesiser.focusSample() : 0;
+    voice = { focus, current, event.place, event.amplitude, clock + delay, counts.triggered, never };
+    ++banks[static_cast<std::size_t> (current)].users;
+    ++counts.triggered;
+}
+
+template <>
+double* const* FocusPlayer::scratchChannels<double>()
+{
+    std::fill (scratchDouble.begin(), scratchDouble.end(), 0.0);
+    return channelsDouble.data();
+}
+
+template <>
+float* const* FocusPlayer::scratchChannels<float>()
+{
+    std::fill (scratchFloat.begin(), scratchFloat.end(), 0.0F);
+    return channelsFloat.data();
+}
+
+template <typename Sample>
+void FocusPlayer::renderFade (const Voice& voice, Sample* const* channels, int offset, std::int64_t from,
+                              std::int64_t to)
+{
+    for (auto at = from; at < to; at += fadeChunk)
+    {
+        const auto length = static_cast<int> (std::min<std::int64_t> (fadeChunk, to - at));
+        auto* const* const scratch = scratchChannels<Sample>();
+        voice.focus->synthesiser.add (at - voice.trigger, length, voice.amplitude, scratch);
+
+        for (int i = 0; i < ceramics; ++i)
+            for (int n = 0; n < length; ++n)
+            {
+                const auto gain = fadeGains[static_cast<std::size_t> (at + n - voice.fadeStart)];
+                channels[i][offset + (at - clock) + n] += static_cast<Sample> (gain) * scratch[i][n];
+            }
+    }
+}
+
+template <typename Sample>
+void FocusPlayer::renderVoice (const Voice& voice, Sample* const* channels, int offset, int count)
+{
+    const auto begin = std::max (clock, voice.trigger + voice.focus->firstSample);
+    const auto end = std::min (clock + count, voice.end (fadeLength));
+    const auto fadeBegin = std::clamp (voice.fadeStart, begin, std::max (begin, end));
+
+    if (fadeBegin > begin)
+    {
+        auto& shifted = [this]() -> auto&
+        {
+            if constexpr (std::is_same_v<Sample, float>)
+                return shiftedFloat;
+            else
+                return shiftedDouble;
+        }
+        ();
+
+        for (int i = 0; i < ceramics; ++i)
+            shifted[static_cast<std::size_t> (i)] = channels[i] + offset + (begin - clock);
+
+        voice.focus->synthesiser.add (begin - voice.trigger, static_cast<int> (fadeBegin - begin), voice.amplitude,
+                                      shifted.data());
+    }
+
+    renderFade (voice, channels, offset, fadeBegin, end);
+}
+
+template <typename Sample>
+void FocusPlayer::render (Sample* const* channels, int offset, int count)
+{
+    for (const auto& voice : voices)
+        if (voice.focus != nullptr)
+            renderVoice (voice, channels, offset, count);
+
+    clock += count;
+    finishEnded();
+}
+
+template <typename Sample>
+void FocusPlayer::process (Sample* const* channels, int count, std::span<const FocusEvent> events)
+{
+    takeBank();
+
+    for (int i = 0; i < ceramics; ++i)
+        std::fill (channels[i], channels[i] + count, Sample (0));
+
+    auto done = 0;
+
+    for (const auto& event : events)
+    {
+        const auto offset = std::clamp (event.offset, done, std::max (done, count - 1));
+        render (channels, done, offset - done);
+        done = offset;
+        handle (event);
+    }
+
+    render (channels, done, count - done);
+    giveUnusedBanks();
+}
+
+template void FocusPlayer::process (float* const*, int, std::span<const FocusEvent>);
+template void FocusPlayer::process (double* const*, int, std::span<const FocusEvent>);
+} // namespace antinode

@@ -1,0 +1,143 @@
+#pragma once
+
+#include "BankHandOver.h"
+#include "FocusEvent.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace antinode
+{
+/** What a note-off does to the focus that its note-on began. */
+enum class NoteOffBehaviour
+{
+    ignore, ///< A focus plays to its end: the default, notes are mostly shorter than foci.
+    fade    ///< It fades out.
+};
+
+/** What a trigger does where its place sounds already. */
+enum class RetriggerBehaviour
+{
+    overlap, ///< Both play: velocities add up.
+    restart  ///< The earlier one fades out.
+};
+
+struct PlayerSettings
+{
+    NoteOffBehaviour noteOff = NoteOffBehaviour::ignore;
+    RetriggerBehaviour retrigger = RetriggerBehaviour::overlap;
+    bool focusOnNote = false; ///< Delays voices so that every focus falls latestFocusSample() after its event.
+    double fadeTime = 0.002;  ///< s, of stolen, released and stopped voices.
+};
+
+/** How often things happened since the start. */
+struct PlayerCounters
+{
+    std::int64_t triggered = 0; ///< Voices begun.
+    std::int64_t empty = 0;     ///< Triggers of places without a focus.
+    std::int64_t stolen = 0;    ///< Voices faded out for a newer one.
+    std::int64_t cut = 0;       ///< Fading voices ended early since even those were needed.
+};
+
+/** Voices: overlapping foci, each with its own design and amplitude, summed into one channel a ceramic.
+
+    A voice keeps the design that it began with, also when a new bank arrives. Output depends on the samples' and events' places in time only,
+    not, to the bit, on how time is cut into blocks. Limits are not its concern: VoltageLimiter stands behind it.
+    Docs/Theory.md, section 6.5. */
+class FocusPlayer
+{
+public:
+    static constexpr int soundingVoices = 24; ///< At once; one more and the oldest fades out.
+
+    /** @param ceramics    channels, 1 or more
+        @param sampleRate  Hz
+        @throws InputError  when one of them, or the fade time, is not usable
+        [worker] allocates */
+    FocusPlayer (int ceramics, double sampleRate, PlayerSettings);
+
+    /** Nothing may be processing. [worker] */
+    ~FocusPlayer();
+    FocusPlayer (const FocusPlayer&) = delete;
+    FocusPlayer& operator= (const FocusPlayer&) = delete;
+
+    /** Where a worker gives banks. They are taken at the start of a block. [any] */
+    BankHandOver& handOver() { return exchange; }
+
+    /** Writes a block.
+        @param channels  one pointer a ceramic, to count samples, V; what they hold is overwritten
+        @param count     0 or more
+        [audio thread] allocates nothing, locks nothing */
+    template <typename Sample>
+    void process (Sample* const* channels, int count, std::span<const FocusEvent> events);
+
+    /** Samples from an event to its focus where foci fall on notes, of the bank that plays; else 0. [audio thread] */
+    std::int64_t latencySamples() const { return settings.focusOnNote ? latency : 0; }
+
+    /** Voices that play or fade just now. [audio thread] */
+    int activeVoices() const;
+
+    const PlayerCounters& counters() const { return counts; }
+
+    /** Ends all voices at once, without a fade. [audio thread] */
+    void reset();
+
+private:
+    static constexpr int allVoices = 32; ///< Those that fade among them.
+    static constexpr int fadeChunk = 64; ///< Samples.
+    static constexpr std::int64_t never = INT64_MAX;
+
+    struct UsedBank
+    {
+        const FocusBank* bank = nullptr;
+        int users = 0;
+    };
+
+    struct Voice
+    {
+        const PlayableFocus* focus = nullptr;
+        int bank = 0; ///< Index into banks.
+        int place = 0;
+        double amplitude = 0;
+        std::int64_t trigger = 0; ///< The sample of the player's clock at which the focus' own time is 0.
+        std::int64_t order = 0;   ///< Which trigger it was.
+        std::int64_t fadeStart = never;
+
+        std::int64_t end (std::int64_t fadeLength) const;
+    };
+
+    void takeBank();
+    void giveUnusedBanks();
+    void handle (const FocusEvent&);
+    void trigger (const FocusEvent&);
+    void fade (Voice&);
+    void finish (Voice&);
+    void finishEnded();
+    Voice& freeVoice();
+    template <typename Condition>
+    void fadeWhere (Condition);
+    template <typename Sample>
+    void render (Sample* const* channels, int offset, int count);
+    template <typename Sample>
+    void renderVoice (const Voice&, Sample* const* channels, int offset, int count);
+    template <typename Sample>
+    void renderFade (const Voice&, Sample* const* channels, int offset, std::int64_t from, std::int64_t to);
+    template <typename Sample>
+    Sample* const* scratchChannels();
+
+    int ceramics;
+    PlayerSettings settings;
+    std::int64_t fadeLength, clock = 0, latency = 0;
+    std::vector<double> fadeGains; ///< fadeLength of them, falling from 1 to 0.
+    BankHandOver exchange;
+    std::array<UsedBank, allVoices + 2> banks {};
+    int current = -1; ///< Index into banks of the one that triggers use.
+    std::array<Voice, allVoices> voices {};
+    std::vector<double> scratchDouble;
+    std::vector<float> scratchFloat;
+    std::vector<double*> channelsDouble, shiftedDouble;
+    std::vector<float*> channelsFloat, shiftedFloat;
+    PlayerCounters counts;
+};
+} // namespace antinode

@@ -1,0 +1,34 @@
+#include "BankPlaces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+/** The position of one of so many along a side, from margin to margin. */
+double along (double minimum, double maximum, double margin, int index, int count)
+{
+    const auto kept = std::min (margin, (maximum - minimum) / 3);
+    const auto share = count > 1 ? static_cast<double> (index) / (count - 1) : 0.5;
+    return minimum + kept + share * (maximum - minimum - 2 * kept);
+}
+} // namespace
+
+std::vector<std::pair<double, double>> bankPlaces (const Surface& surface, int count, double margin)
+{
+    const auto width = surface.xMaximum - surface.xMinimum, height = surface.yMaximum - surface.yMinimum;
+    const auto isLine = surface.kind == SurfaceKind::line || ! (height > 0);
+    const auto columns =
+        isLine ? count : std::clamp (static_cast<int> (std::lround (std::sqrt (count * width / height))), 1, count);
+    const auto rows = (count + columns - 1) / columns;
+    std::vector<std::pair<double, double>> places;
+
+    for (int i = 0; i < count; ++i)
+        places.emplace_back (along (surface.xMinimum, surface.xMaximum, margin, i % columns, columns),
+                             isLine ? 0.0 : along (surface.yMinimum, surface.yMaximum, margin, i / columns, rows));
+
+    return places;
+}
+} // namespace antinode

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <antinode_focus/FocusDescription.h>
+#include <antinode_model/ModalModel.h>
+#include <antinode_model/Playback.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace antinode
+{
+/** A bank as it is wanted: one focus moved to many places. */
+struct DesignRequest
+{
+    std::shared_ptr<const ModalModel> model;
+    FocusDescription focus;                        ///< Its first target is moved, the others keep their distance to it.
+    std::vector<std::pair<double, double>> places; ///< x, y in m, up to 128.
+    int first = 0; ///< The place that is wanted first, for example the one being edited.
+    Playback playback;
+};
+
+/** How far a worker is. */
+struct DesignProgress
+{
+    int designed = 0, wanted = 0; ///< Places of the newest request.
+    int failed = 0;               ///< Of these: places without a focus.
+    std::string error;            ///< Why the last one of them failed, in one sentence.
+    double firstMilliseconds = 0; ///< From the newest request to its first focus.
+
+    bool isDone() const { return designed >= wanted; }
+};
+} // namespace antinode

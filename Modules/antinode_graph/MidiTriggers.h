@@ -1,0 +1,37 @@
+#pragma once
+
+#include <antinode_engine/FocusEvent.h>
+
+#include <juce_audio_basics/juce_audio_basics.h>
+
+#include <array>
+#include <span>
+
+namespace antinode
+{
+/** How a note's velocity becomes the amplitude of its focus. */
+struct VelocityCurve
+{
+    double exponent = 1; ///< amplitude = (velocity / 127)^exponent: 0 makes all notes equal, 2 spreads them.
+    double least = 0;    ///< Amplitude of the softest note; the loudest has 1.
+
+    /** @param velocity  1 to 127. [any] */
+    double amplitude (int velocity) const;
+};
+
+/** MIDI as focus events: note number = place, on every channel; all-notes-off and all-sound-off stop everything. */
+class MidiTriggers
+{
+public:
+    explicit MidiTriggers (VelocityCurve curveToUse) : curve (curveToUse) {}
+
+    /** The events of a block, in the order of their samples. Those beyond 1024 in one block are left out.
+        @return  valid until the next call
+        [audio thread] allocates nothing, locks nothing */
+    std::span<const FocusEvent> read (const juce::MidiBuffer&, int blockLength);
+
+private:
+    VelocityCurve curve;
+    std::array<FocusEvent, 1024> events;
+};
+} // namespace antinode

@@ -1,0 +1,132 @@
+#include "NodeGraph.h"
+
+#include <antinode_model/InputError.h>
+
+#include <algorithm>
+
+namespace antinode
+{
+namespace
+{
+constexpr std::size_t mostEvents = 4096; // of one part of a block: later ones are played at its end
+}
+
+template <typename Sample>
+void NodeGraph::Buffers<Sample>::make (int channels, int length)
+{
+    samples.assign (static_cast<std::size_t> (channels) * static_cast<std::size_t> (length), Sample (0));
+    outputs.clear();
+
+    for (int i = 0; i < channels; ++i)
+        outputs.push_back (samples.data() + static_cast<std::ptrdiff_t> (i) * length);
+}
+
+template <>
+NodeGraph::Buffers<float>& NodeGraph::Entry::buffers<float>()
+{
+    return floats;
+}
+
+template <>
+NodeGraph::Buffers<double>& NodeGraph::Entry::buffers<double>()
+{
+    return doubles;
+}
+
+int NodeGraph::add (std::unique_ptr<Node> node, int source)
+{
+    const auto given = source == noSource ? 0 : entries.at (static_cast<std::size_t> (source)).node->outputs();
+
+    if (node->inputs() != given)
+        throw InputError ("node '" + node->name() + "'", "takes " + std::to_string (node->inputs())
+                                                             + " channels, but is given " + std::to_string (given));
+
+    Entry entry;
+    entry.node = std::move (node);
+    entry.source = source;
+    entries.push_back (std::move (entry));
+    return nodes() - 1;
+}
+
+void NodeGraph::setOutputs (std::vector<int> nodesToUse)
+{
+    outputNodes = std::move (nodesToUse);
+}
+
+int NodeGraph::outputs() const
+{
+    int count = 0;
+
+    for (const auto index : outputNodes)
+        count += entries[static_cast<std::size_t> (index)].node->outputs();
+
+    return count;
+}
+
+void NodeGraph::prepare (const NodeFormat& format)
+{
+    longestBlock = std::max (1, format.longestBlock);
+    partEvents.reserve (mostEvents);
+
+    for (auto& entry : entries)
+    {
+        entry.node->prepare (format);
+        entry.floats.make (entry.node->outputs(), longestBlock);
+        entry.doubles.make (entry.node->outputs(), longestBlock);
+    }
+}
+
+void NodeGraph::reset()
+{
+    for (auto& entry : entries)
+        entry.node->reset();
+}
+
+template <typename Sample>
+void NodeGraph::processPart (Sample* const* channels, int offset, int count, std::span<const FocusEvent> events)
+{
+    for (auto& entry : entries)
+    {
+        NodeBlock<Sample> block;
+        block.outputs = entry.template buffers<Sample>().outputs.data();
+        block.count = count;
+        block.events = events;
+
+        if (entry.source != noSource)
+            block.inputs = entries[static_cast<std::size_t> (entry.source)].template buffers<Sample>().outputs.data();
+
+        entry.node->process (block);
+    }
+
+    for (const auto index : outputNodes)
+        for (const auto* const from : entries[static_cast<std::size_t> (index)].template buffers<Sample>().outputs)
+            std::copy (from, from + count, *channels++ + offset);
+}
+
+template <typename Sample>
+void NodeGraph::process (Sample* const* channels, int count, std::span<const FocusEvent> events)
+{
+    auto offset = 0;
+    auto next = events.begin();
+
+    do
+    {
+        const auto length = std::min (longestBlock, count - offset);
+        const auto isLast = offset + length >= count;
+        partEvents.clear();
+
+        for (; next != events.end() && (isLast || next->offset < offset + length) && partEvents.size() < mostEvents;
+             ++next)
+        {
+            partEvents.push_back (*next);
+            partEvents.back().offset -= offset;
+        }
+
+        processPart (channels, offset, length, partEvents);
+        offset += length;
+    } while (offset < count);
+}
+
+template void NodeGraph::process (float* const*, int, std::span<const FocusEvent>);
+template void NodeGraph::process (double* const*, int, std::span<const FocusEvent>);
+} // namespace antinode

@@ -1,0 +1,38 @@
+#include "PlayerNode.h"
+
+namespace antinode
+{
+PlayerNode::PlayerNode (int ceramicsToUse, PlayerSettings settingsToUse)
+    : ceramics (ceramicsToUse), settings (settingsToUse)
+{
+}
+
+void PlayerNode::prepare (const NodeFormat& format)
+{
+    if (focusPlayer != nullptr && format.sampleRate == sampleRate)
+        return;
+
+    focusPlayer = std::make_unique<FocusPlayer> (ceramics, format.sampleRate, settings);
+    sampleRate = format.sampleRate;
+}
+
+void PlayerNode::process (const NodeBlock<float>& block)
+{
+    focusPlayer->process (block.outputs, block.count, block.events);
+}
+
+void PlayerNode::process (const NodeBlock<double>& block)
+{
+    focusPlayer->process (block.outputs, block.count, block.events);
+}
+
+void PlayerNode::reset()
+{
+    focusPlayer->reset();
+}
+
+std::int64_t PlayerNode::latencySamples() const
+{
+    return focusPlayer->latencySamples();
+}
+} // namespace antinode

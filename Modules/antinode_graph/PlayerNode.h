@@ -1,0 +1,35 @@
+#pragma once
+
+#include "Node.h"
+
+#include <antinode_engine/FocusPlayer.h>
+
+#include <memory>
+
+namespace antinode
+{
+/** Events in, voltages out: voices with their forces and allocations, fused. */
+class PlayerNode : public Node
+{
+public:
+    PlayerNode (int ceramics, PlayerSettings);
+
+    std::string name() const override { return "Player"; }
+    int inputs() const override { return 0; }
+    int outputs() const override { return ceramics; }
+    void prepare (const NodeFormat&) override;
+    void process (const NodeBlock<float>&) override;
+    void process (const NodeBlock<double>&) override;
+    void reset() override;
+    std::int64_t latencySamples() const override;
+
+    /** The player of the last prepare: a new one is made whenever the rate changes. [worker, not while it processes] */
+    FocusPlayer& player() { return *focusPlayer; }
+
+private:
+    int ceramics;
+    PlayerSettings settings;
+    double sampleRate = 0;
+    std::unique_ptr<FocusPlayer> focusPlayer;
+};
+} // namespace antinode
