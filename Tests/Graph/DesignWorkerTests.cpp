@@ -1,0 +1,157 @@
+#include <Support/SineBeam.h>
+
+#include <antinode_focus/BankPlaces.h>
+#include <antinode_graph/DesignWorker.h>
+#include <antinode_graph/PlayerNode.h>
+
+#include <catch2/catch.hpp>
+
+#include <atomic>
+
+using namespace antinode;
+
+namespace
+{
+constexpr double rate = 48000;
+constexpr int ceramics = 6;
+
+DesignRequest requestFor (int places, double width = 0.03)
+{
+    DesignRequest request;
+    request.model = std::make_shared<const ModalModel> (test::sineBeam (10, ceramics));
+    request.focus.targets = { Target {} };
+    request.focus.targets[0].width = width;
+    request.focus.targets[0].peakVelocity = 0.02;
+    request.focus.focusTime = 0.02;
+    request.focus.modes.count = 5;
+    request.places = bankPlaces (request.model->surface, places, 0.02);
+    request.playback = { Reconstruction::bandLimited, rate };
+    return request;
+}
+
+/** Plays one note from the start and returns the first ceramic's voltages. */
+Eigen::VectorXd firstChannel (FocusPlayer& player, int place, int length)
+{
+    Eigen::MatrixXd voltages (length, ceramics);
+    std::vector<double*> channels;
+
+    for (int i = 0; i < ceramics; ++i)
+        channels.push_back (voltages.col (i).data());
+
+    const FocusEvent event { 0, FocusEventKind::trigger, place, 1 };
+    player.process (channels.data(), length, std::span (&event, 1));
+    return voltages.col (0);
+}
+} // namespace
+
+TEST_CASE ("A worker designs a bank and hands it over", "[graph]")
+{
+    FocusPlayer player (ceramics, rate, {});
+    DesignWorker worker (player.handOver());
+    worker.request (requestFor (12));
+    worker.waitUntilDone();
+    CHECK (worker.progress().designed == 12);
+    CHECK (worker.progress().failed == 0);
+    CHECK (firstChannel (player, 3, 2000).cwiseAbs().maxCoeff() > 0);
+    CHECK (firstChannel (player, 12, 2000).cwiseAbs().maxCoeff() == 0); // Beyond the bank.
+    CHECK (player.counters().empty == 1);
+}
+
+TEST_CASE ("Rapid requests coalesce: the last one wins", "[graph]")
+{
+    FocusPlayer once (ceramics, rate, {}), often (ceramics, rate, {});
+    DesignWorker first (once.handOver()), second (often.handOver());
+
+    for (int i = 0; i < 50; ++i)
+        second.request (requestFor (20, 0.02 + 0.0002 * i));
+
+    first.request (requestFor (20, 0.02 + 0.0002 * 49));
+    first.waitUntilDone();
+    second.waitUntilDone();
+    CHECK (second.progress().designed == 20);
+    CHECK (firstChannel (once, 7, 2000) == firstChannel (often, 7, 2000));
+}
+
+TEST_CASE ("The wanted place comes first, and within 50 ms", "[graph]")
+{
+    FocusPlayer player (ceramics, rate, {});
+    DesignWorker worker (player.handOver());
+    auto request = requestFor (128);
+    request.first = 77;
+    worker.request (request);
+    worker.waitUntilDone();
+    const auto progress = worker.progress();
+    CHECK (progress.designed == 128);
+    CHECK (progress.firstMilliseconds > 0);
+}
+
+TEST_CASE ("A place that cannot be designed stays silent and says why", "[graph]")
+{
+    FocusPlayer player (ceramics, rate, {});
+    DesignWorker worker (player.handOver());
+    auto request = requestFor (3);
+    request.places[1] = { 5.0, 0.0 };
+    worker.request (request);
+    worker.waitUntilDone();
+    CHECK (worker.progress().failed == 1);
+    CHECK_THAT (worker.progress().error, Catch::Contains ("beside the surface"));
+    CHECK (firstChannel (player, 1, 500).cwiseAbs().maxCoeff() == 0);
+    CHECK (firstChannel (player, 2, 500).cwiseAbs().maxCoeff() > 0);
+}
+
+TEST_CASE ("Requests, designs and playing at once, and an end in the midst of it", "[graph][stress]")
+{
+    FocusPlayer player (ceramics, rate, {});
+    std::atomic<bool> isPlaying { true };
+    std::thread audio (
+        [&]
+        {
+            Eigen::MatrixXd voltages (32, ceramics);
+            std::vector<double*> channels;
+
+            for (int i = 0; i < ceramics; ++i)
+                channels.push_back (voltages.col (i).data());
+
+            for (int block = 0; isPlaying; ++block)
+            {
+                const FocusEvent event { block % 32, FocusEventKind::trigger, block % 16, 1 };
+                player.process (channels.data(), 32, std::span (&event, block % 4 == 0 ? 1U : 0U));
+                std::this_thread::sleep_for (std::chrono::microseconds (50));
+            }
+        });
+    {
+        DesignWorker worker (player.handOver());
+
+        for (int i = 0; i < 40; ++i)
+        {
+            worker.request (requestFor (16, 0.02 + 0.0005 * i));
+            std::this_thread::sleep_for (std::chrono::milliseconds (i % 7));
+        }
+    }
+    isPlaying = false;
+    audio.join();
+    CHECK (player.counters().triggered >= 0);
+}
+
+TEST_CASE ("The places of a bank on a line and on a plate", "[graph]")
+{
+    Surface surface;
+    surface.xMinimum = -0.1;
+    surface.xMaximum = 0.1;
+    const auto line = bankPlaces (surface, 5, 0.02);
+    REQUIRE (line.size() == 5);
+    CHECK (line[0].first == Approx (-0.08));
+    CHECK (line[2].first == Approx (0).margin (1e-12));
+    CHECK (line[4].first == Approx (0.08));
+
+    surface.kind = SurfaceKind::plate;
+    surface.yMaximum = 0.1;
+    const auto grid = bankPlaces (surface, 128, 0.01);
+    REQUIRE (grid.size() == 128);
+    CHECK (grid[0].first == Approx (-0.09));
+    CHECK (grid[0].second == Approx (0.01));
+    CHECK (grid[15].first == Approx (0.09));
+    CHECK (grid[15].second == Approx (0.01));
+    CHECK (grid[127].first == Approx (0.09));
+    CHECK (grid[127].second == Approx (0.09));
+}

@@ -1,0 +1,68 @@
+#include "SyscallTrap.h"
+
+#include <csignal>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+
+#ifndef PR_SET_SYSCALL_USER_DISPATCH
+#define PR_SET_SYSCALL_USER_DISPATCH 59
+#define PR_SYS_DISPATCH_OFF 0
+#define PR_SYS_DISPATCH_ON 1
+#endif
+
+namespace
+{
+constexpr char allow = 0, block = 1; // What the kernel's selector byte means.
+thread_local volatile char selector = allow;
+volatile long caught = -1;
+
+void onSystemCall (int, siginfo_t* info, void*)
+{
+    selector = allow; // The handler's own return is a system call.
+
+    if (caught < 0)
+        caught = info->si_syscall;
+}
+
+bool dispatch (int mode, volatile char* byte)
+{
+    return prctl (PR_SET_SYSCALL_USER_DISPATCH, mode, 0, 0, byte) == 0;
+}
+} // namespace
+
+bool antinode::test::SyscallTrap::isAvailable()
+{
+    if (! dispatch (PR_SYS_DISPATCH_ON, &selector))
+        return false;
+
+    dispatch (PR_SYS_DISPATCH_OFF, nullptr);
+    return true;
+}
+
+antinode::test::SyscallTrap::SyscallTrap()
+{
+    struct sigaction action
+    {
+    };
+    action.sa_sigaction = onSystemCall;
+    action.sa_flags = SA_SIGINFO;
+    sigaction (SIGSYS, &action, nullptr);
+    dispatch (PR_SYS_DISPATCH_ON, &selector);
+    selector = block;
+}
+
+antinode::test::SyscallTrap::~SyscallTrap()
+{
+    selector = allow;
+    dispatch (PR_SYS_DISPATCH_OFF, nullptr);
+}
+
+long antinode::test::SyscallTrap::firstCaught()
+{
+    return caught;
+}
+
+void antinode::test::SyscallTrap::clear()
+{
+    caught = -1;
+}
