@@ -221,3 +221,51 @@ TEST_CASE ("modes --report writes a page beside the table, or says in a line why
     CHECK (linesIn (refused.errors) == 1);
     CHECK (refused.output.empty());
 }
+
+TEST_CASE ("place writes a device that can be solved, with as many ceramics as asked for", "[command line]")
+{
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "placed.json";
+    const auto run = runProgram (
+        { "place", "aluminium-200x120", "--count", "5", "--size-mm", "20x15", "--modes", "12", "--out", file });
+    REQUIRE (run.exitCode == 0);
+    const auto device = nlohmann::json::parse (contentOf (file));
+    REQUIRE (device["ceramics"].size() == 5);
+    CHECK (device["ceramics"][4]["name"] == "C5");
+    CHECK (device["ceramics"][0]["size_x_mm"] == 20);
+    CHECK (device["ceramics"][0]["size_y_mm"] == 15);
+    CHECK (device["ceramics"][0]["material"] == "NCE51");
+    CHECK (runProgram ({ "modes", file, "--count", "5", "--no-cache" }).exitCode == 0);
+
+    const auto beam = folder.path() / "beam.json";
+    CHECK (
+        runProgram ({ "place", "beam", "--count", "3", "--modes", "8", "--frozen", "--quiet", "--out", beam }).exitCode
+        == 0);
+    CHECK (runProgram ({ "modes", beam, "--count", "5", "--no-cache" }).exitCode == 0);
+}
+
+TEST_CASE ("place says in a line what it cannot do", "[command line]")
+{
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "placed.json";
+
+    for (const auto& arguments : std::vector<std::vector<std::string>> { { "--size-mm", "20x" },
+                                                                         { "--size-mm", "-3" },
+                                                                         { "--size-mm", "300" },
+                                                                         { "--step-mm", "0" },
+                                                                         { "--step-mm", "0.0001" },
+                                                                         { "--size-mm", "90", "--count", "9" },
+                                                                         { "--size-mm", "1e-9" } })
+    {
+        std::vector<std::string> all { "place", "phone", "--out", file };
+        all.insert (all.end(), arguments.begin(), arguments.end());
+        const auto run = runProgram (all);
+        CAPTURE (arguments.front(), arguments[1], run.errors);
+        CHECK (run.exitCode == 1);
+        CHECK (linesIn (run.errors) == 1);
+        CHECK_FALSE (std::filesystem::exists (file));
+    }
+
+    CHECK (runProgram ({ "place", "phone", "--count", "0" }).exitCode == 2);
+    CHECK (runProgram ({ "place", "phone", "--count", "65" }).exitCode == 2);
+}
