@@ -45,7 +45,7 @@ struct PlayerCounters
 
     A voice keeps the design that it began with, also when a new bank arrives. Output depends on the samples' and events' places in time only,
     not, to the bit, on how time is cut into blocks. Limits are not its concern: VoltageLimiter stands behind it.
-    Docs/Theory.md, section 6.5. */
+    Docs/Theory.md, section 6.6. */
 class FocusPlayer
 {
 public:

@@ -1,7 +1,6 @@
 #include "SynthesisKernel.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 // Highway includes this file once a target, each time with another HWY_NAMESPACE.
@@ -24,45 +23,87 @@ constexpr int mostCeramics = HWY_TARGET <= HWY_AVX3 ? 8 : 4;
 template <typename Sample>
 constexpr int lanes = static_cast<int> (hn::MaxLanes (hn::ScalableTag<Sample>()));
 
-/** One oscillation in as many tiles of 64 samples, whose table is read once. */
-template <int tiles, typename Sample>
-HWY_INLINE void evaluateOne (const SoundingOscillation<Sample>& oscillation, int tile, Sample* values)
+template <typename Tag, typename Vector>
+HWY_INLINE void storeAs (Tag narrow, Vector values, float* target)
 {
-    constexpr auto least =
-        static_cast<double> (std::numeric_limits<Sample>::min() / std::numeric_limits<Sample>::epsilon());
-    const hn::ScalableTag<Sample> tag;
-    hn::VFromD<decltype (tag)> real[tiles], imaginary[tiles];
+    hn::StoreU (hn::DemoteTo (narrow, values), narrow, target);
+}
 
-#pragma GCC unroll 4
-    for (int t = 0; t < tiles; ++t)
+template <typename Tag, typename Vector>
+HWY_INLINE void storeAs (Tag wide, Vector values, double* target)
+{
+    hn::StoreU (values, wide, target);
+}
+
+/** The phasors at the starts of a strip's tiles: real, then imaginary parts. */
+template <typename Sample>
+HWY_INLINE void findPhasors (const SoundingOscillation<Sample>& oscillation, int tile, Sample* phasors)
+{
+    const hn::CappedTag<double, synthesisStrip> wide;
+    const hn::Rebind<Sample, decltype (wide)> narrow;
+    const auto least = hn::Set (
+        wide, static_cast<double> (std::numeric_limits<Sample>::min() / std::numeric_limits<Sample>::epsilon()));
+    const auto anchorReal = hn::Set (wide, oscillation.anchorReal);
+    const auto anchorImaginary = hn::Set (wide, oscillation.anchorImaginary);
+
+    for (int t = 0; t < synthesisStrip; t += static_cast<int> (hn::MaxLanes (wide)))
     {
-        const auto phasor = product (oscillation.anchor, oscillation.turns[tile + t]);
-        const auto audible = std::abs (phasor.real()) + std::abs (phasor.imag()) >= least;
-        real[t] = hn::Set (tag, audible ? static_cast<Sample> (phasor.real()) : Sample (0));
-        imaginary[t] = hn::Set (tag, audible ? static_cast<Sample> (phasor.imag()) : Sample (0));
+        const auto turnReal = hn::LoadU (wide, oscillation.turnReal + tile + t);
+        const auto turnImaginary = hn::LoadU (wide, oscillation.turnImaginary + tile + t);
+        const auto real = hn::NegMulAdd (anchorImaginary, turnImaginary, hn::Mul (anchorReal, turnReal));
+        const auto imaginary = hn::MulAdd (anchorImaginary, turnReal, hn::Mul (anchorReal, turnImaginary));
+        const auto audible = hn::Ge (hn::Max (hn::Abs (real), hn::Abs (imaginary)), least);
+        storeAs (narrow, hn::IfThenElseZero (audible, real), phasors + t);
+        storeAs (narrow, hn::IfThenElseZero (audible, imaginary), phasors + synthesisStrip + t);
+    }
+}
+
+/** One oscillation in some tiles, whose table of 16 samples stays in registers. */
+template <typename Sample>
+HWY_INLINE void evaluateOne (const Sample* fine, const Sample* phasors, int tiles, Sample* values)
+{
+    constexpr int vectors = synthesisTile / lanes<Sample>;
+    const hn::ScalableTag<Sample> tag;
+    hn::VFromD<decltype (tag)> fineReal[vectors], fineImaginary[vectors];
+
+#pragma GCC unroll 16
+    for (int v = 0; v < vectors; ++v)
+    {
+        fineReal[v] = hn::Load (tag, fine + v * lanes<Sample>);
+        fineImaginary[v] = hn::Load (tag, fine + synthesisTile + v * lanes<Sample>);
     }
 
 #pragma GCC unroll 8
-    for (int j = 0; j < synthesisTile; j += lanes<Sample>)
+    for (int t = 0; t < tiles; ++t)
     {
-        const auto fineReal = hn::Load (tag, oscillation.fine + j);
-        const auto fineImaginary = hn::Load (tag, oscillation.fine + synthesisTile + j);
+        const auto real = hn::Set (tag, phasors[t]);
+        const auto imaginary = hn::Set (tag, phasors[synthesisStrip + t]);
 
-#pragma GCC unroll 4
-        for (int t = 0; t < tiles; ++t)
-            hn::Store (hn::NegMulAdd (imaginary[t], fineImaginary, hn::Mul (real[t], fineReal)), tag,
-                       values + t * synthesisTile + j);
+#pragma GCC unroll 16
+        for (int v = 0; v < vectors; ++v)
+            hn::Store (hn::NegMulAdd (imaginary, fineImaginary[v], hn::Mul (real, fineReal[v])), tag,
+                       values + t * synthesisTile + v * lanes<Sample>);
     }
 }
 
 template <typename Sample>
 void evaluate (SynthesisChunk<Sample>& chunk, int tile, int tiles)
 {
+    // In a loop of its own: what is stored here must have reached the cache before single numbers are read from it.
     for (int c = 0; c < chunk.count; ++c)
-        if (auto* values = chunk.values + c * chunk.samples; tiles == synthesisStrip)
-            evaluateOne<synthesisStrip> (chunk.sounding[c], tile, values);
+        findPhasors (chunk.sounding[c], tile, chunk.phasors + c * 2 * synthesisStrip);
+
+    for (int c = 0; c < chunk.count; ++c)
+    {
+        const auto* fine = chunk.sounding[c].fine;
+        const auto* phasors = chunk.phasors + c * 2 * synthesisStrip;
+        auto* values = chunk.values + c * chunk.samples;
+
+        if (tiles == synthesisStrip)
+            evaluateOne (fine, phasors, synthesisStrip, values);
         else
-            evaluateOne<1> (chunk.sounding[c], tile, values);
+            evaluateOne (fine, phasors, tiles, values);
+    }
 }
 
 /** Mixes a block of ceramics x vectors, whose sums stay in registers. @param targets  where its first sample lies */
@@ -128,7 +169,8 @@ template <int ceramics, typename Sample>
 void mixGroup (const SynthesisChunk<Sample>& chunk, int begin, int end, int firstCeramic, Sample* const* channels,
                std::ptrdiff_t offset)
 {
-    constexpr int most = std::min (registerSums / ceramics, synthesisTile / lanes<Sample>) * lanes<Sample>;
+    constexpr int most =
+        std::min (registerSums / ceramics, SynthesisChunk<Sample>::samples / lanes<Sample>) * lanes<Sample>;
     Sample* targets[ceramics];
 
     for (int sample = begin, step = 0; sample < end; sample += step)

@@ -2,23 +2,22 @@
 
 #include "TilePhasors.h"
 
-#include <complex>
 #include <cstddef>
 
 namespace antinode
 {
-/** How many oscillations are evaluated before they are mixed, and in how many tiles: their values stay in the fastest cache,
-    and the tables are read once for all of these tiles. */
-inline constexpr int synthesisChunk = 16, synthesisStrip = 2;
+/** How many oscillations are evaluated in a strip of tiles before they are mixed: their values stay in the fastest cache. */
+inline constexpr int synthesisChunk = 24;
 
-/** An oscillation at a run of tiles. */
+/** An oscillation at a run of tiles. Not initialised: the audio thread makes and fills many of them. */
 template <typename Sample>
 struct SoundingOscillation
 {
-    std::complex<double> anchor;                 ///< What all of its tiles' phasors have in common, V per V of mixing.
-    const std::complex<double>* turns = nullptr; ///< Tile by tile: times this gives the phasor at the tile's start.
-    const Sample* fine = nullptr;   ///< e^{p j T}, j = 0..63: 64 real parts, then 64 imaginary ones; on a cache line.
-    const Sample* mixing = nullptr; ///< N_b: what a ceramic gets of it, V.
+    double anchorReal, anchorImaginary; ///< What all of its tiles' phasors have in common, V per V of mixing.
+    const double* turnReal;             ///< Tile by tile: times this the anchor is the phasor at the tile's start.
+    const double* turnImaginary;        ///< As long; a strip may be read behind the run's last tile.
+    const Sample* fine;   ///< e^{p j T}, j = 0..15: 16 real parts, then 16 imaginary ones; on a cache line.
+    const Sample* mixing; ///< N_b: what a ceramic gets of it, V.
 };
 
 /** The sounding oscillations of a chunk at a run of tiles, and their values in a strip of it. */
@@ -29,6 +28,8 @@ struct SynthesisChunk
 
     int count = 0;
     SoundingOscillation<Sample> sounding[synthesisChunk];
+    alignas (
+        64) Sample phasors[synthesisChunk * 2 * synthesisStrip]; ///< Real, then imaginary parts at the strip's tiles.
     alignas (64) Sample values[synthesisChunk * samples];
 };
 

@@ -6,7 +6,7 @@ namespace antinode
 {
 namespace
 {
-constexpr std::int64_t base = synthesisGroup;
+constexpr int base = 64;
 } // namespace
 
 std::complex<double> exponential (const Oscillation& oscillation, long double time)
@@ -18,28 +18,31 @@ std::complex<double> exponential (const Oscillation& oscillation, long double ti
 
 TilePhasors::TilePhasors (const Oscillation& oscillation, std::complex<double> firstPhasor, double rate,
                           std::int64_t tiles)
-    : first (firstPhasor)
+    : first (firstPhasor), turns (2 * (synthesisGroup + synthesisStrip), 0.0)
 {
-    // Entries beyond the oscillation's end may be infinite; nobody asks for them.
-    std::int64_t step = 1;
+    // Entries beyond the oscillation's end may be infinite; nobody uses them.
+    const auto power = [&] (std::int64_t tile)
+    { return exponential (oscillation, static_cast<long double> (tile * synthesisTile) / rate); };
 
-    do
+    for (std::size_t tile = 0; tile < synthesisGroup; ++tile)
     {
-        for (std::int64_t digit = 0; digit < base; ++digit)
-            powers.push_back (
-                exponential (oscillation, static_cast<long double> (digit * step * synthesisTile) / rate));
+        const auto turn = power (static_cast<std::int64_t> (tile));
+        turns[tile] = turn.real();
+        turns[tile + synthesisGroup + synthesisStrip] = turn.imag();
+    }
 
-        step *= base;
-    } while (step < tiles);
+    for (std::int64_t step = synthesisGroup; step < tiles; step *= base)
+        for (int digit = 0; digit < base; ++digit)
+            powers.push_back (power (digit * step));
 }
 
-std::complex<double> TilePhasors::atGroup (std::int64_t group) const
+std::complex<double> TilePhasors::atGroup (std::uint64_t group) const
 {
     auto phasor = first;
 
-    for (std::size_t level = 1; group > 0; ++level, group /= base)
-        if (const auto digit = static_cast<std::size_t> (group % base); digit > 0)
-            phasor = product (phasor, powers[level * base + digit]);
+    for (const auto* level = powers.data(); group > 0; level += base, group /= base)
+        if (const auto digit = group % base; digit > 0)
+            phasor = product (phasor, level[digit]);
 
     return phasor;
 }

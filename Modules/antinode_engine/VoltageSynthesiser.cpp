@@ -95,7 +95,6 @@ public:
         : synthesiser (owner), tables (owner.tables<Sample>()), block (what), firstVoice (from),
           lastVoice (std::min (from + synthesisChunk, owner.voices.size()))
     {
-        groups.fill (-1);
     }
 
     void addAll()
@@ -137,19 +136,17 @@ private:
     std::int64_t append (std::size_t c, std::int64_t tile)
     {
         const auto& voice = synthesiser.voices[c];
-        const auto group = (tile - voice.firstTile) / synthesisGroup;
-        const auto groupStart = voice.firstTile + group * synthesisGroup;
-
-        if (auto& known = groups[c - firstVoice]; known != group)
-        {
-            known = group;
-            anchors[c - firstVoice] = block.amplitude * voice.phasors.atGroup (group);
-        }
-
+        const auto sinceStart = static_cast<std::uint64_t> (tile - voice.firstTile);
+        const auto turn = sinceStart % synthesisGroup;
+        const auto anchor = voice.phasors.atGroup (sinceStart / synthesisGroup);
         numbers[chunk.count] = c;
-        chunk.sounding[chunk.count++] = { anchors[c - firstVoice], voice.phasors.withinGroup() + (tile - groupStart),
-                                          tables.fine.data() + c * (2 * synthesisTile),
-                                          tables.mixing.data() + c * synthesiser.ceramics + block.firstCeramic };
+        auto& sounding = chunk.sounding[chunk.count++];
+        sounding.anchorReal = block.amplitude * anchor.real();
+        sounding.anchorImaginary = block.amplitude * anchor.imag();
+        sounding.turnReal = voice.phasors.turnReal() + turn;
+        sounding.turnImaginary = voice.phasors.turnImaginary() + turn;
+        sounding.fine = tables.fine.data() + c * (2 * synthesisTile);
+        sounding.mixing = tables.mixing.data() + c * synthesiser.ceramics + block.firstCeramic;
 
         if (voice.hasEdgeIn (tile))
         {
@@ -157,7 +154,7 @@ private:
             return tile + 1;
         }
 
-        return std::min (voice.lastTile, groupStart + synthesisGroup);
+        return std::min (voice.lastTile, tile + synthesisGroup - static_cast<std::int64_t> (turn));
     }
 
     /** Adds a few tiles of a run, or what of them lies in the block. */
@@ -191,9 +188,7 @@ private:
     const Tables<Sample>& tables;
     const Block<Sample>& block;
     std::size_t firstVoice, lastVoice;
-    std::array<std::int64_t, synthesisChunk> groups;
-    std::array<std::complex<double>, synthesisChunk> anchors; // the phasors at the starts of these groups
-    std::array<std::size_t, synthesisChunk> numbers;          // of the voices that sound
+    std::array<std::size_t, synthesisChunk> numbers; // of the voices that sound
     bool edges = false; // whether one of them starts or ends in the run, which is then one tile
     SynthesisChunk<Sample> chunk;
 };
@@ -283,7 +278,8 @@ template void VoltageSynthesiser::add (std::int64_t, int, double, float* const*)
 
 void VoltageSynthesiser::process (std::int64_t first, Eigen::Ref<Eigen::MatrixXd> voltages) const
 {
-    std::array<std::array<double, synthesisTile>, ceramicsAtOnce> planar;
+    constexpr auto stripSamples = SynthesisChunk<double>::samples;
+    std::array<std::array<double, stripSamples>, ceramicsAtOnce> planar;
     std::array<double*, ceramicsAtOnce> channels;
     std::transform (planar.begin(), planar.end(), channels.begin(), [] (auto& channel) { return channel.data(); });
 
@@ -291,9 +287,9 @@ void VoltageSynthesiser::process (std::int64_t first, Eigen::Ref<Eigen::MatrixXd
     {
         const auto rows = std::min (ceramicsAtOnce, ceramics - ceramic);
 
-        for (Eigen::Index n = 0; n < voltages.cols(); n += synthesisTile)
+        for (Eigen::Index n = 0; n < voltages.cols(); n += stripSamples)
         {
-            const auto count = std::min<Eigen::Index> (synthesisTile, voltages.cols() - n);
+            const auto count = std::min<Eigen::Index> (stripSamples, voltages.cols() - n);
             planar = {};
             addBlock<double> ({ first + n, count, 1.0, ceramic, rows, channels.data() });
 

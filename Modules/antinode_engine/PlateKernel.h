@@ -1,0 +1,36 @@
+#pragma once
+
+namespace antinode
+{
+/** Samples in a tile of the real-time plate, and what its modes are padded to: groups of four of the widest vectors. */
+inline constexpr int plateTile = 16, plateModeGroup = 32;
+
+/** The modes of a plate and one tile of its samples. All arrays start on a cache line; modes are padded with zeros.
+
+    In the coordinates (q', Im y) of section 6.5 of Docs/Theory.md a mode goes from one sample to the next with
+
+        v = a11 x1 + a12 x2 + h,   x2 <- a21 x1 + a22 x2,   x1 <- v + h
+
+    where h is half of what the sample's force adds, and v the velocity at the sample. */
+struct PlateTile
+{
+    int modes = 0, ceramics = 0, probes = 0;
+    int samples = 0;                    ///< 1..16
+    bool last = false;                  ///< Whether the tile ends here: then states below 1e-200 become 0.
+    const double* drive = nullptr;      ///< ceramics x modes: half of what 1 V for one sample adds to x1.
+    const double* transition = nullptr; ///< 4 x modes: a11, a12, a21, a22.
+    const double* shapes = nullptr;     ///< probes x modes
+    const double* voltages = nullptr;   ///< ceramics x 16, V; finite also behind the last sample.
+    double* state = nullptr;            ///< 2 x modes
+    double* motion = nullptr;           ///< 16 x 32: forces, then velocities of a group of modes; finite.
+    double* sums = nullptr;             ///< probes x 16 x 8: partial sums of the velocities at the probes.
+    double* velocities = nullptr;       ///< probes x 16, m/s
+};
+
+/** Advances the plate by the samples of a tile, in the form for this processor: AVX-512, AVX2 with FMA, SSSE3 or plain C++.
+    Every sample is computed by the same operations in the same order, wherever it lies in a tile. */
+using PlateKernel = void (*) (const PlateTile&);
+
+/** The kernel for the processor that runs; hwy::SetSupportedTargetsForTest chooses another one. [worker] */
+PlateKernel plateKernel();
+} // namespace antinode

@@ -1,0 +1,109 @@
+#include "RealtimePlate.h"
+
+#include "ModalRecursion.h"
+
+#include <antinode_model/InputError.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace antinode
+{
+namespace
+{
+void requireAgreement (const ModalModel& model, const Eigen::MatrixXd& probeShapes)
+{
+    if (model.participation.rows() != model.modes() || ! model.participation.allFinite())
+        throw InputError ("device '" + model.name + "'",
+                          "the participation needs one row of finite numbers for every mode");
+
+    if (probeShapes.cols() != model.modes() || ! probeShapes.allFinite())
+        throw InputError ("probes", "the shapes at a probe need one finite number for every mode");
+}
+} // namespace
+
+RealtimePlate::RealtimePlate (const ModalModel& model, double sampleRate, const Eigen::MatrixXd& probeShapes)
+    : kernel (plateKernel())
+{
+    requireAgreement (model, probeShapes);
+    const auto recursion = modalRecursion (model, { Reconstruction::zeroOrderHold, sampleRate });
+    const auto audible = (model.angularFrequencies.array() < std::numbers::pi * sampleRate).count(); // they ascend
+
+    sizes.modes = plateModeGroup * static_cast<int> ((audible + plateModeGroup - 1) / plateModeGroup);
+    sizes.ceramics = static_cast<int> (model.actuators());
+    sizes.probes = static_cast<int> (probeShapes.rows());
+    const auto padded = static_cast<std::size_t> (sizes.modes);
+    drive.resize (padded * static_cast<std::size_t> (sizes.ceramics));
+    transition.resize (padded * 4);
+    shapes.resize (padded * static_cast<std::size_t> (sizes.probes));
+
+    const auto decay = decayRates (model);
+    const Eigen::ArrayXd perTurn = decay.array() / dampedFrequencies (model).array();
+
+    for (Eigen::Index k = 0; k < audible; ++k)
+    {
+        const auto mode = static_cast<std::size_t> (k);
+        const auto real = recursion.transitionReal[k], imaginary = recursion.transitionImaginary[k], d = perTurn[k];
+        transition[mode] = real - d * imaginary;
+        transition[mode + padded] = -(1 + d * d) * imaginary;
+        transition[mode + 2 * padded] = imaginary;
+        transition[mode + 3 * padded] = real + d * imaginary;
+        const auto half = std::tanh (decay[k] / (2 * sampleRate)) / decay[k];
+
+        for (std::size_t i = 0; i < static_cast<std::size_t> (sizes.ceramics); ++i)
+            drive[mode + i * padded] = half * model.participation (k, static_cast<Eigen::Index> (i));
+
+        for (std::size_t p = 0; p < static_cast<std::size_t> (sizes.probes); ++p)
+            shapes[mode + p * padded] = probeShapes (static_cast<Eigen::Index> (p), k);
+    }
+
+    state.resize (padded * 2);
+    motion.resize (static_cast<std::size_t> (plateTile) * plateModeGroup);
+    sums.resize (static_cast<std::size_t> (sizes.probes) * plateTile * (plateModeGroup / 4));
+    inputVoltages.resize (static_cast<std::size_t> (sizes.ceramics) * plateTile);
+    outputs.resize (static_cast<std::size_t> (sizes.probes) * plateTile);
+}
+
+void RealtimePlate::reset()
+{
+    std::fill (state.begin(), state.end(), 0.0);
+    std::fill (motion.begin(), motion.end(), 0.0);
+    std::fill (sums.begin(), sums.end(), 0.0);
+    std::fill (inputVoltages.begin(), inputVoltages.end(), 0.0);
+    position = 0;
+}
+
+template <typename Sample>
+void RealtimePlate::process (const Sample* const* voltages, Sample* const* velocities, int count)
+{
+    auto tile = sizes;
+    tile.drive = drive.data();
+    tile.transition = transition.data();
+    tile.shapes = shapes.data();
+    tile.voltages = inputVoltages.data();
+    tile.state = state.data();
+    tile.motion = motion.data();
+    tile.sums = sums.data();
+    tile.velocities = outputs.data();
+
+    for (int done = 0; done < count; done += tile.samples)
+    {
+        tile.samples = std::min (plateTile - position, count - done);
+        position = (position + tile.samples) % plateTile;
+        tile.last = position == 0;
+
+        for (int i = 0; i < tile.ceramics; ++i)
+            std::copy_n (voltages[i] + done, tile.samples, inputVoltages.data() + i * plateTile);
+
+        kernel (tile);
+
+        for (int p = 0; p < tile.probes; ++p)
+            std::transform (outputs.data() + p * plateTile, outputs.data() + p * plateTile + tile.samples,
+                            velocities[p] + done, [] (double value) { return static_cast<Sample> (value); });
+    }
+}
+
+template void RealtimePlate::process (const double* const*, double* const*, int);
+template void RealtimePlate::process (const float* const*, float* const*, int);
+} // namespace antinode

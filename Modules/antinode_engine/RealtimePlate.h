@@ -1,0 +1,51 @@
+#pragma once
+
+#include "AlignedVector.h"
+#include "PlateKernel.h"
+
+#include <antinode_model/ModalModel.h>
+
+#include <Eigen/Core>
+
+namespace antinode
+{
+/** The plate in real time, for the monitor: planar voltages in, probe velocities out, without latency.
+
+    Each mode's state y' = s y + psi goes over a sample with y_n = e^{sT} y_{n-1} + g psi_n, g = (2/a) tanh (aT/2), and its
+    velocity is read in the middle of what the sample adds: half of psi_n counts, as at the edge of a trapezoid. Force that
+    turns with the mode has its exact steady effect; force that turns w faster has it within (wT)^2 / 12. A mode of Q = 60 that
+    is driven at its own frequency therefore moves as in PlateModel within 1e-3 of its peak up to a tenth of the sample rate.
+    Modes above half of the rate would fold and are left out. For results there is PlateModel.
+
+    Double precision whatever the samples' type. The output does not depend, to the bit, on how the samples are cut into
+    blocks. States below 1e-200 become 0, so that no denormal numbers slow a silent plate down. A voltage that is not finite
+    stays in the state until reset: VoltageLimiter stands before this. Docs/Theory.md, section 6.5. */
+class RealtimePlate
+{
+public:
+    /** @param sampleRate   Hz
+        @param probeShapes  N_probes x N_m: the rows of mode shapes at the probes (shapesAt), kg^-1/2
+        @throws InputError  when the rate is not finite and positive, a mode is not usable, sizes do not agree, or a number is not
+                            finite
+        [worker] allocates */
+    RealtimePlate (const ModalModel&, double sampleRate, const Eigen::MatrixXd& probeShapes);
+
+    /** Takes voltages and gives the probe velocities at the same samples.
+        @param voltages    N_b pointers to count samples each, V
+        @param velocities  N_probes pointers to count samples each, m/s
+        @param count       at least 0
+        [audio thread] allocates nothing, locks nothing */
+    template <typename Sample>
+    void process (const Sample* const* voltages, Sample* const* velocities, int count);
+
+    /** Back to rest. [audio thread] */
+    void reset();
+
+private:
+    AlignedVector<double> drive, transition, shapes;                   // as PlateTile has them
+    AlignedVector<double> state, motion, sums, inputVoltages, outputs; // as PlateTile has them
+    PlateTile sizes;
+    PlateKernel kernel;
+    int position = 0; // in the tile: tiles do not begin where blocks do
+};
+} // namespace antinode
