@@ -8,8 +8,14 @@
 
 namespace antinode
 {
+namespace
+{
+constexpr int piece = 256; // samples: few enough that all ceramics' stay in the cache between the check and the clamp
+} // namespace
+
 VoltageLimiter::VoltageLimiter (Eigen::VectorXd voltageLimits)
-    : limits (std::move (voltageLimits)), clamped (static_cast<std::size_t> (limits.size()), 0)
+    : limits (std::move (voltageLimits)), clamped (static_cast<std::size_t> (limits.size()), 0),
+      doubles (limiterKernel<double>()), floats (limiterKernel<float>())
 {
     if (! limits.allFinite() || (limits.array() < 0).any())
         throw InputError ("voltage limit", "must be a finite number of volts, at least 0, for every ceramic");
@@ -21,27 +27,77 @@ void VoltageLimiter::reset()
     muted = false;
 }
 
+template <>
+const LimiterKernel<double>& VoltageLimiter::kernel<double>() const
+{
+    return doubles;
+}
+
+template <>
+const LimiterKernel<float>& VoltageLimiter::kernel<float>() const
+{
+    return floats;
+}
+
+/** Clamps and counts the valid samples of a ceramic and silences the others. */
+template <typename Sample>
+void VoltageLimiter::limit (std::size_t ceramic, Sample* samples, int valid, int count)
+{
+    const auto exact = limits[static_cast<Eigen::Index> (ceramic)];
+    auto most = static_cast<Sample> (exact);
+
+    if (! (static_cast<double> (most) <= exact)) // rounding must not raise a limit
+        most = std::nextafter (most, Sample (0));
+
+    clamped[ceramic] += kernel<Sample>().clamp (samples, valid, most);
+    std::fill (samples + valid, samples + count, Sample (0));
+}
+
+template <typename Sample>
+void VoltageLimiter::process (Sample* const* channels, int count)
+{
+    for (int done = 0; done < count; done += piece)
+    {
+        const auto samples = std::min (piece, count - done);
+        auto valid = muted ? 0 : samples;
+
+        for (std::size_t i = 0; i < clamped.size(); ++i)
+            valid = kernel<Sample>().finiteSamples (channels[i] + done, valid);
+
+        for (std::size_t i = 0; i < clamped.size(); ++i)
+            limit (i, channels[i] + done, valid, samples);
+
+        muted = muted || valid < samples;
+    }
+}
+
+template void VoltageLimiter::process (double* const*, int);
+template void VoltageLimiter::process (float* const*, int);
+
 void VoltageLimiter::process (Eigen::Ref<Eigen::MatrixXd> voltages)
 {
-    for (Eigen::Index n = 0; n < voltages.cols(); ++n)
+    Eigen::Matrix<double, 1, piece> row;
+
+    for (Eigen::Index done = 0; done < voltages.cols(); done += piece)
     {
-        auto sample = voltages.col (n);
-        muted = muted || ! sample.allFinite();
+        auto part = voltages.middleCols (done, std::min<Eigen::Index> (piece, voltages.cols() - done));
+        const auto samples = static_cast<int> (part.cols());
+        auto valid = muted ? 0 : samples;
 
-        if (muted)
+        for (Eigen::Index i = 0; i < part.rows(); ++i)
         {
-            sample.setZero();
-            continue;
+            row.leftCols (samples) = part.row (i);
+            valid = doubles.finiteSamples (row.data(), valid);
         }
 
-        for (Eigen::Index i = 0; i < sample.size(); ++i)
+        for (Eigen::Index i = 0; i < part.rows(); ++i)
         {
-            if (std::abs (sample[i]) > limits[i])
-            {
-                sample[i] = std::copysign (limits[i], sample[i]);
-                ++clamped[static_cast<std::size_t> (i)];
-            }
+            row.leftCols (samples) = part.row (i);
+            limit (static_cast<std::size_t> (i), row.data(), valid, samples);
+            part.row (i) = row.leftCols (samples);
         }
+
+        muted = muted || valid < samples;
     }
 }
 } // namespace antinode

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "LimiterKernel.h"
+
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -20,6 +22,11 @@ public:
         [worker] allocates */
     explicit VoltageLimiter (Eigen::VectorXd limits);
 
+    /** Limits in place. @param channels  N_b pointers to count samples each, V; in float, limits are rounded down
+        [audio thread] allocates nothing, locks nothing, any count >= 0 */
+    template <typename Sample>
+    void process (Sample* const* channels, int count);
+
     /** Limits in place. @param voltages N_b x n, V. [audio thread] allocates nothing, locks nothing */
     void process (Eigen::Ref<Eigen::MatrixXd> voltages);
 
@@ -33,8 +40,15 @@ public:
     void reset();
 
 private:
+    template <typename Sample>
+    const LimiterKernel<Sample>& kernel() const;
+    template <typename Sample>
+    void limit (std::size_t ceramic, Sample* samples, int valid, int count);
+
     Eigen::VectorXd limits;
     std::vector<std::int64_t> clamped;
+    LimiterKernel<double> doubles;
+    LimiterKernel<float> floats;
     bool muted = false;
 };
 } // namespace antinode

@@ -1,8 +1,12 @@
+#include "EngineFixtures.h"
+
 #include <antinode_engine/VoltageLimiter.h>
 #include <antinode_model/InputError.h>
 
 #include <catch2/catch.hpp>
+#include <hwy/targets.h>
 
+#include <algorithm>
 #include <limits>
 
 using antinode::InputError;
@@ -71,4 +75,58 @@ TEST_CASE ("the limiter needs limits that are finite and not negative")
     CHECK_THROWS_AS (VoltageLimiter (Eigen::Vector2d (10, -1)), InputError);
     CHECK_THROWS_AS (VoltageLimiter (Eigen::Vector2d (10, notANumber)), InputError);
     CHECK_THROWS_AS (VoltageLimiter (Eigen::Vector2d (10, infinite)), InputError);
+}
+
+TEST_CASE ("planar channels are limited as a matrix is, in any blocks, with any instruction set")
+{
+    antinode::test::Draws draws (31);
+    const Eigen::MatrixXd voltages = 20 * draws.matrix (3, 1200);
+    const Eigen::Vector3d limits (5, 10, 19);
+
+    for (const auto mutedFrom : { 0, 700, 1200 })
+    {
+        Eigen::MatrixXd wanted = voltages;
+        if (mutedFrom < 1200)
+            wanted (1, mutedFrom) = notANumber;
+        const Eigen::MatrixXd given = wanted;
+        VoltageLimiter whole (limits);
+        whole.process (wanted);
+        CHECK (wanted.rightCols (1200 - mutedFrom).isZero (0));
+        CHECK (whole.isMuted() == (mutedFrom < 1200));
+
+        for (const auto target : hwy::SupportedAndGeneratedTargets())
+        {
+            for (const auto blockSize : { 1, 7, 64, 512, 8193 })
+            {
+                hwy::SetSupportedTargetsForTest (target);
+                VoltageLimiter limiter (limits);
+                hwy::SetSupportedTargetsForTest (0);
+                Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor> planar = given;
+
+                for (int first = 0; first < 1200; first += blockSize)
+                {
+                    double* channels[] = { &planar (0, first), &planar (1, first), &planar (2, first) };
+                    limiter.process (channels, std::min (blockSize, 1200 - first));
+                }
+
+                INFO (hwy::TargetName (target) << ", blocks of " << blockSize);
+                CHECK (antinode::test::sameBits (planar, wanted));
+                CHECK (limiter.limitedSamples() == whole.limitedSamples());
+                CHECK (limiter.isMuted() == whole.isMuted());
+            }
+        }
+    }
+}
+
+TEST_CASE ("in float no sample is above the limit, which float cannot hold")
+{
+    VoltageLimiter limiter (Eigen::VectorXd::Constant (1, 0.1)); // 0.1f is above 0.1
+    float samples[] = { 1, -1, 0.05f };
+    float* channel = samples;
+    limiter.process (&channel, 3);
+    CHECK (static_cast<double> (samples[0]) <= 0.1);
+    CHECK (static_cast<double> (samples[1]) >= -0.1);
+    CHECK (samples[0] == Approx (0.1));
+    CHECK (samples[2] == 0.05f);
+    CHECK (limiter.limitedSamples() == std::vector<std::int64_t> { 2 });
 }
