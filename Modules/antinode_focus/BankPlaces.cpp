@@ -24,6 +24,7 @@ std::vector<std::pair<double, double>> bankPlaces (const Surface& surface, int c
         isLine ? count : std::clamp (static_cast<int> (std::lround (std::sqrt (count * width / height))), 1, count);
     const auto rows = (count + columns - 1) / columns;
     std::vector<std::pair<double, double>> places;
+    places.reserve (static_cast<std::size_t> (count));
 
     for (int i = 0; i < count; ++i)
         places.emplace_back (along (surface.xMinimum, surface.xMaximum, margin, i % columns, columns),

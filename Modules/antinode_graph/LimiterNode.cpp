@@ -1,0 +1,43 @@
+#include "LimiterNode.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+LimiterNode::LimiterNode (const Eigen::VectorXd& limits)
+    : channels (static_cast<int> (limits.size())), voltageLimiter (limits)
+{
+}
+
+void LimiterNode::prepare (const NodeFormat& format)
+{
+    rampSamples = std::max<std::int64_t> (1, std::llround (rampTime * format.sampleRate));
+}
+
+template <typename Sample>
+void LimiterNode::limit (const NodeBlock<Sample>& block)
+{
+    for (int i = 0; i < channels; ++i)
+        std::copy (block.inputs[i], block.inputs[i] + block.count, block.outputs[i]);
+
+    if (const auto wanted = wantsArmed.load (std::memory_order_relaxed); wanted != isArmed)
+    {
+        isArmed = wanted;
+        ramp.setTarget (isArmed ? 1 : 0, rampSamples);
+    }
+
+    ramp.process (block.outputs, channels, block.count);
+    voltageLimiter.process (block.outputs, block.count);
+}
+
+void LimiterNode::process (const NodeBlock<float>& block)
+{
+    limit (block);
+}
+
+void LimiterNode::process (const NodeBlock<double>& block)
+{
+    limit (block);
+}
+} // namespace antinode

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "Node.h"
+
+#include <antinode_engine/SafetyRamp.h>
+#include <antinode_engine/VoltageLimiter.h>
+
+#include <atomic>
+
+namespace antinode
+{
+/** The last guard: silence by a ramp where it is disarmed, no voltage beyond its ceramic's limit, and a latched mute where
+    one is not finite. */
+class LimiterNode : public Node
+{
+public:
+    /** @param limits  N_b, V @throws InputError  as VoltageLimiter */
+    explicit LimiterNode (const Eigen::VectorXd& limits);
+
+    std::string name() const override { return "Limiter"; }
+    int inputs() const override { return channels; }
+    int outputs() const override { return channels; }
+    void prepare (const NodeFormat&) override;
+    void process (const NodeBlock<float>&) override;
+    void process (const NodeBlock<double>&) override;
+    void reset() override { voltageLimiter.reset(); }
+
+    /** From the next block on, ramps all voltages to 0 or back, within 5 ms. Armed at first. [any] */
+    void setArmed (bool shouldBeArmed) { wantsArmed = shouldBeArmed; }
+
+    /** What it had to do. [audio thread] */
+    const VoltageLimiter& limiter() const { return voltageLimiter; }
+
+private:
+    template <typename Sample>
+    void limit (const NodeBlock<Sample>&);
+
+    static constexpr double rampTime = 0.005; // s
+
+    int channels;
+    std::atomic<bool> wantsArmed { true };
+    bool isArmed = true;
+    std::int64_t rampSamples = 1;
+    SafetyRamp ramp { 1 };
+    VoltageLimiter voltageLimiter;
+};
+} // namespace antinode
