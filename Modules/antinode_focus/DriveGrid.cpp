@@ -1,13 +1,48 @@
 #include "DriveGrid.h"
 
-#include "Prediction.h"
-
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace antinode
 {
+namespace
+{
+/** The instants of the grid: the last one is exact, whatever the others' rounding. */
+struct SampleTimes
+{
+    double last, duration, steps;
+
+    double at (Eigen::Index n) const { return last - duration * (1 - static_cast<double> (n) / steps); }
+    double interval() const { return duration / steps; }
+};
+
+/** A phasor turned from sample to sample, and taken anew so often that rounding does not add up. */
+void addSamples (Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> samples, const Oscillation& oscillation,
+                 const SampleTimes& times)
+{
+    constexpr Eigen::Index renewal = 64;
+    const auto turn = std::exp (oscillation.exponent() * times.interval());
+    std::complex<double> phasor;
+    Eigen::Index turned = renewal;
+
+    for (Eigen::Index n = 0; n < samples.size(); ++n)
+    {
+        const auto time = times.at (n);
+
+        if (time < oscillation.start || time >= oscillation.end)
+            continue;
+
+        phasor = turned < renewal
+                     ? phasor * turn
+                     : oscillation.phasor() * std::exp (oscillation.exponent() * (time - oscillation.start));
+        turned = turned < renewal ? turned + 1 : 1;
+        samples[n] += phasor.real();
+    }
+}
+} // namespace
+
 double gridLimitMargin()
 {
     return std::cos (std::numbers::pi / gridSamplesPerCycle);
@@ -24,11 +59,11 @@ Eigen::MatrixXd sampleDrives (const std::vector<std::vector<Oscillation>>& drive
     const auto steps = std::max (2.0, std::ceil ((last - first) * highest * gridSamplesPerCycle));
     Eigen::MatrixXd samples = Eigen::MatrixXd::Zero (drives.size(), static_cast<Eigen::Index> (steps) + 1);
 
+    const SampleTimes times { last, last - first, steps };
+
     for (Eigen::Index l = 0; l < samples.rows(); ++l)
-        for (Eigen::Index n = 0; n < samples.cols(); ++n)
-            for (const auto& oscillation : drives[static_cast<std::size_t> (l)])
-                samples (l, n) +=
-                    oscillationValue (oscillation, last - (last - first) * (1 - static_cast<double> (n) / steps));
+        for (const auto& oscillation : drives[static_cast<std::size_t> (l)])
+            addSamples (samples.row (l), oscillation, times);
 
     return samples;
 }
