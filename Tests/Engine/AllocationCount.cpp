@@ -21,7 +21,7 @@ long antinode::test::lockCalls()
     return locks;
 }
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(ANTINODE_RTSAN)
 
 bool antinode::test::mallocIsCounted()
 {

@@ -25,7 +25,7 @@ void onSystemCall (int, siginfo_t* info, void*)
 }
 
 // Sanitizers hold signals back until the thread is in no system call, which this one would never be.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(ANTINODE_RTSAN)
 bool dispatch (int, volatile char*)
 {
     return false;
