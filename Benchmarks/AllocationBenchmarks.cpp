@@ -43,5 +43,3 @@ void leastPeak (benchmark::State& state)
 BENCHMARK (leastPeak)->DenseRange (1, 4)->ArgName ("s")->Unit (benchmark::kMillisecond);
 } // namespace
 } // namespace antinode
-
-BENCHMARK_MAIN();

@@ -21,10 +21,10 @@ namespace antinode
     both sides (the value a band-limited signal has at a step), a zero-order hold the value from there on. Each sample is
     computed from its absolute index, so the output does not depend, to the bit, on the blocks.
 
-    An oscillation Re[X e^{p tau}] is a phasor factored in two: X e^{p tau} at the first sample of a tile of 64, from exact
+    An oscillation Re[X e^{p tau}] is a phasor factored in two: X e^{p tau} at the first sample of a tile of 16, from exact
     tables (TilePhasors), times e^{p j / rate} from another one. So its error does not grow with time: below 1e-12 of the
-    envelope after 1 s at 192 kHz in double, 3e-7 in float (where long double is wider than double). The voltages of the
-    last ones differ between processors by as much. Docs/Theory.md, section 6.1; Docs/Decisions/0015-kernels.md. */
+    envelope after 1 s at 192 kHz in double, 3e-7 in float (where long double is wider than double). Instruction sets differ
+    by as much. Docs/Theory.md, section 6.1; Docs/Decisions/0015-kernels.md. */
 class VoltageSynthesiser
 {
 public:
