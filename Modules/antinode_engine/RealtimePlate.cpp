@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace antinode
@@ -93,12 +94,12 @@ void RealtimePlate::process (const Sample* const* voltages, Sample* const* veloc
         position = (position + tile.samples) % plateTile;
         tile.last = position == 0;
 
-        for (int i = 0; i < tile.ceramics; ++i)
+        for (std::ptrdiff_t i = 0; i < tile.ceramics; ++i)
             std::copy_n (voltages[i] + done, tile.samples, inputVoltages.data() + i * plateTile);
 
         kernel (tile);
 
-        for (int p = 0; p < tile.probes; ++p)
+        for (std::ptrdiff_t p = 0; p < tile.probes; ++p)
             std::transform (outputs.data() + p * plateTile, outputs.data() + p * plateTile + tile.samples,
                             velocities[p] + done, [] (double value) { return static_cast<Sample> (value); });
     }

@@ -18,7 +18,7 @@ std::complex<double> exponential (const Oscillation& oscillation, long double ti
 
 TilePhasors::TilePhasors (const Oscillation& oscillation, std::complex<double> firstPhasor, double rate,
                           std::int64_t tiles)
-    : first (firstPhasor), turns (2 * (synthesisGroup + synthesisStrip), 0.0)
+    : first (firstPhasor), turns (2UL * (synthesisGroup + synthesisStrip), 0.0)
 {
     // Entries beyond the oscillation's end may be infinite; nobody uses them.
     const auto power = [&] (std::int64_t tile)

@@ -145,7 +145,7 @@ private:
         sounding.anchorImaginary = block.amplitude * anchor.imag();
         sounding.turnReal = voice.phasors.turnReal() + turn;
         sounding.turnImaginary = voice.phasors.turnImaginary() + turn;
-        sounding.fine = tables.fine.data() + c * (2 * synthesisTile);
+        sounding.fine = tables.fine.data() + c * (2UL * synthesisTile);
         sounding.mixing = tables.mixing.data() + c * synthesiser.ceramics + block.firstCeramic;
 
         if (voice.hasEdgeIn (tile))
