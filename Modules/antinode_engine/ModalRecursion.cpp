@@ -1,8 +1,8 @@
 #include "ModalRecursion.h"
 
 #include "KaiserSinc.h"
-#include <antinode_model/GaussLegendre.h>
 
+#include <antinode_model/GaussLegendre.h>
 #include <antinode_model/InputError.h>
 
 #include <algorithm>
@@ -80,5 +80,15 @@ ModalRecursion modalRecursion (const ModalModel& model, Playback playback)
     recursion.tapsImaginary = ((size * phase.sin()).matrix() * kernel).array();
     recursion.latency = playback.reconstruction == Reconstruction::bandLimited ? kaiserSincHalfWidth - 1 : 0;
     return recursion;
+}
+
+void requirePlayable (const ModalModel& model, const Eigen::MatrixXd& probeShapes)
+{
+    if (model.participation.rows() != model.modes() || ! model.participation.allFinite())
+        throw InputError ("device '" + model.name + "'",
+                          "the participation needs one row of finite numbers for every mode");
+
+    if (probeShapes.cols() != model.modes() || ! probeShapes.allFinite())
+        throw InputError ("probes", "the shapes at a probe need one finite number for every mode");
 }
 } // namespace antinode

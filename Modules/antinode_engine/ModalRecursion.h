@@ -30,4 +30,10 @@ struct ModalRecursion
                         lies more than 64 times above the sample rate
     [worker] */
 ModalRecursion modalRecursion (const ModalModel&, Playback);
+
+/** Checks that voltages can move a model's modes and probes can hear them.
+    @param probeShapes  N_probes x N_m, kg^-1/2
+    @throws InputError  when sizes do not agree, or a number is not finite
+    [worker] */
+void requirePlayable (const ModalModel&, const Eigen::MatrixXd& probeShapes);
 } // namespace antinode

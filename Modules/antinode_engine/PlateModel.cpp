@@ -1,7 +1,5 @@
 #include "PlateModel.h"
 
-#include <antinode_model/InputError.h>
-
 #include <utility>
 
 namespace antinode
@@ -16,16 +14,6 @@ void dropDenormals (Values&& values)
 {
     values = (values.abs() < smallest).select (0.0, values);
 }
-
-void requireAgreement (const ModalModel& model, const Eigen::MatrixXd& probeShapes)
-{
-    if (model.participation.rows() != model.modes() || ! model.participation.allFinite())
-        throw InputError ("device '" + model.name + "'",
-                          "the participation needs one row of finite numbers for every mode");
-
-    if (probeShapes.cols() != model.modes() || ! probeShapes.allFinite())
-        throw InputError ("probes", "the shapes at a probe need one finite number for every mode");
-}
 } // namespace
 
 PlateModel::PlateModel (const ModalModel& model, Playback playback, Eigen::MatrixXd shapes)
@@ -34,7 +22,7 @@ PlateModel::PlateModel (const ModalModel& model, Playback playback, Eigen::Matri
       decayPerTurn (decayRates (model).array() / dampedFrequency), turned (model.modes()),
       forces (model.modes(), 2 * recursion.tapsReal.cols())
 {
-    requireAgreement (model, probeShapes);
+    requirePlayable (model, probeShapes);
     reset();
 }
 

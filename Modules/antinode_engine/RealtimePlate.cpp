@@ -2,8 +2,6 @@
 
 #include "ModalRecursion.h"
 
-#include <antinode_model/InputError.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -11,23 +9,10 @@
 
 namespace antinode
 {
-namespace
-{
-void requireAgreement (const ModalModel& model, const Eigen::MatrixXd& probeShapes)
-{
-    if (model.participation.rows() != model.modes() || ! model.participation.allFinite())
-        throw InputError ("device '" + model.name + "'",
-                          "the participation needs one row of finite numbers for every mode");
-
-    if (probeShapes.cols() != model.modes() || ! probeShapes.allFinite())
-        throw InputError ("probes", "the shapes at a probe need one finite number for every mode");
-}
-} // namespace
-
 RealtimePlate::RealtimePlate (const ModalModel& model, double sampleRate, const Eigen::MatrixXd& probeShapes)
     : kernel (plateKernel())
 {
-    requireAgreement (model, probeShapes);
+    requirePlayable (model, probeShapes);
     const auto recursion = modalRecursion (model, { Reconstruction::zeroOrderHold, sampleRate });
     const auto audible = (model.angularFrequencies.array() < std::numbers::pi * sampleRate).count(); // they ascend
 
