@@ -8,7 +8,8 @@ namespace antinode
 {
 namespace
 {
-constexpr std::size_t mostEvents = 4096; // of one part of a block: later ones are played at its end
+constexpr std::size_t mostEvents =
+    4096; // of one part of a block: more go to the next part, and are left out at the last
 }
 
 template <typename Sample>

@@ -1,5 +1,7 @@
 #include "ChainModel.h"
 
+#include "DescribedModel.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -59,25 +61,6 @@ void writeElement (ModalModel& model, Eigen::Index row, const ChainElement& elem
     model.surface.areas.segment (row, count) += width * lengths;
     model.shapes.middleRows (row, count) = motion.transverse;
     model.slopes.middleRows (row, count) = motion.slope;
-}
-
-/** Gives every shape, its slopes and its participations the sign that is agreed on. */
-void settleSigns (ModalModel& model)
-{
-    for (Eigen::Index k = 0; k < model.modes(); ++k)
-    {
-        const Eigen::ArrayXd magnitudes = model.shapes.col (k).cwiseAbs();
-        const auto threshold = magnitudes.maxCoeff() / 10;
-        Eigen::Index first = 0;
-        (magnitudes > threshold).maxCoeff (&first);
-
-        if (model.shapes (first, k) < 0)
-        {
-            model.shapes.col (k) *= -1;
-            model.slopes.col (k) *= -1;
-            model.participation.row (k) *= -1;
-        }
-    }
 }
 } // namespace
 

@@ -27,4 +27,29 @@ void describe (ModalModel& model, const std::string& name, const StructureCommon
                                     alongY (ceramic.y + ceramic.sizeY), common.voltageLimit });
     }
 }
+
+void settleSigns (ModalModel& model)
+{
+    for (Eigen::Index k = 0; k < model.modes(); ++k)
+    {
+        const Eigen::ArrayXd magnitudes = model.shapes.col (k).cwiseAbs();
+        const auto threshold = magnitudes.maxCoeff() / 10;
+        Eigen::Index first = 0;
+        (magnitudes > threshold).maxCoeff (&first);
+
+        if (model.shapes (first, k) >= 0)
+            continue;
+
+        model.shapes.col (k) *= -1;
+        model.participation.row (k) *= -1;
+
+        if (model.slopes.size() > 0)
+            model.slopes.col (k) *= -1;
+    }
+}
+
+bool isHeld (EdgeCondition condition)
+{
+    return condition == EdgeCondition::clamped || condition == EdgeCondition::simplySupported;
+}
 } // namespace antinode

@@ -10,4 +10,11 @@ Eigen::VectorXd dampingOfModes (const std::vector<double>& ratios, Eigen::Index 
 /** Writes into a computed model what it takes over from the description as it is: name, damping, limits, and the ceramics with their
     rectangles cut to the model's surface. [worker] */
 void describe (ModalModel&, const std::string& name, const StructureCommon&);
+
+/** Gives every shape, with its slopes and participations, the sign that is agreed on: positive where, point by point, it first exceeds a
+    tenth of its largest amplitude. [worker] Docs/Theory.md, section 1.2. */
+void settleSigns (ModalModel&);
+
+/** Whether a surface cannot move at such an edge. [any] */
+bool isHeld (EdgeCondition);
 } // namespace antinode

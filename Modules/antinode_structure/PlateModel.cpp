@@ -105,22 +105,6 @@ void settleEqualFrequencies (ModalModel& model)
     }
 }
 
-void settleSigns (ModalModel& model)
-{
-    for (Eigen::Index k = 0; k < model.modes(); ++k)
-    {
-        const Eigen::ArrayXd magnitudes = model.shapes.col (k).cwiseAbs();
-        Eigen::Index first = 0;
-        (magnitudes > magnitudes.maxCoeff() / 10).maxCoeff (&first);
-
-        if (model.shapes (first, k) < 0)
-        {
-            model.shapes.col (k) *= -1;
-            model.participation.row (k) *= -1;
-        }
-    }
-}
-
 Eigen::MatrixXd participationOf (const PlateDescription& plate, const PlateSolution& solution)
 {
     const auto& layout = solution.layout;
@@ -155,11 +139,6 @@ void warnOfErrors (ModalModel& model)
         "line, can be solved more finely.",
         100 * largest);
     model.warnings.emplace_back (text.data());
-}
-
-bool isHeld (EdgeCondition condition)
-{
-    return condition == EdgeCondition::clamped || condition == EdgeCondition::simplySupported;
 }
 } // namespace
 

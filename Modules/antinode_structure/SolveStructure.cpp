@@ -113,8 +113,6 @@ Eigen::VectorXd momentsPerVolt (const StructureCommon& common, double width)
 /** At a free or guided end of a beam the surface moves; the top of a staple is held by its legs. */
 HeldEdges heldEdges (const BeamDescription& beam)
 {
-    const auto isHeld = [] (EdgeCondition end)
-    { return end == EdgeCondition::clamped || end == EdgeCondition::simplySupported; };
     return { isHeld (beam.left), isHeld (beam.right), true, true };
 }
 
