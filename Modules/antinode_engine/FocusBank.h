@@ -19,10 +19,15 @@ struct PlayableFocus
     std::int64_t endSample = 0;   ///< and nothing from it on.
 };
 
-/** What the notes play: 128 places, each with a focus or none. Made on a worker, handed over whole, never changed. */
+/** What triggers play, each place with a focus or none: 128 places of notes, the one that is edited, and some that were touched
+    last. Made on a worker, handed over whole, never changed. */
 struct FocusBank
 {
-    static constexpr int places = 128;
+    static constexpr int notePlaces = 128;
+    static constexpr int livePlace = notePlaces; ///< The focus as it is described, at its own place.
+    static constexpr int firstTouchPlace = livePlace + 1;
+    static constexpr int touchPlaces = 16;
+    static constexpr int places = firstTouchPlace + touchPlaces;
 
     std::array<std::shared_ptr<const PlayableFocus>, places> foci;
 

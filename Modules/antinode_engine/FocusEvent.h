@@ -14,7 +14,7 @@ struct FocusEvent
 {
     int offset = 0; ///< Sample of the block, 0 to its length - 1; events come in the order of their offsets.
     FocusEventKind kind = FocusEventKind::trigger;
-    int place = 0;        ///< Of the bank, 0 to 127.
+    int place = 0;        ///< Of the bank.
     double amplitude = 1; ///< Of a trigger: times the velocity that the focus was designed for, 0 to 1.
 };
 } // namespace antinode

@@ -60,6 +60,14 @@ void RealtimePlate::reset()
     position = 0;
 }
 
+void RealtimePlate::takeMotionOf (const RealtimePlate& other)
+{
+    std::copy (other.state.begin(), other.state.end(), state.begin());
+    std::copy (other.motion.begin(), other.motion.end(), motion.begin());
+    std::copy (other.inputVoltages.begin(), other.inputVoltages.end(), inputVoltages.begin());
+    position = other.position;
+}
+
 template <typename Sample>
 void RealtimePlate::process (const Sample* const* voltages, Sample* const* velocities, int count)
 {

@@ -38,6 +38,9 @@ public:
     template <typename Sample>
     void process (const Sample* const* voltages, Sample* const* velocities, int count);
 
+    /** Goes on from where another plate is, of the same model and rate, but with other probes. [audio thread] */
+    void takeMotionOf (const RealtimePlate&);
+
     /** Back to rest. [audio thread] */
     void reset();
 

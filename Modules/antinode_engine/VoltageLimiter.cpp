@@ -43,7 +43,7 @@ const LimiterKernel<float>& VoltageLimiter::kernel<float>() const
 template <typename Sample>
 void VoltageLimiter::limit (std::size_t ceramic, Sample* samples, int valid, int count)
 {
-    const auto exact = limits[static_cast<Eigen::Index> (ceramic)];
+    const auto exact = std::min (common, limits[static_cast<Eigen::Index> (ceramic)]);
     auto most = static_cast<Sample> (exact);
 
     if (! (static_cast<double> (most) <= exact)) // rounding must not raise a limit

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace antinode
@@ -21,6 +22,10 @@ public:
         @throws InputError  when a limit is negative or not finite
         [worker] allocates */
     explicit VoltageLimiter (Eigen::VectorXd limits);
+
+    /** A limit for all ceramics, where it is below their own. @param volts  at least 0; what is not counts as 0
+        [audio thread] */
+    void setCommonLimit (double volts) { common = volts > 0 ? volts : 0; }
 
     /** Limits in place. @param channels  N_b pointers to count samples each, V; in float, limits are rounded down
         [audio thread] allocates nothing, locks nothing, any count >= 0 */
@@ -46,6 +51,7 @@ private:
     void limit (std::size_t ceramic, Sample* samples, int valid, int count);
 
     Eigen::VectorXd limits;
+    double common = std::numeric_limits<double>::infinity();
     std::vector<std::int64_t> clamped;
     LimiterKernel<double> doubles;
     LimiterKernel<float> floats;

@@ -1,6 +1,7 @@
 #include "DeviceFile.h"
 
 #include "JsonReader.h"
+#include "LimitsReader.h"
 #include "ModalReader.h"
 #include "PhysicalRanges.h"
 #include "StructureReader.h"
@@ -45,6 +46,7 @@ DeviceDescription readDevice (const nlohmann::json& document, const std::string&
             break;
     }
 
+    result.requiresArming = readLimits (device.required ("limits")).requiresArming;
     result.name = device.required ("name").text (ranges::maximumNameBytes);
 
     if (const auto description = device.find ("description"))

@@ -10,22 +10,23 @@
 
 namespace antinode
 {
-/** A bank as it is wanted: one focus moved to many places. */
+/** A bank as it is wanted: one focus at its own place, for FocusBank::livePlace, and moved to many places, for the notes. */
 struct DesignRequest
 {
     std::shared_ptr<const ModalModel> model;
     FocusDescription focus;                        ///< Its first target is moved, the others keep their distance to it.
-    std::vector<std::pair<double, double>> places; ///< x, y in m, up to 128.
-    int first = 0; ///< The place that is wanted first, for example the one being edited.
+    std::vector<std::pair<double, double>> places; ///< x, y in m, up to 128; may be empty.
+    int first = 0;                                 ///< The note's place that is wanted first.
     Playback playback;
 };
 
 /** How far a worker is. */
 struct DesignProgress
 {
-    int designed = 0, wanted = 0; ///< Places of the newest request.
+    int designed = 0, wanted = 0; ///< Places of the newest request, its own one among them.
     int failed = 0;               ///< Of these: places without a focus.
     std::string error;            ///< Why the last one of them failed, in one sentence.
+    std::string liveError;        ///< Why the focus at its own place failed; empty where it did not.
     double firstMilliseconds = 0; ///< From the newest request to its first focus.
 
     bool isDone() const { return designed >= wanted; }

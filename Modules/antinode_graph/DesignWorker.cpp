@@ -50,21 +50,35 @@ DesignWorker::~DesignWorker()
 
 void DesignWorker::request (DesignRequest request)
 {
-    request.places.resize (std::min<std::size_t> (request.places.size(), FocusBank::places));
+    request.places.resize (std::min<std::size_t> (request.places.size(), FocusBank::notePlaces));
     {
         const std::lock_guard lock (mutex);
         state = {};
-        state.wanted = static_cast<int> (request.places.size());
+        state.wanted = static_cast<int> (request.places.size()) + 1;
         next = std::move (request);
         nextAsked = Clock::now();
     }
     changed.notify_all();
 }
 
+bool DesignWorker::touch (double x, double y, std::function<void (int)> ready)
+{
+    {
+        const std::lock_guard lock (mutex);
+
+        if (touches.size() >= FocusBank::touchPlaces)
+            return false;
+
+        touches.push_back ({ x, y, std::move (ready) });
+    }
+    changed.notify_all();
+    return true;
+}
+
 void DesignWorker::waitUntilDone()
 {
     std::unique_lock lock (mutex);
-    changed.wait (lock, [this] { return ! next && ! isWorking; });
+    changed.wait (lock, [this] { return ! next && touches.empty() && ! isWorking; });
 }
 
 DesignProgress DesignWorker::progress() const
@@ -83,65 +97,103 @@ void DesignWorker::run()
 {
     for (;;)
     {
-        DesignRequest request;
         Clock::time_point asked;
+        auto isNew = false;
         {
             std::unique_lock lock (mutex);
             isWorking = false;
             changed.notify_all();
-            changed.wait (lock, [this] { return next.has_value() || isStopping; });
+            changed.wait (lock, [this] { return next.has_value() || ! touches.empty() || isStopping; });
 
             if (isStopping)
                 return;
 
-            request = std::move (*next);
+            isNew = next.has_value();
+            isWorking = true;
+
+            if (isNew)
+                accepted = std::move (*next);
+
             next.reset();
             asked = nextAsked;
-            isWorking = true;
         }
-        designBank (request, asked);
+
+        if (isNew)
+            designBank (*accepted, asked);
+
+        designTouches();
     }
 }
 
 void DesignWorker::designBank (const DesignRequest& request, Clock::time_point asked)
 {
-    auto lastPart = Clock::now() - partInterval;
-
-    for (auto place = request.places.size(); place < bank.foci.size(); ++place)
-        bank.foci[place].reset();
+    std::fill (bank.foci.begin() + static_cast<std::ptrdiff_t> (request.places.size()),
+               bank.foci.begin() + FocusBank::livePlace, nullptr);
+    std::fill (bank.foci.begin() + FocusBank::firstTouchPlace, bank.foci.end(), nullptr);
+    designPlace (request, FocusBank::livePlace, request.focus);
+    handOverBank();
+    noteFirst (asked);
+    auto lastPart = Clock::now();
 
     for (const auto place : orderFrom (request.first, request.places.size()))
     {
+        designTouches();
+
         if (isOutdated())
             return;
 
-        designPlace (request, place);
+        const auto [x, y] = request.places[static_cast<std::size_t> (place)];
+        designPlace (request, place, movedTo (request.focus, x, y));
 
         if (Clock::now() - lastPart >= partInterval)
         {
             handOverBank();
             lastPart = Clock::now();
-            const std::chrono::duration<double, std::milli> elapsed = lastPart - asked;
-            const std::lock_guard lock (mutex);
-
-            if (state.firstMilliseconds == 0)
-                state.firstMilliseconds = elapsed.count();
         }
     }
 
     handOverBank();
 }
 
-void DesignWorker::designPlace (const DesignRequest& request, int place)
+void DesignWorker::noteFirst (Clock::time_point asked)
+{
+    const std::chrono::duration<double, std::milli> elapsed = Clock::now() - asked;
+    const std::lock_guard lock (mutex);
+
+    if (! next)
+        state.firstMilliseconds = elapsed.count();
+}
+
+void DesignWorker::designTouches()
+{
+    std::vector<Touch> asked;
+    {
+        const std::lock_guard lock (mutex);
+        asked.swap (touches);
+    }
+
+    for (const auto& touch : asked)
+    {
+        const auto place = FocusBank::firstTouchPlace + nextTouchPlace;
+
+        if (accepted)
+            designPlace (*accepted, place, movedTo (accepted->focus, touch.x, touch.y));
+
+        const auto isDesigned = bank.foci[static_cast<std::size_t> (place)] != nullptr;
+        nextTouchPlace = (nextTouchPlace + 1) % FocusBank::touchPlaces;
+        handOverBank();
+        touch.ready (isDesigned ? place : -1);
+    }
+}
+
+void DesignWorker::designPlace (const DesignRequest& request, int place, const FocusDescription& description)
 {
     std::shared_ptr<const PlayableFocus> focus;
     std::string error;
 
     try
     {
-        const auto [x, y] = request.places[static_cast<std::size_t> (place)];
-        const auto design =
-            designFocus (*request.model, movedTo (request.focus, x, y), request.playback, DesignExtent::playable);
+        const auto design = designFocus (*request.model, description, request.playback, DesignExtent::playable);
         focus = std::make_shared<const PlayableFocus> (design.program, request.playback);
     }
     catch (const std::exception& failure)
@@ -149,19 +201,21 @@ void DesignWorker::designPlace (const DesignRequest& request, int place)
         error = failure.what();
     }
 
+    const auto failed = focus == nullptr;
     bank.foci[static_cast<std::size_t> (place)] = std::move (focus);
     const std::lock_guard lock (mutex);
 
-    if (next)
-        return; // The state is the next request's already.
+    if (next || place >= FocusBank::firstTouchPlace)
+        return; // The state is the next request's already, or does not count this place.
 
     ++state.designed;
+    state.failed += failed ? 1 : 0;
 
-    if (! error.empty())
-    {
-        ++state.failed;
+    if (failed)
         state.error = error;
-    }
+
+    if (failed && place == FocusBank::livePlace)
+        state.liveError = error;
 }
 
 void DesignWorker::handOverBank()

@@ -6,15 +6,17 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <thread>
 
 namespace antinode
 {
-/** Designs banks on a thread of its own and hands them over: the wanted place first, then the others outward from it, in ever larger parts. A newer
-    request replaces one that has not been finished: rapid changes of a parameter coalesce. Until a place is designed anew it
-    keeps the focus that it had. */
+/** Designs banks on a thread of its own and hands them over: the focus at its own place first, then the wanted note's place,
+    then the others outward from it, in ever larger parts. A newer request replaces one that has not been finished: rapid
+    changes of a parameter coalesce. Until a place is designed anew it keeps the focus that it had. A touched place is designed
+    between two others. */
 class DesignWorker
 {
 public:
@@ -29,6 +31,14 @@ public:
     /** Asks for a bank. Returns at once. [any but the audio thread] */
     void request (DesignRequest);
 
+    /** Designs the newest request's focus at another place; calls back, on the worker's thread, when it has been handed over.
+        The last 16 touched places are kept. More than 16 that wait are not taken.
+        @param x, y   m
+        @param ready  gets the place of the bank, or -1 where no focus could be designed there
+        @return       whether it was taken
+        [any but the audio thread] */
+    bool touch (double x, double y, std::function<void (int place)> ready);
+
     /** Waits until the newest request is designed and handed over: for offline rendering. [any but a real-time audio thread] */
     void waitUntilDone();
 
@@ -38,20 +48,31 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
+    struct Touch
+    {
+        double x = 0, y = 0;
+        std::function<void (int)> ready;
+    };
+
     void run();
     void designBank (const DesignRequest&, Clock::time_point asked);
-    void designPlace (const DesignRequest&, int place);
+    void designPlace (const DesignRequest&, int place, const FocusDescription&);
+    void designTouches();
     bool isOutdated() const;
     void handOverBank();
+    void noteFirst (Clock::time_point asked);
 
     BankHandOver& handOver;
     mutable std::mutex mutex;
     mutable std::condition_variable changed;
     std::optional<DesignRequest> next; ///< Under the mutex, as all that follows.
+    std::vector<Touch> touches;
     Clock::time_point nextAsked;
     DesignProgress state;
     bool isStopping = false, isWorking = false;
-    FocusBank bank; ///< Of the thread only: what was designed so far.
+    FocusBank bank;                        ///< Of the thread only: what was designed so far.
+    std::optional<DesignRequest> accepted; ///< Of the thread only: what touches are designed by.
+    int nextTouchPlace = 0;                ///< Of the thread only.
     std::thread thread;
 };
 } // namespace antinode

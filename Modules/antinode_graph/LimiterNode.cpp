@@ -13,6 +13,8 @@ LimiterNode::LimiterNode (const Eigen::VectorXd& limits)
 void LimiterNode::prepare (const NodeFormat& format)
 {
     rampSamples = std::max<std::int64_t> (1, std::llround (rampTime * format.sampleRate));
+    isArmed = wantsArmed.load();
+    ramp = SafetyRamp (isArmed ? 1 : 0);
 }
 
 template <typename Sample>
@@ -28,6 +30,7 @@ void LimiterNode::limit (const NodeBlock<Sample>& block)
     }
 
     ramp.process (block.outputs, channels, block.count);
+    voltageLimiter.setCommonLimit (wantedLimit.load (std::memory_order_relaxed));
     voltageLimiter.process (block.outputs, block.count);
 }
 

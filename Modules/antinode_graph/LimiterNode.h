@@ -6,6 +6,7 @@
 #include <antinode_engine/VoltageLimiter.h>
 
 #include <atomic>
+#include <limits>
 
 namespace antinode
 {
@@ -25,8 +26,15 @@ public:
     void process (const NodeBlock<double>&) override;
     void reset() override { voltageLimiter.reset(); }
 
-    /** From the next block on, ramps all voltages to 0 or back, within 5 ms. Armed at first. [any] */
+    /** How long a ramp takes, s. */
+    static constexpr double rampTime = 0.005;
+
+    /** From the next block on, ramps all voltages to 0 or back, within rampTime. Armed at first; after prepare() there is no
+        ramp, but silence or not, as was said before. [any] */
     void setArmed (bool shouldBeArmed) { wantsArmed = shouldBeArmed; }
+
+    /** From the next block on, no ceramic gets more than this, and its own limit. [any] @param volts  at least 0 */
+    void setVoltageLimit (double volts) { wantedLimit = volts; }
 
     /** What it had to do. [audio thread] */
     const VoltageLimiter& limiter() const { return voltageLimiter; }
@@ -35,10 +43,9 @@ private:
     template <typename Sample>
     void limit (const NodeBlock<Sample>&);
 
-    static constexpr double rampTime = 0.005; // s
-
     int channels;
     std::atomic<bool> wantsArmed { true };
+    std::atomic<double> wantedLimit { std::numeric_limits<double>::infinity() };
     bool isArmed = true;
     std::int64_t rampSamples = 1;
     SafetyRamp ramp { 1 };

@@ -4,8 +4,8 @@
 
 #include <antinode_engine/RealtimePlate.h>
 
+#include <atomic>
 #include <memory>
-#include <optional>
 
 namespace antinode
 {
@@ -15,6 +15,9 @@ class PlateNode : public Node
 public:
     /** @param probeShapes  N_probes x N_m: the rows of mode shapes at the probes (shapesAt), kg^-1/2 */
     PlateNode (std::shared_ptr<const ModalModel>, Eigen::MatrixXd probeShapes);
+    ~PlateNode() override;
+    PlateNode (const PlateNode&) = delete;
+    PlateNode& operator= (const PlateNode&) = delete;
 
     std::string name() const override { return "Plate"; }
     int inputs() const override { return static_cast<int> (model->actuators()); }
@@ -24,9 +27,19 @@ public:
     void process (const NodeBlock<double>&) override;
     void reset() override;
 
+    /** Looks at other places from the next block on; the plate goes on moving.
+        @param probeShapes  as many rows as before
+        @throws InputError  as RealtimePlate
+        [worker, one at a time, not during prepare] allocates */
+    void setProbes (Eigen::MatrixXd probeShapes);
+
 private:
+    RealtimePlate& newestPlate();
+
     std::shared_ptr<const ModalModel> model;
     Eigen::MatrixXd probeShapes;
-    std::optional<RealtimePlate> plate;
+    double sampleRate = 0;
+    std::unique_ptr<RealtimePlate> plate;
+    std::atomic<RealtimePlate*> next { nullptr }, replaced { nullptr }; ///< To the audio thread, and back to be freed.
 };
 } // namespace antinode

@@ -1,8 +1,5 @@
 #include "StandardGraph.h"
 
-#include "LimiterNode.h"
-#include "PlateNode.h"
-
 namespace antinode
 {
 StandardGraph standardGraph (const std::shared_ptr<const ModalModel>& model, const PlayerSettings& settings,
@@ -17,7 +14,8 @@ StandardGraph standardGraph (const std::shared_ptr<const ModalModel>& model, con
     StandardGraph standard;
     auto& graph = standard.graph;
     standard.player = graph.add (std::make_unique<PlayerNode> (ceramics, settings), NodeGraph::noSource);
-    standard.limiter = graph.add (std::make_unique<LimiterNode> (limits), standard.player);
+    standard.gains = graph.add (std::make_unique<ChannelGainNode> (ceramics), standard.player);
+    standard.limiter = graph.add (std::make_unique<LimiterNode> (limits), standard.gains);
     standard.plate = graph.add (std::make_unique<PlateNode> (model, probeShapes), standard.limiter);
     graph.setOutputs ({ standard.limiter, standard.plate });
     return standard;

@@ -103,6 +103,7 @@ struct DeviceDescription
 {
     std::string name;
     std::string description;
+    bool requiresArming = false; ///< Silent, once loaded, until its user arms the output.
     std::variant<BeamDescription, StapleDescription, PlateDescription, ModalModel> body;
 };
 

@@ -26,9 +26,9 @@ std::string firstSentence (const std::string& text)
 
 void listDevices()
 {
-    for (const auto& name : embeddedNames ("Devices"))
+    for (const auto& name : factoryNames (LibraryKind::device))
     {
-        const auto document = loadDocument ("Devices", name);
+        const auto document = loadDocument (LibraryKind::device, name);
         std::printf ("%-16s %-7s %2zu ceramics  %s\n", name.c_str(), document.at ("kind").get<std::string>().c_str(),
                      document.value ("ceramics", nlohmann::json::array()).size(),
                      firstSentence (document.value ("description", "")).c_str());
@@ -37,8 +37,8 @@ void listDevices()
 
 void listFocuses()
 {
-    for (const auto& name : embeddedNames ("Focuses"))
-        std::printf ("%-22s %s\n", name.c_str(), loadDocument ("Focuses", name).value ("name", "").c_str());
+    for (const auto& name : factoryNames (LibraryKind::focus))
+        std::printf ("%-22s %s\n", name.c_str(), loadDocument (LibraryKind::focus, name).value ("name", "").c_str());
 }
 
 void listMaterials()
@@ -62,7 +62,7 @@ void listMaterials()
 void run (const DevicesOptions& options)
 {
     if (! options.shown.empty())
-        std::printf ("%s\n", loadDocument ("Devices", options.shown).dump (2).c_str());
+        std::printf ("%s\n", loadDocument (LibraryKind::device, options.shown).dump (2).c_str());
     else if (options.showsMaterials)
         listMaterials();
     else if (options.showsFocuses)

@@ -1,0 +1,59 @@
+#include "ChannelGainNode.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+ChannelGainNode::ChannelGainNode (int channelsToUse)
+    : channels (channelsToUse), targets (static_cast<std::size_t> (channelsToUse), 1.0),
+      ramps (static_cast<std::size_t> (channelsToUse), SafetyRamp (1))
+{
+}
+
+double ChannelGainNode::targetOf (int channel) const
+{
+    const auto isMuted = channel < 64 && ((wantedMutes.load (std::memory_order_relaxed) >> channel) & 1U) != 0;
+    return isMuted ? 0.0 : wantedGain.load (std::memory_order_relaxed);
+}
+
+void ChannelGainNode::prepare (const NodeFormat& format)
+{
+    rampSamples = std::max<std::int64_t> (1, std::llround (rampTime * format.sampleRate));
+
+    for (int i = 0; i < channels; ++i)
+    {
+        const auto channel = static_cast<std::size_t> (i);
+        targets[channel] = targetOf (i);
+        ramps[channel] = SafetyRamp (targets[channel]);
+    }
+}
+
+template <typename Sample>
+void ChannelGainNode::apply (const NodeBlock<Sample>& block)
+{
+    for (int i = 0; i < channels; ++i)
+    {
+        const auto channel = static_cast<std::size_t> (i);
+        std::copy (block.inputs[i], block.inputs[i] + block.count, block.outputs[i]);
+
+        if (const auto target = targetOf (i); target != targets[channel])
+        {
+            targets[channel] = target;
+            ramps[channel].setTarget (target, rampSamples);
+        }
+
+        ramps[channel].process (block.outputs + i, 1, block.count);
+    }
+}
+
+void ChannelGainNode::process (const NodeBlock<float>& block)
+{
+    apply (block);
+}
+
+void ChannelGainNode::process (const NodeBlock<double>& block)
+{
+    apply (block);
+}
+} // namespace antinode

@@ -1,0 +1,172 @@
+#include "Library.h"
+
+#include <antinode_resources.h>
+
+#include <antinode_files/JsonText.h>
+#include <antinode_files/ModeCache.h>
+#include <antinode_files/OutputFolder.h>
+#include <antinode_model/InputError.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+
+namespace antinode
+{
+namespace
+{
+constexpr std::string_view extension = ".json";
+
+bool isFileName (const std::string& text)
+{
+    return text.ends_with (extension) || text.find ('/') != std::string::npos;
+}
+
+std::string folderOf (LibraryKind kind)
+{
+    return kind == LibraryKind::device ? "Devices" : "Focuses";
+}
+
+std::string wordFor (LibraryKind kind)
+{
+    return kind == LibraryKind::device ? "device" : "focus";
+}
+
+const EmbeddedFile* findFactory (LibraryKind kind, const std::string& name)
+{
+    const auto path = folderOf (kind) + "/" + name + std::string (extension);
+    const auto files = resources::files();
+    const auto found = std::find_if (files.begin(), files.end(), [&] (const auto& file) { return file.name == path; });
+    return found == files.end() ? nullptr : &*found;
+}
+
+bool isAllowedName (const std::string& name)
+{
+    const auto isAllowed = [] (unsigned char letter)
+    { return std::isalnum (letter) != 0 || letter == ' ' || letter == '-' || letter == '_' || letter == '.'; };
+
+    return ! name.empty() && name.size() <= 64 && name.front() != '.'
+           && std::all_of (name.begin(), name.end(), isAllowed);
+}
+
+std::optional<std::filesystem::path> userFile (LibraryKind kind, const std::string& name)
+{
+    const auto folder = userLibraryFolder();
+
+    if (! folder || ! isAllowedName (name))
+        return std::nullopt;
+
+    return *folder / folderOf (kind) / (name + std::string (extension));
+}
+
+std::vector<std::string> userNames (LibraryKind kind)
+{
+    std::vector<std::string> names;
+    const auto folder = userLibraryFolder();
+    std::error_code ignored; // what cannot be read is not there
+
+    if (folder)
+        for (const auto& entry : std::filesystem::directory_iterator (*folder / folderOf (kind), ignored))
+            if (const auto name = entry.path().stem().string();
+                entry.path().extension() == extension && isAllowedName (name) && findFactory (kind, name) == nullptr)
+                names.push_back (name);
+
+    std::sort (names.begin(), names.end());
+    return names;
+}
+} // namespace
+
+std::optional<std::filesystem::path> userLibraryFolder()
+{
+    if (const auto* const data = std::getenv ("XDG_DATA_HOME"); data != nullptr && *data == '/')
+        return std::filesystem::path (data) / "antinode";
+
+    if (const auto* const home = std::getenv ("HOME"); home != nullptr && *home == '/')
+        return std::filesystem::path (home) / ".local/share/antinode";
+
+    return std::nullopt;
+}
+
+std::vector<std::string> factoryNames (LibraryKind kind)
+{
+    std::vector<std::string> names;
+    const auto folder = folderOf (kind) + "/";
+
+    for (const auto& file : resources::files())
+        if (const std::string_view path (file.name); path.starts_with (folder))
+            names.emplace_back (path.substr (folder.size(), path.size() - folder.size() - extension.size()));
+
+    std::sort (names.begin(), names.end());
+    return names;
+}
+
+std::vector<LibraryEntry> libraryEntries (LibraryKind kind)
+{
+    std::vector<LibraryEntry> entries;
+
+    for (const auto& name : factoryNames (kind))
+        entries.push_back ({ name, true });
+
+    for (const auto& name : userNames (kind))
+        entries.push_back ({ name, false });
+
+    return entries;
+}
+
+std::string documentSource (LibraryKind kind, const std::string& nameOrFile)
+{
+    return isFileName (nameOrFile) ? nameOrFile : wordFor (kind) + " '" + nameOrFile + "'";
+}
+
+nlohmann::json loadDocument (LibraryKind kind, const std::string& nameOrFile)
+{
+    if (isFileName (nameOrFile))
+        return readJsonFile (nameOrFile);
+
+    if (const auto* const file = findFactory (kind, nameOrFile))
+        return parseJson (file->text(), documentSource (kind, nameOrFile));
+
+    if (const auto file = userFile (kind, nameOrFile); file && std::filesystem::exists (*file))
+        return readJsonFile (*file);
+
+    std::string allowed;
+
+    for (const auto& entry : libraryEntries (kind))
+        allowed += (allowed.empty() ? "" : ", ") + entry.name;
+
+    throw InputError (documentSource (kind, nameOrFile), "is neither an embedded " + wordFor (kind)
+                                                             + " nor one of your own; allowed are " + allowed
+                                                             + ", or a file whose name ends in .json");
+}
+
+void saveDocument (LibraryKind kind, const std::string& name, const nlohmann::json& document)
+{
+    if (findFactory (kind, name) != nullptr)
+        throw InputError ("name '" + name + "'", "is one of the factory's; choose another one");
+
+    const auto file = userFile (kind, name);
+
+    if (! file)
+        throw InputError ("name '" + name + "'",
+                          "is not allowed: 1 to 64 letters, digits, blanks, '-', '_' and '.', and "
+                          "no '.' at its beginning");
+
+    writeWholeFile (*file, document.dump (2) + "\n");
+}
+
+void removeDocument (LibraryKind kind, const std::string& name)
+{
+    const auto file = userFile (kind, name);
+    std::error_code failure;
+
+    if (! file || ! std::filesystem::remove (*file, failure))
+        throw InputError ("name '" + name + "'", "is none of your own");
+}
+
+ModalModel solveDevice (const DeviceDescription& device, std::optional<int> modeCount, bool usesCache)
+{
+    const auto folder = usesCache ? userCacheFolder() : std::nullopt;
+    const auto cache = folder ? std::optional (ModeCache (*folder)) : std::nullopt;
+    return solveCached (device, modeCount, cache ? &*cache : nullptr);
+}
+} // namespace antinode

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <antinode_model/ModalModel.h>
+#include <antinode_structure/DeviceDescription.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+enum class LibraryKind
+{
+    device,
+    focus
+};
+
+/** A device or focus that can be chosen by name. */
+struct LibraryEntry
+{
+    std::string name;
+    bool isFactory = true; ///< False: the user's own.
+};
+
+/** Where the user's own are kept: $XDG_DATA_HOME/antinode, else $HOME/.local/share/antinode; none where neither is set. [any] */
+std::optional<std::filesystem::path> userLibraryFolder();
+
+/** The factory's by name, then the user's by name. One of the user's that has a factory name is left out. [worker] */
+std::vector<LibraryEntry> libraryEntries (LibraryKind);
+
+/** The names of the factory's, sorted. [any] */
+std::vector<std::string> factoryNames (LibraryKind);
+
+/** The JSON of a name, the factory's first, or of a file: what has a '/' or ends in ".json".
+    @throws InputError  when there is no such name (with those there are) or the file cannot be read
+    [worker] */
+nlohmann::json loadDocument (LibraryKind, const std::string& nameOrFile);
+
+/** How errors name what a name stands for: "device 'beam'", or the file. [any] */
+std::string documentSource (LibraryKind, const std::string& nameOrFile);
+
+/** Keeps a document as the user's own; one of that name is replaced. The file appears only when it is complete.
+    @param name  1 to 64 letters, digits, blanks, '-', '_' and '.', no '.' first, not a factory name
+    @throws InputError  when the name is not allowed or the file cannot be written
+    [worker] */
+void saveDocument (LibraryKind, const std::string& name, const nlohmann::json&);
+
+/** Removes one of the user's own. @throws InputError  when there is none of that name [worker] */
+void removeDocument (LibraryKind, const std::string& name);
+
+/** The modal model of a device, with modes from the user's cache where they are there.
+    @param usesCache  false: solved in any case, and not kept
+    @throws InputError  as solveStructure. [worker] */
+ModalModel solveDevice (const DeviceDescription&, std::optional<int> modeCount, bool usesCache);
+} // namespace antinode

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "LevelMeters.h"
+#include "PlaySettings.h"
+#include "ProbeTrace.h"
+
+#include <antinode_graph/DesignWorker.h>
+#include <antinode_graph/StandardGraph.h>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace antinode
+{
+/** Where the samples of a block go: full scale is 1.0. */
+template <typename Sample>
+struct OutputBlock
+{
+    std::span<Sample* const> ceramics; ///< Channel k is ceramic k; those beyond the device's ceramics become silent.
+    std::span<Sample* const> monitor;  ///< Probe velocities; may be empty.
+    int count = 0;                     ///< Samples.
+};
+
+/** What plays one device at one sample rate: its graph, and the worker that designs its foci. Made by the session, played by the
+    audio thread, freed by the session. */
+class AudioPath
+{
+public:
+    static constexpr int probes = LevelMeters::probes;
+
+    /** @param probeShapes  2 x N_m, kg^-1/2
+        @throws InputError  when the device or the format cannot be played
+        [worker] */
+    AudioPath (std::shared_ptr<const ModalModel>, double sampleRate, PlayerSettings,
+               const Eigen::MatrixXd& probeShapes);
+
+    DesignWorker& worker() { return *designs; }
+    PlateNode& plate() { return standard.plateNode(); }
+    const ModalModel& model() const { return *modes; }
+    double sampleRate() const { return rate; }
+
+    /** Back to rest. [audio thread] */
+    void reset() { standard.graph.reset(); }
+
+    /** Plays a block. Blocks of any length: long ones are played in parts.
+        @param events  in the order of their offsets
+        [audio thread] allocates nothing, locks nothing */
+    template <typename Sample>
+    void process (const OutputBlock<Sample>&, std::span<const FocusEvent> events, const PlayControls&, LevelMeters&,
+                  ProbeTrace&);
+
+    /** Whether a ramp to silence that began so many samples ago has ended. [audio thread] */
+    bool isSilentAfter (std::int64_t samples) const;
+
+private:
+    template <typename Sample>
+    void processPart (const OutputBlock<Sample>&, int offset, int count, std::span<const FocusEvent> events);
+    void note (int count, LevelMeters&, ProbeTrace&);
+
+    std::shared_ptr<const ModalModel> modes;
+    double rate;
+    StandardGraph standard;
+    std::unique_ptr<DesignWorker> designs;
+    std::vector<double> samples;   ///< Of the graph's outputs, channel by channel.
+    std::vector<double*> channels; ///< Into them.
+    std::vector<FocusEvent> partEvents;
+    double toFullScale, monitorGain = 1;
+};
+} // namespace antinode

@@ -1,0 +1,19 @@
+#include "Documents.h"
+
+#include <antinode_files/DeviceFile.h>
+#include <antinode_files/FocusFile.h>
+
+#include <nlohmann/json.hpp>
+
+namespace antinode
+{
+DeviceDocument readDeviceDocument (const nlohmann::json& json, const std::string& source)
+{
+    return { json.dump(), readDevice (json, source) };
+}
+
+FocusDocument readFocusDocument (const nlohmann::json& json, const std::string& source)
+{
+    return { json.dump(), readFocus (json, source) };
+}
+} // namespace antinode

@@ -1,0 +1,150 @@
+#include "FocusSettings.h"
+
+#include <antinode_files/FocusWords.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+constexpr double milli = 1e-3;
+
+/** Hosts keep parameters as shares of their range: what comes back may differ in the last digits of a float. */
+bool isSame (float one, float other)
+{
+    return std::abs (one - other) <= 2e-6F * std::max (1.0F, std::abs (other));
+}
+
+double percentOf (double value, double minimum, double maximum)
+{
+    return maximum > minimum ? 100 * (value - minimum) / (maximum - minimum) : 50.0;
+}
+
+double fromPercent (double percent, double minimum, double maximum)
+{
+    return minimum + (maximum - minimum) * std::clamp (percent, 0.0, 100.0) / 100;
+}
+
+template <typename Words, typename Value>
+int indexOf (const Words& words, Value value)
+{
+    const auto found =
+        std::find_if (words.begin(), words.end(), [&] (const auto& word) { return word.second == value; });
+    return static_cast<int> (found - words.begin());
+}
+
+/** A place that the focus gives stays as it is where the parameters say the same. */
+std::pair<double, double> placeOr (std::pair<double, double> given, const Surface& surface, float xPercent,
+                                   float yPercent)
+{
+    const auto [x, y] = percentFromPlace (surface, given.first, given.second);
+    const auto wanted = placeFromPercent (surface, xPercent, yPercent);
+    return { isSame (xPercent, static_cast<float> (x)) ? given.first : wanted.first,
+             isSame (yPercent, static_cast<float> (y)) ? given.second : wanted.second };
+}
+
+void applyTarget (FocusDescription& focus, const PlaySettings& settings, const PlaySettings& loaded,
+                  const Surface& surface)
+{
+    auto& first = focus.targets.front();
+    const auto before = first;
+    std::tie (first.x, first.y) = placeOr ({ first.x, first.y }, surface, settings.xPercent, settings.yPercent);
+    first.shape = targetShapeWords[static_cast<std::size_t> (settings.shape)].second;
+
+    if (! isSame (settings.widthMillimetres, loaded.widthMillimetres))
+        first.width = static_cast<double> (settings.widthMillimetres) * milli;
+
+    if (! isSame (settings.peakVelocityMillimetresPerSecond, loaded.peakVelocityMillimetresPerSecond))
+        first.peakVelocity = static_cast<double> (settings.peakVelocityMillimetresPerSecond) * milli;
+
+    for (std::size_t i = 1; i < focus.targets.size(); ++i)
+    {
+        focus.targets[i].x += first.x - before.x;
+        focus.targets[i].y += first.y - before.y;
+        focus.targets[i].peakVelocity *= first.peakVelocity / before.peakVelocity;
+    }
+}
+} // namespace
+
+std::pair<double, double> placeFromPercent (const Surface& surface, double xPercent, double yPercent)
+{
+    return { fromPercent (xPercent, surface.xMinimum, surface.xMaximum),
+             fromPercent (yPercent, surface.yMinimum, surface.yMaximum) };
+}
+
+std::pair<double, double> percentFromPlace (const Surface& surface, double x, double y)
+{
+    return { percentOf (x, surface.xMinimum, surface.xMaximum), percentOf (y, surface.yMinimum, surface.yMaximum) };
+}
+
+PlaySettings settingsOf (const FocusDescription& focus, const Surface& surface, const PlaySettings& present)
+{
+    auto settings = present;
+    const auto& target = focus.targets.front();
+    const auto [x, y] = percentFromPlace (surface, target.x, target.y);
+    settings.xPercent = static_cast<float> (x);
+    settings.yPercent = static_cast<float> (y);
+    settings.widthMillimetres = static_cast<float> (target.width / milli);
+    settings.shape = indexOf (targetShapeWords, target.shape);
+    settings.peakVelocityMillimetresPerSecond = static_cast<float> (target.peakVelocity / milli);
+    settings.focusTimeMilliseconds = static_cast<float> (focus.focusTime / milli);
+    settings.growth = -1;
+    settings.brake = 0;
+    settings.method = indexOf (allocationMethodWords, focus.allocation.method);
+    settings.voltageLimitVolts = 0;
+    settings.modeCount = 0;
+
+    if (! focus.probes.empty())
+    {
+        const auto probe = percentFromPlace (surface, focus.probes.front().first, focus.probes.front().second);
+        settings.probeXPercent = static_cast<float> (probe.first);
+        settings.probeYPercent = static_cast<float> (probe.second);
+    }
+
+    return settings;
+}
+
+FocusDescription withSettings (const FocusDescription& document, const PlaySettings& settings, const Surface& surface)
+{
+    auto focus = document;
+    const auto loaded = settingsOf (document, surface, settings);
+    applyTarget (focus, settings, loaded, surface);
+    focus.allocation.method = allocationMethodWords[static_cast<std::size_t> (settings.method)].second;
+
+    if (! isSame (settings.focusTimeMilliseconds, loaded.focusTimeMilliseconds))
+        focus.focusTime = static_cast<double> (settings.focusTimeMilliseconds) * milli;
+
+    if (settings.growth >= 0)
+        focus.transients.growth = { static_cast<double> (settings.growth) };
+
+    if (settings.brake > 1)
+        focus.transients.brake = static_cast<double> (settings.brake);
+
+    if (settings.voltageLimitVolts > 0)
+        focus.allocation.voltageLimit = static_cast<double> (settings.voltageLimitVolts);
+
+    if (settings.modeCount > 0)
+        focus.modes = { settings.modeCount, focus.modes.order, {}, {} };
+
+    // Lists of one value a mode fit only the modes that they were written for.
+    if (settings.modeCount > 0 && focus.transients.growth.size() > 1)
+        focus.transients.growth.clear();
+
+    if (settings.modeCount > 0 && focus.transients.cycles.size() > 1)
+        focus.transients.cycles.clear();
+
+    return focus;
+}
+
+std::vector<std::pair<double, double>> probePlaces (const FocusDescription& document, const PlaySettings& settings,
+                                                    const Surface& surface)
+{
+    const auto& target = document.targets.front();
+    const auto first = document.probes.empty() ? std::pair (target.x, target.y) : document.probes.front();
+    const auto focus = withSettings (document, settings, surface).targets.front();
+    const auto second = document.probes.size() > 1 ? document.probes[1] : std::pair (focus.x, focus.y);
+    return { placeOr (first, surface, settings.probeXPercent, settings.probeYPercent), second };
+}
+} // namespace antinode

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "PlaySettings.h"
+
+#include <antinode_focus/FocusDescription.h>
+#include <antinode_model/Surface.h>
+
+#include <utility>
+
+namespace antinode
+{
+/** What the parameters say for a focus that was loaded. [any] */
+PlaySettings settingsOf (const FocusDescription&, const Surface&, const PlaySettings& present);
+
+/** A loaded focus as the parameters have changed it. What a parameter says as the focus does is taken from the focus, to the bit: so the
+    same focus gives the same voltages in a host and on the command line.
+    @param document  what was loaded, with at least one target
+    [any] */
+FocusDescription withSettings (const FocusDescription& document, const PlaySettings&, const Surface&);
+
+/** A place from percents of the surface's extent. @return  x, y in m [any] */
+std::pair<double, double> placeFromPercent (const Surface&, double xPercent, double yPercent);
+
+/** The same, back. [any] */
+std::pair<double, double> percentFromPlace (const Surface&, double x, double y);
+
+/** Where the monitor listens: the probe of the parameters, then the second probe of the focus, or else its first target. m
+    [any] */
+std::vector<std::pair<double, double>> probePlaces (const FocusDescription& document, const PlaySettings&,
+                                                    const Surface&);
+} // namespace antinode

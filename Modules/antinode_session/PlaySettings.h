@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cmath>
+
+namespace antinode
+{
+/** What the notes play. */
+enum class NoteLayout
+{
+    spread, ///< Middle C the focus at its own place, the others at places spread over the surface.
+    spot    ///< Every note the focus at its own place.
+};
+
+/** What the parameters of a host say of the focus: numbers as a host keeps them, in the units of their names. Docs/Manual/parameters.md. */
+struct PlaySettings
+{
+    float xPercent = 50, yPercent = 50; ///< Of the surface's extent, from its left and its lower edge.
+    float widthMillimetres = 25;
+    int shape = 0; ///< Of the words of focus files, in their order.
+    float peakVelocityMillimetresPerSecond = 40;
+    float focusTimeMilliseconds = 25;
+    float growth = -1;           ///< Below 0: as the focus says, or chosen.
+    float brake = 0;             ///< 1 or below: as the focus says, or none.
+    int method = 0;              ///< Of the words of focus files, in their order.
+    float voltageLimitVolts = 0; ///< 0: as the focus says, or the device's.
+    int modeCount = 0;           ///< 0: as the focus says, or chosen.
+    float probeXPercent = 50, probeYPercent = 50;
+    int noteLayout = 0; ///< NoteLayout
+    int noteOff = 0;    ///< NoteOffBehaviour
+    int retrigger = 0;  ///< RetriggerBehaviour
+    bool focusOnNote = false;
+
+    bool operator== (const PlaySettings&) const = default;
+};
+
+/** What takes effect at once, without a new design. */
+struct PlayControls
+{
+    bool isArmed = true;          ///< False: all voltages ramp to 0.
+    double outputTrim = 1;        ///< Factor of all voltages, 0 to 1.
+    double monitorGain = 1;       ///< Factor of the probe velocities; 1: a sample of 1.0 is 1 m/s.
+    double voltageLimit = 1e9;    ///< V, beside each ceramic's own.
+    unsigned long long mutes = 0; ///< Bit i: ceramic i + 1 is silent.
+};
+} // namespace antinode

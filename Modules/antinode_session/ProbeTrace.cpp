@@ -1,0 +1,39 @@
+#include "ProbeTrace.h"
+
+#include <algorithm>
+
+namespace antinode
+{
+void ProbeTrace::write (const double* velocities, int count)
+{
+    for (int n = 0; n < count; ++n)
+    {
+        const auto value = static_cast<float> (velocities[n]);
+        current = inEntry == 0 ? Entry { value, value }
+                               : Entry { std::min (current.least, value), std::max (current.largest, value) };
+
+        if (++inEntry < samplesPerEntry)
+            continue;
+
+        const auto at = position.load (std::memory_order_relaxed);
+        least[at % capacity].store (current.least, std::memory_order_relaxed);
+        largest[at % capacity].store (current.largest, std::memory_order_relaxed);
+        position.store (at + 1, std::memory_order_release);
+        inEntry = 0;
+    }
+}
+
+std::vector<ProbeTrace::Entry> ProbeTrace::newest (std::size_t count) const
+{
+    const auto end = written();
+    const auto available = std::min<std::uint64_t> ({ end, count, capacity });
+    std::vector<Entry> entries;
+    entries.reserve (available);
+
+    for (auto at = end - available; at < end; ++at)
+        entries.push_back ({ least[at % capacity].load (std::memory_order_relaxed),
+                             largest[at % capacity].load (std::memory_order_relaxed) });
+
+    return entries;
+}
+} // namespace antinode

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+namespace antinode
+{
+/** The last second or so of the first probe's velocity, to be drawn: each entry is the largest and the least value of some samples. */
+class ProbeTrace
+{
+public:
+    static constexpr std::size_t capacity = 4096;
+
+    struct Entry
+    {
+        float least = 0, largest = 0; ///< m/s
+    };
+
+    /** Before the first block. @param samples  how many make an entry, 1 or more [not while the audio thread writes] */
+    void prepare (int samples) { samplesPerEntry = samples; }
+
+    /** [audio thread] */
+    void write (const double* velocities, int count);
+
+    /** The newest entries, oldest first; torn ones are possible and last one frame. [any] */
+    std::vector<Entry> newest (std::size_t count) const;
+
+    /** How many entries were ever written. [any] */
+    std::uint64_t written() const { return position.load (std::memory_order_acquire); }
+
+private:
+    int samplesPerEntry = 48, inEntry = 0;
+    Entry current;
+    std::array<std::atomic<float>, capacity> least {}, largest {};
+    std::atomic<std::uint64_t> position { 0 };
+};
+} // namespace antinode

@@ -1,0 +1,134 @@
+#pragma once
+
+#include "PathExchange.h"
+#include "SessionSnapshot.h"
+#include "TriggerQueue.h"
+
+#include <array>
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <span>
+#include <thread>
+#include <vector>
+
+namespace antinode
+{
+/** Everything between the rims and the kernels: a device, a focus and what the parameters say become a path that plays. The plug-in
+    and the standalone program each have one; neither solves, designs or swaps anything by itself.
+
+    A thread of its own looks at the parameters every few milliseconds, so that whoever changes them (a host does it on the audio
+    thread) calls nobody. Solving a device and building a path happen there, designing on the path's worker. A new path is handed
+    over by one atomic exchange after the old one has ramped to 0 V, and the old one is freed here. Docs/Architecture.md, Session. */
+class Session
+{
+public:
+    using ReadSettings = std::function<PlaySettings()>;
+
+    /** Starts solving.
+        @param readSettings  gives what the parameters say; called on the session's thread, must not block
+        @param onChange      called on the session's thread after latency, tail or a snapshot have changed
+        [worker] starts threads */
+    Session (DeviceDocument, FocusDocument, ReadSettings readSettings, std::function<void()> onChange);
+    ~Session();
+    Session (const Session&) = delete;
+    Session& operator= (const Session&) = delete;
+
+    /** Another device, focus, or both (none: the present one stays). Returns at once; what plays ramps out when the new path is
+        ready. [any but the audio thread] */
+    void load (std::shared_ptr<const DeviceDocument>, std::shared_ptr<const FocusDocument>);
+
+    /** Brings what plays to rest, and asks for the path of a sample rate. Waits until it is there and its focus designed, but only a
+        moment: where a large device is being solved there is silence until it is. Nothing may be processing. [worker]
+        @param isOffline  waits until all is designed */
+    void prepare (double sampleRate, bool isOffline);
+
+    /** Plays a block, or silence where there is no path yet. [audio thread] allocates nothing, locks nothing
+        @param events  what came with the block; a note's place is its number */
+    template <typename Sample>
+    void process (const OutputBlock<Sample>&, std::span<const FocusEvent> events, const PlayControls&);
+
+    /** Waits until all that was loaded and all that the parameters say is designed: for offline rendering.
+        [any but a real-time audio thread] */
+    void waitUntilSettled();
+
+    /** Fires the focus at its own place with the next block. @param amplitude  0 to 1 [any but the audio thread] */
+    void fire (double amplitude);
+
+    /** Designs and fires a focus at another place. @param x, y  m [any but the audio thread]
+        @return  false where it was dropped: there is no path, the place is off the surface, or too many wait */
+    bool fireAt (double x, double y, double amplitude);
+
+    /** Fades all voices out with the next block. [any but the audio thread] */
+    void stopAll();
+
+    /** [any but the audio thread] */
+    std::shared_ptr<const SessionSnapshot> snapshot() const;
+
+    /** How far the designs are. [any but the audio thread] */
+    DesignProgress progress() const;
+
+    LevelMeters& meters() { return levels; }
+    const ProbeTrace& probeTrace() const { return trace; }
+
+    /** Samples from a trigger to its focus where foci fall on notes, else 0. [any] */
+    std::int64_t latencySamples() const { return latency; }
+
+    /** How long sound goes on after the last trigger: the focus, and 60 dB of the slowest mode's decay. s [any] */
+    double tailSeconds() const { return tail; }
+
+private:
+    void run();
+    void step();
+    void takeDocuments();
+    void solve (const DeviceDocument&);
+    void buildPath (double sampleRate);
+    void requestDesigns();
+    void forwardTouches();
+    void publish();
+    std::vector<std::pair<double, double>> notePlaces() const;
+    Eigen::MatrixXd probeShapes() const;
+    double wantedSampleRate() const;
+    std::span<const FocusEvent> gather (std::span<const FocusEvent> events);
+
+    struct Touch
+    {
+        double x = 0, y = 0, amplitude = 1;
+    };
+
+    ReadSettings readSettings;
+    std::function<void()> onChange;
+
+    mutable std::mutex mutex; ///< For the next lines.
+    std::condition_variable wake, settled;
+    std::shared_ptr<const DeviceDocument> nextDevice;
+    std::shared_ptr<const FocusDocument> nextFocus;
+    std::vector<Touch> touches;
+    double wantedRate = 0;                                          ///< Hz; 0 before the first prepare.
+    std::uint64_t roundsAsked = 0, settleAsked = 0, roundsDone = 0; ///< Rounds of the thread that others wait for.
+    DesignProgress designs;
+    bool isStopping = false, isSolving = false;
+    std::shared_ptr<const SessionSnapshot> published;
+
+    std::shared_ptr<const DeviceDocument> device; ///< Of the session's thread, as the next lines.
+    std::shared_ptr<const FocusDocument> focus;
+    std::shared_ptr<const ModalModel> model;
+    PlaySettings settings;
+    double rate = 0;
+    AudioPath* path = nullptr; ///< The newest one, which `paths` owns.
+    bool isModelNew = false, isFocusNew = false;
+    std::string deviceError;
+
+    TriggerQueue triggers; ///< Workers of paths push to it: so it outlives them.
+    PathExchange paths;
+    std::array<FocusEvent, 1024> blockEvents {}; ///< Of the audio thread.
+    LevelMeters levels;
+    ProbeTrace trace;
+    std::atomic<double> preparedRate { 0 };
+    std::atomic<bool> playsSpotOnly { false }; ///< Whether every note plays the focus at its own place.
+    std::atomic<std::int64_t> latency { 0 };
+    std::atomic<double> tail { 1 };
+    std::thread thread;
+};
+} // namespace antinode
