@@ -53,7 +53,7 @@ TEST_CASE ("A focus is asked for in millimetres, to the byte", "[touch]")
     CHECK (reading.touches[0] == Touch { TouchKind::focusAt, true, 74, -105, 0.5 });
 }
 
-TEST_CASE ("On a beam y is left out; without an amplitude it is 1; integers and doubles are numbers", "[touch]")
+TEST_CASE ("On a beam y is left out, without an amplitude it is 1, integers and doubles are numbers", "[touch]")
 {
     CHECK (read (OscWriter::message ("/antinode/focus", 30)).touches[0]
            == Touch { TouchKind::focusAt, true, 30, 0, 1 });
@@ -101,7 +101,7 @@ TEST_CASE ("Wrong arguments, numbers that are not finite and unknown addresses a
     CHECK (onlyFault (packetOf ("/antinode/focus\0,f\0\0"sv)) == TouchFault::truncated);
 }
 
-TEST_CASE ("A bundle gives all its touches in their order; a bad message costs only itself", "[touch]")
+TEST_CASE ("A bundle gives all its touches in their order, and a bad message costs only itself", "[touch]")
 {
     const auto reading = read (
         OscWriter::bundle ({ OscWriter::message ("/antinode/stop"), OscWriter::message ("/antinode/touch", 7, 7),

@@ -80,7 +80,7 @@ TEST_CASE ("A TUIO 1.1 bundle, to the byte: a new cursor is a touch, y turned ov
     CHECK (reader.counters.faults == TouchCounters {}.faults);
 }
 
-TEST_CASE ("A cursor gives one touch, however it moves; when it has vanished its number may come again", "[touch]")
+TEST_CASE ("A cursor gives one touch, however it moves, and when it has vanished its number may come again", "[touch]")
 {
     Reader reader;
     CHECK (reader.countOf (frame (1, { 5 }, { { 5, 0.1F, 0.1F } })) == 1);
