@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <variant>
 
 namespace antinode
 {
@@ -77,6 +79,35 @@ std::pair<double, double> placeFromPercent (const Surface& surface, double xPerc
 std::pair<double, double> percentFromPlace (const Surface& surface, double x, double y)
 {
     return { percentOf (x, surface.xMinimum, surface.xMaximum), percentOf (y, surface.yMinimum, surface.yMaximum) };
+}
+
+Surface extentOf (const DeviceDescription& device)
+{
+    struct Extent
+    {
+        Surface operator() (const BeamDescription& beam) const { return line (beam.length); }
+        Surface operator() (const StapleDescription& staple) const { return line (staple.topLength); }
+        Surface operator() (const ModalModel& model) const { return model.surface; }
+
+        Surface operator() (const PlateDescription& plate) const
+        {
+            Surface surface;
+            surface.kind = SurfaceKind::plate;
+            surface.xMaximum = plate.lengthX;
+            surface.yMaximum = plate.lengthY;
+            return surface;
+        }
+
+        static Surface line (double length)
+        {
+            Surface surface;
+            surface.xMinimum = -length / 2;
+            surface.xMaximum = length / 2;
+            return surface;
+        }
+    };
+
+    return std::visit (Extent {}, device.body);
 }
 
 PlaySettings settingsOf (const FocusDescription& focus, const Surface& surface, const PlaySettings& present)

@@ -4,11 +4,16 @@
 
 #include <antinode_focus/FocusDescription.h>
 #include <antinode_model/Surface.h>
+#include <antinode_structure/DeviceDescription.h>
 
 #include <utility>
+#include <vector>
 
 namespace antinode
 {
+/** Where the surface of a described device begins and ends, before it is solved. [any] */
+Surface extentOf (const DeviceDescription&);
+
 /** What the parameters say for a focus that was loaded. [any] */
 PlaySettings settingsOf (const FocusDescription&, const Surface&, const PlaySettings& present);
 

@@ -1,0 +1,69 @@
+#include "SessionState.h"
+
+#include <antinode_files/JsonReader.h>
+#include <antinode_files/JsonText.h>
+
+#include <nlohmann/json.hpp>
+
+namespace antinode
+{
+namespace
+{
+constexpr auto schema = "antinode.state/1";
+constexpr int mostMutes = 64;
+constexpr double farthest = 1e12; // of a parameter: each cuts it to its own range
+
+std::map<std::string, double> readParameters (const JsonValue& value, const nlohmann::json& json)
+{
+    std::map<std::string, double> parameters;
+
+    for (const auto& [key, ignored] : json.items())
+        parameters[key] = value.required (key).number ({ -farthest, farthest });
+
+    return parameters;
+}
+
+std::uint64_t readMutes (const JsonValue& value)
+{
+    std::uint64_t mutes = 0;
+
+    for (const auto& item : value.items (0, mostMutes))
+        mutes |= std::uint64_t (1) << (item.integer (1, mostMutes) - 1);
+
+    return mutes;
+}
+} // namespace
+
+std::string stateToText (const SessionState& state)
+{
+    nlohmann::ordered_json muted = nlohmann::ordered_json::array();
+
+    for (int i = 0; i < mostMutes; ++i)
+        if (((state.mutes >> i) & 1U) != 0)
+            muted.push_back (i + 1);
+
+    const nlohmann::ordered_json json { { "schema", schema },
+                                        { "device", nlohmann::ordered_json::parse (state.device->text) },
+                                        { "focus", nlohmann::ordered_json::parse (state.focus->text) },
+                                        { "parameters", state.parameters },
+                                        { "muted_ceramics", muted } };
+    return json.dump();
+}
+
+SessionState readState (std::string_view text)
+{
+    const auto json = parseJson (text, "state");
+    const JsonValue value (json, "state");
+    value.requireSchema (schema);
+    const auto state = value.object ({ "schema", "device", "focus", "parameters", "muted_ceramics" });
+    const auto device = state.required ("device"), focus = state.required ("focus"),
+               parameters = state.required ("parameters");
+
+    if (! parameters.isObject())
+        parameters.fail ("must be an object of numbers");
+
+    return { std::make_shared<const DeviceDocument> (readDeviceDocument (json["device"], "state: device")),
+             std::make_shared<const FocusDocument> (readFocusDocument (json["focus"], "state: focus")),
+             readParameters (parameters, json["parameters"]), readMutes (state.required ("muted_ceramics")) };
+}
+} // namespace antinode

@@ -1,0 +1,135 @@
+#include "OscPacket.h"
+
+#include "OscBytes.h"
+
+#include <bit>
+
+namespace antinode
+{
+namespace
+{
+using Bytes = std::span<const std::byte>;
+using Fault = std::optional<TouchFault>;
+
+constexpr int deepest = 8;
+
+std::optional<OscArgument> readArgument (char type, OscBytes& bytes)
+{
+    switch (type)
+    {
+        case 'i':
+            return std::bit_cast<std::int32_t> (bytes.word());
+        case 'f':
+            return std::bit_cast<float> (bytes.word());
+        case 's':
+            return bytes.text();
+        case 'b':
+        {
+            const auto blob = bytes.blob();
+            return std::vector<std::byte> (blob.begin(), blob.end());
+        }
+        case 'h':
+            return std::bit_cast<std::int64_t> (bytes.longWord());
+        case 'd':
+            return std::bit_cast<double> (bytes.longWord());
+        case 'T':
+        case 'F':
+            return type == 'T';
+        case 'N':
+            return OscNil {};
+        case 'I':
+            return OscInfinitum {};
+        case 't':
+            return OscTimeTag { bytes.longWord() };
+        default:
+            return std::nullopt;
+    }
+}
+
+Fault readMessage (Bytes element, OscPacket& packet)
+{
+    OscBytes bytes (element);
+    OscMessage message { bytes.text(), {} };
+
+    // OSC 1.0 warns of older senders that leave the types out; where nothing follows there is nothing to guess.
+    const auto types = bytes.left() == 0 ? "," : bytes.text();
+
+    if (bytes.fault())
+        return bytes.fault();
+
+    if (! message.address.starts_with ('/') || ! types.starts_with (','))
+        return TouchFault::malformed;
+
+    for (const auto type : types.substr (1))
+    {
+        auto argument = readArgument (type, bytes);
+
+        if (bytes.fault())
+            return bytes.fault();
+
+        if (! argument)
+        {
+            ++packet.unknownTypes;
+            return std::nullopt;
+        }
+
+        message.arguments.push_back (std::move (*argument));
+    }
+
+    if (bytes.left() > 0)
+        return TouchFault::malformed;
+
+    packet.messages.push_back (std::move (message));
+    return std::nullopt;
+}
+
+Fault readElement (Bytes element, int depth, OscPacket& packet);
+
+Fault readBundle (Bytes element, int depth, OscPacket& packet)
+{
+    if (depth == deepest)
+        return TouchFault::tooDeep;
+
+    OscBytes bytes (element);
+    const auto name = bytes.text();
+    bytes.longWord(); // The time tag: touches are played when they come.
+
+    if (! bytes.fault() && name != "#bundle")
+        return TouchFault::malformed;
+
+    while (bytes.left() > 0)
+    {
+        const auto part = bytes.take (bytes.word());
+
+        if (bytes.fault())
+            break;
+
+        if (const auto fault = readElement (part, depth + 1, packet))
+            return fault;
+    }
+
+    return bytes.fault();
+}
+
+Fault readElement (Bytes element, int depth, OscPacket& packet)
+{
+    if (element.size() % 4 != 0)
+        return TouchFault::unaligned;
+
+    if (! element.empty() && element.front() == std::byte { '#' })
+        return readBundle (element, depth, packet);
+
+    return readMessage (element, packet);
+}
+} // namespace
+
+OscPacket readOscPacket (Bytes bytes)
+{
+    OscPacket packet;
+
+    if (const auto fault = readElement (bytes, 0, packet))
+        return { {}, 0, fault };
+
+    return packet;
+}
+} // namespace antinode

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "OscMessage.h"
+#include "TouchFault.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace antinode
+{
+/** What a datagram says, by OSC 1.0. */
+struct OscPacket
+{
+    std::vector<OscMessage> messages; ///< In their order; bundles are laid open, their time tags left out.
+    int unknownTypes = 0;             ///< Messages with types that are not read: left out, as OSC 1.0 asks.
+    std::optional<TouchFault> fault;  ///< Of the packet as a whole: then there are no messages.
+};
+
+/** Reads a message, or bundles in each other, to 8 deep. Claimed sizes are checked before they are used: memory is
+    bounded by the size of the packet. [any] */
+OscPacket readOscPacket (std::span<const std::byte> packet);
+} // namespace antinode

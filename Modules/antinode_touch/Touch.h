@@ -1,0 +1,28 @@
+#pragma once
+
+#include "TouchFault.h"
+
+#include <optional>
+
+namespace antinode
+{
+enum class TouchKind
+{
+    focusAt, ///< Plays a focus at a place.
+    stopAll  ///< Fades every voice out; place and amplitude mean nothing.
+};
+
+/** What a finger, or a program in its place, asks for. Units are those of the sender: this is the rim. */
+struct Touch
+{
+    TouchKind kind = TouchKind::focusAt;
+    bool inMillimetres = false; ///< Else x and y are fractions of the surface, 0 to 1, y upwards.
+    double x = 0, y = 0;
+    double amplitude = 1; ///< Times the velocity that the focus was designed for, 0 to 1.
+
+    bool operator== (const Touch&) const = default;
+};
+
+/** What is wrong with a touch: numbers that are not finite, fractions beyond the surface. [any] */
+std::optional<TouchFault> faultOf (const Touch&);
+} // namespace antinode

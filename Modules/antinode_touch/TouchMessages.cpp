@@ -1,0 +1,86 @@
+#include "TouchMessages.h"
+
+#include "OscPacket.h"
+
+#include <algorithm>
+
+namespace antinode
+{
+namespace
+{
+/** The numbers of a message; none where an argument is no number. */
+std::vector<double> numbersOf (const OscMessage& message)
+{
+    std::vector<double> numbers;
+
+    for (const auto& argument : message.arguments)
+    {
+        const auto number = numberOf (argument);
+
+        if (! number)
+            return {};
+
+        numbers.push_back (*number);
+    }
+
+    return numbers;
+}
+
+void readPlace (const OscMessage& message, bool inMillimetres, std::vector<Touch>& touches, TouchCounters& counters)
+{
+    const auto numbers = numbersOf (message);
+
+    // A beam has no y; a fraction of nothing would be a guess.
+    if (numbers.size() < (inMillimetres ? 1 : 2) || numbers.size() > 3)
+        return counters.count (TouchFault::wrongArguments);
+
+    Touch touch { TouchKind::focusAt, inMillimetres, numbers[0], 0, 1 };
+
+    if (numbers.size() > 1)
+        touch.y = numbers[1];
+
+    if (numbers.size() > 2)
+        touch.amplitude = numbers[2];
+
+    if (const auto fault = faultOf (touch))
+        return counters.count (*fault);
+
+    touch.amplitude = std::clamp (touch.amplitude, 0.0, 1.0);
+    touches.push_back (touch);
+}
+} // namespace
+
+std::vector<Touch> TouchMessages::read (std::span<const std::byte> bytes, TouchCounters& counters)
+{
+    ++counters.packets;
+    const auto packet = readOscPacket (bytes);
+
+    if (packet.fault)
+        counters.count (*packet.fault);
+
+    for (int i = 0; i < packet.unknownTypes; ++i)
+        counters.count (TouchFault::unknownType);
+
+    std::vector<Touch> touches;
+
+    for (const auto& message : packet.messages)
+        readMessage (message, touches, counters);
+
+    sources.endPacket (counters);
+    return touches;
+}
+
+void TouchMessages::readMessage (const OscMessage& message, std::vector<Touch>& touches, TouchCounters& counters)
+{
+    if (message.address == "/antinode/focus")
+        readPlace (message, true, touches, counters);
+    else if (message.address == "/antinode/touch")
+        readPlace (message, false, touches, counters);
+    else if (message.address == "/antinode/stop")
+        touches.push_back ({ TouchKind::stopAll, false, 0, 0, 0 });
+    else if (message.address == TuioSources::address)
+        sources.read (message, touches, counters);
+    else if (! message.address.starts_with ("/tuio/"))
+        counters.count (TouchFault::unknownAddress);
+}
+} // namespace antinode

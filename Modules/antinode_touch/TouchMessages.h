@@ -1,0 +1,37 @@
+#pragma once
+
+#include "OscMessage.h"
+#include "Touch.h"
+#include "TouchCounters.h"
+#include "TouchOptions.h"
+#include "TuioSources.h"
+
+#include <span>
+#include <vector>
+
+namespace antinode
+{
+/** From datagrams to touches, by these OSC 1.0 messages:
+
+    - `/antinode/focus x_mm [y_mm [amplitude]]`: a focus at a place in mm; y = 0, amplitude = 1 where left out;
+    - `/antinode/touch x y [amplitude]`: a focus at fractions of the surface;
+    - `/antinode/stop`, whatever stands behind it: fades everything out;
+    - `/tuio/2Dcur` of TUIO 1.1: see TuioCursors. Other profiles below `/tuio/` are passed over.
+
+    Numbers are of the types i f h d. Addresses are compared as they stand: patterns with wildcards are unknown ones.
+    Amplitudes are clamped to 0 to 1. What is bad is counted and dropped. */
+class TouchMessages
+{
+public:
+    explicit TouchMessages (const TouchOptions& options = {}) : sources (options.repeatDistance) {}
+
+    /** The touches of a packet in their order; packets and faults are counted.
+        [any] throws nothing but std::bad_alloc; memory is bounded by the size of the packet */
+    std::vector<Touch> read (std::span<const std::byte> packet, TouchCounters&);
+
+private:
+    void readMessage (const OscMessage&, std::vector<Touch>&, TouchCounters&);
+
+    TuioSources sources;
+};
+} // namespace antinode

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+namespace antinode
+{
+/** UDP ports: 0 = off, 1 to 65535, or `anyFree`. Each takes OSC and TUIO alike; they are two because senders have two
+    customs. */
+struct TouchPorts
+{
+    static constexpr int anyFree = -1;
+
+    int oscPort = 9000;
+    int tuioPort = 3333;
+
+    /** IPv4, of the interface that listens: 127.0.0.1 hears this computer only, 0.0.0.0 the whole network. */
+    std::string address = "127.0.0.1";
+};
+} // namespace antinode

@@ -1,0 +1,141 @@
+#include "TouchReceiver.h"
+
+#include <antinode_model/InputError.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+
+#include <arpa/inet.h>
+#include <poll.h>
+
+namespace antinode
+{
+namespace
+{
+constexpr int pollMilliseconds = 50;         ///< Until the thread sees that it is to stop.
+constexpr std::size_t largestPacket = 65536; ///< More than UDP can carry: nothing is ever cut off.
+
+void check (const TouchPorts& ports)
+{
+    in_addr ignored {};
+
+    // juce::DatagramSocket takes what is no address for 255.255.255.255, and an empty one for the whole network.
+    if (inet_pton (AF_INET, ports.address.c_str(), &ignored) != 1)
+        throw InputError ("Touch input", "the address is \"" + ports.address + "\", allowed is one like 127.0.0.1");
+
+    for (const auto port : { ports.oscPort, ports.tuioPort })
+        if (port < TouchPorts::anyFree || port > 65535)
+            throw InputError ("Touch input",
+                              "a port is " + std::to_string (port) + ", allowed is 1 to 65535, or 0 for none");
+
+    if (ports.oscPort == ports.tuioPort && ports.oscPort > 0)
+        throw InputError ("Touch input", "the OSC and the TUIO port are both " + std::to_string (ports.oscPort)
+                                             + ", allowed are two different ones");
+}
+} // namespace
+
+TouchReceiver::TouchReceiver (const TouchPorts& ports, const TouchOptions& options, Callback callbackToUse)
+    : openPorts (ports), callback (std::move (callbackToUse)), messages (options), limit (options.touchesPerSecond)
+{
+    check (ports);
+    openPorts.oscPort = open ("OSC", ports.oscPort);
+    openPorts.tuioPort = open ("TUIO", ports.tuioPort);
+    thread = std::thread ([this] { run(); });
+}
+
+TouchReceiver::~TouchReceiver()
+{
+    isStopping = true;
+    thread.join();
+}
+
+int TouchReceiver::open (const char* name, int port)
+{
+    if (port == 0)
+        return 0;
+
+    auto socket = std::make_unique<juce::DatagramSocket>();
+
+    // JUCE allows reuse from the start: on Linux two programs could then have a port, and one would hear nothing.
+    socket->setEnablePortReuse (false);
+
+    if (! socket->bindToPort (std::max (port, 0), openPorts.address))
+    {
+        const auto reason = errno;
+        throw InputError (std::string (name) + " port" + (port > 0 ? " " + std::to_string (port) : ""),
+                          reason == EADDRINUSE ? "is taken by another program, allowed is a free one, or 0 for none"
+                                               : "cannot be opened on " + openPorts.address + ": "
+                                                     + std::generic_category().message (reason));
+    }
+
+    sockets.push_back (std::move (socket));
+    return sockets.back()->getBoundPort();
+}
+
+void TouchReceiver::run()
+{
+    std::vector<std::byte> buffer (largestPacket);
+    std::vector<pollfd> handles;
+
+    for (const auto& socket : sockets)
+        handles.push_back ({ socket->getRawSocketHandle(), POLLIN, 0 });
+
+    // One wait for both sockets; juce's waits for one, and the other's touches would wait with it.
+    while (! isStopping)
+    {
+        if (poll (handles.data(), handles.size(), pollMilliseconds) <= 0)
+            continue;
+
+        for (std::size_t i = 0; i < handles.size(); ++i)
+        {
+            if (handles[i].revents == 0)
+                continue;
+
+            const auto size = sockets[i]->read (buffer.data(), static_cast<int> (buffer.size()), false);
+            receive (std::span (buffer).first (static_cast<std::size_t> (std::max (size, 0))));
+        }
+    }
+}
+
+void TouchReceiver::receive (std::span<const std::byte> packet)
+{
+    try
+    {
+        for (const auto& touch : messages.read (packet, current))
+            forward (touch);
+    }
+    catch (const std::exception&)
+    {
+        ++current.failures;
+    }
+
+    const std::lock_guard lock (mutex);
+    published = current;
+}
+
+void TouchReceiver::forward (const Touch& touch)
+{
+    if (touch.kind != TouchKind::stopAll && ! limit.allows (std::chrono::steady_clock::now()))
+    {
+        ++current.limited;
+        return;
+    }
+
+    try
+    {
+        ++current.touches;
+        callback (touch);
+    }
+    catch (...)
+    {
+        ++current.failures;
+    }
+}
+
+TouchCounters TouchReceiver::counters() const
+{
+    const std::lock_guard lock (mutex);
+    return published;
+}
+} // namespace antinode

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "TouchMessages.h"
+#include "TouchPorts.h"
+#include "TouchRateLimit.h"
+
+#include <juce_core/juce_core.h>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+namespace antinode
+{
+/** Listens for OSC and TUIO datagrams on a thread of its own and reports the touches. */
+class TouchReceiver
+{
+public:
+    /** Runs on the receiver's thread. Its exceptions are counted and go no further. Must not destroy the receiver. */
+    using Callback = std::function<void (const Touch&)>;
+
+    /** Opens the ports and starts the thread.
+        @throws InputError where an address or a port is none or cannot be opened, as when another program has it
+        [worker] */
+    TouchReceiver (const TouchPorts&, const TouchOptions&, Callback);
+
+    /** Joins the thread, within 50 ms when the callback does not keep it. [worker] */
+    ~TouchReceiver();
+    TouchReceiver (const TouchReceiver&) = delete;
+    TouchReceiver& operator= (const TouchReceiver&) = delete;
+
+    /** Those that are open: the numbers in place of `anyFree`. [any] */
+    const TouchPorts& ports() const { return openPorts; }
+
+    /** Up to the last packet whose touches have all been reported. [any but the audio thread] */
+    TouchCounters counters() const;
+
+private:
+    int open (const char* name, int port);
+    void run();
+    void receive (std::span<const std::byte> packet);
+    void forward (const Touch&);
+
+    TouchPorts openPorts;
+    Callback callback;
+    std::vector<std::unique_ptr<juce::DatagramSocket>> sockets;
+    TouchMessages messages;
+    TouchRateLimit limit;
+    TouchCounters current; ///< Of the thread only, as the three before it once the thread runs.
+    mutable std::mutex mutex;
+    TouchCounters published; ///< Under the mutex.
+    std::atomic<bool> isStopping { false };
+    std::thread thread;
+};
+} // namespace antinode

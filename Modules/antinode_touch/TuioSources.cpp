@@ -1,0 +1,123 @@
+#include "TuioSources.h"
+
+#include <algorithm>
+
+namespace antinode
+{
+namespace
+{
+using Arguments = std::span<const OscArgument>;
+
+std::optional<std::vector<std::int32_t>> integersOf (Arguments arguments)
+{
+    std::vector<std::int32_t> integers;
+
+    for (const auto& argument : arguments)
+    {
+        if (! std::holds_alternative<std::int32_t> (argument))
+            return std::nullopt;
+
+        integers.push_back (std::get<std::int32_t> (argument));
+    }
+
+    return integers;
+}
+
+/** Session, place, velocity, acceleration. Only the place is judged later: senders whose clock stood still divide by
+    zero for the others. */
+std::optional<TuioCursor> cursorOf (Arguments arguments)
+{
+    if (arguments.size() != 6 || ! std::holds_alternative<std::int32_t> (arguments.front()))
+        return std::nullopt;
+
+    if (std::any_of (arguments.begin() + 1, arguments.end(), [] (const auto& value) { return ! numberOf (value); }))
+        return std::nullopt;
+
+    return TuioCursor { std::get<std::int32_t> (arguments[0]), *numberOf (arguments[1]), *numberOf (arguments[2]) };
+}
+} // namespace
+
+void TuioSources::read (const OscMessage& message, std::vector<Touch>& touches, TouchCounters& counters)
+{
+    const Arguments arguments (message.arguments);
+    const auto* command = arguments.empty() ? nullptr : std::get_if<std::string> (&arguments.front());
+    isInFrame = true;
+
+    if (command == nullptr || ! readPart (*command, arguments.subspan (1)))
+        counters.count (TouchFault::wrongArguments);
+    else if (*command == "fseq")
+        endFrame (touches, counters);
+}
+
+bool TuioSources::readPart (const std::string& command, Arguments arguments)
+{
+    if (command == "set")
+    {
+        const auto cursor = cursorOf (arguments);
+
+        if (cursor)
+            frame.cursors.push_back (*cursor);
+
+        return cursor.has_value();
+    }
+
+    if (command == "source")
+    {
+        const auto* name = arguments.size() == 1 ? std::get_if<std::string> (&arguments.front()) : nullptr;
+
+        if (name != nullptr)
+            frame.source = *name;
+
+        return name != nullptr;
+    }
+
+    const auto integers = integersOf (arguments);
+
+    if (command == "alive" && integers)
+        frame.alive = integers;
+    else if (command == "fseq" && integers && integers->size() == 1)
+        frame.sequence = integers->front();
+    else
+        return false;
+
+    return true;
+}
+
+void TuioSources::endFrame (std::vector<Touch>& touches, TouchCounters& counters)
+{
+    if (frame.alive)
+        cursorsOf (frame.source).play (frame, touches, counters);
+    else
+        counters.count (TouchFault::brokenFrame);
+
+    frame = {};
+    isInFrame = false;
+}
+
+void TuioSources::endPacket (TouchCounters& counters)
+{
+    if (isInFrame)
+        counters.count (TouchFault::brokenFrame);
+
+    frame = {};
+    isInFrame = false;
+}
+
+TuioCursors& TuioSources::cursorsOf (const std::string& source)
+{
+    const auto known =
+        std::find_if (sources.begin(), sources.end(), [&source] (const auto& entry) { return entry.first == source; });
+
+    if (known != sources.end())
+        std::rotate (known, known + 1, sources.end());
+    else
+    {
+        if (sources.size() == most)
+            sources.erase (sources.begin());
+
+        sources.emplace_back (source, TuioCursors (repeatDistance));
+    }
+
+    return sources.back().second;
+}
+} // namespace antinode

@@ -1,0 +1,116 @@
+#pragma once
+
+#include "Parameters.h"
+
+#include <antinode_graph/MidiTriggers.h>
+#include <antinode_session/Session.h>
+#include <antinode_session/SessionState.h>
+
+#include <juce_audio_processors/juce_audio_processors.h>
+
+#include <array>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace antinode
+{
+/** The plug-in: parameters, buses and state around a session. The standalone program has one too.
+
+    The main output bus "Ceramics" has 1 to 64 channels, channel k for ceramic k, 1.0 = the device's full scale; the bus "Monitor" has the
+    velocity at the probes, 1.0 = 1 m/s. */
+class AntinodeProcessor : public juce::AudioProcessor, private juce::AsyncUpdater
+{
+public:
+    static constexpr int mostCeramics = 64;
+
+    /** @param ceramics  channels of the main bus at first, 1 to 64
+        @param wrapper   what it runs in: decides how channels are laid on wires
+        [message thread] */
+    AntinodeProcessor (int ceramics, juce::AudioProcessor::WrapperType wrapper);
+    ~AntinodeProcessor() override;
+
+    Session& session() { return *player; }
+    Parameters& parameters() { return *controls; }
+
+    /** Loads a device, a focus, or both (none: the present one stays), and sets the parameters to the focus.
+        [message thread] */
+    void load (std::shared_ptr<const DeviceDocument>, std::shared_ptr<const FocusDocument>);
+
+    /** All that a host would keep. [message thread] */
+    SessionState state() const;
+
+    /** Goes back to a state. @param isRestored  true where it comes from a file or a host: then a device that requires it is disarmed
+        [message thread] */
+    void setState (const SessionState&, bool isRestored);
+
+    /** The loaded device and focus. [any but the audio thread] */
+    std::shared_ptr<const DeviceDocument> device() const;
+    std::shared_ptr<const FocusDocument> focus() const;
+
+    /** Bit i: ceramic i + 1 is muted. [any] */
+    std::uint64_t mutes() const { return mutedCeramics; }
+    void setMutes (std::uint64_t mask) { mutedCeramics = mask; }
+
+    /** What the user must know: a state that could not be read, channels that are missing; empty where all is well. [any but the audio thread] */
+    juce::String warning() const;
+
+    /** Called on the message thread after the session or the state have changed. [message thread] */
+    std::function<void()> onChange;
+
+    /** Makes the editor; set by the program that has one, so that what only renders needs none. */
+    static std::function<juce::AudioProcessorEditor*(AntinodeProcessor&)> makeEditor;
+
+    const juce::String getName() const override { return "Antinode"; }
+    void prepareToPlay (double sampleRate, int longestBlock) override;
+    void releaseResources() override {}
+    void reset() override;
+    bool supportsDoublePrecisionProcessing() const override { return true; }
+    bool isBusesLayoutSupported (const BusesLayout&) const override;
+    bool canAddBus (bool) const override { return false; }
+    bool canRemoveBus (bool) const override { return false; }
+    void processBlock (juce::AudioBuffer<float>&, juce::MidiBuffer&) override;
+    void processBlock (juce::AudioBuffer<double>&, juce::MidiBuffer&) override;
+    void processBlockBypassed (juce::AudioBuffer<float>&, juce::MidiBuffer&) override;
+    void processBlockBypassed (juce::AudioBuffer<double>&, juce::MidiBuffer&) override;
+    juce::AudioProcessorParameter* getBypassParameter() const override { return &controls->bypass(); }
+    double getTailLengthSeconds() const override { return player->tailSeconds(); }
+    bool acceptsMidi() const override { return true; }
+    bool producesMidi() const override { return false; }
+    juce::AudioProcessorEditor* createEditor() override { return makeEditor ? makeEditor (*this) : nullptr; }
+    bool hasEditor() const override { return makeEditor != nullptr; }
+    int getNumPrograms() override { return 1; }
+    int getCurrentProgram() override { return 0; }
+    void setCurrentProgram (int) override {}
+    const juce::String getProgramName (int) override { return "Default"; }
+    void changeProgramName (int, const juce::String&) override {}
+    void getStateInformation (juce::MemoryBlock&) override;
+    void setStateInformation (const void*, int) override;
+
+private:
+    template <typename Sample>
+    void play (juce::AudioBuffer<Sample>&, const juce::MidiBuffer&, bool isBypassed);
+    void layChannels();
+    void handleAsyncUpdate() override;
+    void setWarning (const juce::String&);
+
+    WrapperType wrapper;
+    std::unique_ptr<Parameters> controls;
+    std::unique_ptr<Session> player;
+    MidiTriggers triggers { VelocityCurve {} };
+    std::atomic<std::uint64_t> mutedCeramics { 0 };
+    std::vector<int> ceramicOrder; ///< Buffer channel of ceramic k.
+    int firstMonitor = 0, monitors = 0;
+    std::shared_ptr<const ModalModel>
+        describedModel; ///< What the host knows the parameters' texts of. Of the message thread.
+
+    mutable juce::CriticalSection documents; ///< For the next lines.
+    std::shared_ptr<const DeviceDocument> loadedDevice;
+    std::shared_ptr<const FocusDocument> loadedFocus;
+    juce::String stateWarning;
+};
+
+/** The embedded demonstrator: what everything starts with. [worker] */
+SessionState demonstrator();
+} // namespace antinode

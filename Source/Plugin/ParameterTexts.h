@@ -1,0 +1,53 @@
+#pragma once
+
+#include <antinode_model/ModalModel.h>
+
+#include <juce_core/juce_core.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace antinode
+{
+/** A parameter's value as text, and back: what toText gives, fromText reads. */
+struct NumberTexts
+{
+    std::function<juce::String (float value, int maximumLength)> toText;
+    std::function<float (const juce::String&)> fromText;
+};
+
+struct IntegerTexts
+{
+    std::function<juce::String (int value, int maximumLength)> toText;
+    std::function<int (const juce::String&)> fromText;
+};
+
+struct FlagTexts
+{
+    std::function<juce::String (bool value, int maximumLength)> toText;
+    std::function<bool (const juce::String&)> fromText;
+};
+
+enum class Axis
+{
+    x,
+    y
+};
+
+/** A number with its unit. Values below `least` have a word instead. [any] */
+NumberTexts unitTexts (const char* unit, int decimals, float least = -1e30F, const char* wordBelow = "");
+
+/** A share of the surface in percent, as a place in mm: of the model that is played, or in percent where there is none.
+    A text that ends in % is read as percent. [any but the audio thread] */
+NumberTexts placeTexts (std::function<std::shared_ptr<const ModalModel>()> model, Axis);
+
+/** A count, with a word for 0. [any] */
+IntegerTexts countTexts (const char* wordForNone);
+
+/** Words, the first one for 0. [any] */
+IntegerTexts wordTexts (std::vector<juce::String> words);
+
+/** [any] */
+FlagTexts flagTexts (const char* on, const char* off);
+} // namespace antinode

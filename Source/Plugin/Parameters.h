@@ -1,0 +1,55 @@
+#pragma once
+
+#include <antinode_session/FocusSettings.h>
+#include <antinode_session/PlaySettings.h>
+
+#include <juce_audio_processors/juce_audio_processors.h>
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** The parameters that hosts automate, in groups. Docs/Manual/parameters.md. */
+class Parameters
+{
+public:
+    /** Adds them to a processor, which owns them.
+        @param surface  the surface that places are texts of; may give none. Called on any thread but the audio thread
+        [message thread] */
+    Parameters (juce::AudioProcessor&, std::function<std::shared_ptr<const ModalModel>()> surface);
+
+    /** What they say of the focus. [any] */
+    PlaySettings settings() const;
+
+    /** What takes effect at once, mutes left out. [any] */
+    PlayControls controls() const;
+
+    /** Sets those that a focus decides, and tells the host. [message thread] */
+    void setFocus (const PlaySettings&);
+
+    /** All by identifier, in the units of their texts. [any] */
+    std::map<std::string, double> values() const;
+
+    /** Sets all: those that are not named to their defaults; values beyond a range to its end. Tells the host. [message thread] */
+    void setValues (const std::map<std::string, double>&);
+
+    juce::AudioParameterBool& bypass() const { return *bypassed; }
+    juce::AudioParameterBool& arm() const { return *armed; }
+
+    /** The parameter of an identifier, for controls of an editor. @return  never null for an identifier of ours [any] */
+    juce::RangedAudioParameter* find (const std::string& identifier) const;
+
+    /** All in the order of the groups. [any] */
+    const std::vector<juce::RangedAudioParameter*>& all() const { return ordered; }
+
+private:
+    juce::AudioParameterFloat *x, *y, *width, *peakVelocity, *focusTime, *growth, *brake, *voltageLimit, *probeX,
+        *probeY, *monitorGain, *outputTrim;
+    juce::AudioParameterInt *shape, *method, *modes, *notes, *noteOff, *retrigger;
+    juce::AudioParameterBool *focusOnNote, *armed, *bypassed;
+    std::vector<juce::RangedAudioParameter*> ordered;
+};
+} // namespace antinode

@@ -1,0 +1,34 @@
+#include "VST3Channels.h"
+
+// JUCE keeps the mapping in a header of its own module, which wants the VST3 headers before it.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wall"
+#pragma GCC diagnostic ignored "-Wextra"
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wpedantic"
+#define JUCE_VST3HEADERS_INCLUDE_HEADERS_ONLY 1
+#include <juce_audio_processors/format_types/juce_VST3Headers.h>
+
+#include <juce_audio_processors/format_types/juce_VST3Common.h>
+#pragma GCC diagnostic pop
+
+namespace antinode
+{
+juce::AudioChannelSet vst3ChannelSet (int channels)
+{
+    const auto speakers = channels >= 64 ? ~0ULL : (1ULL << channels) - 1;
+    return juce::getChannelSetForSpeakerArrangement (speakers);
+}
+
+std::vector<int> vst3ChannelOrder (const juce::AudioChannelSet& layout)
+{
+    const juce::ChannelMapping mapping (layout);
+    std::vector<int> order;
+
+    for (int wire = 0; wire < layout.size(); ++wire)
+        order.push_back (mapping.getJuceChannelForVst3Channel (wire));
+
+    return order;
+}
+} // namespace antinode

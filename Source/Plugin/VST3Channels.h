@@ -1,0 +1,15 @@
+#pragma once
+
+#include <juce_audio_processors/juce_audio_processors.h>
+
+#include <vector>
+
+namespace antinode
+{
+/** The layout of so many channels whose wires are ours to name: the set of the lowest VST3 speaker bits. Discrete layouts crash JUCE's VST3
+    wrapper, named ones are permuted. [any] @param channels  1 to 64 */
+juce::AudioChannelSet vst3ChannelSet (int channels);
+
+/** The channel of a buffer with this layout that becomes wire k in VST3. [worker] @return  as many as the layout has */
+std::vector<int> vst3ChannelOrder (const juce::AudioChannelSet&);
+} // namespace antinode

@@ -1,0 +1,131 @@
+#include "OscWriter.h"
+
+#include <antinode_touch/TouchMessages.h>
+#include <antinode_touch/TouchRateLimit.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <limits>
+
+using namespace antinode;
+using namespace std::string_view_literals;
+using test::OscWriter;
+using test::Packet;
+using test::packetOf;
+
+namespace
+{
+struct Reading
+{
+    std::vector<Touch> touches;
+    TouchCounters counters;
+};
+
+Reading read (const Packet& packet)
+{
+    Reading reading;
+    reading.touches = TouchMessages().read (packet, reading.counters);
+    CHECK (reading.counters.packets == 1);
+    return reading;
+}
+
+/** Of a packet that gives no touch: its only fault. */
+TouchFault onlyFault (const Packet& packet)
+{
+    const auto reading = read (packet);
+    CHECK (reading.touches.empty());
+    const auto& faults = reading.counters.faults;
+    REQUIRE (std::count (faults.begin(), faults.end(), 1) == 1);
+    REQUIRE (std::count (faults.begin(), faults.end(), 0) == static_cast<int> (faults.size()) - 1);
+    return static_cast<TouchFault> (std::find (faults.begin(), faults.end(), 1) - faults.begin());
+}
+
+constexpr auto infinite = std::numeric_limits<float>::infinity();
+constexpr auto notANumber = std::numeric_limits<double>::quiet_NaN();
+} // namespace
+
+TEST_CASE ("A focus is asked for in millimetres, to the byte", "[touch]")
+{
+    const auto reading =
+        read (packetOf ("/antinode/focus\0,fff\0\0\0\0\x42\x94\x00\x00\xc2\xd2\x00\x00\x3f\x00\x00\x00"sv));
+    REQUIRE (reading.touches.size() == 1);
+    CHECK (reading.touches[0] == Touch { TouchKind::focusAt, true, 74, -105, 0.5 });
+}
+
+TEST_CASE ("On a beam y is left out, without an amplitude it is 1, integers and doubles are numbers", "[touch]")
+{
+    CHECK (read (OscWriter::message ("/antinode/focus", 30)).touches[0]
+           == Touch { TouchKind::focusAt, true, 30, 0, 1 });
+    CHECK (read (OscWriter::message ("/antinode/focus", 30.25, std::int64_t { 40 })).touches[0]
+           == Touch { TouchKind::focusAt, true, 30.25, 40, 1 });
+}
+
+TEST_CASE ("A touch is asked for in fractions of the surface, its edges included", "[touch]")
+{
+    CHECK (read (OscWriter::message ("/antinode/touch", 0.25, 1.0, 0.75)).touches[0]
+           == Touch { TouchKind::focusAt, false, 0.25, 1, 0.75 });
+    CHECK (read (OscWriter::message ("/antinode/touch", 0, 1)).touches[0]
+           == Touch { TouchKind::focusAt, false, 0, 1, 1 });
+    CHECK (onlyFault (OscWriter::message ("/antinode/touch", 1.0001, 0.5)) == TouchFault::outside);
+    CHECK (onlyFault (OscWriter::message ("/antinode/touch", 0.5, -0.0001)) == TouchFault::outside);
+}
+
+TEST_CASE ("Amplitudes are clamped to 0 to 1", "[touch]")
+{
+    CHECK (read (OscWriter::message ("/antinode/focus", 1, 1, 127)).touches[0].amplitude == 1);
+    CHECK (read (OscWriter::message ("/antinode/focus", 1, 1, -0.5)).touches[0].amplitude == 0);
+}
+
+TEST_CASE ("A stop stops, whatever stands behind it: buttons send their state", "[touch]")
+{
+    CHECK (read (packetOf ("/antinode/stop\0\0,\0\0\0"sv)).touches.at (0).kind == TouchKind::stopAll);
+    CHECK (read (packetOf ("/antinode/stop\0\0"sv)).touches.at (0).kind == TouchKind::stopAll);
+    CHECK (read (OscWriter::message ("/antinode/stop", 0.0F)).touches.at (0).kind == TouchKind::stopAll);
+}
+
+TEST_CASE ("Wrong arguments, numbers that are not finite and unknown addresses are dropped and counted", "[touch]")
+{
+    CHECK (onlyFault (OscWriter::message ("/antinode/focus")) == TouchFault::wrongArguments);
+    CHECK (onlyFault (OscWriter::message ("/antinode/focus", 1, 2, 1, 4)) == TouchFault::wrongArguments);
+    CHECK (onlyFault (OscWriter::message ("/antinode/focus", 1, std::string ("2"))) == TouchFault::wrongArguments);
+    CHECK (onlyFault (packetOf ("/antinode/focus\0,T\0\0"sv)) == TouchFault::wrongArguments);
+    CHECK (onlyFault (OscWriter::message ("/antinode/touch", 0.5)) == TouchFault::wrongArguments);
+    CHECK (onlyFault (OscWriter::message ("/antinode/focus", infinite, 1)) == TouchFault::notFinite);
+    CHECK (onlyFault (OscWriter::message ("/antinode/focus", 1, notANumber)) == TouchFault::notFinite);
+    CHECK (onlyFault (OscWriter::message ("/antinode/focus", 1, 1, notANumber)) == TouchFault::notFinite);
+    CHECK (onlyFault (OscWriter::message ("/antinode/touch", notANumber, 1)) == TouchFault::notFinite);
+    CHECK (onlyFault (OscWriter::message ("/antinode/focuses", 1)) == TouchFault::unknownAddress);
+    CHECK (onlyFault (OscWriter::message ("/antinode/*", 1)) == TouchFault::unknownAddress);
+    CHECK (onlyFault (packetOf ("/antinode/focus\0,r\0\0\0\0\0\0"sv)) == TouchFault::unknownType);
+    CHECK (onlyFault (packetOf ("/antinode/focus\0,f\0\0"sv)) == TouchFault::truncated);
+}
+
+TEST_CASE ("A bundle gives all its touches in their order, and a bad message costs only itself", "[touch]")
+{
+    const auto reading = read (
+        OscWriter::bundle ({ OscWriter::message ("/antinode/stop"), OscWriter::message ("/antinode/touch", 7, 7),
+                             OscWriter::message ("/antinode/focus", 1), OscWriter::message ("/antinode/focus", 2) }));
+    REQUIRE (reading.touches.size() == 3);
+    CHECK (reading.touches[0].kind == TouchKind::stopAll);
+    CHECK (reading.touches[1].x == 1);
+    CHECK (reading.touches[2].x == 2);
+    CHECK (reading.counters.of (TouchFault::outside) == 1);
+}
+
+TEST_CASE ("No second holds more touches than the limit", "[touch]")
+{
+    using namespace std::chrono_literals;
+    TouchRateLimit limit (3);
+    const TouchRateLimit::Time start {};
+
+    for (int i = 0; i < 3; ++i)
+        CHECK (limit.allows (start + i * 100ms));
+
+    CHECK_FALSE (limit.allows (start + 300ms));
+    CHECK_FALSE (limit.allows (start + 999ms));
+    CHECK (limit.allows (start + 1000ms));       // The first is a second ago,
+    CHECK_FALSE (limit.allows (start + 1099ms)); // the second is not yet.
+    CHECK (limit.allows (start + 1100ms));
+    CHECK_FALSE (TouchRateLimit (0).allows (start));
+}
