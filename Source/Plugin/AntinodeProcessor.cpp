@@ -22,16 +22,6 @@ juce::AudioChannelSet ceramicSet (int channels, juce::AudioProcessor::WrapperTyp
     return wrapper == juce::AudioProcessor::wrapperType_VST3 ? vst3ChannelSet (channels)
                                                              : juce::AudioChannelSet::discreteChannels (channels);
 }
-
-juce::AudioProcessor::BusesProperties busesFor (int ceramics, juce::AudioProcessor::WrapperType wrapper)
-{
-    const auto monitor = wrapper == juce::AudioProcessor::wrapperType_VST3
-                             ? juce::AudioChannelSet::stereo()
-                             : juce::AudioChannelSet::discreteChannels (monitorChannels);
-    return juce::AudioProcessor::BusesProperties()
-        .withOutput ("Ceramics", ceramicSet (ceramics, wrapper), true)
-        .withOutput ("Monitor", monitor, true);
-}
 } // namespace
 
 std::function<juce::AudioProcessorEditor*(AntinodeProcessor&)> AntinodeProcessor::makeEditor;
@@ -44,6 +34,15 @@ SessionState demonstrator()
              std::make_shared<const FocusDocument> (readFocusDocument (focus, "focus 'demonstrator'")),
              {},
              0 };
+}
+
+juce::AudioProcessor::BusesProperties AntinodeProcessor::busesFor (int ceramics, WrapperType wrapper)
+{
+    const auto monitor = wrapper == wrapperType_VST3 ? juce::AudioChannelSet::stereo()
+                                                     : juce::AudioChannelSet::discreteChannels (monitorChannels);
+    return BusesProperties()
+        .withOutput ("Ceramics", ceramicSet (ceramics, wrapper), true)
+        .withOutput ("Monitor", monitor, true);
 }
 
 AntinodeProcessor::AntinodeProcessor (int ceramics, WrapperType wrapperToUse)

@@ -89,6 +89,7 @@ public:
     void setStateInformation (const void*, int) override;
 
 private:
+    static BusesProperties busesFor (int ceramics, WrapperType);
     template <typename Sample>
     void play (juce::AudioBuffer<Sample>&, const juce::MidiBuffer&, bool isBypassed);
     void layChannels();
