@@ -10,6 +10,8 @@
 #define JUCE_VST3HEADERS_INCLUDE_HEADERS_ONLY 1
 #include <juce_audio_processors/format_types/juce_VST3Headers.h>
 
+#include <juce_audio_processors/utilities/juce_FlagCache.h>
+
 #include <juce_audio_processors/format_types/juce_VST3Common.h>
 #pragma GCC diagnostic pop
 
