@@ -55,6 +55,7 @@ void DesignWorker::request (DesignRequest request)
         const std::lock_guard lock (mutex);
         state = {};
         state.wanted = static_cast<int> (request.places.size()) + 1;
+        isReady.fill (false);
         next = std::move (request);
         nextAsked = Clock::now();
     }
@@ -73,6 +74,20 @@ bool DesignWorker::touch (double x, double y, std::function<void (int)> ready)
     }
     changed.notify_all();
     return true;
+}
+
+void DesignWorker::waitFor (std::span<const int> places)
+{
+    std::unique_lock lock (mutex);
+    urgent.insert (urgent.end(), places.begin(), places.end());
+    const auto isPlaceReady = [this] (int place) { return isReady[static_cast<std::size_t> (place)]; };
+    changed.wait (lock,
+                  [&]
+                  {
+                      const auto isIdle = ! next && ! isWorking;
+                      return isIdle || (! next && std::all_of (places.begin(), places.end(), isPlaceReady));
+                  });
+    urgent.clear();
 }
 
 void DesignWorker::waitUntilDone()
@@ -130,38 +145,61 @@ void DesignWorker::designBank (const DesignRequest& request, Clock::time_point a
     std::fill (bank.foci.begin() + static_cast<std::ptrdiff_t> (request.places.size()),
                bank.foci.begin() + FocusBank::livePlace, nullptr);
     std::fill (bank.foci.begin() + FocusBank::firstTouchPlace, bank.foci.end(), nullptr);
+    Places isDone {};
     designPlace (request, FocusBank::livePlace, request.focus);
+    isDone[FocusBank::livePlace] = true;
     handOverBank();
-    noteFirst (asked);
+    noteReady (isDone, asked);
     auto lastPart = Clock::now();
+    const auto order = orderFrom (request.first, request.places.size());
 
-    for (const auto place : orderFrom (request.first, request.places.size()))
+    for (std::size_t i = 0; i < order.size() && ! isOutdated(); ++i)
     {
-        designTouches();
-
-        if (isOutdated())
-            return;
-
+        const auto [place, isAwaited] = nextPlace (order, isDone);
         const auto [x, y] = request.places[static_cast<std::size_t> (place)];
         designPlace (request, place, movedTo (request.focus, x, y));
+        isDone[static_cast<std::size_t> (place)] = true;
 
-        if (Clock::now() - lastPart >= partInterval)
+        if (isAwaited || Clock::now() - lastPart >= partInterval || i + 1 == order.size())
         {
             handOverBank();
+            noteReady (isDone, asked);
             lastPart = Clock::now();
         }
-    }
 
-    handOverBank();
+        designTouches();
+    }
 }
 
-void DesignWorker::noteFirst (Clock::time_point asked)
+/** The place to be designed next: one that somebody waits for, else the first in the order that is not done. */
+std::pair<int, bool> DesignWorker::nextPlace (const std::vector<int>& order, const Places& isDone) const
 {
-    const std::chrono::duration<double, std::milli> elapsed = Clock::now() - asked;
+    const auto isOpen = [&] (int place) { return ! isDone[static_cast<std::size_t> (place)]; };
+    const auto isAwaited = [&] (int place)
+    { return std::find (order.begin(), order.end(), place) != order.end() && isOpen (place); };
     const std::lock_guard lock (mutex);
 
-    if (! next)
-        state.firstMilliseconds = elapsed.count();
+    if (const auto found = std::find_if (urgent.begin(), urgent.end(), isAwaited); found != urgent.end())
+        return { *found, true };
+
+    return { *std::find_if (order.begin(), order.end(), isOpen), false };
+}
+
+void DesignWorker::noteReady (const Places& isDone, Clock::time_point asked)
+{
+    const std::chrono::duration<double, std::milli> elapsed = Clock::now() - asked;
+    {
+        const std::lock_guard lock (mutex);
+
+        if (next)
+            return; // The state is the next request's already.
+
+        isReady = isDone;
+
+        if (state.firstMilliseconds == 0)
+            state.firstMilliseconds = elapsed.count();
+    }
+    changed.notify_all();
 }
 
 void DesignWorker::designTouches()

@@ -4,12 +4,15 @@
 
 #include <antinode_engine/BankHandOver.h>
 
+#include <array>
 #include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <thread>
+#include <vector>
 
 namespace antinode
 {
@@ -39,7 +42,11 @@ public:
         [any but the audio thread] */
     bool touch (double x, double y, std::function<void (int place)> ready);
 
-    /** Waits until the newest request is designed and handed over: for offline rendering. [any but a real-time audio thread] */
+    /** Waits until the newest request is designed and handed over at these places, which come before all others.
+        [any but a real-time audio thread] */
+    void waitFor (std::span<const int> places);
+
+    /** Waits until the newest request is designed and handed over at all places. [any but a real-time audio thread] */
     void waitUntilDone();
 
     /** [any but the audio thread] */
@@ -47,6 +54,8 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
+
+    using Places = std::array<bool, FocusBank::places>;
 
     struct Touch
     {
@@ -60,13 +69,16 @@ private:
     void designTouches();
     bool isOutdated() const;
     void handOverBank();
-    void noteFirst (Clock::time_point asked);
+    void noteReady (const Places& isDone, Clock::time_point asked);
+    std::pair<int, bool> nextPlace (const std::vector<int>& order, const Places& isDone) const;
 
     BankHandOver& handOver;
     mutable std::mutex mutex;
     mutable std::condition_variable changed;
     std::optional<DesignRequest> next; ///< Under the mutex, as all that follows.
     std::vector<Touch> touches;
+    std::vector<int> urgent; ///< Places that somebody waits for.
+    Places isReady {};       ///< Which places of the newest request were handed over.
     Clock::time_point nextAsked;
     DesignProgress state;
     bool isStopping = false, isWorking = false;

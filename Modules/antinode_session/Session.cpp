@@ -61,9 +61,15 @@ void Session::prepare (double sampleRate, bool isOffline)
         waitUntilSettled();
 }
 
-void Session::waitUntilSettled()
+void Session::waitUntilSettled (std::span<const FocusEvent> events)
 {
     std::unique_lock lock (mutex);
+    settlePlaces.clear();
+
+    for (const auto& event : events)
+        if (event.kind == FocusEventKind::trigger)
+            settlePlaces.push_back (placeOf (event));
+
     const auto round = settleAsked = ++roundsAsked;
     wake.notify_all();
     settled.wait (lock, [&] { return roundsDone >= round; });
@@ -117,6 +123,11 @@ DesignProgress Session::progress() const
     return designs;
 }
 
+int Session::placeOf (const FocusEvent& event) const
+{
+    return playsSpotOnly ? FocusBank::livePlace : std::clamp (event.place, 0, FocusBank::places - 1);
+}
+
 /** The events of the block with those that came from elsewhere before them; a note's place becomes the bank's. */
 std::span<const FocusEvent> Session::gather (std::span<const FocusEvent> events)
 {
@@ -124,9 +135,8 @@ std::span<const FocusEvent> Session::gather (std::span<const FocusEvent> events)
     const auto count = std::min (events.size(), blockEvents.size() - waiting);
     std::copy_n (events.begin(), count, blockEvents.begin() + static_cast<std::ptrdiff_t> (waiting));
 
-    if (playsSpotOnly)
-        for (auto& event : std::span (blockEvents).subspan (waiting, count))
-            event.place = FocusBank::livePlace;
+    for (auto& event : std::span (blockEvents).subspan (waiting, count))
+        event.place = placeOf (event);
 
     return { blockEvents.data(), waiting + count };
 }

@@ -49,9 +49,9 @@ public:
     template <typename Sample>
     void process (const OutputBlock<Sample>&, std::span<const FocusEvent> events, const PlayControls&);
 
-    /** Waits until all that was loaded and all that the parameters say is designed: for offline rendering.
-        [any but a real-time audio thread] */
-    void waitUntilSettled();
+    /** Waits until all that was loaded is taken up, with what the parameters say, and the foci are designed that these events
+        trigger: for offline rendering. One caller at a time. [any but a real-time audio thread] */
+    void waitUntilSettled (std::span<const FocusEvent> events = {});
 
     /** Fires the focus at its own place with the next block. @param amplitude  0 to 1 [any but the audio thread] */
     void fire (double amplitude);
@@ -90,6 +90,7 @@ private:
     std::vector<std::pair<double, double>> notePlaces() const;
     Eigen::MatrixXd probeShapes() const;
     double wantedSampleRate() const;
+    int placeOf (const FocusEvent&) const;
     std::span<const FocusEvent> gather (std::span<const FocusEvent> events);
 
     struct Touch
@@ -108,6 +109,7 @@ private:
     double wantedRate = 0;                                          ///< Hz; 0 before the first prepare.
     std::uint64_t roundsAsked = 0, settleAsked = 0, roundsDone = 0; ///< Rounds of the thread that others wait for.
     DesignProgress designs;
+    std::vector<int> settlePlaces; ///< Of the bank: what is waited for.
     bool isStopping = false, isSolving = false;
     std::shared_ptr<const SessionSnapshot> published;
 

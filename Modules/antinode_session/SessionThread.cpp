@@ -40,6 +40,7 @@ void Session::run()
     {
         std::uint64_t round = 0;
         auto waitsForDesigns = false;
+        std::vector<int> places;
         {
             std::unique_lock lock (mutex);
             wake.wait_for (lock, interval,
@@ -53,12 +54,13 @@ void Session::run()
 
             round = roundsAsked;
             waitsForDesigns = settleAsked > roundsDone;
+            places = settlePlaces;
         }
 
         step();
 
         if (waitsForDesigns && path != nullptr)
-            path->worker().waitUntilDone();
+            path->worker().waitFor (places);
 
         const std::lock_guard lock (mutex);
         designs = path != nullptr ? path->worker().progress() : DesignProgress {};

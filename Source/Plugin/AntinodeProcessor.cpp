@@ -137,6 +137,9 @@ juce::String AntinodeProcessor::warning() const
     if (! now->deviceError.empty())
         return juce::String::fromUTF8 (now->deviceError.c_str());
 
+    if (const auto error = player->progress().liveError; ! error.empty())
+        return juce::String::fromUTF8 (error.c_str());
+
     if (ceramics > channels)
         return "The device has " + juce::String (ceramics) + " ceramics, but this bus has only "
                + juce::String (channels) + " channels: ceramics " + juce::String (channels + 1)
@@ -199,9 +202,6 @@ void AntinodeProcessor::play (juce::AudioBuffer<Sample>& buffer, const juce::Mid
     std::array<Sample*, monitorChannels> monitor {};
     const auto wires = static_cast<int> (ceramicOrder.size());
 
-    if (isNonRealtime())
-        player->waitUntilSettled();
-
     // A host that hands over fewer channels than it asked for gets silence rather than the wrong ceramics.
     if (buffer.getNumChannels() < wires + monitors)
     {
@@ -224,7 +224,12 @@ void AntinodeProcessor::play (juce::AudioBuffer<Sample>& buffer, const juce::Mid
     const OutputBlock<Sample> block { { ceramics.data(), static_cast<std::size_t> (wires) },
                                       { monitor.data(), static_cast<std::size_t> (monitors) },
                                       buffer.getNumSamples() };
-    player->process (block, triggers.read (midi, buffer.getNumSamples()), now);
+    const auto events = triggers.read (midi, buffer.getNumSamples());
+
+    if (isNonRealtime())
+        player->waitUntilSettled (events);
+
+    player->process (block, events, now);
 }
 
 void AntinodeProcessor::processBlock (juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi)

@@ -1,0 +1,228 @@
+#include "PlayedProcessor.h"
+
+#include <antinode_focus/Prediction.h>
+#include <antinode_library/Library.h>
+#include <nlohmann/json.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+
+using namespace antinode;
+
+namespace
+{
+constexpr double rate = 48000;
+constexpr int length = 3000;
+
+Eigen::MatrixXd ceramicsOf (const Eigen::MatrixXd& played, Eigen::Index ceramics)
+{
+    return played.topRows (ceramics);
+}
+
+SessionState stateWith (const std::string& device, const std::string& focus)
+{
+    return { std::make_shared<const DeviceDocument> (
+                 readDeviceDocument (loadDocument (LibraryKind::device, device), device)),
+             std::make_shared<const FocusDocument> (
+                 readFocusDocument (loadDocument (LibraryKind::focus, focus), focus)),
+             {},
+             0 };
+}
+} // namespace
+
+TEST_CASE ("Middle C plays the voltages that the command line renders, to the sample, for any blocks", "[plugin]")
+{
+    const auto block = GENERATE (1, 64, 511, 8193);
+    const auto processor = test::offlineProcessor (8, rate, block);
+    const auto played = test::play (*processor, length, block, 100);
+    const auto model = processor->session().snapshot()->model;
+    const auto rendered = test::renderedDemonstrator (*model, rate, length - 100);
+    CHECK (played.leftCols (100).isZero (0));
+    CHECK ((ceramicsOf (played, 8).rightCols (length - 100) - rendered).cwiseAbs().maxCoeff() < 1e-7);
+    CHECK (rendered.cwiseAbs().maxCoeff() > 0.05);
+    // The plate's velocity at the probe, 1.0 = 1 m/s: what the continuous voltages give, by a real-time model of the plate.
+    const auto design = designFocus (*model, demonstrator().focus->description, { Reconstruction::bandLimited, rate });
+    const auto reached = modalVelocities (*model, predictStates (*model, design.program, design.program.focusTime));
+    CHECK (played (8, 100 + 1200) == Approx (shapesAt (*model, 0.024, 0) * reached).epsilon (0.01));
+}
+
+TEST_CASE ("A velocity is an amplitude, other notes are other places", "[plugin]")
+{
+    const auto processor = test::offlineProcessor (8, rate, 512);
+    const Eigen::MatrixXd loud = test::play (*processor, 9600, 512, 0);
+    const Eigen::MatrixXd soft = test::play (*processor, 9600, 512, 0, 60, 64);
+    CHECK ((soft.topRows (8) - loud.topRows (8) * (64 / 127.0)).cwiseAbs().maxCoeff() < 1e-9);
+    const Eigen::MatrixXd other = test::play (*processor, 9600, 512, 0, 40);
+    CHECK ((other - loud).cwiseAbs().maxCoeff() > 0.01);
+}
+
+TEST_CASE ("Channels beyond the device's ceramics are silent; missing channels are said", "[plugin]")
+{
+    const auto wide = test::offlineProcessor (64, rate, 512);
+    const auto played = test::play (*wide, length, 512, 0);
+    CHECK (played.rows() == 66);
+    CHECK (played.middleRows (8, 56).isZero (0));
+    CHECK (played.topRows (8).cwiseAbs().maxCoeff() > 0.05);
+    CHECK (wide->warning().isEmpty());
+
+    const auto narrow = test::offlineProcessor (2, rate, 512);
+    CHECK ((test::play (*narrow, length, 512, 0).topRows (2) - played.topRows (2)).cwiseAbs().maxCoeff() == 0);
+    CHECK (narrow->warning().contains ("8 ceramics"));
+    CHECK (narrow->warning().contains ("2 channels"));
+}
+
+TEST_CASE ("Disarmed, bypassed or muted, ceramics get 0 V", "[plugin]")
+{
+    const auto processor = test::offlineProcessor (8, rate, 512);
+    processor->parameters().arm() = false;
+    CHECK (test::play (*processor, length, 512, 1000).rightCols (length - 1000).topRows (8).isZero (0));
+    processor->parameters().arm() = true;
+    processor->parameters().bypass() = true;
+    CHECK (test::play (*processor, length, 512, 1000).rightCols (length - 1000).topRows (8).isZero (0));
+    processor->parameters().bypass() = false;
+    processor->setMutes (0b100);
+    const auto played = test::play (*processor, length, 512, 1000);
+    CHECK (played.row (2).rightCols (length - 1000).isZero (0));
+    CHECK (played.row (3).cwiseAbs().maxCoeff() > 0.01);
+}
+
+TEST_CASE ("A bypass ramps and never jumps", "[plugin]")
+{
+    const auto processor = test::offlineProcessor (8, 192000, 64);
+    const auto played = test::play (*processor, 9600, 64, 0, 60, 127,
+                                    [&] (int block)
+                                    {
+                                        if (block == 60)
+                                            processor->parameters().bypass() = true;
+                                    });
+    const auto rendered = test::renderedDemonstrator (*processor->session().snapshot()->model, 192000, 9600);
+    const auto from = 60 * 64, to = from + 960; // 5 ms
+    CHECK ((played.topRows (8).leftCols (from) - rendered.leftCols (from)).cwiseAbs().maxCoeff() < 1e-7);
+    CHECK (played.topRows (8).rightCols (9600 - to).isZero (0));
+
+    for (int n = from; n < to; ++n)
+        CHECK ((played.col (n).head (8) - rendered.col (n) * (1 - (n - from + 1) / 960.0)).cwiseAbs().maxCoeff()
+               < 1e-7);
+}
+
+TEST_CASE ("A state comes back to the bit in another instance", "[plugin]")
+{
+    const auto first = test::offlineProcessor (8, rate, 512);
+    first->setState (stateWith ("aluminium-200x120", "aluminium-centre"), true);
+    first->parameters().find ("x")->setValueNotifyingHost (0.37F);
+    first->parameters().find ("width")->setValueNotifyingHost (0.61F);
+    first->setMutes (0b1010);
+    juce::MemoryBlock kept, again;
+    first->getStateInformation (kept);
+    const auto second = test::offlineProcessor (8, rate, 512);
+    second->setStateInformation (kept.getData(), static_cast<int> (kept.getSize()));
+    second->getStateInformation (again);
+    CHECK (kept == again);
+    CHECK (second->warning() == first->warning());
+    CHECK ((test::play (*first, length, 512, 0) - test::play (*second, length, 512, 0)).cwiseAbs().maxCoeff() == 0);
+}
+
+TEST_CASE ("A broken state changes nothing and says so", "[plugin]")
+{
+    const auto processor = test::offlineProcessor (8, rate, 512);
+    processor->parameters().find ("x")->setValueNotifyingHost (0.25F);
+    juce::MemoryBlock kept, after;
+    processor->getStateInformation (kept);
+    const auto good = kept.toString().toStdString();
+    const auto broken = GENERATE_COPY (
+        std::string(), std::string ("\0\1\2", 3), std::string ("{}"), good.substr (0, good.size() / 2),
+        std::string (R"({"schema":"antinode.state/2","device":{},"focus":{},"parameters":{},"muted_ceramics":[]})"),
+        [&]
+        {
+            auto text = good;
+            return text.replace (text.find ("\"length_mm\""), 11, "\"lengths_mm\"");
+        }());
+    processor->setStateInformation (broken.data(), static_cast<int> (broken.size()));
+    processor->getStateInformation (after);
+    CHECK (after == kept);
+    CHECK (processor->warning().startsWith ("The saved state could not be read, so nothing was changed: state"));
+}
+
+TEST_CASE ("A device that requires arming is disarmed when it is loaded or restored, no other", "[plugin]")
+{
+    const auto processor = test::offlineProcessor (8, rate, 512);
+    auto json = loadDocument (LibraryKind::device, "beam");
+    processor->load (std::make_shared<const DeviceDocument> (readDeviceDocument (json, "beam")), nullptr);
+    CHECK (processor->parameters().arm().get());
+    json["limits"]["requires_arming"] = true;
+    processor->load (std::make_shared<const DeviceDocument> (readDeviceDocument (json, "beam")), nullptr);
+    CHECK_FALSE (processor->parameters().arm().get());
+    processor->parameters().arm().setValueNotifyingHost (1);
+    juce::MemoryBlock kept;
+    processor->getStateInformation (kept);
+    processor->setStateInformation (kept.getData(), static_cast<int> (kept.getSize()));
+    CHECK_FALSE (processor->parameters().arm().get());
+}
+
+TEST_CASE ("Texts of parameters read back as what they were written from", "[plugin]")
+{
+    const auto processor = test::offlineProcessor (8, rate, 512);
+
+    for (auto* const parameter : processor->parameters().all())
+    {
+        INFO (parameter->getParameterID());
+        CHECK (parameter->getName (100).isNotEmpty());
+
+        for (const auto share : { 0.0F, 0.2F, 0.5F, 0.9F, 1.0F })
+        {
+            const auto text = parameter->getText (parameter->convertTo0to1 (parameter->convertFrom0to1 (share)), 100);
+            INFO (text);
+            CHECK (parameter->getText (parameter->getValueForText (text), 100) == text);
+        }
+    }
+
+    CHECK (processor->parameters().find ("x")->getCurrentValueAsText() == "24 mm");
+}
+
+TEST_CASE ("With the focus on the note the latency is the focus time, and the focus falls that much after the note",
+           "[plugin]")
+{
+    const auto processor = test::offlineProcessor (8, rate, 512);
+    processor->parameters().find ("focus_on_note")->setValueNotifyingHost (1);
+    processor->prepareToPlay (rate, 512);
+    CHECK (processor->getLatencySamples() == 1200);
+    const auto played = test::play (*processor, 6000, 512, 2000);
+    const auto rendered = test::renderedDemonstrator (*processor->session().snapshot()->model, rate, 4000);
+    CHECK ((played.topRows (8).rightCols (4000) - rendered).cwiseAbs().maxCoeff() < 1e-7);
+    CHECK (processor->getTailLengthSeconds() > 0.05);
+}
+
+TEST_CASE ("The rate may change on the fly, up to 768 kHz", "[plugin]")
+{
+    const auto processor = test::offlineProcessor (8, rate, 512);
+
+    for (const auto other : { 24000.0, 44100.0, 192000.0, 768000.0, 96000.0 })
+    {
+        processor->prepareToPlay (other, 256);
+        const auto samples = static_cast<int> (other * 0.03);
+        const auto rendered = test::renderedDemonstrator (*processor->session().snapshot()->model, other, samples);
+        const auto played = test::play (*processor, samples, 256, 0);
+        CHECK ((played.topRows (8) - rendered).cwiseAbs().maxCoeff() < 1e-7);
+    }
+}
+
+TEST_CASE ("What cannot be played at 8 kHz is silent and said", "[plugin]")
+{
+    const auto processor = test::offlineProcessor (8, 8000, 512);
+    CHECK (test::play (*processor, 1000, 512, 0).isZero (0));
+    CHECK (processor->warning().contains ("8000 Hz cannot play mode 6"));
+}
+
+TEST_CASE ("Twenty instances play beside each other", "[plugin]")
+{
+    std::vector<std::unique_ptr<AntinodeProcessor>> all;
+
+    for (int i = 0; i < 20; ++i)
+        all.push_back (test::offlineProcessor (8, rate, 512));
+
+    const auto first = test::play (*all.front(), length, 512, 0);
+
+    for (const auto& processor : all)
+        CHECK ((test::play (*processor, length, 512, 4000) - first).allFinite());
+}
