@@ -58,7 +58,7 @@ void Session::prepare (double sampleRate, bool isOffline)
     }
 
     if (isOffline)
-        waitUntilSettled();
+        waitUntilSettled (std::array { FocusEvent { 0, FocusEventKind::trigger, spotNote, 1 } });
 }
 
 void Session::waitUntilSettled (std::span<const FocusEvent> events)
@@ -125,7 +125,8 @@ DesignProgress Session::progress() const
 
 int Session::placeOf (const FocusEvent& event) const
 {
-    return playsSpotOnly ? FocusBank::livePlace : std::clamp (event.place, 0, FocusBank::places - 1);
+    const auto playsSpot = playsSpotOnly || event.place == spotNote;
+    return playsSpot ? FocusBank::livePlace : std::clamp (event.place, 0, FocusBank::places - 1);
 }
 
 /** The events of the block with those that came from elsewhere before them; a note's place becomes the bank's. */

@@ -24,6 +24,9 @@ namespace antinode
 class Session
 {
 public:
+    /** Middle C plays the focus at its own place, whatever the other notes play. */
+    static constexpr int spotNote = 60;
+
     using ReadSettings = std::function<PlaySettings()>;
 
     /** Starts solving.

@@ -15,7 +15,6 @@ namespace antinode
 namespace
 {
 constexpr auto interval = std::chrono::milliseconds (4); // between looks at the parameters
-constexpr int middleC = 60;
 constexpr double traceEntriesPerSecond = 2000;
 constexpr double bankMargin = 0.1; // of the surface's shorter side, kept from its edges
 
@@ -178,7 +177,7 @@ void Session::requestDesigns()
         // A focus of another device may have probes beside this surface: the monitor stays where it was.
     }
 
-    path->worker().request ({ model, description, notePlaces(), middleC, { Reconstruction::bandLimited, rate } });
+    path->worker().request ({ model, description, notePlaces(), spotNote, { Reconstruction::bandLimited, rate } });
 }
 
 std::vector<std::pair<double, double>> Session::notePlaces() const
@@ -191,7 +190,7 @@ std::vector<std::pair<double, double>> Session::notePlaces() const
     const auto shorter = height > 0 ? std::min (width, height) : width;
     auto places = bankPlaces (surface, FocusBank::notePlaces, bankMargin * shorter);
     const auto spot = withSettings (focus->description, settings, surface).targets.front();
-    places[middleC] = { spot.x, spot.y };
+    places[spotNote] = { spot.x, spot.y };
     return places;
 }
 

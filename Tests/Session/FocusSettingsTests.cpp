@@ -1,0 +1,47 @@
+#include "PlayedSession.h"
+
+#include <antinode_files/FocusFile.h>
+#include <antinode_session/FocusSettings.h>
+
+#include <catch2/catch.hpp>
+
+using namespace antinode;
+
+TEST_CASE ("Parameters that say what a focus says leave it as it is, to the bit", "[session]")
+{
+    for (const auto& name : factoryNames (LibraryKind::focus))
+    {
+        INFO (name);
+        const auto isPlate = name.starts_with ("glass") || name.starts_with ("phone") || name.starts_with ("aluminium");
+        const auto surface = extentOf (test::deviceNamed (isPlate ? "glass-148x210" : "staple").description);
+        const auto focus = test::focusNamed (name).description;
+        auto settings = settingsOf (focus, surface, {});
+        CHECK (focusToJson (withSettings (focus, settings, surface)) == focusToJson (focus));
+
+        // A host may keep a parameter as a share of its range: the last digits of a float differ.
+        settings.xPercent = std::nextafter (settings.xPercent, 100.0F);
+        settings.widthMillimetres = std::nextafter (settings.widthMillimetres, 0.0F);
+        CHECK (focusToJson (withSettings (focus, settings, surface)) == focusToJson (focus));
+    }
+}
+
+TEST_CASE ("Parameters change what they name, and foci beside the first go with it", "[session]")
+{
+    const auto surface = extentOf (test::deviceNamed ("glass-148x210").description);
+    const auto focus = test::focusNamed ("glass-two").description;
+    auto settings = settingsOf (focus, surface, {});
+    settings.xPercent = 50;
+    settings.peakVelocityMillimetresPerSecond *= 2;
+    settings.growth = 4;
+    settings.brake = 20;
+    settings.voltageLimitVolts = 33;
+    settings.modeCount = 12;
+    const auto changed = withSettings (focus, settings, surface);
+    CHECK (changed.targets[0].x == Approx (0.5 * surface.xMaximum));
+    CHECK (changed.targets[1].x - changed.targets[0].x == Approx (focus.targets[1].x - focus.targets[0].x));
+    CHECK (changed.targets[1].peakVelocity == Approx (2 * focus.targets[1].peakVelocity));
+    CHECK (changed.transients.growth == std::vector<double> { 4 });
+    CHECK (changed.transients.brake == 20);
+    CHECK (changed.allocation.voltageLimit == 33);
+    CHECK (changed.modes.count == 12);
+}

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <antinode_library/Library.h>
+#include <antinode_session/FocusSettings.h>
+#include <antinode_session/Session.h>
+#include <nlohmann/json.hpp>
+
+#include <Eigen/Core>
+
+#include <atomic>
+#include <vector>
+
+namespace antinode::test
+{
+inline DeviceDocument deviceNamed (const std::string& name)
+{
+    return readDeviceDocument (loadDocument (LibraryKind::device, name), name);
+}
+
+inline FocusDocument focusNamed (const std::string& name)
+{
+    return readFocusDocument (loadDocument (LibraryKind::focus, name), name);
+}
+
+/** A session on the demonstrator whose parameters are a value. */
+struct PlayedSession
+{
+    PlayedSession() : PlayedSession ("staple", "demonstrator") {}
+
+    PlayedSession (const std::string& device, const std::string& focus)
+        : settings (settingsOf (focusNamed (focus).description, extentOf (deviceNamed (device).description), {})),
+          session (
+              deviceNamed (device), focusNamed (focus), [this] { return read(); }, [] {})
+    {
+    }
+
+    PlaySettings read()
+    {
+        const std::lock_guard lock (mutex);
+        return settings;
+    }
+
+    template <typename Change>
+    void change (Change&& apply)
+    {
+        const std::lock_guard lock (mutex);
+        apply (settings);
+    }
+
+    /** Plays blocks of 64 samples. @return  8 ceramics and 2 probes x samples */
+    Eigen::MatrixXd play (int samples, std::vector<FocusEvent> events = {}, PlayControls controls = {})
+    {
+        constexpr int block = 64;
+        Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> played (10, samples);
+
+        for (int done = 0; done < samples; done += block)
+        {
+            std::vector<double*> channels;
+
+            for (Eigen::Index i = 0; i < 10; ++i)
+                channels.push_back (&played (i, done));
+
+            session.process<double> (
+                { std::span (channels).first (8), std::span (channels).last (2), std::min (block, samples - done) },
+                events, controls);
+            events.clear();
+        }
+
+        return played;
+    }
+
+    std::mutex mutex;
+    PlaySettings settings;
+    Session session;
+};
+} // namespace antinode::test

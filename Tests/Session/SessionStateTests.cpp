@@ -1,0 +1,37 @@
+#include "PlayedSession.h"
+
+#include <antinode_model/InputError.h>
+#include <antinode_session/SessionState.h>
+
+#include <catch2/catch.hpp>
+
+using namespace antinode;
+
+TEST_CASE ("A state read and written again is the same text", "[session]")
+{
+    const SessionState state { std::make_shared<const DeviceDocument> (test::deviceNamed ("phone")),
+                               std::make_shared<const FocusDocument> (test::focusNamed ("phone-thumb")),
+                               { { "x", 1.0 / 3 }, { "arm", 1 }, { "from_the_future", 7 } },
+                               0x8000000000000005ULL };
+    const auto text = stateToText (state);
+    const auto again = readState (text);
+    CHECK (stateToText (again) == text);
+    CHECK (again.parameters.at ("x") == 1.0 / 3);
+    CHECK (again.mutes == 0x8000000000000005ULL);
+}
+
+TEST_CASE ("A state that is none says where and why", "[session]")
+{
+    CHECK_THROWS_WITH (readState ("[]"), Catch::StartsWith ("state"));
+    CHECK_THROWS_WITH (readState (R"({"schema":"antinode.state/9"})"), Catch::Contains ("antinode.state/1"));
+    const SessionState state { std::make_shared<const DeviceDocument> (test::deviceNamed ("beam")),
+                               std::make_shared<const FocusDocument> (test::focusNamed ("demonstrator")),
+                               { { "x", 1 } },
+                               0 };
+    auto json = nlohmann::json::parse (stateToText (state));
+    json["parameters"]["x"] = "left";
+    CHECK_THROWS_WITH (readState (json.dump()), Catch::Contains ("/parameters/x"));
+    json["parameters"]["x"] = 1;
+    json["muted_ceramics"] = { 65 };
+    CHECK_THROWS_WITH (readState (json.dump()), Catch::Contains ("/muted_ceramics/0"));
+}

@@ -1,0 +1,147 @@
+#include "PlayedSession.h"
+
+#include <catch2/catch.hpp>
+
+#include <chrono>
+#include <thread>
+
+using namespace antinode;
+
+namespace
+{
+constexpr double rate = 48000;
+constexpr FocusEvent live { 0, FocusEventKind::trigger, 60, 1 };
+
+bool waitFor (const std::function<bool()>& condition)
+{
+    for (int i = 0; i < 2000; ++i)
+    {
+        if (condition())
+            return true;
+
+        std::this_thread::sleep_for (std::chrono::milliseconds (5));
+    }
+
+    return false;
+}
+} // namespace
+
+TEST_CASE ("A parameter that moves makes a new design, by itself", "[session]")
+{
+    test::PlayedSession played;
+    played.session.prepare (rate, true);
+    const auto before = played.play (2400, { live });
+    played.play (4800);
+    played.change ([] (PlaySettings& settings) { settings.peakVelocityMillimetresPerSecond = 20; });
+    CHECK (waitFor ([&] { return played.session.snapshot()->focus.targets.front().peakVelocity == 0.02; }));
+    const FocusEvent events[] = { live };
+    played.session.waitUntilSettled (events);
+    const auto after = played.play (2400, { live });
+    CHECK ((after.topRows (8) * 2 - before.topRows (8)).cwiseAbs().maxCoeff() < 1e-3 * before.cwiseAbs().maxCoeff());
+}
+
+TEST_CASE ("Another device ramps the old voltages to 0 before its own begin", "[session]")
+{
+    test::PlayedSession played;
+    played.session.prepare (rate, true);
+    played.play (600, { live });
+    played.session.load (std::make_shared<const DeviceDocument> (test::deviceNamed ("beam")),
+                         std::make_shared<const FocusDocument> (test::focusNamed ("demonstrator")));
+    played.session.waitUntilSettled();
+    const auto leaving = played.play (960);
+    double largestStep = 0;
+
+    for (Eigen::Index n = 1; n < leaving.cols(); ++n)
+        largestStep = std::max (largestStep, (leaving.col (n) - leaving.col (n - 1)).head (8).cwiseAbs().maxCoeff());
+
+    CHECK (leaving.leftCols (64).topRows (8).cwiseAbs().maxCoeff() > 0.001);
+    CHECK (leaving.rightCols (300).topRows (8).isZero (0));
+    CHECK (largestStep < 0.1);
+    CHECK (waitFor ([&] { return played.session.snapshot()->model->actuators() == 6; }));
+    const auto next = played.play (2400, { live });
+    CHECK (next.middleRows (6, 2).isZero (0));
+    CHECK (next.topRows (6).cwiseAbs().maxCoeff() > 0.001);
+}
+
+TEST_CASE ("A device that cannot be solved leaves the old one playing, and says why", "[session]")
+{
+    test::PlayedSession played;
+    played.session.prepare (rate, true);
+    const auto before = played.play (2400, { live });
+    auto json = loadDocument (LibraryKind::device, "beam");
+    json["ceramics"] = nlohmann::json::array();
+    played.session.load (std::make_shared<const DeviceDocument> (readDeviceDocument (json, "beam")), nullptr);
+    played.session.waitUntilSettled();
+    CHECK (played.session.snapshot()->deviceError == "device 'beam': has no ceramics, so nothing can be played");
+    played.play (9600);
+    CHECK (played.play (2400, { live }).topRows (8).isApprox (before.topRows (8)));
+}
+
+TEST_CASE ("A touch is designed at its own place and fired; a place off the surface is not", "[session]")
+{
+    test::PlayedSession played;
+    played.session.prepare (rate, true);
+    CHECK_FALSE (played.session.fireAt (1, 0, 1));
+    REQUIRE (played.session.fireAt (-0.02, 0, 0.5));
+    CHECK (waitFor (
+        [&]
+        {
+            played.play (64);
+            return played.session.meters().triggered() == 1;
+        }));
+    const auto touched = played.play (2400);
+    CHECK (touched.topRows (8).cwiseAbs().maxCoeff() > 0.001);
+    played.session.stopAll();
+    CHECK (played.play (480).rightCols (300).topRows (8).isZero (0));
+}
+
+TEST_CASE ("Fire plays the focus at its own place with the next block", "[session]")
+{
+    test::PlayedSession played;
+    played.session.prepare (rate, true);
+    const auto byNote = played.play (2400, { live });
+    played.play (9600);
+    played.session.fire (1);
+    CHECK (played.play (2400).topRows (8).isApprox (byNote.topRows (8)));
+}
+
+TEST_CASE ("No voltage is beyond the limit of the parameters, whatever overlaps", "[session]")
+{
+    test::PlayedSession played;
+    played.session.prepare (rate, true);
+    PlayControls controls;
+    controls.voltageLimit = 15;
+    const auto many = played.play (4800, std::vector<FocusEvent> (8, live), controls);
+    CHECK (many.topRows (8).cwiseAbs().maxCoeff() == Approx (15.0 / 150));
+    CHECK (played.session.meters().limitedSamples (0) + played.session.meters().limitedSamples (3) > 0);
+}
+
+TEST_CASE ("Meters tell the peak in volts once", "[session]")
+{
+    test::PlayedSession played;
+    played.session.prepare (rate, true);
+    const auto voltages = played.play (2400, { live });
+    CHECK (played.session.meters().takePeak (2)
+           == Approx (voltages.row (2).cwiseAbs().maxCoeff() * 150).epsilon (1e-5));
+    CHECK (played.session.meters().takePeak (2) == 0);
+    CHECK (played.session.probeTrace().newest (100).size() == 100);
+}
+
+TEST_CASE ("Sessions end in the middle of anything", "[session]")
+{
+    for (int i = 0; i < 20; ++i)
+    {
+        test::PlayedSession played;
+
+        if (i % 4 != 0)
+            played.session.prepare (rate, false);
+
+        if (i % 3 == 0)
+            played.session.fireAt (0.01, 0, 1);
+
+        played.play (64 * i, { live });
+        played.change ([&] (PlaySettings& settings) { settings.xPercent = static_cast<float> (i); });
+    }
+
+    SUCCEED();
+}
