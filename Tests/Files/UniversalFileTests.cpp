@@ -153,7 +153,7 @@ TEST_CASE ("No plate has more than 4000 nodes, however rippled its modes are", "
     CHECK (nodes.col (1).maxCoeff() == 0.12);
 }
 
-TEST_CASE ("Measured points keep their places; those in rows and columns are joined", "[files]")
+TEST_CASE ("Measured points keep their places, those in rows and columns are joined", "[files]")
 {
     ModalModel model = gridModel (2, 1, 2);
     model.surface.grid.reset();

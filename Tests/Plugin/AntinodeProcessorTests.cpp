@@ -57,7 +57,7 @@ TEST_CASE ("A velocity is an amplitude, other notes are other places", "[plugin]
     CHECK ((other - loud).cwiseAbs().maxCoeff() > 0.01);
 }
 
-TEST_CASE ("Channels beyond the device's ceramics are silent; missing channels are said", "[plugin]")
+TEST_CASE ("Channels beyond the device's ceramics are silent, missing channels are said", "[plugin]")
 {
     const auto wide = test::offlineProcessor (64, rate, 512);
     const auto played = test::play (*wide, length, 512, 0);

@@ -77,7 +77,7 @@ TEST_CASE ("A device that cannot be solved leaves the old one playing, and says 
     CHECK (played.play (2400, { live }).topRows (8).isApprox (before.topRows (8)));
 }
 
-TEST_CASE ("A touch is designed at its own place and fired; a place off the surface is not", "[session]")
+TEST_CASE ("A touch is designed at its own place and fired, a place off the surface is not", "[session]")
 {
     test::PlayedSession played;
     played.session.prepare (rate, true);

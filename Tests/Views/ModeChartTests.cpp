@@ -39,7 +39,7 @@ TEST_CASE ("The gallery shows the modes of a line as curves over its ceramics")
     CHECK (chart.xRange->minimum == Approx (-100));
 }
 
-TEST_CASE ("Participation is relative to the strongest ceramic of each mode; what nothing drives is 0")
+TEST_CASE ("Participation is relative to the strongest ceramic of each mode, what nothing drives is 0")
 {
     auto model = test::SinePlate().model (10);
     model.participation.row (3).setZero();
