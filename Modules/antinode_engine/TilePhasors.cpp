@@ -1,5 +1,6 @@
 #include "TilePhasors.h"
 
+#include <array>
 #include <cmath>
 
 namespace antinode
@@ -17,23 +18,30 @@ std::complex<double> exponential (const Oscillation& oscillation, long double ti
 }
 
 TilePhasors::TilePhasors (const Oscillation& oscillation, std::complex<double> firstPhasor, double rate,
-                          std::int64_t tiles)
-    : first (firstPhasor), turns (2UL * (synthesisGroup + synthesisStrip), 0.0)
+                          std::int64_t strips)
+    : first (firstPhasor)
 {
     // Entries beyond the oscillation's end may be infinite; nobody uses them.
     const auto power = [&] (std::int64_t tile)
     { return exponential (oscillation, static_cast<long double> (tile * synthesisTile) / rate); };
 
-    for (std::size_t tile = 0; tile < synthesisGroup; ++tile)
+    for (std::int64_t strip = 0; strip < synthesisGroup; ++strip)
     {
-        const auto turn = power (static_cast<std::int64_t> (tile));
-        turns[tile] = turn.real();
-        turns[tile + synthesisGroup + synthesisStrip] = turn.imag();
+        std::array<std::complex<double>, synthesisStrip> turns;
+
+        for (std::size_t t = 0; t < turns.size(); ++t)
+            turns[t] = power (strip * synthesisStrip + static_cast<std::int64_t> (t));
+
+        for (const auto& turn : turns)
+            turnsOfGroup.push_back (turn.real());
+
+        for (const auto& turn : turns)
+            turnsOfGroup.push_back (turn.imag());
     }
 
-    for (std::int64_t step = synthesisGroup; step < tiles; step *= base)
+    for (std::int64_t step = synthesisGroup; step < strips; step *= base)
         for (int digit = 0; digit < base; ++digit)
-            powers.push_back (power (digit * step));
+            powers.push_back (power (digit * step * synthesisStrip));
 }
 
 std::complex<double> TilePhasors::atGroup (std::uint64_t group) const

@@ -14,11 +14,17 @@ namespace antinode
 namespace
 {
 constexpr double furthestSample = 1e15; // below 2^53: every sample's index is exact
-constexpr int ceramicsAtOnce = 16;      // of those that pass through a buffer on the stack
+constexpr int stripSamples = synthesisStrip * synthesisTile;
+constexpr int ceramicsAtOnce = 16; // of those that pass through a buffer on the stack
 
 std::int64_t tileOf (std::int64_t sample)
 {
     return sample >= 0 ? sample / synthesisTile : -((-sample + synthesisTile - 1) / synthesisTile);
+}
+
+std::int64_t stripOf (std::int64_t tile)
+{
+    return tile >= 0 ? tile / synthesisStrip : -((-tile + synthesisStrip - 1) / synthesisStrip);
 }
 
 void requireUsable (const Oscillation& oscillation, const std::string& where, double rate)
@@ -36,9 +42,9 @@ void requireUsable (const Oscillation& oscillation, const std::string& where, do
     if (std::max (std::abs (oscillation.start), std::abs (oscillation.end)) * rate > furthestSample)
         throw InputError (where, "starts or ends more than 1e15 samples from the trigger");
 
-    // The tile of the first sample begins up to one tile before the start, where a decaying envelope is larger still.
+    // The strip of the first sample begins up to a strip before the start, where a decaying envelope is larger still.
     const auto spread = std::max (0.0, oscillation.growth) * (oscillation.end - oscillation.start)
-                        + std::abs (oscillation.growth) * static_cast<double> (synthesisTile) / rate;
+                        + std::abs (oscillation.growth) * static_cast<double> (stripSamples) / rate;
 
     if (! std::isfinite (std::abs (oscillation.phasor()) * std::exp (spread)))
         throw InputError (where, "grows or decays beyond the range of numbers");
@@ -105,20 +111,25 @@ public:
         {
             const auto runEnd = std::min (end, gather (tile));
 
-            for (auto strip = tile; chunk.count > 0 && strip < runEnd; strip += synthesisStrip)
-                addStrip (tile, strip, std::min<std::int64_t> (synthesisStrip, runEnd - strip));
+            for (auto next = tile; chunk.count > 0 && tile < runEnd; tile = next)
+            {
+                next = std::min (runEnd, (stripOf (tile) + 1) * synthesisStrip);
+                addStrip (tile, next);
+            }
 
             tile = runEnd;
         }
     }
 
 private:
-    /** Lists the oscillations that sound in a tile. @return  up to which tile the list and its anchors hold */
+    /** Lists the oscillations that sound in a tile. @return  up to which tile the list holds */
     std::int64_t gather (std::int64_t tile)
     {
         auto runEnd = std::numeric_limits<std::int64_t>::max();
         chunk.count = 0;
         edges = false;
+        firstStrip = stripOf (tile);
+        nextAnchor = std::numeric_limits<std::int64_t>::max();
 
         for (auto c = firstVoice; c < lastVoice; ++c)
         {
@@ -136,17 +147,10 @@ private:
     std::int64_t append (std::size_t c, std::int64_t tile)
     {
         const auto& voice = synthesiser.voices[c];
-        const auto sinceStart = static_cast<std::uint64_t> (tile - voice.firstTile);
-        const auto turn = sinceStart % synthesisGroup;
-        const auto anchor = voice.phasors.atGroup (sinceStart / synthesisGroup);
-        numbers[chunk.count] = c;
-        auto& sounding = chunk.sounding[chunk.count++];
-        sounding.anchorReal = block.amplitude * anchor.real();
-        sounding.anchorImaginary = block.amplitude * anchor.imag();
-        sounding.turnReal = voice.phasors.turnReal() + turn;
-        sounding.turnImaginary = voice.phasors.turnImaginary() + turn;
-        sounding.fine = tables.fine.data() + c * (2UL * synthesisTile);
-        sounding.mixing = tables.mixing.data() + c * synthesiser.ceramics + block.firstCeramic;
+        const auto slot = chunk.count++;
+        numbers[slot] = c;
+        chunk.records[slot] = tables.records.data() + c * tables.recordSize;
+        anchor (slot, firstStrip);
 
         if (voice.hasEdgeIn (tile))
         {
@@ -154,23 +158,68 @@ private:
             return tile + 1;
         }
 
-        return std::min (voice.lastTile, tile + synthesisGroup - static_cast<std::int64_t> (turn));
+        return voice.lastTile;
     }
 
-    /** Adds a few tiles of a run, or what of them lies in the block. */
-    void addStrip (std::int64_t run, std::int64_t tile, std::int64_t tiles)
+    /** Sets what an oscillation's phasors have in common from a strip of the run on. */
+    void anchor (int slot, std::int64_t strip)
     {
-        const auto offset = tile * synthesisTile - block.first;
-        const auto begin = std::max<std::int64_t> (0, -offset);
-        const auto end = std::min (tiles * synthesisTile, block.count - offset);
-        tables.kernel.evaluate (chunk, static_cast<int> (tile - run), static_cast<int> (tiles));
+        const auto& voice = synthesiser.voices[numbers[slot]];
+        const auto sinceStart = strip - stripOf (voice.firstTile), inGroup = sinceStart % synthesisGroup;
+        const auto phasor = voice.phasors.atGroup (static_cast<std::uint64_t> (sinceStart / synthesisGroup));
+        auto& sounding = chunk.sounding[slot];
+        sounding.anchorReal = block.amplitude * phasor.real();
+        sounding.anchorImaginary = block.amplitude * phasor.imag();
+        sounding.turns = voice.phasors.turns() + (inGroup - (strip - firstStrip)) * (2 * synthesisStrip);
+        anchors[slot] = strip - inGroup + synthesisGroup;
+        nextAnchor = std::min (nextAnchor, anchors[slot]);
+    }
 
-        for (int slot = 0; edges && slot < chunk.count; ++slot)
+    /** Anchors the oscillations anew whose group begins with a strip. */
+    void anchorAt (std::int64_t strip)
+    {
+        nextAnchor = std::numeric_limits<std::int64_t>::max();
+
+        for (int slot = 0; slot < chunk.count; ++slot)
+            if (anchors[slot] == strip)
+                anchor (slot, strip);
+            else
+                nextAnchor = std::min (nextAnchor, anchors[slot]);
+    }
+
+    /** Adds a few tiles of a run, all in one strip, or what of them lies in the block. */
+    void addStrip (std::int64_t tile, std::int64_t endTile)
+    {
+        const auto strip = stripOf (tile);
+        const auto first = strip * synthesisStrip;
+        const auto offset = first * synthesisTile - block.first;
+        const auto begin = std::max (-offset, (tile - first) * synthesisTile);
+        const auto end = std::min (block.count - offset, (endTile - first) * synthesisTile);
+
+        if (strip == nextAnchor)
+            anchorAt (strip);
+
+        tables.kernel.findPhasors (chunk, static_cast<int> (strip - firstStrip));
+        const SynthesisTarget<Sample> target { static_cast<int> (begin), static_cast<int> (end), block.firstCeramic,
+                                               block.ceramics,           block.channels,         offset };
+
+        if (edges)
+            addEdges (tile, static_cast<int> (tile - first), target);
+        else
+            tables.kernel.add (chunk, target);
+    }
+
+    /** Adds a tile in which some oscillations start or end. */
+    void addEdges (std::int64_t tile, int tileOfStrip, const SynthesisTarget<Sample>& target)
+    {
+        tables.kernel.evaluate (chunk, tileOfStrip);
+        auto* values = chunk.values + tileOfStrip * synthesisTile % chunk.span;
+
+        for (int slot = 0; slot < chunk.count; ++slot)
             if (const auto& voice = synthesiser.voices[numbers[slot]]; voice.hasEdgeIn (tile))
-                weigh (voice, tile, chunk.values + slot * chunk.samples);
+                weigh (voice, tile, values + slot * chunk.span);
 
-        tables.kernel.mix (chunk, static_cast<int> (begin), static_cast<int> (end), block.ceramics, block.channels,
-                           offset + begin);
+        tables.kernel.addValues (chunk, target);
     }
 
     /** Silences values before the start and after the end; on an edge they may count half. */
@@ -188,7 +237,9 @@ private:
     const Tables<Sample>& tables;
     const Block<Sample>& block;
     std::size_t firstVoice, lastVoice;
-    std::array<std::size_t, synthesisChunk> numbers; // of the voices that sound
+    std::array<std::size_t, synthesisChunk> numbers;  // of the voices that sound
+    std::array<std::int64_t, synthesisChunk> anchors; // at which strips they need the next ones
+    std::int64_t firstStrip = 0, nextAnchor = 0;      // of the run
     bool edges = false; // whether one of them starts or ends in the run, which is then one tile
     SynthesisChunk<Sample> chunk;
 };
@@ -225,33 +276,35 @@ VoltageSynthesiser::Voice VoltageSynthesiser::voiceOf (const Oscillation& oscill
     const auto firstTile = tileOf (start.sample), lastTile = tileOf (end.sample);
 
     // Extended precision: 1e-16 of a phase of 1e5 rad would already be more than the 1e-12 that are promised.
-    const auto tau = static_cast<long double> (firstTile * synthesisTile - focus) / rate
+    const auto tau = static_cast<long double> (stripOf (firstTile) * stripSamples - focus) / rate
                      + (static_cast<long double> (focusTime) - oscillation.start);
     const auto first = oscillation.phasor() * exponential (oscillation, tau);
-    return { start, end, firstTile, lastTile, TilePhasors (oscillation, first, rate, lastTile - firstTile + 1) };
+    return { start, end, firstTile, lastTile,
+             TilePhasors (oscillation, first, rate, stripOf (lastTile) - stripOf (firstTile) + 1) };
 }
 
 template <typename Sample>
 VoltageSynthesiser::Tables<Sample> VoltageSynthesiser::tablesOf (const VoltageProgram& program) const
 {
-    Tables<Sample> tables { synthesisKernel<Sample>(), {}, {} };
+    constexpr auto line = cacheLine / sizeof (Sample);
+    const auto used = 2UL * synthesisTile + static_cast<std::size_t> (ceramics);
+    Tables<Sample> tables { synthesisKernel<Sample>(), (used + line - 1) / line * line, {} };
+    tables.records.resize (tables.recordSize * program.oscillations.size());
 
-    for (const auto& oscillation : program.oscillations)
+    for (std::size_t c = 0; c < program.oscillations.size(); ++c)
     {
-        std::array<std::complex<double>, synthesisTile> fine;
+        auto* record = tables.records.data() + c * tables.recordSize;
 
-        for (std::size_t j = 0; j < fine.size(); ++j)
-            fine[j] = exponential (oscillation, static_cast<long double> (j) / rate);
+        for (int j = 0; j < synthesisTile; ++j)
+        {
+            const auto fine = exponential (program.oscillations[c], static_cast<long double> (j) / rate);
+            record[j] = static_cast<Sample> (fine.real());
+            record[j + synthesisTile] = static_cast<Sample> (fine.imag());
+        }
 
-        for (const auto& value : fine)
-            tables.fine.push_back (static_cast<Sample> (value.real()));
-
-        for (const auto& value : fine)
-            tables.fine.push_back (static_cast<Sample> (value.imag()));
+        for (Eigen::Index i = 0; i < ceramics; ++i)
+            record[2 * synthesisTile + i] = static_cast<Sample> (program.allocation (i, static_cast<Eigen::Index> (c)));
     }
-
-    for (const auto value : program.allocation.reshaped())
-        tables.mixing.push_back (static_cast<Sample> (value));
 
     return tables;
 }
@@ -278,7 +331,6 @@ template void VoltageSynthesiser::add (std::int64_t, int, double, float* const*)
 
 void VoltageSynthesiser::process (std::int64_t first, Eigen::Ref<Eigen::MatrixXd> voltages) const
 {
-    constexpr auto stripSamples = SynthesisChunk<double>::samples;
     std::array<std::array<double, stripSamples>, ceramicsAtOnce> planar;
     std::array<double*, ceramicsAtOnce> channels;
     std::transform (planar.begin(), planar.end(), channels.begin(), [] (auto& channel) { return channel.data(); });

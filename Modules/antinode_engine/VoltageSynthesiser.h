@@ -42,7 +42,7 @@ public:
     /** Adds the voltages of the samples first .. first + count - 1, times an amplitude, to planar channels.
         @param amplitude  no unit
         @param channels   N_b pointers to count samples each, V; of any alignment
-        [audio thread] allocates nothing, locks nothing, any count >= 0, any order of blocks; 40 KiB of stack */
+        [audio thread] allocates nothing, locks nothing, any count >= 0, any order of blocks; 20 KiB of stack */
     template <typename Sample>
     void add (std::int64_t first, int count, double amplitude, Sample* const* channels) const;
 
@@ -75,8 +75,8 @@ private:
     struct Tables
     {
         SynthesisKernel<Sample> kernel;
-        AlignedVector<Sample> fine;   // oscillations x 2 x 64: real and imaginary parts of e^{p j / rate}
-        AlignedVector<Sample> mixing; // oscillations x N_b, V
+        std::size_t recordSize = 0;
+        AlignedVector<Sample> records; // oscillations x recordSize: as SynthesisChunk has them
     };
 
     template <typename Sample>
