@@ -30,22 +30,33 @@ RealtimePlate::RealtimePlate (const ModalModel& model, double sampleRate, const 
     for (Eigen::Index k = 0; k < audible; ++k)
     {
         const auto mode = static_cast<std::size_t> (k);
+        const auto group = mode / plateModeGroup, lane = mode % plateModeGroup;
         const auto real = recursion.transitionReal[k], imaginary = recursion.transitionImaginary[k], d = perTurn[k];
-        transition[mode] = real - d * imaginary;
-        transition[mode + padded] = -(1 + d * d) * imaginary;
-        transition[mode + 2 * padded] = imaginary;
-        transition[mode + 3 * padded] = real + d * imaginary;
+        auto* turn = transition.data() + group * (4 * plateModeGroup) + lane;
+        turn[0] = real - d * imaginary;
+        turn[plateModeGroup] = -(1 + d * d) * imaginary;
+        turn[2 * plateModeGroup] = imaginary;
+        turn[3 * plateModeGroup] = real + d * imaginary;
         const auto half = std::tanh (decay[k] / (2 * sampleRate)) / decay[k];
+        const auto ceramics = static_cast<std::size_t> (sizes.ceramics),
+                   probes = static_cast<std::size_t> (sizes.probes);
 
-        for (std::size_t i = 0; i < static_cast<std::size_t> (sizes.ceramics); ++i)
-            drive[mode + i * padded] = half * model.participation (k, static_cast<Eigen::Index> (i));
+        for (std::size_t i = 0; i < ceramics; ++i)
+            drive[(group * ceramics + i) * plateModeGroup + lane] =
+                half * model.participation (k, static_cast<Eigen::Index> (i));
 
-        for (std::size_t p = 0; p < static_cast<std::size_t> (sizes.probes); ++p)
-            shapes[mode + p * padded] = probeShapes (static_cast<Eigen::Index> (p), k);
+        for (std::size_t p = 0; p < probes; ++p)
+        {
+            const auto eights = probes / plateProbeGroup * plateProbeGroup;
+            const auto within =
+                p < eights ? (p / plateProbeGroup * plateModeGroup + lane) * plateProbeGroup + p % plateProbeGroup
+                           : p * plateModeGroup + lane;
+            shapes[group * probes * plateModeGroup + within] = probeShapes (static_cast<Eigen::Index> (p), k);
+        }
     }
 
     state.resize (padded * 2);
-    motion.resize (static_cast<std::size_t> (plateTile) * plateModeGroup);
+    motion.resize (static_cast<std::size_t> (plateTile) * plateModesHeard);
     sums.resize (static_cast<std::size_t> (sizes.probes) * plateTile * (plateModeGroup / 4));
     inputVoltages.resize (static_cast<std::size_t> (sizes.ceramics) * plateTile);
     outputs.resize (static_cast<std::size_t> (sizes.probes) * plateTile);

@@ -5,11 +5,6 @@
 
 namespace antinode
 {
-namespace
-{
-constexpr int base = 64;
-} // namespace
-
 std::complex<double> exponential (const Oscillation& oscillation, long double time)
 {
     const auto size = std::exp (oscillation.growth * time);
@@ -39,19 +34,8 @@ TilePhasors::TilePhasors (const Oscillation& oscillation, std::complex<double> f
             turnsOfGroup.push_back (turn.imag());
     }
 
-    for (std::int64_t step = synthesisGroup; step < strips; step *= base)
-        for (int digit = 0; digit < base; ++digit)
+    for (std::int64_t step = synthesisGroup; step < strips; step *= digitBase)
+        for (int digit = 0; digit < static_cast<int> (digitBase); ++digit)
             powers.push_back (power (digit * step * synthesisStrip));
-}
-
-std::complex<double> TilePhasors::atGroup (std::uint64_t group) const
-{
-    auto phasor = first;
-
-    for (const auto* level = powers.data(); group > 0; level += base, group /= base)
-        if (const auto digit = group % base; digit > 0)
-            phasor = product (phasor, level[digit]);
-
-    return phasor;
 }
 } // namespace antinode

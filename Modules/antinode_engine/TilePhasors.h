@@ -46,13 +46,24 @@ public:
     TilePhasors (const Oscillation&, std::complex<double> first, double rate, std::int64_t strips);
 
     /** The phasor at the start of a group. [audio thread] */
-    std::complex<double> atGroup (std::uint64_t group) const;
+    std::complex<double> atGroup (std::uint64_t group) const
+    {
+        auto phasor = first;
+
+        for (const auto* level = powers.data(); group > 0; level += digitBase, group /= digitBase)
+            if (const auto digit = group % digitBase; digit > 0)
+                phasor = product (phasor, level[digit]);
+
+        return phasor;
+    }
 
     /** What the phasor at a group's start is to be multiplied with at its tiles: for each of its strips 8 real, then 8 imaginary
         parts, on a cache line. [audio thread] */
     const double* turns() const { return turnsOfGroup.data(); }
 
 private:
+    static constexpr std::uint64_t digitBase = 64;
+
     std::complex<double> first;
     AlignedVector<double> turnsOfGroup;
     std::vector<std::complex<double>> powers; // levels x 64: by whole groups

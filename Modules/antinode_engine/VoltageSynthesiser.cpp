@@ -165,8 +165,9 @@ private:
     void anchor (int slot, std::int64_t strip)
     {
         const auto& voice = synthesiser.voices[numbers[slot]];
-        const auto sinceStart = strip - stripOf (voice.firstTile), inGroup = sinceStart % synthesisGroup;
-        const auto phasor = voice.phasors.atGroup (static_cast<std::uint64_t> (sinceStart / synthesisGroup));
+        const auto sinceStart = static_cast<std::uint64_t> (strip - voice.firstStrip);
+        const auto inGroup = static_cast<std::int64_t> (sinceStart % synthesisGroup);
+        const auto phasor = voice.phasors.atGroup (sinceStart / synthesisGroup);
         auto& sounding = chunk.sounding[slot];
         sounding.anchorReal = block.amplitude * phasor.real();
         sounding.anchorImaginary = block.amplitude * phasor.imag();
@@ -273,14 +274,14 @@ VoltageSynthesiser::Voice VoltageSynthesiser::voiceOf (const Oscillation& oscill
 {
     const auto start = edgeAt (oscillation.start, focusTime, reconstruction);
     const auto end = edgeAt (oscillation.end, focusTime, reconstruction);
-    const auto firstTile = tileOf (start.sample), lastTile = tileOf (end.sample);
+    const auto firstTile = tileOf (start.sample), lastTile = tileOf (end.sample), firstStrip = stripOf (firstTile);
 
     // Extended precision: 1e-16 of a phase of 1e5 rad would already be more than the 1e-12 that are promised.
-    const auto tau = static_cast<long double> (stripOf (firstTile) * stripSamples - focus) / rate
+    const auto tau = static_cast<long double> (firstStrip * stripSamples - focus) / rate
                      + (static_cast<long double> (focusTime) - oscillation.start);
     const auto first = oscillation.phasor() * exponential (oscillation, tau);
-    return { start, end, firstTile, lastTile,
-             TilePhasors (oscillation, first, rate, stripOf (lastTile) - stripOf (firstTile) + 1) };
+    return { start,    end,        firstTile,
+             lastTile, firstStrip, TilePhasors (oscillation, first, rate, stripOf (lastTile) - firstStrip + 1) };
 }
 
 template <typename Sample>

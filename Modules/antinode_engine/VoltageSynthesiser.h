@@ -65,6 +65,7 @@ private:
     {
         Edge start, end;
         std::int64_t firstTile = 0, lastTile = -1; // none where it is silent
+        std::int64_t firstStrip = 0;               // that of the first tile
         TilePhasors phasors;
 
         bool hasEdgeIn (std::int64_t tile) const { return tile == firstTile || tile == lastTile; }
