@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+
 namespace antinode
 {
 /** Samples in a tile of the real-time plate, and what its modes are padded to: groups of four of the widest vectors. */
@@ -33,9 +36,35 @@ struct PlateTile
     double* velocities = nullptr;     ///< probes x 16, m/s
 };
 
-/** Advances the plate by the samples of a tile, in the form for this processor: AVX-512, AVX2 with FMA, SSSE3 or plain C++.
-    Every sample is computed by the same operations in the same order, wherever it lies in a tile. */
-using PlateKernel = void (*) (const PlateTile&);
+/** Some modes of a plate: the same arrays from one mode on. */
+struct PlateModes
+{
+    bool first; ///< Whether they are the plate's first ones.
+    const double *drive, *transition, *shapes;
+    double *state, *motion;
+};
+
+/** What belongs to the modes from one on in its group. [audio thread] */
+inline PlateModes plateModes (const PlateTile& tile, std::ptrdiff_t mode)
+{
+    const auto lane = mode % plateModeGroup, group = mode - lane;
+    return { mode == 0,
+             tile.drive + group * tile.ceramics + lane,
+             tile.transition + group * 4 + lane,
+             tile.shapes + group * tile.probes + lane,
+             tile.state + group * 2 + lane,
+             tile.motion + group % plateModesHeard * plateTile + lane };
+}
+
+/** Where the modes end that are heard at once from one on. [audio thread] */
+inline std::ptrdiff_t plateModesEnd (const PlateTile& tile, std::ptrdiff_t firstMode)
+{
+    return std::min<std::ptrdiff_t> (tile.modes, firstMode + plateModesHeard);
+}
+
+/** Advances up to 128 modes of the plate by the samples of a tile, in the form for this processor: AVX-512, AVX2 with FMA, SSSE3 or
+    plain C++. Every sample is computed by the same operations in the same order, wherever it lies in a tile. */
+using PlateKernel = void (*) (const PlateTile&, std::ptrdiff_t firstMode);
 
 /** The kernel for the processor that runs; hwy::SetSupportedTargetsForTest chooses another one. [worker] */
 PlateKernel plateKernel();
