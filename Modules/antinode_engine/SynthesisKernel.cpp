@@ -127,6 +127,15 @@ HWY_INLINE void findValues (const Sample* phasors, const Sample* record, int sam
             values[v] = hn::Load (tag, kept + v * lanes<Sample>);
 }
 
+/** The same pointer, of which the compiler knows nothing. Otherwise g++ keeps an offset for each ceramic in a register of its
+    own, and saves and restores them with each block: 3 points of the limit. */
+template <typename Sample>
+HWY_INLINE const Sample* opaque (const Sample* pointer)
+{
+    asm("" : "+r"(pointer));
+    return pointer;
+}
+
 /** Adds a block, whose sums stay in registers. Its first sample lies at channels[i][offset]. */
 template <int ceramics, Source source, typename Sample>
 HWY_NOINLINE void addBlock (SynthesisChunk<Sample>& chunk, int sample, int firstCeramic, Sample* const* channels,
@@ -148,7 +157,7 @@ HWY_NOINLINE void addBlock (SynthesisChunk<Sample>& chunk, int sample, int first
     for (; record < end; ++record, phasors += 2 * synthesisStrip, kept += chunk.span)
     {
         findValues<source> (phasors, *record, sample, kept, values);
-        const auto* mixing = *record + firstCeramic;
+        const auto* mixing = opaque (*record + firstCeramic);
 
 #pragma GCC unroll 16
         for (int i = 0; i < ceramics; ++i)
