@@ -16,8 +16,23 @@ inline constexpr int synthesisTile = 16;
 /** Tiles in a strip, whose phasors are computed at once. Strips are aligned to the absolute index of samples. */
 inline constexpr int synthesisStrip = 8;
 
+/** Samples in a strip. */
+inline constexpr int stripSamples = synthesisStrip * synthesisTile;
+
 /** Strips in a group: their phasors have the group's exact one in common. */
 inline constexpr int synthesisGroup = 8;
+
+/** The tile of a sample. [any] */
+inline std::int64_t tileOf (std::int64_t sample)
+{
+    return sample >= 0 ? sample / synthesisTile : -((-sample + synthesisTile - 1) / synthesisTile);
+}
+
+/** The strip of a tile. [any] */
+inline std::int64_t stripOf (std::int64_t tile)
+{
+    return tile >= 0 ? tile / synthesisStrip : -((-tile + synthesisStrip - 1) / synthesisStrip);
+}
 
 /** The product, without the search for infinities of std::complex. [any] */
 inline std::complex<double> product (std::complex<double> one, std::complex<double> other)
