@@ -51,9 +51,6 @@ struct SynthesisTarget
 template <typename Sample>
 struct SynthesisKernel
 {
-    /** phasors = anchor * turn in a strip of the run. A phasor too small for products in normal numbers counts as 0. */
-    void (*findPhasors) (SynthesisChunk<Sample>&, int strip);
-
     /** Adds sum of mixing * Re[phasor * fine], oscillation by oscillation. */
     void (*add) (SynthesisChunk<Sample>&, const SynthesisTarget<Sample>&);
 

@@ -114,7 +114,7 @@ VoltageSynthesiser::Tables<Sample> VoltageSynthesiser::tablesOf (const VoltagePr
 {
     constexpr auto line = cacheLine / sizeof (Sample);
     const auto used = 2UL * synthesisTile + static_cast<std::size_t> (ceramics);
-    Tables<Sample> tables { synthesisKernel<Sample>(), (used + line - 1) / line * line, {} };
+    Tables<Sample> tables { phasorKernel<Sample>(), synthesisKernel<Sample>(), (used + line - 1) / line * line, {} };
     tables.records.resize (tables.recordSize * program.oscillations.size());
 
     for (std::size_t c = 0; c < program.oscillations.size(); ++c)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "AlignedVector.h"
+#include "PhasorKernel.h"
 #include "SynthesisKernel.h"
 #include "TilePhasors.h"
 
@@ -75,6 +76,7 @@ private:
     template <typename Sample>
     struct Tables
     {
+        PhasorKernel<Sample> findPhasors;
         SynthesisKernel<Sample> kernel;
         std::size_t recordSize = 0;
         AlignedVector<Sample> records; // oscillations x recordSize: as SynthesisChunk has them

@@ -128,7 +128,7 @@ private:
         if (strip == nextAnchor)
             anchorAt (strip);
 
-        tables.kernel.findPhasors (chunk, static_cast<int> (strip - firstStrip));
+        tables.findPhasors (chunk, static_cast<int> (strip - firstStrip));
         const SynthesisTarget<Sample> target { static_cast<int> (begin), static_cast<int> (end), block.firstCeramic,
                                                block.ceramics,           block.channels,         offset };
 
