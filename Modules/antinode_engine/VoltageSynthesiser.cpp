@@ -84,6 +84,7 @@ struct VoltageSynthesiser::Block
     double amplitude = 1;
     int firstCeramic = 0, ceramics = 0;
     Sample* const* channels = nullptr; // of these ceramics
+    const std::complex<double>* factors = nullptr;
 };
 
 /** Plays a chunk of the oscillations through the tiles of a block. */
@@ -138,7 +139,11 @@ private:
         const auto& voice = synthesiser.voices[c];
         const auto sinceStart = static_cast<std::uint64_t> (tile - voice.firstTile);
         const auto turn = sinceStart % synthesisGroup;
-        const auto anchor = voice.phasors.atGroup (sinceStart / synthesisGroup);
+        auto anchor = voice.phasors.atGroup (sinceStart / synthesisGroup);
+
+        if (block.factors != nullptr)
+            anchor = product (anchor, block.factors[c]);
+
         numbers[chunk.count] = c;
         auto& sounding = chunk.sounding[chunk.count++];
         sounding.anchorReal = block.amplitude * anchor.real();
@@ -268,13 +273,14 @@ void VoltageSynthesiser::addBlock (const Block<Sample>& block) const
 }
 
 template <typename Sample>
-void VoltageSynthesiser::add (std::int64_t first, int count, double amplitude, Sample* const* channels) const
+void VoltageSynthesiser::add (std::int64_t first, int count, double amplitude, Sample* const* channels,
+                              const std::complex<double>* factors) const
 {
-    addBlock<Sample> ({ first, count, amplitude, 0, ceramics, channels });
+    addBlock<Sample> ({ first, count, amplitude, 0, ceramics, channels, factors });
 }
 
-template void VoltageSynthesiser::add (std::int64_t, int, double, double* const*) const;
-template void VoltageSynthesiser::add (std::int64_t, int, double, float* const*) const;
+template void VoltageSynthesiser::add (std::int64_t, int, double, double* const*, const std::complex<double>*) const;
+template void VoltageSynthesiser::add (std::int64_t, int, double, float* const*, const std::complex<double>*) const;
 
 void VoltageSynthesiser::process (std::int64_t first, Eigen::Ref<Eigen::MatrixXd> voltages) const
 {
