@@ -7,7 +7,8 @@ namespace antinode
 {
 namespace
 {
-constexpr double nothingLeft = 1e-3;    // of a mode's amplitude
+constexpr double nothingLeft = 1e-3; // of the slowest mode's amplitude
+constexpr double still = 1e-6;       // of a mode's amplitude: brakes end there, and less would come to denormal numbers
 constexpr double longestSamples = 1e12; // however slowly a mode decays: sums of such numbers are exact
 } // namespace
 
@@ -52,7 +53,8 @@ void PlayableBrake::factorsAfter (std::int64_t delay, std::span<std::complex<dou
     for (std::size_t c = 0; c < modes.size(); ++c)
     {
         const auto& mode = modes[c];
-        const auto size = std::exp (-mode.decay * time);
+        const auto left = std::exp (-mode.decay * time);
+        const auto size = left > still ? left : 0.0;
         const auto phase = mode.frequency * time;
         const auto state = product (mode.state, { size * std::cos (phase), size * std::sin (phase) });
         factors[c] = product (state + mode.mismatch * state.imag(), mode.turnBack);

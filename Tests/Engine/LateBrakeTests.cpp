@@ -213,6 +213,18 @@ TEST_CASE ("A focus without a brake ignores the note-off", "[engine][player]")
     CHECK (free.played (events, 3000, holding()) == free.played (events, 3000, {}));
 }
 
+TEST_CASE ("Modes that are still when their brake begins are left alone, with no denormal number", "[engine][player]")
+{
+    VoltageProgram brakes;
+    brakes.oscillations = { { 0, 0, 1, -20, 3000, 1, 1, 2 }, { 1, 0, 1, -8000, 90000, 1, 1, 700 } };
+    brakes.allocation = Eigen::MatrixXd::Ones (1, 2);
+    brakes.voltageLimits = Eigen::VectorXd::Ones (1);
+    std::array<std::complex<double>, 2> factors;
+    PlayableBrake (brakes, playback).factorsAfter (samplesOf (1), factors);
+    CHECK (std::abs (factors[0]) == Approx (std::exp (-2)).epsilon (0.02));
+    CHECK (factors[1] == 0.0);
+}
+
 TEST_CASE ("Beginning 512 brakes late allocates nothing", "[engine][player]")
 {
     auto program = shortProgram (500, 0.002, 1);
