@@ -55,10 +55,11 @@ TilePhasors::TilePhasors (const Oscillation& oscillation, std::complex<double> f
 {
     // Entries beyond the oscillation's end may be infinite; nobody uses them.
     const auto timeOf = [&] (std::int64_t tile) { return static_cast<long double> (tile * synthesisTile) / rate; };
-    const auto takeTurn = [this] (int tile, std::complex<double> turn)
+    const auto takeTurn = [this] (int at, std::complex<double> turn)
     {
-        turns[static_cast<std::size_t> (tile)] = turn.real();
-        turns[static_cast<std::size_t> (tile + synthesisGroup + synthesisStrip)] = turn.imag();
+        const auto tile = static_cast<std::size_t> (at);
+        turns[tile] = turn.real();
+        turns[tile + synthesisGroup + synthesisStrip] = turn.imag();
     };
     eachPower (oscillation, timeOf (1), synthesisGroup, takeTurn);
 

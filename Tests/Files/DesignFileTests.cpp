@@ -57,7 +57,7 @@ FocusDesign irregularDesign()
         program.oscillations.push_back (
             { c % 2, 0.01 + 0.005 * next(), 0.025, 1e3 * next(), 1e5 + 9e4 * next(), next(), next() });
 
-    program.oscillations.push_back ({ 1, 0, 0.025, 0, 0, 0, -2.5 }); // A constant.
+    program.oscillations.push_back ({ 1, 0, 0.025, 0, 0, 0, -2.5 });                                // A constant.
     program.oscillations.push_back ({ 1, 0.026, 0.1, -2000.0 / 3, 1e5 / 7, 0.1, -2.5, 100.0 / 3 }); // A brake.
     program.allocation = Eigen::MatrixXd::NullaryExpr (2, 42, next);
     return design;
