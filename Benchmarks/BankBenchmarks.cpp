@@ -1,5 +1,7 @@
 #include "FmaPeak.h"
+#include "Peers/CsoundBank.h"
 #include "Peers/FaustBank.h"
+#include "Peers/JuceBank.h"
 
 #include <antinode_engine/RealtimePlate.h>
 
@@ -121,5 +123,20 @@ void bankOfFaust (benchmark::State& state)
     bench::measure<double> (state, operations, items, [&] { bank.process (in.data(), out.data(), samples); });
 }
 BENCHMARK (bankOfFaust)->Iterations (200);
+
+void bankOfJuce (benchmark::State& state)
+{
+    bench::JuceBank bank (rate, samples);
+    std::vector<double> in (samples, 1.0), out (samples);
+    bench::measure<double> (state, operations, items, [&] { bank.process (in.data(), out.data(), samples); });
+}
+BENCHMARK (bankOfJuce)->Iterations (200);
+
+void bankOfCsound (benchmark::State& state)
+{
+    bench::CsoundBank bank (rate, samples);
+    bench::measure<double> (state, operations, items, [&] { benchmark::DoNotOptimize (bank.process()); });
+}
+BENCHMARK (bankOfCsound)->Iterations (200);
 } // namespace
 } // namespace antinode

@@ -147,13 +147,14 @@ void VoltageSynthesiser::addBlock (const Block<Sample>& block) const
 }
 
 template <typename Sample>
-void VoltageSynthesiser::add (std::int64_t first, int count, double amplitude, Sample* const* channels) const
+void VoltageSynthesiser::add (std::int64_t first, int count, double amplitude, Sample* const* channels,
+                              const std::complex<double>* factors) const
 {
-    addBlock<Sample> ({ first, count, amplitude, 0, ceramics, channels });
+    addBlock<Sample> ({ first, count, amplitude, 0, ceramics, channels, factors });
 }
 
-template void VoltageSynthesiser::add (std::int64_t, int, double, double* const*) const;
-template void VoltageSynthesiser::add (std::int64_t, int, double, float* const*) const;
+template void VoltageSynthesiser::add (std::int64_t, int, double, double* const*, const std::complex<double>*) const;
+template void VoltageSynthesiser::add (std::int64_t, int, double, float* const*, const std::complex<double>*) const;
 
 void VoltageSynthesiser::process (std::int64_t first, Eigen::Ref<Eigen::MatrixXd> voltages) const
 {

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include <complex>
 #include <cstdint>
 #include <vector>
 
@@ -43,9 +44,11 @@ public:
     /** Adds the voltages of the samples first .. first + count - 1, times an amplitude, to planar channels.
         @param amplitude  no unit
         @param channels   N_b pointers to count samples each, V; of any alignment
+        @param factors    one for every oscillation, which its phasor is multiplied with, or none
         [audio thread] allocates nothing, locks nothing, any count >= 0, any order of blocks; 20 KiB of stack */
     template <typename Sample>
-    void add (std::int64_t first, int count, double amplitude, Sample* const* channels) const;
+    void add (std::int64_t first, int count, double amplitude, Sample* const* channels,
+              const std::complex<double>* factors = nullptr) const;
 
     /** Voltages of the samples first .. first + n - 1.
         @param voltages  N_b x n, V

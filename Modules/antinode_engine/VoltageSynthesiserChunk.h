@@ -17,7 +17,8 @@ struct VoltageSynthesiser::Block
     std::int64_t first = 0, count = 0;
     double amplitude = 1;
     int firstCeramic = 0, ceramics = 0;
-    Sample* const* channels = nullptr; // of these ceramics
+    Sample* const* channels = nullptr;             // of these ceramics
+    const std::complex<double>* factors = nullptr; // one for every oscillation, or none
 };
 
 /** Plays a chunk of the oscillations through the tiles of a block. */
@@ -95,7 +96,11 @@ private:
         const auto& voice = synthesiser.voices[numbers[slot]];
         const auto sinceStart = static_cast<std::uint64_t> (strip - voice.firstStrip);
         const auto inGroup = static_cast<std::int64_t> (sinceStart % synthesisGroup);
-        const auto phasor = voice.phasors.atGroup (sinceStart / synthesisGroup);
+        auto phasor = voice.phasors.atGroup (sinceStart / synthesisGroup);
+
+        if (block.factors != nullptr)
+            phasor = product (phasor, block.factors[numbers[slot]]);
+
         auto& sounding = chunk.sounding[slot];
         sounding.anchorReal = block.amplitude * phasor.real();
         sounding.anchorImaginary = block.amplitude * phasor.imag();

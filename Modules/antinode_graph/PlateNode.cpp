@@ -1,5 +1,9 @@
 #include "PlateNode.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace antinode
 {
 PlateNode::PlateNode (std::shared_ptr<const ModalModel> modelToUse, Eigen::MatrixXd probeShapesToUse)
@@ -15,6 +19,12 @@ void PlateNode::prepare (const NodeFormat& format)
 void PlateNode::process (const NodeBlock<float>& block)
 {
     plate->process (block.inputs, block.outputs, block.count);
+
+    // The plate's states pass through what floats cannot hold long before they are still: that must not slow down what comes behind.
+    for (int i = 0; i < outputs(); ++i)
+        std::replace_if (
+            block.outputs[i], block.outputs[i] + block.count,
+            [] (float velocity) { return std::abs (velocity) < std::numeric_limits<float>::min(); }, 0.0F);
 }
 
 void PlateNode::process (const NodeBlock<double>& block)

@@ -6,8 +6,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <atomic>
-
 using namespace antinode;
 
 namespace
@@ -103,44 +101,6 @@ TEST_CASE ("A place that cannot be designed stays silent and says why", "[graph]
     CHECK_THAT (worker.progress().error, Catch::Contains ("beside the surface"));
     CHECK (firstChannel (player, 1, 500).cwiseAbs().maxCoeff() == 0);
     CHECK (firstChannel (player, 2, 500).cwiseAbs().maxCoeff() > 0);
-}
-
-TEST_CASE ("Requests, designs and playing at once, and an end in the midst of it", "[graph][stress]")
-{
-    FocusPlayer player (ceramics, rate, {});
-    std::atomic<bool> isPlaying { true };
-    std::int64_t sent = 0;
-    std::thread audio (
-        [&]
-        {
-            Eigen::MatrixXd voltages (32, ceramics);
-            std::vector<double*> channels;
-
-            for (int i = 0; i < ceramics; ++i)
-                channels.push_back (voltages.col (i).data());
-
-            for (int block = 0; isPlaying; ++block)
-            {
-                const FocusEvent event { block % 32, FocusEventKind::trigger, block % 16, 1 };
-                const auto count = block % 4 == 0 ? 1U : 0U;
-                player.process (channels.data(), 32, std::span (&event, count));
-                sent += count;
-                std::this_thread::sleep_for (std::chrono::microseconds (50));
-            }
-        });
-    {
-        DesignWorker worker (player.handOver());
-
-        for (int i = 0; i < 40; ++i)
-        {
-            worker.request (requestFor (16, 0.02 + 0.0005 * i));
-            std::this_thread::sleep_for (std::chrono::milliseconds (i % 7));
-        }
-    }
-    isPlaying = false;
-    audio.join();
-    CHECK (player.counters().triggered > 0);
-    CHECK (player.counters().triggered + player.counters().empty == sent);
 }
 
 TEST_CASE ("The places of a bank on a line and on a plate", "[graph]")
