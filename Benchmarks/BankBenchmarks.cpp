@@ -1,5 +1,7 @@
 #include "FmaPeak.h"
+#include "Peers/CsoundBank.h"
 #include "Peers/FaustBank.h"
+#include "Peers/JuceBank.h"
 
 #include <antinode_engine/RealtimePlate.h>
 
@@ -44,8 +46,9 @@ void bankOfAntinode (benchmark::State& state)
 }
 BENCHMARK (bankOfAntinode)->Iterations (200);
 
-/** Structure of arrays, as one would write it; the compiler vectorises over the modes, for each instruction set. */
-struct PlainBank
+/** Structure of arrays, as one would write it; the compiler vectorises over the modes, for each instruction set. On a cache
+    line: else its speed would depend on where the stack happens to be. */
+struct alignas (64) PlainBank
 {
     double real[modes], imaginary[modes], turnReal[modes], turnImaginary[modes], gain[modes];
 };
@@ -120,5 +123,20 @@ void bankOfFaust (benchmark::State& state)
     bench::measure<double> (state, operations, items, [&] { bank.process (in.data(), out.data(), samples); });
 }
 BENCHMARK (bankOfFaust)->Iterations (200);
+
+void bankOfJuce (benchmark::State& state)
+{
+    bench::JuceBank bank (rate, samples);
+    std::vector<double> in (samples, 1.0), out (samples);
+    bench::measure<double> (state, operations, items, [&] { bank.process (in.data(), out.data(), samples); });
+}
+BENCHMARK (bankOfJuce)->Iterations (200);
+
+void bankOfCsound (benchmark::State& state)
+{
+    bench::CsoundBank bank (rate, samples);
+    bench::measure<double> (state, operations, items, [&] { benchmark::DoNotOptimize (bank.process()); });
+}
+BENCHMARK (bankOfCsound)->Iterations (200);
 } // namespace
 } // namespace antinode

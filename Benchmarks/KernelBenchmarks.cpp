@@ -1,5 +1,6 @@
 #include "FmaPeak.h"
 
+#include <antinode_engine/PlanarBuffer.h>
 #include <antinode_engine/RealtimePlate.h>
 #include <antinode_engine/VoltageLimiter.h>
 #include <antinode_engine/VoltageSynthesiser.h>
@@ -20,20 +21,6 @@ Eigen::MatrixXd draws (Eigen::Index rows, Eigen::Index columns)
     return Eigen::MatrixXd::NullaryExpr (rows, columns,
                                          [&] { return static_cast<double> (generator()) / 2147483647.5 - 1; });
 }
-
-/** Channels of a block, and pointers to them. */
-template <typename Sample>
-struct Channels
-{
-    explicit Channels (int count) : samples (static_cast<std::size_t> (count), std::vector<Sample> (blockSize))
-    {
-        for (auto& channel : samples)
-            pointers.push_back (channel.data());
-    }
-
-    std::vector<std::vector<Sample>> samples;
-    std::vector<Sample*> pointers;
-};
 
 VoltageProgram programOf (int modes, int ceramics)
 {
@@ -64,13 +51,13 @@ void synthesis (benchmark::State& state)
 {
     const auto modes = static_cast<int> (state.range (0)), ceramics = static_cast<int> (state.range (1));
     const VoltageSynthesiser synthesiser (programOf (modes, ceramics), { Reconstruction::bandLimited, rate });
-    Channels<Sample> channels (ceramics);
+    const PlanarBuffer<Sample> channels (ceramics, blockSize);
     std::int64_t first = 0;
     const auto items = static_cast<double> (modes) * blockSize;
 
     const auto block = [&]
     {
-        synthesiser.add (first, blockSize, 1e-9, channels.pointers.data());
+        synthesiser.add (first, blockSize, 1e-9, channels.channels());
         first = (first + blockSize) % 10000000;
     };
     bench::measure<Sample> (state, items * (ceramics + 2), items, block);
@@ -85,13 +72,12 @@ void plate (benchmark::State& state)
     const auto modes = static_cast<int> (state.range (0)), ceramics = static_cast<int> (state.range (1));
     const auto probes = static_cast<int> (state.range (2));
     RealtimePlate played (modelOf (modes, ceramics), rate, draws (probes, modes));
-    Channels<Sample> voltages (ceramics), velocities (probes);
+    PlanarBuffer<Sample> voltages (ceramics, blockSize), velocities (probes, blockSize);
     const auto items = static_cast<double> (modes) * blockSize;
 
-    for (auto& channel : voltages.samples)
-        std::fill (channel.begin(), channel.end(), Sample (1));
+    voltages.fill (1);
 
-    const auto block = [&] { played.process (voltages.pointers.data(), velocities.pointers.data(), blockSize); };
+    const auto block = [&] { played.process (voltages.channels(), velocities.channels(), blockSize); };
     bench::measure<double> (state, items * (ceramics + 2 + probes), items, block);
     state.counters["of_a_core"] = state.counters["ns"] * 1e-9 * modes * rate;
 }
@@ -102,9 +88,9 @@ void limiter (benchmark::State& state)
 {
     const auto ceramics = static_cast<int> (state.range (0));
     VoltageLimiter limited (Eigen::VectorXd::Constant (ceramics, 1));
-    Channels<Sample> channels (ceramics);
+    const PlanarBuffer<Sample> channels (ceramics, blockSize);
     const auto items = static_cast<double> (ceramics) * blockSize;
-    bench::measure<Sample> (state, items, items, [&] { limited.process (channels.pointers.data(), blockSize); });
+    bench::measure<Sample> (state, items, items, [&] { limited.process (channels.channels(), blockSize); });
 }
 
 void synthesisSizes (benchmark::internal::Benchmark* benchmark)

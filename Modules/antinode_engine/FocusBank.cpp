@@ -5,19 +5,57 @@
 
 namespace antinode
 {
-PlayableFocus::PlayableFocus (const VoltageProgram& program, Playback playback) : synthesiser (program, playback)
+namespace
+{
+/** The part of a program that are brakes, or the other one. */
+VoltageProgram partOf (const VoltageProgram& program, bool brakes)
+{
+    auto part = program;
+    std::vector<Eigen::Index> columns;
+    part.oscillations.clear();
+
+    for (std::size_t c = 0; c < program.oscillations.size(); ++c)
+        if (program.oscillations[c].isBrake() == brakes)
+        {
+            part.oscillations.push_back (program.oscillations[c]);
+            columns.push_back (static_cast<Eigen::Index> (c));
+        }
+
+    part.allocation = program.allocation (Eigen::all, columns);
+    return part;
+}
+
+bool hasBrake (const VoltageProgram& program)
+{
+    const auto count = std::count_if (program.oscillations.begin(), program.oscillations.end(),
+                                      [] (const Oscillation& oscillation) { return oscillation.isBrake(); });
+    return count > 0 && count <= static_cast<std::ptrdiff_t> (PlayableBrake::mostOscillations);
+}
+} // namespace
+
+PlayableFocus::PlayableFocus (const VoltageProgram& program, Playback playback)
+    : PlayableFocus (program, playback, hasBrake (program))
+{
+}
+
+PlayableFocus::PlayableFocus (const VoltageProgram& program, Playback playback, bool isBraked)
+    : synthesiser (isBraked ? partOf (program, false) : program, playback)
 {
     auto first = program.focusTime, last = program.focusTime;
 
     for (const auto& oscillation : program.oscillations)
-    {
-        first = std::min (first, oscillation.start);
-        last = std::max (last, oscillation.end);
-    }
+        if (! (isBraked && oscillation.isBrake()))
+        {
+            first = std::min (first, oscillation.start);
+            last = std::max (last, oscillation.end);
+        }
 
     // A sample more on either side: where the focus falls between samples, all is moved by up to half of one.
     firstSample = static_cast<std::int64_t> (std::floor (first * playback.sampleRate)) - 1;
     endSample = static_cast<std::int64_t> (std::ceil (last * playback.sampleRate)) + 2;
+
+    if (isBraked)
+        brake.emplace (partOf (program, true), playback);
 }
 
 std::int64_t FocusBank::latestFocusSample() const

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "PlayableBrake.h"
 #include "VoltageSynthesiser.h"
 
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace antinode
 {
@@ -14,9 +16,13 @@ struct PlayableFocus
     /** @throws InputError  as VoltageSynthesiser [worker] allocates */
     PlayableFocus (const VoltageProgram&, Playback);
 
-    VoltageSynthesiser synthesiser;
-    std::int64_t firstSample = 0; ///< From the trigger: nothing sounds before it,
-    std::int64_t endSample = 0;   ///< and nothing from it on.
+    VoltageSynthesiser synthesiser;     ///< Of all but the brakes.
+    std::int64_t firstSample = 0;       ///< From the trigger: none of these sounds before it,
+    std::int64_t endSample = 0;         ///< and none from it on.
+    std::optional<PlayableBrake> brake; ///< None where there are no brakes, or more than can be held.
+
+private:
+    PlayableFocus (const VoltageProgram&, Playback, bool isBraked);
 };
 
 /** What triggers play, each place with a focus or none: 128 places of notes, the one that is edited, and some that were touched

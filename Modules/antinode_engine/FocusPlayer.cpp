@@ -46,6 +46,9 @@ FocusPlayer::FocusPlayer (int ceramicsToUse, double sampleRate, PlayerSettings s
     channelsFloat = pointersInto (scratchFloat, count, fadeChunk);
     shiftedDouble.resize (count);
     shiftedFloat.resize (count);
+
+    if (settings.noteOff == NoteOffBehaviour::brake)
+        brakeFactors.resize (allVoices);
 }
 
 FocusPlayer::~FocusPlayer()
@@ -56,7 +59,13 @@ FocusPlayer::~FocusPlayer()
 
 std::int64_t FocusPlayer::Voice::end (std::int64_t fadeLength) const
 {
-    const auto own = trigger + focus->endSample;
+    auto own = trigger + focus->endSample;
+
+    if (const auto& brake = focus->brake)
+        own = std::max (
+            own,
+            trigger + (holdsBrake ? brake->startSample() + brake->longestDelay() : brake->endSample() + brakeDelay));
+
     return fadeStart == never ? own : std::min (own, fadeStart + fadeLength);
 }
 
@@ -131,6 +140,26 @@ void FocusPlayer::fadeWhere (Condition condition)
             fade (voice);
 }
 
+void FocusPlayer::releaseBrake (Voice& voice)
+{
+    const auto& brake = *voice.focus->brake;
+    voice.holdsBrake = false;
+    voice.brakeDelay = std::max<std::int64_t> (0, clock - voice.trigger - brake.startSample());
+
+    if (voice.brakeDelay > 0)
+        brake.factorsAfter (voice.brakeDelay, brakeFactors[indexOf (voice)]);
+}
+
+void FocusPlayer::release (int place)
+{
+    if (settings.noteOff == NoteOffBehaviour::fade)
+        fadeWhere ([&] (const Voice& voice) { return voice.place == place; });
+
+    for (auto& voice : voices)
+        if (voice.holdsBrake && voice.fadeStart == never && voice.place == place)
+            releaseBrake (voice);
+}
+
 void FocusPlayer::handle (const FocusEvent& event)
 {
     switch (event.kind)
@@ -139,8 +168,7 @@ void FocusPlayer::handle (const FocusEvent& event)
             trigger (event);
             break;
         case FocusEventKind::release:
-            if (settings.noteOff == NoteOffBehaviour::fade)
-                fadeWhere ([&] (const Voice& voice) { return voice.place == event.place; });
+            release (event.place);
             break;
         case FocusEventKind::stopAll:
             fadeWhere ([] (const Voice&) { return true; });
@@ -192,105 +220,10 @@ void FocusPlayer::trigger (const FocusEvent& event)
 
     auto& voice = freeVoice();
     const auto delay = settings.focusOnNote ? latency - focus->synthesiser.focusSample() : 0;
-    voice = { focus, current, event.place, event.amplitude, clock + delay, counts.triggered, never };
+    voice = { focus, current, event.place, event.amplitude, clock + delay, counts.triggered };
+    voice.holdsBrake = settings.noteOff == NoteOffBehaviour::brake && focus->brake.has_value();
     ++banks[static_cast<std::size_t> (current)].users;
     ++counts.triggered;
 }
 
-template <>
-double* const* FocusPlayer::scratchChannels<double>()
-{
-    std::fill (scratchDouble.begin(), scratchDouble.end(), 0.0);
-    return channelsDouble.data();
-}
-
-template <>
-float* const* FocusPlayer::scratchChannels<float>()
-{
-    std::fill (scratchFloat.begin(), scratchFloat.end(), 0.0F);
-    return channelsFloat.data();
-}
-
-template <typename Sample>
-void FocusPlayer::renderFade (const Voice& voice, Sample* const* channels, int offset, std::int64_t from,
-                              std::int64_t to)
-{
-    for (auto at = from; at < to; at += fadeChunk)
-    {
-        const auto length = static_cast<int> (std::min<std::int64_t> (fadeChunk, to - at));
-        auto* const* const scratch = scratchChannels<Sample>();
-        voice.focus->synthesiser.add (at - voice.trigger, length, voice.amplitude, scratch);
-
-        for (int i = 0; i < ceramics; ++i)
-            for (int n = 0; n < length; ++n)
-            {
-                const auto gain = fadeGains[static_cast<std::size_t> (at + n - voice.fadeStart)];
-                channels[i][offset + (at - clock) + n] += static_cast<Sample> (gain) * scratch[i][n];
-            }
-    }
-}
-
-template <typename Sample>
-void FocusPlayer::renderVoice (const Voice& voice, Sample* const* channels, int offset, int count)
-{
-    const auto begin = std::max (clock, voice.trigger + voice.focus->firstSample);
-    const auto end = std::min (clock + count, voice.end (fadeLength));
-    const auto fadeBegin = std::clamp (voice.fadeStart, begin, std::max (begin, end));
-
-    if (fadeBegin > begin)
-    {
-        auto& shifted = [this]() -> auto&
-        {
-            if constexpr (std::is_same_v<Sample, float>)
-                return shiftedFloat;
-            else
-                return shiftedDouble;
-        }
-        ();
-
-        for (int i = 0; i < ceramics; ++i)
-            shifted[static_cast<std::size_t> (i)] = channels[i] + offset + (begin - clock);
-
-        voice.focus->synthesiser.add (begin - voice.trigger, static_cast<int> (fadeBegin - begin), voice.amplitude,
-                                      shifted.data());
-    }
-
-    renderFade (voice, channels, offset, fadeBegin, end);
-}
-
-template <typename Sample>
-void FocusPlayer::render (Sample* const* channels, int offset, int count)
-{
-    for (const auto& voice : voices)
-        if (voice.focus != nullptr)
-            renderVoice (voice, channels, offset, count);
-
-    clock += count;
-    finishEnded();
-}
-
-template <typename Sample>
-void FocusPlayer::process (Sample* const* channels, int count, std::span<const FocusEvent> events)
-{
-    takeBank();
-
-    for (int i = 0; i < ceramics; ++i)
-        std::fill (channels[i], channels[i] + count, Sample (0));
-
-    auto done = 0;
-
-    for (const auto& event : events)
-    {
-        const auto offset = std::clamp (event.offset, done, std::max (done, count - 1));
-        render (channels, done, offset - done);
-        done = offset;
-        handle (event);
-    }
-
-    render (channels, done, count - done);
-    giveUnusedBanks();
-}
-
-template void FocusPlayer::process (float* const*, int, std::span<const FocusEvent>);
-template void FocusPlayer::process (double* const*, int, std::span<const FocusEvent>);
 } // namespace antinode

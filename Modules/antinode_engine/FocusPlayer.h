@@ -4,17 +4,19 @@
 #include "FocusEvent.h"
 
 #include <array>
+#include <complex>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace antinode
 {
-/** What a note-off does to the focus that its note-on began. */
+/** What a note-off does to the foci that its place plays. */
 enum class NoteOffBehaviour
 {
     ignore, ///< A focus plays to its end: the default, notes are mostly shorter than foci.
-    fade    ///< It fades out.
+    fade,   ///< It fades out.
+    brake ///< While the note is held, the plate rings on after the focus; then the brake begins, not before its own time.
 };
 
 /** What a trigger does where its place sounds already. */
@@ -45,6 +47,9 @@ struct PlayerCounters
 
     A voice keeps the design that it began with, also when a new bank arrives. Output depends on the samples' and events' places in time only,
     not, to the bit, on how time is cut into blocks. Limits are not its concern: VoltageLimiter stands behind it.
+
+    A voice that holds its brake back is silent after its focus. It ends for good when its modes have decayed by themselves, or when it fades:
+    then nothing is braked.
     Docs/Theory.md, section 6.6. */
 class FocusPlayer
 {
@@ -87,6 +92,7 @@ private:
     static constexpr int allVoices = 32; ///< Those that fade among them.
     static constexpr int fadeChunk = 64; ///< Samples.
     static constexpr std::int64_t never = INT64_MAX;
+    using Factors = std::array<std::complex<double>, PlayableBrake::mostOscillations>;
 
     struct UsedBank
     {
@@ -103,6 +109,8 @@ private:
         std::int64_t trigger = 0; ///< The sample of the player's clock at which the focus' own time is 0.
         std::int64_t order = 0;   ///< Which trigger it was.
         std::int64_t fadeStart = never;
+        bool holdsBrake = false;     ///< Until its note ends.
+        std::int64_t brakeDelay = 0; ///< Samples by which the brake begins later than designed.
 
         std::int64_t end (std::int64_t fadeLength) const;
     };
@@ -112,6 +120,9 @@ private:
     void handle (const FocusEvent&);
     void trigger (const FocusEvent&);
     void fade (Voice&);
+    void release (int place);
+    void releaseBrake (Voice&);
+    std::size_t indexOf (const Voice& voice) const { return static_cast<std::size_t> (&voice - voices.data()); }
     void finish (Voice&);
     void finishEnded();
     Voice& freeVoice();
@@ -120,11 +131,15 @@ private:
     template <typename Sample>
     void render (Sample* const* channels, int offset, int count);
     template <typename Sample>
+    void add (const Voice&, std::int64_t from, std::int64_t to, Sample* const* channels) const;
+    template <typename Sample>
     void renderVoice (const Voice&, Sample* const* channels, int offset, int count);
     template <typename Sample>
     void renderFade (const Voice&, Sample* const* channels, int offset, std::int64_t from, std::int64_t to);
     template <typename Sample>
     Sample* const* scratchChannels();
+    template <typename Sample>
+    Sample* const* shiftedBy (std::int64_t samples, Sample* const* channels);
 
     int ceramics;
     PlayerSettings settings;
@@ -134,6 +149,7 @@ private:
     std::array<UsedBank, allVoices + 2> banks {};
     int current = -1; ///< Index into banks of the one that triggers use.
     std::array<Voice, allVoices> voices {};
+    std::vector<Factors> brakeFactors; ///< A set for each voice where notes hold brakes back, else none.
     std::vector<double> scratchDouble;
     std::vector<float> scratchFloat;
     std::vector<double*> channelsDouble, shiftedDouble;

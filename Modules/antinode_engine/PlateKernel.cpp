@@ -1,7 +1,5 @@
 #include "PlateKernel.h"
 
-#include <cstddef>
-
 // Highway includes this file once a target, each time with another HWY_NAMESPACE.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "antinode_engine/PlateKernel.cpp"
@@ -19,183 +17,184 @@ using Index = std::ptrdiff_t;
 constexpr hn::ScalableTag<double> tag;
 using Vector = hn::VFromD<hn::ScalableTag<double>>;
 constexpr Index lanes = static_cast<Index> (hn::MaxLanes (tag));
-constexpr int groupVectors = 4; // so many modes at a time hide the latency of the recursion
-constexpr Index groupModes = groupVectors * lanes;
+constexpr Index groupModes = plateModeGroup;
 constexpr int samplesAtOnce = 4;
-constexpr int sumsAtOnce = HWY_TARGET <= HWY_AVX3 ? 4 : 2; // beside the samples: as many sums as there are registers
+constexpr int vectorsAtOnce =
+    HWY_TARGET <= HWY_AVX3 ? 4 : 2; // beside the samples: as many forces as there are registers
 
-/** The forces of some modes at four samples: half of what the voltages add. */
-template <int vectors>
-HWY_INLINE void driveBlock (const PlateTile& tile, Index mode, Index sample, double* motion)
+/** The forces of some modes at some samples: half of what the voltages add. */
+template <int samples>
+HWY_INLINE void drive (const PlateTile& tile, const PlateModes& modes, Index sample, Vector (*forces)[vectorsAtOnce])
 {
-    Vector sums[samplesAtOnce][vectors], drive[vectors];
-
 #pragma GCC unroll 16
-    for (Index n = 0; n < samplesAtOnce; ++n)
+    for (Index n = 0; n < samples; ++n)
 #pragma GCC unroll 16
-        for (Index v = 0; v < vectors; ++v)
-            sums[n][v] = hn::Zero (tag);
+        for (Index v = 0; v < vectorsAtOnce; ++v)
+            forces[n][v] = hn::Zero (tag);
 
     for (Index i = 0; i < tile.ceramics; ++i)
     {
-#pragma GCC unroll 16
-        for (Index v = 0; v < vectors; ++v)
-            drive[v] = hn::Load (tag, tile.drive + i * tile.modes + mode + v * lanes);
+        Vector drive[vectorsAtOnce];
 
 #pragma GCC unroll 16
-        for (Index n = 0; n < samplesAtOnce; ++n)
+        for (Index v = 0; v < vectorsAtOnce; ++v)
+            drive[v] = hn::Load (tag, modes.drive + i * groupModes + v * lanes);
+
+#pragma GCC unroll 16
+        for (Index n = 0; n < samples; ++n)
         {
             const auto voltage = hn::Set (tag, tile.voltages[i * plateTile + sample + n]);
 
 #pragma GCC unroll 16
-            for (Index v = 0; v < vectors; ++v)
-                sums[n][v] = hn::MulAdd (drive[v], voltage, sums[n][v]);
+            for (Index v = 0; v < vectorsAtOnce; ++v)
+                forces[n][v] = hn::MulAdd (drive[v], voltage, forces[n][v]);
         }
     }
-
-#pragma GCC unroll 16
-    for (Index n = 0; n < samplesAtOnce; ++n)
-#pragma GCC unroll 16
-        for (Index v = 0; v < vectors; ++v)
-            hn::Store (sums[n][v], tag, motion + (sample + n) * groupModes + v * lanes);
 }
 
-HWY_NOINLINE void drive (const PlateTile& tile, Index mode)
+/** Advances some modes by some samples; forces and states stay in registers. A single probe is added up here, too. */
+template <int samples, bool single>
+HWY_INLINE void advance (const PlateTile& tile, const PlateModes& modes, Index sample, Vector* first, Vector* second)
 {
-    for (Index sample = 0; sample < tile.samples; sample += samplesAtOnce)
-        for (Index v = 0; v < groupVectors; v += sumsAtOnce)
-            driveBlock<sumsAtOnce> (tile, mode + v * lanes, sample, tile.motion + v * lanes);
-}
-
-/** Puts velocities in the place of forces, sample by sample. */
-HWY_NOINLINE void advance (const PlateTile& tile, Index mode)
-{
-    Vector first[groupVectors], second[groupVectors], transition[4][groupVectors];
+    Vector forces[samples][vectorsAtOnce];
+    drive<samples> (tile, modes, sample, forces);
+    const double *turn = modes.transition, *shapes = modes.shapes; // not reached through what is stored to
+    auto* motion = modes.motion + sample * groupModes;
+    auto* sums = tile.sums + sample * lanes;
 
 #pragma GCC unroll 16
-    for (Index v = 0; v < groupVectors; ++v)
+    for (Index n = 0; n < samples; ++n)
     {
-        first[v] = hn::Load (tag, tile.state + mode + v * lanes);
-        second[v] = hn::Load (tag, tile.state + tile.modes + mode + v * lanes);
-#pragma GCC unroll 16
-        for (Index k = 0; k < 4; ++k)
-            transition[k][v] = hn::Load (tag, tile.transition + k * tile.modes + mode + v * lanes);
-    }
+        [[maybe_unused]] auto sum = single && ! modes.first ? hn::Load (tag, sums + n * lanes) : hn::Zero (tag);
 
-    for (Index n = 0; n < tile.samples; ++n)
-    {
 #pragma GCC unroll 16
-        for (Index v = 0; v < groupVectors; ++v)
+        for (Index v = 0; v < vectorsAtOnce; ++v)
         {
-            auto* motion = tile.motion + n * groupModes + v * lanes;
-            const auto half = hn::Load (tag, motion);
+            const auto half = forces[n][v];
             const auto velocity =
-                hn::MulAdd (transition[0][v], first[v], hn::MulAdd (transition[1][v], second[v], half));
-            second[v] = hn::MulAdd (transition[2][v], first[v], hn::Mul (transition[3][v], second[v]));
+                hn::MulAdd (hn::Load (tag, turn + v * lanes), first[v],
+                            hn::MulAdd (hn::Load (tag, turn + groupModes + v * lanes), second[v], half));
+            second[v] = hn::MulAdd (hn::Load (tag, turn + 2 * groupModes + v * lanes), first[v],
+                                    hn::Mul (hn::Load (tag, turn + 3 * groupModes + v * lanes), second[v]));
             first[v] = hn::Add (velocity, half);
-            hn::Store (velocity, tag, motion);
+
+            if constexpr (single)
+                sum = hn::MulAdd (hn::Load (tag, shapes + v * lanes), velocity, sum);
+            else
+                hn::Store (velocity, tag, motion + n * groupModes + v * lanes);
         }
-    }
 
-    const auto least = hn::Set (tag, tile.last ? 1e-200 : 0.0);
-
-#pragma GCC unroll 16
-    for (Index v = 0; v < groupVectors; ++v)
-    {
-        const auto keepFirst = hn::Ge (hn::Abs (first[v]), least), keepSecond = hn::Ge (hn::Abs (second[v]), least);
-        hn::Store (hn::IfThenElseZero (keepFirst, first[v]), tag, tile.state + mode + v * lanes);
-        hn::Store (hn::IfThenElseZero (keepSecond, second[v]), tag, tile.state + tile.modes + mode + v * lanes);
+        if constexpr (single)
+            hn::Store (sum, tag, sums + n * lanes);
     }
 }
 
-/** Adds what a group of modes does at some probes and four samples; the sums of the lanes stay apart. */
-template <int probes>
-HWY_INLINE void probeBlock (const PlateTile& tile, Index mode, Index probe, Index sample)
+/** One ceramic and one probe: the registers hold what the modes are instead of forces. */
+HWY_INLINE void advanceBank (const PlateTile& tile, const PlateModes& modes, Vector* first, Vector* second)
 {
-    Vector sums[probes][samplesAtOnce], velocities[samplesAtOnce];
-    auto* target = tile.sums + (probe * plateTile + sample) * lanes;
+    Vector turn[4][vectorsAtOnce];
+    const double *drive = modes.drive, *shapes = modes.shapes, *voltages = tile.voltages;
+    auto* sums = tile.sums;
+    const Index samples = tile.samples;
 
 #pragma GCC unroll 16
-    for (Index p = 0; p < probes; ++p)
+    for (Index k = 0; k < 4; ++k)
 #pragma GCC unroll 16
-        for (Index n = 0; n < samplesAtOnce; ++n)
-            sums[p][n] = mode > 0 ? hn::Load (tag, target + (p * plateTile + n) * lanes) : hn::Zero (tag);
+        for (Index v = 0; v < vectorsAtOnce; ++v)
+            turn[k][v] = hn::Load (tag, modes.transition + k * groupModes + v * lanes);
 
-#pragma GCC unroll 16
-    for (Index v = 0; v < groupVectors; ++v)
+    for (Index n = 0; n < samples; ++n)
     {
-#pragma GCC unroll 16
-        for (Index n = 0; n < samplesAtOnce; ++n)
-            velocities[n] = hn::Load (tag, tile.motion + (sample + n) * groupModes + v * lanes);
+        const auto voltage = hn::Set (tag, voltages[n]);
+        auto sum = modes.first ? hn::Zero (tag) : hn::Load (tag, sums + n * lanes);
 
 #pragma GCC unroll 16
-        for (Index p = 0; p < probes; ++p)
+        for (Index v = 0; v < vectorsAtOnce; ++v)
         {
-            const auto shape = hn::Load (tag, tile.shapes + (probe + p) * tile.modes + mode + v * lanes);
-
-#pragma GCC unroll 16
-            for (Index n = 0; n < samplesAtOnce; ++n)
-                sums[p][n] = hn::MulAdd (shape, velocities[n], sums[p][n]);
+            const auto half = hn::Mul (hn::Load (tag, drive + v * lanes), voltage);
+            const auto velocity = hn::MulAdd (turn[0][v], first[v], hn::MulAdd (turn[1][v], second[v], half));
+            second[v] = hn::MulAdd (turn[2][v], first[v], hn::Mul (turn[3][v], second[v]));
+            first[v] = hn::Add (velocity, half);
+            sum = hn::MulAdd (hn::Load (tag, shapes + v * lanes), velocity, sum);
         }
+
+        hn::Store (sum, tag, sums + n * lanes);
     }
-
-#pragma GCC unroll 16
-    for (Index p = 0; p < probes; ++p)
-#pragma GCC unroll 16
-        for (Index n = 0; n < samplesAtOnce; ++n)
-            hn::Store (sums[p][n], tag, target + (p * plateTile + n) * lanes);
 }
 
-template <int atOnce>
-HWY_NOINLINE void probe (const PlateTile& tile, Index mode, Index firstProbe)
+/** Advances some modes, sample by sample where four are too many. */
+template <bool single>
+HWY_INLINE void advanceAll (const PlateTile& tile, const PlateModes& modes, Vector* first, Vector* second)
 {
-    for (; firstProbe + atOnce <= tile.probes; firstProbe += atOnce)
-        for (Index sample = 0; sample < tile.samples; sample += samplesAtOnce)
-            probeBlock<atOnce> (tile, mode, firstProbe, sample);
+    Index sample = 0;
 
-    if constexpr (atOnce > 1)
-        probe<atOnce / 2> (tile, mode, firstProbe);
+    for (; sample + samplesAtOnce <= tile.samples; sample += samplesAtOnce)
+        advance<samplesAtOnce, single> (tile, modes, sample, first, second);
+
+    for (; sample < tile.samples; ++sample)
+        advance<1, single> (tile, modes, sample, first, second);
 }
 
-/** Adds up the lanes of as many sums as a vector has lanes, in pairs: one vector. */
-HWY_INLINE Vector addLanes (const double* sums)
+enum class Kind
 {
-    Vector parts[lanes];
+    many, // probes
+    single,
+    bank // and one ceramic
+};
 
-#pragma GCC unroll 16
-    for (Index i = 0; i < lanes; ++i)
-        parts[i] = hn::Load (tag, sums + i * lanes);
-
-#if HWY_TARGET != HWY_SCALAR
-#pragma GCC unroll 16
-    for (Index left = lanes / 2; left > 0; left /= 2)
-#pragma GCC unroll 16
-        for (Index i = 0; i < left; ++i)
-            parts[i] = hn::Add (hn::ConcatEven (tag, parts[2 * i + 1], parts[2 * i]),
-                                hn::ConcatOdd (tag, parts[2 * i + 1], parts[2 * i]));
-#endif
-
-    return parts[0];
+/** States below 1e-200 become 0 where a tile ends. */
+HWY_INLINE Vector settled (const PlateTile& tile, Vector state)
+{
+    return hn::IfThenElseZero (hn::Ge (hn::Abs (state), hn::Set (tag, tile.last ? 1e-200 : 0.0)), state);
 }
 
-void play (const PlateTile& tile)
+/** Advances some modes through the tile. */
+template <Kind kind>
+HWY_NOINLINE void moveSome (const PlateTile& tile, const PlateModes& modes)
 {
-    for (Index mode = 0; mode < tile.modes; mode += groupModes)
+    Vector first[vectorsAtOnce], second[vectorsAtOnce];
+
+#pragma GCC unroll 16
+    for (Index v = 0; v < vectorsAtOnce; ++v)
     {
-        drive (tile, mode);
-        advance (tile, mode);
-        probe<sumsAtOnce> (tile, mode, 0);
+        first[v] = hn::Load (tag, modes.state + v * lanes);
+        second[v] = hn::Load (tag, modes.state + groupModes + v * lanes);
     }
 
-    for (Index p = 0; p < tile.probes; ++p)
-        for (Index n = 0; n < tile.samples; n += lanes)
-            hn::Store (addLanes (tile.sums + (p * plateTile + n) * lanes), tag, tile.velocities + p * plateTile + n);
+    if constexpr (kind == Kind::bank)
+        advanceBank (tile, modes, first, second);
+    else
+        advanceAll<kind == Kind::single> (tile, modes, first, second);
+
+#pragma GCC unroll 16
+    for (Index v = 0; v < vectorsAtOnce; ++v)
+    {
+        hn::Store (settled (tile, first[v]), tag, modes.state + v * lanes);
+        hn::Store (settled (tile, second[v]), tag, modes.state + groupModes + v * lanes);
+    }
+}
+
+template <Kind kind>
+void moveAll (const PlateTile& tile, Index firstMode)
+{
+    for (auto mode = firstMode; mode < plateModesEnd (tile, firstMode); mode += vectorsAtOnce * lanes)
+        moveSome<kind> (tile, plateModes (tile, mode));
+}
+
+void move (const PlateTile& tile, Index firstMode)
+{
+    if (tile.probes != 1)
+        moveAll<Kind::many> (tile, firstMode);
+    else if (tile.ceramics != 1)
+        moveAll<Kind::single> (tile, firstMode);
+    else
+        moveAll<Kind::bank> (tile, firstMode);
 }
 } // namespace
 
-PlateKernel playKernel()
+PlateKernel moveKernel()
 {
-    return &play;
+    return &move;
 }
 } // namespace antinode::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -205,12 +204,12 @@ namespace antinode
 {
 namespace
 {
-HWY_EXPORT (playKernel);
+HWY_EXPORT (moveKernel);
 } // namespace
 
 PlateKernel plateKernel()
 {
-    return HWY_DYNAMIC_DISPATCH (playKernel)();
+    return HWY_DYNAMIC_DISPATCH (moveKernel)();
 }
 } // namespace antinode
 #endif

@@ -1,11 +1,19 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+
 namespace antinode
 {
 /** Samples in a tile of the real-time plate, and what its modes are padded to: groups of four of the widest vectors. */
 inline constexpr int plateTile = 16, plateModeGroup = 32;
 
-/** The modes of a plate and one tile of its samples. All arrays start on a cache line; modes are padded with zeros.
+/** Up to how many modes are heard at once by the probes, and by how many probes where there are enough. */
+inline constexpr int plateModesHeard = 128, plateProbeGroup = 8;
+
+/** The modes of a plate and one tile of its samples. All arrays start on a cache line; modes are padded with zeros. Where
+    many rows belong to a mode, a group of 32 modes has its rows in one place: rows that are far apart by a power of two would
+    drive each other out of the first cache.
 
     In the coordinates (q', Im y) of section 6.5 of Docs/Theory.md a mode goes from one sample to the next with
 
@@ -17,19 +25,46 @@ struct PlateTile
     int modes = 0, ceramics = 0, probes = 0;
     int samples = 0;                    ///< 1..16
     bool last = false;                  ///< Whether the tile ends here: then states below 1e-200 become 0.
-    const double* drive = nullptr;      ///< ceramics x modes: half of what 1 V for one sample adds to x1.
-    const double* transition = nullptr; ///< 4 x modes: a11, a12, a21, a22.
-    const double* shapes = nullptr;     ///< probes x modes
-    const double* voltages = nullptr;   ///< ceramics x 16, V; finite also behind the last sample.
-    double* state = nullptr;            ///< 2 x modes
-    double* motion = nullptr;           ///< 16 x 32: forces, then velocities of a group of modes; finite.
-    double* sums = nullptr;             ///< probes x 16 x 8: partial sums of the velocities at the probes.
-    double* velocities = nullptr;       ///< probes x 16, m/s
+    const double* drive = nullptr;      ///< groups x ceramics x 32: half of what 1 V for one sample adds to x1.
+    const double* transition = nullptr; ///< groups x 4 x 32: a11, a12, a21, a22.
+    const double* shapes =
+        nullptr; ///< groups x probes x 32; of eight probes at a time modes x 8, of the rest probes x 32.
+    const double* voltages = nullptr; ///< ceramics x 16, V; finite also behind the last sample.
+    double* state = nullptr;          ///< groups x 2 x 32
+    double* motion = nullptr;         ///< 4 groups x 16 x 32: velocities of the modes that are heard at once; finite.
+    double* sums = nullptr;           ///< probes x 16 x 8: partial sums of the velocities at the probes.
+    double* velocities = nullptr;     ///< probes x 16, m/s
 };
 
-/** Advances the plate by the samples of a tile, in the form for this processor: AVX-512, AVX2 with FMA, SSSE3 or plain C++.
-    Every sample is computed by the same operations in the same order, wherever it lies in a tile. */
-using PlateKernel = void (*) (const PlateTile&);
+/** Some modes of a plate: the same arrays from one mode on. */
+struct PlateModes
+{
+    bool first; ///< Whether they are the plate's first ones.
+    const double *drive, *transition, *shapes;
+    double *state, *motion;
+};
+
+/** What belongs to the modes from one on in its group. [audio thread] */
+inline PlateModes plateModes (const PlateTile& tile, std::ptrdiff_t mode)
+{
+    const auto lane = mode % plateModeGroup, group = mode - lane;
+    return { mode == 0,
+             tile.drive + group * tile.ceramics + lane,
+             tile.transition + group * 4 + lane,
+             tile.shapes + group * tile.probes + lane,
+             tile.state + group * 2 + lane,
+             tile.motion + group % plateModesHeard * plateTile + lane };
+}
+
+/** Where the modes end that are heard at once from one on. [audio thread] */
+inline std::ptrdiff_t plateModesEnd (const PlateTile& tile, std::ptrdiff_t firstMode)
+{
+    return std::min<std::ptrdiff_t> (tile.modes, firstMode + plateModesHeard);
+}
+
+/** Advances up to 128 modes of the plate by the samples of a tile, in the form for this processor: AVX-512, AVX2 with FMA, SSSE3 or
+    plain C++. Every sample is computed by the same operations in the same order, wherever it lies in a tile. */
+using PlateKernel = void (*) (const PlateTile&, std::ptrdiff_t firstMode);
 
 /** The kernel for the processor that runs; hwy::SetSupportedTargetsForTest chooses another one. [worker] */
 PlateKernel plateKernel();

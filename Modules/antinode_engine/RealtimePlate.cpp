@@ -10,45 +10,63 @@
 namespace antinode
 {
 RealtimePlate::RealtimePlate (const ModalModel& model, double sampleRate, const Eigen::MatrixXd& probeShapes)
-    : kernel (plateKernel())
+    : move (plateKernel()), probes (probeKernel())
 {
     requirePlayable (model, probeShapes);
-    const auto recursion = modalRecursion (model, { Reconstruction::zeroOrderHold, sampleRate });
     const auto audible = (model.angularFrequencies.array() < std::numbers::pi * sampleRate).count(); // they ascend
-
     sizes.modes = plateModeGroup * static_cast<int> ((audible + plateModeGroup - 1) / plateModeGroup);
     sizes.ceramics = static_cast<int> (model.actuators());
     sizes.probes = static_cast<int> (probeShapes.rows());
-    const auto padded = static_cast<std::size_t> (sizes.modes);
-    drive.resize (padded * static_cast<std::size_t> (sizes.ceramics));
-    transition.resize (padded * 4);
-    shapes.resize (padded * static_cast<std::size_t> (sizes.probes));
 
+    const auto padded = static_cast<std::size_t> (sizes.modes);
+    const auto rows = static_cast<std::size_t> (sizes.probes), columns = static_cast<std::size_t> (sizes.ceramics);
+    drive.resize (padded * columns);
+    transition.resize (padded * 4);
+    shapes.resize (padded * rows);
+    state.resize (padded * 2);
+    motion.resize (static_cast<std::size_t> (plateTile) * plateModesHeard);
+    sums.resize (rows * plateTile * (plateModeGroup / 4));
+    inputVoltages.resize (columns * plateTile);
+    outputs.resize (rows * plateTile);
+    setTransitions (model, sampleRate, audible);
+
+    for (Eigen::Index k = 0; k < audible; ++k)
+        setShapes (k, probeShapes.col (k));
+}
+
+void RealtimePlate::setTransitions (const ModalModel& model, double sampleRate, Eigen::Index audible)
+{
+    const auto recursion = modalRecursion (model, { Reconstruction::zeroOrderHold, sampleRate });
     const auto decay = decayRates (model);
     const Eigen::ArrayXd perTurn = decay.array() / dampedFrequencies (model).array();
 
     for (Eigen::Index k = 0; k < audible; ++k)
     {
-        const auto mode = static_cast<std::size_t> (k);
         const auto real = recursion.transitionReal[k], imaginary = recursion.transitionImaginary[k], d = perTurn[k];
-        transition[mode] = real - d * imaginary;
-        transition[mode + padded] = -(1 + d * d) * imaginary;
-        transition[mode + 2 * padded] = imaginary;
-        transition[mode + 3 * padded] = real + d * imaginary;
+        const auto lane = k % plateModeGroup, group = k - lane;
+        auto* turn = transition.data() + group * 4 + lane;
+        turn[0] = real - d * imaginary;
+        turn[plateModeGroup] = -(1 + d * d) * imaginary;
+        turn[2 * plateModeGroup] = imaginary;
+        turn[3 * plateModeGroup] = real + d * imaginary;
         const auto half = std::tanh (decay[k] / (2 * sampleRate)) / decay[k];
 
-        for (std::size_t i = 0; i < static_cast<std::size_t> (sizes.ceramics); ++i)
-            drive[mode + i * padded] = half * model.participation (k, static_cast<Eigen::Index> (i));
-
-        for (std::size_t p = 0; p < static_cast<std::size_t> (sizes.probes); ++p)
-            shapes[mode + p * padded] = probeShapes (static_cast<Eigen::Index> (p), k);
+        for (Eigen::Index i = 0; i < sizes.ceramics; ++i)
+            drive.data()[group * sizes.ceramics + i * plateModeGroup + lane] = half * model.participation (k, i);
     }
+}
 
-    state.resize (padded * 2);
-    motion.resize (static_cast<std::size_t> (plateTile) * plateModeGroup);
-    sums.resize (static_cast<std::size_t> (sizes.probes) * plateTile * (plateModeGroup / 4));
-    inputVoltages.resize (static_cast<std::size_t> (sizes.ceramics) * plateTile);
-    outputs.resize (static_cast<std::size_t> (sizes.probes) * plateTile);
+void RealtimePlate::setShapes (Eigen::Index mode, const Eigen::VectorXd& atProbes)
+{
+    const auto lane = mode % plateModeGroup;
+    const auto eights = sizes.probes - sizes.probes % plateProbeGroup;
+    auto* group = shapes.data() + (mode - lane) * sizes.probes;
+
+    for (Eigen::Index p = 0; p < sizes.probes; ++p)
+        if (const auto inEight = p % plateProbeGroup; p < eights)
+            group[(p - inEight) * plateModeGroup + lane * plateProbeGroup + inEight] = atProbes[p];
+        else
+            group[p * plateModeGroup + lane] = atProbes[p];
 }
 
 void RealtimePlate::reset()
@@ -90,7 +108,13 @@ void RealtimePlate::process (const Sample* const* voltages, Sample* const* veloc
         for (std::ptrdiff_t i = 0; i < tile.ceramics; ++i)
             std::copy_n (voltages[i] + done, tile.samples, inputVoltages.data() + i * plateTile);
 
-        kernel (tile);
+        for (std::ptrdiff_t mode = 0; mode < tile.modes; mode += plateModesHeard)
+        {
+            move (tile, mode);
+            probes.hear (tile, mode);
+        }
+
+        probes.write (tile);
 
         for (std::ptrdiff_t p = 0; p < tile.probes; ++p)
             std::transform (outputs.data() + p * plateTile, outputs.data() + p * plateTile + tile.samples,

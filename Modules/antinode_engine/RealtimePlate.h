@@ -2,6 +2,7 @@
 
 #include "AlignedVector.h"
 #include "PlateKernel.h"
+#include "ProbeKernel.h"
 
 #include <antinode_model/ModalModel.h>
 
@@ -45,10 +46,14 @@ public:
     void reset();
 
 private:
+    void setTransitions (const ModalModel&, double sampleRate, Eigen::Index audible);
+    void setShapes (Eigen::Index mode, const Eigen::VectorXd& atProbes);
+
     AlignedVector<double> drive, transition, shapes;                   // as PlateTile has them
     AlignedVector<double> state, motion, sums, inputVoltages, outputs; // as PlateTile has them
     PlateTile sizes;
-    PlateKernel kernel;
+    PlateKernel move;
+    ProbeKernel probes;
     int position = 0; // in the tile: tiles do not begin where blocks do
 };
 } // namespace antinode

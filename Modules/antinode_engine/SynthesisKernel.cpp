@@ -1,7 +1,8 @@
 #include "SynthesisKernel.h"
 
 #include <algorithm>
-#include <limits>
+#include <array>
+#include <utility>
 
 // Highway includes this file once a target, each time with another HWY_NAMESPACE.
 #undef HWY_TARGET_INCLUDE
@@ -16,123 +17,112 @@ namespace
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// As many sums as the registers hold beside what is multiplied. Two units with a latency of four cycles need eight.
-constexpr int registerSums = HWY_TARGET <= HWY_AVX3 ? 16 : 8;
+// Blocks of ceramics x vectors of sums: as many as the registers hold beside what is multiplied. Two units with a latency of
+// four cycles need eight.
 constexpr int mostCeramics = HWY_TARGET <= HWY_AVX3 ? 8 : 4;
+constexpr int vectors = 2;
 
 template <typename Sample>
 constexpr int lanes = static_cast<int> (hn::MaxLanes (hn::ScalableTag<Sample>()));
 
-template <typename Tag, typename Vector>
-HWY_INLINE void storeAs (Tag narrow, Vector values, float* target)
-{
-    hn::StoreU (hn::DemoteTo (narrow, values), narrow, target);
-}
-
-template <typename Tag, typename Vector>
-HWY_INLINE void storeAs (Tag wide, Vector values, double* target)
-{
-    hn::StoreU (values, wide, target);
-}
-
-/** The phasors at the starts of a strip's tiles: real, then imaginary parts. */
 template <typename Sample>
-HWY_INLINE void findPhasors (const SoundingOscillation<Sample>& oscillation, int tile, Sample* phasors)
-{
-    const hn::CappedTag<double, synthesisStrip> wide;
-    const hn::Rebind<Sample, decltype (wide)> narrow;
-    const auto least = hn::Set (
-        wide, static_cast<double> (std::numeric_limits<Sample>::min() / std::numeric_limits<Sample>::epsilon()));
-    const auto anchorReal = hn::Set (wide, oscillation.anchorReal);
-    const auto anchorImaginary = hn::Set (wide, oscillation.anchorImaginary);
+constexpr int blockSamples = vectors* lanes<Sample>;
 
-    for (int t = 0; t < synthesisStrip; t += static_cast<int> (hn::MaxLanes (wide)))
-    {
-        const auto turnReal = hn::LoadU (wide, oscillation.turnReal + tile + t);
-        const auto turnImaginary = hn::LoadU (wide, oscillation.turnImaginary + tile + t);
-        const auto real = hn::NegMulAdd (anchorImaginary, turnImaginary, hn::Mul (anchorReal, turnReal));
-        const auto imaginary = hn::MulAdd (anchorImaginary, turnReal, hn::Mul (anchorReal, turnImaginary));
-        const auto audible = hn::Ge (hn::Max (hn::Abs (real), hn::Abs (imaginary)), least);
-        storeAs (narrow, hn::IfThenElseZero (audible, real), phasors + t);
-        storeAs (narrow, hn::IfThenElseZero (audible, imaginary), phasors + synthesisStrip + t);
-    }
-}
-
-/** One oscillation in some tiles, whose table of 16 samples stays in registers. */
 template <typename Sample>
-HWY_INLINE void evaluateOne (const Sample* fine, const Sample* phasors, int tiles, Sample* values)
+constexpr int tilesOfBlock = std::max (1, blockSamples<Sample> / synthesisTile);
+
+template <typename Sample>
+using VectorOf = hn::VFromD<hn::ScalableTag<Sample>>;
+
+enum class Source
 {
-    constexpr int vectors = synthesisTile / lanes<Sample>;
+    phasors,
+    values
+};
+
+/** The values of an oscillation in the block that begins at a sample of the strip. */
+template <typename Sample>
+HWY_INLINE void evaluateBlock (const Sample* phasors, const Sample* fine, int sample, VectorOf<Sample>* values)
+{
     const hn::ScalableTag<Sample> tag;
-    hn::VFromD<decltype (tag)> fineReal[vectors], fineImaginary[vectors];
+    VectorOf<Sample> real[tilesOfBlock<Sample>], imaginary[tilesOfBlock<Sample>];
+    const auto* phasor = phasors + sample / synthesisTile;
+    fine += sample % synthesisTile;
+
+#pragma GCC unroll 16
+    for (int t = 0; t < tilesOfBlock<Sample>; ++t)
+    {
+        real[t] = hn::Set (tag, phasor[t]);
+        imaginary[t] = hn::Set (tag, phasor[synthesisStrip + t]);
+    }
 
 #pragma GCC unroll 16
     for (int v = 0; v < vectors; ++v)
     {
-        fineReal[v] = hn::Load (tag, fine + v * lanes<Sample>);
-        fineImaginary[v] = hn::Load (tag, fine + synthesisTile + v * lanes<Sample>);
-    }
-
-#pragma GCC unroll 8
-    for (int t = 0; t < tiles; ++t)
-    {
-        const auto real = hn::Set (tag, phasors[t]);
-        const auto imaginary = hn::Set (tag, phasors[synthesisStrip + t]);
-
-#pragma GCC unroll 16
-        for (int v = 0; v < vectors; ++v)
-            hn::Store (hn::NegMulAdd (imaginary, fineImaginary[v], hn::Mul (real, fineReal[v])), tag,
-                       values + t * synthesisTile + v * lanes<Sample>);
+        const auto tile = v * lanes<Sample> / synthesisTile, within = v * lanes<Sample> % synthesisTile;
+        values[v] = hn::NegMulAdd (imaginary[tile], hn::Load (tag, fine + synthesisTile + within),
+                                   hn::Mul (real[tile], hn::Load (tag, fine + within)));
     }
 }
 
-template <typename Sample>
-void evaluate (SynthesisChunk<Sample>& chunk, int tile, int tiles)
-{
-    // In a loop of its own: what is stored here must have reached the cache before single numbers are read from it.
-    for (int c = 0; c < chunk.count; ++c)
-        findPhasors (chunk.sounding[c], tile, chunk.phasors + c * 2 * synthesisStrip);
-
-    for (int c = 0; c < chunk.count; ++c)
-    {
-        const auto* fine = chunk.sounding[c].fine;
-        const auto* phasors = chunk.phasors + c * 2 * synthesisStrip;
-        auto* values = chunk.values + c * chunk.samples;
-
-        if (tiles == synthesisStrip)
-            evaluateOne (fine, phasors, synthesisStrip, values);
-        else
-            evaluateOne (fine, phasors, tiles, values);
-    }
-}
-
-/** Mixes a block of ceramics x vectors, whose sums stay in registers. @param targets  where its first sample lies */
-template <int ceramics, int vectors, typename Sample>
-HWY_NOINLINE void mixBlock (const SynthesisChunk<Sample>& chunk, int sample, int firstCeramic, Sample* const* targets)
+/** Computes the values of a block and keeps them for more ceramics, or takes what was kept. */
+template <Source source, typename Sample>
+HWY_INLINE void findValues (const Sample* phasors, const Sample* record, int sample, Sample* kept,
+                            VectorOf<Sample>* values)
 {
     const hn::ScalableTag<Sample> tag;
-    hn::VFromD<decltype (tag)> sums[ceramics][vectors], values[vectors];
+
+    if constexpr (source == Source::phasors)
+        evaluateBlock (phasors, record, sample, values);
+
+#pragma GCC unroll 16
+    for (int v = 0; v < vectors; ++v)
+        if constexpr (source == Source::phasors)
+            hn::Store (values[v], tag, kept + v * lanes<Sample>);
+        else
+            values[v] = hn::Load (tag, kept + v * lanes<Sample>);
+}
+
+/** The same pointer, of which the compiler knows nothing. Otherwise g++ keeps an offset for each ceramic in a register of its
+    own, and saves and restores them with each block: 3 points of the limit. */
+template <typename Sample>
+HWY_INLINE const Sample* opaque (const Sample* pointer)
+{
+    asm("" : "+r"(pointer));
+    return pointer;
+}
+
+/** Adds a block, whose sums stay in registers. Its first sample lies at channels[i][offset]. */
+template <int ceramics, Source source, typename Sample>
+HWY_NOINLINE void addBlock (SynthesisChunk<Sample>& chunk, int sample, int firstCeramic, Sample* const* channels,
+                            std::ptrdiff_t offset)
+{
+    const hn::ScalableTag<Sample> tag;
+    VectorOf<Sample> sums[ceramics][vectors], values[vectors];
 
 #pragma GCC unroll 16
     for (int i = 0; i < ceramics; ++i)
 #pragma GCC unroll 16
         for (int v = 0; v < vectors; ++v)
-            sums[i][v] = hn::LoadU (tag, targets[i] + v * lanes<Sample>);
+            sums[i][v] = hn::LoadU (tag, channels[i] + offset + v * lanes<Sample>);
 
-    for (int c = 0; c < chunk.count; ++c)
+    const auto* phasors = chunk.phasors;
+    auto* kept = chunk.values + sample % chunk.span;
+    const Sample *const *record = chunk.records, *const *const end = record + chunk.count;
+
+    for (; record < end; ++record, phasors += 2 * synthesisStrip, kept += chunk.span)
     {
-#pragma GCC unroll 16
-        for (int v = 0; v < vectors; ++v)
-            values[v] = hn::Load (tag, chunk.values + c * chunk.samples + sample + v * lanes<Sample>);
+        findValues<source> (phasors, *record, sample, kept, values);
+        const auto* mixing = opaque (*record + firstCeramic);
 
 #pragma GCC unroll 16
         for (int i = 0; i < ceramics; ++i)
         {
-            const auto mixing = hn::Set (tag, chunk.sounding[c].mixing[firstCeramic + i]);
+            const auto weight = hn::Set (tag, mixing[2 * synthesisTile + i]);
 
 #pragma GCC unroll 16
             for (int v = 0; v < vectors; ++v)
-                sums[i][v] = hn::MulAdd (mixing, values[v], sums[i][v]);
+                sums[i][v] = hn::MulAdd (weight, values[v], sums[i][v]);
         }
     }
 
@@ -140,84 +130,90 @@ HWY_NOINLINE void mixBlock (const SynthesisChunk<Sample>& chunk, int sample, int
     for (int i = 0; i < ceramics; ++i)
 #pragma GCC unroll 16
         for (int v = 0; v < vectors; ++v)
-            hn::StoreU (sums[i][v], tag, targets[i] + v * lanes<Sample>);
-}
-
-/** Mixes the samples begin .. end - 1 of one vector, in a copy: beside them lies what is not ours. */
-template <int ceramics, typename Sample>
-HWY_NOINLINE void mixPart (const SynthesisChunk<Sample>& chunk, int begin, int end, int firstCeramic,
-                           Sample* const* targets)
-{
-    Sample copies[ceramics][lanes<Sample>] = {};
-    Sample* pointers[ceramics];
-    const auto skipped = begin % lanes<Sample>;
-
-    for (int i = 0; i < ceramics; ++i)
-    {
-        pointers[i] = copies[i];
-        std::copy_n (targets[i], end - begin, copies[i] + skipped);
-    }
-
-    mixBlock<ceramics, 1> (chunk, begin - skipped, firstCeramic, pointers);
-
-    for (int i = 0; i < ceramics; ++i)
-        std::copy_n (copies[i] + skipped, end - begin, targets[i]);
-}
-
-/** Mixes to a group of ceramics: as many vectors at a time as there are registers, then one, then parts. */
-template <int ceramics, typename Sample>
-void mixGroup (const SynthesisChunk<Sample>& chunk, int begin, int end, int firstCeramic, Sample* const* channels,
-               std::ptrdiff_t offset)
-{
-    constexpr int most =
-        std::min (registerSums / ceramics, SynthesisChunk<Sample>::samples / lanes<Sample>) * lanes<Sample>;
-    Sample* targets[ceramics];
-
-    for (int sample = begin, step = 0; sample < end; sample += step)
-    {
-        const auto misplaced = sample % lanes<Sample>;
-        step = misplaced == 0 && sample + most <= end ? most : std::min (lanes<Sample> - misplaced, end - sample);
-
-        for (int i = 0; i < ceramics; ++i)
-            targets[i] = channels[firstCeramic + i] + offset + (sample - begin);
-
-        if (step == most)
-            mixBlock<ceramics, most / lanes<Sample>> (chunk, sample, firstCeramic, targets);
-        else if (step == lanes<Sample>)
-            mixBlock<ceramics, 1> (chunk, sample, firstCeramic, targets);
-        else
-            mixPart<ceramics> (chunk, sample, sample + step, firstCeramic, targets);
-    }
-}
-
-/** Mixes to the ceramics from firstCeramic on, as many at a time as the template says, then fewer. */
-template <int atOnce, typename Sample>
-void mixCeramics (const SynthesisChunk<Sample>& chunk, int begin, int end, int firstCeramic, int ceramics,
-                  Sample* const* channels, std::ptrdiff_t offset)
-{
-    for (; firstCeramic + atOnce <= ceramics; firstCeramic += atOnce)
-        mixGroup<atOnce> (chunk, begin, end, firstCeramic, channels, offset);
-
-    if constexpr (atOnce > 1)
-        mixCeramics<atOnce / 2> (chunk, begin, end, firstCeramic, ceramics, channels, offset);
+            hn::StoreU (sums[i][v], tag, channels[i] + offset + v * lanes<Sample>);
 }
 
 template <typename Sample>
-void mix (const SynthesisChunk<Sample>& chunk, int begin, int end, int ceramics, Sample* const* channels,
-          std::ptrdiff_t offset)
+using AddBlock = void (*) (SynthesisChunk<Sample>&, int sample, int firstCeramic, Sample* const* channels,
+                           std::ptrdiff_t offset);
+
+/** The forms of addBlock for 1, 2, ... ceramics. */
+template <Source source, typename Sample, int... counts>
+constexpr std::array<AddBlock<Sample>, sizeof...(counts)> blocksOf (std::integer_sequence<int, counts...>)
 {
-    mixCeramics<mostCeramics> (chunk, begin, end, 0, ceramics, channels, offset);
+    return { &addBlock<counts + 1, source, Sample>... };
+}
+
+/** Adds the part begin .. end - 1 of a block to copies: beside it lies what is not ours. */
+template <typename Sample>
+HWY_NOINLINE void addPart (AddBlock<Sample> add, SynthesisChunk<Sample>& chunk, const SynthesisTarget<Sample>& target,
+                           int sample, int i)
+{
+    const auto ceramics = std::min (mostCeramics, target.ceramics - i);
+    const auto begin = std::max (sample, target.begin), end = std::min (sample + blockSamples<Sample>, target.end);
+    Sample copies[mostCeramics][blockSamples<Sample>] = {};
+    Sample* pointers[mostCeramics] = {};
+
+    for (int k = 0; k < ceramics; ++k)
+    {
+        pointers[k] = copies[k];
+        std::copy_n (target.channels[i + k] + target.offset + begin, end - begin, copies[k] + (begin - sample));
+    }
+
+    add (chunk, sample, target.firstCeramic + i, pointers, 0);
+
+    for (int k = 0; k < ceramics; ++k)
+        std::copy_n (copies[k] + (begin - sample), end - begin, target.channels[i + k] + target.offset + begin);
+}
+
+/** Adds a block to the ceramics from i on, as many as go at once. */
+template <Source source, typename Sample>
+HWY_INLINE void addGroup (SynthesisChunk<Sample>& chunk, const SynthesisTarget<Sample>& target, int sample, int i)
+{
+    static constexpr auto blocks = blocksOf<source, Sample> (std::make_integer_sequence<int, mostCeramics>());
+    const auto add = blocks[static_cast<std::size_t> (std::min (mostCeramics, target.ceramics - i) - 1)];
+
+    if (sample >= target.begin && sample + blockSamples<Sample> <= target.end)
+        add (chunk, sample, target.firstCeramic + i, target.channels + i, target.offset + sample);
+    else
+        addPart (add, chunk, target, sample, i);
+}
+
+/** Adds a strip block by block. Each value is computed once. */
+template <Source source, typename Sample>
+void addBlocks (SynthesisChunk<Sample>& chunk, const SynthesisTarget<Sample>& target)
+{
+    for (auto sample = target.begin - target.begin % blockSamples<Sample>; sample < target.end;
+         sample += blockSamples<Sample>)
+    {
+        addGroup<source> (chunk, target, sample, 0);
+
+        for (auto i = mostCeramics; i < target.ceramics; i += mostCeramics)
+            addGroup<Source::values> (chunk, target, sample, i);
+    }
+}
+
+template <typename Sample>
+void evaluate (SynthesisChunk<Sample>& chunk, int tile)
+{
+    VectorOf<Sample> values[vectors];
+    const auto first = tile * synthesisTile - tile * synthesisTile % blockSamples<Sample>;
+
+    for (int c = 0; c < chunk.count; ++c)
+        for (auto sample = first; sample < (tile + 1) * synthesisTile; sample += blockSamples<Sample>)
+            findValues<Source::phasors> (chunk.phasors + c * 2 * synthesisStrip, chunk.records[c], sample,
+                                         chunk.values + c * chunk.span + sample % chunk.span, values);
 }
 } // namespace
 
 SynthesisKernel<double> doubleSynthesisKernel()
 {
-    return { &evaluate<double>, &mix<double> };
+    return { &addBlocks<Source::phasors, double>, &evaluate<double>, &addBlocks<Source::values, double> };
 }
 
 SynthesisKernel<float> floatSynthesisKernel()
 {
-    return { &evaluate<float>, &mix<float> };
+    return { &addBlocks<Source::phasors, float>, &evaluate<float>, &addBlocks<Source::values, float> };
 }
 } // namespace antinode::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -6,47 +6,59 @@
 
 namespace antinode
 {
-/** How many oscillations are evaluated in a strip of tiles before they are mixed: their values stay in the fastest cache. */
-inline constexpr int synthesisChunk = 24;
+/** How many oscillations are played at once: what is read of them again in every tile stays in the fastest cache. */
+inline constexpr int synthesisChunk = 64;
 
-/** An oscillation at a run of tiles. Not initialised: the audio thread makes and fills many of them. */
-template <typename Sample>
+/** An oscillation at a run of strips. Not initialised: the audio thread makes and fills many of them. */
 struct SoundingOscillation
 {
-    double anchorReal, anchorImaginary; ///< What all of its tiles' phasors have in common, V per V of mixing.
-    const double* turnReal;             ///< Tile by tile: times this the anchor is the phasor at the tile's start.
-    const double* turnImaginary;        ///< As long; a strip may be read behind the run's last tile.
-    const Sample* fine;   ///< e^{p j T}, j = 0..15: 16 real parts, then 16 imaginary ones; on a cache line.
-    const Sample* mixing; ///< N_b: what a ceramic gets of it, V.
+    double anchorReal, anchorImaginary; ///< What the phasors of some strips have in common, V per V of mixing.
+    const double* turns;                ///< Strip by strip: times this the anchor is the phasor at each tile's start.
 };
 
-/** The sounding oscillations of a chunk at a run of tiles, and their values in a strip of it. */
+/** The sounding oscillations of a chunk at a run of tiles, and their values in a span of samples. */
 template <typename Sample>
 struct SynthesisChunk
 {
-    static constexpr int samples = synthesisStrip * synthesisTile;
+    /** Samples that are computed at a time, at most: two of the widest vectors. A strip is so many spans. */
+    static constexpr int span = 128 / static_cast<int> (sizeof (Sample));
 
     int count = 0;
-    SoundingOscillation<Sample> sounding[synthesisChunk];
+    SoundingOscillation sounding[synthesisChunk];
+
+    /** One an oscillation, on a cache line: e^{p j T}, j = 0..15, 16 real parts, then 16 imaginary ones; then what the ceramics
+        get of it, V. All in one place, as all is read together. */
+    const Sample* records[synthesisChunk];
+
     alignas (
-        64) Sample phasors[synthesisChunk * 2 * synthesisStrip]; ///< Real, then imaginary parts at the strip's tiles.
-    alignas (64) Sample values[synthesisChunk * samples];
+        64) Sample phasors[synthesisChunk * 2 * synthesisStrip]; ///< Real, then imaginary parts at a strip's tiles.
+    alignas (64) Sample values[synthesisChunk * span];
 };
 
-/** The two loops of the synthesis, in the form for this processor: AVX-512, AVX2 with FMA, SSSE3 or plain C++.
+/** Samples of a strip, and where they are added. */
+template <typename Sample>
+struct SynthesisTarget
+{
+    int begin, end;             ///< The samples begin .. end - 1 of the strip.
+    int firstCeramic, ceramics; ///< The first one is that of channels[0].
+    Sample* const* channels;    ///< channels[i][offset + j] gets sample j of the strip.
+    std::ptrdiff_t offset;
+};
+
+/** The loops of the synthesis, in the form for this processor: AVX-512, AVX2 with FMA, SSSE3 or plain C++.
 
     Every sample is computed by the same operations in the same order, in whichever lane and for whichever range of samples. */
 template <typename Sample>
 struct SynthesisKernel
 {
-    /** values = Re[anchor * turn * fine] in the run's tiles tile .. tile + tiles - 1, at most a strip. A phasor too small for
-        products in normal numbers counts as 0. */
-    void (*evaluate) (SynthesisChunk<Sample>&, int tile, int tiles);
+    /** Adds sum of mixing * Re[phasor * fine], oscillation by oscillation. */
+    void (*add) (SynthesisChunk<Sample>&, const SynthesisTarget<Sample>&);
 
-    /** channels[i][offset + j - begin] += sum of mixing[i] * values[j], i < ceramics, for the samples j = begin .. end - 1 of the
-        strip. Oscillations are added in their order. */
-    void (*mix) (const SynthesisChunk<Sample>&, int begin, int end, int ceramics, Sample* const* channels,
-                 std::ptrdiff_t offset);
+    /** values = Re[phasor * fine] in a tile of the strip, where they can be changed before they are added. */
+    void (*evaluate) (SynthesisChunk<Sample>&, int tile);
+
+    /** As add does, with the values of evaluate, in its tile. */
+    void (*addValues) (SynthesisChunk<Sample>&, const SynthesisTarget<Sample>&);
 };
 
 /** The kernel for the processor that runs; hwy::SetSupportedTargetsForTest chooses another one. [worker] */

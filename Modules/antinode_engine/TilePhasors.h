@@ -1,5 +1,7 @@
 #pragma once
 
+#include "AlignedVector.h"
+
 #include <antinode_model/Oscillation.h>
 
 #include <complex>
@@ -11,11 +13,26 @@ namespace antinode
 /** Samples in a tile of the synthesis. */
 inline constexpr int synthesisTile = 16;
 
-/** Tiles in a group: their phasors have the group's exact one in common. */
-inline constexpr int synthesisGroup = 256;
-
-/** Up to how many tiles are evaluated at once. */
+/** Tiles in a strip, whose phasors are computed at once. Strips are aligned to the absolute index of samples. */
 inline constexpr int synthesisStrip = 8;
+
+/** Samples in a strip. */
+inline constexpr int stripSamples = synthesisStrip * synthesisTile;
+
+/** Strips in a group: their phasors have the group's exact one in common. */
+inline constexpr int synthesisGroup = 8;
+
+/** The tile of a sample. [any] */
+inline std::int64_t tileOf (std::int64_t sample)
+{
+    return sample >= 0 ? sample / synthesisTile : -((-sample + synthesisTile - 1) / synthesisTile);
+}
+
+/** The strip of a tile. [any] */
+inline std::int64_t stripOf (std::int64_t tile)
+{
+    return tile >= 0 ? tile / synthesisStrip : -((-tile + synthesisStrip - 1) / synthesisStrip);
+}
 
 /** The product, without the search for infinities of std::complex. [any] */
 inline std::complex<double> product (std::complex<double> one, std::complex<double> other)
@@ -31,31 +48,39 @@ std::complex<double> exponential (const Oscillation&, long double time);
 
 /** The phasor X e^{p tau} of an oscillation at the start of any tile, without a transcendental function and without drift.
 
-    The groups of 256 tiles from the first one on are counted in digits of base 64; the phasor is the one at the first tile
-    times an exact table entry for every digit that is not 0, times one for the tile in its group. Each factor is rounded once, so the error is some
-    2e-16 for every digit, which is 1e-15 after an hour. Docs/Theory.md, section 6.1. */
+    The groups of 64 tiles from the first strip on are counted in digits of base 64; the phasor is the one at the first strip
+    times an exact table entry for every digit that is not 0, times one for the tile in its group. Each factor is rounded once, so
+    the error is some 2e-16 for every digit, which is 1e-15 after an hour. Docs/Theory.md, section 6.1. */
 class TilePhasors
 {
 public:
-    /** @param first  X e^{p tau} at the start of the first tile
-        @param rate   Hz
-        @param tiles  how many tiles from the first one on can be asked for
+    /** @param first   X e^{p tau} at the start of the first strip
+        @param rate    Hz
+        @param strips  how many strips from the first one on can be asked for
         [worker] allocates */
-    TilePhasors (const Oscillation&, std::complex<double> first, double rate, std::int64_t tiles);
+    TilePhasors (const Oscillation&, std::complex<double> first, double rate, std::int64_t strips);
 
     /** The phasor at the start of a group. [audio thread] */
-    std::complex<double> atGroup (std::uint64_t group) const;
+    std::complex<double> atGroup (std::uint64_t group) const
+    {
+        auto phasor = first;
 
-    /** What the phasor at a group's start is to be multiplied with at its tiles: 256 real parts. Behind them there may be read,
-        but not used, as far as a strip reaches. [audio thread] */
-    const double* turnReal() const { return turns.data(); }
+        for (const auto* level = powers.data(); group > 0; level += digitBase, group /= digitBase)
+            if (const auto digit = group % digitBase; digit > 0)
+                phasor = product (phasor, level[digit]);
 
-    /** The same, imaginary parts. [audio thread] */
-    const double* turnImaginary() const { return turns.data() + synthesisGroup + synthesisStrip; }
+        return phasor;
+    }
+
+    /** What the phasor at a group's start is to be multiplied with at its tiles: for each of its strips 8 real, then 8 imaginary
+        parts, on a cache line. [audio thread] */
+    const double* turns() const { return turnsOfGroup.data(); }
 
 private:
+    static constexpr std::uint64_t digitBase = 64;
+
     std::complex<double> first;
-    std::vector<double> turns;
+    AlignedVector<double> turnsOfGroup;
     std::vector<std::complex<double>> powers; // levels x 64: by whole groups
 };
 } // namespace antinode

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "AlignedVector.h"
+#include "PhasorKernel.h"
 #include "SynthesisKernel.h"
 #include "TilePhasors.h"
 
@@ -9,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include <complex>
 #include <cstdint>
 #include <vector>
 
@@ -42,9 +44,11 @@ public:
     /** Adds the voltages of the samples first .. first + count - 1, times an amplitude, to planar channels.
         @param amplitude  no unit
         @param channels   N_b pointers to count samples each, V; of any alignment
-        [audio thread] allocates nothing, locks nothing, any count >= 0, any order of blocks; 40 KiB of stack */
+        @param factors    one for every oscillation, which its phasor is multiplied with, or none
+        [audio thread] allocates nothing, locks nothing, any count >= 0, any order of blocks; 20 KiB of stack */
     template <typename Sample>
-    void add (std::int64_t first, int count, double amplitude, Sample* const* channels) const;
+    void add (std::int64_t first, int count, double amplitude, Sample* const* channels,
+              const std::complex<double>* factors = nullptr) const;
 
     /** Voltages of the samples first .. first + n - 1.
         @param voltages  N_b x n, V
@@ -65,6 +69,7 @@ private:
     {
         Edge start, end;
         std::int64_t firstTile = 0, lastTile = -1; // none where it is silent
+        std::int64_t firstStrip = 0;               // that of the first tile
         TilePhasors phasors;
 
         bool hasEdgeIn (std::int64_t tile) const { return tile == firstTile || tile == lastTile; }
@@ -74,9 +79,10 @@ private:
     template <typename Sample>
     struct Tables
     {
+        PhasorKernel<Sample> findPhasors;
         SynthesisKernel<Sample> kernel;
-        AlignedVector<Sample> fine;   // oscillations x 2 x 64: real and imaginary parts of e^{p j / rate}
-        AlignedVector<Sample> mixing; // oscillations x N_b, V
+        std::size_t recordSize = 0;
+        AlignedVector<Sample> records; // oscillations x recordSize: as SynthesisChunk has them
     };
 
     template <typename Sample>

@@ -22,6 +22,7 @@ Json conventions()
                          "frequency_Hz tau)), "
                          "tau = t - start_s, for start_s <= t < end_s, else 0" },
         { "angular_frequency_rad_s", "2 pi frequency_Hz to the last bit" },
+        { "free_decay_per_s", "of a brake: the decay rate of its mode when it is left alone" },
         { "allocation",
           "one row a ceramic, one column an oscillation: U_i(t) = sum over c of allocation[i][c] value_c(t), in V" }
     };
@@ -29,14 +30,19 @@ Json conventions()
 
 Json oscillationToJson (const Oscillation& oscillation)
 {
-    return { { "mode", oscillation.mode },
-             { "start_s", oscillation.start },
-             { "end_s", oscillation.end },
-             { "growth_per_s", oscillation.growth },
-             { "frequency_Hz", toHertz (oscillation.angularFrequency) },
-             { "angular_frequency_rad_s", oscillation.angularFrequency },
-             { "in_phase", oscillation.inPhase },
-             { "quadrature", oscillation.quadrature } };
+    Json json { { "mode", oscillation.mode },
+                { "start_s", oscillation.start },
+                { "end_s", oscillation.end },
+                { "growth_per_s", oscillation.growth },
+                { "frequency_Hz", toHertz (oscillation.angularFrequency) },
+                { "angular_frequency_rad_s", oscillation.angularFrequency },
+                { "in_phase", oscillation.inPhase },
+                { "quadrature", oscillation.quadrature } };
+
+    if (oscillation.isBrake())
+        json["free_decay_per_s"] = oscillation.freeDecay;
+
+    return json;
 }
 
 Json controlledModesToJson (const FocusDesign& design, const ModalModel& model)

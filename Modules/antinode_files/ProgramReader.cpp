@@ -17,7 +17,7 @@ constexpr NumberRange limit { 0, 1e5 };
 Oscillation readOscillation (const JsonValue& value)
 {
     const auto object = value.object ({ "mode", "start_s", "end_s", "growth_per_s", "frequency_Hz",
-                                        "angular_frequency_rad_s", "in_phase", "quadrature" });
+                                        "angular_frequency_rad_s", "in_phase", "quadrature", "free_decay_per_s" });
     Oscillation oscillation;
     oscillation.mode = object.required ("mode").integer (0, static_cast<int> (ranges::maximumModes) - 1);
     oscillation.start = object.required ("start_s").number (time);
@@ -29,6 +29,9 @@ Oscillation readOscillation (const JsonValue& value)
 
     if (const auto exact = object.optional ("angular_frequency_rad_s"))
         oscillation.angularFrequency = refined (oscillation.angularFrequency, *exact);
+
+    if (const auto decay = object.optional ("free_decay_per_s"))
+        oscillation.freeDecay = decay->number ({ 0, anyNumber.maximum });
 
     return oscillation;
 }

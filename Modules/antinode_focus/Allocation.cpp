@@ -97,8 +97,13 @@ Allocation solveAllocation (const AllocationProblem& problem, AllocationGoal goa
     Allocation allocation;
     auto& certificate = allocation.certificate;
 
-    if (goal == AllocationGoal::peak || whitened.peakRatio (shares) > 1)
+    certificate.peakRatio = whitened.peakRatio (shares);
+
+    if (goal == AllocationGoal::peak || certificate.peakRatio > 1)
+    {
         shares = limitedShares (whitened, rows, goal, certificate);
+        certificate.peakRatio = whitened.peakRatio (shares);
+    }
     else
         certificate.bound =
             leastNormBound (whitened, rows, Eigen::MatrixXd::Zero (whitened.basis.rows(), shares.cols()), 1);
@@ -108,7 +113,6 @@ Allocation solveAllocation (const AllocationProblem& problem, AllocationGoal goa
     certificate.objective = whitened.objective (shares) * voltsSquared;
     certificate.gap = (certificate.objective - certificate.bound) / certificate.objective;
     checkSolved (certificate.gap);
-    certificate.peakRatio = whitened.peakRatio (shares);
     allocation.matrix = whitened.matrix (shares);
     certificate.rowResidual = rowResidual (problem, allocation.matrix);
     certificate.milliseconds = 1000 * secondsSince (begin);

@@ -163,6 +163,9 @@ Oscillation brakeMode (int mode, double a, double b, double brake, double displa
     const Complex exponent (-brake * a, b);
     const Complex motion = displacement - 1i * (velocity + brake * a * displacement) / b; // Q
     const auto stiffness = (1 - brake) * a * ((1 - brake) * a + 2i * b);                  // P (p)
-    return oscillationFrom (mode, start, start - std::log (brakeDecay) / (brake * a), exponent, stiffness * motion);
+    auto oscillation =
+        oscillationFrom (mode, start, start - std::log (brakeDecay) / (brake * a), exponent, stiffness * motion);
+    oscillation.freeDecay = a;
+    return oscillation;
 }
 } // namespace antinode

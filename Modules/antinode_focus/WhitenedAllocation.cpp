@@ -44,12 +44,15 @@ void whitenDrives (WhitenedAllocation& whitened, const Eigen::MatrixXd& waveform
         factors.compute (columns);
     }
 
-    const auto inverse = inverseOf (factors.matrixQR().topRows (drives));
-    whitened.basis = columns * inverse;
-    const Eigen::LLT<Eigen::MatrixXd> rounding (whitened.basis.transpose() * whitened.basis);
-    const auto correction = inverseOf (rounding.matrixU());
-    whitened.basis *= correction;
-    whitened.toShares = whitened.voltageUnit * lengths.cwiseInverse().asDiagonal() * inverse * correction;
+    const Eigen::MatrixXd triangle = factors.matrixQR().topRows (drives);
+    whitened.basis = std::move (columns);
+    triangle.triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight> (whitened.basis);
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero (drives, drives);
+    gram.selfadjointView<Eigen::Lower>().rankUpdate (whitened.basis.transpose());
+    const Eigen::LLT<Eigen::MatrixXd> rounding (gram);
+    rounding.matrixU().solveInPlace<Eigen::OnTheRight> (whitened.basis);
+    whitened.toShares = whitened.voltageUnit * lengths.cwiseInverse().asDiagonal() * inverseOf (triangle)
+                        * inverseOf (rounding.matrixU());
 }
 
 /** Which rows some ceramic moves. */

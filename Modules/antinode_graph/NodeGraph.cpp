@@ -12,24 +12,14 @@ constexpr std::size_t mostEvents =
     4096; // of one part of a block: more go to the next part, and are left out at the last
 }
 
-template <typename Sample>
-void NodeGraph::Buffers<Sample>::make (int channels, int length)
-{
-    samples.assign (static_cast<std::size_t> (channels) * static_cast<std::size_t> (length), Sample (0));
-    outputs.clear();
-
-    for (int i = 0; i < channels; ++i)
-        outputs.push_back (samples.data() + static_cast<std::ptrdiff_t> (i) * length);
-}
-
 template <>
-NodeGraph::Buffers<float>& NodeGraph::Entry::buffers<float>()
+const PlanarBuffer<float>& NodeGraph::Entry::buffer<float>() const
 {
     return floats;
 }
 
 template <>
-NodeGraph::Buffers<double>& NodeGraph::Entry::buffers<double>()
+const PlanarBuffer<double>& NodeGraph::Entry::buffer<double>() const
 {
     return doubles;
 }
@@ -72,8 +62,8 @@ void NodeGraph::prepare (const NodeFormat& format)
     for (auto& entry : entries)
     {
         entry.node->prepare (format);
-        entry.floats.make (entry.node->outputs(), longestBlock);
-        entry.doubles.make (entry.node->outputs(), longestBlock);
+        entry.floats = PlanarBuffer<float> (entry.node->outputs(), longestBlock);
+        entry.doubles = PlanarBuffer<double> (entry.node->outputs(), longestBlock);
     }
 }
 
@@ -89,19 +79,23 @@ void NodeGraph::processPart (Sample* const* channels, int offset, int count, std
     for (auto& entry : entries)
     {
         NodeBlock<Sample> block;
-        block.outputs = entry.template buffers<Sample>().outputs.data();
+        block.outputs = entry.template buffer<Sample>().channels();
         block.count = count;
         block.events = events;
 
         if (entry.source != noSource)
-            block.inputs = entries[static_cast<std::size_t> (entry.source)].template buffers<Sample>().outputs.data();
+            block.inputs = entries[static_cast<std::size_t> (entry.source)].template buffer<Sample>().channels();
 
         entry.node->process (block);
     }
 
     for (const auto index : outputNodes)
-        for (const auto* const from : entries[static_cast<std::size_t> (index)].template buffers<Sample>().outputs)
-            std::copy (from, from + count, *channels++ + offset);
+    {
+        const auto& from = entries[static_cast<std::size_t> (index)].template buffer<Sample>();
+
+        for (int i = 0; i < from.size(); ++i)
+            std::copy_n (from.channel (i), count, *channels++ + offset);
+    }
 }
 
 template <typename Sample>

@@ -2,6 +2,8 @@
 
 #include "Node.h"
 
+#include <antinode_engine/PlanarBuffer.h>
+
 #include <memory>
 #include <vector>
 
@@ -40,24 +42,15 @@ public:
     void reset();
 
 private:
-    template <typename Sample>
-    struct Buffers
-    {
-        std::vector<Sample> samples;
-        std::vector<Sample*> outputs; ///< Of this node.
-
-        void make (int channels, int length);
-    };
-
     struct Entry
     {
         std::unique_ptr<Node> node;
         int source = noSource;
-        Buffers<float> floats;
-        Buffers<double> doubles;
+        PlanarBuffer<float> floats; ///< Of its outputs.
+        PlanarBuffer<double> doubles;
 
         template <typename Sample>
-        Buffers<Sample>& buffers();
+        const PlanarBuffer<Sample>& buffer() const;
     };
 
     template <typename Sample>

@@ -18,6 +18,11 @@ struct Oscillation
     double growth = 0;           ///< 1/s
     double angularFrequency = 0; ///< rad/s
     double inPhase = 0, quadrature = 0;
+    double freeDecay =
+        0; ///< 1/s: of a brake, the decay rate a of its mode when it is left alone; 0 where it is no brake.
+
+    /** Whether it brakes a mode: it may then begin later than designed. Docs/Theory.md, section 6.6. [any] */
+    bool isBrake() const { return freeDecay > 0 && angularFrequency > 0; }
 
     /** The exponent p = growth + j angularFrequency, 1/s. [any] */
     std::complex<double> exponent() const { return { growth, angularFrequency }; }

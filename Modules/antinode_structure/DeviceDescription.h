@@ -103,8 +103,8 @@ struct DeviceDescription
 {
     std::string name;
     std::string description;
-    bool requiresArming = false; ///< Silent, once loaded, until its user arms the output.
     std::variant<BeamDescription, StapleDescription, PlateDescription, ModalModel> body;
+    bool requiresArming = false; ///< Silent, once loaded, until its user arms the output.
 };
 
 /** The modal model of a described device: solves a beam, staple or plate; hands a measured model on as it is.

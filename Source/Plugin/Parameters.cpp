@@ -139,7 +139,7 @@ Parameters::Parameters (juce::AudioProcessor& processor, std::function<std::shar
 
     GroupBuilder triggers ("triggers", "Triggers", ordered);
     notes = triggers.choice ("notes", "Notes play", { "places over the surface", "the focus alone" });
-    noteOff = triggers.choice ("note_off", "Note off", { "is ignored", "fades out" });
+    noteOff = triggers.choice ("note_off", "Note off", { "is ignored", "fades out", "brakes" });
     retrigger = triggers.choice ("retrigger", "Retrigger", { "overlaps", "restarts" });
     focusOnNote = triggers.flag ("focus_on_note", "Focus on the note", false, "focus on the note", "start on the note");
     triggers.addTo (processor);

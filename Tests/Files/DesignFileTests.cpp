@@ -57,8 +57,9 @@ FocusDesign irregularDesign()
         program.oscillations.push_back (
             { c % 2, 0.01 + 0.005 * next(), 0.025, 1e3 * next(), 1e5 + 9e4 * next(), next(), next() });
 
-    program.oscillations.push_back ({ 1, 0, 0.025, 0, 0, 0, -2.5 }); // A constant.
-    program.allocation = Eigen::MatrixXd::NullaryExpr (2, 41, next);
+    program.oscillations.push_back ({ 1, 0, 0.025, 0, 0, 0, -2.5 });                                // A constant.
+    program.oscillations.push_back ({ 1, 0.026, 0.1, -2000.0 / 3, 1e5 / 7, 0.1, -2.5, 100.0 / 3 }); // A brake.
+    program.allocation = Eigen::MatrixXd::NullaryExpr (2, 42, next);
     return design;
 }
 
@@ -88,6 +89,7 @@ TEST_CASE ("A program written in a design and read again is the same to the bit"
         CHECK (std::tie (a.start, a.end, a.growth) == std::tie (b.start, b.end, b.growth));
         CHECK (std::tie (a.angularFrequency, a.inPhase, a.quadrature)
                == std::tie (b.angularFrequency, b.inPhase, b.quadrature));
+        CHECK (a.freeDecay == b.freeDecay);
     }
 }
 
@@ -125,7 +127,7 @@ TEST_CASE ("Designs that cannot be played are refused", "[files]")
 {
     CHECK (errorWith ("schema=antinode.design/2")
            == "design.json: /schema: is the text 'antinode.design/2', allowed is 'antinode.design/1'");
-    CHECK (errorWith ("allocation.1=[1, 2]") == "design.json: /allocation/1: has 2 entries, allowed is a list of 41");
+    CHECK (errorWith ("allocation.1=[1, 2]") == "design.json: /allocation/1: has 2 entries, allowed is a list of 42");
     CHECK (errorWith ("allocation=[]") == "design.json: /allocation: has 0 entries, allowed is a list of 2");
     CHECK (errorWith ("oscillations.3.mode=-1")
            == "design.json: /oscillations/3/mode: is -1, allowed is a whole number from 0 to 4999");

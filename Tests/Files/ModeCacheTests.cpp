@@ -151,7 +151,7 @@ TEST_CASE ("A solved device is found the next time, a modal one is not kept, an 
     CHECK (solveCached (staple(), 7, &cache).unknowns == 99);
     CHECK (solveCached (staple(), 8, &cache).modes() == 8);
 
-    const DeviceDescription modal { "measured", "", false, test::gridModel (2, 1) };
+    const DeviceDescription modal { "measured", "", test::gridModel (2, 1) };
     CHECK (solveCached (modal, {}, &cache).modes() == 2);
     auto impossible = staple();
     std::get<StapleDescription> (impossible.body).topLength = -1;

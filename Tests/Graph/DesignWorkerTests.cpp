@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <atomic>
 
 using namespace antinode;
@@ -50,7 +51,7 @@ TEST_CASE ("A worker designs a bank and hands it over", "[graph]")
     DesignWorker worker (player.handOver());
     worker.request (requestFor (12));
     worker.waitUntilDone();
-    CHECK (worker.progress().designed == 12);
+    CHECK (worker.progress().designed == 13); // The focus at its own place among them.
     CHECK (worker.progress().failed == 0);
     CHECK (firstChannel (player, 3, 2000).cwiseAbs().maxCoeff() > 0);
     CHECK (firstChannel (player, 12, 2000).cwiseAbs().maxCoeff() == 0); // Beyond the bank.
@@ -68,11 +69,11 @@ TEST_CASE ("Rapid requests coalesce: the last one wins", "[graph]")
     first.request (requestFor (20, 0.02 + 0.0002 * 49));
     first.waitUntilDone();
     second.waitUntilDone();
-    CHECK (second.progress().designed == 20);
+    CHECK (second.progress().designed == 21);
     CHECK (firstChannel (once, 7, 2000) == firstChannel (often, 7, 2000));
 }
 
-TEST_CASE ("The wanted place is handed over first, before the others are designed", "[graph]")
+TEST_CASE ("The focus at its own place is handed over first, then the place that is wanted, then the others", "[graph]")
 {
     BankHandOver handOver;
     DesignWorker worker (handOver);
@@ -84,11 +85,46 @@ TEST_CASE ("The wanted place is handed over first, before the others are designe
     while (bank == nullptr)
         bank.reset (handOver.take());
 
-    CHECK (bank->foci[77] != nullptr);
+    CHECK (bank->foci[FocusBank::livePlace] != nullptr);
     CHECK (bank->foci[0] == nullptr); // The farthest by number: designed last.
+    const auto wanted = 77;
+    worker.waitFor (std::span (&wanted, 1));
+    bank.reset (handOver.take());
+    REQUIRE (bank != nullptr);
+    CHECK (bank->foci[77] != nullptr);
     worker.waitUntilDone();
-    CHECK (worker.progress().designed == 128);
+    CHECK (worker.progress().designed == 129);
     CHECK (worker.progress().firstMilliseconds > 0);
+}
+
+TEST_CASE ("A place that somebody waits for comes before all others", "[graph]")
+{
+    BankHandOver handOver;
+    DesignWorker worker (handOver);
+    worker.request (requestFor (128));
+    const std::array wanted { 100, 90 };
+    worker.waitFor (wanted);
+    const std::unique_ptr<const FocusBank> bank (handOver.take());
+    REQUIRE (bank != nullptr);
+    CHECK (bank->foci[100] != nullptr);
+    CHECK (bank->foci[90] != nullptr);
+}
+
+TEST_CASE ("A touched place is designed beside the bank and called back when it is there", "[graph]")
+{
+    BankHandOver handOver;
+    DesignWorker worker (handOver);
+    worker.request (requestFor (5));
+    std::atomic<int> place { -2 }, failed { -2 };
+    REQUIRE (worker.touch (0.031, 0, [&] (int ready) { place = ready; }));
+    REQUIRE (worker.touch (5, 0, [&] (int ready) { failed = ready; }));
+    worker.waitUntilDone();
+    CHECK (place == FocusBank::firstTouchPlace);
+    CHECK (failed == -1);
+    CHECK (worker.progress().designed == 6);
+    const std::unique_ptr<const FocusBank> bank (handOver.take());
+    CHECK (bank->foci[FocusBank::firstTouchPlace] != nullptr);
+    CHECK (bank->foci[FocusBank::firstTouchPlace + 1] == nullptr);
 }
 
 TEST_CASE ("A place that cannot be designed stays silent and says why", "[graph]")
@@ -103,44 +139,6 @@ TEST_CASE ("A place that cannot be designed stays silent and says why", "[graph]
     CHECK_THAT (worker.progress().error, Catch::Contains ("beside the surface"));
     CHECK (firstChannel (player, 1, 500).cwiseAbs().maxCoeff() == 0);
     CHECK (firstChannel (player, 2, 500).cwiseAbs().maxCoeff() > 0);
-}
-
-TEST_CASE ("Requests, designs and playing at once, and an end in the midst of it", "[graph][stress]")
-{
-    FocusPlayer player (ceramics, rate, {});
-    std::atomic<bool> isPlaying { true };
-    std::int64_t sent = 0;
-    std::thread audio (
-        [&]
-        {
-            Eigen::MatrixXd voltages (32, ceramics);
-            std::vector<double*> channels;
-
-            for (int i = 0; i < ceramics; ++i)
-                channels.push_back (voltages.col (i).data());
-
-            for (int block = 0; isPlaying; ++block)
-            {
-                const FocusEvent event { block % 32, FocusEventKind::trigger, block % 16, 1 };
-                const auto count = block % 4 == 0 ? 1U : 0U;
-                player.process (channels.data(), 32, std::span (&event, count));
-                sent += count;
-                std::this_thread::sleep_for (std::chrono::microseconds (50));
-            }
-        });
-    {
-        DesignWorker worker (player.handOver());
-
-        for (int i = 0; i < 40; ++i)
-        {
-            worker.request (requestFor (16, 0.02 + 0.0005 * i));
-            std::this_thread::sleep_for (std::chrono::milliseconds (i % 7));
-        }
-    }
-    isPlaying = false;
-    audio.join();
-    CHECK (player.counters().triggered > 0);
-    CHECK (player.counters().triggered + player.counters().empty == sent);
 }
 
 TEST_CASE ("The places of a bank on a line and on a plate", "[graph]")

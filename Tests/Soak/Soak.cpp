@@ -1,140 +1,214 @@
-#include <Engine/AllocationCount.h>
-#include <Engine/PlayerFixtures.h>
-#include <Support/SyscallTrap.h>
+#include "AudioThreadGuards.h"
 
-#include <antinode_engine/VoltageLimiter.h>
+#include <Support/SineBeam.h>
 
+#include <antinode_focus/BankPlaces.h>
+#include <antinode_graph/DesignWorker.h>
+#include <antinode_graph/LimiterNode.h>
+#include <antinode_graph/StandardGraph.h>
+
+#include <array>
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
-#include <mutex>
+#include <random>
 #include <thread>
-
-#include <sys/syscall.h>
-#include <unistd.h>
-
-#if defined(ANTINODE_RTSAN)
-// NOLINTBEGIN (bugprone-reserved-identifier, readability-identifier-naming): RealtimeSanitizer's own names.
-extern "C" void __rtsan_realtime_enter();
-extern "C" void __rtsan_realtime_exit();
-// NOLINTEND
-#endif
 
 using namespace antinode;
 using namespace antinode::test;
 
 namespace
 {
-constexpr int blockLength = 32;
-constexpr double limit = 20; // V: less than what overlapping foci ask for
-constexpr double triggersPerSecond = 256;
-
-/** Tells RealtimeSanitizer, where it is linked, that the thread is a real-time one while an instance lives. */
-struct RealtimeScope
-{
-#if defined(ANTINODE_RTSAN)
-    RealtimeScope()
-    {
-        __rtsan_realtime_enter();
-    }
-    ~RealtimeScope()
-    {
-        __rtsan_realtime_exit();
-    }
-#else
-    RealtimeScope() = default;
-    ~RealtimeScope() {} // NOLINT (modernize-use-equals-default): so that no compiler calls an instance unused.
-#endif
-    RealtimeScope (const RealtimeScope&) = delete;
-    RealtimeScope& operator= (const RealtimeScope&) = delete;
-};
+constexpr double rate = 48000;
+constexpr int ceramics = 8, probes = 2;
+constexpr int longestBlock = 64;     // 1 to 64, in the mean 32
+constexpr double voltageLimit = 0.5; // V: more than a focus asks for, less than what many at once do
+constexpr double triggersPerSecond = 256, releasesPerSecond = 128, stopsPerSecond = 0.5;
 
 struct Findings
 {
-    std::int64_t samples = 0, sent = 0, allocations = 0, locks = 0, limited = 0;
-    double largest = 0;
+    std::int64_t samples = 0, sent = 0, releases = 0, stops = 0, requests = 0;
+    std::int64_t allocations = 0, locks = 0, limited = 0, failed = 0;
+    double largestVoltage = 0, largestVelocity = 0; // V, m/s
     bool isFinite = true;
     PlayerCounters counters;
 };
 
-/** Plays so many seconds of audio as fast as it goes, random triggers all along, and looks at every block. */
-void play (FocusPlayer& player, double seconds, Findings& findings)
+/** Notes as from a player with many hands: triggers, releases and stops, each at random samples. */
+class RandomEvents
 {
-    VoltageLimiter limiter (Eigen::VectorXd::Constant (playerCeramics, limit));
-    Eigen::MatrixXd planar (blockLength, playerCeramics), interleaved (playerCeramics, blockLength);
-    std::vector<double*> channels;
-    std::vector<FocusEvent> events;
-    std::mt19937 random (11);
-    const auto wanted = static_cast<std::int64_t> (seconds * playerRate);
-    double next = 0;
-    events.reserve (blockLength);
+public:
+    RandomEvents() { events.reserve (3UL * longestBlock); }
 
-    for (int i = 0; i < playerCeramics; ++i)
-        channels.push_back (planar.col (i).data());
-
-    for (; findings.samples < wanted; findings.samples += blockLength)
+    const std::vector<FocusEvent>& next (int count, Findings& findings)
     {
         events.clear();
 
-        for (; next < static_cast<double> (findings.samples + blockLength); next += playerRate / triggersPerSecond)
-            events.push_back ({ static_cast<int> (next - static_cast<double> (findings.samples)),
-                                FocusEventKind::trigger, static_cast<int> (random() % FocusBank::places),
-                                static_cast<double> (random() % 128) / 127 });
+        for (int n = 0; n < count; ++n)
+        {
+            if (happens (triggersPerSecond))
+                add (n, FocusEventKind::trigger, findings.sent);
 
-        findings.sent += static_cast<std::int64_t> (events.size());
+            if (happens (releasesPerSecond))
+                add (n, FocusEventKind::release, findings.releases);
+
+            if (happens (stopsPerSecond))
+                add (n, FocusEventKind::stopAll, findings.stops);
+        }
+
+        return events;
+    }
+
+    int blockLength() { return 1 + static_cast<int> (random() % longestBlock); }
+
+private:
+    bool happens (double perSecond) { return static_cast<double> (random()) < perSecond / rate * 4294967296.0; }
+
+    void add (int offset, FocusEventKind kind, std::int64_t& count)
+    {
+        events.push_back ({ offset, kind, static_cast<int> (random() % FocusBank::places),
+                            static_cast<double> (random() % 128) / 127 });
+        ++count;
+    }
+
+    std::mt19937 random { 11 };
+    std::vector<FocusEvent> events;
+};
+
+/** Plays so many seconds of audio as fast as it goes, random events all along, and looks at every block. */
+template <typename Sample>
+void play (NodeGraph& graph, double seconds, Findings& findings)
+{
+    using Block = Eigen::Matrix<Sample, longestBlock, ceramics + probes>;
+    Block block = Block::Zero();
+    std::array<Sample*, ceramics + probes> channels;
+    RandomEvents random;
+    const auto wanted = findings.samples + static_cast<std::int64_t> (seconds * rate);
+
+    for (std::size_t i = 0; i < channels.size(); ++i)
+        channels[i] = block.col (static_cast<Eigen::Index> (i)).data();
+
+    while (findings.samples < wanted)
+    {
+        const auto count = random.blockLength();
+        const auto& events = random.next (count, findings);
         const auto memoryBefore = mallocCalls(), locksBefore = lockCalls();
         {
             const SyscallTrap trap;
             const RealtimeScope realtime;
-            player.process (channels.data(), blockLength, events);
-            interleaved = planar.transpose();
-            limiter.process (interleaved);
+            graph.process (channels.data(), count, events);
         }
         findings.allocations += mallocCalls() - memoryBefore;
         findings.locks += lockCalls() - locksBefore;
-        findings.isFinite = findings.isFinite && interleaved.allFinite();
-        findings.largest = std::max (findings.largest, interleaved.cwiseAbs().maxCoeff());
+        findings.samples += count;
+        findings.isFinite = findings.isFinite && block.allFinite();
+        const auto voltage = static_cast<double> (block.template leftCols<ceramics>().cwiseAbs().maxCoeff());
+        const auto velocity = static_cast<double> (block.template rightCols<probes>().cwiseAbs().maxCoeff());
+        findings.largestVoltage = std::max (findings.largestVoltage, voltage);
+        findings.largestVelocity = std::max (findings.largestVelocity, velocity);
     }
+}
+
+std::shared_ptr<const ModalModel> limitedBeam()
+{
+    auto model = sineBeam (10, ceramics);
+
+    for (auto& ceramic : model.ceramics)
+        ceramic.voltageLimit = voltageLimit;
+
+    return std::make_shared<const ModalModel> (model);
+}
+
+/** A bank of all places with foci of some width, of which every other has a brake. */
+DesignRequest requestOf (const std::shared_ptr<const ModalModel>& model, unsigned choice)
+{
+    DesignRequest request;
+    request.model = model;
+    request.focus.targets = { Target {} };
+    request.focus.targets[0].width = 0.02 + 1e-4 * (choice % 100);
+    request.focus.targets[0].peakVelocity = 0.01;
+    request.focus.focusTime = 0.02;
+    request.focus.modes.count = 5;
+    request.places = bankPlaces (model->surface, FocusBank::places, 0.02);
+    request.first = static_cast<int> (choice % FocusBank::places);
+    request.playback = { Reconstruction::bandLimited, rate };
+
+    if (choice % 2 == 0)
+        request.focus.transients.brake = 5;
+
+    return request;
+}
+
+/** The whole graph for some seconds of audio, while a worker designs banks that are asked for at random. */
+template <typename Sample>
+void soak (const PlayerSettings& settings, double seconds, Findings& findings)
+{
+    const auto model = limitedBeam();
+    Eigen::MatrixXd probeShapes (probes, model->modes());
+    probeShapes << shapesAt (*model, -0.03, 0), shapesAt (*model, 0.05, 0);
+    auto standard = standardGraph (model, settings, probeShapes);
+    standard.graph.prepare ({ rate, longestBlock });
+    auto& player = standard.playerNode().player();
+    DesignWorker worker (player.handOver());
+    worker.request (requestOf (model, 0));
+    worker.waitUntilDone();
+    std::atomic<bool> isPlaying { true };
+    std::thread audio (
+        [&]
+        {
+            play<Sample> (standard.graph, seconds, findings);
+            isPlaying = false;
+        });
+
+    for (std::mt19937 random (3); isPlaying; ++findings.requests)
+    {
+        worker.request (requestOf (model, static_cast<unsigned> (random())));
+        std::this_thread::sleep_for (std::chrono::milliseconds (random() % 60));
+        findings.failed += worker.progress().failed;
+    }
+
+    audio.join();
+    const auto& limiter = static_cast<const LimiterNode&> (standard.graph.node (standard.limiter)).limiter();
 
     for (const auto count : limiter.limitedSamples())
         findings.limited += count;
 
-    findings.counters = player.counters();
-}
-
-/** Whether the guards see what they are there for: a system call, memory and a lock. */
-bool guardsSee()
-{
-    const auto memoryBefore = mallocCalls(), locksBefore = lockCalls();
-    std::mutex mutex;
-    void* const volatile memory = std::malloc (1); // volatile: else the compiler leaves it out
-    std::free (memory);
-    mutex.lock();
-    mutex.unlock();
-
-    if (SyscallTrap::isAvailable())
-    {
-        const SyscallTrap trap;
-        syscall (SYS_getppid);
-    }
-
-    const auto isSeen = (! mallocIsCounted() || (mallocCalls() > memoryBefore && lockCalls() > locksBefore))
-                        && (! SyscallTrap::isAvailable() || SyscallTrap::firstCaught() == SYS_getppid);
-    SyscallTrap::clear();
-    return isSeen;
+    findings.counters.triggered += player.counters().triggered;
+    findings.counters.empty += player.counters().empty;
+    findings.counters.stolen += player.counters().stolen;
+    findings.counters.cut += player.counters().cut;
 }
 
 bool isSound (const Findings& findings)
 {
     const auto& counters = findings.counters;
-    return findings.isFinite && findings.largest <= limit && findings.allocations == 0 && findings.locks == 0
-           && SyscallTrap::firstCaught() < 0 && counters.triggered == findings.sent && counters.empty == 0
-           && counters.cut == 0;
+    return findings.isFinite && findings.largestVoltage <= voltageLimit && findings.largestVelocity > 0
+           && findings.allocations == 0 && findings.locks == 0 && SyscallTrap::firstCaught() < 0
+           && counters.triggered == findings.sent && counters.empty == 0 && counters.cut == 0 && findings.failed == 0;
+}
+
+void print (const Findings& findings)
+{
+    const auto number = [] (std::int64_t count) { return static_cast<long long> (count); };
+    const auto& counters = findings.counters;
+    std::printf (
+        "%.0f s of audio in blocks of 1 to %d; %lld foci asked for, %lld begun, %lld stolen, %lld cut; %lld note-offs, "
+        "%lld stops, %lld banks asked for\n",
+        static_cast<double> (findings.samples) / rate, longestBlock, number (findings.sent),
+        number (counters.triggered), number (counters.stolen), number (counters.cut), number (findings.releases),
+        number (findings.stops), number (findings.requests));
+    std::printf (
+        "on the audio thread: %lld allocations%s, %lld locks, first system call %ld%s; largest voltage %g of %g V, "
+        "%lld samples limited; largest velocity %g m/s\n",
+        number (findings.allocations), mallocIsCounted() ? "" : " (not counted)", number (findings.locks),
+        SyscallTrap::firstCaught(), SyscallTrap::isAvailable() ? "" : " (not caught by this kernel)",
+        findings.largestVoltage, voltageLimit, number (findings.limited), findings.largestVelocity);
 }
 } // namespace
 
-/** Plays random foci for some seconds of audio, 600 where none are given, while banks change all the time. Exit code 1 where anything
-    happened on the audio thread that may not, a focus was missed or doubled, or a voltage exceeded its limit. */
+/** Plays the whole graph for some seconds of audio, 600 where none are given, a third with each behaviour of note-offs, while banks
+    are designed and change all the time. Exit code 1 where anything happened on the audio thread that may not, a focus was missed or
+    doubled, or a voltage exceeded its limit. */
 int main (int argumentCount, char** arguments)
 {
     const auto seconds = argumentCount > 1 ? std::atof (arguments[1]) : 600.0;
@@ -145,38 +219,11 @@ int main (int argumentCount, char** arguments)
         return 1;
     }
 
-    FocusPlayer player (playerCeramics, playerRate, {});
-    player.handOver().give (variedBank (10));
-    std::atomic<bool> isPlaying { true };
-    std::int64_t banks = 1;
-    std::thread worker (
-        [&]
-        {
-            for (; isPlaying; ++banks)
-            {
-                player.handOver().give (variedBank (5 + static_cast<double> (banks % 10)));
-                std::this_thread::sleep_for (std::chrono::microseconds (200));
-            }
-        });
     Findings findings;
-    std::thread audio ([&] { play (player, seconds, findings); });
-    audio.join();
-    isPlaying = false;
-    worker.join();
-
-    const auto& counters = findings.counters;
-    std::printf (
-        "%.0f s of audio in blocks of %d, %lld foci asked for, %lld begun, %lld stolen, %lld cut, %lld banks\n",
-        static_cast<double> (findings.samples) / playerRate, blockLength, static_cast<long long> (findings.sent),
-        static_cast<long long> (counters.triggered), static_cast<long long> (counters.stolen),
-        static_cast<long long> (counters.cut), static_cast<long long> (banks));
-    std::printf (
-        "on the audio thread: %lld allocations%s, %lld locks, first system call %ld%s; largest voltage %g of %g V, "
-        "%lld samples limited\n",
-        static_cast<long long> (findings.allocations), mallocIsCounted() ? "" : " (not counted)",
-        static_cast<long long> (findings.locks), SyscallTrap::firstCaught(),
-        SyscallTrap::isAvailable() ? "" : " (not caught by this kernel)", findings.largest, limit,
-        static_cast<long long> (findings.limited));
+    soak<double> ({ NoteOffBehaviour::ignore, RetriggerBehaviour::overlap }, seconds / 3, findings);
+    soak<float> ({ NoteOffBehaviour::fade, RetriggerBehaviour::restart }, seconds / 3, findings);
+    soak<float> ({ NoteOffBehaviour::brake, RetriggerBehaviour::overlap, true }, seconds / 3, findings);
+    print (findings);
     std::puts (isSound (findings) ? "sound" : "NOT SOUND");
     return isSound (findings) ? 0 : 1;
 }

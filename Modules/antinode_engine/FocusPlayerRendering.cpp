@@ -1,0 +1,126 @@
+#include "FocusPlayer.h"
+
+#include <algorithm>
+#include <type_traits>
+
+namespace antinode
+{
+template <>
+double* const* FocusPlayer::scratchChannels<double>()
+{
+    std::fill (scratchDouble.begin(), scratchDouble.end(), 0.0);
+    return channelsDouble.data();
+}
+
+template <>
+float* const* FocusPlayer::scratchChannels<float>()
+{
+    std::fill (scratchFloat.begin(), scratchFloat.end(), 0.0F);
+    return channelsFloat.data();
+}
+
+template <typename Sample>
+Sample* const* FocusPlayer::shiftedBy (std::int64_t samples, Sample* const* channels)
+{
+    auto& shifted = [this]() -> auto&
+    {
+        if constexpr (std::is_same_v<Sample, float>)
+            return shiftedFloat;
+        else
+            return shiftedDouble;
+    }
+    ();
+
+    for (int i = 0; i < ceramics; ++i)
+        shifted[static_cast<std::size_t> (i)] = channels[i] + samples;
+
+    return shifted.data();
+}
+
+/** Adds samples of the player's clock, as they are without a fade. */
+template <typename Sample>
+void FocusPlayer::add (const Voice& voice, std::int64_t from, std::int64_t to, Sample* const* channels) const
+{
+    const auto count = static_cast<int> (to - from);
+
+    if (from < voice.trigger + voice.focus->endSample)
+        voice.focus->synthesiser.add (from - voice.trigger, count, voice.amplitude, channels);
+
+    if (const auto& brake = voice.focus->brake; brake && ! voice.holdsBrake)
+    {
+        const auto start = voice.trigger + voice.brakeDelay;
+        const auto* const factors = voice.brakeDelay > 0 ? brakeFactors[indexOf (voice)].data() : nullptr;
+
+        if (to > start + brake->startSample())
+            brake->designed().add (from - start, count, voice.amplitude, channels, factors);
+    }
+}
+
+template <typename Sample>
+void FocusPlayer::renderFade (const Voice& voice, Sample* const* channels, int offset, std::int64_t from,
+                              std::int64_t to)
+{
+    for (auto at = from; at < to; at += fadeChunk)
+    {
+        const auto length = static_cast<int> (std::min<std::int64_t> (fadeChunk, to - at));
+        auto* const* const scratch = scratchChannels<Sample>();
+        add (voice, at, at + length, scratch);
+
+        for (int i = 0; i < ceramics; ++i)
+            for (int n = 0; n < length; ++n)
+            {
+                const auto gain = fadeGains[static_cast<std::size_t> (at + n - voice.fadeStart)];
+                channels[i][offset + (at - clock) + n] += static_cast<Sample> (gain) * scratch[i][n];
+            }
+    }
+}
+
+template <typename Sample>
+void FocusPlayer::renderVoice (const Voice& voice, Sample* const* channels, int offset, int count)
+{
+    const auto begin = std::max (clock, voice.trigger + voice.focus->firstSample);
+    const auto end = std::min (clock + count, voice.end (fadeLength));
+    const auto fadeBegin = std::clamp (voice.fadeStart, begin, std::max (begin, end));
+
+    if (fadeBegin > begin)
+        add (voice, begin, fadeBegin, shiftedBy (offset + (begin - clock), channels));
+
+    renderFade (voice, channels, offset, fadeBegin, end);
+}
+
+template <typename Sample>
+void FocusPlayer::render (Sample* const* channels, int offset, int count)
+{
+    for (const auto& voice : voices)
+        if (voice.focus != nullptr)
+            renderVoice (voice, channels, offset, count);
+
+    clock += count;
+    finishEnded();
+}
+
+template <typename Sample>
+void FocusPlayer::process (Sample* const* channels, int count, std::span<const FocusEvent> events)
+{
+    takeBank();
+
+    for (int i = 0; i < ceramics; ++i)
+        std::fill (channels[i], channels[i] + count, Sample (0));
+
+    auto done = 0;
+
+    for (const auto& event : events)
+    {
+        const auto offset = std::clamp (event.offset, done, std::max (done, count - 1));
+        render (channels, done, offset - done);
+        done = offset;
+        handle (event);
+    }
+
+    render (channels, done, count - done);
+    giveUnusedBanks();
+}
+
+template void FocusPlayer::process (float* const*, int, std::span<const FocusEvent>);
+template void FocusPlayer::process (double* const*, int, std::span<const FocusEvent>);
+} // namespace antinode

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "VoltageSynthesiser.h"
+
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace antinode
+{
+/** The brakes of a focus, ready to be begun when they were designed to, or later, when a note ends: they meet their modes where free
+    decay has taken them. Read only once made. Docs/Theory.md, section 6.6. */
+class PlayableBrake
+{
+public:
+    static constexpr std::size_t mostOscillations = 512;
+
+    /** @param brakes  a program of brakes only, 1 to mostOscillations of them
+        @throws InputError  as VoltageSynthesiser
+        [worker] allocates */
+    PlayableBrake (const VoltageProgram& brakes, Playback);
+
+    /** The brakes as they were designed. [any] */
+    const VoltageSynthesiser& designed() const { return synthesiser; }
+
+    /** The first sample that may be played, from the trigger, where the brakes begin as designed. [any] */
+    std::int64_t startSample() const { return start; }
+
+    /** Nothing sounds from this sample on where they begin as designed. [any] */
+    std::int64_t endSample() const { return end; }
+
+    /** After so many samples of free decay every mode is down to a thousandth, and there is nothing left to brake. [any] */
+    std::int64_t longestDelay() const { return longest; }
+
+    /** What the brakes are to be multiplied with where they begin later.
+        @param delay    samples, 0 or more
+        @param factors  room for one an oscillation
+        [audio thread] an exponential, a sine and a cosine for every oscillation: some 10 us for 512 */
+    void factorsAfter (std::int64_t delay, std::span<std::complex<double>> factors) const;
+
+private:
+    /** A mode as its brake finds it. */
+    struct Mode
+    {
+        double decay = 0, frequency = 0; // a, 1/s, and b, rad/s
+        double mismatch = 0;             // (gamma' - 1) a / b
+        std::complex<double> state;      // y at the designed start, up to a real factor
+        std::complex<double> turnBack;   // 1 / (y + mismatch Im y), up to the inverse of it
+    };
+
+    static Mode modeOf (const Oscillation&);
+
+    VoltageSynthesiser synthesiser;
+    double rate;
+    std::int64_t start = 0, end = 0, longest = 0;
+    std::vector<Mode> modes;
+};
+} // namespace antinode
