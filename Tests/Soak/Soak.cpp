@@ -66,7 +66,7 @@ private:
 
     void add (int offset, FocusEventKind kind, std::int64_t& count)
     {
-        events.push_back ({ offset, kind, static_cast<int> (random() % FocusBank::places),
+        events.push_back ({ offset, kind, static_cast<int> (random() % (FocusBank::livePlace + 1)),
                             static_cast<double> (random() % 128) / 127 });
         ++count;
     }
