@@ -33,7 +33,7 @@ function (antinode_install_bundle target directory)
 endfunction()
 
 if (TARGET antinode)
-    set_target_properties (antinode PROPERTIES INSTALL_RPATH ${openblas})
+    set_target_properties (antinode PROPERTIES INSTALL_RPATH ${openblas} BUILD_WITH_INSTALL_RPATH ON)
     install (TARGETS antinode RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
     antinode_install_compressed (${PROJECT_SOURCE_DIR}/Docs/Man/antinode.1 ${CMAKE_INSTALL_MANDIR}/man1 antinode.1)
     install (FILES ${resources}/Completion/antinode DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
@@ -59,7 +59,8 @@ foreach (ceramics 8 16 32 64)
 endforeach()
 
 if (TARGET antinode_standalone)
-    set_target_properties (antinode_standalone PROPERTIES INSTALL_RPATH ${openblas} OUTPUT_NAME antinode-standalone)
+    set_target_properties (antinode_standalone PROPERTIES
+        INSTALL_RPATH ${openblas} BUILD_WITH_INSTALL_RPATH ON)
     install (TARGETS antinode_standalone RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
     antinode_install_compressed (${PROJECT_SOURCE_DIR}/Docs/Man/antinode-standalone.1 ${CMAKE_INSTALL_MANDIR}/man1
                                  antinode-standalone.1)

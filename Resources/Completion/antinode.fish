@@ -20,14 +20,14 @@ function __antinode_words
     if test -n "$choices"
         string split , $choices
     else if string match -q -- '-*' $word
-        string replace -rf -- '^ *(?:-[a-z], *)?(--[a-z][a-z-]*).*' '$1' $help
+        string replace -rf -- '^ +(-[^ ]*).*' '$1' $help | string split , | string match -ra -- '^--[a-z-]+'
     else if test "$before" = --focus -a -n "$standalone"
         set kind focus
-    else if contains -- $before --instrument --show; or test "$before" = --device -a -n "$command"
+    else if contains -- $before --instrument --plate --show; or test "$before" = --device -a -n "$command"
         set kind device
     else if test "$before" = --type -a -n "$standalone"
         string split ' ' 'ALSA JACK'
-    else if string match -q -- '-*' $before; and string match -qr -- "^ *(-[a-z], *)?$before [A-Z]" $help
+    else if string match -q -- '-*' $before; and string match -qr -- "^ *(-[^ ]*,)?$before(,-[^ ]*)? [A-Z]" $help
         __fish_complete_path $word
     else if test -z "$command" -a -z "$standalone"
         string replace -rf '^  ([a-z]+) .*' '$1' $help
