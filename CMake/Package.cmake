@@ -6,7 +6,8 @@ set (CPACK_PACKAGE_HOMEPAGE_URL "https://antinode.example")
 set (CPACK_PACKAGE_DESCRIPTION_SUMMARY "surface haptics by modal superimposition")
 set (standalone_text "")
 if (TARGET antinode_standalone)
-    set (standalone_text " The program antinode-standalone plays them by MIDI and touch on an audio
+    set (standalone_text "
+The program antinode-standalone plays them by MIDI and touch on an audio
 interface of its own.")
 endif()
 set (CPACK_PACKAGE_DESCRIPTION "\
