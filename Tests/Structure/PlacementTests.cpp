@@ -13,7 +13,7 @@ namespace
 {
 DeviceDescription deviceOf (const PlateDescription& plate)
 {
-    return { "plate", "", plate };
+    return { "plate", "", false, plate };
 }
 
 PlacingOptions optionsFor (Eigen::Index count, int modes, double step)
@@ -73,7 +73,7 @@ TEST_CASE ("One ceramic for the lowest mode of a cantilever goes to its clamp", 
     auto beam = uniformBeam (EdgeCondition::clamped, EdgeCondition::free);
     auto options = optionsFor (1, 1, 0.005);
     options.isResolved = false;
-    const auto placed = placeCeramics ({ "beam", "", beam }, pairOfCeramics (0, 0.02, 0.01, 0.5e-3), options);
+    const auto placed = placeCeramics ({ "beam", "", false, beam }, pairOfCeramics (0, 0.02, 0.01, 0.5e-3), options);
     CHECK (placed.ceramics[0].x == Approx (-0.1));
     CHECK_FALSE (placed.resolved.has_value());
 }

@@ -79,7 +79,7 @@ inline StapleDescription demonstrator()
 template <typename Body>
 ModalModel solved (const Body& body, std::optional<int> modeCount = {})
 {
-    return solveStructure ({ "example", "", body }, modeCount);
+    return solveStructure ({ "example", "", false, body }, modeCount);
 }
 
 inline Eigen::MatrixXd gramMatrix (const ModalModel& model)
