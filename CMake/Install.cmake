@@ -1,0 +1,81 @@
+# Where everything goes with `cmake --install`. Included last: what a build leaves out is not installed.
+include (GNUInstallDirs)
+
+# Hosts look for plug-ins below lib itself, not below Debian's lib/x86_64-linux-gnu.
+set (ANTINODE_PLUGIN_DIRECTORY lib)
+set (resources ${PROJECT_SOURCE_DIR}/Resources)
+# The serial OpenBLAS lies in a folder of its own; the one on the ordinary path may use threads.
+get_filename_component (openblas ${OPENBLAS_LIBRARY} DIRECTORY)
+set (documents ${CMAKE_INSTALL_DATADIR}/doc/antinode)
+
+# antinode_install_compressed (FILE DIRECTORY NAME): FILE as NAME.gz. Without its time stamp: the same input gives the same bytes.
+function (antinode_install_compressed file directory name)
+    set (compressed ${CMAKE_BINARY_DIR}/compressed/${name}.gz)
+    add_custom_command (OUTPUT ${compressed}
+        COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_BINARY_DIR}/compressed
+        COMMAND gzip -9nc ${file} > ${compressed} DEPENDS ${file} VERBATIM)
+    add_custom_target (compressed_${name} ALL DEPENDS ${compressed})
+    install (FILES ${compressed} DESTINATION ${directory})
+endfunction()
+
+# antinode_install_bundle (TARGET DIRECTORY): a plug-in's folder as JUCE has built it.
+function (antinode_install_bundle target directory)
+    set (bundle "$<GENEX_EVAL:$<TARGET_PROPERTY:${target},JUCE_PLUGIN_ARTEFACT_FILE>>")
+    install (DIRECTORY "${bundle}" DESTINATION ${directory}
+        FILE_PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ)
+    # `cmake --install --strip` knows programs and libraries only.
+    install (CODE "
+        if (CMAKE_INSTALL_DO_STRIP)
+            get_filename_component (name [[${bundle}]] NAME)
+            file (GLOB_RECURSE libraries \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${directory}/\${name}/*.so\")
+            execute_process (COMMAND ${CMAKE_STRIP} --strip-unneeded \${libraries} COMMAND_ERROR_IS_FATAL ANY)
+        endif()")
+endfunction()
+
+if (TARGET antinode)
+    set_target_properties (antinode PROPERTIES INSTALL_RPATH ${openblas} BUILD_WITH_INSTALL_RPATH ON)
+    install (TARGETS antinode RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    antinode_install_compressed (${PROJECT_SOURCE_DIR}/Docs/Man/antinode.1 ${CMAKE_INSTALL_MANDIR}/man1 antinode.1)
+    install (FILES ${resources}/Completion/antinode DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+    install (FILES ${resources}/Completion/_antinode DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+    install (FILES ${resources}/Completion/antinode.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+    install (FILES README.md CONTRIBUTING.md LICENSE DESTINATION ${documents})
+    install (DIRECTORY Docs DESTINATION ${documents} PATTERN Man EXCLUDE)
+    install (FILES ${resources}/Debian/copyright DESTINATION ${documents})
+    antinode_install_compressed (${PROJECT_SOURCE_DIR}/CHANGELOG.md ${documents} changelog)
+    antinode_install_compressed (${resources}/Debian/changelog ${documents} changelog.Debian)
+    install (FILES ${resources}/Debian/lintian-overrides
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides RENAME antinode)
+endif()
+
+if (TARGET AntinodeVST3_VST3)
+    antinode_install_bundle (AntinodeVST3_VST3 ${ANTINODE_PLUGIN_DIRECTORY}/vst3)
+endif()
+
+foreach (ceramics 8 16 32 64)
+    if (TARGET AntinodeLV2_${ceramics}_LV2)
+        antinode_install_bundle (AntinodeLV2_${ceramics}_LV2 ${ANTINODE_PLUGIN_DIRECTORY}/lv2)
+    endif()
+endforeach()
+
+if (TARGET antinode_standalone)
+    set_target_properties (antinode_standalone PROPERTIES
+        INSTALL_RPATH ${openblas} BUILD_WITH_INSTALL_RPATH ON)
+    install (TARGETS antinode_standalone RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    antinode_install_compressed (${PROJECT_SOURCE_DIR}/Docs/Man/antinode-standalone.1 ${CMAKE_INSTALL_MANDIR}/man1
+                                 antinode-standalone.1)
+    install (FILES ${resources}/Completion/antinode DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+        RENAME antinode-standalone)
+    install (FILES ${resources}/Completion/antinode.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d
+        RENAME antinode-standalone.fish)
+    set (identifier example.antinode.Antinode)
+    install (FILES ${resources}/Desktop/${identifier}.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+    install (FILES ${resources}/Desktop/${identifier}.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
+    set (icons ${CMAKE_INSTALL_DATADIR}/icons/hicolor)
+    install (FILES ${resources}/Desktop/antinode.svg DESTINATION ${icons}/scalable/apps RENAME ${identifier}.svg)
+
+    foreach (size 16 22 24 32 48 64 128 256)
+        install (FILES ${resources}/Desktop/antinode-${size}.png DESTINATION ${icons}/${size}x${size}/apps
+            RENAME ${identifier}.png)
+    endforeach()
+endif()

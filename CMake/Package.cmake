@@ -1,0 +1,45 @@
+# `cpack` in the build's folder, or Scripts/package: antinode_VERSION_amd64.deb and antinode-VERSION-Linux-x86_64.tar.gz.
+set (CPACK_PACKAGE_NAME antinode)
+set (CPACK_PACKAGE_VENDOR Antinode)
+set (CPACK_PACKAGE_CONTACT "Antinode <antinode@antinode.example>")
+set (CPACK_PACKAGE_HOMEPAGE_URL "https://antinode.example")
+set (CPACK_PACKAGE_DESCRIPTION_SUMMARY "surface haptics by modal superimposition")
+set (standalone_text "")
+if (TARGET antinode_standalone)
+    set (standalone_text "
+The program antinode-standalone plays them by MIDI and touch on an audio
+interface of its own.")
+endif()
+set (CPACK_PACKAGE_DESCRIPTION "\
+A plate or beam carries piezoelectric ceramics. Antinode computes the voltage
+of each ceramic so that a wanted velocity field appears at a chosen place, at
+a chosen instant, with a chosen strength.
+.
+The package holds the program antinode, which designs, renders and scores such
+foci, and instruments for hosts of VST3 and LV2 plug-ins, with one channel a
+ceramic.${standalone_text}")
+set (CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set (CPACK_RESOURCE_FILE_README ${PROJECT_SOURCE_DIR}/README.md)
+set (CPACK_PACKAGE_FILE_NAME antinode-${PROJECT_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR})
+set (CPACK_GENERATOR DEB TGZ)
+set (CPACK_STRIP_FILES ON)
+set (CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set (CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set (CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_LIST_DIR}/PackageFormats.cmake)
+if (DEFINED ENV{CPACK_THREADS})
+    set (CPACK_THREADS $ENV{CPACK_THREADS})
+endif()
+
+set (CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set (CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set (CPACK_DEBIAN_PACKAGE_SECTION sound)
+set (CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+set (CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set (CPACK_DEBIAN_PACKAGE_DEPENDS libopenblas0-serial)
+set (CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+# JUCE opens these when it needs them, so dpkg-shlibdeps does not see them.
+set (CPACK_DEBIAN_PACKAGE_RECOMMENDS
+     "libx11-6, libxext6, libxcursor1, libxinerama1, libxrandr2, libxrender1")
+set (CPACK_DEBIAN_PACKAGE_SUGGESTS "libjack-jackd2-0 | libjack0, ardour, jalv")
+include (CPack)
