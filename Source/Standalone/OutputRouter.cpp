@@ -84,7 +84,7 @@ void OutputRouter::prepare (double sampleRate)
     silent = isMuting;
 }
 
-void OutputRouter::setRouting (const OutputRouting& routing, std::span<const double> limits)
+void OutputRouter::setRouting (const OutputRouting& routing, const std::vector<double>& limits)
 {
     validate (routing);
     auto made = std::make_unique<Table>();

@@ -44,7 +44,7 @@ public:
 
     /** From one of the next blocks on, after a ramp to 0 V. @param limits  of the ceramics, V @throws InputError  as validate
         [message thread] */
-    void setRouting (const OutputRouting&, std::span<const double> limits);
+    void setRouting (const OutputRouting&, const std::vector<double>& limits);
 
     /** Frees what the audio thread has done with; until then it takes no other routing. Now and then. [message thread] */
     void collect();
