@@ -46,6 +46,7 @@ void HeadlessRun::end (const std::string& failure)
 {
     failureText = failure;
     stopTimer();
+    xruns = std::max (0, host.devices().getXRunCount());
     host.shutDown();
     juce::MessageManager::getInstance()->stopDispatchLoop();
 }
@@ -128,6 +129,7 @@ std::string HeadlessRun::endText() const
     char volts[32];
     std::snprintf (volts, sizeof volts, "%.1f", static_cast<double> (peak));
     return "ended: " + counted (meters.triggered(), "trigger") + ", at most " + volts + " V, "
-           + counted (clamped, "clamped sample") + ", " + counted (outputs.badNumbers(), "block") + " with bad numbers";
+           + counted (clamped, "clamped sample") + ", " + counted (outputs.badNumbers(), "block")
+           + " with bad numbers, " + counted (xruns, "xrun");
 }
 } // namespace antinode

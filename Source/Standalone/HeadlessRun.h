@@ -34,5 +34,6 @@ private:
     std::int64_t seenSamples = 0;
     juce::uint32 seenAt = 0; ///< ms, when the device called last.
     std::string failureText;
+    int xruns = 0; ///< When it ended.
 };
 } // namespace antinode

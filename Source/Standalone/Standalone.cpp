@@ -3,6 +3,8 @@
 #include "ApplyOptions.h"
 #include "HeadlessRun.h"
 #include "Interruption.h"
+#include "QuietLibraries.h"
+#include "WindowRun.h"
 
 #include <antinode_model/InputError.h>
 
@@ -55,15 +57,26 @@ void runHeadless (const StandaloneOptions& options)
     headless.run();
 }
 
+void runWindow (const StandaloneOptions& options)
+{
+    StandaloneHost host (settingsFileOf (options), true);
+    loadDocuments (host, options);
+    host.openAll (withOptions (host.settings(), options));
+    runWithWindow (host);
+}
+
 void run (const StandaloneOptions& options)
 {
     const juce::ScopedJuceInitialiser_GUI juce;
     catchInterruptions();
+    silenceAudioLibraries();
 
     if (options.listsDevices)
         listDevices();
-    else
+    else if (options.isHeadless)
         runHeadless (options);
+    else
+        runWindow (options);
 }
 } // namespace
 

@@ -40,7 +40,7 @@ StandaloneHost::~StandaloneHost()
 void StandaloneHost::openAudio (const AudioChoice& choice)
 {
     antinode::openAudio (deviceManager, choice);
-    kept.audio = choice;
+    kept.audio = openedAudio (deviceManager);
     triggerAsyncUpdate();
 }
 
@@ -66,22 +66,27 @@ void StandaloneHost::setMidi (const MidiChoice& choice)
     triggerAsyncUpdate();
 }
 
-void StandaloneHost::openAll()
+void StandaloneHost::openAll (const StandaloneSettings& wanted)
 {
-    setMidi (kept.midi);
-    const auto tryTo = [this] (const auto& open)
+    setMidi (wanted.midi);
+    const auto succeeds = [this] (const auto& action)
     {
         try
         {
-            open();
+            action();
+            return true;
         }
         catch (const InputError& failure)
         {
             warn (failure.what());
+            return false;
         }
     };
-    tryTo ([this] { setTouch (kept.touch); });
-    tryTo ([this] { antinode::openAudio (deviceManager, kept.audio); });
+    succeeds ([&] { setTouch (wanted.touch); });
+
+    // A device that has other rates or fewer channels than last time is better than none.
+    if (! succeeds ([&] { openAudio (wanted.audio); }))
+        succeeds ([&] { openAudio ({ wanted.audio.type, wanted.audio.device, 0, 0, {} }); });
 }
 
 void StandaloneHost::muteAll()
@@ -114,8 +119,8 @@ juce::String StandaloneHost::warning() const
 
 void StandaloneHost::changeListenerCallback (juce::ChangeBroadcaster*)
 {
-    // A device that is gone for now is not forgotten.
-    if (auto opened = openedAudio (deviceManager); ! opened.type.empty())
+    // A device that is gone for now is not forgotten; another one makes old warnings pointless.
+    if (auto opened = openedAudio (deviceManager); ! opened.type.empty() && opened != kept.audio)
     {
         kept.audio = std::move (opened);
         ownWarning.clear();

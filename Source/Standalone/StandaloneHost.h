@@ -36,8 +36,9 @@ public:
     void setTouch (const TouchPorts&);
     void setMidi (const MidiChoice&);
 
-    /** Opens what the settings say; what cannot be opened becomes a warning. [message thread] */
-    void openAll();
+    /** Opens what the settings say of audio, MIDI and touch, and keeps them; what cannot be opened becomes a warning.
+        [message thread] */
+    void openAll (const StandaloneSettings&);
 
     /** Ramps everything to 0 V, ends all foci and the identify tone; stays so until release. [any but the audio thread] */
     void muteAll();
