@@ -1,11 +1,10 @@
 #include "MainComponent.h"
 
+#include "AudioPanel.h"
 #include "MidiPanel.h"
 #include "PlainPanel.h"
 #include "RoutingPanel.h"
 #include "TouchPanel.h"
-
-#include <juce_audio_utils/juce_audio_utils.h>
 
 #include <algorithm>
 
@@ -21,7 +20,7 @@ MainComponent::MainComponent (StandaloneHost& hostToUse) : host (hostToUse)
     setLookAndFeel (&look);
 
     if (host.processor().hasEditor())
-        player.reset (host.processor().createEditorIfNeeded());
+        player.reset (host.processor().createEditor());
     else
         player = std::make_unique<PlainPanel> (host);
 
@@ -52,7 +51,11 @@ MainComponent::MainComponent (StandaloneHost& hostToUse) : host (hostToUse)
     setWantsKeyboardFocus (true);
     setSize (std::max (player->getWidth(), leastPlayerWidth) + tabsWidth,
              std::max (player->getHeight(), leastHeight) + topHeight);
-    host.onChange = [this] { routing->update(); };
+    host.onChange = [this]
+    {
+        routingPanel->update();
+        audioPanel->update();
+    };
     timerCallback();
     startTimerHz (10);
 }
@@ -68,11 +71,11 @@ MainComponent::~MainComponent()
 void MainComponent::addTabs()
 {
     const auto colour = look.findColour (juce::TabbedComponent::backgroundColourId);
-    auto audio = std::make_unique<juce::AudioDeviceSelectorComponent> (
-        host.devices(), 0, 0, 1, OutputRouting::mostOutputs, false, false, false, false);
+    auto devices = std::make_unique<AudioPanel> (host);
+    audioPanel = devices.get();
     auto routes = std::make_unique<RoutingPanel> (host);
-    routing = routes.get();
-    tabs.addTab ("Audio device", colour, audio.release(), true);
+    routingPanel = routes.get();
+    tabs.addTab ("Audio device", colour, devices.release(), true);
     tabs.addTab ("Routing", colour, routes.release(), true);
     tabs.addTab ("MIDI", colour, std::make_unique<MidiPanel> (host).release(), true);
     tabs.addTab ("Touch", colour, std::make_unique<TouchPanel> (host).release(), true);
@@ -130,7 +133,7 @@ void MainComponent::resized()
     auto top = area.removeFromTop (topHeight).reduced (margin);
     mute.setBounds (top.removeFromRight (muteWidth));
     top.removeFromRight (margin);
-    showSettings.setBounds (top.removeFromRight (90));
+    showSettings.setBounds (top.removeFromRight (90).withSizeKeepingCentre (90, 30));
     status.setBounds (top.removeFromTop (top.getHeight() / 2));
     warning.setBounds (top);
 

@@ -9,6 +9,7 @@
 
 namespace antinode
 {
+class AudioPanel;
 class RoutingPanel;
 
 /** All that is in the window: MUTE ALL on top, the player's editor, and the settings beside it. */
@@ -37,7 +38,8 @@ private:
     juce::TabbedComponent tabs { juce::TabbedButtonBar::TabsAtTop };
     juce::TextButton mute, showSettings { "Settings" };
     juce::Label status, warning;
-    RoutingPanel* routing = nullptr;
+    AudioPanel* audioPanel = nullptr; ///< In the tabs, as the next one.
+    RoutingPanel* routingPanel = nullptr;
     juce::TooltipWindow tooltips { this };
 };
 } // namespace antinode

@@ -37,7 +37,7 @@ void PlainPanel::timerCallback()
 void PlainPanel::resized()
 {
     auto area = getLocalBounds().withSizeKeepingCentre (260, 210);
-    status.setBounds (area.removeFromTop (40));
+    status.setBounds (area.removeFromTop (40).withX (0).withWidth (getWidth()));
     arm.setBounds (area.removeFromTop (60));
     area.removeFromTop (10);
     fire.setBounds (area);

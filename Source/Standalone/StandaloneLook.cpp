@@ -22,6 +22,7 @@ StandaloneLook::StandaloneLook() : plain (embedded ("DejaVuSans.ttf")), bold (em
 {
     setColour (juce::ResizableWindow::backgroundColourId, juce::Colour (0xff1b2226));
     setColour (juce::TextButton::buttonColourId, juce::Colour (0xff34424a));
+    setColour (juce::TextButton::buttonOnColourId, warning().darker (0.6F));
     setColour (juce::TabbedComponent::backgroundColourId, juce::Colour (0xff222b30));
     setColour (juce::TabbedComponent::outlineColourId, juce::Colours::transparentBlack);
 }
@@ -29,5 +30,11 @@ StandaloneLook::StandaloneLook() : plain (embedded ("DejaVuSans.ttf")), bold (em
 juce::Typeface::Ptr StandaloneLook::getTypefaceForFont (const juce::Font& font)
 {
     return font.isBold() ? bold : plain;
+}
+
+juce::Font StandaloneLook::getTextButtonFont (juce::TextButton&, int height)
+{
+    constexpr int big = 40; // pixels
+    return height > big ? juce::Font (18, juce::Font::bold) : juce::Font (14);
 }
 } // namespace antinode

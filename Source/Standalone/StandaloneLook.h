@@ -12,6 +12,9 @@ public:
 
     juce::Typeface::Ptr getTypefaceForFont (const juce::Font&) override;
 
+    /** Big buttons speak loudly. */
+    juce::Font getTextButtonFont (juce::TextButton&, int height) override;
+
     static juce::Colour danger() { return juce::Colour (0xffc62828); }
     static juce::Colour ready() { return juce::Colour (0xff2e7d32); }
     static juce::Colour warning() { return juce::Colour (0xffffb74d); }
