@@ -39,6 +39,14 @@ StandaloneHost::~StandaloneHost()
 
 void StandaloneHost::openAudio (const AudioChoice& choice)
 {
+    const auto wasMuted = outputRouter.isMuted();
+    muteAll();
+    waitForSilence();
+    deviceManager.closeAudioDevice();
+
+    if (! wasMuted)
+        outputRouter.release();
+
     antinode::openAudio (deviceManager, choice);
     kept.audio = openedAudio (deviceManager);
     triggerAsyncUpdate();
@@ -96,19 +104,26 @@ void StandaloneHost::muteAll()
     player.session().stopAll();
 }
 
+/** After muteAll(): until the device has played the ramp. */
+void StandaloneHost::waitForSilence()
+{
+    if (audio.sampleRate() <= 0)
+        return;
+
+    const auto end = juce::Time::getMillisecondCounter() + rampPatience;
+
+    while (! outputRouter.isSilent() && juce::Time::getMillisecondCounter() < end)
+        juce::Thread::sleep (1);
+
+    // The end of the ramp is still in the device's buffers; behind it comes silence.
+    juce::Thread::sleep (tickMilliseconds);
+}
+
 void StandaloneHost::shutDown()
 {
     save();
     muteAll();
-    const auto end = juce::Time::getMillisecondCounter() + rampPatience;
-
-    while (audio.sampleRate() > 0 && ! outputRouter.isSilent() && juce::Time::getMillisecondCounter() < end)
-        juce::Thread::sleep (1);
-
-    // The last block of the ramp is on its way, and what follows it is silence: let the device play it.
-    if (audio.sampleRate() > 0)
-        juce::Thread::sleep (tickMilliseconds);
-
+    waitForSilence();
     deviceManager.closeAudioDevice();
 }
 

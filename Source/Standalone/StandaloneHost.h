@@ -59,6 +59,7 @@ private:
     void handleAsyncUpdate() override;
     void timerCallback() override;
     void passRouting();
+    void waitForSilence();
     void save();
     void warn (const std::string& text) { ownWarning = juce::String::fromUTF8 (text.c_str()); }
 
