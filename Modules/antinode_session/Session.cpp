@@ -150,6 +150,7 @@ void Session::process (const OutputBlock<Sample>& block, std::span<const FocusEv
     {
         auto now = controls;
         now.isArmed = controls.isArmed && ! paths.isLeaving();
+        fullScale = current->model().fullScaleVoltage;
         current->process (block, gather (events), now, levels, trace);
         return;
     }

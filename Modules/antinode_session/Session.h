@@ -78,6 +78,9 @@ public:
     /** Samples from a trigger to its focus where foci fall on notes, else 0. [any] */
     std::int64_t latencySamples() const { return latency; }
 
+    /** What a sample of 1.0 stood for in the block that was played last, V; 0 before the first. [any] */
+    double fullScaleVolts() const { return fullScale; }
+
     /** How long sound goes on after the last trigger: the focus, and 60 dB of the slowest mode's decay. s [any] */
     double tailSeconds() const { return tail; }
 
@@ -133,7 +136,7 @@ private:
     std::atomic<double> preparedRate { 0 };
     std::atomic<bool> playsSpotOnly { false }; ///< Whether every note plays the focus at its own place.
     std::atomic<std::int64_t> latency { 0 };
-    std::atomic<double> tail { 1 };
+    std::atomic<double> tail { 1 }, fullScale { 0 };
     std::thread thread;
 };
 } // namespace antinode

@@ -1,0 +1,159 @@
+#include "AudioChoice.h"
+
+#include "OutputRouting.h"
+
+#include <antinode_model/InputError.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+std::string joined (const std::vector<std::string>& words)
+{
+    std::string text;
+
+    for (const auto& word : words)
+        text += (text.empty() ? "" : ", ") + word;
+
+    return text;
+}
+
+juce::AudioIODeviceType& deviceType (juce::AudioDeviceManager& manager, const std::string& name)
+{
+    for (auto* const type : manager.getAvailableDeviceTypes())
+        if (type->getTypeName().equalsIgnoreCase (juce::String (name)))
+            return *type;
+
+    throw InputError ("audio device type '" + name + "'",
+                      "does not exist, there are " + joined (deviceTypes (manager)));
+}
+
+std::string chosenDevice (juce::AudioDeviceManager& manager, const AudioChoice& choice, const std::string& type)
+{
+    const auto names = outputDevices (manager, type);
+
+    if (names.empty())
+        throw InputError (type, type == "JACK" ? "has no outputs: is a JACK server running?"
+                                               : "has no outputs on this computer");
+
+    if (choice.device.empty())
+        return names.front();
+
+    if (std::find (names.begin(), names.end(), choice.device) == names.end())
+        throw InputError (type + " device '" + choice.device + "'", "does not exist, there are " + joined (names));
+
+    return choice.device;
+}
+
+juce::AudioDeviceManager::AudioDeviceSetup setupOf (const AudioChoice& choice, const std::string& device)
+{
+    juce::AudioDeviceManager::AudioDeviceSetup setup;
+    setup.outputDeviceName = juce::String::fromUTF8 (device.c_str());
+    setup.sampleRate = choice.sampleRate;
+    setup.bufferSize = choice.blockSize;
+    setup.useDefaultInputChannels = false;
+    setup.useDefaultOutputChannels = false;
+
+    for (const auto output : choice.outputs)
+        setup.outputChannels.setBit (output);
+
+    if (choice.outputs.empty())
+        setup.outputChannels.setRange (0, OutputRouting::mostOutputs, true);
+
+    return setup;
+}
+
+/** Devices give what they can rather than what is asked for: a user who asks wants to know. */
+void checkOpened (const juce::AudioIODevice& device, const AudioChoice& choice)
+{
+    auto& opened = const_cast<juce::AudioIODevice&> (device);
+    const auto name = opened.getTypeName().toStdString() + " device '" + opened.getName().toStdString() + "'";
+    const auto rate = opened.getCurrentSampleRate();
+    const auto block = opened.getCurrentBufferSizeSamples();
+    const auto channels = opened.getOutputChannelNames().size();
+
+    if (choice.sampleRate > 0 && std::abs (rate - choice.sampleRate) > 0.5)
+        throw InputError (name, "plays at " + std::to_string (std::lround (rate)) + " Hz, not at "
+                                    + std::to_string (std::lround (choice.sampleRate)) + " Hz");
+
+    if (choice.blockSize > 0 && block != choice.blockSize)
+        throw InputError (name, "has blocks of " + std::to_string (block) + " samples, not of "
+                                    + std::to_string (choice.blockSize));
+
+    for (const auto output : choice.outputs)
+        if (output >= channels)
+            throw InputError (name, "has " + std::to_string (channels) + " output channels, so none numbered "
+                                        + std::to_string (output + 1));
+}
+} // namespace
+
+std::vector<std::string> deviceTypes (juce::AudioDeviceManager& manager)
+{
+    std::vector<std::string> names;
+
+    for (auto* const type : manager.getAvailableDeviceTypes())
+        names.push_back (type->getTypeName().toStdString());
+
+    return names;
+}
+
+std::vector<std::string> outputDevices (juce::AudioDeviceManager& manager, const std::string& typeName)
+{
+    auto& type = deviceType (manager, typeName);
+    type.scanForDevices();
+    std::vector<std::string> names;
+
+    for (const auto& name : type.getDeviceNames (false))
+        names.push_back (name.toStdString());
+
+    return names;
+}
+
+void openAudio (juce::AudioDeviceManager& manager, const AudioChoice& choice)
+{
+    const auto types = deviceTypes (manager);
+
+    if (types.empty())
+        throw InputError ("audio", "is not possible: this program was built without ALSA and JACK");
+
+    const auto type = deviceType (manager, choice.type.empty() ? types.front() : choice.type).getTypeName();
+    const auto device = chosenDevice (manager, choice, type.toStdString());
+    manager.setCurrentAudioDeviceType (type, true);
+
+    if (const auto failure = manager.setAudioDeviceSetup (setupOf (choice, device), true); failure.isNotEmpty())
+        throw InputError (type.toStdString() + " device '" + device + "'",
+                          "cannot be opened: " + failure.toLowerCase().toStdString());
+
+    try
+    {
+        checkOpened (*manager.getCurrentAudioDevice(), choice);
+    }
+    catch (const InputError&)
+    {
+        manager.closeAudioDevice();
+        throw;
+    }
+}
+
+AudioChoice openedAudio (juce::AudioDeviceManager& manager)
+{
+    AudioChoice choice;
+
+    if (auto* const device = manager.getCurrentAudioDevice())
+    {
+        choice.type = device->getTypeName().toStdString();
+        choice.device = manager.getAudioDeviceSetup().outputDeviceName.toStdString();
+        choice.sampleRate = device->getCurrentSampleRate();
+        choice.blockSize = device->getCurrentBufferSizeSamples();
+        const auto open = device->getActiveOutputChannels();
+
+        for (auto i = open.findNextSetBit (0); i >= 0; i = open.findNextSetBit (i + 1))
+            choice.outputs.push_back (i);
+    }
+
+    return choice;
+}
+} // namespace antinode

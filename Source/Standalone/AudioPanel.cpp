@@ -1,0 +1,149 @@
+#include "AudioPanel.h"
+
+#include "StandaloneLook.h"
+
+#include <antinode_model/InputError.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace antinode
+{
+namespace
+{
+constexpr int rowHeight = 32, margin = 12, nameWidth = 130, buttonWidth = 110;
+
+std::string textOf (const juce::ComboBox& box)
+{
+    return box.getText().toStdString();
+}
+
+juce::String text (const std::string& words)
+{
+    return juce::String::fromUTF8 (words.c_str());
+}
+
+void fill (juce::ComboBox& box, const std::vector<std::string>& words, const std::string& chosen)
+{
+    box.clear (juce::dontSendNotification);
+
+    for (const auto& word : words)
+        box.addItem (text (word), box.getNumItems() + 1);
+
+    box.setText (text (chosen), juce::dontSendNotification);
+}
+} // namespace
+
+AudioPanel::AudioPanel (StandaloneHost& hostToUse) : host (hostToUse)
+{
+    const std::array boxes { &type, &device, &rate, &block, &outputs };
+    const std::array words { "Type", "Device", "Sample rate, Hz", "Block, samples", "First outputs" };
+
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+    {
+        names[i].setText (words[i], juce::dontSendNotification);
+        addAndMakeVisible (names[i]);
+        addAndMakeVisible (*boxes[i]);
+    }
+
+    failure.setColour (juce::Label::textColourId, StandaloneLook::warning());
+    addAndMakeVisible (failure);
+    addAndMakeVisible (refresh);
+    type.onChange = [this] { open ({ textOf (type), {}, 0, 0, {} }); };
+    device.onChange = [this] { open ({ textOf (type), textOf (device), 0, 0, {} }); };
+    rate.onChange = block.onChange = outputs.onChange = [this]
+    {
+        AudioChoice wanted {
+            textOf (type), textOf (device), rate.getText().getDoubleValue(), block.getText().getIntValue(), {}
+        };
+        wanted.outputs.resize (static_cast<std::size_t> (outputs.getText().getIntValue()));
+        std::iota (wanted.outputs.begin(), wanted.outputs.end(), 0);
+        open (wanted);
+    };
+    refresh.onClick = [this]
+    {
+        scannedType.clear();
+        update();
+    };
+    update();
+}
+
+void AudioPanel::open (const AudioChoice& choice)
+{
+    auto reason = juce::String();
+
+    try
+    {
+        host.openAudio (choice);
+    }
+    catch (const InputError& error)
+    {
+        reason = juce::String::fromUTF8 (error.what());
+    }
+
+    failure.setText (reason, juce::dontSendNotification);
+    update();
+}
+
+void AudioPanel::update()
+{
+    const auto opened = openedAudio (host.devices());
+    updateDevices (opened);
+    updateFormat (opened);
+}
+
+void AudioPanel::updateDevices (const AudioChoice& opened)
+{
+    const auto types = deviceTypes (host.devices());
+    const auto shown = ! opened.type.empty()                      ? opened.type
+                       : textOf (type).empty() && ! types.empty() ? types.front()
+                                                                  : textOf (type);
+    fill (type, types, shown);
+
+    // Looking for devices takes its time and may disturb one that plays: so not whenever something is shown.
+    if (shown != scannedType)
+        scannedDevices = outputDevices (host.devices(), shown);
+
+    scannedType = shown;
+    fill (device, scannedDevices, opened.device);
+    device.setTextWhenNothingSelected (device.getNumItems() > 0 ? "choose" : "none");
+}
+
+void AudioPanel::updateFormat (const AudioChoice& opened)
+{
+    std::vector<std::string> rates, blocks, counts;
+
+    if (auto* const present = host.devices().getCurrentAudioDevice())
+    {
+        for (const auto available : present->getAvailableSampleRates())
+            rates.push_back (std::to_string (juce::roundToInt (available)));
+
+        for (const auto available : present->getAvailableBufferSizes())
+            blocks.push_back (std::to_string (available));
+
+        for (int i = 1; i <= std::min (present->getOutputChannelNames().size(), OutputRouting::mostOutputs); ++i)
+            counts.push_back (std::to_string (i));
+    }
+
+    const auto isOpen = ! opened.type.empty();
+    fill (rate, rates, isOpen ? std::to_string (juce::roundToInt (opened.sampleRate)) : std::string());
+    fill (block, blocks, isOpen ? std::to_string (opened.blockSize) : std::string());
+    fill (outputs, counts, isOpen ? std::to_string (opened.outputs.size()) : std::string());
+}
+
+void AudioPanel::resized()
+{
+    auto area = getLocalBounds().reduced (margin);
+    const std::array boxes { &type, &device, &rate, &block, &outputs };
+
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+    {
+        auto row = area.removeFromTop (rowHeight).reduced (0, 2);
+        names[i].setBounds (row.removeFromLeft (nameWidth));
+        boxes[i]->setBounds (row);
+    }
+
+    refresh.setBounds (area.removeFromTop (rowHeight).reduced (0, 2).removeFromRight (buttonWidth));
+    failure.setBounds (area.removeFromTop (3 * rowHeight));
+}
+} // namespace antinode

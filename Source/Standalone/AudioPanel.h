@@ -1,0 +1,36 @@
+#pragma once
+
+#include "StandaloneHost.h"
+
+#include <juce_gui_basics/juce_gui_basics.h>
+
+#include <array>
+
+namespace antinode
+{
+/** Which audio device, and how. JUCE's own panel has a button that plays half of full scale past the router: so it is not used. */
+class AudioPanel : public juce::Component
+{
+public:
+    /** @param hostToUse  outlives this [message thread] */
+    explicit AudioPanel (StandaloneHost& hostToUse);
+
+    /** Shows what is open, and what there is. [message thread] */
+    void update();
+
+    void resized() override;
+
+private:
+    void updateDevices (const AudioChoice&);
+    void updateFormat (const AudioChoice&);
+    void open (const AudioChoice&);
+
+    StandaloneHost& host;
+    juce::ComboBox type, device, rate, block, outputs;
+    std::array<juce::Label, 5> names;
+    juce::TextButton refresh { "Look again" };
+    juce::Label failure;
+    std::string scannedType; ///< Of the next line.
+    std::vector<std::string> scannedDevices;
+};
+} // namespace antinode

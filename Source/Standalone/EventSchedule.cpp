@@ -1,0 +1,54 @@
+#include "EventSchedule.h"
+
+#include <antinode_model/InputError.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+EventSchedule::EventSchedule (std::vector<TimedNote> notesToPlay) : notes (std::move (notesToPlay))
+{
+    std::stable_sort (notes.begin(), notes.end(),
+                      [] (const auto& one, const auto& other) { return one.seconds < other.seconds; });
+}
+
+void EventSchedule::addTo (juce::MidiBuffer& buffer, std::int64_t start, int count, double sampleRate)
+{
+    for (; next < notes.size(); ++next)
+    {
+        const auto offset = std::llround (notes[next].seconds * sampleRate) - start;
+
+        if (offset >= count)
+            return;
+
+        buffer.addEvent (notes[next].message, static_cast<int> (std::max<std::int64_t> (0, offset)));
+    }
+}
+
+std::vector<TimedNote> readMidiFile (const std::filesystem::path& path)
+{
+    const juce::File file (juce::File::getCurrentWorkingDirectory().getChildFile (path.string()));
+    juce::FileInputStream stream (file);
+    juce::MidiFile midi;
+
+    if (stream.failedToOpen())
+        throw InputError (path.string(), "cannot be opened");
+
+    if (! midi.readFrom (stream))
+        throw InputError (path.string(), "is not a standard MIDI file");
+
+    midi.convertTimestampTicksToSeconds();
+    std::vector<TimedNote> notes;
+
+    for (int i = 0; i < midi.getNumTracks(); ++i)
+        for (const auto* const event : *midi.getTrack (i))
+            if (const auto& message = event->message; message.isNoteOnOrOff())
+                notes.push_back ({ std::max (0.0, message.getTimeStamp()), message });
+
+    if (notes.empty())
+        throw InputError (path.string(), "has no notes");
+
+    return notes;
+}
+} // namespace antinode

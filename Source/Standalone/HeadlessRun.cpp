@@ -1,0 +1,135 @@
+#include "HeadlessRun.h"
+
+#include "Interruption.h"
+
+#include <antinode_model/InputError.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace antinode
+{
+namespace
+{
+constexpr int tickMilliseconds = 10;
+constexpr juce::uint32 devicePatience = 3000; // ms without a call
+constexpr double armTime = 0.05;              // s, for the ramp of arming to end before the first note
+
+std::string counted (std::int64_t count, const std::string& what)
+{
+    return std::to_string (count) + " " + what + (count == 1 ? "" : "s");
+}
+} // namespace
+
+HeadlessRun::HeadlessRun (StandaloneHost& hostToPlay, std::vector<TimedNote> notes, double seconds, bool isArmed)
+    : host (hostToPlay), duration (seconds), arms (isArmed)
+{
+    for (auto& note : notes)
+        note.seconds += armTime;
+
+    host.callback().setSchedule (EventSchedule (std::move (notes)));
+}
+
+void HeadlessRun::run()
+{
+    seenAt = juce::Time::getMillisecondCounter();
+    startTimer (tickMilliseconds);
+    juce::MessageManager::getInstance()->runDispatchLoop();
+
+    if (! failureText.empty())
+        throw InputError ("", failureText);
+
+    std::printf ("%s\n", endText().c_str());
+}
+
+void HeadlessRun::end (const std::string& failure)
+{
+    failureText = failure;
+    stopTimer();
+    xruns = std::max (0, host.devices().getXRunCount());
+    host.shutDown();
+    juce::MessageManager::getInstance()->stopDispatchLoop();
+}
+
+void HeadlessRun::timerCallback()
+{
+    checkDevice();
+
+    if (isTimerRunning() && ! hasBegun)
+        beginWhenDesigned();
+
+    const auto played = static_cast<double> (host.callback().scheduleSamples());
+    const auto isOver = hasBegun && duration > 0 && played >= (armTime + duration) * host.callback().sampleRate();
+
+    if (isTimerRunning() && (isOver || isInterrupted()))
+        end ({});
+}
+
+void HeadlessRun::checkDevice()
+{
+    const auto now = juce::Time::getMillisecondCounter();
+
+    if (const auto samples = host.callback().samplesPlayed(); samples != seenSamples)
+    {
+        seenSamples = samples;
+        seenAt = now;
+    }
+
+    if (now - seenAt > devicePatience)
+        end ("the audio device has stopped");
+}
+
+void HeadlessRun::beginWhenDesigned()
+{
+    auto& session = host.processor().session();
+    const auto now = session.snapshot();
+    const auto progress = session.progress();
+
+    if (! now->deviceError.empty())
+        return end (now->deviceError);
+
+    if (! progress.liveError.empty())
+        return end (progress.liveError);
+
+    if (now->isSolving || progress.wanted == 0 || ! progress.isDone())
+        return;
+
+    if (arms)
+        host.processor().parameters().arm().setValueNotifyingHost (1);
+
+    hasBegun = true;
+    std::printf ("%s\n", startText().c_str());
+    std::fflush (stdout);
+    host.callback().startSchedule();
+}
+
+std::string HeadlessRun::startText() const
+{
+    const auto audio = openedAudio (host.devices());
+    const auto model = host.processor().session().snapshot()->model;
+    return "playing on " + audio.type + " device '" + audio.device
+           + "': " + std::to_string (std::lround (audio.sampleRate)) + " Hz, " + counted (audio.blockSize, "sample")
+           + " a block, " + counted (std::ssize (audio.outputs), "output") + "; '" + model->name + "' with "
+           + counted (model->actuators(), "ceramic") + ", " + (arms ? "armed" : "disarmed");
+}
+
+std::string HeadlessRun::endText() const
+{
+    auto& meters = host.processor().session().meters();
+    auto& outputs = host.router().meters();
+    std::int64_t clamped = 0;
+    float peak = 0;
+
+    for (int i = 0; i < OutputRouting::mostOutputs; ++i)
+        clamped += outputs.clampedSamples (i);
+
+    for (int i = 0; i < LevelMeters::ceramics; ++i)
+        peak = std::max (peak, meters.takePeak (i));
+
+    char volts[32];
+    std::snprintf (volts, sizeof volts, "%.1f", static_cast<double> (peak));
+    return "ended: " + counted (meters.triggered(), "trigger") + ", at most " + volts + " V, "
+           + counted (clamped, "clamped sample") + ", " + counted (outputs.badNumbers(), "block")
+           + " with bad numbers, " + counted (xruns, "xrun");
+}
+} // namespace antinode

@@ -1,0 +1,42 @@
+#include "LevelBar.h"
+
+#include "StandaloneLook.h"
+
+#include <juce_audio_basics/juce_audio_basics.h>
+
+#include <algorithm>
+
+namespace antinode
+{
+namespace
+{
+constexpr float fall = 0.9F;    // a call
+constexpr float quietest = -60; // dB
+} // namespace
+
+void LevelBar::show (float peak, std::int64_t clamped)
+{
+    const auto next = peak > 0 || level > 1e-4F ? std::max (peak, level * fall) : 0.0F;
+
+    if (next == level && isClamped == (clamped > 0))
+        return;
+
+    level = next;
+    isClamped = clamped > 0;
+    repaint();
+}
+
+void LevelBar::paint (juce::Graphics& g)
+{
+    auto area = getLocalBounds().toFloat().reduced (0, 7);
+    const auto lamp = area.removeFromRight (area.getHeight());
+    area.removeFromRight (4);
+    const auto share = std::clamp (1 - juce::Decibels::gainToDecibels (level, quietest) / quietest, 0.0F, 1.0F);
+    g.setColour (juce::Colours::black.withAlpha (0.4F));
+    g.fillRoundedRectangle (area, 2);
+    g.setColour (StandaloneLook::ready().brighter (0.5F));
+    g.fillRoundedRectangle (area.withWidth (area.getWidth() * share), 2);
+    g.setColour (isClamped ? StandaloneLook::danger().brighter (0.3F) : juce::Colours::black.withAlpha (0.4F));
+    g.fillEllipse (lamp);
+}
+} // namespace antinode

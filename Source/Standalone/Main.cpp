@@ -1,0 +1,6 @@
+#include "Standalone.h"
+
+int main (int argumentCount, char** arguments)
+{
+    return antinode::runStandalone (argumentCount, arguments);
+}

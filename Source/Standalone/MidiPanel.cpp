@@ -1,0 +1,81 @@
+#include "MidiPanel.h"
+
+#include <algorithm>
+
+namespace antinode
+{
+namespace
+{
+constexpr int rowHeight = 28, margin = 12, lookMilliseconds = 1000;
+}
+
+MidiPanel::MidiPanel (StandaloneHost& hostToUse) : host (hostToUse)
+{
+    all.setToggleState (host.settings().midi.all, juce::dontSendNotification);
+    all.onClick = [this] { choose(); };
+    addAndMakeVisible (all);
+    addChildComponent (none);
+    update();
+    startTimer (lookMilliseconds);
+}
+
+void MidiPanel::update()
+{
+    const auto available = host.midi().available();
+    none.setVisible (available.isEmpty());
+
+    if (available != devices)
+    {
+        devices = available;
+        buttons.clear();
+
+        for (const auto& device : devices)
+        {
+            buttons.push_back (std::make_unique<juce::ToggleButton> (device.name));
+            buttons.back()->onClick = [this] { choose(); };
+            addAndMakeVisible (*buttons.back());
+        }
+
+        resized();
+    }
+
+    const auto& chosen = host.settings().midi;
+
+    for (std::size_t i = 0; i < buttons.size(); ++i)
+    {
+        const auto identifier = devices[static_cast<int> (i)].identifier.toStdString();
+        const auto isNamed = std::find (chosen.inputs.begin(), chosen.inputs.end(), identifier) != chosen.inputs.end();
+        buttons[i]->setToggleState (chosen.all || isNamed, juce::dontSendNotification);
+        buttons[i]->setEnabled (! chosen.all);
+    }
+}
+
+/** What is not plugged in just now stays chosen. */
+void MidiPanel::choose()
+{
+    auto chosen = host.settings().midi;
+    chosen.all = all.getToggleState();
+
+    for (std::size_t i = 0; i < buttons.size(); ++i)
+    {
+        const auto identifier = devices[static_cast<int> (i)].identifier.toStdString();
+        std::erase (chosen.inputs, identifier);
+
+        if (buttons[i]->getToggleState())
+            chosen.inputs.push_back (identifier);
+    }
+
+    host.setMidi (chosen);
+    update();
+}
+
+void MidiPanel::resized()
+{
+    auto area = getLocalBounds().reduced (margin);
+    all.setBounds (area.removeFromTop (rowHeight));
+    none.setBounds (area.withHeight (rowHeight));
+
+    for (auto& button : buttons)
+        button->setBounds (area.removeFromTop (rowHeight).withTrimmedLeft (2 * margin));
+}
+} // namespace antinode

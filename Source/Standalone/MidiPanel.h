@@ -1,0 +1,32 @@
+#pragma once
+
+#include "StandaloneHost.h"
+
+#include <juce_gui_basics/juce_gui_basics.h>
+
+#include <memory>
+#include <vector>
+
+namespace antinode
+{
+/** Which MIDI inputs play; those that are plugged in later appear. */
+class MidiPanel : public juce::Component, private juce::Timer
+{
+public:
+    /** @param hostToUse  outlives this [message thread] */
+    explicit MidiPanel (StandaloneHost& hostToUse);
+
+    void resized() override;
+
+private:
+    void timerCallback() override { update(); }
+    void update();
+    void choose();
+
+    StandaloneHost& host;
+    juce::ToggleButton all { "All inputs, also those that are plugged in later" };
+    juce::Label none { {}, "No MIDI input is plugged in." };
+    juce::Array<juce::MidiDeviceInfo> devices;
+    std::vector<std::unique_ptr<juce::ToggleButton>> buttons; ///< Of the devices.
+};
+} // namespace antinode

@@ -1,0 +1,270 @@
+#include "OutputRouter.h"
+
+#include "IdentifyTone.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace antinode
+{
+/** A routing as the audio thread wants it: what each output gives. */
+struct OutputRouter::Table
+{
+    OutputRouting routing;
+    std::array<int, OutputRouting::mostOutputs> ceramics {};   ///< Of each output, or none.
+    std::array<double, OutputRouting::mostCeramics> limits {}; ///< V
+};
+
+/** Some samples of a block in which nothing begins or ends. */
+struct OutputRouter::Part
+{
+    int offset = 0, count = 0;
+};
+
+namespace
+{
+/** Where the first sample that is not finite is, or `count`. */
+int firstBadSample (std::span<const float* const> channels, int offset, int count)
+{
+    for (const auto* const channel : channels)
+        for (int n = 0; n < count; ++n)
+            if (! std::isfinite (channel[offset + n]))
+                count = n;
+
+    return count;
+}
+
+/** What an output can give: finite, and no more than full scale. */
+void copyWithin (const float* from, float* to, int count, float factor, std::int64_t& clamped)
+{
+    for (int n = 0; n < count; ++n)
+    {
+        const auto value = from[n] * factor;
+        const auto allowed = std::isfinite (value) ? std::clamp (value, -1.0F, 1.0F) : 0.0F;
+        clamped += static_cast<int> (std::abs (value) > 1.0F);
+        to[n] = allowed;
+    }
+}
+
+float peakOf (const float* samples, int count)
+{
+    float peak = 0;
+
+    for (int n = 0; n < count; ++n)
+        peak = std::max (peak, std::abs (samples[n]));
+
+    return peak;
+}
+} // namespace
+
+OutputRouter::OutputRouter()
+{
+    setRouting (straightRouting(), {});
+    takeTable();
+}
+
+OutputRouter::~OutputRouter()
+{
+    delete next.load();
+    delete retired.load();
+}
+
+void OutputRouter::prepare (double sampleRate)
+{
+    rate = sampleRate;
+    rampSamples = std::max<std::int64_t> (1, std::llround (rampTime * rate));
+    takeTable();
+    tone = OutputRouting::none;
+    isLeaving = false;
+    sourceLeft = 0;
+    sourceRamp = SafetyRamp (1);
+    isMuting = wantsMute;
+    muteRamp = SafetyRamp (isMuting ? 0 : 1);
+    silent = isMuting;
+}
+
+void OutputRouter::setRouting (const OutputRouting& routing, const std::vector<double>& limits)
+{
+    validate (routing);
+    auto made = std::make_unique<Table>();
+    made->routing = routing;
+    made->ceramics.fill (OutputRouting::none);
+    std::copy_n (limits.begin(), std::min (limits.size(), made->limits.size()), made->limits.begin());
+
+    for (std::size_t k = 0; k < routing.outputs.size(); ++k)
+        if (routing.outputs[k] != OutputRouting::none)
+            made->ceramics[static_cast<std::size_t> (routing.outputs[k])] = static_cast<int> (k);
+
+    delete next.exchange (made.release(), std::memory_order_acq_rel);
+    collect();
+}
+
+void OutputRouter::collect()
+{
+    delete retired.exchange (nullptr, std::memory_order_acq_rel);
+}
+
+/** Whether a new table waits, and there is room for the old one. */
+bool OutputRouter::hasTable() const
+{
+    return next.load (std::memory_order_acquire) != nullptr && retired.load (std::memory_order_acquire) == nullptr;
+}
+
+void OutputRouter::takeTable()
+{
+    if (! hasTable())
+        return;
+
+    retired.store (table.release(), std::memory_order_release);
+    table.reset (next.exchange (nullptr, std::memory_order_acq_rel));
+}
+
+/** What others have asked for; looked at once a block, so that a block is all of one mind. */
+void OutputRouter::takeCommands (bool isArmed)
+{
+    if (const auto wanted = wantsMute.load(); wanted != isMuting)
+    {
+        isMuting = wanted;
+        muteRamp.setTarget (isMuting ? 0 : 1, rampSamples);
+    }
+
+    const auto asked = wantedTone.load();
+    toneOfBlock = isArmed && asked >= 0 && asked < OutputRouting::mostCeramics ? asked : OutputRouting::none;
+    hasNewTable = hasTable();
+}
+
+/** Between foci and tone, and between routings, there are 0 V. */
+void OutputRouter::changeSource()
+{
+    if (sourceLeft > 0)
+        return;
+
+    if (isLeaving)
+    {
+        takeTable();
+        hasNewTable = false;
+        tone = toneOfBlock;
+        toneSample = 0;
+    }
+    else if (tone == toneOfBlock && ! hasNewTable)
+    {
+        return;
+    }
+
+    isLeaving = ! isLeaving;
+    sourceRamp.setTarget (isLeaving ? 0 : 1, rampSamples);
+    sourceLeft = rampSamples;
+}
+
+void OutputRouter::latchMute()
+{
+    wantsMute = true;
+    isMuting = true;
+    muteRamp.setTarget (0, rampSamples);
+}
+
+void OutputRouter::process (const RouterBlock& block)
+{
+    takeCommands (block.isArmed);
+    auto hasBadNumber = false;
+
+    for (int offset = 0; offset < block.count;)
+    {
+        changeSource();
+        auto count = block.count - offset;
+
+        if (sourceLeft > 0)
+            count = static_cast<int> (std::min<std::int64_t> (count, sourceLeft));
+
+        const auto good = firstBadSample (block.ceramics, offset, count);
+        hasBadNumber = hasBadNumber || good < count;
+
+        if (! isMuting && good == 0)
+            latchMute();
+
+        if (! isMuting)
+            count = good;
+
+        processPart (block, { offset, count });
+        sourceLeft -= std::min<std::int64_t> (sourceLeft, count);
+        toneSample += count;
+        offset += count;
+    }
+
+    if (hasBadNumber)
+        outputMeters.noteBadNumber();
+
+    silent = isMuting && ! muteRamp.isMoving();
+}
+
+void OutputRouter::processPart (const RouterBlock& block, const Part& part)
+{
+    std::array<float*, OutputRouting::mostOutputs> open {};
+    std::array<int, OutputRouting::mostOutputs> numbers {};
+    const auto outputs = std::min (block.outputs.size(), open.size());
+    int opened = 0;
+
+    for (std::size_t i = 0; i < outputs; ++i)
+    {
+        if (block.outputs[i] == nullptr)
+            continue;
+
+        auto* const to = block.outputs[i] + part.offset;
+        fillCeramic (block, part, static_cast<int> (i), to);
+        open[static_cast<std::size_t> (opened)] = to;
+        numbers[static_cast<std::size_t> (opened++)] = static_cast<int> (i);
+    }
+
+    sourceRamp.process (open.data(), opened, part.count);
+    muteRamp.process (open.data(), opened, part.count);
+
+    for (std::size_t i = 0; i < static_cast<std::size_t> (opened); ++i)
+        outputMeters.note (numbers[i], peakOf (open[i], part.count), 0);
+}
+
+/** What an output gives before the ramps. */
+void OutputRouter::fillCeramic (const RouterBlock& block, const Part& part, int output, float* to)
+{
+    const auto index = static_cast<std::size_t> (output);
+    const auto& routing = table->routing;
+    const auto ceramic = table->ceramics[index];
+    const auto monitor = routing.monitor == OutputRouting::none ? OutputRouting::none : output - routing.monitor;
+    std::fill_n (to, part.count, 0.0F);
+
+    if (tone != OutputRouting::none)
+    {
+        if (tone == ceramic)
+            fillTone (block, part, output, to);
+
+        return;
+    }
+
+    const auto& chain = routing.chains[index];
+    const auto gain = chain.voltsPerFullScale > 0 ? block.fullScaleVolts / chain.voltsPerFullScale : 1.0;
+    std::int64_t clamped = 0;
+
+    if (ceramic != OutputRouting::none && static_cast<std::size_t> (ceramic) < block.ceramics.size())
+        copyWithin (block.ceramics[static_cast<std::size_t> (ceramic)] + part.offset, to, part.count,
+                    static_cast<float> (gain * chain.polarity), clamped);
+    else if (monitor >= 0 && static_cast<std::size_t> (monitor) < block.monitor.size())
+        copyWithin (block.monitor[static_cast<std::size_t> (monitor)] + part.offset, to, part.count, 1, clamped);
+
+    outputMeters.note (output, 0, clamped);
+}
+
+void OutputRouter::fillTone (const RouterBlock& block, const Part& part, int output, float* to) const
+{
+    const auto& chain = table->routing.chains[static_cast<std::size_t> (output)];
+    const auto fullScale = chain.voltsPerFullScale > 0 ? chain.voltsPerFullScale : block.fullScaleVolts;
+
+    if (! (fullScale > 0))
+        return;
+
+    const auto volts = IdentifyTone::amplitude (table->limits[static_cast<std::size_t> (tone)]);
+    const auto amplitude = std::min (1.0, volts / fullScale) * chain.polarity;
+
+    for (int n = 0; n < part.count; ++n)
+        to[n] = static_cast<float> (amplitude * IdentifyTone::at (toneSample + n, rate));
+}
+} // namespace antinode

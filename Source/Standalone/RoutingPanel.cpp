@@ -1,0 +1,102 @@
+#include "RoutingPanel.h"
+
+#include <algorithm>
+
+namespace antinode
+{
+namespace
+{
+constexpr int rowHeight = 30, headHeight = 22, margin = 12, levelMilliseconds = 50;
+constexpr int noMonitor = OutputRouting::mostOutputs + 1;
+} // namespace
+
+RoutingPanel::RoutingPanel (StandaloneHost& hostToUse) : host (hostToUse)
+{
+    viewport.setViewedComponent (&list, false);
+    viewport.setScrollBarsShown (true, false);
+    straight.setTooltip ("Every ceramic on the output of its number, no monitor");
+    straight.onClick = [this] { host.setRouting (straightRouting()); };
+    monitor.onChange = [this]
+    {
+        const auto chosen = monitor.getSelectedId();
+        host.setRouting (withMonitor (host.settings().routing, chosen == noMonitor ? OutputRouting::none : chosen - 1));
+    };
+
+    for (auto* const child : std::initializer_list<juce::Component*> { &viewport, &monitorName, &monitor, &straight })
+        addAndMakeVisible (child);
+
+    update();
+    startTimer (levelMilliseconds);
+}
+
+void RoutingPanel::update()
+{
+    const auto model = host.processor().session().snapshot()->model;
+    const auto ceramics =
+        model != nullptr ? std::min (static_cast<int> (model->actuators()), OutputRouting::mostCeramics) : 0;
+    auto* const device = host.devices().getCurrentAudioDevice();
+    const auto channels = device != nullptr ? device->getOutputChannelNames().size() : 0;
+    const auto& routing = host.settings().routing;
+    const auto used = *std::max_element (routing.outputs.begin(), routing.outputs.begin() + std::max (1, ceramics)) + 1;
+    const auto outputs = std::clamp (std::max ({ channels, ceramics, used, routing.monitor + OutputRouting::monitors }),
+                                     0, OutputRouting::mostOutputs);
+
+    if (ceramics != static_cast<int> (rows.size()) || outputs != shownOutputs)
+        makeRows (ceramics, outputs);
+
+    for (auto& row : rows)
+        row->update();
+
+    monitor.setSelectedId (routing.monitor == OutputRouting::none ? noMonitor : routing.monitor + 1,
+                           juce::dontSendNotification);
+}
+
+void RoutingPanel::makeRows (int ceramics, int outputs)
+{
+    shownOutputs = outputs;
+    rows.clear();
+
+    for (int k = 0; k < ceramics; ++k)
+    {
+        rows.push_back (std::make_unique<RoutingRow> (host, k, outputs));
+        list.addAndMakeVisible (*rows.back());
+    }
+
+    monitor.clear (juce::dontSendNotification);
+    monitor.addItem ("none", noMonitor);
+
+    for (int i = 0; i + 1 < outputs; ++i)
+        monitor.addItem (juce::String (i + 1) + " and " + juce::String (i + 2), i + 1);
+
+    resized();
+}
+
+void RoutingPanel::timerCallback()
+{
+    if (isShowing())
+        for (auto& row : rows)
+            row->updateLevel();
+}
+
+void RoutingPanel::paint (juce::Graphics& g)
+{
+    RoutingRow::paintHeadings (g, getLocalBounds().reduced (margin).removeFromTop (headHeight));
+}
+
+void RoutingPanel::resized()
+{
+    auto area = getLocalBounds().reduced (margin);
+    area.removeFromTop (headHeight);
+    auto foot = area.removeFromBottom (rowHeight).reduced (0, 2);
+    straight.setBounds (foot.removeFromRight (80));
+    foot.removeFromRight (margin);
+    monitor.setBounds (foot.removeFromRight (110));
+    monitorName.setBounds (foot);
+    area.removeFromBottom (margin);
+    viewport.setBounds (area);
+    list.setSize (area.getWidth() - viewport.getScrollBarThickness(), rowHeight * static_cast<int> (rows.size()));
+
+    for (int k = 0; k < static_cast<int> (rows.size()); ++k)
+        rows[static_cast<std::size_t> (k)]->setBounds (0, k * rowHeight, list.getWidth(), rowHeight);
+}
+} // namespace antinode

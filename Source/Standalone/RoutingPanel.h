@@ -1,0 +1,36 @@
+#pragma once
+
+#include "RoutingRow.h"
+
+#include <memory>
+#include <vector>
+
+namespace antinode
+{
+/** Which ceramic is on which output, behind which amplifier; where the monitor goes. */
+class RoutingPanel : public juce::Component, private juce::Timer
+{
+public:
+    /** @param hostToUse  outlives this [message thread] */
+    explicit RoutingPanel (StandaloneHost& hostToUse);
+
+    /** Shows the routing as it is now, for the device as it is now. [message thread] */
+    void update();
+
+    void paint (juce::Graphics&) override;
+    void resized() override;
+
+private:
+    void timerCallback() override;
+    void makeRows (int ceramics, int outputs);
+
+    StandaloneHost& host;
+    juce::Label monitorName { {}, "Probe velocities on outputs" };
+    juce::ComboBox monitor;
+    juce::TextButton straight { "Straight" };
+    juce::Viewport viewport;
+    juce::Component list;
+    std::vector<std::unique_ptr<RoutingRow>> rows;
+    int shownOutputs = -1;
+};
+} // namespace antinode

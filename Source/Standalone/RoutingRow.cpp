@@ -1,0 +1,118 @@
+#include "RoutingRow.h"
+
+#include "StandaloneLook.h"
+
+#include <antinode_model/InputError.h>
+
+namespace antinode
+{
+namespace
+{
+constexpr int nameWidth = 34, outputWidth = 76, voltsWidth = 64, polarityWidth = 34, identifyWidth = 72, gap = 6;
+constexpr int noOutput = OutputRouting::mostOutputs + 1; // identifiers of a choice cannot be 0
+} // namespace
+
+RoutingRow::RoutingRow (StandaloneHost& hostToUse, int ceramicToShow, int outputs)
+    : host (hostToUse), ceramic (ceramicToShow)
+{
+    name.setText (juce::String (ceramic + 1), juce::dontSendNotification);
+    outputChoice.addItem ("none", noOutput);
+
+    for (int i = 0; i < outputs; ++i)
+        outputChoice.addItem (juce::String (i + 1), i + 1);
+
+    outputChoice.onChange = [this]
+    {
+        const auto chosen = outputChoice.getSelectedId();
+        host.setRouting (
+            withOutput (host.settings().routing, ceramic, chosen == noOutput ? OutputRouting::none : chosen - 1));
+    };
+    volts.setInputRestrictions (10, "0123456789.");
+    volts.setTextToShowWhenEmpty ("device", StandaloneLook::quietText());
+    volts.setTooltip ("Volts at the ceramic for a full-scale sample; empty: the device's full scale");
+    volts.setEscapeAndReturnKeysConsumed (false);
+    volts.onReturnKey = volts.onFocusLost = [this] { changeChain(); };
+    polarity.setClickingTogglesState (true);
+    polarity.onClick = [this] { changeChain(); };
+    polarity.setTooltip ("Polarity of the amplifier");
+    identify.setTooltip ("Soft bursts on this ceramic alone; only while armed");
+    identify.onClick = [this]
+    { host.router().identify (host.router().identified() == ceramic ? OutputRouting::none : ceramic); };
+
+    for (auto* const child :
+         std::initializer_list<juce::Component*> { &name, &outputChoice, &volts, &polarity, &identify, &level })
+        addAndMakeVisible (child);
+
+    update();
+}
+
+void RoutingRow::update()
+{
+    const auto isRouted = output() != OutputRouting::none;
+    const auto& routing = host.settings().routing;
+    const auto chain = isRouted ? routing.chains[static_cast<std::size_t> (output())] : OutputChain {};
+    outputChoice.setSelectedId (isRouted ? output() + 1 : noOutput, juce::dontSendNotification);
+
+    if (! volts.hasKeyboardFocus (true))
+        volts.setText (chain.voltsPerFullScale > 0 ? juce::String (chain.voltsPerFullScale) : juce::String(), false);
+
+    polarity.setToggleState (chain.polarity < 0, juce::dontSendNotification);
+    polarity.setButtonText (chain.polarity < 0 ? juce::String::charToString (0x2212) : juce::String ("+"));
+    volts.setEnabled (isRouted);
+    polarity.setEnabled (isRouted);
+}
+
+void RoutingRow::updateLevel()
+{
+    const auto isArmed = host.processor().parameters().arm().get();
+    identify.setEnabled (isArmed && output() != OutputRouting::none);
+    identify.setToggleState (host.router().identified() == ceramic, juce::dontSendNotification);
+
+    if (output() != OutputRouting::none)
+        level.show (host.router().meters().takePeak (output()), host.router().meters().clampedSamples (output()));
+    else
+        level.show (0, 0);
+}
+
+void RoutingRow::changeChain()
+{
+    if (output() == OutputRouting::none)
+        return;
+
+    auto routing = host.settings().routing;
+    routing.chains[static_cast<std::size_t> (output())] = { volts.getText().getDoubleValue(),
+                                                            polarity.getToggleState() ? -1 : 1 };
+    host.setRouting (routing);
+}
+
+void RoutingRow::resized()
+{
+    auto area = getLocalBounds().reduced (0, 2);
+    const auto take = [&] (int width)
+    {
+        const auto taken = area.removeFromLeft (width);
+        area.removeFromLeft (gap);
+        return taken;
+    };
+    name.setBounds (take (nameWidth));
+    outputChoice.setBounds (take (outputWidth));
+    volts.setBounds (take (voltsWidth));
+    polarity.setBounds (take (polarityWidth));
+    identify.setBounds (take (identifyWidth));
+    level.setBounds (area);
+}
+
+void RoutingRow::paintHeadings (juce::Graphics& g, juce::Rectangle<int> area)
+{
+    g.setColour (StandaloneLook::quietText());
+    g.setFont (12.0F);
+    const auto write = [&] (const char* text, int width)
+    { g.drawText (text, area.removeFromLeft (width + gap), juce::Justification::centredLeft); };
+    write ("Cer.", nameWidth);
+    write ("Output", outputWidth);
+    write ("V at 0 dBFS", voltsWidth + polarityWidth + gap);
+    write ("", identifyWidth);
+    g.drawText ("Level", area, juce::Justification::centredLeft);
+    g.drawText ("Held", area, juce::Justification::centredRight);
+}
+} // namespace antinode

@@ -1,0 +1,124 @@
+#include "SettingsFile.h"
+
+#include <antinode_model/InputError.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include <unistd.h>
+
+namespace antinode
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+/** A name beside the file that nothing has yet. */
+fs::path freeName (const fs::path& file)
+{
+    auto name = file;
+    name += ".broken";
+
+    for (int i = 2; fs::exists (name); ++i)
+        (name = file) += ".broken-" + std::to_string (i);
+
+    return name;
+}
+
+std::string contentOf (const fs::path& file)
+{
+    std::ifstream stream (file, std::ios::binary);
+
+    if (! stream || fs::is_directory (file))
+        throw InputError ("", "it cannot be opened");
+
+    return { std::istreambuf_iterator<char> (stream), {} };
+}
+} // namespace
+
+fs::path usualSettingsFile()
+{
+    const auto folderOf = [] (const char* variable) -> fs::path
+    {
+        const auto* const value = std::getenv (variable);
+        return value != nullptr && fs::path (value).is_absolute() ? fs::path (value) : fs::path();
+    };
+
+    if (const auto config = folderOf ("XDG_CONFIG_HOME"); ! config.empty())
+        return config / "antinode" / "standalone.json";
+
+    if (const auto home = folderOf ("HOME"); ! home.empty())
+        return home / ".config" / "antinode" / "standalone.json";
+
+    return {};
+}
+
+StandaloneSettings SettingsFile::load()
+{
+    std::error_code ignored;
+
+    if (file.empty() || ! fs::exists (file, ignored))
+        return {};
+
+    try
+    {
+        auto text = contentOf (file);
+        auto settings = readSettings (text);
+        written = std::move (text);
+        return settings;
+    }
+    catch (const InputError& failure)
+    {
+        putAside (failure.what());
+        return {};
+    }
+}
+
+void SettingsFile::putAside (const std::string& reason)
+{
+    const auto aside = freeName (file);
+    std::error_code failure;
+    fs::rename (file, aside, failure);
+    loadWarning = "The settings could not be read (" + reason + "), so they ";
+
+    if (failure)
+    {
+        loadWarning += "are left in " + file.string() + " and nothing is kept this time.";
+        file.clear();
+        return;
+    }
+
+    loadWarning += "are now in " + aside.string() + " and the usual ones apply.";
+}
+
+void SettingsFile::save (const StandaloneSettings& settings)
+{
+    auto text = settingsToText (settings);
+
+    if (file.empty() || text == written)
+        return;
+
+    // A name of this process, in the same folder: so the step at the end is one rename.
+    auto temporary = file;
+    temporary += "." + std::to_string (getpid());
+    std::error_code failure;
+    fs::create_directories (file.parent_path(), failure);
+    std::ofstream stream (temporary, std::ios::binary);
+    stream << text << std::flush;
+    const auto isWritten = stream.good();
+    stream.close();
+
+    if (isWritten)
+        fs::rename (temporary, file, failure);
+
+    if (! isWritten || failure)
+    {
+        fs::remove (temporary, failure);
+        throw InputError (file.string(), "the settings cannot be written");
+    }
+
+    written = std::move (text);
+}
+} // namespace antinode

@@ -1,0 +1,203 @@
+#include "StandaloneHost.h"
+
+#include <antinode_model/InputError.h>
+
+namespace antinode
+{
+namespace
+{
+constexpr int tickMilliseconds = 50;
+constexpr int rampPatience = 500; // ms, for the end of the ramp of a device that may have died
+} // namespace
+
+StandaloneHost::StandaloneHost (SettingsFile fileToUse, bool keepsSettings)
+    : file (std::move (fileToUse)), keeps (keepsSettings), kept (file.load())
+{
+    warn (file.warning());
+
+    if (kept.state)
+        player.setState (*kept.state, true);
+
+    // However it was left: whoever starts the program arms it.
+    player.parameters().arm().setValueNotifyingHost (0);
+    outputRouter.setRouting (kept.routing, {});
+    player.addListener (this);
+    deviceManager.addChangeListener (this);
+    deviceManager.addAudioCallback (&audio);
+    startTimer (tickMilliseconds);
+}
+
+StandaloneHost::~StandaloneHost()
+{
+    stopTimer();
+    shutDown();
+    deviceManager.removeAudioCallback (&audio);
+    deviceManager.removeChangeListener (this);
+    player.removeListener (this);
+    cancelPendingUpdate();
+}
+
+void StandaloneHost::openAudio (const AudioChoice& choice)
+{
+    const auto wasMuted = outputRouter.isMuted();
+    muteAll();
+    waitForSilence();
+    deviceManager.closeAudioDevice();
+
+    if (! wasMuted)
+        outputRouter.release();
+
+    antinode::openAudio (deviceManager, choice);
+    kept.audio = openedAudio (deviceManager);
+    triggerAsyncUpdate();
+}
+
+void StandaloneHost::setRouting (const OutputRouting& routing)
+{
+    validate (routing);
+    kept.routing = routing;
+    passRouting();
+    triggerAsyncUpdate();
+}
+
+void StandaloneHost::setTouch (const TouchPorts& ports)
+{
+    kept.touch = ports;
+    triggerAsyncUpdate();
+    touchInput.open (ports);
+}
+
+void StandaloneHost::setMidi (const MidiChoice& choice)
+{
+    kept.midi = choice;
+    midiInputs.choose (choice);
+    triggerAsyncUpdate();
+}
+
+void StandaloneHost::openAll (const StandaloneSettings& wanted)
+{
+    setMidi (wanted.midi);
+    const auto succeeds = [this] (const auto& action)
+    {
+        try
+        {
+            action();
+            return true;
+        }
+        catch (const InputError& failure)
+        {
+            warn (failure.what());
+            return false;
+        }
+    };
+    succeeds ([&] { setTouch (wanted.touch); });
+
+    // A device that has other rates or fewer channels than last time is better than none.
+    if (! succeeds ([&] { openAudio (wanted.audio); }))
+        succeeds ([&] { openAudio ({ wanted.audio.type, wanted.audio.device, 0, 0, {} }); });
+}
+
+void StandaloneHost::muteAll()
+{
+    outputRouter.muteAll();
+    outputRouter.identify (OutputRouting::none);
+    player.session().stopAll();
+}
+
+/** After muteAll(): until the device has played the ramp. */
+void StandaloneHost::waitForSilence()
+{
+    if (audio.sampleRate() <= 0)
+        return;
+
+    const auto end = juce::Time::getMillisecondCounter() + rampPatience;
+
+    while (! outputRouter.isSilent() && juce::Time::getMillisecondCounter() < end)
+        juce::Thread::sleep (1);
+
+    // The end of the ramp is still in the device's buffers; behind it comes silence.
+    juce::Thread::sleep (tickMilliseconds);
+}
+
+void StandaloneHost::shutDown()
+{
+    save();
+    muteAll();
+    waitForSilence();
+    deviceManager.closeAudioDevice();
+}
+
+juce::String StandaloneHost::warning() const
+{
+    return ownWarning.isNotEmpty() ? ownWarning : player.warning();
+}
+
+void StandaloneHost::changeListenerCallback (juce::ChangeBroadcaster*)
+{
+    // A device that is gone for now is not forgotten; another one makes old warnings pointless.
+    if (auto opened = openedAudio (deviceManager); ! opened.type.empty() && opened != kept.audio)
+    {
+        kept.audio = std::move (opened);
+        ownWarning.clear();
+    }
+
+    triggerAsyncUpdate();
+}
+
+void StandaloneHost::handleAsyncUpdate()
+{
+    save();
+
+    if (onChange)
+        onChange();
+}
+
+void StandaloneHost::timerCallback()
+{
+    outputRouter.collect();
+    const auto generation = player.session().snapshot()->generation;
+
+    if (generation != seenGeneration)
+        passRouting();
+
+    if (generation != seenGeneration || player.mutes() != seenMutes)
+        triggerAsyncUpdate();
+
+    seenGeneration = generation;
+    seenMutes = player.mutes();
+
+    if (auto failure = audio.takeError(); failure.isNotEmpty())
+    {
+        warn ("The audio device has failed: " + failure.toStdString());
+        triggerAsyncUpdate();
+    }
+}
+
+/** With the limits of the ceramics, which the identify tone needs. */
+void StandaloneHost::passRouting()
+{
+    std::vector<double> limits;
+
+    if (const auto model = player.session().snapshot()->model; model != nullptr)
+        for (const auto& ceramic : model->ceramics)
+            limits.push_back (ceramic.voltageLimit);
+
+    outputRouter.setRouting (kept.routing, limits);
+}
+
+void StandaloneHost::save()
+{
+    if (! keeps)
+        return;
+
+    try
+    {
+        kept.state = player.state();
+        file.save (kept);
+    }
+    catch (const InputError& failure)
+    {
+        warn (failure.what());
+    }
+}
+} // namespace antinode

@@ -1,0 +1,64 @@
+#include "StandaloneOptions.h"
+
+#include "OutputRouting.h"
+
+namespace antinode
+{
+namespace
+{
+constexpr double lowestRate = 8000, highestRate = 2e6; // Hz
+constexpr int longestBlock = 1 << 16, highestPort = 65535;
+constexpr double longestDuration = 1e6; // s
+
+void addAudioOptions (CLI::App& app, StandaloneOptions& options)
+{
+    app.add_flag ("--list-devices", options.listsDevices, "Prints the audio devices and ends");
+    app.add_option ("--type", options.type, "Type of the audio device: ALSA or JACK");
+    app.add_option ("--device", options.device, "Audio device, as --list-devices names it");
+    app.add_option ("--rate", options.rate, "Sample rate, Hz")->check (CLI::Range (lowestRate, highestRate));
+    app.add_option ("--block", options.block, "Block size, samples")->check (CLI::Range (1, longestBlock));
+    app.add_option ("--channels", options.channels, "How many outputs are opened, the first ones")
+        ->check (CLI::Range (1, OutputRouting::mostOutputs));
+}
+
+void addTouchOptions (CLI::App& app, StandaloneOptions& options)
+{
+    app.add_option ("--osc-port", options.oscPort, "UDP port for OSC, 0 for none")->check (CLI::Range (0, highestPort));
+    app.add_option ("--tuio-port", options.tuioPort, "UDP port for TUIO, 0 for none")
+        ->check (CLI::Range (0, highestPort));
+}
+
+/** What only a program without windows is asked to do. */
+void addHeadlessOptions (CLI::App& app, StandaloneOptions& options)
+{
+    auto* const headless =
+        app.add_flag ("--headless", options.isHeadless, "Plays without windows and without a display");
+    app.add_flag ("--arm", options.isArmed, "Arms the outputs; else they stay at 0 V")->needs (headless);
+    auto* const notes =
+        app.add_option ("--note", options.notes, "Plays a note, 60 the focus at its own place (repeatable)")
+            ->type_name ("NOTE[:VELOCITY]")
+            ->allow_extra_args (false)
+            ->needs (headless);
+    app.add_option ("--at", options.times, "When a note is played, s after the start (repeatable, in the notes' order)")
+        ->allow_extra_args (false)
+        ->check (CLI::Range (0.0, longestDuration))
+        ->needs (notes);
+    app.add_option ("--midi-file", options.midiFile, "Plays the notes of a standard MIDI file")->needs (headless);
+    app.add_option ("--duration", options.duration, "Ends after so many seconds; else by Ctrl+C")
+        ->check (CLI::Range (0.0, longestDuration))
+        ->needs (headless);
+}
+} // namespace
+
+void addStandaloneOptions (CLI::App& app, StandaloneOptions& options)
+{
+    addAudioOptions (app, options);
+    app.add_option ("--instrument,--plate", options.instrument,
+                    "The device that vibrates: an embedded name or a .json file");
+    app.add_option ("--focus", options.focus, "Focus: an embedded name or a .json file");
+    addTouchOptions (app, options);
+    auto* const file = app.add_option ("--settings", options.settings, "Settings file in place of the usual one");
+    app.add_flag ("--no-settings", options.ignoresSettings, "Reads and keeps no settings")->excludes (file);
+    addHeadlessOptions (app, options);
+}
+} // namespace antinode

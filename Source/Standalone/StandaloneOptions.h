@@ -1,0 +1,28 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** What stands on the command line of antinode-standalone. */
+struct StandaloneOptions
+{
+    bool isHeadless = false, listsDevices = false, isArmed = false, ignoresSettings = false;
+    std::string type, device;       ///< Of the audio device; empty: as in the settings.
+    double rate = 0;                ///< Hz; 0: as in the settings.
+    int block = 0, channels = 0;    ///< 0: as in the settings.
+    std::string focus, instrument;  ///< Names or files; empty: as in the settings.
+    std::vector<std::string> notes; ///< NOTE or NOTE:VELOCITY
+    std::vector<double> times;      ///< s, of the notes in their order.
+    std::string midiFile, settings; ///< Files; empty: none, the usual one.
+    std::optional<int> oscPort, tuioPort;
+    double duration = 0; ///< s; 0: until it is interrupted.
+};
+
+/** Adds them to the program. The struct must live as long as the app. [worker] */
+void addStandaloneOptions (CLI::App&, StandaloneOptions&);
+} // namespace antinode

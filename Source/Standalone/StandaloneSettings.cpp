@@ -1,0 +1,148 @@
+#include "StandaloneSettings.h"
+
+#include <antinode_files/JsonReader.h>
+#include <antinode_files/JsonText.h>
+
+#include <nlohmann/json.hpp>
+
+namespace antinode
+{
+namespace
+{
+constexpr auto schema = "antinode.standalone/1";
+constexpr std::size_t longestName = 1000; // bytes
+constexpr int mostBlock = 1 << 16;
+constexpr double highestRate = 2e6, mostVolts = 1e6;
+
+using Json = nlohmann::ordered_json;
+
+/** From what code counts from 0 to what people count from 1; none is 0. */
+Json numberOf (int index)
+{
+    return index + 1;
+}
+
+Json audioToJson (const AudioChoice& audio)
+{
+    auto outputs = Json::array();
+
+    for (const auto output : audio.outputs)
+        outputs.push_back (numberOf (output));
+
+    return { { "type", audio.type },
+             { "device", audio.device },
+             { "sample_rate_Hz", audio.sampleRate },
+             { "block_samples", audio.blockSize },
+             { "outputs", outputs } };
+}
+
+Json routingToJson (const OutputRouting& routing)
+{
+    auto outputs = Json::array(), chains = Json::array();
+
+    for (const auto output : routing.outputs)
+        outputs.push_back (numberOf (output));
+
+    for (std::size_t i = 0; i < routing.chains.size(); ++i)
+        if (const auto& chain = routing.chains[i]; chain != OutputChain {})
+            chains.push_back ({ { "output", i + 1 },
+                                { "volts_per_full_scale", chain.voltsPerFullScale },
+                                { "polarity", chain.polarity } });
+
+    return { { "output_of_ceramic", outputs }, { "monitor_output", numberOf (routing.monitor) }, { "chains", chains } };
+}
+
+AudioChoice readAudio (const JsonValue& value)
+{
+    const auto audio = value.object ({ "type", "device", "sample_rate_Hz", "block_samples", "outputs" });
+    AudioChoice choice { audio.required ("type").text (longestName),
+                         audio.required ("device").text (longestName),
+                         audio.required ("sample_rate_Hz").number ({ 0, highestRate }),
+                         audio.required ("block_samples").integer (0, mostBlock),
+                         {} };
+
+    for (const auto& output : audio.required ("outputs").items (0, OutputRouting::mostOutputs))
+        choice.outputs.push_back (output.integer (1, OutputRouting::mostOutputs) - 1);
+
+    return choice;
+}
+
+OutputRouting readRouting (const JsonValue& value)
+{
+    const auto json = value.object ({ "output_of_ceramic", "monitor_output", "chains" });
+    OutputRouting routing;
+    const auto outputs = json.required ("output_of_ceramic").items (routing.outputs.size(), routing.outputs.size());
+
+    for (std::size_t k = 0; k < outputs.size(); ++k)
+        routing.outputs[k] = outputs[k].integer (0, OutputRouting::mostOutputs) - 1;
+
+    routing.monitor = json.required ("monitor_output").integer (0, OutputRouting::mostOutputs - 1) - 1;
+
+    for (const auto& item : json.required ("chains").items (0, OutputRouting::mostOutputs))
+    {
+        const auto chain = item.object ({ "output", "volts_per_full_scale", "polarity" });
+        const auto output = chain.required ("output").integer (1, OutputRouting::mostOutputs) - 1;
+        routing.chains[static_cast<std::size_t> (output)] = {
+            chain.required ("volts_per_full_scale").number ({ 0, mostVolts }), chain.required ("polarity").sign()
+        };
+    }
+
+    validate (routing);
+    return routing;
+}
+
+MidiChoice readMidi (const JsonValue& value)
+{
+    const auto json = value.object ({ "all", "inputs" });
+    MidiChoice midi { json.required ("all").boolean(), {} };
+
+    for (const auto& input : json.required ("inputs").items (0, longestName))
+        midi.inputs.push_back (input.text (longestName));
+
+    return midi;
+}
+
+TouchPorts readTouch (const JsonValue& value)
+{
+    constexpr int highestPort = 65535;
+    const auto json = value.object ({ "osc_port", "tuio_port", "address" });
+    return { json.required ("osc_port").integer (0, highestPort), json.required ("tuio_port").integer (0, highestPort),
+             json.required ("address").text (longestName) };
+}
+} // namespace
+
+std::string settingsToText (const StandaloneSettings& settings)
+{
+    Json json { { "schema", schema },
+                { "audio", audioToJson (settings.audio) },
+                { "routing", routingToJson (settings.routing) },
+                { "midi", { { "all", settings.midi.all }, { "inputs", settings.midi.inputs } } },
+                { "touch",
+                  { { "osc_port", settings.touch.oscPort },
+                    { "tuio_port", settings.touch.tuioPort },
+                    { "address", settings.touch.address } } } };
+
+    if (settings.state)
+        json["state"] = Json::parse (stateToText (*settings.state));
+
+    return json.dump (2) + "\n";
+}
+
+StandaloneSettings readSettings (std::string_view text)
+{
+    const auto json = parseJson (text, "settings");
+    const JsonValue value (json, "settings");
+    value.requireSchema (schema);
+    const auto object = value.object ({ "schema", "audio", "routing", "midi", "touch", "state" });
+    StandaloneSettings settings { readAudio (object.required ("audio")),
+                                  readRouting (object.required ("routing")),
+                                  readMidi (object.required ("midi")),
+                                  readTouch (object.required ("touch")),
+                                  {} };
+
+    if (object.has ("state"))
+        settings.state = readState (json["state"].dump());
+
+    return settings;
+}
+} // namespace antinode

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "AudioChoice.h"
+#include "OutputRouting.h"
+
+#include <antinode_session/SessionState.h>
+#include <antinode_touch/TouchPorts.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace antinode
+{
+/** Which MIDI inputs are listened to. */
+struct MidiChoice
+{
+    bool all = true;                 ///< Those that are plugged in later too.
+    std::vector<std::string> inputs; ///< By identifier, where not all.
+
+    bool operator== (const MidiChoice&) const = default;
+};
+
+/** All that the standalone program keeps from one time to the next. */
+struct StandaloneSettings
+{
+    AudioChoice audio;
+    OutputRouting routing = straightRouting();
+    MidiChoice midi;
+    TouchPorts touch;
+    std::optional<SessionState> state; ///< Device, focus and parameters; none: the demonstrator.
+};
+
+/** JSON of schema antinode.standalone/1; numbers come back to the bit. [worker] Docs/FileFormats.md */
+std::string settingsToText (const StandaloneSettings&);
+
+/** @throws InputError  where the text is no settings, or those of a version that this program does not know [worker] */
+StandaloneSettings readSettings (std::string_view text);
+} // namespace antinode

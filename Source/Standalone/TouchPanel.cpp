@@ -1,0 +1,93 @@
+#include "TouchPanel.h"
+
+#include <antinode_model/InputError.h>
+
+namespace antinode
+{
+namespace
+{
+constexpr int rowHeight = 30, margin = 12, nameWidth = 90, fieldWidth = 80, countMilliseconds = 250;
+constexpr auto thisComputer = "127.0.0.1", wholeNetwork = "0.0.0.0";
+
+juce::String portText (int port)
+{
+    return port > 0 ? juce::String (port) : juce::String ("off");
+}
+
+juce::String statusText (const TouchPorts& ports, const TouchCounters& counters)
+{
+    std::int64_t faults = 0;
+
+    for (const auto count : counters.faults)
+        faults += count;
+
+    return "OSC " + portText (ports.oscPort) + ", TUIO " + portText (ports.tuioPort) + ": "
+           + juce::String (counters.packets) + " packets, " + juce::String (counters.touches) + " touches, "
+           + juce::String (counters.limited) + " beyond the rate, " + juce::String (faults) + " faults";
+}
+} // namespace
+
+TouchPanel::TouchPanel (StandaloneHost& hostToUse) : host (hostToUse)
+{
+    const auto& ports = host.settings().touch;
+    oscPort.setText (juce::String (ports.oscPort), false);
+    tuioPort.setText (juce::String (ports.tuioPort), false);
+    network.setToggleState (ports.address != thisComputer, juce::dontSendNotification);
+    status.setMinimumHorizontalScale (0.8F);
+
+    for (auto* const editor : { &oscPort, &tuioPort })
+    {
+        editor->setInputRestrictions (5, "0123456789");
+        editor->setTooltip ("0: off");
+        editor->setEscapeAndReturnKeysConsumed (false);
+        editor->onReturnKey = [this] { apply(); };
+    }
+
+    applyButton.onClick = [this] { apply(); };
+
+    for (auto* const child : std::initializer_list<juce::Component*> { &oscName, &tuioName, &status, &oscPort,
+                                                                       &tuioPort, &network, &applyButton })
+        addAndMakeVisible (child);
+
+    timerCallback();
+    startTimer (countMilliseconds);
+}
+
+void TouchPanel::apply()
+{
+    try
+    {
+        failure.clear();
+        host.setTouch ({ oscPort.getText().getIntValue(), tuioPort.getText().getIntValue(),
+                         network.getToggleState() ? wholeNetwork : thisComputer });
+    }
+    catch (const InputError& error)
+    {
+        failure = juce::String::fromUTF8 (error.what());
+    }
+
+    timerCallback();
+}
+
+void TouchPanel::timerCallback()
+{
+    status.setText (failure.isNotEmpty() ? failure : statusText (host.touch().ports(), host.touch().counters()),
+                    juce::dontSendNotification);
+}
+
+void TouchPanel::resized()
+{
+    auto area = getLocalBounds().reduced (margin);
+    const auto place = [&] (juce::Component& name, juce::Component& field)
+    {
+        auto row = area.removeFromTop (rowHeight).reduced (0, 2);
+        name.setBounds (row.removeFromLeft (nameWidth));
+        field.setBounds (row.removeFromLeft (fieldWidth));
+    };
+    place (oscName, oscPort);
+    place (tuioName, tuioPort);
+    network.setBounds (area.removeFromTop (rowHeight));
+    applyButton.setBounds (area.removeFromTop (rowHeight).reduced (0, 2).removeFromLeft (fieldWidth));
+    status.setBounds (area.removeFromTop (2 * rowHeight));
+}
+} // namespace antinode

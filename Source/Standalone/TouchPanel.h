@@ -1,0 +1,29 @@
+#pragma once
+
+#include "StandaloneHost.h"
+
+#include <juce_gui_basics/juce_gui_basics.h>
+
+namespace antinode
+{
+/** The ports that touches come in by, and what came in. */
+class TouchPanel : public juce::Component, private juce::Timer
+{
+public:
+    /** @param hostToUse  outlives this [message thread] */
+    explicit TouchPanel (StandaloneHost& hostToUse);
+
+    void resized() override;
+
+private:
+    void timerCallback() override;
+    void apply();
+
+    StandaloneHost& host;
+    juce::Label oscName { {}, "OSC port" }, tuioName { {}, "TUIO port" }, status;
+    juce::TextEditor oscPort, tuioPort;
+    juce::ToggleButton network { "Listen to the whole network, not only to this computer" };
+    juce::TextButton applyButton { "Apply" };
+    juce::String failure;
+};
+} // namespace antinode

@@ -1,0 +1,39 @@
+#include "WindowRun.h"
+
+#include "Interruption.h"
+#include "MainWindow.h"
+
+#include <antinode_model/InputError.h>
+
+namespace antinode
+{
+namespace
+{
+/** Ends the message loop when the program is interrupted. */
+class InterruptionWatch : private juce::Timer
+{
+public:
+    InterruptionWatch() { startTimer (20); }
+
+private:
+    void timerCallback() override
+    {
+        if (isInterrupted())
+            juce::MessageManager::getInstance()->stopDispatchLoop();
+    }
+};
+} // namespace
+
+void runWithWindow (StandaloneHost& host)
+{
+    // Only in what JUCE knows as a program of its own does it use X from several threads safely and outlive X's errors.
+    juce::JUCEApplicationBase::createInstance = []() -> juce::JUCEApplicationBase* { return nullptr; };
+
+    if (juce::Desktop::getInstance().getDisplays().displays.isEmpty())
+        throw InputError ("", "there is no display to show a window on; --headless plays without");
+
+    const MainWindow window (host);
+    const InterruptionWatch watch;
+    juce::MessageManager::getInstance()->runDispatchLoop();
+}
+} // namespace antinode

@@ -1,0 +1,128 @@
+#include <Standalone/AudioCallback.h>
+
+#include "RouterRig.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+using namespace antinode;
+using namespace antinode::test;
+
+namespace
+{
+/** The program's audio without a device. */
+struct CallbackRig
+{
+    explicit CallbackRig (std::vector<TimedNote> notes = { { 0,
+                                                             juce::MidiMessage::noteOn (1, 60, juce::uint8 (127)) } },
+                          const std::vector<int>& open = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9 })
+    {
+        juce::BigInteger channels;
+
+        for (const auto channel : open)
+            channels.setBit (channel);
+
+        callback.setSchedule (EventSchedule (std::move (notes)));
+        callback.prepare (48000, 256, channels);
+        processor.session().waitUntilSettled();
+        processor.parameters().arm().setValueNotifyingHost (1);
+        callback.startSchedule();
+    }
+
+    Channels play (int outputs, int count, const std::vector<int>& blocks)
+    {
+        auto played = constant (outputs, count, 7);
+        std::size_t next = 0;
+
+        for (int offset = 0, part = 0; offset < count; offset += part)
+        {
+            part = std::min (blocks[next++ % blocks.size()], count - offset);
+            std::vector<float*> channels;
+
+            for (auto& channel : played)
+                channels.push_back (channel.data() + offset);
+
+            callback.audioDeviceIOCallbackWithContext (nullptr, 0, channels.data(), outputs, part, {});
+        }
+
+        return played;
+    }
+
+    AntinodeProcessor processor { AntinodeProcessor::mostCeramics, juce::AudioProcessor::wrapperType_Undefined };
+    OutputRouter router;
+    MidiQueue queue;
+    AudioCallback callback { processor, router, queue };
+};
+
+bool isSilent (const std::vector<float>& samples)
+{
+    return std::all_of (samples.begin(), samples.end(), [] (float sample) { return sample == 0; });
+}
+} // namespace
+
+TEST_CASE ("a device gets the same samples whatever its blocks, also longer and shorter ones than it said")
+{
+    const auto whole = CallbackRig().play (10, 6000, { 256 });
+    CHECK_FALSE (isSilent (whole[0]));
+    CHECK_FALSE (isSilent (whole[7]));
+    CHECK (isSilent (whole[8]));
+    CHECK (CallbackRig().play (10, 6000, { 6000 }) == whole);
+    CHECK (CallbackRig().play (10, 6000, { 1, 3000, 17, 0, 255 }) == whole);
+}
+
+TEST_CASE ("a device with fewer channels than ceramics gets the first ones")
+{
+    const auto whole = CallbackRig().play (10, 3000, { 256 });
+
+    for (const auto outputs : { 0, 1, 3 })
+    {
+        const auto few = CallbackRig().play (outputs, 3000, { 256 });
+        CHECK (few == Channels (whole.begin(), whole.begin() + outputs));
+    }
+}
+
+TEST_CASE ("channels that are open keep their numbers, and those beyond are silent")
+{
+    const auto whole = CallbackRig().play (10, 3000, { 256 });
+    const auto some =
+        CallbackRig ({ { 0, juce::MidiMessage::noteOn (1, 60, juce::uint8 (127)) } }, { 1, 6 }).play (3, 3000, { 256 });
+    CHECK (some[0] == whole[1]);
+    CHECK (some[1] == whole[6]);
+    CHECK (isSilent (some[2]));
+}
+
+TEST_CASE ("a note of the schedule begins on its sample")
+{
+    constexpr int start = 2 * 256 + 100;
+    const auto at = [] (double seconds)
+    {
+        CallbackRig rig ({ { 0.1 + seconds, juce::MidiMessage::noteOn (1, 60, juce::uint8 (127)) } });
+        return rig.play (8, 9000, { 256 });
+    };
+    const auto early = at (0), late = at (start / 48000.0);
+
+    for (std::size_t k = 0; k < early.size(); ++k)
+    {
+        CHECK (isSilent ({ early[k].begin(), early[k].begin() + 4800 }));
+        CHECK (std::equal (early[k].begin() + 4800, early[k].end() - start, late[k].begin() + 4800 + start));
+    }
+}
+
+TEST_CASE ("a disarmed program gives 0 V")
+{
+    CallbackRig rig;
+    rig.processor.parameters().arm().setValueNotifyingHost (0);
+    rig.play (8, 240, { 240 }); // the ramp
+
+    for (const auto& channel : rig.play (8, 4000, { 256 }))
+        CHECK (isSilent (channel));
+}
+
+TEST_CASE ("a note from an input plays")
+{
+    CallbackRig rig { {} };
+    CHECK (isSilent (rig.play (8, 1000, { 256 })[0]));
+    rig.queue.push (juce::MidiMessage::noteOn (1, 60, juce::uint8 (127)), juce::Time::getMillisecondCounterHiRes());
+    CHECK_FALSE (isSilent (rig.play (8, 3000, { 256 })[0]));
+}

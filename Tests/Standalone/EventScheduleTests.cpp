@@ -1,0 +1,119 @@
+#include <Standalone/EventSchedule.h>
+#include <Standalone/MidiQueue.h>
+
+#include "Support/ErrorText.h"
+#include "Support/TemporaryFolder.h"
+
+#include <catch2/catch.hpp>
+
+#include <fstream>
+
+using namespace antinode;
+
+namespace
+{
+juce::MidiMessage note (int number)
+{
+    return juce::MidiMessage::noteOn (1, number, juce::uint8 (100));
+}
+
+/** Sample and note of all events, where blocks have these lengths in turn. */
+std::vector<std::pair<int, int>> played (EventSchedule schedule, int samples, const std::vector<int>& blocks)
+{
+    std::vector<std::pair<int, int>> events;
+    std::size_t next = 0;
+
+    for (int start = 0, count = 0; start < samples; start += count)
+    {
+        count = blocks[next++ % blocks.size()];
+        juce::MidiBuffer buffer;
+        schedule.addTo (buffer, start, count, 48000);
+
+        for (const auto event : buffer)
+        {
+            CHECK ((event.samplePosition >= 0 && event.samplePosition < count));
+            events.emplace_back (start + event.samplePosition, event.getMessage().getNoteNumber());
+        }
+    }
+
+    return events;
+}
+} // namespace
+
+TEST_CASE ("notes of a schedule fall on their samples, whatever the blocks")
+{
+    const EventSchedule schedule (
+        { { 0.01, note (62) }, { 0, note (60) }, { 0.01, note (63) }, { 0.0199999, note (64) } });
+    const std::vector<std::pair<int, int>> wanted { { 0, 60 }, { 480, 62 }, { 480, 63 }, { 960, 64 } };
+
+    for (const auto& blocks : std::vector<std::vector<int>> { { 4096 }, { 1 }, { 480 }, { 256 }, { 961, 3 } })
+        CHECK (played (schedule, 4096, blocks) == wanted);
+}
+
+TEST_CASE ("a MIDI file's notes fall where its tempi say")
+{
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "notes.mid";
+    juce::MidiMessageSequence tempi, notes;
+    tempi.addEvent (juce::MidiMessage::tempoMetaEvent (500000), 0);   // 120 quarters a minute
+    tempi.addEvent (juce::MidiMessage::tempoMetaEvent (250000), 960); // and 240 from the second one on
+    notes.addEvent (note (60), 0);
+    notes.addEvent (note (61), 960);
+    notes.addEvent (note (62), 1920);
+    juce::MidiFile file;
+    file.setTicksPerQuarterNote (960);
+    file.addTrack (tempi);
+    file.addTrack (notes);
+    {
+        juce::FileOutputStream stream { juce::File (path.string()) };
+        REQUIRE (file.writeTo (stream));
+    }
+    CHECK (played (EventSchedule (readMidiFile (path)), 40000, { 333 })
+           == std::vector<std::pair<int, int>> { { 0, 60 }, { 24000, 61 }, { 36000, 62 } });
+}
+
+TEST_CASE ("a file that is no MIDI file is an error in a sentence")
+{
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "text.mid";
+    CHECK (errorText ([&] { readMidiFile (path); }) == path.string() + ": cannot be opened");
+    std::ofstream (path) << "MThd and then nothing of the kind";
+    CHECK (errorText ([&] { readMidiFile (path); }).find (path.string()) == 0);
+}
+
+TEST_CASE ("notes from an input keep their distances, a block later")
+{
+    MidiQueue queue;
+    juce::MidiBuffer buffer;
+    CHECK (queue.push (note (60), 1000));
+    CHECK (queue.push (note (61), 1002));
+    queue.pop (buffer, 1005, 48000, 480);
+    std::vector<int> positions;
+
+    for (const auto event : buffer)
+        positions.push_back (event.samplePosition);
+
+    CHECK (positions == std::vector<int> { 240, 336 });
+    buffer.clear();
+    queue.push (note (62), 500);  // long ago
+    queue.push (note (63), 2000); // a clock that is ahead
+    queue.pop (buffer, 1015, 48000, 480);
+    positions.clear();
+
+    for (const auto event : buffer)
+        positions.push_back (event.samplePosition);
+
+    CHECK (positions == std::vector<int> { 0, 479 });
+}
+
+TEST_CASE ("a queue that is full, and messages that are no notes, drop what comes")
+{
+    MidiQueue queue;
+    const juce::uint8 longMessage[] { 0xf0, 1, 2, 3, 0xf7 };
+    CHECK_FALSE (queue.push (juce::MidiMessage (longMessage, 5), 0));
+
+    for (std::size_t i = 0; i < MidiQueue::capacity; ++i)
+        CHECK (queue.push (note (60), 0));
+
+    CHECK_FALSE (queue.push (note (60), 0));
+}

@@ -1,0 +1,76 @@
+#include <Standalone/ApplyOptions.h>
+#include <Standalone/Standalone.h>
+
+#include "Support/ErrorText.h"
+
+#include <catch2/catch.hpp>
+
+using namespace antinode;
+
+namespace
+{
+int run (std::vector<const char*> arguments)
+{
+    arguments.insert (arguments.begin(), "antinode-standalone");
+    return runStandalone (static_cast<int> (arguments.size()), arguments.data());
+}
+
+std::string noteError (const std::string& note)
+{
+    StandaloneOptions options;
+    options.notes = { note };
+    return errorText ([&] { notesOf (options); });
+}
+} // namespace
+
+TEST_CASE ("wrong usage of the standalone program ends with 2")
+{
+    CHECK (run ({ "--no-such-option" }) == 2);
+    CHECK (run ({ "--note", "60" }) == 2);
+    CHECK (run ({ "--headless", "--at", "1" }) == 2);
+    CHECK (run ({ "--headless", "--rate", "12" }) == 2);
+    CHECK (run ({ "--headless", "--channels", "0" }) == 2);
+    CHECK (run ({ "--headless", "--no-settings", "--settings", "a.json" }) == 2);
+    CHECK (run ({ "--help" }) == 0);
+}
+
+TEST_CASE ("what the standalone program cannot have ends with 1")
+{
+    CHECK (run ({ "--headless", "--no-settings", "--note", "x" }) == 1);
+    CHECK (run ({ "--headless", "--no-settings", "--midi-file", "/no/such/file" }) == 1);
+    CHECK (run ({ "--headless", "--no-settings", "--focus", "no such focus" }) == 1);
+    CHECK (run ({ "--headless", "--no-settings", "--osc-port", "0", "--tuio-port", "0", "--type", "OSS" }) == 1);
+}
+
+TEST_CASE ("notes are numbers with a velocity or without, at their times")
+{
+    StandaloneOptions options;
+    options.notes = { "60", "127:1" };
+    options.times = { 0.25 };
+    const auto notes = notesOf (options);
+    REQUIRE (notes.size() == 2);
+    CHECK (notes[0].seconds == 0.25);
+    CHECK (notes[0].message.getNoteNumber() == 60);
+    CHECK (notes[0].message.getVelocity() == 127);
+    CHECK (notes[1].seconds == 0);
+    CHECK (notes[1].message.getVelocity() == 1);
+
+    for (const auto* const wrong : { "", "x", "128", "-1", "60:", "60:0", "60:128", "60:1x", "60.5", "99999999999" })
+        CHECK (noteError (wrong).find (std::string ("--note ") + wrong + ": ") == 0);
+}
+
+TEST_CASE ("options take the place of settings")
+{
+    StandaloneSettings settings;
+    settings.audio = { "ALSA", "card", 44100, 64, { 4 } };
+    StandaloneOptions options;
+    CHECK (withOptions (settings, options).audio == settings.audio);
+    options.channels = 3;
+    options.rate = 96000;
+    CHECK (withOptions (settings, options).audio == AudioChoice { "ALSA", "card", 96000, 64, { 0, 1, 2 } });
+    options.type = "JACK";
+    CHECK (withOptions (settings, options).audio == AudioChoice { "JACK", "", 96000, 0, { 0, 1, 2 } });
+    options.oscPort = 0;
+    CHECK (withOptions (settings, options).touch.oscPort == 0);
+    CHECK (withOptions (settings, options).touch.tuioPort == settings.touch.tuioPort);
+}

@@ -1,0 +1,65 @@
+#include <Standalone/OutputRouting.h>
+
+#include "Support/ErrorText.h"
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+
+using namespace antinode;
+
+TEST_CASE ("ceramic k is on output k at first and the monitor on none")
+{
+    const auto routing = straightRouting();
+
+    for (std::size_t k = 0; k < routing.outputs.size(); ++k)
+        CHECK (routing.outputs[k] == static_cast<int> (k));
+
+    CHECK (routing.monitor == OutputRouting::none);
+    CHECK_NOTHROW (validate (routing));
+}
+
+TEST_CASE ("a ceramic that gets an output takes it from the one that had it")
+{
+    const auto routing = withOutput (straightRouting(), 2, 5);
+    CHECK (routing.outputs[2] == 5);
+    CHECK (routing.outputs[5] == OutputRouting::none);
+    CHECK_NOTHROW (validate (routing));
+}
+
+TEST_CASE ("monitor and ceramics never share an output")
+{
+    auto routing = withMonitor (straightRouting(), 8);
+    CHECK (routing.outputs[8] == OutputRouting::none);
+    CHECK (routing.outputs[9] == OutputRouting::none);
+    CHECK (routing.outputs[10] == 10);
+    CHECK_NOTHROW (validate (routing));
+
+    routing = withOutput (routing, 8, 9);
+    CHECK (routing.monitor == OutputRouting::none);
+    CHECK_NOTHROW (validate (routing));
+}
+
+TEST_CASE ("a routing with an output that is used twice is refused")
+{
+    auto routing = straightRouting();
+    routing.outputs[3] = 0;
+    CHECK (errorText ([&] { validate (routing); })
+           == "ceramic 4: has output 1 like ceramic 1: an output drives one thing only");
+    routing.outputs[3] = OutputRouting::mostOutputs;
+    CHECK (errorText ([&] { validate (routing); }) == "ceramic 4: has output 129, allowed is 1 to 128");
+}
+
+TEST_CASE ("a chain with a gain or a polarity that is none is refused")
+{
+    for (const auto volts : { -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
+    {
+        auto routing = straightRouting();
+        routing.chains[1].voltsPerFullScale = volts;
+        CHECK (errorText ([&] { validate (routing); }) == "output 2: volts per full scale must be 0 or more");
+    }
+
+    auto routing = straightRouting();
+    routing.chains[1].polarity = 0;
+    CHECK (errorText ([&] { validate (routing); }) == "output 2: polarity is 0, allowed is 1 or -1");
+}

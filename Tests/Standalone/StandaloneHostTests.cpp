@@ -1,0 +1,58 @@
+#include <Standalone/StandaloneHost.h>
+
+#include "Support/TemporaryFolder.h"
+
+#include <catch2/catch.hpp>
+
+using namespace antinode;
+
+TEST_CASE ("the program starts with the demonstrator, disarmed")
+{
+    StandaloneHost host (SettingsFile ({}), false);
+    CHECK (host.processor().device()->description.name == "staple");
+    CHECK (host.processor().focus()->description.name == "demonstrator");
+    CHECK_FALSE (host.processor().parameters().arm().get());
+    CHECK_FALSE (host.router().isMuted());
+}
+
+TEST_CASE ("what is changed is kept, and comes back disarmed")
+{
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "standalone.json";
+    {
+        StandaloneHost host (SettingsFile (path), true);
+        host.processor().parameters().arm().setValueNotifyingHost (1);
+        host.processor().parameters().find ("x")->setValueNotifyingHost (0.25F);
+        host.processor().setMutes (0b101);
+        host.setRouting (withOutput (straightRouting(), 0, 9));
+    }
+    StandaloneHost host (SettingsFile (path), true);
+    CHECK (host.warning().isEmpty());
+    CHECK_FALSE (host.processor().parameters().arm().get());
+    CHECK (host.processor().parameters().find ("x")->getValue() == Approx (0.25));
+    CHECK (host.processor().mutes() == 0b101);
+    CHECK (host.settings().routing.outputs[0] == 9);
+}
+
+TEST_CASE ("a program without windows changes no settings")
+{
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "standalone.json";
+    {
+        StandaloneHost host (SettingsFile (path), false);
+        host.setRouting (withOutput (straightRouting(), 0, 9));
+    }
+    CHECK_FALSE (std::filesystem::exists (path));
+}
+
+TEST_CASE ("a device that cannot be opened is a warning, and all else goes on")
+{
+    StandaloneHost host (SettingsFile ({}), false);
+    auto wanted = host.settings();
+    wanted.audio.type = "OSS";
+    wanted.touch = { 0, 0, "127.0.0.1" };
+    host.openAll (wanted);
+    CHECK (host.warning() == "audio device type 'OSS': does not exist, there are ALSA, JACK");
+    host.muteAll();
+    CHECK (host.router().isMuted());
+}
