@@ -231,6 +231,26 @@ Eigen::MatrixXd RawVst3::play (int samples, int length, int noteAt, int note)
                  });
 }
 
+std::vector<Vst::ParameterInfo> RawVst3::parameters()
+{
+    std::vector<Vst::ParameterInfo> all (static_cast<std::size_t> (controller->getParameterCount()));
+
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (controller->getParameterInfo (static_cast<Steinberg::int32> (i), all[i]) != Steinberg::kResultTrue)
+            throw std::runtime_error ("a parameter has no description");
+
+    return all;
+}
+
+Vst::ParamID RawVst3::parameter (const std::u16string& title)
+{
+    for (const auto& info : parameters())
+        if (reinterpret_cast<const char16_t*> (info.title) == title)
+            return info.id;
+
+    throw std::runtime_error ("there is no such parameter");
+}
+
 std::string RawVst3::state()
 {
     Steinberg::MemoryStream stream;

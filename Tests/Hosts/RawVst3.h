@@ -63,6 +63,14 @@ public:
     /** The same with one note. */
     Eigen::MatrixXd play (int samples, int block, int noteAt, int note = 60);
 
+    std::vector<Vst::ParameterInfo> parameters();
+
+    /** The identifier of a parameter that is there. */
+    Vst::ParamID parameter (const std::u16string& title);
+
+    /** Whether note 60 reaches the first ceramics. */
+    bool isPlaying() { return play (1024, 512, 0).topRows (2).cwiseAbs().maxCoeff() > 1e-3; }
+
     std::string state();
     bool setState (const std::string&);
 
