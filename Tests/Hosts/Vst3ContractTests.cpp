@@ -3,8 +3,10 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <set>
 #include <string>
+#include <thread>
 
 // What Steinberg's validator asks of a VST3 before it plays.
 
@@ -199,5 +201,16 @@ TEST_CASE ("Component and controller may be ended and begun again", "[vst3]")
         plugin.activate ({});
         CHECK (plugin.play (1024, 512, 0).cwiseAbs().maxCoeff() > 0);
         plugin.deactivate();
+    }
+}
+
+TEST_CASE ("Instances come and go at any moment of their start", "[vst3]")
+{
+    // Their messages run on a thread of the plug-in's own, which must find none that is not finished or gone.
+    for (int i = 0; i < 60; ++i)
+    {
+        RawVst3 plugin (8, i % 2 == 0 ? RawVst3::Connection::direct : RawVst3::Connection::byMessages);
+        std::this_thread::sleep_for (std::chrono::microseconds (300 * (i % 20)));
+        CHECK (plugin.channels (0) == 8);
     }
 }
