@@ -1,5 +1,6 @@
 #include <Engine/AllocationCount.h>
 #include <Engine/PlayerFixtures.h>
+#include <Support/RealtimeScope.h>
 #include <Support/SyscallTrap.h>
 
 #include <antinode_engine/VoltageLimiter.h>
@@ -13,13 +14,6 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#if defined(ANTINODE_RTSAN)
-// NOLINTBEGIN (bugprone-reserved-identifier, readability-identifier-naming): RealtimeSanitizer's own names.
-extern "C" void __rtsan_realtime_enter();
-extern "C" void __rtsan_realtime_exit();
-// NOLINTEND
-#endif
-
 using namespace antinode;
 using namespace antinode::test;
 
@@ -28,26 +22,6 @@ namespace
 constexpr int blockLength = 32;
 constexpr double limit = 20; // V: less than what overlapping foci ask for
 constexpr double triggersPerSecond = 256;
-
-/** Tells RealtimeSanitizer, where it is linked, that the thread is a real-time one while an instance lives. */
-struct RealtimeScope
-{
-#if defined(ANTINODE_RTSAN)
-    RealtimeScope()
-    {
-        __rtsan_realtime_enter();
-    }
-    ~RealtimeScope()
-    {
-        __rtsan_realtime_exit();
-    }
-#else
-    RealtimeScope() = default;
-    ~RealtimeScope() {} // NOLINT (modernize-use-equals-default): so that no compiler calls an instance unused.
-#endif
-    RealtimeScope (const RealtimeScope&) = delete;
-    RealtimeScope& operator= (const RealtimeScope&) = delete;
-};
 
 struct Findings
 {
