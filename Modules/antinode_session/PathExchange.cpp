@@ -26,7 +26,7 @@ AudioPath* PathExchange::current (double sampleRate, int count)
 
     if (next.load (std::memory_order_acquire) != nullptr && retired.load (std::memory_order_acquire) == nullptr)
     {
-        const auto mayGo = ! isUsable() || (isLeaving() && playing->isSilentAfter (leavingSamples));
+        const auto mayGo = ! isUsable() || isResting || (isLeaving() && playing->isSilentAfter (leavingSamples));
 
         if (mayGo)
         {
@@ -37,6 +37,7 @@ AudioPath* PathExchange::current (double sampleRate, int count)
         leavingSamples = mayGo ? -1 : (isLeaving() ? leavingSamples + count : 0);
     }
 
+    isResting = false;
     return isUsable() ? playing : nullptr;
 }
 
@@ -44,5 +45,7 @@ void PathExchange::reset()
 {
     if (playing != nullptr)
         playing->reset();
+
+    isResting = true;
 }
 } // namespace antinode

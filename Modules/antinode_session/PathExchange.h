@@ -31,12 +31,13 @@ public:
     /** Whether the current path has to ramp to 0 V, since another one waits. [audio thread] */
     bool isLeaving() const { return leavingSamples >= 0; }
 
-    /** All voices of the path that plays end at once. [audio thread, or while nothing plays] */
+    /** All voices of the path that plays end at once; one that waits takes its place with the next block, without a ramp. [audio thread, or while nothing plays] */
     void reset();
 
 private:
     std::atomic<AudioPath*> next { nullptr }, retired { nullptr };
     AudioPath* playing = nullptr; ///< Of the audio thread, as the next line.
     std::int64_t leavingSamples = -1;
+    bool isResting = false; ///< Whether nothing has played since the reset.
 };
 } // namespace antinode

@@ -55,14 +55,14 @@ AntinodeProcessor::AntinodeProcessor (int ceramics, WrapperType wrapperToUse)
                                              { return player != nullptr ? player->snapshot()->model : nullptr; });
     controls->setFocus (settingsOf (loadedFocus->description, extentOf (loadedDevice->description), {}));
     player = std::make_unique<Session> (
-        *loadedDevice, *loadedFocus, [this] { return controls->settings(); }, [this] { triggerAsyncUpdate(); });
+        *loadedDevice, *loadedFocus, [this] { return controls->settings(); }, [this] { changes.post(); });
     layChannels();
+    changes.begin();
 }
 
 AntinodeProcessor::~AntinodeProcessor()
 {
-    player.reset();
-    cancelPendingUpdate();
+    changes.end();
 }
 
 void AntinodeProcessor::load (std::shared_ptr<const DeviceDocument> newDevice,
@@ -154,7 +154,7 @@ void AntinodeProcessor::setWarning (const juce::String& text)
         const juce::ScopedLock lock (documents);
         stateWarning = text;
     }
-    triggerAsyncUpdate();
+    changes.post();
 }
 
 bool AntinodeProcessor::isBusesLayoutSupported (const BusesLayout& layout) const
@@ -186,7 +186,7 @@ void AntinodeProcessor::prepareToPlay (double sampleRate, int)
     layChannels();
     player->prepare (sampleRate, isNonRealtime());
     setLatencySamples (static_cast<int> (player->latencySamples()));
-    triggerAsyncUpdate();
+    changes.post();
 }
 
 void AntinodeProcessor::reset()
@@ -272,7 +272,7 @@ void AntinodeProcessor::setStateInformation (const void* data, int size)
     }
 }
 
-void AntinodeProcessor::handleAsyncUpdate()
+void AntinodeProcessor::tellOfChanges()
 {
     const auto wanted = static_cast<int> (player->latencySamples());
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ChangeMessages.h"
 #include "Parameters.h"
 
 #include <antinode_graph/MidiTriggers.h>
@@ -20,7 +21,7 @@ namespace antinode
 
     The main output bus "Ceramics" has 1 to 64 channels, channel k for ceramic k, 1.0 = the device's full scale; the bus "Monitor" has the
     velocity at the probes, 1.0 = 1 m/s. */
-class AntinodeProcessor : public juce::AudioProcessor, private juce::AsyncUpdater
+class AntinodeProcessor : public juce::AudioProcessor
 {
 public:
     static constexpr int mostCeramics = 64;
@@ -93,10 +94,11 @@ private:
     template <typename Sample>
     void play (juce::AudioBuffer<Sample>&, const juce::MidiBuffer&, bool isBypassed);
     void layChannels();
-    void handleAsyncUpdate() override;
+    void tellOfChanges();
     void setWarning (const juce::String&);
 
     WrapperType wrapper;
+    ChangeMessages changes { [this] { tellOfChanges(); } };
     std::unique_ptr<Parameters> controls;
     std::unique_ptr<Session> player;
     MidiTriggers triggers { VelocityCurve {} };

@@ -22,6 +22,13 @@ juce::String numberText (double value, int decimals)
     return text.containsChar ('.') ? text.trimCharactersAtEnd ("0").trimCharactersAtEnd (".") : text;
 }
 
+/** What a text says; 0 where it says no number, "nan" included. */
+double numberIn (const juce::String& text)
+{
+    const auto number = text.getDoubleValue();
+    return std::isnan (number) ? 0.0 : number;
+}
+
 /** From where to where the surface goes, mm; both 0 where there is none. */
 std::pair<double, double> extentOf (const ModalModel* model, Axis axis)
 {
@@ -47,7 +54,7 @@ NumberTexts unitTexts (const char* unit, int decimals, float least, const char* 
                  return cut (suffix.isEmpty() ? number : number + " " + suffix, maximumLength);
              },
              [=] (const juce::String& text)
-             { return word.isNotEmpty() && text.trim() == word ? -1e9F : text.getFloatValue(); } };
+             { return word.isNotEmpty() && text.trim() == word ? -1e9F : static_cast<float> (numberIn (text)); } };
 }
 
 NumberTexts placeTexts (std::function<std::shared_ptr<const ModalModel>()> model, Axis axis)
@@ -64,7 +71,7 @@ NumberTexts placeTexts (std::function<std::shared_ptr<const ModalModel>()> model
              {
                  const auto [from, to] = extentOf (model().get(), axis);
                  const auto isPercent = text.containsChar ('%') || ! (to > from);
-                 const auto value = text.getDoubleValue();
+                 const auto value = numberIn (text);
                  return static_cast<float> (
                      std::clamp (isPercent ? value : 100 * (value - from) / (to - from), 0.0, 100.0));
              } };

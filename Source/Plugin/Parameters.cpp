@@ -1,6 +1,7 @@
 #include "Parameters.h"
 
 #include "ParameterTexts.h"
+#include "ParameterValues.h"
 
 #include <antinode_files/FocusWords.h>
 
@@ -41,8 +42,10 @@ public:
                               .withLabel (juce::String::fromUTF8 (unit))
                               .withStringFromValueFunction (std::move (texts.toText))
                               .withValueFromStringFunction (std::move (texts.fromText));
+        // As a host would set it, so that a host can set it again to the bit.
+        const auto reachable = range.convertFrom0to1 (range.convertTo0to1 (initial));
         return add (std::make_unique<juce::AudioParameterFloat> (juce::ParameterID { identifier, 1 }, name,
-                                                                 std::move (range), initial, attributes));
+                                                                 std::move (range), reachable, attributes));
     }
 
     juce::AudioParameterInt* integer (const char* identifier, const char* name, int maximum, IntegerTexts texts)
@@ -98,22 +101,6 @@ std::vector<juce::String> wordsForHosts (const Words& words)
 
     return texts;
 }
-
-/** A value in the unit of the parameter's text. */
-double valueOf (const juce::RangedAudioParameter& parameter)
-{
-    return static_cast<double> (parameter.convertFrom0to1 (parameter.getValue()));
-}
-
-void setValue (juce::RangedAudioParameter& parameter, double value)
-{
-    const auto range = parameter.getNormalisableRange();
-    const auto allowed = std::clamp (static_cast<float> (value), range.start, range.end);
-    const auto share = parameter.convertTo0to1 (allowed);
-
-    if (share != parameter.getValue())
-        parameter.setValueNotifyingHost (share);
-}
 } // namespace
 
 Parameters::Parameters (juce::AudioProcessor& processor, std::function<std::shared_ptr<const ModalModel>()> model)
@@ -162,22 +149,22 @@ Parameters::Parameters (juce::AudioProcessor& processor, std::function<std::shar
 PlaySettings Parameters::settings() const
 {
     PlaySettings now;
-    now.xPercent = *x;
-    now.yPercent = *y;
-    now.widthMillimetres = *width;
-    now.shape = *shape;
-    now.peakVelocityMillimetresPerSecond = *peakVelocity;
-    now.focusTimeMilliseconds = *focusTime;
-    now.growth = *growth;
-    now.brake = *brake;
-    now.method = *method;
-    now.voltageLimitVolts = *voltageLimit;
-    now.modeCount = *modes;
-    now.probeXPercent = *probeX;
-    now.probeYPercent = *probeY;
-    now.noteLayout = *notes;
-    now.noteOff = *noteOff;
-    now.retrigger = *retrigger;
+    now.xPercent = numberOf (x);
+    now.yPercent = numberOf (y);
+    now.widthMillimetres = numberOf (width);
+    now.shape = integerOf (shape);
+    now.peakVelocityMillimetresPerSecond = numberOf (peakVelocity);
+    now.focusTimeMilliseconds = numberOf (focusTime);
+    now.growth = numberOf (growth);
+    now.brake = numberOf (brake);
+    now.method = integerOf (method);
+    now.voltageLimitVolts = numberOf (voltageLimit);
+    now.modeCount = integerOf (modes);
+    now.probeXPercent = numberOf (probeX);
+    now.probeYPercent = numberOf (probeY);
+    now.noteLayout = integerOf (notes);
+    now.noteOff = integerOf (noteOff);
+    now.retrigger = integerOf (retrigger);
     now.focusOnNote = *focusOnNote;
     return now;
 }
@@ -189,11 +176,11 @@ PlayControls Parameters::controls() const
 
     PlayControls now;
     now.isArmed = *armed && ! *bypassed;
-    now.outputTrim = gain (*outputTrim);
-    now.monitorGain = gain (*monitorGain);
+    now.outputTrim = gain (numberOf (outputTrim));
+    now.monitorGain = gain (numberOf (monitorGain));
 
-    if (*voltageLimit > 0)
-        now.voltageLimit = static_cast<double> (*voltageLimit);
+    if (const auto limit = numberOf (voltageLimit); limit > 0)
+        now.voltageLimit = static_cast<double> (limit);
 
     return now;
 }

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <limits>
 
 using namespace antinode;
@@ -121,6 +122,38 @@ TEST_CASE ("A state comes back to the bit in another instance", "[plugin]")
     CHECK (kept == again);
     CHECK (second->warning() == first->warning());
     CHECK ((test::play (*first, length, 512, 0) - test::play (*second, length, 512, 0)).cwiseAbs().maxCoeff() == 0);
+}
+
+TEST_CASE ("What a state keeps is what it was restored from, whatever a host has set", "[plugin]")
+{
+    const auto first = test::offlineProcessor (8, rate, 512), second = test::offlineProcessor (8, rate, 512);
+    juce::Random random (5);
+
+    for (int i = 0; i < 200; ++i)
+    {
+        for (auto* const parameter : (i == 0 ? second : first)->parameters().all())
+            parameter->setValueNotifyingHost (i % 2 == 0 ? random.nextFloat() : std::pow (random.nextFloat(), 8.0F));
+
+        juce::MemoryBlock kept, again;
+        first->getStateInformation (kept);
+        second->setStateInformation (kept.getData(), static_cast<int> (kept.getSize()));
+        second->getStateInformation (again);
+        REQUIRE (kept == again);
+    }
+}
+
+TEST_CASE ("After a restored state has been prepared the first note plays", "[plugin]")
+{
+    const auto processor = test::offlineProcessor (8, rate, 512);
+    juce::MemoryBlock kept;
+    processor->getStateInformation (kept);
+    processor->parameters().find ("retrigger")->setValueNotifyingHost (1);
+    processor->parameters().find ("note_off")->setValueNotifyingHost (1);
+    test::play (*processor, 2000, 512, 0);
+    processor->setStateInformation (kept.getData(), static_cast<int> (kept.getSize()));
+    processor->prepareToPlay (rate, 512);
+    const auto rendered = test::renderedDemonstrator (*processor->session().snapshot()->model, rate, length);
+    CHECK ((test::play (*processor, length, 512, 0).topRows (8) - rendered).cwiseAbs().maxCoeff() < 1e-7);
 }
 
 TEST_CASE ("A broken state changes nothing and says so", "[plugin]")

@@ -50,13 +50,19 @@ inline Eigen::MatrixXd play (AntinodeProcessor& processor, int samples, int bloc
     return played;
 }
 
-/** What the command line renders for the demonstrator, in full scales. @return  N_b x samples */
-inline Eigen::MatrixXd renderedDemonstrator (const ModalModel& model, double sampleRate, int samples)
+/** What the command line renders for a focus, in full scales. @return  N_b x samples */
+inline Eigen::MatrixXd renderedFocus (const ModalModel& model, const FocusDescription& focus, double sampleRate,
+                                      int samples)
 {
     const Playback playback { Reconstruction::bandLimited, sampleRate };
-    const auto design = designFocus (model, demonstrator().focus->description, playback);
+    const auto design = designFocus (model, focus, playback);
     Eigen::MatrixXd voltages (model.actuators(), samples);
     VoltageSynthesiser (design.program, playback).process (0, voltages);
     return voltages / model.fullScaleVoltage;
+}
+
+inline Eigen::MatrixXd renderedDemonstrator (const ModalModel& model, double sampleRate, int samples)
+{
+    return renderedFocus (model, demonstrator().focus->description, sampleRate, samples);
 }
 } // namespace antinode::test

@@ -1,4 +1,4 @@
-#include "AudioThreadGuards.h"
+#include <Support/AudioThreadGuards.h>
 
 #include <Support/SineBeam.h>
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <juce_audio_processors/juce_audio_processors.h>
+
+namespace antinode
+{
+/** A parameter's value; its least one where a host has sent no number. [any] */
+float numberOf (const juce::AudioParameterFloat*);
+
+/** The same, within its range whatever a host has sent. [any] */
+int integerOf (const juce::AudioParameterInt*);
+
+/** A value in the unit of the parameter's text, to the bit. [any] */
+double valueOf (const juce::RangedAudioParameter&);
+
+/** Sets what valueOf gave, to the bit; values beyond the range to its end. Tells the host where it changes. [any but the audio thread] */
+void setValue (juce::RangedAudioParameter&, double value);
+} // namespace antinode

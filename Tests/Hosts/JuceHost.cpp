@@ -1,0 +1,233 @@
+#include "JuceHost.h"
+
+#include <Plugin/VST3Channels.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <numeric>
+#include <stdexcept>
+#include <thread>
+
+namespace juce
+{
+// Of juce_events, for those who run no loop of its own; no header has it.
+bool dispatchNextMessageOnSystemQueue (bool returnIfNoPendingMessages);
+} // namespace juce
+
+namespace antinode::test
+{
+namespace
+{
+juce::PluginDescription describe (juce::AudioPluginFormat& format, const juce::String& fileOrIdentifier)
+{
+    juce::OwnedArray<juce::PluginDescription> found;
+    format.findAllTypesForFile (found, fileOrIdentifier);
+
+    if (found.size() != 1)
+        throw std::runtime_error ("not one plug-in in " + fileOrIdentifier.toStdString());
+
+    return *found[0];
+}
+
+/** One world of LV2 bundles for the whole program, as in a host. */
+juce::AudioPluginFormat& lv2Format()
+{
+    static juce::LV2PluginFormat format;
+    static const auto found = format.searchPathsForPlugins (
+        juce::FileSearchPath (juce::String (ANTINODE_LV2_PATH).replaceCharacter (':', ';')), true, false);
+    return format;
+}
+
+std::unique_ptr<juce::AudioPluginInstance> instanceOf (const BuiltPlugin& plugin, double rate, int block,
+                                                       juce::String& error)
+{
+    if (plugin.kind == PluginKind::lv2)
+    {
+        const auto identifier = "https://antinode.example/plugins/antinode-" + juce::String (plugin.ceramics);
+        return lv2Format().createInstanceFromDescription (describe (lv2Format(), identifier), rate, block, error);
+    }
+
+    juce::VST3PluginFormat format;
+    setenv ("ANTINODE_CERAMICS", std::to_string (plugin.ceramics).c_str(), 1);
+    auto instance = format.createInstanceFromDescription (describe (format, ANTINODE_VST3_BUNDLE), rate, block, error);
+    unsetenv ("ANTINODE_CERAMICS");
+    return instance;
+}
+
+std::vector<int> wireOrder (const juce::AudioPluginInstance& instance, const BuiltPlugin& plugin)
+{
+    const auto layout = instance.getBus (false, 0)->getCurrentLayout();
+
+    if (plugin.kind == PluginKind::vst3)
+        return vst3ChannelOrder (layout);
+
+    std::vector<int> order (static_cast<std::size_t> (layout.size()));
+    std::iota (order.begin(), order.end(), 0);
+    return order;
+}
+
+template <typename Sample>
+void playBlock (juce::AudioPluginInstance& instance, const std::vector<int>& wires, juce::MidiBuffer& midi, int start,
+                int count, Eigen::MatrixXd& played)
+{
+    juce::AudioBuffer<Sample> buffer (instance.getTotalNumOutputChannels(), count);
+
+    for (int i = 0; i < buffer.getNumChannels(); ++i)
+        std::fill_n (buffer.getWritePointer (i), count, Sample (7)); // So that what is not written is seen.
+
+    instance.processBlock (buffer, midi);
+
+    for (int i = 0; i < buffer.getNumChannels(); ++i)
+    {
+        const auto isCeramic = i < static_cast<int> (wires.size());
+        const auto* const samples = buffer.getReadPointer (isCeramic ? wires[static_cast<std::size_t> (i)] : i);
+
+        for (int n = 0; n < count; ++n)
+            played (i, start + n) = static_cast<double> (samples[n]);
+    }
+}
+
+/** Where an LV2 state has what the plug-in keeps: after the number of its bytes and a point. */
+std::pair<std::size_t, std::size_t> encodedPart (const std::string& text)
+{
+    const auto encoding = text.find ("StateString");
+    const auto from = text.find ('"', encoding) + 1;
+
+    if (encoding == std::string::npos)
+        throw std::runtime_error ("the LV2 state has no contents");
+
+    return { from, text.find ('"', from) };
+}
+} // namespace
+
+std::string nameOf (const BuiltPlugin& plugin)
+{
+    return (plugin.kind == PluginKind::vst3 ? "VST3 " : "LV2 ") + std::to_string (plugin.ceramics);
+}
+
+std::vector<BuiltPlugin> builtPlugins()
+{
+    return { { PluginKind::vst3, 2 },  { PluginKind::vst3, 8 },  { PluginKind::vst3, 16 },
+             { PluginKind::vst3, 32 }, { PluginKind::vst3, 64 }, { PluginKind::lv2, 8 },
+             { PluginKind::lv2, 16 },  { PluginKind::lv2, 32 },  { PluginKind::lv2, 64 } };
+}
+
+std::unique_ptr<juce::AudioPluginInstance> hosted (const BuiltPlugin& plugin, double rate, int block)
+{
+    juce::String error;
+    auto instance = instanceOf (plugin, rate, block, error);
+
+    if (instance == nullptr)
+        throw std::runtime_error (nameOf (plugin) + ": " + error.toStdString());
+
+    return instance;
+}
+
+std::unique_ptr<juce::AudioPluginInstance> hostedOffline (const BuiltPlugin& plugin, double rate, int block)
+{
+    auto instance = hosted (plugin, rate, block);
+    instance->setNonRealtime (true);
+    instance->prepareToPlay (rate, block);
+    return instance;
+}
+
+Eigen::MatrixXd play (juce::AudioPluginInstance& instance, const BuiltPlugin& plugin, int samples, int block,
+                      const std::function<void (int, juce::MidiBuffer&)>& beforeBlock)
+{
+    Eigen::MatrixXd played (instance.getTotalNumOutputChannels(), samples);
+    const auto wires = wireOrder (instance, plugin);
+
+    for (int start = 0; start < samples; start += block)
+    {
+        const auto count = std::min (block, samples - start);
+        juce::MidiBuffer midi;
+        beforeBlock (start, midi);
+
+        if (instance.isUsingDoublePrecision())
+            playBlock<double> (instance, wires, midi, start, count, played);
+        else
+            playBlock<float> (instance, wires, midi, start, count, played);
+    }
+
+    return played;
+}
+
+Eigen::MatrixXd play (juce::AudioPluginInstance& instance, const BuiltPlugin& plugin, int samples, int block,
+                      int noteAt, int note)
+{
+    return play (instance, plugin, samples, block,
+                 [&] (int start, juce::MidiBuffer& midi)
+                 {
+                     if (noteAt >= start && noteAt < start + block)
+                         midi.addEvent (juce::MidiMessage::noteOn (1, note, juce::uint8 (127)), noteAt - start);
+                 });
+}
+
+juce::MemoryBlock stateOf (juce::AudioPluginInstance& instance)
+{
+    juce::MemoryBlock state;
+    instance.getStateInformation (state);
+    return state;
+}
+
+void setState (juce::AudioPluginInstance& instance, const juce::MemoryBlock& state)
+{
+    instance.setStateInformation (state.getData(), static_cast<int> (state.getSize()));
+}
+
+std::string innerState (const BuiltPlugin& plugin, const juce::MemoryBlock& state)
+{
+    juce::MemoryBlock inner;
+
+    if (plugin.kind == PluginKind::vst3)
+    {
+        const auto xml = juce::AudioProcessor::getXmlFromBinary (state.getData(), static_cast<int> (state.getSize()));
+        inner.fromBase64Encoding (xml->getChildByName ("IComponent")->getAllSubText());
+    }
+    else
+    {
+        const auto text = state.toString().toStdString();
+        const auto [from, to] = encodedPart (text);
+        inner.fromBase64Encoding (text.substr (from, to - from));
+    }
+
+    return { static_cast<const char*> (inner.getData()), inner.getSize() };
+}
+
+juce::MemoryBlock hostState (const BuiltPlugin& plugin, const juce::MemoryBlock& like, const std::string& inner)
+{
+    const auto encoded = juce::MemoryBlock (inner.data(), inner.size()).toBase64Encoding();
+    juce::MemoryBlock state;
+
+    if (plugin.kind == PluginKind::vst3)
+    {
+        juce::XmlElement xml ("VST3PluginState");
+        xml.createNewChildElement ("IComponent")->addTextElement (encoded);
+        juce::AudioProcessor::copyXmlToBinary (xml, state);
+        return state;
+    }
+
+    auto text = like.toString().toStdString();
+    const auto [from, to] = encodedPart (text);
+    text.replace (from, to - from, encoded.toStdString());
+    state.append (text.data(), text.size());
+    return state;
+}
+
+void runInBackground (const std::function<void()>& work)
+{
+    std::atomic<bool> isDone { false };
+    std::thread background (
+        [&]
+        {
+            work();
+            isDone = true;
+        });
+
+    while (! isDone)
+        if (! juce::dispatchNextMessageOnSystemQueue (true))
+            std::this_thread::sleep_for (std::chrono::milliseconds (1));
+
+    background.join();
+}
+} // namespace antinode::test

@@ -1,0 +1,275 @@
+#include "RawVst3.h"
+
+#include <cstdlib>
+#include <stdexcept>
+
+#include <dlfcn.h>
+
+namespace antinode::test
+{
+namespace
+{
+template <typename Function>
+Function symbolOf (void* module, const char* name)
+{
+    const auto symbol = reinterpret_cast<Function> (dlsym (module, name));
+
+    if (symbol == nullptr)
+        throw std::runtime_error (std::string ("the VST3 has no ") + name);
+
+    return symbol;
+}
+
+template <typename Interface>
+Interface* queried (Steinberg::FUnknown* object)
+{
+    void* found = nullptr;
+
+    if (object->queryInterface (Interface::iid, &found) != Steinberg::kResultOk)
+        throw std::runtime_error ("an interface is missing");
+
+    return static_cast<Interface*> (found);
+}
+
+template <typename Interface>
+Interface* created (const Steinberg::TUID classIdentifier)
+{
+    void* made = nullptr;
+
+    if (vst3Factory().createInstance (classIdentifier, Interface::iid, &made) != Steinberg::kResultOk)
+        throw std::runtime_error ("the factory makes no instance");
+
+    return static_cast<Interface*> (made);
+}
+
+/** The factory's class of a category. */
+Steinberg::PClassInfo classOf (const std::string& category)
+{
+    Steinberg::PClassInfo info;
+
+    for (int i = 0; i < vst3Factory().countClasses(); ++i)
+        if (vst3Factory().getClassInfo (i, &info) == Steinberg::kResultOk && info.category == category)
+            return info;
+
+    throw std::runtime_error ("the factory has no " + category);
+}
+
+Vst::SpeakerArrangement lowestSpeakers (int count)
+{
+    return count >= 64 ? ~0ULL : (1ULL << count) - 1;
+}
+} // namespace
+
+Steinberg::IPluginFactory& vst3Factory()
+{
+    static auto& factory = []() -> Steinberg::IPluginFactory&
+    {
+        auto* const module = dlopen (ANTINODE_VST3_BINARY, RTLD_NOW | RTLD_LOCAL);
+
+        if (module == nullptr)
+            throw std::runtime_error (dlerror());
+
+        symbolOf<bool (*) (void*)> (module, "ModuleEntry") (module);
+        return *symbolOf<Steinberg::IPluginFactory* (*) ()> (module, "GetPluginFactory")();
+    }();
+    return factory;
+}
+
+RawVst3::RawVst3 (int ceramics, Connection connection)
+{
+    setenv ("ANTINODE_CERAMICS", std::to_string (ceramics).c_str(), 1);
+    component = created<Vst::IComponent> (classOf (kVstAudioEffectClass).cid);
+    unsetenv ("ANTINODE_CERAMICS");
+    component->initialize (&application);
+    processor = queried<Vst::IAudioProcessor> (component);
+    Steinberg::TUID controllerIdentifier;
+    component->getControllerClassId (controllerIdentifier);
+    controller = created<Vst::IEditController> (controllerIdentifier);
+    controller->initialize (&application);
+    controller->setComponentHandler (&handler);
+    connect (connection);
+    Steinberg::MemoryStream stream;
+    component->getState (&stream);
+    stream.seek (0, Steinberg::IBStream::kIBSeekSet, nullptr);
+    controller->setComponentState (&stream);
+
+    for (int bus = 0; bus < 2; ++bus)
+        component->activateBus (Vst::kAudio, Vst::kOutput, bus, true);
+
+    component->activateBus (Vst::kEvent, Vst::kInput, 0, true);
+}
+
+void RawVst3::connect (Connection connection)
+{
+    componentEnd = queried<Vst::IConnectionPoint> (component);
+    controllerEnd = queried<Vst::IConnectionPoint> (controller);
+
+    if (connection == Connection::byMessages)
+    {
+        toComponent = std::make_unique<ConnectionProxy> (componentEnd);
+        toController = std::make_unique<ConnectionProxy> (controllerEnd);
+    }
+
+    Vst::IConnectionPoint* const seenByComponent = toController != nullptr ? toController.get() : controllerEnd;
+    Vst::IConnectionPoint* const seenByController = toComponent != nullptr ? toComponent.get() : componentEnd;
+    componentEnd->connect (seenByComponent);
+    controllerEnd->connect (seenByController);
+}
+
+RawVst3::~RawVst3()
+{
+    Vst::IConnectionPoint* const seenByComponent = toController != nullptr ? toController.get() : controllerEnd;
+    Vst::IConnectionPoint* const seenByController = toComponent != nullptr ? toComponent.get() : componentEnd;
+    deactivate();
+    controllerEnd->disconnect (seenByController);
+    componentEnd->disconnect (seenByComponent);
+    controller->setComponentHandler (nullptr);
+    controllerEnd->release();
+    componentEnd->release();
+    controller->terminate();
+    component->terminate();
+    controller->release();
+    processor->release();
+    component->release();
+}
+
+bool RawVst3::setLayout (int ceramics, int monitors)
+{
+    Vst::SpeakerArrangement wanted[] = { lowestSpeakers (ceramics),
+                                         monitors == 1 ? Vst::SpeakerArr::kMono : Vst::SpeakerArr::kStereo };
+    const auto isSet = processor->setBusArrangements (nullptr, 0, wanted, 2) == Steinberg::kResultTrue;
+    active[1] = monitors > 0;
+    component->activateBus (Vst::kAudio, Vst::kOutput, 0, true);
+    component->activateBus (Vst::kAudio, Vst::kOutput, 1, active[1]);
+    return isSet && channels (0) == ceramics && (! active[1] || channels (1) == monitors);
+}
+
+int RawVst3::channels (int bus) const
+{
+    Vst::BusInfo info {};
+    component->getBusInfo (Vst::kAudio, Vst::kOutput, bus, info);
+    return info.channelCount;
+}
+
+void RawVst3::activate (const Processing& wanted)
+{
+    processing = wanted;
+    Vst::ProcessSetup setup { wanted.isOffline ? Vst::kOffline : Vst::kRealtime,
+                              wanted.isDouble ? Vst::kSample64 : Vst::kSample32, wanted.longestBlock,
+                              wanted.sampleRate };
+    processor->setupProcessing (setup);
+    component->setActive (true);
+    processor->setProcessing (true);
+}
+
+void RawVst3::deactivate()
+{
+    processor->setProcessing (false);
+    component->setActive (false);
+}
+
+template <typename Sample>
+void RawVst3::playBlock (Vst3Block& block, Eigen::MatrixXd& played)
+{
+    Eigen::Matrix<Sample, Eigen::Dynamic, Eigen::Dynamic> samples (block.count, played.rows());
+    samples.setConstant (Sample (7)); // So that what is not written is seen.
+    std::vector<std::vector<Sample*>> pointers (2);
+    std::vector<Vst::AudioBusBuffers> buses (2);
+    Eigen::Index next = 0;
+
+    for (std::size_t bus = 0; bus < buses.size(); ++bus)
+    {
+        for (int i = 0; i < channels (static_cast<int> (bus)); ++i)
+            pointers[bus].push_back (active[bus] ? samples.col (next++).data() : nullptr);
+
+        buses[bus].numChannels = static_cast<Steinberg::int32> (pointers[bus].size());
+        buses[bus].channelBuffers32 = reinterpret_cast<float**> (pointers[bus].data()); // One union for both types.
+    }
+
+    Vst::ProcessData data;
+    data.processMode = processing.isOffline ? Vst::kOffline : Vst::kRealtime;
+    data.symbolicSampleSize = processing.isDouble ? Vst::kSample64 : Vst::kSample32;
+    data.numSamples = block.count;
+    data.numOutputs = static_cast<Steinberg::int32> (buses.size());
+    data.outputs = buses.data();
+    data.inputEvents = &block.events;
+    data.inputParameterChanges = &block.changes;
+
+    if (processor->process (data) != Steinberg::kResultTrue)
+        throw std::runtime_error ("process() failed");
+
+    played.middleCols (block.start, block.count) = samples.transpose().template cast<double>();
+}
+
+Eigen::MatrixXd RawVst3::play (int samples, int length, const std::function<void (Vst3Block&)>& prepareBlock)
+{
+    Eigen::MatrixXd played (channels (0) + (active[1] ? channels (1) : 0), samples);
+
+    for (int done = 0; done < samples; done += length)
+    {
+        Vst3Block block;
+        block.start = done;
+        block.count = std::min (length, samples - done);
+        prepareBlock (block);
+
+        if (processing.isDouble)
+            playBlock<double> (block, played);
+        else
+            playBlock<float> (block, played);
+    }
+
+    return played;
+}
+
+Eigen::MatrixXd RawVst3::play (int samples, int length, int noteAt, int note)
+{
+    return play (samples, length,
+                 [&] (Vst3Block& block)
+                 {
+                     if (noteAt >= block.start && noteAt < block.start + block.count)
+                         block.events.events.push_back (noteOn (noteAt - block.start, note));
+                 });
+}
+
+std::vector<Vst::ParameterInfo> RawVst3::parameters()
+{
+    std::vector<Vst::ParameterInfo> all (static_cast<std::size_t> (controller->getParameterCount()));
+
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (controller->getParameterInfo (static_cast<Steinberg::int32> (i), all[i]) != Steinberg::kResultTrue)
+            throw std::runtime_error ("a parameter has no description");
+
+    return all;
+}
+
+Vst::ParamID RawVst3::parameter (const std::u16string& title)
+{
+    for (const auto& info : parameters())
+        if (reinterpret_cast<const char16_t*> (info.title) == title)
+            return info.id;
+
+    throw std::runtime_error ("there is no such parameter");
+}
+
+std::string RawVst3::state()
+{
+    Steinberg::MemoryStream stream;
+    component->getState (&stream);
+    return { stream.getData(), static_cast<std::size_t> (stream.getSize()) };
+}
+
+bool RawVst3::setState (const std::string& text)
+{
+    Steinberg::MemoryStream stream (const_cast<char*> (text.data()), static_cast<Steinberg::TSize> (text.size()));
+    return component->setState (&stream) == Steinberg::kResultTrue;
+}
+
+Vst::Event noteOn (int offset, int note, float velocity)
+{
+    Vst::Event event {};
+    event.sampleOffset = offset;
+    event.type = Vst::Event::kNoteOnEvent;
+    event.noteOn = { 0, static_cast<Steinberg::int16> (note), 0, velocity, 0, -1 };
+    return event;
+}
+} // namespace antinode::test

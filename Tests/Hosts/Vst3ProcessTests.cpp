@@ -1,0 +1,178 @@
+#include "Vst3BareBlock.h"
+
+#include <catch2/catch.hpp>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+// What Steinberg's validator asks of a VST3 while it plays, and what hosts do beyond that.
+
+using namespace antinode::test;
+using Steinberg::kResultTrue;
+
+TEST_CASE ("A VST3 is suspended, resumed and set up again as often as a host likes", "[vst3]")
+{
+    RawVst3 plugin (GENERATE (2, 8, 16, 32, 64));
+
+    for (int i = 0; i < 5; ++i)
+        for (const auto block : { 1, 64, 8193 })
+        {
+            plugin.activate ({ i % 2 == 0 ? 44100.0 : 96000.0, block, true, i % 2 == 1 });
+            plugin.component->setActive (true); // Twice the same says nothing.
+            CHECK (plugin.play (2 * 1024, block, 0).topRows (2).cwiseAbs().maxCoeff() > 1e-3);
+            plugin.processor->setProcessing (false);
+            plugin.processor->setProcessing (true);
+            CHECK (plugin.play (512, block, -1).allFinite());
+            plugin.deactivate();
+            plugin.deactivate();
+        }
+}
+
+TEST_CASE ("Before it is active a VST3 is silent and does not crash", "[vst3]")
+{
+    RawVst3 plugin (8);
+    BareBlock block (512, { 8, 2 });
+    block.events.events.push_back (noteOn (0, 60));
+    plugin.processor->process (block.data);
+    CHECK (block.samples.leftCols (10).isZero (0));
+}
+
+TEST_CASE ("Buses other than those that were agreed get silence", "[vst3]")
+{
+    RawVst3 plugin (8);
+    plugin.activate ({ 48000, 512, true, false });
+    REQUIRE (plugin.isPlaying());
+
+    for (const auto& channels :
+         { std::pair (12, 2), std::pair (4, 2), std::pair (8, 1), std::pair (8, 5), std::pair (64, 2) })
+    {
+        BareBlock block (512, { channels.first, channels.second });
+        block.events.events.push_back (noteOn (0, 60));
+        plugin.processor->process (block.data);
+        CHECK (block.samples.leftCols (channels.first + channels.second).isZero (0));
+    }
+
+    BareBlock mainOnly (512, { 8 });
+    plugin.processor->process (mainOnly.data);
+    CHECK (mainOnly.samples.allFinite());
+    CHECK (plugin.isPlaying());
+}
+
+TEST_CASE ("A block without samples or without buses takes parameters all the same", "[vst3]")
+{
+    RawVst3 plugin (8);
+    const auto trim = plugin.parameter (u"Output trim");
+    plugin.activate ({ 48000, 512, true, false });
+
+    BareBlock bare (0, {}), unplugged (0, { 0, 0 });
+    bare.changes.add (trim, 0, 0.25);
+    bare.data.inputEvents = nullptr;
+    CHECK (plugin.processor->process (bare.data) == kResultTrue);
+    CHECK (plugin.state().find ("\"output_trim\":-45.0") != std::string::npos);
+
+    unplugged.changes.add (trim, 0, 0.5);
+    CHECK (plugin.processor->process (unplugged.data) == kResultTrue);
+    CHECK (plugin.state().find ("\"output_trim\":-30.0") != std::string::npos);
+
+    BareBlock empty (0, { 8, 2 });
+    empty.events.events.push_back (noteOn (0, 60));
+    CHECK (plugin.processor->process (empty.data) == kResultTrue);
+    CHECK (plugin.play (1024, 512, -1).allFinite());
+}
+
+TEST_CASE ("A bus that a VST3 marks as silent is silent", "[vst3]")
+{
+    RawVst3 plugin (8);
+    plugin.activate ({ 48000, 512, true, false });
+
+    for (int i = 0; i < 8; ++i)
+    {
+        BareBlock block (512, { 8, 2 });
+
+        if (i == 3)
+            block.events.events.push_back (noteOn (0, 60));
+
+        REQUIRE (plugin.processor->process (block.data) == kResultTrue);
+        int next = 0;
+
+        for (const auto& bus : block.buses)
+            for (int k = 0; k < bus.numChannels; ++k, ++next)
+                CHECK ((((bus.silenceFlags >> k) & 1U) == 0 || block.samples.col (next).isZero (0)));
+    }
+}
+
+TEST_CASE ("A state is read and set on another thread while blocks are played", "[vst3]")
+{
+    RawVst3 plugin (8), other (8);
+    const auto first = plugin.state();
+    other.controller->setParamNormalized (other.parameter (u"Focus x"), 0.3);
+    const auto second = other.state();
+    REQUIRE (first != second);
+    plugin.activate ({ 48000, 512, false, false });
+    std::atomic<bool> isDone { false };
+    std::thread background (
+        [&]
+        {
+            for (int i = 0; i < 50; ++i)
+            {
+                plugin.setState (i % 2 == 0 ? second : first);
+                plugin.state();
+                std::this_thread::sleep_for (std::chrono::milliseconds (2));
+            }
+
+            plugin.setState (second);
+            isDone = true;
+        });
+    auto areFinite = true;
+
+    while (! isDone)
+        areFinite = areFinite && plugin.play (512, 512, 7).allFinite();
+
+    background.join();
+    CHECK (areFinite);
+    CHECK ((plugin.state() == second));
+}
+
+TEST_CASE ("A change of latency reaches the host", "[vst3]")
+{
+    RawVst3 plugin (8);
+    plugin.activate ({ 48000, 512, false, false });
+    CHECK (plugin.processor->getLatencySamples() == 0);
+    CHECK (plugin.processor->getTailSamples() > 1200);
+    plugin.handler.restartFlags = 0;
+    plugin.controller->setParamNormalized (plugin.parameter (u"Focus on the note"), 1);
+
+    for (int i = 0; i < 500 && (plugin.handler.restartFlags & Vst::kLatencyChanged) == 0; ++i)
+        std::this_thread::sleep_for (std::chrono::milliseconds (10));
+
+    CHECK ((plugin.handler.restartFlags & Vst::kLatencyChanged) != 0);
+    CHECK (plugin.processor->getLatencySamples() == 1200);
+}
+
+TEST_CASE ("Views are made and freed while blocks are played", "[vst3]")
+{
+    RawVst3 plugin (8);
+    CHECK (plugin.controller->createView ("nonsense") == nullptr);
+    plugin.activate ({ 48000, 512, false, false });
+    std::atomic<bool> isDone { false };
+    std::thread audio (
+        [&]
+        {
+            while (! isDone)
+                plugin.play (512, 512, 7);
+        });
+
+    for (int i = 0; i < 5; ++i)
+        if (auto* const view = plugin.controller->createView (Vst::ViewType::kEditor))
+        {
+            Steinberg::ViewRect size;
+            CHECK (view->getSize (&size) == kResultTrue);
+            CHECK (size.getWidth() > 0);
+            CHECK (view->isPlatformTypeSupported (Steinberg::kPlatformTypeX11EmbedWindowID) == kResultTrue);
+            view->release();
+        }
+
+    isDone = true;
+    audio.join();
+}
