@@ -9,7 +9,8 @@ struct VoltageLimits
 {
     double voltage = 0;   ///< U_max of every ceramic, V.
     double fullScale = 0; ///< V that a sample of 1.0 stands for.
-    bool requiresArming = false; ///< A program that loads the device or a state with it stays silent until its user arms it.
+    bool requiresArming =
+        false; ///< A program that loads the device or a state with it stays silent until its user arms it.
 };
 
 /** The object "limits" of a device; the full scale is the limit where it is not given. @throws InputError [worker] */

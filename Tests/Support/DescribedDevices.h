@@ -18,17 +18,17 @@ inline StructureCommon everything()
 
 inline DeviceDescription beam()
 {
-    return { "strip", "text", false,
+    return { "strip", "text",
              BeamDescription { everything(), 0.2, 0.01, EdgeCondition::clamped, EdgeCondition::free } };
 }
 
 inline DeviceDescription staple()
 {
-    return { "staple", "text", false, StapleDescription { everything(), 0.15, 0.017, 0.01 } };
+    return { "staple", "text", StapleDescription { everything(), 0.15, 0.017, 0.01 } };
 }
 
 inline DeviceDescription plate()
 {
-    return { "pane", "text", false, PlateDescription { everything(), 0.2, 0.12 } };
+    return { "pane", "text", PlateDescription { everything(), 0.2, 0.12 } };
 }
 } // namespace antinode::test
