@@ -58,8 +58,9 @@ void HeadlessRun::timerCallback()
     if (isTimerRunning() && ! hasBegun)
         beginWhenDesigned();
 
+    const auto rate = host.callback().sampleRate(); // 0 where the device has gone
     const auto played = static_cast<double> (host.callback().scheduleSamples());
-    const auto isOver = hasBegun && duration > 0 && played >= (armTime + duration) * host.callback().sampleRate();
+    const auto isOver = hasBegun && duration > 0 && rate > 0 && played >= (armTime + duration) * rate;
 
     if (isTimerRunning() && (isOver || isInterrupted()))
         end ({});

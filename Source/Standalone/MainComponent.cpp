@@ -31,7 +31,7 @@ MainComponent::MainComponent (StandaloneHost& hostToUse) : host (hostToUse)
         else
             host.muteAll();
 
-        timerCallback();
+        showState();
     };
     mute.setTooltip ("Escape or F12: all outputs to 0 V until they are released here");
     showSettings.setClickingTogglesState (true);
@@ -56,7 +56,7 @@ MainComponent::MainComponent (StandaloneHost& hostToUse) : host (hostToUse)
         routingPanel->update();
         audioPanel->update();
     };
-    timerCallback();
+    showState();
     startTimerHz (10);
 }
 
@@ -88,7 +88,7 @@ bool MainComponent::keyPressed (const juce::KeyPress& key)
         return false;
 
     host.muteAll();
-    timerCallback();
+    showState();
     return true;
 }
 
@@ -106,7 +106,7 @@ juce::String MainComponent::statusText() const
            + juce::String (juce::roundToInt (100 * host.devices().getCpuUsage())) + " % CPU";
 }
 
-void MainComponent::timerCallback()
+void MainComponent::showState()
 {
     const auto isMuted = host.router().isMuted();
     mute.setButtonText (isMuted ? "MUTED: release" : "MUTE ALL");

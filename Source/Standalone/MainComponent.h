@@ -29,7 +29,8 @@ public:
 
 private:
     void addTabs();
-    void timerCallback() override;
+    void timerCallback() override { showState(); }
+    void showState();
     juce::String statusText() const;
 
     StandaloneHost& host;

@@ -18,11 +18,11 @@ PlainPanel::PlainPanel (StandaloneHost& hostToUse) : host (hostToUse)
     for (auto* const child : std::initializer_list<juce::Component*> { &status, &arm, &fire })
         addAndMakeVisible (child);
 
-    timerCallback();
+    showState();
     startTimerHz (10);
 }
 
-void PlainPanel::timerCallback()
+void PlainPanel::showState()
 {
     const auto now = host.processor().session().snapshot();
     const auto isArmed = host.processor().parameters().arm().get();

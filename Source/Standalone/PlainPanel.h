@@ -16,7 +16,8 @@ public:
     void resized() override;
 
 private:
-    void timerCallback() override;
+    void timerCallback() override { showState(); }
+    void showState();
 
     StandaloneHost& host;
     juce::Label status;

@@ -49,7 +49,7 @@ TouchPanel::TouchPanel (StandaloneHost& hostToUse) : host (hostToUse)
                                                                        &tuioPort, &network, &applyButton })
         addAndMakeVisible (child);
 
-    timerCallback();
+    showState();
     startTimer (countMilliseconds);
 }
 
@@ -66,10 +66,10 @@ void TouchPanel::apply()
         failure = juce::String::fromUTF8 (error.what());
     }
 
-    timerCallback();
+    showState();
 }
 
-void TouchPanel::timerCallback()
+void TouchPanel::showState()
 {
     status.setText (failure.isNotEmpty() ? failure : statusText (host.touch().ports(), host.touch().counters()),
                     juce::dontSendNotification);
