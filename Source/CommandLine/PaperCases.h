@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Progress.h"
-#include "RenderedFocus.h"
+#include <antinode_render/RenderedFocus.h>
 
 #include <array>
 #include <optional>

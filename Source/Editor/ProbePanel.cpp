@@ -1,0 +1,18 @@
+#include "ProbePanel.h"
+
+namespace antinode
+{
+ProbePanel::ProbePanel (const ProbeTrace& trace)
+    : chart ("Velocity at the probe, as designed", "The render is not ready yet."), live (trace)
+{
+    addAndMakeVisible (chart);
+    addAndMakeVisible (live);
+}
+
+void ProbePanel::resized()
+{
+    auto area = getLocalBounds();
+    chart.setBounds (area.removeFromTop (area.getHeight() / 2));
+    live.setBounds (area);
+}
+} // namespace antinode
