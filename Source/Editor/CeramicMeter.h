@@ -22,9 +22,13 @@ public:
     void paintButton (juce::Graphics&, bool isOver, bool isDown) override;
 
 private:
+    bool isMuted() const { return getToggleState(); }
+    void paintBar (juce::Graphics&, juce::Rectangle<float>) const;
+
     int channel;
     double limitVolts = 0;
-    float level = 0, hold = 0; ///< Shares of the limit.
+    float level = 0, hold = 0; ///< Of the bar.
+    double peakVolts = 0;      ///< What the hold stands for.
     double limitedFor = 0;     ///< s that the lamp stays on.
     int shownPixels = -1;
     bool wasLimited = false;

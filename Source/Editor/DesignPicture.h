@@ -44,10 +44,11 @@ struct DesignPicture
     };
 
     DesignQuestion question;
-    FocusDescription focus;                         ///< The document as the parameters changed it.
-    std::shared_ptr<const FieldFrames> frames;      ///< None where there is no design.
-    std::shared_ptr<const Chart> field;             ///< At the focus: a LineChart of a line, a HeatMap of a plate.
-    std::shared_ptr<const Chart> spectrum;          ///< None where there is no design.
+    FocusDescription focus;                    ///< The document as the parameters changed it.
+    std::shared_ptr<const FieldFrames> frames; ///< None where there is no design.
+    std::shared_ptr<const Chart> field;        ///< At the focus: a LineChart of a line, a HeatMap of a plate.
+    std::shared_ptr<const Chart> section;  ///< Of a plate, along x through the focus; none where there is no design.
+    std::shared_ptr<const Chart> spectrum; ///< None where there is no design.
     std::shared_ptr<const RenderedCharts> rendered; ///< Of an earlier design until the stage is complete.
     std::string error;                              ///< Why there is no design, in one sentence.
     Stage stage = Stage::predicted;

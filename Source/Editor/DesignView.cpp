@@ -50,6 +50,9 @@ std::shared_ptr<const Chart> fieldChartOf (const DesignPicture& made, const Focu
 
     auto map = plateFieldChart (model, field, "velocity", made.focus.targets);
 
+    // Lines where the plate stands still would hide more than they show while it moves.
+    map.contours.nodalLinesFrom.reset();
+
     if (design == nullptr)
         map.contours = {};
 
@@ -156,6 +159,11 @@ void DesignView::answerWith (DesignPicture& made, const FocusDesign& playable)
     const auto& model = *made.question.model;
     made.frames = std::make_shared<const FieldFrames> (predictFocus (model, playable));
     made.field = fieldChartOf (made, &playable);
+
+    if (model.surface.kind == SurfaceKind::plate)
+        made.section = std::make_shared<const Chart> (
+            crossSectionChart (model, playable, made.frames->focusField, PlateDirection::alongX));
+
     made.spectrum = std::make_shared<const Chart> (spectrumChart (model, playable, made.frames->focusVelocities));
     show (made);
 

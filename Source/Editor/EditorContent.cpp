@@ -8,13 +8,15 @@ namespace antinode
 namespace
 {
 constexpr int gap = 6, topHeight = 48, timeHeight = 38, metersHeight = 62, statusHeight = 24;
-constexpr int parametersWidth = 300, wideFrom = 1080, wideFromHeight = 600;
-constexpr double usualRate = 48000; // Hz, before a host says it
+constexpr int parametersWidth = 290, wideFrom = 1080, wideFromHeight = 600;
+constexpr int besidePlate = 150, belowPlate = 70, leastSection = 130; // what axes and colours take
+constexpr double usualRate = 48000;                                   // Hz, before a host says it
 } // namespace
 
 EditorContent::EditorContent (AntinodeProcessor& processorToShow)
     : processor (processorToShow), past (processor), presets (processor, past), top (processor, past),
-      surfaceView (processor), spectrum ("Modal spectrum", "There is no design yet."),
+      surfaceView (processor), section ("Section along x", "There is no design yet."),
+      spectrum ("Modal spectrum", "There is no design yet."),
       voltages ("Voltages with their limits", "The render is not ready yet."), probe (processor.session().probeTrace()),
       parameters (processor), meters (processor, past), status (processor),
       browser (std::make_unique<PresetPanel> (presets)), tooltips (this, 600)
@@ -37,9 +39,10 @@ EditorContent::EditorContent (AntinodeProcessor& processorToShow)
 
     for (juce::Component* const child :
          { static_cast<juce::Component*> (&top), static_cast<juce::Component*> (&surfaceView),
-           static_cast<juce::Component*> (&time), static_cast<juce::Component*> (&parameterView),
-           static_cast<juce::Component*> (&upper), static_cast<juce::Component*> (&lower),
-           static_cast<juce::Component*> (&meters), static_cast<juce::Component*> (&status) })
+           static_cast<juce::Component*> (&section), static_cast<juce::Component*> (&time),
+           static_cast<juce::Component*> (&parameterView), static_cast<juce::Component*> (&upper),
+           static_cast<juce::Component*> (&lower), static_cast<juce::Component*> (&meters),
+           static_cast<juce::Component*> (&status) })
         addAndMakeVisible (child);
 
     addChildComponent (*browser);
@@ -82,6 +85,7 @@ void EditorContent::showModel()
     model = std::move (now);
     meters.setModel (model);
     parameters.refreshTexts();
+    resized();
 }
 
 /** The parameters are looked at here rather than in the session's snapshot: before a host has prepared us there is none of them. */
@@ -115,6 +119,7 @@ void EditorContent::showPicture()
 
     picture = std::move (newest);
     surfaceView.setPicture (picture);
+    section.setChart (picture->section);
     spectrum.setChart (picture->spectrum);
     voltages.setChart (picture->rendered != nullptr ? picture->rendered->voltages : nullptr);
     probe.designed().setChart (picture->rendered != nullptr ? picture->rendered->probe : nullptr);
@@ -126,7 +131,7 @@ bool EditorContent::isSettled() const
     const auto now = processor.session().snapshot();
     const auto isShown =
         picture != nullptr && asked && picture->question == *asked && picture->stage == DesignPicture::Stage::complete;
-    return ! now->isSolving && now->model != nullptr && now->device == processor.device() && isShown
+    return ! now->isSolving && now->model != nullptr && now->device->text == processor.device()->text && isShown
            && designs.isDone();
 }
 
@@ -278,7 +283,7 @@ void EditorContent::layOutWide (juce::Rectangle<int> area)
     setLayout (Layout::wide);
     parameterView.setBounds (area.removeFromLeft (parametersWidth));
     area.removeFromLeft (gap);
-    auto right = area.removeFromRight (area.getWidth() * 9 / 20);
+    auto right = area.removeFromRight (area.getWidth() * 21 / 50);
     area.removeFromRight (gap);
     upper.setBounds (right.removeFromTop ((right.getHeight() - gap) * 9 / 20));
     right.removeFromTop (gap);
@@ -288,16 +293,33 @@ void EditorContent::layOutWide (juce::Rectangle<int> area)
 
 void EditorContent::layOutSurface (juce::Rectangle<int> area)
 {
+    const auto left = heightBelow (area.withTrimmedBottom (timeHeight));
+    section.setVisible (left >= leastSection);
+
+    if (section.isVisible())
+        section.setBounds (area.removeFromBottom (left));
+
     time.setBounds (area.removeFromBottom (timeHeight));
     surfaceView.setBounds (area);
 }
 
+/** What a plate leaves free of a place for it; nothing of a line, whose field takes any height. */
+int EditorContent::heightBelow (juce::Rectangle<int> area) const
+{
+    if (model == nullptr || model->surface.kind == SurfaceKind::line)
+        return 0;
+
+    const auto& surface = model->surface;
+    const auto aspect = (surface.yMaximum - surface.yMinimum) / (surface.xMaximum - surface.xMinimum);
+    const auto needed = juce::roundToInt ((area.getWidth() - besidePlate) * aspect) + belowPlate;
+    return juce::jlimit (0, area.getHeight() * 2 / 5, area.getHeight() - needed);
+}
+
 void EditorContent::layOutParameters()
 {
-    const auto width = parameterView.getMaximumVisibleWidth();
-    const auto needed = parameters.layOut (width);
+    const auto height = parameterView.getHeight();
 
-    if (needed > parameterView.getHeight())
-        parameters.layOut (parameterView.getWidth() - parameterView.getScrollBarThickness());
+    if (parameters.layOut (parameterView.getWidth(), height) > height)
+        parameters.layOut (parameterView.getWidth() - parameterView.getScrollBarThickness(), height);
 }
 } // namespace antinode

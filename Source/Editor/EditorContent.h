@@ -71,6 +71,7 @@ private:
     void layOutNarrow (juce::Rectangle<int>);
     void layOutWide (juce::Rectangle<int>);
     void layOutSurface (juce::Rectangle<int>);
+    int heightBelow (juce::Rectangle<int>) const;
     void layOutParameters();
     bool handleShortcut (const juce::KeyPress&);
     void undo();
@@ -86,7 +87,7 @@ private:
     TopBar top;
     SurfaceView surfaceView;
     Timeline time;
-    ChartView spectrum, voltages;
+    ChartView section, spectrum, voltages;
     ProbePanel probe;
     ScoresView scores;
     ParameterPanel parameters;

@@ -118,9 +118,12 @@ void EditorLook::drawButtonBackground (juce::Graphics& g, juce::Button& button, 
 void EditorLook::drawButtonText (juce::Graphics& g, juce::TextButton& button, bool, bool)
 {
     const auto id = button.getToggleState() ? juce::TextButton::textColourOnId : juce::TextButton::textColourOffId;
-    g.setFont (getTextButtonFont (button, button.getHeight()));
+    // Signs and the words that matter most.
+    const auto text = button.getButtonText();
+    const auto isSign = text.length() == 1, isLoud = text.length() > 1 && text == text.toUpperCase();
+    g.setFont (font (isSign ? 18.0f : textHeight, isLoud));
     g.setColour (button.findColour (id).withMultipliedAlpha (button.isEnabled() ? 1.0f : 0.4f));
-    g.drawText (button.getButtonText(), button.getLocalBounds().reduced (4, 0), juce::Justification::centred);
+    g.drawText (text, button.getLocalBounds().reduced (4, 0), juce::Justification::centred);
 }
 
 void EditorLook::drawToggleButton (juce::Graphics& g, juce::ToggleButton& button, bool isOver, bool)

@@ -32,7 +32,7 @@ LiveTrace::LiveTrace (const ProbeTrace& traceToShow) : trace (traceToShow)
 
 void LiveTrace::refresh()
 {
-    if (trace.written() == shown || ! isShowing())
+    if (trace.written() == shown)
         return;
 
     shown = trace.written();

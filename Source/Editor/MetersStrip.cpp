@@ -8,7 +8,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int widest = 40, margin = 8, captionWidth = 66;
+constexpr int widest = 112, margin = 8, captionWidth = 66;
 } // namespace
 
 MetersStrip::MetersStrip (AntinodeProcessor& processorToShow, History& historyToKeep)

@@ -2,11 +2,13 @@
 
 #include "EditorLook.h"
 
+#include <algorithm>
+
 namespace antinode
 {
 namespace
 {
-constexpr int rowHeight = 22, rowGap = 4, headingHeight = 24, groupGap = 8, margin = 10;
+constexpr int rowHeight = 21, rowGap = 3, headingHeight = 22, groupGap = 3, margin = 10;
 } // namespace
 
 ParameterPanel::ParameterPanel (AntinodeProcessor& processor)
@@ -33,9 +35,9 @@ void ParameterPanel::refreshTexts()
         control->refreshText();
 }
 
-int ParameterPanel::layOut (int width)
+int ParameterPanel::layOut (int width, int leastHeight)
 {
-    auto y = margin - 2;
+    auto y = margin / 2;
 
     for (auto& group : groups)
     {
@@ -51,13 +53,14 @@ int ParameterPanel::layOut (int width)
         y += groupGap;
     }
 
-    setSize (width, y);
+    setSize (width, std::max (y, leastHeight));
     return y;
 }
 
 void ParameterPanel::paint (juce::Graphics& g)
 {
     const auto& palette = EditorLook::paletteOf (*this);
+    g.fillAll (palette.panel);
     g.setFont (EditorLook::font (EditorLook::smallTextHeight, true));
 
     for (const auto& group : groups)

@@ -18,8 +18,8 @@ public:
     /** Shows all texts anew: the device is another one. */
     void refreshTexts();
 
-    /** Lays the controls out for a width. @return  the height that they need */
-    int layOut (int width);
+    /** Lays the controls out for a width, and fills a place at least so high. @return  the height that the controls need */
+    int layOut (int width, int leastHeight);
 
     const std::vector<std::unique_ptr<ParameterControl>>& controls() const { return all; }
 

@@ -12,7 +12,11 @@ public:
     explicit ProbePanel (const ProbeTrace&);
 
     ChartView& designed() { return chart; }
-    void refresh() { live.refresh(); }
+    void refresh()
+    {
+        if (isVisible())
+            live.refresh();
+    }
 
     void resized() override;
 

@@ -8,6 +8,8 @@ namespace antinode
 {
 namespace
 {
+constexpr int cornerWidth = 14; // where a window is resized
+
 juce::String fromUtf8 (const std::string& text)
 {
     return juce::String::fromUTF8 (text.c_str());
@@ -69,8 +71,8 @@ void StatusLine::refresh (const DesignPicture* picture, bool isWorking)
     const auto& meters = processor.session().meters();
     const auto rate = processor.session().snapshot()->playback.sampleRate;
     const auto numbers = (rate > 0 ? juce::String (rate / 1000, 1) + " kHz" : juce::String ("not playing")) + "    "
-                         + juce::String (meters.voices()) + " voices    " + juce::String (meters.triggered())
-                         + " triggers";
+                         + "voices " + juce::String (meters.voices()) + "    triggers "
+                         + juce::String (meters.triggered());
 
     if (now.text == shown && numbers == figures && now.isWarning == isWarning)
         return;
@@ -87,7 +89,7 @@ void StatusLine::paint (juce::Graphics& g)
 {
     const auto& palette = EditorLook::paletteOf (*this);
     g.fillAll (palette.panel);
-    auto area = getLocalBounds().reduced (10, 0).toFloat();
+    auto area = getLocalBounds().reduced (10, 0).withTrimmedRight (cornerWidth).toFloat();
     const TextStyle style { EditorLook::smallTextHeight, false, palette.mutedText };
     const auto right = area.removeFromRight (textWidth (figures.toStdString(), style) + 2);
     drawText (g, figures.toStdString(), right, juce::Justification::centredRight, style);

@@ -1,5 +1,6 @@
 #include "Timeline.h"
 
+#include "EditorLook.h"
 #include "FieldFrames.h"
 
 #include <cmath>
@@ -9,7 +10,7 @@ namespace antinode
 namespace
 {
 constexpr double framesPerSecond = 24;
-constexpr int valueWidth = 108;
+constexpr int valueWidth = 124;
 
 juce::String timeText (double frame)
 {
@@ -63,6 +64,11 @@ void Timeline::advance (double seconds)
 
     position = std::fmod (position + seconds * framesPerSecond, FieldFrames::count - 1);
     place.setValue (std::floor (position), juce::dontSendNotification);
+}
+
+void Timeline::paint (juce::Graphics& g)
+{
+    g.fillAll (EditorLook::paletteOf (*this).panel);
 }
 
 void Timeline::resized()

@@ -22,6 +22,7 @@ public:
     /** Goes on where it plays. @param seconds  since the last call */
     void advance (double seconds);
 
+    void paint (juce::Graphics&) override;
     void resized() override;
 
 private:

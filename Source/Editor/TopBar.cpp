@@ -37,6 +37,11 @@ void TopBar::NameButton::paintButton (juce::Graphics& g, bool isOver, bool isDow
     const auto& palette = EditorLook::paletteOf (*this);
     getLookAndFeel().drawButtonBackground (g, *this, palette.raised, isOver, isDown);
     auto area = getLocalBounds().toFloat().reduced (9, 0);
+    juce::Path arrow;
+    const auto tip = area.removeFromRight (12).getCentre();
+    arrow.addTriangle (tip.translated (-3.5f, -2), tip.translated (4.5f, -2), tip.translated (0.5f, 3));
+    g.setColour (palette.mutedText);
+    g.fillPath (arrow);
     const auto captionStyle = TextStyle { 10, false, palette.mutedText };
     const auto nameStyle = TextStyle { EditorLook::textHeight, false, palette.text };
     auto rows = area.withSizeKeepingCentre (area.getWidth(), 27);
@@ -65,7 +70,7 @@ TopBar::TopBar (AntinodeProcessor& processor, History& historyToShow)
     stop.setTitle ("Stop");
     arm.setClickingTogglesState (true);
     arm.onStateChange = [this] { arm.setButtonText (arm.getToggleState() ? "Armed" : "Disarmed"); };
-    armAttachment.sendInitialUpdate();
+    arm.onStateChange();
     device.onClick = [this] { onBrowse (LibraryKind::device); };
     focus.onClick = [this] { onBrowse (LibraryKind::focus); };
     undo.onClick = [this] { onUndo(); };

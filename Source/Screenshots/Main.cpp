@@ -10,8 +10,8 @@
 
 namespace
 {
-constexpr double sampleRate = 48000;
-constexpr int blockSize = 480;
+constexpr double sampleRate = 96000;
+constexpr int blockSize = 960;
 
 /** A picture: its file, its size, and what it shows. */
 struct Screenshot
@@ -66,6 +66,7 @@ void take (const Screenshot& wanted, const juce::File& folder)
     processor.load (deviceOf (wanted.device), focusOf (wanted.focus));
     processor.prepareToPlay (sampleRate, blockSize);
     processor.parameters().arm().setValueNotifyingHost (1);
+    processor.parameters().find ("notes")->setValueNotifyingHost (1); // no designs for notes that nobody waits for
     antinode::Editor editor (processor);
     editor.setSize (wanted.width, wanted.height);
     auto& content = editor.content();
