@@ -7,16 +7,18 @@
 
 namespace antinode
 {
-ChartView::ChartView (const juce::String& title, const juce::String& wording) : waiting (wording)
+ChartView::ChartView (const juce::String& title)
 {
     setTitle (title);
     setInterceptsMouseClicks (false, false);
 }
 
-void ChartView::setChart (std::shared_ptr<const Chart> newChart)
+void ChartView::setChart (std::shared_ptr<const Chart> newChart, const juce::String& wording)
 {
-    if (newChart == chart)
+    if (newChart == chart && wording == waiting)
         return;
+
+    waiting = wording;
 
     chart = std::move (newChart);
     image = {};

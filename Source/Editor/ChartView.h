@@ -12,10 +12,10 @@ namespace antinode
 class ChartView : public juce::Component
 {
 public:
-    /** @param wording  what stands there while there is no chart */
-    ChartView (const juce::String& title, const juce::String& wording);
+    explicit ChartView (const juce::String& title);
 
-    void setChart (std::shared_ptr<const Chart>);
+    /** @param wording  what stands there where there is no chart */
+    void setChart (std::shared_ptr<const Chart>, const juce::String& wording);
 
     void paint (juce::Graphics&) override;
     void resized() override { image = {}; }

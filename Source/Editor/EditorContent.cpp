@@ -15,11 +15,10 @@ constexpr double usualRate = 48000;                                   // Hz, bef
 
 EditorContent::EditorContent (AntinodeProcessor& processorToShow)
     : processor (processorToShow), past (processor), presets (processor, past), top (processor, past),
-      surfaceView (processor), section ("Section along x", "There is no design yet."),
-      spectrum ("Modal spectrum", "There is no design yet."),
-      voltages ("Voltages with their limits", "The render is not ready yet."), probe (processor.session().probeTrace()),
-      parameters (processor), meters (processor, past), status (processor),
-      browser (std::make_unique<PresetPanel> (presets)), tooltips (this, 600)
+      surfaceView (processor), section ("Section along x"), spectrum ("Modal spectrum"),
+      voltages ("Voltages with their limits"), probe (processor.session().probeTrace()), parameters (processor),
+      meters (processor, past), status (processor), browser (std::make_unique<PresetPanel> (presets)),
+      tooltips (this, 600)
 {
     juce::LookAndFeel::setDefaultLookAndFeel (&fonts.get());
     setLookAndFeel (&look);
@@ -46,6 +45,8 @@ EditorContent::EditorContent (AntinodeProcessor& processorToShow)
         addAndMakeVisible (child);
 
     addChildComponent (*browser);
+    // Children have looked for their look before they had us as a parent.
+    setDark (true);
     setSize (leastWidth, leastHeight);
     refresh (0);
 }
@@ -118,11 +119,12 @@ void EditorContent::showPicture()
         return;
 
     picture = std::move (newest);
+    const juce::String wording = picture->error.empty() ? "The render is not ready yet." : "There is no focus to show.";
     surfaceView.setPicture (picture);
-    section.setChart (picture->section);
-    spectrum.setChart (picture->spectrum);
-    voltages.setChart (picture->rendered != nullptr ? picture->rendered->voltages : nullptr);
-    probe.designed().setChart (picture->rendered != nullptr ? picture->rendered->probe : nullptr);
+    section.setChart (picture->section, wording);
+    spectrum.setChart (picture->spectrum, wording);
+    voltages.setChart (picture->rendered != nullptr ? picture->rendered->voltages : nullptr, wording);
+    probe.designed().setChart (picture->rendered != nullptr ? picture->rendered->probe : nullptr, wording);
     scores.setPicture (picture);
 }
 
@@ -265,6 +267,7 @@ void EditorContent::resized()
 
     layOutParameters();
     browser->setBounds (surfaceView.getBounds()
+                            .getUnion (time.getBounds())
                             .withSizeKeepingCentre (std::min (420, surfaceView.getWidth()), surfaceView.getHeight())
                             .withTrimmedTop (gap)
                             .withTrimmedBottom (gap));

@@ -8,7 +8,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int rowHeight = 21, rowGap = 3, headingHeight = 22, groupGap = 3, margin = 10;
+constexpr int rowHeight = 21, leastGap = 3, largestGap = 8, headingHeight = 22, groupGap = 3, margin = 10;
 } // namespace
 
 ParameterPanel::ParameterPanel (AntinodeProcessor& processor)
@@ -37,6 +37,9 @@ void ParameterPanel::refreshTexts()
 
 int ParameterPanel::layOut (int width, int leastHeight)
 {
+    const auto rows = static_cast<int> (all.size()), parts = static_cast<int> (groups.size());
+    const auto others = margin / 2 + parts * (headingHeight + groupGap) + rows * rowHeight;
+    const auto rowGap = rows > 0 ? juce::jlimit (leastGap, largestGap, (leastHeight - others) / rows) : 0;
     auto y = margin / 2;
 
     for (auto& group : groups)

@@ -2,8 +2,7 @@
 
 namespace antinode
 {
-ProbePanel::ProbePanel (const ProbeTrace& trace)
-    : chart ("Velocity at the probe, as designed", "The render is not ready yet."), live (trace)
+ProbePanel::ProbePanel (const ProbeTrace& trace) : chart ("Velocity at the probe, as designed"), live (trace)
 {
     addAndMakeVisible (chart);
     addAndMakeVisible (live);

@@ -77,6 +77,9 @@ void SurfacePainter::layOut (juce::Rectangle<int> newArea, float newScale)
     else
         layOutPlate (std::get<HeatMap> (*picture->field), g);
 
+    if (isLine())
+        return;
+
     above = emptyLayer();
     juce::Graphics upper (above);
     upper.addTransform (juce::AffineTransform::scale (scale));
@@ -128,19 +131,15 @@ void SurfacePainter::layOutPlate (const HeatMap& chart, juce::Graphics& g)
 
 void SurfacePainter::paintOverlay (juce::Graphics& g, bool withContours) const
 {
-    const auto* const chart = std::get_if<HeatMap> (picture->field.get());
-
-    if (chart == nullptr)
-        return;
-
+    const auto& chart = std::get<HeatMap> (*picture->field);
     g.reduceClipRegion (plot.plot.getSmallestIntegerContainer());
 
     if (withContours)
-        drawContours (g, plot, *chart, colours->charts);
+        drawContours (g, plot, chart, colours->charts);
 
     // The first place is the spot, which can be dragged.
-    const std::vector<MapPoint> others (chart->points.begin() + 1, chart->points.end());
-    drawPlaces (g, plot, chart->rectangles, others, colours->charts);
+    const std::vector<MapPoint> others (chart.points.begin() + 1, chart.points.end());
+    drawPlaces (g, plot, chart.rectangles, others, colours->charts);
 }
 
 void SurfacePainter::paint (juce::Graphics& g, int frame) const
@@ -149,7 +148,15 @@ void SurfacePainter::paint (juce::Graphics& g, int frame) const
     const auto shown = picture->frames->available() > 1 ? frame : 0;
     const auto isFocus = picture->frames->available() == 1 || frame == FieldFrames::atFocus;
     g.setOpacity (1);
-    g.drawImage (below, whole);
+    {
+        const juce::Graphics::ScopedSaveState state (g);
+
+        // A map covers all of the plot: large images cost more than small ones.
+        if (! isLine())
+            g.excludeClipRegion (plot.plot.toNearestInt() + area.getPosition());
+
+        g.drawImage (below, whole);
+    }
     {
         const juce::Graphics::ScopedSaveState state (g);
         g.setOrigin (area.getPosition());
@@ -159,6 +166,10 @@ void SurfacePainter::paint (juce::Graphics& g, int frame) const
         else
             paintPlate (g, shown);
     }
+
+    if (isLine())
+        return;
+
     g.setOpacity (1);
     g.drawImage (isFocus ? aboveFocus : above, whole);
 }
