@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Progress.h"
+
 #include <antinode_render/RenderedFocus.h>
 
 #include <array>

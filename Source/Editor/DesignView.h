@@ -3,6 +3,7 @@
 #include "DesignPicture.h"
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <mutex>

@@ -5,6 +5,7 @@
 #include <antinode_views/Curve.h>
 #include <antinode_views/DataRange.h>
 #include <antinode_views/Legend.h>
+#include <antinode_views/Lettering.h>
 #include <antinode_views/MapImage.h>
 #include <antinode_views/MapOverlays.h>
 
@@ -33,6 +34,23 @@ CurvePiece pointsOf (const PlotFrame& frame, const Eigen::VectorXd& x, const Eig
         points.push_back (frame.at (x[i], y[i]));
 
     return points;
+}
+
+/** The ceramics' numbers, as at their meters: names are too long for small ones. */
+void drawNumbers (juce::Graphics& g, const PlotFrame& frame, const std::vector<MapRectangle>& ceramics,
+                  const Theme& theme)
+{
+    for (std::size_t i = 0; i < ceramics.size(); ++i)
+    {
+        const auto& ceramic = ceramics[i];
+        const juce::Rectangle<float> area (frame.at (ceramic.xMinimum, ceramic.yMaximum),
+                                           frame.at (ceramic.xMaximum, ceramic.yMinimum));
+        const auto number = std::to_string (i + 1);
+        const TextStyle style { 10, false, theme.text };
+
+        if (textWidth (number, style) < area.getWidth())
+            drawText (g, number, area, juce::Justification::centred, style);
+    }
 }
 } // namespace
 
@@ -139,7 +157,13 @@ void SurfacePainter::paintOverlay (juce::Graphics& g, bool withContours) const
 
     // The first place is the spot, which can be dragged.
     const std::vector<MapPoint> others (chart.points.begin() + 1, chart.points.end());
-    drawPlaces (g, plot, chart.rectangles, others, colours->charts);
+    auto rectangles = chart.rectangles;
+
+    for (auto& rectangle : rectangles)
+        rectangle.label.clear();
+
+    drawPlaces (g, plot, rectangles, others, colours->charts);
+    drawNumbers (g, plot, rectangles, colours->charts);
 }
 
 void SurfacePainter::paint (juce::Graphics& g, int frame) const
