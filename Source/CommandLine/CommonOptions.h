@@ -1,6 +1,6 @@
 #pragma once
 
-#include "RenderedFocus.h"
+#include <antinode_render/RenderedFocus.h>
 
 #include <CLI/CLI.hpp>
 

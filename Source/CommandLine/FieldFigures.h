@@ -1,7 +1,6 @@
 #pragma once
 
-#include "RenderedFocus.h"
-
+#include <antinode_render/RenderedFocus.h>
 #include <antinode_views/Report.h>
 
 namespace antinode

@@ -5,6 +5,7 @@
 #include <antinode_files/FocusWords.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/DesignRemarks.h>
+#include <antinode_render/FocusScores.h>
 #include <antinode_views/FocusCharts.h>
 
 #include <algorithm>
@@ -26,11 +27,6 @@ std::string fixed (double value, int decimals)
     return text.data();
 }
 
-std::string percent (double share)
-{
-    return inWords (share * 100) + " %";
-}
-
 std::string placeOf (const RenderedFocus& focus, std::size_t probe)
 {
     const auto [x, y] = focus.probes[probe];
@@ -42,34 +38,6 @@ std::string placeOf (const RenderedFocus& focus, std::size_t probe)
 double shownFrequency (const RenderedFocus& focus)
 {
     return 1.3 * focus.model.frequencyHz (focus.design.controlledModes.back());
-}
-
-std::vector<ReportScore> scoresOf (const RenderedFocus& focus)
-{
-    const auto& design = focus.design;
-    const auto limit = inWords (design.program.voltageLimits.maxCoeff());
-    const auto peakVoltage = focus.render.voltages.cwiseAbs().maxCoeff();
-    const auto peakVelocity = focus.reachedField.cwiseAbs().maxCoeff() * milli;
-    return {
-        { "v-score", fixed (focus.truncatedScore.vScore, 5),
-          "Correlation of the reached field with what the controlled modes can carry; against the wanted field itself "
-          "it is "
-              + fixed (focus.score.vScore, 4) + ". 1 is best." },
-        { "Field error", percent (focus.truncatedScore.fieldError),
-          "RMS of the difference to what the controlled modes can carry; to the wanted field itself it is "
-              + percent (focus.score.fieldError) + "." },
-        { "Captured", fixed (design.captured, 4),
-          "Share of the wanted field (root of its energy) that the " + std::to_string (design.controlledModes.size())
-              + " controlled modes carry. 1 is all." },
-        { "Peak velocity", inWords (peakVelocity) + " mm/s",
-          "Largest velocity anywhere on the surface at the focus; " + percent (focus.score.peakRatio)
-              + " of the wanted one at its place." },
-        { "Peak voltage", inWords (peakVoltage) + " V",
-          "Largest voltage of any ceramic; the limit is " + limit + " V. No waveform at all could do it below "
-              + inWords (design.lowerBoundVoltage) + " V." },
-        { "Contrast", inWords (focus.contrast),
-          "Peak over RMS of the motion outside the focal spot at the same instant." },
-    };
 }
 
 ReportSection fieldSection (const RenderedFocus& focus)
@@ -183,7 +151,7 @@ ReportPage focusReport (const RenderedFocus& focus)
                     + std::to_string (focus.model.modes()) + " modes simulated, focus at "
                     + inWords (static_cast<double> (focus.render.focusSample) / focus.render.sampleRate * milli)
                     + " ms, " + inWords (focus.render.sampleRate) + " Hz";
-    page.scores = scoresOf (focus);
+    page.scores = focusScores (focus);
     page.warnings = design.warnings;
     page.sections = { fieldSection (focus), voltageSection (focus), motionSection (focus), designSection (focus) };
     page.links = { { "summary.json", "summary.json" }, { "design.json", "design.json" }, { "probe.csv", "probe.csv" } };

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "Progress.h"
-#include "RenderedFocus.h"
+
+#include <antinode_render/RenderedFocus.h>
 
 #include <array>
 #include <optional>

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "RenderedFocus.h"
-
 #include <antinode_files/OutputFolder.h>
+#include <antinode_render/RenderedFocus.h>
 
 #include <string>
 

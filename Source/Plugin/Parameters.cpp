@@ -19,10 +19,24 @@ using Group = juce::AudioProcessorParameterGroup;
 
 constexpr float silentDecibels = -60;
 
+/** In double precision: then a share that became a value becomes the same share again, and states come back to the letter. */
 juce::NormalisableRange<float> logarithmic (float minimum, float maximum)
 {
-    return { minimum, maximum, [] (float low, float high, float share) { return low * std::pow (high / low, share); },
-             [] (float low, float high, float value) { return std::log (value / low) / std::log (high / low); } };
+    const auto valueAt = [] (double low, double high, double share) { return low * std::pow (high / low, share); };
+    const auto shareOf = [] (double low, double high, double value)
+    { return std::log (value / low) / std::log (high / low); };
+
+    return { minimum, maximum,
+             [=] (float low, float high, float share)
+             {
+                 return static_cast<float> (
+                     valueAt (static_cast<double> (low), static_cast<double> (high), static_cast<double> (share)));
+             },
+             [=] (float low, float high, float value)
+             {
+                 return static_cast<float> (
+                     shareOf (static_cast<double> (low), static_cast<double> (high), static_cast<double> (value)));
+             } };
 }
 
 /** Adds parameters to a group and keeps a plain pointer to each. */

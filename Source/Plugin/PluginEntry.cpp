@@ -1,5 +1,7 @@
 #include "AntinodeProcessor.h"
 
+#include <Editor/InstallEditor.h>
+
 #include <cstdlib>
 
 #ifndef ANTINODE_LV2_CERAMICS
@@ -27,6 +29,7 @@ juce::AudioProcessor* JUCE_CALLTYPE createPluginFilter();
 
 juce::AudioProcessor* JUCE_CALLTYPE createPluginFilter()
 {
+    antinode::installEditor();
     const auto wrapper = juce::PluginHostType::getPluginLoadedAs();
     return new antinode::AntinodeProcessor (ceramicsAtFirst (wrapper), wrapper);
 }

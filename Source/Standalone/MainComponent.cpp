@@ -2,7 +2,6 @@
 
 #include "AudioPanel.h"
 #include "MidiPanel.h"
-#include "PlainPanel.h"
 #include "RoutingPanel.h"
 #include "TouchPanel.h"
 
@@ -19,11 +18,7 @@ MainComponent::MainComponent (StandaloneHost& hostToUse) : host (hostToUse)
 {
     setLookAndFeel (&look);
 
-    if (host.processor().hasEditor())
-        player.reset (host.processor().createEditor());
-    else
-        player = std::make_unique<PlainPanel> (host);
-
+    player.reset (host.processor().createEditor());
     mute.onClick = [this]
     {
         if (host.router().isMuted())

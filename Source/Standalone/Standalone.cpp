@@ -6,6 +6,7 @@
 #include "QuietLibraries.h"
 #include "WindowRun.h"
 
+#include <Editor/InstallEditor.h>
 #include <antinode_model/InputError.h>
 
 #include <cstdio>
@@ -59,6 +60,7 @@ void runHeadless (const StandaloneOptions& options)
 
 void runWindow (const StandaloneOptions& options)
 {
+    installEditor();
     StandaloneHost host (settingsFileOf (options), true);
     loadDocuments (host, options);
     host.openAll (withOptions (host.settings(), options));

@@ -1,5 +1,5 @@
 #include "CommandLine/Inputs.h"
-#include "CommandLine/RenderedFocus.h"
+#include <antinode_render/RenderedFocus.h>
 
 #include <antinode_files/WaveFile.h>
 #include <antinode_focus/DesignFocus.h>

@@ -1,0 +1,64 @@
+#include "ChartView.h"
+
+#include "EditorLook.h"
+
+#include <antinode_views/Drawing.h>
+#include <antinode_views/Lettering.h>
+
+namespace antinode
+{
+ChartView::ChartView (const juce::String& title)
+{
+    setTitle (title);
+    setInterceptsMouseClicks (false, false);
+}
+
+void ChartView::setChart (std::shared_ptr<const Chart> newChart, const juce::String& wording)
+{
+    if (newChart == chart && wording == waiting)
+        return;
+
+    waiting = wording;
+
+    chart = std::move (newChart);
+    image = {};
+    repaint();
+}
+
+void ChartView::lookAndFeelChanged()
+{
+    image = {};
+    repaint();
+}
+
+void ChartView::drawImage (float scale)
+{
+    const auto pixels = [scale] (int length)
+    { return juce::jmax (1, juce::roundToInt (static_cast<float> (length) * scale)); };
+    image = { juce::Image::RGB, pixels (getWidth()), pixels (getHeight()), false, juce::SoftwareImageType() };
+    imageScale = scale;
+    juce::Graphics g (image);
+    g.addTransform (juce::AffineTransform::scale (scale));
+    draw (g, getLocalBounds().toFloat(), *chart, EditorLook::paletteOf (*this).charts);
+}
+
+void ChartView::paint (juce::Graphics& g)
+{
+    const auto& palette = EditorLook::paletteOf (*this);
+
+    if (chart == nullptr)
+    {
+        g.fillAll (palette.panel);
+        drawText (g, waiting.toStdString(), getLocalBounds().toFloat(), juce::Justification::centred,
+                  { EditorLook::textHeight, false, palette.mutedText });
+        return;
+    }
+
+    const auto scale = g.getInternalContext().getPhysicalPixelScaleFactor();
+
+    if (! image.isValid() || scale != imageScale)
+        drawImage (scale);
+
+    g.drawImage (image, getLocalBounds().toFloat());
+}
+} // namespace antinode

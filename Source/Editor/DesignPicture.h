@@ -1,0 +1,56 @@
+#pragma once
+
+#include "FieldFrames.h"
+
+#include <antinode_model/Playback.h>
+#include <antinode_render/FocusScores.h>
+#include <antinode_session/PlaySettings.h>
+#include <antinode_session/SessionSnapshot.h>
+#include <antinode_views/Chart.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** What the editor wants to see drawn. */
+struct DesignQuestion
+{
+    std::shared_ptr<const ModalModel> model;
+    std::shared_ptr<const FocusDocument> focus;
+    PlaySettings settings;
+    Playback playback; ///< With a rate of more than 0.
+
+    bool operator== (const DesignQuestion&) const;
+};
+
+/** What a render of the focus showed: the same charts and scores as in the report. */
+struct RenderedCharts
+{
+    std::shared_ptr<const Chart> voltages, probe;
+    std::vector<ReportScore> scores;
+    std::vector<std::string> warnings, choices;
+};
+
+/** What the editor shows of a focus. Never changed once it is given. Parts come one after the other, the quick ones first. */
+struct DesignPicture
+{
+    enum class Stage
+    {
+        predicted, ///< The field at the focus, and the spectrum.
+        animated,  ///< All frames.
+        complete   ///< The render too, or the reason why there is none.
+    };
+
+    DesignQuestion question;
+    FocusDescription focus;                    ///< The document as the parameters changed it.
+    std::shared_ptr<const FieldFrames> frames; ///< None where there is no design.
+    std::shared_ptr<const Chart> field;        ///< At the focus: a LineChart of a line, a HeatMap of a plate.
+    std::shared_ptr<const Chart> section;  ///< Of a plate, along x through the focus; none where there is no design.
+    std::shared_ptr<const Chart> spectrum; ///< None where there is no design.
+    std::shared_ptr<const RenderedCharts> rendered; ///< Of an earlier design until the stage is complete.
+    std::string error;                              ///< Why there is no design, in one sentence.
+    Stage stage = Stage::predicted;
+};
+} // namespace antinode

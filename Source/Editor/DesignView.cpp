@@ -1,0 +1,224 @@
+#include "DesignView.h"
+
+#include <antinode_focus/DesignFocus.h>
+#include <antinode_session/FocusSettings.h>
+#include <antinode_views/FocusCharts.h>
+#include <antinode_views/PlateCharts.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+constexpr auto pause = std::chrono::milliseconds (120); // without a new question before the long part begins
+
+/** Thrown through a render that nobody waits for any more. */
+struct GivenUp
+{
+};
+
+std::vector<std::pair<double, double>> probesOf (const DesignQuestion& question)
+{
+    const auto& surface = question.model->surface;
+    auto probes = probePlaces (question.focus->description, question.settings, surface);
+
+    // A focus of another device may have probes beside this surface: the session moves them too.
+    for (auto& [x, y] : probes)
+    {
+        x = std::clamp (x, surface.xMinimum, surface.xMaximum);
+        y = std::clamp (y, surface.yMinimum, surface.yMaximum);
+    }
+
+    return probes;
+}
+
+/** What the report shows of the field too. @param design  none: the surface at rest */
+std::shared_ptr<const Chart> fieldChartOf (const DesignPicture& made, const FocusDesign* design)
+{
+    const auto& model = *made.question.model;
+    const auto& field = made.frames->focusField;
+
+    if (model.surface.kind == SurfaceKind::line)
+    {
+        const Eigen::VectorXd still = Eigen::VectorXd::Zero (model.points());
+        return std::make_shared<const Chart> (fieldChart (model, design != nullptr ? design->target.field : still,
+                                                          design != nullptr ? design->truncatedField : still, field));
+    }
+
+    auto map = plateFieldChart (model, field, "velocity", made.focus.targets);
+
+    // Lines where the plate stands still would hide more than they show while it moves.
+    map.contours.nodalLinesFrom.reset();
+
+    if (design == nullptr)
+        map.contours = {};
+
+    return std::make_shared<const Chart> (std::move (map));
+}
+} // namespace
+
+bool DesignQuestion::operator== (const DesignQuestion& other) const
+{
+    return model == other.model && focus == other.focus && settings == other.settings
+           && playback.sampleRate == other.playback.sampleRate
+           && playback.reconstruction == other.playback.reconstruction;
+}
+
+DesignView::DesignView()
+{
+    thread = std::thread ([this] { run(); });
+}
+
+DesignView::~DesignView()
+{
+    {
+        const std::lock_guard lock (mutex);
+        isStopping = true;
+    }
+    changed.notify_all();
+    thread.join();
+}
+
+void DesignView::ask (DesignQuestion question)
+{
+    {
+        const std::lock_guard lock (mutex);
+        next = std::move (question);
+        ++asked;
+    }
+    changed.notify_all();
+}
+
+std::shared_ptr<const DesignPicture> DesignView::picture() const
+{
+    const std::lock_guard lock (mutex);
+    return newest;
+}
+
+bool DesignView::isDone() const
+{
+    const std::lock_guard lock (mutex);
+    return ! next && ! isWorking;
+}
+
+void DesignView::run()
+{
+    for (;;)
+    {
+        DesignQuestion question;
+        {
+            std::unique_lock lock (mutex);
+            isWorking = false;
+            changed.wait (lock, [this] { return next || isStopping; });
+
+            if (isStopping)
+                return;
+
+            question = *std::exchange (next, std::nullopt);
+            answered = asked.load();
+            isWorking = true;
+        }
+
+        answer (question);
+    }
+}
+
+void DesignView::answer (const DesignQuestion& question)
+{
+    DesignPicture made;
+    made.question = question;
+    made.focus = withSettings (question.focus->description, question.settings, question.model->surface);
+
+    if (const auto before = picture(); before != nullptr && before->question.model == question.model)
+        made.rendered = before->rendered;
+
+    try
+    {
+        answerWith (made, designFocus (*question.model, made.focus, question.playback, DesignExtent::playable));
+    }
+    catch (const GivenUp&)
+    {
+    }
+    catch (const std::exception& failure)
+    {
+        made.error = failure.what();
+        made.frames = std::make_shared<const FieldFrames> (stillFrames (*question.model));
+        made.field = fieldChartOf (made, nullptr);
+        made.spectrum = nullptr;
+        made.rendered = nullptr;
+        made.stage = DesignPicture::Stage::complete;
+        show (made);
+    }
+}
+
+void DesignView::answerWith (DesignPicture& made, const FocusDesign& playable)
+{
+    const auto& model = *made.question.model;
+    made.frames = std::make_shared<const FieldFrames> (predictFocus (model, playable));
+    made.field = fieldChartOf (made, &playable);
+
+    if (model.surface.kind == SurfaceKind::plate)
+        made.section = std::make_shared<const Chart> (
+            crossSectionChart (model, playable, made.frames->focusField, PlateDirection::alongX));
+
+    made.spectrum = std::make_shared<const Chart> (spectrumChart (model, playable, made.frames->focusVelocities));
+    show (made);
+
+    if (! isQuietFor (pause))
+        return;
+
+    auto frames = predictFrames (model, playable, [this] { return isOutdated(); });
+
+    if (frames == nullptr)
+        return;
+
+    made.frames = std::move (frames);
+    made.stage = DesignPicture::Stage::animated;
+    show (made);
+    render (made);
+}
+
+void DesignView::render (DesignPicture& made)
+{
+    const auto& question = made.question;
+    RenderOptions options;
+    options.playback = question.playback;
+    options.probes = probesOf (question);
+    auto design = designFocus (*question.model, made.focus, question.playback);
+    const auto goOn = [this] (double)
+    {
+        if (isOutdated())
+            throw GivenUp {};
+    };
+    goOn (0);
+    const auto focus = renderFocus (*question.model, std::move (design), options, goOn);
+    auto charts = std::make_shared<RenderedCharts>();
+    charts->voltages = std::make_shared<const Chart> (voltagesChart (focus.model, focus.design.program, focus.render));
+    charts->probe = std::make_shared<const Chart> (probeChart (focus.render, 0, "probe"));
+    charts->scores = focusScores (focus);
+    charts->warnings = focus.design.warnings;
+    charts->choices = focus.design.choices;
+    made.rendered = std::move (charts);
+    made.stage = DesignPicture::Stage::complete;
+    show (made);
+}
+
+void DesignView::show (const DesignPicture& made)
+{
+    if (isOutdated() && made.stage != DesignPicture::Stage::predicted)
+        return;
+
+    auto shown = std::make_shared<const DesignPicture> (made);
+    const std::lock_guard lock (mutex);
+    newest = std::move (shown);
+}
+
+bool DesignView::isQuietFor (std::chrono::milliseconds time)
+{
+    std::unique_lock lock (mutex);
+    return ! changed.wait_for (lock, time, [this] { return next || isStopping; });
+}
+} // namespace antinode

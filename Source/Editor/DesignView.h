@@ -1,0 +1,54 @@
+#pragma once
+
+#include "DesignPicture.h"
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace antinode
+{
+/** Works out what the editor shows, on a thread of its own: first the field that is predicted, then its frames, then a whole render.
+    A newer question replaces an older one, whose work is given up between two steps. */
+class DesignView
+{
+public:
+    /** Starts the thread. [worker] */
+    DesignView();
+
+    /** Gives up what is not finished and joins the thread. [worker] */
+    ~DesignView();
+    DesignView (const DesignView&) = delete;
+    DesignView& operator= (const DesignView&) = delete;
+
+    /** Returns at once. [any but the audio thread] */
+    void ask (DesignQuestion);
+
+    /** The newest picture, or none yet. [any but the audio thread] */
+    std::shared_ptr<const DesignPicture> picture() const;
+
+    /** Whether the newest question has its complete picture. [any but the audio thread] */
+    bool isDone() const;
+
+private:
+    void run();
+    void answer (const DesignQuestion&);
+    void answerWith (DesignPicture&, const FocusDesign& playable);
+    void render (DesignPicture&);
+    void show (const DesignPicture&);
+    bool isOutdated() const { return asked != answered || isStopping; }
+    bool isQuietFor (std::chrono::milliseconds);
+
+    mutable std::mutex mutex;
+    std::condition_variable changed;
+    std::optional<DesignQuestion> next; ///< Under the mutex, as the next line.
+    std::shared_ptr<const DesignPicture> newest;
+    std::atomic<std::uint64_t> asked { 0 }, answered { 0 };
+    std::atomic<bool> isStopping { false }, isWorking { false };
+    std::thread thread;
+};
+} // namespace antinode

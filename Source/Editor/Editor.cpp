@@ -1,0 +1,44 @@
+#include "Editor.h"
+
+#include <algorithm>
+
+namespace antinode
+{
+namespace
+{
+constexpr int usualWidth = 1280, usualHeight = 800;
+constexpr double roomyWidth = 1700, roomyHeight = 1000; // from here on everything grows with the window
+constexpr int framesPerSecond = 60;
+} // namespace
+
+Editor::Editor (AntinodeProcessor& processorToShow) : AudioProcessorEditor (processorToShow), shown (processorToShow)
+{
+    addAndMakeVisible (shown);
+    setResizable (true, true);
+    setResizeLimits (usualWidth / 2, usualHeight / 2, usualWidth * 3, usualHeight * 3);
+    setSize (usualWidth, usualHeight);
+    lastTime = juce::Time::getMillisecondCounterHiRes();
+    startTimerHz (framesPerSecond);
+}
+
+Editor::~Editor()
+{
+    stopTimer();
+}
+
+void Editor::resized()
+{
+    const auto width = static_cast<double> (getWidth()), height = static_cast<double> (getHeight());
+    const auto shrunk = std::min ({ 1.0, width / EditorContent::leastWidth, height / EditorContent::leastHeight });
+    const auto scale = shrunk < 1 ? shrunk : std::max (1.0, std::min (width / roomyWidth, height / roomyHeight));
+    shown.setTransform (juce::AffineTransform::scale (static_cast<float> (scale)));
+    shown.setBounds (0, 0, juce::roundToInt (width / scale), juce::roundToInt (height / scale));
+}
+
+void Editor::timerCallback()
+{
+    const auto now = juce::Time::getMillisecondCounterHiRes();
+    shown.refresh ((now - lastTime) / 1000);
+    lastTime = now;
+}
+} // namespace antinode

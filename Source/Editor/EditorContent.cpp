@@ -1,0 +1,225 @@
+#include "EditorContent.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+constexpr double usualRate = 48000; // Hz, before a host says it
+} // namespace
+
+EditorContent::EditorContent (AntinodeProcessor& processorToShow)
+    : processor (processorToShow), past (processor), presets (processor, past), top (processor, past),
+      surfaceView (processor), section ("Section along x"), spectrum ("Modal spectrum"),
+      voltages ("Voltages with their limits"), probe (processor.session().probeTrace()), parameters (processor),
+      meters (processor, past), status (processor), browser (std::make_unique<PresetPanel> (presets)),
+      tooltips (this, 600)
+{
+    juce::LookAndFeel::setDefaultLookAndFeel (&fonts.get());
+    setLookAndFeel (&look);
+    setTitle ("Antinode");
+    setWantsKeyboardFocus (true);
+    setFocusContainerType (FocusContainerType::keyboardFocusContainer);
+    parameterView.setViewedComponent (&parameters, false);
+    parameterView.setScrollBarsShown (true, false);
+    top.onBrowse = [this] (LibraryKind kind) { browse (kind); };
+    top.onFire = [this] { fire(); };
+    top.onStop = [this] { processor.session().stopAll(); };
+    top.onTheme = [this] { setDark (! isDark()); };
+    top.onUndo = [this] { undo(); };
+    top.onRedo = [this] { redo(); };
+    surfaceView.onFire = [this] { fire(); };
+    browser->onClose = [this] { browse (std::nullopt); };
+
+    for (juce::Component* const child :
+         { static_cast<juce::Component*> (&top), static_cast<juce::Component*> (&surfaceView),
+           static_cast<juce::Component*> (&section), static_cast<juce::Component*> (&time),
+           static_cast<juce::Component*> (&parameterView), static_cast<juce::Component*> (&upper),
+           static_cast<juce::Component*> (&lower), static_cast<juce::Component*> (&meters),
+           static_cast<juce::Component*> (&status) })
+        addAndMakeVisible (child);
+
+    addChildComponent (*browser);
+    // Children have looked for their look before they had us as a parent.
+    setDark (true);
+    setSize (leastWidth, leastHeight);
+    refresh (0);
+}
+
+EditorContent::~EditorContent()
+{
+    setLookAndFeel (nullptr);
+}
+
+void EditorContent::setDark (bool isDark)
+{
+    look.setPalette (isDark ? Palette::dark() : Palette::light());
+    sendLookAndFeelChange();
+}
+
+void EditorContent::refresh (double seconds)
+{
+    showModel();
+    askForPicture();
+    showPicture();
+    time.advance (seconds);
+    surfaceView.setFrame (time.frame());
+    surfaceView.refresh();
+    probe.refresh();
+    meters.refresh (seconds);
+    top.refresh (presets.loadedName (LibraryKind::device), presets.loadedName (LibraryKind::focus));
+    status.refresh (picture.get(), ! designs.isDone());
+}
+
+void EditorContent::showModel()
+{
+    auto now = processor.session().snapshot()->model;
+
+    if (now == model)
+        return;
+
+    model = std::move (now);
+    meters.setModel (model);
+    parameters.refreshTexts();
+    resized();
+}
+
+/** The parameters are looked at here rather than in the session's snapshot: before a host has prepared us there is none of them. */
+void EditorContent::askForPicture()
+{
+    const auto now = processor.session().snapshot();
+
+    if (now->model == nullptr)
+        return;
+
+    auto playback = now->playback;
+
+    if (! (playback.sampleRate > 0))
+        playback = { Reconstruction::bandLimited, usualRate };
+
+    DesignQuestion question { now->model, processor.focus(), processor.parameters().settings(), playback };
+
+    if (asked && *asked == question)
+        return;
+
+    asked = question;
+    designs.ask (std::move (question));
+}
+
+void EditorContent::showPicture()
+{
+    auto newest = designs.picture();
+
+    if (newest == picture)
+        return;
+
+    picture = std::move (newest);
+    const juce::String wording = picture->error.empty() ? "The render is not ready yet." : "There is no focus to show.";
+    surfaceView.setPicture (picture);
+    section.setChart (picture->section, wording);
+    spectrum.setChart (picture->spectrum, wording);
+    voltages.setChart (picture->rendered != nullptr ? picture->rendered->voltages : nullptr, wording);
+    probe.designed().setChart (picture->rendered != nullptr ? picture->rendered->probe : nullptr, wording);
+    scores.setPicture (picture);
+}
+
+bool EditorContent::isSettled() const
+{
+    const auto now = processor.session().snapshot();
+    const auto isShown =
+        picture != nullptr && asked && picture->question == *asked && picture->stage == DesignPicture::Stage::complete;
+    return ! now->isSolving && now->model != nullptr && now->device->text == processor.device()->text && isShown
+           && designs.isDone();
+}
+
+void EditorContent::fire()
+{
+    if (! processor.parameters().arm().get())
+        status.say ("Disarmed: switch Arm on to fire.");
+    else
+    {
+        status.say ({});
+        processor.session().fire (1);
+    }
+}
+
+void EditorContent::undo()
+{
+    past.undo();
+    refresh (0);
+}
+
+void EditorContent::redo()
+{
+    past.redo();
+    refresh (0);
+}
+
+void EditorContent::browse (std::optional<LibraryKind> kind)
+{
+    const auto closes = ! kind || (browser->isVisible() && browser->kind() == *kind);
+    browser->setVisible (! closes);
+
+    if (closes)
+        return;
+
+    browser->open (*kind);
+    browser->toFront (true);
+    resized();
+}
+
+void EditorContent::showPanel (const juce::String& name)
+{
+    const auto isLower = layout == Layout::wide && (name == "Voltages" || name == "Scores");
+    (isLower ? lower : upper).show (name);
+}
+
+bool EditorContent::keyPressed (const juce::KeyPress& key)
+{
+    if (key == juce::KeyPress ('z', juce::ModifierKeys::commandModifier, 0))
+        undo();
+    else if (key == juce::KeyPress ('z', juce::ModifierKeys::commandModifier | juce::ModifierKeys::shiftModifier, 0)
+             || key == juce::KeyPress ('y', juce::ModifierKeys::commandModifier, 0))
+        redo();
+    else if (key == juce::KeyPress::escapeKey && browser->isVisible())
+        browse (std::nullopt);
+    else
+        return handleShortcut (key);
+
+    return true;
+}
+
+bool EditorContent::handleShortcut (const juce::KeyPress& key)
+{
+    if (key.getModifiers().isCommandDown() || key.getModifiers().isAltDown())
+        return false;
+
+    auto& arm = processor.parameters().arm();
+    const auto code = key.getKeyCode();
+    const auto isLetter = [code] (int letter) { return code == letter || code == letter - 'a' + 'A'; };
+
+    if (code == juce::KeyPress::spaceKey)
+        fire();
+    else if (code == juce::KeyPress::escapeKey)
+        processor.session().stopAll();
+    else if (isLetter ('a'))
+        arm.setValueNotifyingHost (arm.get() ? 0.0f : 1.0f);
+    else if (isLetter ('t'))
+        setDark (! isDark());
+    else if (isLetter ('p'))
+        time.setPlaying (! time.isPlaying());
+    else if (isLetter ('f'))
+        time.showFocus();
+    else
+        return false;
+
+    return true;
+}
+
+void EditorContent::paint (juce::Graphics& g)
+{
+    g.fillAll (look.palette().window);
+}
+} // namespace antinode

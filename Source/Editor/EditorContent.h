@@ -1,0 +1,105 @@
+#pragma once
+
+#include "DesignView.h"
+#include "EditorLook.h"
+#include "History.h"
+#include "MetersStrip.h"
+#include "PanelGroup.h"
+#include "ParameterPanel.h"
+#include "PresetPanel.h"
+#include "ProbePanel.h"
+#include "ScoresView.h"
+#include "StatusLine.h"
+#include "SurfaceView.h"
+#include "Timeline.h"
+#include "TopBar.h"
+
+#include <optional>
+
+namespace antinode
+{
+/** All that the editor shows, in a plain component: any window can have it. Nothing in it runs by itself but the design view's
+    thread: whoever has it calls refresh(). [message thread] */
+class EditorContent : public juce::Component
+{
+public:
+    /** The least size at which everything is legible, in pixels at scale 1. */
+    static constexpr int leastWidth = 800, leastHeight = 500;
+
+    explicit EditorContent (AntinodeProcessor&);
+    ~EditorContent() override;
+
+    /** Shows what has changed. @param seconds  since the last call */
+    void refresh (double seconds);
+
+    /** Whether all that was asked for is shown: nothing is being solved or worked out. */
+    bool isSettled() const;
+
+    void setDark (bool isDark);
+    bool isDark() const { return look.palette().isDark; }
+
+    History& history() { return past; }
+    SurfaceView& surface() { return surfaceView; }
+    PresetPanel& presetPanel() { return *browser; }
+    ParameterPanel& parameterPanel() { return parameters; }
+    MetersStrip& metersStrip() { return meters; }
+    StatusLine& statusLine() { return status; }
+    Timeline& timeline() { return time; }
+
+    /** Opens the browser of a kind, or closes it. */
+    void browse (std::optional<LibraryKind>);
+
+    /** Shows one of the panels at the right: "Spectrum", "Probe", "Voltages", "Scores", "Controls". */
+    void showPanel (const juce::String& name);
+
+    void paint (juce::Graphics&) override;
+    void resized() override;
+    bool keyPressed (const juce::KeyPress&) override;
+
+private:
+    enum class Layout
+    {
+        none,
+        narrow, ///< One group of panels, the parameters among them.
+        wide    ///< Parameters at the left, two groups of panels at the right.
+    };
+
+    void askForPicture();
+    void showPicture();
+    void showModel();
+    void setLayout (Layout);
+    void layOutNarrow (juce::Rectangle<int>);
+    void layOutWide (juce::Rectangle<int>);
+    void layOutSurface (juce::Rectangle<int>);
+    int heightBelow (juce::Rectangle<int>) const;
+    void layOutParameters();
+    bool handleShortcut (const juce::KeyPress&);
+    void undo();
+    void redo();
+    void fire();
+
+    AntinodeProcessor& processor;
+    juce::SharedResourcePointer<EditorLook> fonts; ///< Of JUCE's own windows: menus and alerts.
+    EditorLook look;
+    History past;
+    Presets presets;
+    DesignView designs;
+    TopBar top;
+    SurfaceView surfaceView;
+    Timeline time;
+    ChartView section, spectrum, voltages;
+    ProbePanel probe;
+    ScoresView scores;
+    ParameterPanel parameters;
+    juce::Viewport parameterView;
+    PanelGroup upper { "Charts" }, lower { "More charts" };
+    MetersStrip meters;
+    StatusLine status;
+    std::unique_ptr<PresetPanel> browser;
+    juce::TooltipWindow tooltips;
+    Layout layout = Layout::none;
+    std::shared_ptr<const ModalModel> model;
+    std::shared_ptr<const DesignPicture> picture;
+    std::optional<DesignQuestion> asked;
+};
+} // namespace antinode

@@ -1,0 +1,114 @@
+#include "EditorContent.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+constexpr int gap = 6, topHeight = 48, timeHeight = 38, metersHeight = 62, statusHeight = 24;
+constexpr int parametersWidth = 290, wideFrom = 1080, wideFromHeight = 600;
+constexpr int besidePlate = 150, belowPlate = 70, leastSection = 130; // what axes and colours take
+} // namespace
+
+void EditorContent::setLayout (Layout wanted)
+{
+    if (std::exchange (layout, wanted) == wanted)
+        return;
+
+    const PanelGroup::Panel ofSpectrum { "Spectrum", "How much of each mode is wanted, and reached.", &spectrum },
+        ofProbe { "Probe", "The velocity at the probe over time: as designed, and live.", &probe },
+        ofVoltages { "Voltages", "What each ceramic gets, with its limits.", &voltages },
+        ofScores { "Scores", "How good the focus is, warnings, and what was chosen.", &scores },
+        ofControls { "Controls", "All parameters.", &parameterView };
+    upper.setPanels ({});
+    lower.setPanels ({});
+
+    if (wanted == Layout::wide)
+    {
+        addAndMakeVisible (parameterView);
+        upper.setPanels ({ ofSpectrum, ofProbe });
+        lower.setPanels ({ ofVoltages, ofScores });
+    }
+    else
+        upper.setPanels ({ ofControls, ofSpectrum, ofVoltages, ofProbe, ofScores });
+
+    lower.setVisible (wanted == Layout::wide);
+}
+
+void EditorContent::resized()
+{
+    auto area = getLocalBounds();
+    top.setBounds (area.removeFromTop (topHeight));
+    status.setBounds (area.removeFromBottom (statusHeight));
+    area.removeFromBottom (1);
+    meters.setBounds (area.removeFromBottom (metersHeight));
+    area = area.reduced (gap);
+
+    if (getWidth() >= wideFrom && getHeight() >= wideFromHeight)
+        layOutWide (area);
+    else
+        layOutNarrow (area);
+
+    layOutParameters();
+    browser->setBounds (surfaceView.getBounds()
+                            .getUnion (time.getBounds())
+                            .withSizeKeepingCentre (std::min (420, surfaceView.getWidth()), surfaceView.getHeight())
+                            .withTrimmedTop (gap)
+                            .withTrimmedBottom (gap));
+}
+
+void EditorContent::layOutNarrow (juce::Rectangle<int> area)
+{
+    setLayout (Layout::narrow);
+    upper.setBounds (area.removeFromRight (std::max (330, area.getWidth() * 2 / 5)));
+    area.removeFromRight (gap);
+    layOutSurface (area);
+}
+
+void EditorContent::layOutWide (juce::Rectangle<int> area)
+{
+    setLayout (Layout::wide);
+    parameterView.setBounds (area.removeFromLeft (parametersWidth));
+    area.removeFromLeft (gap);
+    auto right = area.removeFromRight (area.getWidth() * 21 / 50);
+    area.removeFromRight (gap);
+    upper.setBounds (right.removeFromTop ((right.getHeight() - gap) * 9 / 20));
+    right.removeFromTop (gap);
+    lower.setBounds (right);
+    layOutSurface (area);
+}
+
+void EditorContent::layOutSurface (juce::Rectangle<int> area)
+{
+    const auto left = heightBelow (area.withTrimmedBottom (timeHeight));
+    section.setVisible (left >= leastSection);
+
+    if (section.isVisible())
+        section.setBounds (area.removeFromBottom (left));
+
+    time.setBounds (area.removeFromBottom (timeHeight));
+    surfaceView.setBounds (area);
+}
+
+/** What a plate leaves free of a place for it; nothing of a line, whose field takes any height. */
+int EditorContent::heightBelow (juce::Rectangle<int> area) const
+{
+    if (model == nullptr || model->surface.kind == SurfaceKind::line)
+        return 0;
+
+    const auto& surface = model->surface;
+    const auto aspect = (surface.yMaximum - surface.yMinimum) / (surface.xMaximum - surface.xMinimum);
+    const auto needed = juce::roundToInt ((area.getWidth() - besidePlate) * aspect) + belowPlate;
+    return juce::jlimit (0, area.getHeight() * 2 / 5, area.getHeight() - needed);
+}
+
+void EditorContent::layOutParameters()
+{
+    const auto height = parameterView.getHeight();
+
+    if (parameters.layOut (parameterView.getWidth(), height) > height)
+        parameters.layOut (parameterView.getWidth() - parameterView.getScrollBarThickness(), height);
+}
+} // namespace antinode

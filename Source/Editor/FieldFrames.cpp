@@ -1,0 +1,69 @@
+#include "FieldFrames.h"
+
+#include <antinode_focus/Prediction.h>
+#include <antinode_views/FieldSampling.h>
+
+#include <algorithm>
+
+namespace antinode
+{
+namespace
+{
+constexpr int mapCells = 160; // along the longer side
+
+Eigen::VectorXd velocitiesAt (const ModalModel& model, const FocusDesign& design, double fromFocus)
+{
+    const auto time = std::max (0.0, design.program.focusTime + fromFocus);
+    return modalVelocities (model, predictStates (model, design.program, time));
+}
+
+/** @param velocities  N_m x frames */
+void fill (FieldFrames& frames, const ModalModel& model, const Eigen::MatrixXd& velocities)
+{
+    Eigen::MatrixXd fields = model.shapes * velocities;
+
+    if (model.surface.kind == SurfaceKind::plate)
+        frames.maps = fieldMaps (model.surface, fields, mapCells);
+    else
+        frames.lines = std::move (fields);
+}
+
+FieldFrames framesOfFocus (const ModalModel& model, const Eigen::VectorXd& velocities)
+{
+    FieldFrames frames;
+    frames.focusVelocities = velocities;
+    frames.focusField = model.shapes * velocities;
+    frames.largest = frames.focusField.cwiseAbs().maxCoeff();
+    fill (frames, model, velocities);
+    return frames;
+}
+} // namespace
+
+FieldFrames predictFocus (const ModalModel& model, const FocusDesign& design)
+{
+    return framesOfFocus (model, velocitiesAt (model, design, 0));
+}
+
+FieldFrames stillFrames (const ModalModel& model)
+{
+    return framesOfFocus (model, Eigen::VectorXd::Zero (model.modes()));
+}
+
+std::shared_ptr<const FieldFrames> predictFrames (const ModalModel& model, const FocusDesign& design,
+                                                  const std::function<bool()>& isOutdated)
+{
+    auto frames = std::make_shared<FieldFrames> (predictFocus (model, design));
+    Eigen::MatrixXd velocities (model.modes(), FieldFrames::count);
+
+    for (int i = 0; i < FieldFrames::count; ++i)
+    {
+        if (isOutdated())
+            return nullptr;
+
+        velocities.col (i) = velocitiesAt (model, design, FieldFrames::timeOf (i));
+    }
+
+    fill (*frames, model, velocities);
+    return frames;
+}
+} // namespace antinode

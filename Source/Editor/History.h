@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Plugin/AntinodeProcessor.h>
+
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** Undo and redo of what the user does to a processor: one entry a gesture. What a host automates makes no entry and is not undone,
+    and neither is arming: nothing but its own switch puts voltage on the ceramics.
+    All of it: [message thread] */
+class History : private juce::AudioProcessorParameter::Listener
+{
+public:
+    explicit History (AntinodeProcessor&);
+    ~History() override;
+
+    /** Does something that is no gesture of a parameter, as one entry. */
+    void record (const std::function<void()>& change);
+
+    /** The next gesture makes an entry of its own, even if it follows the last one closely. */
+    void closeEntry() { mayJoin = false; }
+
+    bool canUndo() const { return position > 0; }
+    bool canRedo() const { return position < entries.size(); }
+    void undo();
+    void redo();
+
+private:
+    /** What an entry changed: parameters that did not change are left out. */
+    struct Entry
+    {
+        SessionState before, after;
+        juce::uint32 time = 0; ///< ms
+    };
+
+    void parameterValueChanged (int, float) override {}
+    void parameterGestureChanged (int index, bool isStarting) override;
+    void add (SessionState before, const std::set<std::string>* gestured);
+    void apply (const SessionState& wanted, const SessionState& present);
+
+    AntinodeProcessor& processor;
+    std::vector<Entry> entries;
+    std::size_t position = 0; ///< How many of the entries are done.
+    SessionState atStart;     ///< Of the gesture that goes on.
+    std::set<std::string> gestured;
+    int gestures = 0;
+    bool mayJoin = false, isApplying = false;
+};
+} // namespace antinode

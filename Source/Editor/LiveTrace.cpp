@@ -1,0 +1,98 @@
+#include "LiveTrace.h"
+
+#include "EditorLook.h"
+
+#include <antinode_views/Curve.h>
+#include <antinode_views/Lettering.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+constexpr std::size_t shownEntries = 1000; // half a second
+constexpr double milli = 1000, secondsShown = 0.5, leastRange = 0.1;
+
+/** 1, 2 or 5 times a power of ten: the axis changes seldom. */
+double niceLimit (double value)
+{
+    const auto power = std::pow (10, std::floor (std::log10 (value)));
+    const auto first = value / power;
+    return power * (first <= 1 ? 1 : first <= 2 ? 2 : first <= 5 ? 5 : 10);
+}
+} // namespace
+
+LiveTrace::LiveTrace (const ProbeTrace& traceToShow) : trace (traceToShow)
+{
+    setTitle ("Live velocity at the probe");
+    setInterceptsMouseClicks (false, false);
+}
+
+void LiveTrace::refresh()
+{
+    if (trace.written() == shown)
+        return;
+
+    shown = trace.written();
+    entries = trace.newest (shownEntries);
+    auto most = leastRange;
+
+    for (const auto& entry : entries)
+        most = std::max ({ most, std::abs (static_cast<double> (entry.least)) * milli,
+                           std::abs (static_cast<double> (entry.largest)) * milli });
+
+    if (const auto wanted = niceLimit (most); wanted != range)
+    {
+        range = wanted;
+        axes = {};
+    }
+
+    repaint();
+}
+
+void LiveTrace::lookAndFeelChanged()
+{
+    axes = {};
+    repaint();
+}
+
+void LiveTrace::drawAxesOnce (float scale)
+{
+    const auto& theme = EditorLook::paletteOf (*this).charts;
+    const auto pixels = [scale] (int length)
+    { return juce::jmax (1, juce::roundToInt (static_cast<float> (length) * scale)); };
+    axes = { juce::Image::RGB, pixels (getWidth()), pixels (getHeight()), false, juce::SoftwareImageType() };
+    juce::Graphics g (axes);
+    g.addTransform (juce::AffineTransform::scale (scale));
+    const auto rest = drawTitle (g, getLocalBounds().toFloat(), "Live", theme);
+    const auto limit = range > 0 ? range : 1;
+    plot = layOutPlot (rest, { "time before now (ms)", { -secondsShown * milli, 0 }, false, {}, true },
+                       { "velocity (mm/s)", { -limit, limit }, false, {}, true }, { 0, 8 }, theme);
+    drawGrid (g, plot, theme);
+    drawAxes (g, plot, theme);
+}
+
+void LiveTrace::paint (juce::Graphics& g)
+{
+    if (! axes.isValid())
+        drawAxesOnce (g.getInternalContext().getPhysicalPixelScaleFactor());
+
+    g.drawImage (axes, getLocalBounds().toFloat());
+    const auto& theme = EditorLook::paletteOf (*this).charts;
+    const auto count = static_cast<double> (entries.size());
+    CurvePiece points;
+    points.reserve (2 * entries.size());
+
+    for (std::size_t i = 0; i < entries.size(); ++i)
+    {
+        const auto time = (static_cast<double> (i) + 1 - count) * secondsShown * milli / shownEntries;
+        points.push_back (plot.at (time, static_cast<double> (entries[i].least) * milli));
+        points.push_back (plot.at (time, static_cast<double> (entries[i].largest) * milli));
+    }
+
+    g.reduceClipRegion (plot.plot.getSmallestIntegerContainer());
+    drawCurve (g, points, { theme.series[2], theme.lineWidth, LineStyle::solid });
+}
+} // namespace antinode

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <antinode_session/ProbeTrace.h>
+#include <antinode_views/PlotFrame.h>
+
+#include <juce_gui_basics/juce_gui_basics.h>
+
+#include <vector>
+
+namespace antinode
+{
+/** What the first probe does just now: its velocity over the last half second. [message thread] */
+class LiveTrace : public juce::Component
+{
+public:
+    explicit LiveTrace (const ProbeTrace&);
+
+    /** Reads the newest values; draws where there are any. */
+    void refresh();
+
+    void paint (juce::Graphics&) override;
+    void resized() override { axes = {}; }
+    void lookAndFeelChanged() override;
+
+private:
+    void drawAxesOnce (float scale);
+
+    const ProbeTrace& trace;
+    std::vector<ProbeTrace::Entry> entries;
+    std::uint64_t shown = 0;
+    double range = 0; ///< mm/s, of the axis to either side.
+    juce::Image axes;
+    PlotFrame plot;
+};
+} // namespace antinode

@@ -1,0 +1,106 @@
+#include "PanelGroup.h"
+
+#include "EditorLook.h"
+
+#include <algorithm>
+
+namespace antinode
+{
+namespace
+{
+/** A tab: its name, underlined where it is shown. */
+class Tab : public juce::TextButton
+{
+public:
+    using TextButton::TextButton;
+
+    void paintButton (juce::Graphics& g, bool isOver, bool) override
+    {
+        const auto& palette = EditorLook::paletteOf (*this);
+        const auto isShown = getToggleState();
+        g.setColour (isShown || isOver ? palette.text : palette.mutedText);
+        g.setFont (EditorLook::font (EditorLook::smallTextHeight, false));
+        g.drawText (getButtonText(), getLocalBounds(), juce::Justification::centred);
+
+        if (! isShown && ! hasKeyboardFocus (false))
+            return;
+
+        g.setColour (hasKeyboardFocus (false) ? palette.text : palette.accent);
+        g.fillRect (getLocalBounds().removeFromBottom (2).reduced (4, 0));
+    }
+};
+} // namespace
+
+PanelGroup::PanelGroup (const juce::String& title)
+{
+    setTitle (title);
+}
+
+void PanelGroup::setPanels (const std::vector<Panel>& newPanels)
+{
+    for (auto& panel : panels)
+        removeChildComponent (panel.content);
+
+    panels = newPanels;
+    tabs.clear();
+
+    for (const auto& panel : panels)
+    {
+        auto tab = std::make_unique<Tab> (panel.name);
+        tab->setTooltip (panel.tooltip);
+        tab->onClick = [this, name = panel.name] { show (name); };
+        addAndMakeVisible (*tab);
+        tabs.push_back (std::move (tab));
+        addChildComponent (panel.content);
+    }
+
+    const auto isThere = std::any_of (panels.begin(), panels.end(), [this] (const auto& p) { return p.name == shown; });
+
+    if (! panels.empty())
+        show (isThere ? shown : panels.front().name);
+}
+
+void PanelGroup::show (const juce::String& name)
+{
+    shown = name;
+
+    for (std::size_t i = 0; i < panels.size(); ++i)
+    {
+        tabs[i]->setToggleState (panels[i].name == name, juce::dontSendNotification);
+        panels[i].content->setVisible (panels[i].name == name);
+    }
+
+    resized();
+    repaint();
+}
+
+void PanelGroup::paint (juce::Graphics& g)
+{
+    const auto& palette = EditorLook::paletteOf (*this);
+    g.fillAll (palette.panel);
+    g.setColour (palette.outline);
+    g.fillRect (getLocalBounds().removeFromTop (tabHeight).removeFromBottom (1));
+}
+
+void PanelGroup::resized()
+{
+    auto area = getLocalBounds();
+    auto row = area.removeFromTop (tabHeight).reduced (6, 0);
+    const auto font = EditorLook::font (EditorLook::smallTextHeight);
+    const auto count = static_cast<int> (tabs.size());
+    auto text = 0;
+
+    for (const auto& tab : tabs)
+        text += font.getStringWidth (tab->getButtonText());
+
+    // All of the row where it is short, else no more than looks well.
+    const auto padding = count > 0 ? std::min (24, (row.getWidth() - text) / count) : 0;
+
+    for (const auto& tab : tabs)
+        tab->setBounds (row.removeFromLeft (font.getStringWidth (tab->getButtonText()) + padding));
+
+    for (auto& panel : panels)
+        if (panel.content->isVisible())
+            panel.content->setBounds (area);
+}
+} // namespace antinode

@@ -1,0 +1,75 @@
+#include "ParameterPanel.h"
+
+#include "EditorLook.h"
+
+#include <algorithm>
+
+namespace antinode
+{
+namespace
+{
+constexpr int rowHeight = 21, leastGap = 3, largestGap = 8, headingHeight = 22, groupGap = 3, margin = 10;
+} // namespace
+
+ParameterPanel::ParameterPanel (AntinodeProcessor& processor)
+{
+    setTitle ("Parameters");
+    setFocusContainerType (FocusContainerType::focusContainer);
+
+    for (const auto* const group : processor.getParameterTree().getSubgroups (false))
+    {
+        groups.push_back ({ group->getName(), all.size(), 0, {} });
+
+        for (auto* const parameter : group->getParameters (false))
+        {
+            all.push_back (std::make_unique<ParameterControl> (dynamic_cast<juce::RangedAudioParameter&> (*parameter)));
+            addAndMakeVisible (*all.back());
+            ++groups.back().count;
+        }
+    }
+}
+
+void ParameterPanel::refreshTexts()
+{
+    for (const auto& control : all)
+        control->refreshText();
+}
+
+int ParameterPanel::layOut (int width, int leastHeight)
+{
+    const auto rows = static_cast<int> (all.size()), parts = static_cast<int> (groups.size());
+    const auto others = margin / 2 + parts * (headingHeight + groupGap) + rows * rowHeight;
+    const auto rowGap = rows > 0 ? juce::jlimit (leastGap, largestGap, (leastHeight - others) / rows) : 0;
+    auto y = margin / 2;
+
+    for (auto& group : groups)
+    {
+        group.heading = { margin, y, width - 2 * margin, headingHeight };
+        y += headingHeight;
+
+        for (auto i = group.first; i < group.first + group.count; ++i)
+        {
+            all[i]->setBounds (margin, y, width - 2 * margin, rowHeight);
+            y += rowHeight + rowGap;
+        }
+
+        y += groupGap;
+    }
+
+    setSize (width, std::max (y, leastHeight));
+    return y;
+}
+
+void ParameterPanel::paint (juce::Graphics& g)
+{
+    const auto& palette = EditorLook::paletteOf (*this);
+    g.fillAll (palette.panel);
+    g.setFont (EditorLook::font (EditorLook::smallTextHeight, true));
+
+    for (const auto& group : groups)
+    {
+        g.setColour (palette.mutedText);
+        g.drawText (group.name, group.heading, juce::Justification::centredLeft);
+    }
+}
+} // namespace antinode

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "ParameterControl.h"
+
+#include <Plugin/AntinodeProcessor.h>
+
+#include <memory>
+#include <vector>
+
+namespace antinode
+{
+/** All parameters in their groups, one below the other. [message thread] */
+class ParameterPanel : public juce::Component
+{
+public:
+    explicit ParameterPanel (AntinodeProcessor&);
+
+    /** Shows all texts anew: the device is another one. */
+    void refreshTexts();
+
+    /** Lays the controls out for a width, and fills a place at least so high. @return  the height that the controls need */
+    int layOut (int width, int leastHeight);
+
+    const std::vector<std::unique_ptr<ParameterControl>>& controls() const { return all; }
+
+    void paint (juce::Graphics&) override;
+
+private:
+    struct Group
+    {
+        juce::String name;
+        std::size_t first = 0, count = 0; ///< Of the controls.
+        juce::Rectangle<int> heading;
+    };
+
+    std::vector<Group> groups;
+    std::vector<std::unique_ptr<ParameterControl>> all;
+};
+} // namespace antinode

@@ -1,0 +1,233 @@
+#include "PresetPanel.h"
+
+#include "EditorLook.h"
+
+#include <algorithm>
+
+namespace antinode
+{
+namespace
+{
+constexpr int margin = 14, rowHeight = 26, gap = 8;
+
+juce::String fromUtf8 (const std::string& text)
+{
+    return juce::String::fromUTF8 (text.c_str());
+}
+} // namespace
+
+PresetPanel::PresetPanel (Presets& presetsToShow) : presets (presetsToShow)
+{
+    setFocusContainerType (FocusContainerType::keyboardFocusContainer);
+    title.setFont (EditorLook::font (15, true));
+    sentence.setFont (EditorLook::font (EditorLook::smallTextHeight));
+    sentence.setJustificationType (juce::Justification::topLeft);
+    sentence.setMinimumHorizontalScale (1);
+    list.setModel (this);
+    list.setRowHeight (rowHeight);
+    list.setTitle ("Presets");
+    name.setFont (EditorLook::font());
+    name.setTitle ("Name to save as");
+    name.setTooltip ("1 to 64 letters, digits, blanks, '-', '_' and '.'; not a name of the factory's.");
+    name.onReturnKey = [this] { saveAs (name.getText()); };
+    load.onClick = [this] { loadSelected(); };
+    load.setTooltip ("Loads the selected one. Also: Return, or a double click.");
+    remove.onClick = [this] { removeSelected(); };
+    remove.setTooltip ("Deletes the selected one, where it is one of your own.");
+    file.onClick = [this] { chooseFile(); };
+    file.setTooltip ("Loads a JSON file.");
+    save.onClick = [this] { saveAs (name.getText()); };
+    save.setTooltip ("Keeps what is loaded, as the parameters have changed it, under the name at the left.");
+    close.onClick = [this]
+    {
+        if (onClose)
+            onClose();
+    };
+    close.setTooltip ("Key: Escape");
+    addAndMakeVisible (title);
+
+    for (juce::Component* const child :
+         { static_cast<juce::Component*> (&list), static_cast<juce::Component*> (&load),
+           static_cast<juce::Component*> (&remove), static_cast<juce::Component*> (&file),
+           static_cast<juce::Component*> (&name), static_cast<juce::Component*> (&save),
+           static_cast<juce::Component*> (&close), static_cast<juce::Component*> (&sentence) })
+        addAndMakeVisible (child);
+}
+
+void PresetPanel::open (LibraryKind kind)
+{
+    shownKind = kind;
+    const auto word = kind == LibraryKind::device ? "Devices" : "Focuses";
+    title.setText (word, juce::dontSendNotification);
+    setTitle (word);
+    name.setText ({}, false);
+    sentence.setText ({}, juce::dontSendNotification);
+    fill();
+    select (presets.loadedName (kind));
+}
+
+void PresetPanel::fill()
+{
+    rows.clear();
+    const auto entries = libraryEntries (shownKind);
+
+    for (const auto isFactory : { true, false })
+    {
+        rows.push_back ({ isFactory ? "Factory" : "Own", {} });
+
+        for (const auto& entry : entries)
+            if (entry.isFactory == isFactory)
+                rows.push_back ({ {}, entry });
+    }
+
+    list.updateContent();
+    list.repaint();
+    updateButtons();
+}
+
+const LibraryEntry* PresetPanel::selected() const
+{
+    const auto row = list.getSelectedRow();
+    const auto isEntry =
+        row >= 0 && row < static_cast<int> (rows.size()) && rows[static_cast<std::size_t> (row)].heading.isEmpty();
+    return isEntry ? &rows[static_cast<std::size_t> (row)].entry : nullptr;
+}
+
+void PresetPanel::select (const juce::String& wanted)
+{
+    const auto found =
+        std::find_if (rows.begin(), rows.end(),
+                      [&] (const auto& row) { return row.heading.isEmpty() && fromUtf8 (row.entry.name) == wanted; });
+
+    if (found == rows.end())
+        list.deselectAllRows();
+    else
+        list.selectRow (static_cast<int> (found - rows.begin()));
+}
+
+void PresetPanel::updateButtons()
+{
+    const auto* const entry = selected();
+    load.setEnabled (entry != nullptr);
+    remove.setEnabled (entry != nullptr && ! entry->isFactory);
+}
+
+void PresetPanel::report (const juce::String& failure, const juce::String& success)
+{
+    const auto& palette = EditorLook::paletteOf (*this);
+    sentence.setColour (juce::Label::textColourId, failure.isEmpty() ? palette.mutedText : palette.warning);
+    sentence.setText (failure.isEmpty() ? success : failure, juce::dontSendNotification);
+    sentence.setTooltip (sentence.getText());
+}
+
+void PresetPanel::loadSelected()
+{
+    if (const auto* const entry = selected())
+        report (presets.load (shownKind, entry->name), "Loaded " + fromUtf8 (entry->name) + ".");
+}
+
+void PresetPanel::saveAs (const juce::String& wanted)
+{
+    const auto trimmed = wanted.trim();
+    const auto failure = presets.save (shownKind, trimmed.toStdString());
+    fill();
+
+    if (failure.isEmpty())
+        select (trimmed);
+
+    report (failure, "Saved " + trimmed + ".");
+}
+
+void PresetPanel::removeSelected()
+{
+    if (const auto* const entry = selected())
+    {
+        const auto removed = entry->name;
+        const auto failure = presets.remove (shownKind, removed);
+        fill();
+        report (failure, "Deleted " + fromUtf8 (removed) + ".");
+    }
+}
+
+void PresetPanel::loadFile (const juce::File& wanted)
+{
+    report (presets.load (shownKind, wanted.getFullPathName().toStdString()), "Loaded " + wanted.getFileName() + ".");
+}
+
+void PresetPanel::chooseFile()
+{
+    chooser = std::make_unique<juce::FileChooser> ("Load a file", juce::File(), "*.json", false, false, this);
+    chooser->launchAsync (juce::FileBrowserComponent::openMode | juce::FileBrowserComponent::canSelectFiles,
+                          [this] (const juce::FileChooser& done)
+                          {
+                              if (const auto chosen = done.getResult(); chosen != juce::File())
+                                  loadFile (chosen);
+                          });
+}
+
+juce::String PresetPanel::getNameForRow (int row)
+{
+    const auto& shown = rows[static_cast<std::size_t> (row)];
+    return shown.heading.isNotEmpty() ? shown.heading : fromUtf8 (shown.entry.name);
+}
+
+void PresetPanel::paintListBoxItem (int row, juce::Graphics& g, int width, int height, bool isSelected)
+{
+    const auto& palette = EditorLook::paletteOf (*this);
+    const auto isHeading = rows[static_cast<std::size_t> (row)].heading.isNotEmpty();
+    const auto area = juce::Rectangle<int> (width, height);
+
+    if (isSelected && ! isHeading)
+    {
+        g.setColour (palette.accent.withAlpha (0.3f));
+        g.fillRect (area.reduced (4, 1));
+    }
+
+    g.setFont (EditorLook::font (isHeading ? EditorLook::smallTextHeight : EditorLook::textHeight, isHeading));
+    g.setColour (isHeading ? palette.mutedText : palette.text);
+    g.drawText (getNameForRow (row), area.withTrimmedLeft (isHeading ? 10 : 22), juce::Justification::centredLeft);
+}
+
+void PresetPanel::paint (juce::Graphics& g)
+{
+    const auto& palette = EditorLook::paletteOf (*this);
+    const auto area = getLocalBounds().toFloat();
+    g.setColour (palette.panel);
+    g.fillRoundedRectangle (area, 6);
+    g.setColour (palette.outline);
+    g.drawRoundedRectangle (area.reduced (0.5f), 6, 1);
+}
+
+void PresetPanel::resized()
+{
+    auto area = getLocalBounds().reduced (margin);
+    auto top = area.removeFromTop (rowHeight);
+    close.setBounds (top.removeFromRight (70));
+    title.setBounds (top);
+    area.removeFromTop (gap);
+    sentence.setBounds (area.removeFromBottom (2 * rowHeight));
+    area.removeFromBottom (gap);
+    auto saving = area.removeFromBottom (rowHeight);
+    save.setBounds (saving.removeFromRight (90));
+    saving.removeFromRight (gap);
+    name.setBounds (saving);
+    area.removeFromBottom (gap);
+    auto buttons = area.removeFromBottom (rowHeight);
+    load.setBounds (buttons.removeFromLeft (90));
+    buttons.removeFromLeft (gap);
+    remove.setBounds (buttons.removeFromLeft (90));
+    buttons.removeFromLeft (gap);
+    file.setBounds (buttons.removeFromRight (90));
+    area.removeFromBottom (gap);
+    list.setBounds (area);
+}
+
+bool PresetPanel::keyPressed (const juce::KeyPress& key)
+{
+    if (key != juce::KeyPress::escapeKey || ! onClose)
+        return false;
+
+    onClose();
+    return true;
+}
+} // namespace antinode

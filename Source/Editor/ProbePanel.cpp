@@ -1,0 +1,17 @@
+#include "ProbePanel.h"
+
+namespace antinode
+{
+ProbePanel::ProbePanel (const ProbeTrace& trace) : chart ("Velocity at the probe, as designed"), live (trace)
+{
+    addAndMakeVisible (chart);
+    addAndMakeVisible (live);
+}
+
+void ProbePanel::resized()
+{
+    auto area = getLocalBounds();
+    chart.setBounds (area.removeFromTop (area.getHeight() / 2));
+    live.setBounds (area);
+}
+} // namespace antinode

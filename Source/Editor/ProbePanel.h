@@ -1,0 +1,27 @@
+#pragma once
+
+#include "ChartView.h"
+#include "LiveTrace.h"
+
+namespace antinode
+{
+/** The velocity at the probe: as designed, and below it what it is just now. [message thread] */
+class ProbePanel : public juce::Component
+{
+public:
+    explicit ProbePanel (const ProbeTrace&);
+
+    ChartView& designed() { return chart; }
+    void refresh()
+    {
+        if (isVisible())
+            live.refresh();
+    }
+
+    void resized() override;
+
+private:
+    ChartView chart;
+    LiveTrace live;
+};
+} // namespace antinode

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "DesignPicture.h"
+
+#include <juce_gui_basics/juce_gui_basics.h>
+
+#include <memory>
+
+namespace antinode
+{
+/** How good the focus is, what the user should be warned of and what was chosen, in plain words. [message thread] */
+class ScoresView : public juce::Component
+{
+public:
+    ScoresView();
+
+    void setPicture (std::shared_ptr<const DesignPicture>);
+
+    void resized() override;
+    void lookAndFeelChanged() override { layOut(); }
+
+private:
+    /** The page that is scrolled. */
+    class Page : public juce::Component
+    {
+    public:
+        juce::AttributedString words;
+
+        /** @return  the height that it needs */
+        int layOut (int width);
+        void paint (juce::Graphics&) override;
+
+    private:
+        juce::TextLayout layout;
+    };
+
+    void layOut();
+    void write();
+
+    std::shared_ptr<const DesignPicture> picture;
+    Page page;
+    juce::Viewport viewport;
+};
+} // namespace antinode

@@ -1,0 +1,103 @@
+#include "StatusLine.h"
+
+#include "EditorLook.h"
+
+#include <antinode_views/Lettering.h>
+
+namespace antinode
+{
+namespace
+{
+constexpr int cornerWidth = 14; // where a window is resized
+
+juce::String fromUtf8 (const std::string& text)
+{
+    return juce::String::fromUTF8 (text.c_str());
+}
+} // namespace
+
+StatusLine::StatusLine (AntinodeProcessor& processorToShow) : processor (processorToShow)
+{
+    setTitle ("Status");
+}
+
+void StatusLine::say (const juce::String& sentence)
+{
+    said = sentence;
+}
+
+StatusLine::Message StatusLine::message (const DesignPicture* picture, bool isWorking) const
+{
+    const auto session = processor.session().snapshot();
+    const auto progress = processor.session().progress();
+
+    if (said.isNotEmpty())
+        return { said, true };
+
+    if (processor.session().meters().isMutedForBadNumbers())
+        return { "The output is muted: a number was not finite. Load the device anew.", true };
+
+    if (const auto warning = processor.warning(); warning.isNotEmpty())
+        return { warning, true };
+
+    if (session->isSolving || session->model == nullptr)
+        return { "Solving " + fromUtf8 (processor.device()->description.name)
+                     + juce::String::fromUTF8 (" \xE2\x80\xA6"),
+                 false };
+
+    if (! progress.liveError.empty())
+        return { fromUtf8 (progress.liveError), true };
+
+    if (picture != nullptr && ! picture->error.empty())
+        return { fromUtf8 (picture->error), true };
+
+    if (! progress.isDone())
+        return { "Designing " + juce::String (progress.designed) + " of " + juce::String (progress.wanted)
+                     + juce::String::fromUTF8 (" places \xE2\x80\xA6"),
+                 false };
+
+    if (progress.failed > 0)
+        return { juce::String (progress.failed) + " of " + juce::String (progress.wanted)
+                     + " notes have no focus: " + fromUtf8 (progress.error),
+                 true };
+
+    return { isWorking ? juce::String::fromUTF8 ("Ready; rendering the charts \xE2\x80\xA6") : juce::String ("Ready"),
+             false };
+}
+
+void StatusLine::refresh (const DesignPicture* picture, bool isWorking)
+{
+    const auto now = message (picture, isWorking);
+    const auto& meters = processor.session().meters();
+    const auto rate = processor.session().snapshot()->playback.sampleRate;
+    const auto numbers = (rate > 0 ? juce::String (rate / 1000, 1) + " kHz" : juce::String ("not playing")) + "    "
+                         + "voices " + juce::String (meters.voices()) + "    triggers "
+                         + juce::String (meters.triggered());
+
+    if (now.text == shown && numbers == figures && now.isWarning == isWarning)
+        return;
+
+    shown = now.text;
+    figures = numbers;
+    isWarning = now.isWarning;
+    setDescription (shown);
+    setTooltip (shown);
+    repaint();
+}
+
+void StatusLine::paint (juce::Graphics& g)
+{
+    const auto& palette = EditorLook::paletteOf (*this);
+    g.fillAll (palette.panel);
+    auto area = getLocalBounds().reduced (10, 0).withTrimmedRight (cornerWidth).toFloat();
+    const TextStyle style { EditorLook::smallTextHeight, false, palette.mutedText };
+    const auto right = area.removeFromRight (textWidth (figures.toStdString(), style) + 2);
+    drawText (g, figures.toStdString(), right, juce::Justification::centredRight, style);
+    g.setColour (isWarning ? palette.warning : palette.armed);
+    g.fillEllipse (area.removeFromLeft (8).withSizeKeepingCentre (8, 8));
+    area.removeFromLeft (8);
+    area.removeFromRight (16);
+    drawText (g, shown.toStdString(), area, juce::Justification::centredLeft,
+              { EditorLook::smallTextHeight, false, isWarning ? palette.warning : palette.text });
+}
+} // namespace antinode

@@ -1,0 +1,219 @@
+#include "SurfacePainter.h"
+
+#include <antinode_views/AnnotationDrawing.h>
+#include <antinode_views/ColourBar.h>
+#include <antinode_views/Curve.h>
+#include <antinode_views/DataRange.h>
+#include <antinode_views/Legend.h>
+#include <antinode_views/Lettering.h>
+#include <antinode_views/MapImage.h>
+#include <antinode_views/MapOverlays.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+constexpr double milli = 1000; // m to mm
+constexpr std::size_t wanted = 0, reached = 1, carried = 2;
+
+AxisRange symmetrical (double most)
+{
+    const auto usable = most > 0 ? 1.08 * most : 1.0;
+    return { -usable, usable };
+}
+
+CurvePiece pointsOf (const PlotFrame& frame, const Eigen::VectorXd& x, const Eigen::VectorXd& y)
+{
+    CurvePiece points;
+    points.reserve (static_cast<std::size_t> (x.size()));
+
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+        points.push_back (frame.at (x[i], y[i]));
+
+    return points;
+}
+
+/** The ceramics' numbers, as at their meters: names are too long for small ones. */
+void drawNumbers (juce::Graphics& g, const PlotFrame& frame, const std::vector<MapRectangle>& ceramics,
+                  const Theme& theme)
+{
+    for (std::size_t i = 0; i < ceramics.size(); ++i)
+    {
+        const auto& ceramic = ceramics[i];
+        const juce::Rectangle<float> area (frame.at (ceramic.xMinimum, ceramic.yMaximum),
+                                           frame.at (ceramic.xMaximum, ceramic.yMinimum));
+        const auto number = std::to_string (i + 1);
+        const TextStyle style { 10, false, theme.text };
+
+        if (textWidth (number, style) < area.getWidth())
+            drawText (g, number, area, juce::Justification::centred, style);
+    }
+}
+} // namespace
+
+void SurfacePainter::setPicture (std::shared_ptr<const DesignPicture> newPicture)
+{
+    picture = std::move (newPicture);
+    below = above = aboveFocus = {};
+}
+
+void SurfacePainter::setPalette (const Palette& palette)
+{
+    colours = &palette;
+    below = above = aboveFocus = {};
+}
+
+bool SurfacePainter::isLine() const
+{
+    return picture == nullptr || picture->question.model->surface.kind == SurfaceKind::line;
+}
+
+juce::Image SurfacePainter::emptyLayer() const
+{
+    const auto pixels = [this] (int length)
+    { return std::max (1, juce::roundToInt (static_cast<float> (length) * scale)); };
+    return { juce::Image::ARGB, pixels (area.getWidth()), pixels (area.getHeight()), true, juce::SoftwareImageType() };
+}
+
+void SurfacePainter::layOut (juce::Rectangle<int> newArea, float newScale)
+{
+    if (picture == nullptr || (below.isValid() && newArea == area && newScale == scale))
+        return;
+
+    area = newArea;
+    scale = newScale;
+    below = emptyLayer();
+    above = aboveFocus = {};
+    juce::Graphics g (below);
+    g.addTransform (juce::AffineTransform::scale (scale));
+
+    if (isLine())
+        layOutLine (std::get<LineChart> (*picture->field), g);
+    else
+        layOutPlate (std::get<HeatMap> (*picture->field), g);
+
+    if (isLine())
+        return;
+
+    above = emptyLayer();
+    juce::Graphics upper (above);
+    upper.addTransform (juce::AffineTransform::scale (scale));
+    paintOverlay (upper, false);
+    aboveFocus = emptyLayer();
+    juce::Graphics focus (aboveFocus);
+    focus.addTransform (juce::AffineTransform::scale (scale));
+    paintOverlay (focus, true);
+}
+
+void SurfacePainter::layOutLine (const LineChart& chart, juce::Graphics& g)
+{
+    const auto& theme = colours->charts;
+    g.fillAll (colours->panel);
+    auto rest = area.withZeroOrigin().toFloat().reduced (theme.padding);
+    rest = drawLegend (g, rest, legendOf (chart, theme), LegendPlace::top, theme);
+    const auto data = yDataRange (chart).value_or (AxisRange {});
+    const auto most = std::max (std::abs (data.minimum), std::abs (data.maximum));
+    const auto x = xDataRange (chart).value_or (AxisRange {});
+    plot = layOutPlot (rest, { chart.xLabel, usableRange (x), false, {}, true },
+                       { chart.yLabel, symmetrical (most), false, {}, true },
+                       { heightAbove ({}, chart.spans, theme), 8 }, theme);
+    drawGrid (g, plot, theme);
+    drawSpans (g, plot, chart.spans, theme);
+    drawAxes (g, plot, theme);
+    g.reduceClipRegion (plot.plot.getSmallestIntegerContainer());
+
+    for (const auto i : { wanted, carried })
+    {
+        const auto& series = chart.series[i];
+        drawCurve (g, pointsOf (plot, series.x, series.y),
+                   { seriesColour (theme, series.colour, i), theme.lineWidth, series.style });
+    }
+}
+
+void SurfacePainter::layOutPlate (const HeatMap& chart, juce::Graphics& g)
+{
+    const auto& theme = colours->charts;
+    g.fillAll (colours->panel);
+    const auto rest = area.withZeroOrigin().toFloat().reduced (theme.padding);
+    const auto most = picture->frames->largest * milli;
+    const Axis values { chart.valueLabel, usableRange ({ -most, most }), false, {}, false };
+    const auto barWidth = colourBarWidth (values, rest.getHeight(), theme);
+    plot = withEqualAspect (layOutPlot (rest, { chart.xLabel, chart.x, false, {}, false },
+                                        { chart.yLabel, chart.y, false, {}, false }, { 0, barWidth }, theme));
+    drawAxes (g, plot, theme);
+    drawColourBar (g, plot.plot.withX (plot.plot.getRight()).withWidth (barWidth), values, theme.diverging, theme);
+}
+
+void SurfacePainter::paintOverlay (juce::Graphics& g, bool withContours) const
+{
+    const auto& chart = std::get<HeatMap> (*picture->field);
+    g.reduceClipRegion (plot.plot.getSmallestIntegerContainer());
+
+    if (withContours)
+        drawContours (g, plot, chart, colours->charts);
+
+    // The first place is the spot, which can be dragged.
+    const std::vector<MapPoint> others (chart.points.begin() + 1, chart.points.end());
+    auto rectangles = chart.rectangles;
+
+    for (auto& rectangle : rectangles)
+        rectangle.label.clear();
+
+    drawPlaces (g, plot, rectangles, others, colours->charts);
+    drawNumbers (g, plot, rectangles, colours->charts);
+}
+
+void SurfacePainter::paint (juce::Graphics& g, int frame) const
+{
+    const auto whole = area.toFloat();
+    const auto shown = picture->frames->available() > 1 ? frame : 0;
+    const auto isFocus = picture->frames->available() == 1 || frame == FieldFrames::atFocus;
+    g.setOpacity (1);
+    {
+        const juce::Graphics::ScopedSaveState state (g);
+
+        // A map covers all of the plot: large images cost more than small ones.
+        if (! isLine())
+            g.excludeClipRegion (plot.plot.toNearestInt() + area.getPosition());
+
+        g.drawImage (below, whole);
+    }
+    {
+        const juce::Graphics::ScopedSaveState state (g);
+        g.setOrigin (area.getPosition());
+
+        if (isLine())
+            paintLine (g, shown);
+        else
+            paintPlate (g, shown);
+    }
+
+    if (isLine())
+        return;
+
+    g.setOpacity (1);
+    g.drawImage (isFocus ? aboveFocus : above, whole);
+}
+
+void SurfacePainter::paintLine (juce::Graphics& g, int frame) const
+{
+    const auto& series = std::get<LineChart> (*picture->field).series[reached];
+    const auto colour = seriesColour (colours->charts, series.colour, reached);
+    const auto points = pointsOf (plot, series.x, picture->frames->lines.col (frame) * milli);
+    g.reduceClipRegion (plot.plot.getSmallestIntegerContainer());
+    fillBelowCurve (g, points, plot.yAt (0), colour.withAlpha (0.14f));
+    drawCurve (g, points, { colour, 2, LineStyle::solid });
+}
+
+void SurfacePainter::paintPlate (juce::Graphics& g, int frame) const
+{
+    const auto most = std::max (picture->frames->largest, 1e-12);
+    const auto image = colourImage (picture->frames->maps[static_cast<std::size_t> (frame)], { -most, most },
+                                    colours->charts.diverging);
+    g.setImageResamplingQuality (juce::Graphics::mediumResamplingQuality);
+    g.drawImage (image, plot.plot);
+}
+} // namespace antinode

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "DesignPicture.h"
+#include "Palette.h"
+
+#include <antinode_views/PlotFrame.h>
+
+#include <juce_graphics/juce_graphics.h>
+
+#include <memory>
+
+namespace antinode
+{
+/** Draws the field of a picture, frame by frame: what does not move lies in images that are drawn once, with the code of the report's
+    charts. [message thread] */
+class SurfacePainter
+{
+public:
+    void setPicture (std::shared_ptr<const DesignPicture>);
+    void setPalette (const Palette&);
+
+    /** @param scale  pixels of the screen for one of the area */
+    void layOut (juce::Rectangle<int> area, float scale);
+
+    /** Where places and velocities, in mm and mm/s, lie. */
+    const PlotFrame& frame() const { return plot; }
+
+    bool isLine() const;
+
+    /** @param frame  of FieldFrames; the focus where there is no other yet */
+    void paint (juce::Graphics&, int frame) const;
+
+private:
+    void layOutLine (const LineChart&, juce::Graphics&);
+    void layOutPlate (const HeatMap&, juce::Graphics&);
+    void paintLine (juce::Graphics&, int frame) const;
+    void paintPlate (juce::Graphics&, int frame) const;
+    void paintOverlay (juce::Graphics&, bool withContours) const;
+    juce::Image emptyLayer() const;
+
+    std::shared_ptr<const DesignPicture> picture;
+    const Palette* colours = &Palette::dark();
+    juce::Rectangle<int> area;
+    float scale = 1;
+    PlotFrame plot;
+    juce::Image below, above, aboveFocus; ///< The field lies between them; the last one with the contours of the focus.
+};
+} // namespace antinode

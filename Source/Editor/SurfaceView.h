@@ -1,0 +1,73 @@
+#pragma once
+
+#include "SurfacePainter.h"
+
+#include <Plugin/AntinodeProcessor.h>
+
+#include <functional>
+#include <memory>
+
+namespace antinode
+{
+/** The plate or beam from above: its ceramics, the field, the wanted spot and the probe, which can be dragged or moved with arrow keys.
+    [message thread] */
+class SurfaceView : public juce::Component, public juce::SettableTooltipClient
+{
+public:
+    explicit SurfaceView (AntinodeProcessor&);
+
+    void setPicture (std::shared_ptr<const DesignPicture>);
+
+    /** @param frame  of FieldFrames */
+    void setFrame (int frame);
+
+    /** Draws the spot and the probe where the parameters say. */
+    void refresh();
+
+    /** Where the spot and the probe stand, in pixels of this component. */
+    juce::Point<float> spot() const { return placeOf (*spotX, *spotY, shownSpotHeight()); }
+    juce::Point<float> probe() const { return placeOf (*probeX, *probeY, 0); }
+
+    /** What space and Return do. */
+    std::function<void()> onFire;
+
+    void paint (juce::Graphics&) override;
+    void resized() override { repaint(); }
+    void lookAndFeelChanged() override;
+    void mouseMove (const juce::MouseEvent&) override;
+    void mouseDown (const juce::MouseEvent&) override;
+    void mouseDrag (const juce::MouseEvent&) override;
+    void mouseUp (const juce::MouseEvent&) override;
+    bool keyPressed (const juce::KeyPress&) override;
+    void focusGained (FocusChangeType) override { repaint(); }
+    void focusLost (FocusChangeType) override { repaint(); }
+    std::unique_ptr<juce::AccessibilityHandler> createAccessibilityHandler() override;
+
+private:
+    enum class Handle
+    {
+        none,
+        spot,
+        probe
+    };
+
+    juce::Point<float> placeOf (const juce::RangedAudioParameter& x, const juce::RangedAudioParameter& y,
+                                double lineHeight) const;
+    double shownSpotHeight() const;
+    Handle handleAt (juce::Point<float>) const;
+    void moveHandle (juce::Point<float>);
+    void nudge (Handle, float xPercent, float yPercent);
+    void paintSpot (juce::Graphics&) const;
+    void paintProbe (juce::Graphics&) const;
+    void paintMessage (juce::Graphics&) const;
+
+    AntinodeProcessor& processor;
+    juce::RangedAudioParameter *spotX, *spotY, *probeX, *probeY, *width, *height;
+    std::shared_ptr<const DesignPicture> picture;
+    SurfacePainter painter;
+    int frame = FieldFrames::atFocus;
+    Handle dragged = Handle::none;
+    juce::Point<float> grabbedAt;        ///< From the handle's middle.
+    std::array<float, 6> shownValues {}; ///< Of the parameters above.
+};
+} // namespace antinode

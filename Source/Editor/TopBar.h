@@ -1,0 +1,46 @@
+#pragma once
+
+#include "History.h"
+
+#include <antinode_library/Library.h>
+
+#include <functional>
+#include <memory>
+
+namespace antinode
+{
+/** What is loaded, undo and redo, the theme, and the three buttons that put voltage on the ceramics or take it off. [message thread] */
+class TopBar : public juce::Component
+{
+public:
+    TopBar (AntinodeProcessor&, History&);
+
+    std::function<void (LibraryKind)> onBrowse;
+    std::function<void()> onFire, onStop, onTheme, onUndo, onRedo;
+
+    /** @param device, focus  the names of what is loaded */
+    void refresh (const juce::String& device, const juce::String& focus);
+
+    void paint (juce::Graphics&) override;
+    void resized() override;
+    void lookAndFeelChanged() override;
+
+private:
+    /** A caption over the name of what is loaded. */
+    class NameButton : public juce::Button
+    {
+    public:
+        explicit NameButton (const juce::String& caption);
+        void setLoaded (const juce::String& name);
+        void paintButton (juce::Graphics&, bool isOver, bool isDown) override;
+
+    private:
+        juce::String caption, loaded;
+    };
+
+    History& history;
+    NameButton device { "Device" }, focus { "Focus" };
+    juce::TextButton undo, redo, theme, arm { "Disarmed" }, fire { "FIRE" }, stop { "STOP" };
+    juce::ButtonParameterAttachment armAttachment;
+};
+} // namespace antinode

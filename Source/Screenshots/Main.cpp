@@ -1,0 +1,103 @@
+#include <Editor/Editor.h>
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <thread>
+
+namespace
+{
+constexpr double sampleRate = 96000;
+constexpr int blockSize = 960;
+
+/** A picture: its file, its size, and what it shows. */
+struct Screenshot
+{
+    std::string file;
+    int width, height;
+    std::string device, focus;
+    bool isDark;
+};
+
+std::shared_ptr<const antinode::DeviceDocument> deviceOf (const std::string& name)
+{
+    return std::make_shared<const antinode::DeviceDocument> (
+        antinode::readDeviceDocument (antinode::loadDocument (antinode::LibraryKind::device, name), name));
+}
+
+std::shared_ptr<const antinode::FocusDocument> focusOf (const std::string& name)
+{
+    return std::make_shared<const antinode::FocusDocument> (
+        antinode::readFocusDocument (antinode::loadDocument (antinode::LibraryKind::focus, name), name));
+}
+
+void waitUntilShown (antinode::EditorContent& content)
+{
+    do
+    {
+        std::this_thread::sleep_for (std::chrono::milliseconds (10));
+        content.refresh (0);
+    } while (! content.isSettled());
+}
+
+/** Fires a few times, so that meters and the live trace show something. */
+void play (antinode::AntinodeProcessor& processor, antinode::EditorContent& content)
+{
+    constexpr int blocks = 50, blocksPerFocus = 16;
+    juce::AudioBuffer<float> audio (processor.getTotalNumOutputChannels(), blockSize);
+    juce::MidiBuffer midi;
+
+    for (int i = 0; i < blocks; ++i)
+    {
+        if (i % blocksPerFocus == 0)
+            processor.session().fire (0.7);
+
+        processor.processBlock (audio, midi);
+        content.refresh (static_cast<double> (blockSize) / sampleRate);
+    }
+}
+
+void take (const Screenshot& wanted, const juce::File& folder)
+{
+    antinode::AntinodeProcessor processor (32, juce::AudioProcessor::wrapperType_Undefined);
+    processor.load (deviceOf (wanted.device), focusOf (wanted.focus));
+    processor.prepareToPlay (sampleRate, blockSize);
+    processor.parameters().arm().setValueNotifyingHost (1);
+    processor.parameters().find ("notes")->setValueNotifyingHost (1); // no designs for notes that nobody waits for
+    antinode::Editor editor (processor);
+    editor.setSize (wanted.width, wanted.height);
+    auto& content = editor.content();
+    content.setDark (wanted.isDark);
+    processor.session().waitUntilSettled();
+    waitUntilShown (content);
+    play (processor, content);
+    const auto image = editor.createComponentSnapshot (editor.getLocalBounds(), true, 1);
+    const auto file = folder.getChildFile (wanted.file + ".png");
+    file.deleteFile();
+    juce::FileOutputStream stream (file);
+    juce::PNGImageFormat().writeImageToStream (image, stream);
+    std::printf ("%s\n", file.getFullPathName().toRawUTF8());
+}
+} // namespace
+
+/** Usage: antinode_screenshots FOLDER */
+int main (int argumentCount, char* arguments[])
+{
+    if (argumentCount != 2)
+        return 2;
+
+    const juce::ScopedJuceInitialiser_GUI juceSession;
+    const auto folder = juce::File::getCurrentWorkingDirectory().getChildFile (arguments[1]);
+    const Screenshot screenshots[] = {
+        { "editor-800x500", 800, 500, "staple", "demonstrator", true },
+        { "editor-2560x1440", 2560, 1440, "phone", "phone-thumb", true },
+        { "editor-plate", 1280, 800, "glass-148x210", "glass-finger", true },
+        { "editor-light", 1280, 800, "staple", "demonstrator", false },
+    };
+
+    for (const auto& screenshot : screenshots)
+        take (screenshot, folder);
+}

@@ -1,0 +1,112 @@
+#include "EditorFixture.h"
+#include "Support/TemporaryFolder.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+
+using namespace antinode;
+
+namespace
+{
+/** The user's library in a folder of the test's own. */
+struct OwnLibrary
+{
+    OwnLibrary() { setenv ("XDG_DATA_HOME", folder.path().c_str(), 1); }
+    ~OwnLibrary() { unsetenv ("XDG_DATA_HOME"); }
+
+    TemporaryFolder folder;
+};
+
+bool isOwn (LibraryKind kind, const std::string& name)
+{
+    const auto entries = libraryEntries (kind);
+    return std::any_of (entries.begin(), entries.end(),
+                        [&] (const auto& entry) { return ! entry.isFactory && entry.name == name; });
+}
+} // namespace
+
+TEST_CASE ("A focus as the parameters changed it is kept, loaded and deleted")
+{
+    const OwnLibrary library;
+    EditorFixture test;
+    test.settle();
+    auto& content = test.content();
+    auto& browser = content.presetPanel();
+    auto& width = *test.processor.parameters().find ("width");
+    width.setValueNotifyingHost (width.convertTo0to1 (33));
+    content.browse (LibraryKind::focus);
+    CHECK (browser.isVisible());
+    browser.saveAs ("my bump");
+    CHECK (browser.message() == "Saved my bump.");
+    CHECK (isOwn (LibraryKind::focus, "my bump"));
+    browser.select ("demonstrator");
+    browser.loadSelected();
+    CHECK (width.convertFrom0to1 (width.getValue()) == Approx (25));
+    browser.select ("my bump");
+    browser.loadSelected();
+    CHECK (width.convertFrom0to1 (width.getValue()) == Approx (33).epsilon (1e-5));
+    CHECK (test.processor.focus()->description.name == "my bump");
+    browser.removeSelected();
+    CHECK_FALSE (isOwn (LibraryKind::focus, "my bump"));
+    CHECK (content.keyPressed (juce::KeyPress (juce::KeyPress::escapeKey)));
+    CHECK_FALSE (browser.isVisible());
+}
+
+TEST_CASE ("Loading a device is undone with all that it changed")
+{
+    const OwnLibrary library;
+    EditorFixture test;
+    test.settle();
+    test.processor.setMutes (5);
+    auto& browser = test.content().presetPanel();
+    const auto before = test.stateText();
+    test.content().browse (LibraryKind::device);
+    browser.select ("beam");
+    browser.loadSelected();
+    CHECK (test.processor.device()->description.name == "beam");
+    CHECK (test.processor.mutes() == 0);
+    test.settle();
+    test.content().history().undo();
+    CHECK (test.stateText() == before);
+    test.settle();
+}
+
+TEST_CASE ("What is the factory's is neither replaced nor deleted")
+{
+    const OwnLibrary library;
+    EditorFixture test;
+    auto& browser = test.content().presetPanel();
+    browser.open (LibraryKind::device);
+    browser.saveAs ("staple");
+    CHECK (browser.message().contains ("factory"));
+    browser.saveAs ("../outside");
+    CHECK (browser.message().contains ("is not allowed"));
+    browser.select ("staple");
+    browser.removeSelected();
+    CHECK (browser.message().contains ("none of your own"));
+}
+
+TEST_CASE ("A broken file gives one sentence and changes nothing")
+{
+    const OwnLibrary library;
+    EditorFixture test;
+    test.settle();
+    const auto before = test.stateText();
+    auto& browser = test.content().presetPanel();
+    const juce::File folder (juce::String (library.folder.path().string()));
+
+    for (const auto* const text : { "", "{", "[]", "{\"schema\": \"antinode.focus/1\", \"targets\": 7}" })
+    {
+        const auto file = folder.getChildFile ("broken.json");
+        REQUIRE (file.replaceWithText (text));
+        browser.open (LibraryKind::focus);
+        browser.loadFile (file);
+        INFO (browser.message());
+        CHECK (browser.message().contains ("broken.json"));
+        CHECK_FALSE (browser.message().containsChar ('\n'));
+        CHECK (test.stateText() == before);
+        CHECK_FALSE (test.content().history().canUndo());
+    }
+}

@@ -1,0 +1,179 @@
+#include "EditorFixture.h"
+
+#include <Editor/InstallEditor.h>
+
+#include <catch2/catch.hpp>
+
+#include <atomic>
+#include <cstdio>
+#include <set>
+
+using namespace antinode;
+
+namespace
+{
+/** How many colours there are, looking at every fourth pixel either way. */
+std::size_t coloursIn (const juce::Image& image)
+{
+    std::set<juce::uint32> colours;
+
+    for (int y = 0; y < image.getHeight(); y += 4)
+        for (int x = 0; x < image.getWidth(); x += 4)
+            colours.insert (image.getPixelAt (x, y).getARGB());
+
+    return colours.size();
+}
+} // namespace
+
+TEST_CASE ("The installed editor opens without a display and shows its first picture")
+{
+    installEditor();
+    AntinodeProcessor processor (8, juce::AudioProcessor::wrapperType_Undefined);
+    const auto start = juce::Time::getMillisecondCounterHiRes();
+    const std::unique_ptr<juce::AudioProcessorEditor> editor (processor.createEditorIfNeeded());
+    const auto made = juce::Time::getMillisecondCounterHiRes();
+    const auto image = editor->createComponentSnapshot (editor->getLocalBounds(), true, 1);
+    const auto drawn = juce::Time::getMillisecondCounterHiRes();
+    std::printf ("editor: made in %.1f ms, first picture in %.1f ms\n", made - start, drawn - made);
+    CHECK (editor->isResizable());
+    CHECK (image.getWidth() == 1280);
+    CHECK (coloursIn (image) > 20);
+    processor.editorBeingDeleted (editor.get());
+}
+
+TEST_CASE ("The editor is drawn at its least and at a large size, dark and light")
+{
+    EditorFixture test;
+
+    for (const auto isDark : { true, false })
+    {
+        test.content().setDark (isDark);
+        CHECK (coloursIn (test.snapshot (800, 500)) > 100);
+        CHECK (coloursIn (test.snapshot (2560, 1440)) > 100);
+    }
+}
+
+TEST_CASE ("Every parameter has a control that takes the keyboard, with a title and a tooltip")
+{
+    EditorFixture test;
+    std::set<juce::String> controlled;
+
+    for (const auto& control : test.content().parameterPanel().controls())
+    {
+        auto& input = control->control();
+        auto* const tip = dynamic_cast<juce::TooltipClient*> (&input);
+        INFO (input.getComponentID());
+        controlled.insert (input.getComponentID());
+        CHECK (input.getWantsKeyboardFocus());
+        CHECK (input.getTitle().isNotEmpty());
+        REQUIRE (tip != nullptr);
+        // More than the range alone: each parameter has a sentence of its own.
+        CHECK (tip->getTooltip().containsChar ('\n'));
+        CHECK (input.isAccessible());
+    }
+
+    for (const auto* const parameter : test.processor.parameters().all())
+        CHECK (controlled.count (parameter->getParameterID()) == 1);
+}
+
+TEST_CASE ("All buttons of the editor have a title and a tooltip")
+{
+    EditorFixture test;
+    test.settle();
+    forEachVisible (*test.editor,
+                    [] (juce::Component& component)
+                    {
+                        auto* const button = dynamic_cast<juce::Button*> (&component);
+                        const auto isOurs = button != nullptr && button->getWantsKeyboardFocus();
+                        INFO (component.getName() << ' ' << component.getTitle());
+
+                        if (isOurs)
+                            CHECK (button->getTooltip().isNotEmpty());
+
+                        if (isOurs)
+                            CHECK ((button->getTitle() + button->getButtonText()).isNotEmpty());
+                    });
+}
+
+TEST_CASE ("The editor opens and closes while blocks are processed")
+{
+    AntinodeProcessor processor (8, juce::AudioProcessor::wrapperType_Undefined);
+    processor.prepareToPlay (EditorFixture::sampleRate, EditorFixture::blockSize);
+    std::atomic<bool> isStopping { false };
+    std::thread audio (
+        [&]
+        {
+            juce::AudioBuffer<float> buffer (processor.getTotalNumOutputChannels(), EditorFixture::blockSize);
+            juce::MidiBuffer midi;
+
+            while (! isStopping)
+            {
+                processor.processBlock (buffer, midi);
+                std::this_thread::sleep_for (std::chrono::milliseconds (1));
+            }
+        });
+
+    for (int i = 0; i < 20; ++i)
+    {
+        Editor editor (processor);
+        editor.content().refresh (0.016);
+        processor.session().fire (1);
+        std::this_thread::sleep_for (std::chrono::milliseconds (5 * (i % 4)));
+        editor.content().refresh (0.016);
+    }
+
+    isStopping = true;
+    audio.join();
+    CHECK (processor.session().meters().triggered() > 0);
+}
+
+TEST_CASE ("Space fires where the device is armed and says so where it is not")
+{
+    EditorFixture test;
+    test.settle();
+    auto& arm = test.processor.parameters().arm();
+    arm.setValueNotifyingHost (0);
+    CHECK (test.content().keyPressed (juce::KeyPress (juce::KeyPress::spaceKey)));
+    test.playBlock();
+    test.content().refresh (0);
+    CHECK (test.processor.session().meters().triggered() == 0);
+    CHECK (test.content().statusLine().text().contains ("Disarmed"));
+    CHECK (test.content().keyPressed (juce::KeyPress ('a')));
+    CHECK (arm.get());
+    CHECK (test.content().surface().keyPressed (juce::KeyPress (juce::KeyPress::spaceKey)));
+    test.playBlock();
+    CHECK (test.processor.session().meters().triggered() == 1);
+}
+
+TEST_CASE ("A focus that cannot be met is said in a sentence, and the next one is shown again")
+{
+    EditorFixture test;
+    test.settle();
+    auto& velocity = *test.processor.parameters().find ("peak_velocity");
+    velocity.setValueNotifyingHost (1);
+    test.settle();
+    test.waitUntil ([&] { return ! test.content().statusLine().text().startsWith ("Designing"); });
+    CHECK (test.content().statusLine().text().contains ("V"));
+    CHECK (test.content().statusLine().text() != "Ready");
+    velocity.setValueNotifyingHost (velocity.convertTo0to1 (20));
+    test.settle();
+    test.waitUntil ([&] { return test.content().statusLine().text() == "Ready"; });
+}
+
+TEST_CASE ("The field is played through time and goes back to the focus")
+{
+    EditorFixture test;
+    test.settle();
+    auto& time = test.content().timeline();
+    CHECK (time.frame() == FieldFrames::atFocus);
+    time.setPlaying (true);
+    test.content().refresh (0.5);
+    CHECK (time.frame() != FieldFrames::atFocus);
+    test.content().refresh (1000.25);
+    CHECK (time.frame() >= 0);
+    CHECK (time.frame() < FieldFrames::count);
+    time.setPlaying (false);
+    const auto frame = time.frame();
+    test.content().refresh (1);
+    CHECK (time.frame() == frame);
+}
