@@ -1,6 +1,8 @@
 #include "HostReference.h"
 #include "JuceHost.h"
 
+#include <Engine/AllocationCount.h>
+
 #include <catch2/catch.hpp>
 
 #include <chrono>
@@ -164,4 +166,32 @@ TEST_CASE ("Making a hosted instance takes so long", "[hosted]")
                          std::chrono::duration<double, std::milli> (taken).count());
             CHECK (instance->getTotalNumOutputChannels() == 10);
         }
+}
+
+TEST_CASE ("An LV2 asks for no memory while it plays", "[hosted]")
+{
+    const auto plugin = GENERATE (BuiltPlugin { PluginKind::lv2, 8 }, BuiltPlugin { PluginKind::lv2, 64 });
+    CAPTURE (nameOf (plugin));
+    const auto instance = hosted (plugin, rate, 128);
+    instance->prepareToPlay (rate, 128);
+    juce::AudioBuffer<float> buffer (instance->getTotalNumOutputChannels(), 128);
+    auto isHeard = false;
+    long allocations = 0;
+
+    runInBackground (
+        [&]
+        {
+            for (int i = 0; i < 1000; ++i)
+            {
+                juce::MidiBuffer midi;
+                midi.addEvent (juce::MidiMessage::noteOn (1, 60 + i % 12, juce::uint8 (127)), i % 128);
+                const auto before = mallocCalls();
+                instance->processBlock (buffer, midi);
+                allocations += i < 500 ? 0 : mallocCalls() - before; // At first the queues to the host grow.
+                isHeard = isHeard || buffer.getMagnitude (0, 128) > 1e-3F;
+                std::this_thread::sleep_for (std::chrono::microseconds (300)); // Time for designs, and for the host.
+            }
+        });
+    CHECK (isHeard);
+    CHECK (allocations == 0);
 }
