@@ -57,7 +57,7 @@ NumberTexts unitTexts (const char* unit, int decimals, float least, const char* 
              { return word.isNotEmpty() && text.trim() == word ? -1e9F : static_cast<float> (numberIn (text)); } };
 }
 
-NumberTexts placeTexts (std::function<std::shared_ptr<const ModalModel>()> model, Axis axis)
+NumberTexts placeTexts (const std::function<std::shared_ptr<const ModalModel>()>& model, Axis axis)
 {
     return { [=] (float percent, int maximumLength)
              {
@@ -85,7 +85,7 @@ IntegerTexts countTexts (const char* wordForNone)
              [] (const juce::String& text) { return std::max (0, text.getIntValue()); } };
 }
 
-IntegerTexts wordTexts (std::vector<juce::String> words)
+IntegerTexts wordTexts (const std::vector<juce::String>& words)
 {
     return { [=] (int value, int maximumLength)
              {

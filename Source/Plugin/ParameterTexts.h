@@ -40,13 +40,13 @@ NumberTexts unitTexts (const char* unit, int decimals, float least = -1e30F, con
 
 /** A share of the surface in percent, as a place in mm: of the model that is played, or in percent where there is none.
     A text that ends in % is read as percent. [any but the audio thread] */
-NumberTexts placeTexts (std::function<std::shared_ptr<const ModalModel>()> model, Axis);
+NumberTexts placeTexts (const std::function<std::shared_ptr<const ModalModel>()>& model, Axis);
 
 /** A count, with a word for 0. [any] */
 IntegerTexts countTexts (const char* wordForNone);
 
 /** Words, the first one for 0. [any] */
-IntegerTexts wordTexts (std::vector<juce::String> words);
+IntegerTexts wordTexts (const std::vector<juce::String>& words);
 
 /** [any] */
 FlagTexts flagTexts (const char* on, const char* off);

@@ -72,10 +72,10 @@ public:
     }
 
     /** A choice of words: an integer, since JUCE's LV2 wrapper gives choices wrong scale points. */
-    juce::AudioParameterInt* choice (const char* identifier, const char* name, std::vector<juce::String> words)
+    juce::AudioParameterInt* choice (const char* identifier, const char* name, const std::vector<juce::String>& words)
     {
         const auto maximum = static_cast<int> (words.size()) - 1;
-        return integer (identifier, name, maximum, wordTexts (std::move (words)));
+        return integer (identifier, name, maximum, wordTexts (words));
     }
 
     juce::AudioParameterBool* flag (const char* identifier, const char* name, bool initial, const char* on,
@@ -109,6 +109,7 @@ template <typename Words>
 std::vector<juce::String> wordsForHosts (const Words& words)
 {
     std::vector<juce::String> texts;
+    texts.reserve (std::size (words));
 
     for (const auto& [word, value] : words)
         texts.push_back (juce::String (std::string (word)).replaceCharacter ('_', ' '));
@@ -117,7 +118,8 @@ std::vector<juce::String> wordsForHosts (const Words& words)
 }
 } // namespace
 
-Parameters::Parameters (juce::AudioProcessor& processor, std::function<std::shared_ptr<const ModalModel>()> model)
+Parameters::Parameters (juce::AudioProcessor& processor,
+                        const std::function<std::shared_ptr<const ModalModel>()>& model)
 {
     GroupBuilder focus ("focus", "Focus", ordered);
     x = focus.number ("x", "Focus x", "", { 0, 100 }, 50, placeTexts (model, Axis::x));

@@ -19,7 +19,7 @@ public:
     /** Adds them to a processor, which owns them.
         @param surface  the surface that places are texts of; may give none. Called on any thread but the audio thread
         [message thread] */
-    Parameters (juce::AudioProcessor&, std::function<std::shared_ptr<const ModalModel>()> surface);
+    Parameters (juce::AudioProcessor&, const std::function<std::shared_ptr<const ModalModel>()>& surface);
 
     /** What they say of the focus. [any] */
     PlaySettings settings() const;

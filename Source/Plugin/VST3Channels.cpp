@@ -27,6 +27,7 @@ std::vector<int> vst3ChannelOrder (const juce::AudioChannelSet& layout)
 {
     const juce::ChannelMapping mapping (layout);
     std::vector<int> order;
+    order.reserve (static_cast<std::size_t> (layout.size()));
 
     for (int wire = 0; wire < layout.size(); ++wire)
         order.push_back (mapping.getJuceChannelForVst3Channel (wire));

@@ -60,7 +60,7 @@ TEST_CASE ("A host that keeps the VST3's layout gets ceramic k on wire k", "[vst
     CHECK (deviation (plugin.play (length, block, noteAt), ceramics, reference, noteAt) < wireTolerance);
 }
 
-TEST_CASE ("A new VST3 plays the demonstrator; wires beyond its 8 ceramics are silent", "[vst3]")
+TEST_CASE ("A new VST3 plays the demonstrator, and wires beyond its 8 ceramics are silent", "[vst3]")
 {
     const auto reference = demonstratorReference (rate, length);
     RawVst3 plugin (32);

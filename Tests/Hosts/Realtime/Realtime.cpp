@@ -1,7 +1,5 @@
-#include <Engine/AllocationCount.h>
 #include <Plugin/AntinodeProcessor.h>
-#include <Support/RealtimeScope.h>
-#include <Support/SyscallTrap.h>
+#include <Support/AudioThreadGuards.h>
 
 #include <atomic>
 #include <chrono>
@@ -98,6 +96,12 @@ void disturb (AntinodeProcessor& processor, const std::atomic<bool>& isPlaying)
     does what it may not, or nothing is heard. */
 int main (int argumentCount, char** arguments)
 {
+    if (! guardsSee())
+    {
+        std::puts ("the guards of the audio thread do not work");
+        return 1;
+    }
+
     const juce::ScopedJuceInitialiser_GUI juce;
     const auto seconds = argumentCount > 1 ? std::atof (arguments[1]) : 5.0;
     AntinodeProcessor processor (ceramics, juce::AudioProcessor::wrapperType_Undefined);
