@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <chrono>
 #include <thread>
 
@@ -57,7 +58,9 @@ TEST_CASE ("Another device ramps the old voltages to 0 before its own begin", "[
     CHECK (leaving.leftCols (64).topRows (8).cwiseAbs().maxCoeff() > 0.001);
     CHECK (leaving.rightCols (300).topRows (8).isZero (0));
     CHECK (largestStep < 0.1);
-    CHECK (waitFor ([&] { return played.session.snapshot()->model->actuators() == 6; }));
+    CHECK (played.session.snapshot()->model->actuators() == 6);
+    const std::array events { live };
+    played.session.waitUntilSettled (events);
     const auto next = played.play (2400, { live });
     CHECK (next.middleRows (6, 2).isZero (0));
     CHECK (next.topRows (6).cwiseAbs().maxCoeff() > 0.001);
