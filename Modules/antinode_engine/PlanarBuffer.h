@@ -35,8 +35,8 @@ public:
 
     /** A pointer to each channel. [any] */
     Sample* const* channels() const { return starts.data(); }
-    Sample* channel (int index) const { return starts[static_cast<std::size_t> (index)]; }
-    int size() const { return static_cast<int> (starts.size()); }
+    Sample* channel (std::size_t index) const { return starts[index]; }
+    std::size_t size() const { return starts.size(); }
 
     void fill (Sample value) { std::fill (samples.begin(), samples.end(), value); }
 

@@ -93,7 +93,7 @@ void NodeGraph::processPart (Sample* const* channels, int offset, int count, std
     {
         const auto& from = entries[static_cast<std::size_t> (index)].template buffer<Sample>();
 
-        for (int i = 0; i < from.size(); ++i)
+        for (std::size_t i = 0; i < from.size(); ++i)
             std::copy_n (from.channel (i), count, *channels++ + offset);
     }
 }

@@ -7,9 +7,8 @@ namespace antinode
 {
 namespace
 {
-constexpr int longestPart = 512;          // samples that are processed at once: few enough to stay in the cache
-constexpr std::size_t mostEvents = 4096;  // of one part of a block
-constexpr std::ptrdiff_t lineDoubles = 8; // channels begin on different lines of the cache
+constexpr int longestPart = 512;         // samples that are processed at once: few enough to stay in the cache
+constexpr std::size_t mostEvents = 4096; // of one part of a block
 
 double peakOf (const double* samples, int count)
 {
@@ -36,13 +35,8 @@ AudioPath::AudioPath (std::shared_ptr<const ModalModel> model, double sampleRate
 {
     standard.graph.prepare ({ rate, longestPart });
     designs = std::make_unique<DesignWorker> (standard.playerNode().player().handOver());
-    const auto outputs = static_cast<std::size_t> (standard.graph.outputs());
-    const auto stride = longestPart + lineDoubles;
-    samples.resize (outputs * static_cast<std::size_t> (stride));
+    outputs = PlanarBuffer<double> (standard.graph.outputs(), longestPart);
     partEvents.reserve (mostEvents);
-
-    for (std::size_t i = 0; i < outputs; ++i)
-        channels.push_back (samples.data() + static_cast<std::ptrdiff_t> (i) * stride);
 }
 
 bool AudioPath::isSilentAfter (std::int64_t passed) const
@@ -84,39 +78,39 @@ template <typename Sample>
 void AudioPath::processPart (const OutputBlock<Sample>& block, int offset, int count,
                              std::span<const FocusEvent> events)
 {
-    standard.graph.process (channels.data(), count, events);
+    standard.graph.process (outputs.channels(), count, events);
     const auto ceramics = static_cast<std::size_t> (modes->actuators());
 
     for (std::size_t i = 0; i < block.ceramics.size(); ++i)
         if (i < ceramics)
-            copyScaled (channels[i], block.ceramics[i] + offset, count, toFullScale);
+            copyScaled (outputs.channel (i), block.ceramics[i] + offset, count, toFullScale);
         else
             std::fill_n (block.ceramics[i] + offset, count, Sample (0));
 
     for (std::size_t i = 0; i < block.monitor.size(); ++i)
         if (i < probes)
-            copyScaled (channels[ceramics + i], block.monitor[i] + offset, count, monitorGain);
+            copyScaled (outputs.channel (ceramics + i), block.monitor[i] + offset, count, monitorGain);
         else
             std::fill_n (block.monitor[i] + offset, count, Sample (0));
 }
 
 void AudioPath::note (int count, LevelMeters& meters, ProbeTrace& trace)
 {
-    const auto ceramics = static_cast<int> (modes->actuators());
     const auto& limiter = standard.limiterNode().limiter();
+    const auto ceramics = static_cast<std::size_t> (modes->actuators());
 
-    for (int i = 0; i < std::min (ceramics, LevelMeters::ceramics); ++i)
+    for (std::size_t i = 0; i < std::min<std::size_t> (ceramics, LevelMeters::ceramics); ++i)
     {
-        meters.notePeak (i, static_cast<float> (peakOf (channels[static_cast<std::size_t> (i)], count)));
-        meters.noteLimited (i, limiter.limitedSamples()[static_cast<std::size_t> (i)]);
+        meters.notePeak (static_cast<int> (i), static_cast<float> (peakOf (outputs.channel (i), count)));
+        meters.noteLimited (static_cast<int> (i), limiter.limitedSamples()[i]);
     }
 
-    for (int i = 0; i < probes; ++i)
-        meters.noteProbe (i, static_cast<float> (peakOf (channels[static_cast<std::size_t> (ceramics + i)], count)));
+    for (std::size_t i = 0; i < probes; ++i)
+        meters.noteProbe (static_cast<int> (i), static_cast<float> (peakOf (outputs.channel (ceramics + i), count)));
 
     auto& player = standard.playerNode().player();
     meters.noteState (limiter.isMuted(), player.activeVoices(), player.counters().triggered);
-    trace.write (channels[static_cast<std::size_t> (ceramics)], count);
+    trace.write (outputs.channel (ceramics), count);
 }
 
 template void AudioPath::process (const OutputBlock<float>&, std::span<const FocusEvent>, const PlayControls&,

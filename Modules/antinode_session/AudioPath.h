@@ -4,6 +4,7 @@
 #include "PlaySettings.h"
 #include "ProbeTrace.h"
 
+#include <antinode_engine/PlanarBuffer.h>
 #include <antinode_graph/DesignWorker.h>
 #include <antinode_graph/StandardGraph.h>
 
@@ -64,8 +65,7 @@ private:
     double rate;
     StandardGraph standard;
     std::unique_ptr<DesignWorker> designs;
-    std::vector<double> samples;   ///< Of the graph's outputs, channel by channel.
-    std::vector<double*> channels; ///< Into them.
+    PlanarBuffer<double> outputs; ///< Of the graph.
     std::vector<FocusEvent> partEvents;
     double toFullScale, monitorGain = 1;
 };

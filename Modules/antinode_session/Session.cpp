@@ -108,7 +108,7 @@ bool Session::fireAt (double x, double y, double amplitude)
 
 void Session::stopAll()
 {
-    triggers.push ({ 0, FocusEventKind::stopAll, 0, 0 });
+    isStopAsked = true;
 }
 
 std::shared_ptr<const SessionSnapshot> Session::snapshot() const
@@ -132,7 +132,13 @@ int Session::placeOf (const FocusEvent& event) const
 /** The events of the block with those that came from elsewhere before them; a note's place becomes the bank's. */
 std::span<const FocusEvent> Session::gather (std::span<const FocusEvent> events)
 {
-    const auto waiting = static_cast<std::size_t> (triggers.pop ({ blockEvents.data(), blockEvents.size() / 2 }));
+    std::size_t waiting = 0;
+
+    if (isStopAsked.exchange (false))
+        blockEvents[waiting++] = { 0, FocusEventKind::stopAll, 0, 0 };
+
+    waiting +=
+        static_cast<std::size_t> (triggers.pop (std::span (blockEvents).subspan (waiting, blockEvents.size() / 2)));
     const auto count = std::min (events.size(), blockEvents.size() - waiting);
     std::copy_n (events.begin(), count, blockEvents.begin() + static_cast<std::ptrdiff_t> (waiting));
 

@@ -63,7 +63,7 @@ public:
         @return  false where it was dropped: there is no path, the place is off the surface, or too many wait */
     bool fireAt (double x, double y, double amplitude);
 
-    /** Fades all voices out with the next block. [any but the audio thread] */
+    /** Fades all voices out with the next block. [any] */
     void stopAll();
 
     /** [any but the audio thread] */
@@ -128,6 +128,7 @@ private:
     bool isModelNew = false, isFocusNew = false;
     std::string deviceError;
 
+    std::atomic<bool> isStopAsked { false };
     TriggerQueue triggers; ///< Workers of paths push to it: so it outlives them.
     PathExchange paths;
     std::array<FocusEvent, 1024> blockEvents {}; ///< Of the audio thread.
