@@ -17,8 +17,6 @@ Editor::Editor (AntinodeProcessor& processorToShow) : AudioProcessorEditor (proc
     setResizable (true, true);
     setResizeLimits (usualWidth / 2, usualHeight / 2, usualWidth * 3, usualHeight * 3);
     setSize (usualWidth, usualHeight);
-    lastTime = juce::Time::getMillisecondCounterHiRes();
-    startTimerHz (framesPerSecond);
 }
 
 Editor::~Editor()
@@ -33,6 +31,17 @@ void Editor::resized()
     const auto scale = shrunk < 1 ? shrunk : std::max (1.0, std::min (width / roomyWidth, height / roomyHeight));
     shown.setTransform (juce::AffineTransform::scale (static_cast<float> (scale)));
     shown.setBounds (0, 0, juce::roundToInt (width / scale), juce::roundToInt (height / scale));
+}
+
+void Editor::parentHierarchyChanged()
+{
+    if (getPeer() == nullptr)
+        stopTimer();
+    else if (! isTimerRunning())
+    {
+        lastTime = juce::Time::getMillisecondCounterHiRes();
+        startTimerHz (framesPerSecond);
+    }
 }
 
 void Editor::timerCallback()

@@ -62,6 +62,7 @@ void EditorContent::setDark (bool isDark)
 void EditorContent::refresh (double seconds)
 {
     showModel();
+    parameters.refresh();
     askForPicture();
     showPicture();
     time.advance (seconds);

@@ -37,9 +37,27 @@ public:
 private:
     juce::RangedAudioParameter& parameter;
 };
+
+/** A parameter's range for a slider, which counts in double. */
+juce::NormalisableRange<double> rangeOf (const juce::RangedAudioParameter& parameter)
+{
+    const auto range = parameter.getNormalisableRange();
+    juce::NormalisableRange<double> wide {
+        static_cast<double> (range.start), static_cast<double> (range.end),
+        [range] (double, double, double share)
+        { return static_cast<double> (range.convertFrom0to1 (static_cast<float> (share))); },
+        [range] (double, double, double value)
+        { return static_cast<double> (range.convertTo0to1 (static_cast<float> (value))); },
+        [range] (double, double, double value)
+        { return static_cast<double> (range.snapToLegalValue (static_cast<float> (value))); }
+    };
+    wide.interval = static_cast<double> (range.interval);
+    return wide;
+}
 } // namespace
 
-ParameterControl::ParameterControl (juce::RangedAudioParameter& parameterToSet) : parameter (parameterToSet)
+ParameterControl::ParameterControl (juce::RangedAudioParameter& parameterToSet)
+    : parameter (parameterToSet), link (parameter, [this] (float value) { show (value); })
 {
     name.setText (parameter.getName (longest), juce::dontSendNotification);
     name.setFont (EditorLook::font (EditorLook::smallTextHeight));
@@ -61,6 +79,7 @@ ParameterControl::ParameterControl (juce::RangedAudioParameter& parameterToSet) 
     input->setComponentID (parameter.getParameterID());
     input->setWantsKeyboardFocus (true);
     addAndMakeVisible (*input);
+    refresh();
 }
 
 ParameterControl::~ParameterControl() = default;
@@ -69,7 +88,16 @@ void ParameterControl::makeBar()
 {
     auto bar = std::make_unique<Bar> (parameter);
     bar->setTooltip (helpOf (parameter) + "\nDrag, or click to type a value.");
-    barAttachment = std::make_unique<juce::SliderParameterAttachment> (parameter, *bar);
+    bar->valueFromTextFunction = [this] (const juce::String& text)
+    { return static_cast<double> (parameter.convertFrom0to1 (parameter.getValueForText (text))); };
+    bar->textFromValueFunction = [this] (double value)
+    { return parameter.getText (parameter.convertTo0to1 (static_cast<float> (value)), 0); };
+    bar->setNormalisableRange (rangeOf (parameter));
+    bar->setDoubleClickReturnValue (true,
+                                    static_cast<double> (parameter.convertFrom0to1 (parameter.getDefaultValue())));
+    bar->onDragStart = [this] { link.beginGesture(); };
+    bar->onValueChange = [this, set = bar.get()] { link.set (static_cast<float> (set->getValue())); };
+    bar->onDragEnd = [this] { link.endGesture(); };
     input = std::move (bar);
 }
 
@@ -81,7 +109,8 @@ void ParameterControl::makeList (int words)
         list->addItem (parameter.getText (parameter.convertTo0to1 (static_cast<float> (i)), longest), i + 1);
 
     list->setTooltip (helpOf (parameter));
-    listAttachment = std::make_unique<juce::ComboBoxParameterAttachment> (parameter, *list);
+    list->onChange = [this, set = list.get()]
+    { link.setAsGesture (parameter.getNormalisableRange().start + static_cast<float> (set->getSelectedItemIndex())); };
     input = std::move (list);
 }
 
@@ -89,10 +118,26 @@ void ParameterControl::makeSwitch()
 {
     auto button = std::make_unique<juce::ToggleButton>();
     button->setTooltip (helpOf (parameter));
-    button->onStateChange = [this] { refreshText(); };
-    switchAttachment = std::make_unique<juce::ButtonParameterAttachment> (parameter, *button);
-    button->setButtonText (parameter.getCurrentValueAsText());
+    button->onClick = [this, set = button.get()]
+    {
+        link.setAsGesture (set->getToggleState() ? 1.0f : 0.0f);
+        refreshText();
+    };
     input = std::move (button);
+}
+
+void ParameterControl::show (float value)
+{
+    if (auto* const bar = dynamic_cast<juce::Slider*> (input.get()))
+        bar->setValue (static_cast<double> (value), juce::dontSendNotification);
+    else if (auto* const list = dynamic_cast<juce::ComboBox*> (input.get()))
+        list->setSelectedItemIndex (juce::roundToInt (value - parameter.getNormalisableRange().start),
+                                    juce::dontSendNotification);
+    else if (auto* const button = dynamic_cast<juce::ToggleButton*> (input.get()))
+    {
+        button->setToggleState (value >= 0.5f, juce::dontSendNotification);
+        refreshText();
+    }
 }
 
 void ParameterControl::refreshText()

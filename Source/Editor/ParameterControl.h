@@ -1,6 +1,6 @@
 #pragma once
 
-#include <juce_audio_processors/juce_audio_processors.h>
+#include "ParameterLink.h"
 
 #include <memory>
 
@@ -16,6 +16,9 @@ public:
     /** What takes the keyboard. */
     juce::Component& control() { return *input; }
 
+    /** Shows the parameter's value where it has changed. */
+    void refresh() { link.refresh(); }
+
     /** Shows the value's text anew: texts of places are in mm of the device. */
     void refreshText();
 
@@ -25,12 +28,11 @@ private:
     void makeBar();
     void makeList (int words);
     void makeSwitch();
+    void show (float value);
 
     juce::RangedAudioParameter& parameter;
+    ParameterLink link;
     juce::Label name;
     std::unique_ptr<juce::Component> input;
-    std::unique_ptr<juce::SliderParameterAttachment> barAttachment; ///< Goes before what it is attached to.
-    std::unique_ptr<juce::ComboBoxParameterAttachment> listAttachment;
-    std::unique_ptr<juce::ButtonParameterAttachment> switchAttachment;
 };
 } // namespace antinode

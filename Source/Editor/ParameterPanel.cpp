@@ -29,6 +29,12 @@ ParameterPanel::ParameterPanel (AntinodeProcessor& processor)
     }
 }
 
+void ParameterPanel::refresh()
+{
+    for (const auto& control : all)
+        control->refresh();
+}
+
 void ParameterPanel::refreshTexts()
 {
     for (const auto& control : all)

@@ -15,6 +15,9 @@ class ParameterPanel : public juce::Component
 public:
     explicit ParameterPanel (AntinodeProcessor&);
 
+    /** Shows what has changed. */
+    void refresh();
+
     /** Shows all texts anew: the device is another one. */
     void refreshTexts();
 

@@ -33,6 +33,7 @@ public:
 private:
     void layOutLine (const LineChart&, juce::Graphics&);
     void layOutPlate (const HeatMap&, juce::Graphics&);
+    void drawLayer (juce::Graphics&, const juce::Image&) const;
     void paintLine (juce::Graphics&, int frame) const;
     void paintPlate (juce::Graphics&, int frame) const;
     void paintOverlay (juce::Graphics&, bool withContours) const;

@@ -50,7 +50,7 @@ void TopBar::NameButton::paintButton (juce::Graphics& g, bool isOver, bool isDow
 }
 
 TopBar::TopBar (AntinodeProcessor& processor, History& historyToShow)
-    : history (historyToShow), armAttachment (processor.parameters().arm(), arm)
+    : history (historyToShow), armLink (processor.parameters().arm(), [this] (float value) { showArm (value >= 0.5f); })
 {
     setTitle ("Commands");
     undo.setButtonText (juce::String::fromUTF8 ("\xE2\x86\xB6"));
@@ -69,8 +69,12 @@ TopBar::TopBar (AntinodeProcessor& processor, History& historyToShow)
     fire.setTitle ("Fire");
     stop.setTitle ("Stop");
     arm.setClickingTogglesState (true);
-    arm.onStateChange = [this] { arm.setButtonText (arm.getToggleState() ? "Armed" : "Disarmed"); };
-    arm.onStateChange();
+    armLink.refresh();
+    arm.onClick = [this]
+    {
+        armLink.setAsGesture (arm.getToggleState() ? 1.0f : 0.0f);
+        armLink.refresh();
+    };
     device.onClick = [this] { onBrowse (LibraryKind::device); };
     focus.onClick = [this] { onBrowse (LibraryKind::focus); };
     undo.onClick = [this] { onUndo(); };
@@ -86,8 +90,15 @@ TopBar::TopBar (AntinodeProcessor& processor, History& historyToShow)
         addAndMakeVisible (button);
 }
 
+void TopBar::showArm (bool isArmed)
+{
+    arm.setToggleState (isArmed, juce::dontSendNotification);
+    arm.setButtonText (isArmed ? "Armed" : "Disarmed");
+}
+
 void TopBar::refresh (const juce::String& deviceName, const juce::String& focusName)
 {
+    armLink.refresh();
     device.setLoaded (deviceName);
     focus.setLoaded (focusName);
     undo.setEnabled (history.canUndo());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "History.h"
+#include "ParameterLink.h"
 
 #include <antinode_library/Library.h>
 
@@ -38,9 +39,11 @@ private:
         juce::String caption, loaded;
     };
 
+    void showArm (bool isArmed);
+
     History& history;
     NameButton device { "Device" }, focus { "Focus" };
     juce::TextButton undo, redo, theme, arm { "Disarmed" }, fire { "FIRE" }, stop { "STOP" };
-    juce::ButtonParameterAttachment armAttachment;
+    ParameterLink armLink;
 };
 } // namespace antinode

@@ -60,6 +60,7 @@ TEST_CASE ("All words that a parameter can have fit into its control")
         for (const auto share : { 0.0f, 0.12345f, 0.5f, 1.0f })
         {
             parameter->setValueNotifyingHost (share);
+            test.content().refresh (0);
             forEachVisible (test.content().parameterPanel(), checkText);
         }
 }

@@ -1,8 +1,10 @@
 #include "SyscallTrap.h"
 
+#include <cerrno>
 #include <csignal>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
+#include <ucontext.h>
 
 #ifndef PR_SET_SYSCALL_USER_DISPATCH
 #define PR_SET_SYSCALL_USER_DISPATCH 59
@@ -16,9 +18,14 @@ constexpr char allow = 0, block = 1; // What the kernel's selector byte means.
 thread_local volatile char selector = allow;
 volatile long caught = -1;
 
-void onSystemCall (int, siginfo_t* info, void*)
+void onSystemCall (int, siginfo_t* info, [[maybe_unused]] void* context)
 {
     selector = allow; // The handler's own return is a system call.
+
+#if defined(__x86_64__)
+    // The call seems interrupted: who asks tries again. Any other result of a futex makes the C library abort.
+    static_cast<ucontext_t*> (context)->uc_mcontext.gregs[REG_RAX] = -EINTR;
+#endif
 
     if (caught < 0)
         caught = info->si_syscall;

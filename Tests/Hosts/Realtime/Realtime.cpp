@@ -1,4 +1,5 @@
-#include <Plugin/AntinodeProcessor.h>
+#include <Editor/Editor.h>
+#include <Editor/InstallEditor.h>
 #include <Support/AudioThreadGuards.h>
 
 #include <atomic>
@@ -19,8 +20,44 @@ constexpr int longestBlock = 512, ceramics = 64;
 struct Findings
 {
     std::int64_t blocks = 0, allocations = 0, locks = 0;
+    std::int64_t automationAllocations = 0;
+    long automationSystemCall = -1; ///< The first one, other than the wait below.
     bool areFinite = true, isHeard = false;
 };
+
+/** Whether a random step may set the parameter: not what would leave nothing to be heard. */
+bool mayMove (AntinodeProcessor& processor, const juce::RangedAudioParameter* parameter)
+{
+    return parameter != &processor.parameters().bypass() && parameter != &processor.parameters().arm()
+           && parameter->getParameterID() != "output_trim";
+}
+
+/** Sets a parameter as JUCE's wrappers do for their hosts, on the audio thread, and tells all who listen. JUCE holds a lock meanwhile, and
+    may wait for it where the editor is just adding itself; what listens must not ask for anything. */
+void automate (AntinodeProcessor& processor, std::mt19937& random, Findings& findings)
+{
+    const auto& all = processor.parameters().all();
+    auto* const parameter = all[random() % all.size()];
+    const auto value = static_cast<float> (random() % 1001) / 1000;
+
+    if (! mayMove (processor, parameter))
+        return;
+
+    const auto before = mallocCalls(), caughtBefore = static_cast<std::int64_t> (SyscallTrap::firstCaught());
+    {
+        const SyscallTrap trap;
+        parameter->setValueNotifyingHost (value);
+    }
+    findings.automationAllocations += mallocCalls() - before;
+
+    if (caughtBefore < 0 && SyscallTrap::firstCaught() >= 0)
+    {
+        if (SyscallTrap::firstCaught() != SYS_futex && findings.automationSystemCall < 0)
+            findings.automationSystemCall = SyscallTrap::firstCaught();
+
+        SyscallTrap::clear(); // So that a system call of a block is still told apart.
+    }
+}
 
 /** Plays blocks of random lengths with random notes, as fast as it goes. */
 template <typename Sample>
@@ -38,6 +75,9 @@ void playSome (AntinodeProcessor& processor, int blocks, std::mt19937& random, F
         for (int k = 0; k < 4; ++k)
             midi.addEvent (juce::MidiMessage::noteOn (1, static_cast<int> (random() % 128), juce::uint8 (100)),
                            static_cast<int> (random()) % count);
+
+        if (i % 10 == 0)
+            automate (processor, random, findings);
 
         const auto memoryBefore = mallocCalls(), locksBefore = lockCalls();
         {
@@ -65,20 +105,65 @@ void playAll (AntinodeProcessor& processor, double seconds, Findings& findings)
     }
 }
 
-/** Moves parameters, and so asks for designs and for paths, while the other thread plays. */
+/** Moves one parameter, and so asks for designs and for paths, while the other thread plays. */
+void moveOne (AntinodeProcessor& processor, std::mt19937& random)
+{
+    const auto& all = processor.parameters().all();
+    auto* const parameter = all[random() % all.size()];
+
+    if (mayMove (processor, parameter))
+        parameter->setValueNotifyingHost (static_cast<float> (random() % 1001) / 1000);
+}
+
+/** The same by the spot on the editor's surface, as one gesture. */
+void dragSpot (AntinodeProcessor& processor, std::mt19937& random)
+{
+    auto& x = *processor.parameters().find ("x");
+    x.beginChangeGesture();
+
+    for (int i = 0; i < 5; ++i)
+        x.setValueNotifyingHost (static_cast<float> (random() % 1001) / 1000);
+
+    x.endChangeGesture();
+}
+
+/** What an open editor does: frames of the animation, undo, another panel, and pictures, here of another size each. */
+void show (Editor& editor, int step)
+{
+    auto& content = editor.content();
+    content.refresh (1.0 / 60);
+
+    if (step % 16 == 0)
+        content.timeline().setPlaying (step % 32 == 0);
+
+    if (step % 24 == 0)
+        content.history().undo();
+
+    if (step % 12 == 0)
+    {
+        editor.setSize (800 + 40 * (step % 20), 500 + 20 * (step % 20));
+        content.showPanel (step % 24 == 0 ? "Scores" : "Probe");
+        editor.createComponentSnapshot (editor.getLocalBounds(), true, 1);
+    }
+}
+
+/** Everything that goes on beside the audio thread, with an editor that is opened and closed. */
 void disturb (AntinodeProcessor& processor, const std::atomic<bool>& isPlaying)
 {
     std::mt19937 random (9);
+    std::unique_ptr<Editor> editor;
 
     for (int i = 0; isPlaying; ++i)
     {
-        const auto& all = processor.parameters().all();
-        auto* const parameter = all[random() % all.size()];
+        if (i % 64 == 0)
+        {
+            editor = nullptr;
+            editor.reset (dynamic_cast<Editor*> (processor.createEditorIfNeeded()));
+        }
 
-        // Not those that would leave nothing to be heard.
-        if (parameter != &processor.parameters().bypass() && parameter != &processor.parameters().arm()
-            && parameter->getParameterID() != "output_trim")
-            parameter->setValueNotifyingHost (static_cast<float> (random() % 1001) / 1000);
+        moveOne (processor, random);
+        dragSpot (processor, random);
+        show (*editor, i);
 
         if (i % 50 == 49)
         {
@@ -92,7 +177,7 @@ void disturb (AntinodeProcessor& processor, const std::atomic<bool>& isPlaying)
 }
 } // namespace
 
-/** Plays the processor for some seconds, 5 where none are given, while everything about it changes. Exit code 1 where its audio thread
+/** Plays the processor for some seconds, 5 where none are given, while everything about it changes and its editor is used. Exit code 1 where its audio thread
     does what it may not, or nothing is heard. */
 int main (int argumentCount, char** arguments)
 {
@@ -103,6 +188,7 @@ int main (int argumentCount, char** arguments)
     }
 
     const juce::ScopedJuceInitialiser_GUI juce;
+    installEditor();
     const auto seconds = argumentCount > 1 ? std::atof (arguments[1]) : 5.0;
     AntinodeProcessor processor (ceramics, juce::AudioProcessor::wrapperType_Undefined);
     processor.setRateAndBufferSizeDetails (rate, longestBlock);
@@ -121,8 +207,11 @@ int main (int argumentCount, char** arguments)
                  static_cast<long long> (findings.blocks), static_cast<long long> (findings.allocations),
                  mallocIsCounted() ? "" : " (not counted)", static_cast<long long> (findings.locks),
                  SyscallTrap::firstCaught(), SyscallTrap::isAvailable() ? "" : " (not caught by this kernel)");
+    std::printf ("automation there: %lld allocations, first system call %ld\n",
+                 static_cast<long long> (findings.automationAllocations), findings.automationSystemCall);
     const auto isSound = findings.areFinite && findings.isHeard && findings.allocations == 0 && findings.locks == 0
-                         && SyscallTrap::firstCaught() < 0;
+                         && SyscallTrap::firstCaught() < 0 && findings.automationAllocations == 0
+                         && findings.automationSystemCall < 0;
     std::puts (isSound ? "sound" : "NOT SOUND");
     return isSound ? 0 : 1;
 }
