@@ -57,10 +57,16 @@ void EditorContent::setDark (bool isDark)
 {
     look.setPalette (isDark ? Palette::dark() : Palette::light());
     sendLookAndFeelChange();
+
+    if (onTheme)
+        onTheme();
 }
 
 void EditorContent::refresh (double seconds)
 {
+    if (processor.parameters().arm().get())
+        status.say ({});
+
     showModel();
     parameters.refresh();
     askForPicture();
@@ -137,13 +143,10 @@ bool EditorContent::isSettled() const
 
 void EditorContent::fire()
 {
-    if (! processor.parameters().arm().get())
-        status.say ("Disarmed: switch Arm on to fire.");
-    else
-    {
-        status.say ({});
+    if (processor.parameters().arm().get())
         processor.session().fire (1);
-    }
+    else
+        status.say ("The output is disarmed, so nothing was fired: arm it first.");
 }
 
 void EditorContent::undo()

@@ -3,6 +3,7 @@
 #include "DesignView.h"
 #include "EditorLook.h"
 #include "History.h"
+#include "LocalTooltips.h"
 #include "MetersStrip.h"
 #include "PanelGroup.h"
 #include "ParameterPanel.h"
@@ -14,6 +15,7 @@
 #include "Timeline.h"
 #include "TopBar.h"
 
+#include <functional>
 #include <optional>
 
 namespace antinode
@@ -37,6 +39,9 @@ public:
 
     void setDark (bool isDark);
     bool isDark() const { return look.palette().isDark; }
+
+    /** Called after it has become dark or light. */
+    std::function<void()> onTheme;
 
     History& history() { return past; }
     SurfaceView& surface() { return surfaceView; }
@@ -96,7 +101,7 @@ private:
     MetersStrip meters;
     StatusLine status;
     std::unique_ptr<PresetPanel> browser;
-    juce::TooltipWindow tooltips;
+    LocalTooltips tooltips;
     Layout layout = Layout::none;
     std::shared_ptr<const ModalModel> model;
     std::shared_ptr<const DesignPicture> picture;

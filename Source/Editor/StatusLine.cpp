@@ -58,7 +58,8 @@ StatusLine::Message StatusLine::message (const DesignPicture* picture, bool isWo
 
     if (progress.failed > 0)
         return { juce::String (progress.failed) + " of " + juce::String (progress.wanted)
-                     + " notes have no focus: " + fromUtf8 (progress.error),
+                     + (progress.failed == 1 ? " places has no focus: " : " places have no focus: ")
+                     + fromUtf8 (progress.error),
                  true };
 
     return { isWorking ? juce::String::fromUTF8 ("Ready; rendering the charts \xE2\x80\xA6") : juce::String ("Ready"),

@@ -1,4 +1,4 @@
-#include <Editor/Editor.h>
+#include <Standalone/MainComponent.h>
 
 #include <nlohmann/json.hpp>
 
@@ -60,26 +60,47 @@ void play (antinode::AntinodeProcessor& processor, antinode::EditorContent& cont
     }
 }
 
-void take (const Screenshot& wanted, const juce::File& folder)
+void write (juce::Component& component, const juce::File& file)
 {
-    antinode::AntinodeProcessor processor (32, juce::AudioProcessor::wrapperType_Undefined);
+    const auto image = component.createComponentSnapshot (component.getLocalBounds(), true, 1);
+    file.deleteFile();
+    juce::FileOutputStream stream (file);
+    juce::PNGImageFormat().writeImageToStream (image, stream);
+    std::printf ("%s\n", file.getFullPathName().toRawUTF8());
+}
+
+/** Loads and plays what is wanted. */
+void show (const Screenshot& wanted, antinode::AntinodeProcessor& processor, antinode::Editor& editor)
+{
     processor.load (deviceOf (wanted.device), focusOf (wanted.focus));
     processor.prepareToPlay (sampleRate, blockSize);
     processor.parameters().arm().setValueNotifyingHost (1);
     processor.parameters().find ("notes")->setValueNotifyingHost (1); // no designs for notes that nobody waits for
-    antinode::Editor editor (processor);
-    editor.setSize (wanted.width, wanted.height);
     auto& content = editor.content();
     content.setDark (wanted.isDark);
     processor.session().waitUntilSettled();
     waitUntilShown (content);
     play (processor, content);
-    const auto image = editor.createComponentSnapshot (editor.getLocalBounds(), true, 1);
-    const auto file = folder.getChildFile (wanted.file + ".png");
-    file.deleteFile();
-    juce::FileOutputStream stream (file);
-    juce::PNGImageFormat().writeImageToStream (image, stream);
-    std::printf ("%s\n", file.getFullPathName().toRawUTF8());
+}
+
+void takeEditor (const Screenshot& wanted, const juce::File& folder)
+{
+    antinode::AntinodeProcessor processor (32, juce::AudioProcessor::wrapperType_Undefined);
+    antinode::Editor editor (processor);
+    editor.setSize (wanted.width, wanted.height);
+    show (wanted, processor, editor);
+    write (editor, folder.getChildFile (wanted.file + ".png"));
+}
+
+void takeStandalone (const Screenshot& wanted, const juce::File& folder)
+{
+    antinode::StandaloneHost host (antinode::SettingsFile ({}), false);
+    antinode::MainComponent window (host);
+    window.setSize (wanted.width, wanted.height);
+    show (wanted, host.processor(), window.editor());
+    window.showSettings ("Routing");
+    window.update();
+    write (window, folder.getChildFile (wanted.file + ".png"));
 }
 } // namespace
 
@@ -99,5 +120,7 @@ int main (int argumentCount, char* arguments[])
     };
 
     for (const auto& screenshot : screenshots)
-        take (screenshot, folder);
+        takeEditor (screenshot, folder);
+
+    takeStandalone ({ "standalone", 1500, 852, "phone", "phone-thumb", true }, folder);
 }

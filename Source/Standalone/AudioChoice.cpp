@@ -31,13 +31,31 @@ juce::AudioIODeviceType& deviceType (juce::AudioDeviceManager& manager, const st
                       "does not exist, there are " + joined (deviceTypes (manager)));
 }
 
+/** Of types that nobody has chosen among: the first that has something. */
+std::string firstType (juce::AudioDeviceManager& manager)
+{
+    const auto types = deviceTypes (manager);
+
+    if (types.empty())
+        throw InputError ("audio", "is not possible: this program was built without ALSA and JACK");
+
+    const auto found = std::find_if (types.begin(), types.end(),
+                                     [&manager] (const auto& type) { return ! outputDevices (manager, type).empty(); });
+
+    if (found == types.end())
+        throw InputError ("audio", "has no outputs on this computer by " + joined (types)
+                                       + "; for JACK, start its server first");
+
+    return *found;
+}
+
 std::string chosenDevice (juce::AudioDeviceManager& manager, const AudioChoice& choice, const std::string& type)
 {
     const auto names = outputDevices (manager, type);
 
     if (names.empty())
         throw InputError (type, type == "JACK" ? "has no outputs: is a JACK server running?"
-                                               : "has no outputs on this computer");
+                                               : "has no outputs on this computer; another type may have some");
 
     if (choice.device.empty())
         return names.front();
@@ -114,12 +132,7 @@ std::vector<std::string> outputDevices (juce::AudioDeviceManager& manager, const
 
 void openAudio (juce::AudioDeviceManager& manager, const AudioChoice& choice)
 {
-    const auto types = deviceTypes (manager);
-
-    if (types.empty())
-        throw InputError ("audio", "is not possible: this program was built without ALSA and JACK");
-
-    const auto type = deviceType (manager, choice.type.empty() ? types.front() : choice.type).getTypeName();
+    const auto type = deviceType (manager, choice.type.empty() ? firstType (manager) : choice.type).getTypeName();
     const auto device = chosenDevice (manager, choice, type.toStdString());
     manager.setCurrentAudioDeviceType (type, true);
 

@@ -1,6 +1,6 @@
 #include "AudioPanel.h"
 
-#include "StandaloneLook.h"
+#include <Editor/EditorLook.h>
 
 #include <antinode_model/InputError.h>
 
@@ -11,7 +11,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int rowHeight = 32, margin = 12, nameWidth = 130, buttonWidth = 110;
+constexpr int rowHeight = 28, margin = 12, nameWidth = 130, buttonWidth = 100;
 
 std::string textOf (const juce::ComboBox& box)
 {
@@ -37,16 +37,20 @@ void fill (juce::ComboBox& box, const std::vector<std::string>& words, const std
 AudioPanel::AudioPanel (StandaloneHost& hostToUse) : host (hostToUse)
 {
     const std::array boxes { &type, &device, &rate, &block, &outputs };
-    const std::array words { "Type", "Device", "Sample rate, Hz", "Block, samples", "First outputs" };
+    const std::array words { "Type", "Device", "Sample rate, Hz", "Block, samples", "Outputs, 1 to" };
 
     for (std::size_t i = 0; i < boxes.size(); ++i)
     {
         names[i].setText (words[i], juce::dontSendNotification);
+        names[i].setFont (EditorLook::font (EditorLook::smallTextHeight));
         addAndMakeVisible (names[i]);
         addAndMakeVisible (*boxes[i]);
     }
 
-    failure.setColour (juce::Label::textColourId, StandaloneLook::warning());
+    type.setTooltip ("ALSA opens an interface itself, JACK uses a server that runs, PipeWire's too.");
+    refresh.setTooltip ("Looks for devices that were plugged in since");
+    failure.setFont (EditorLook::font (EditorLook::smallTextHeight));
+    failure.setJustificationType (juce::Justification::topLeft);
     addAndMakeVisible (failure);
     addAndMakeVisible (refresh);
     type.onChange = [this] { open ({ textOf (type), {}, 0, 0, {} }); };
@@ -129,6 +133,11 @@ void AudioPanel::updateFormat (const AudioChoice& opened)
     fill (rate, rates, isOpen ? std::to_string (juce::roundToInt (opened.sampleRate)) : std::string());
     fill (block, blocks, isOpen ? std::to_string (opened.blockSize) : std::string());
     fill (outputs, counts, isOpen ? std::to_string (opened.outputs.size()) : std::string());
+}
+
+void AudioPanel::lookAndFeelChanged()
+{
+    failure.setColour (juce::Label::textColourId, EditorLook::paletteOf (*this).warning);
 }
 
 void AudioPanel::resized()

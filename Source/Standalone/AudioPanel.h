@@ -18,6 +18,7 @@ public:
     /** Shows what is open, and what there is. [message thread] */
     void update();
 
+    void lookAndFeelChanged() override;
     void resized() override;
 
 private:

@@ -32,6 +32,8 @@ HeadlessRun::HeadlessRun (StandaloneHost& hostToPlay, std::vector<TimedNote> not
 
 void HeadlessRun::run()
 {
+    std::printf ("solving the device and designing its foci; the notes start after that\n");
+    std::fflush (stdout);
     seenAt = juce::Time::getMillisecondCounter();
     startTimer (tickMilliseconds);
     juce::MessageManager::getInstance()->runDispatchLoop();
@@ -101,6 +103,10 @@ void HeadlessRun::beginWhenDesigned()
     hasBegun = true;
     std::printf ("%s\n", startText().c_str());
     std::fflush (stdout);
+
+    if (const auto warning = host.silentCeramics(); warning.isNotEmpty())
+        std::fprintf (stderr, "antinode-standalone: %s\n", warning.toRawUTF8());
+
     host.callback().startSchedule();
 }
 
@@ -111,7 +117,7 @@ std::string HeadlessRun::startText() const
     return "playing on " + audio.type + " device '" + audio.device
            + "': " + std::to_string (std::lround (audio.sampleRate)) + " Hz, " + counted (audio.blockSize, "sample")
            + " a block, " + counted (std::ssize (audio.outputs), "output") + "; '" + model->name + "' with "
-           + counted (model->actuators(), "ceramic") + ", " + (arms ? "armed" : "disarmed");
+           + counted (model->actuators(), "ceramic") + ", " + (arms ? "armed" : "disarmed: only --arm lets it sound");
 }
 
 std::string HeadlessRun::endText() const

@@ -1,7 +1,6 @@
 #include "LevelBar.h"
 
-#include "StandaloneLook.h"
-
+#include <Editor/EditorLook.h>
 #include <juce_audio_basics/juce_audio_basics.h>
 
 #include <algorithm>
@@ -28,15 +27,16 @@ void LevelBar::show (float peak, std::int64_t clamped)
 
 void LevelBar::paint (juce::Graphics& g)
 {
+    const auto& palette = EditorLook::paletteOf (*this);
     auto area = getLocalBounds().toFloat().reduced (0, 7);
     const auto lamp = area.removeFromRight (area.getHeight());
     area.removeFromRight (4);
     const auto share = std::clamp (1 - juce::Decibels::gainToDecibels (level, quietest) / quietest, 0.0F, 1.0F);
-    g.setColour (juce::Colours::black.withAlpha (0.4F));
+    g.setColour (palette.raised);
     g.fillRoundedRectangle (area, 2);
-    g.setColour (StandaloneLook::ready().brighter (0.5F));
+    g.setColour (palette.accent);
     g.fillRoundedRectangle (area.withWidth (area.getWidth() * share), 2);
-    g.setColour (isClamped ? StandaloneLook::danger().brighter (0.3F) : juce::Colours::black.withAlpha (0.4F));
+    g.setColour (isClamped ? palette.warning : palette.raised);
     g.fillEllipse (lamp);
 }
 } // namespace antinode

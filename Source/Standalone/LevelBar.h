@@ -5,7 +5,7 @@
 namespace antinode
 {
 /** One output's level as a bar that falls slowly, with a lamp that stays on once something had to be held back. */
-class LevelBar : public juce::Component
+class LevelBar : public juce::Component, public juce::SettableTooltipClient
 {
 public:
     /** @param peak  share of full scale since the last call; 60 dB are shown @param clamped  samples held back so far

@@ -1,24 +1,21 @@
 #include "MainComponent.h"
 
-#include "AudioPanel.h"
-#include "MidiPanel.h"
-#include "RoutingPanel.h"
-#include "TouchPanel.h"
-
 #include <algorithm>
 
 namespace antinode
 {
 namespace
 {
-constexpr int topHeight = 64, margin = 8, tabsWidth = 460, muteWidth = 220, leastPlayerWidth = 420, leastHeight = 560;
+constexpr int topHeight = 52, margin = 8, gap = 6, settingsWidth = 430, muteWidth = 200, buttonWidth = 90;
 }
 
-MainComponent::MainComponent (StandaloneHost& hostToUse) : host (hostToUse)
+MainComponent::MainComponent (StandaloneHost& hostToUse)
+    : host (hostToUse), player (host.processor()), audio (host), routing (host), midi (host), touch (host)
 {
     setLookAndFeel (&look);
-
-    player.reset (host.processor().createEditor());
+    // The window has edges of its own.
+    player.setResizable (true, false);
+    player.content().onTheme = [this] { showTheme(); };
     mute.onClick = [this]
     {
         if (host.router().isMuted())
@@ -28,113 +25,129 @@ MainComponent::MainComponent (StandaloneHost& hostToUse) : host (hostToUse)
 
         showState();
     };
-    mute.setTooltip ("Escape or F12: all outputs to 0 V until they are released here");
-    showSettings.setClickingTogglesState (true);
-    showSettings.setToggleState (true, juce::dontSendNotification);
-    showSettings.onClick = [this]
+    mute.setTooltip ("All outputs to 0 V until they are released here. Key: F12");
+    settingsButton.setClickingTogglesState (true);
+    settingsButton.setToggleState (true, juce::dontSendNotification);
+    settingsButton.setTooltip ("Shows or hides the settings at the right");
+    settingsButton.onClick = [this]
     {
-        tabs.setVisible (showSettings.getToggleState());
+        settings.setVisible (settingsButton.getToggleState());
         resized();
     };
-    warning.setColour (juce::Label::textColourId, StandaloneLook::warning());
-    addTabs();
+    settings.setPanels ({ { "Audio device", "Where the voltages go.", &audio },
+                          { "Routing", "Which ceramic is on which output, behind which amplifier.", &routing },
+                          { "MIDI", "Which inputs play.", &midi },
+                          { "Touch", "Where touches come in: OSC and TUIO.", &touch } });
+    settings.show (openedAudio (host.devices()).type.empty() ? "Audio device" : "Routing");
+
+    for (auto* const label : { &status, &warning })
+        label->setFont (EditorLook::font());
 
     for (auto* const child :
-         std::initializer_list<juce::Component*> { player.get(), &tabs, &mute, &showSettings, &status, &warning })
+         std::initializer_list<juce::Component*> { &player, &settings, &mute, &settingsButton, &status, &warning })
         addAndMakeVisible (child);
 
     setWantsKeyboardFocus (true);
-    setSize (std::max (player->getWidth(), leastPlayerWidth) + tabsWidth,
-             std::max (player->getHeight(), leastHeight) + topHeight);
-    host.onChange = [this]
-    {
-        routingPanel->update();
-        audioPanel->update();
-    };
-    showState();
+    setSize (player.getWidth() + settingsWidth, player.getHeight() + topHeight);
+    host.onChange = [this] { update(); };
+    showTheme();
     startTimerHz (10);
 }
 
 MainComponent::~MainComponent()
 {
     host.onChange = nullptr;
-    tabs.clearTabs();
-    player.reset();
     setLookAndFeel (nullptr);
 }
 
-void MainComponent::addTabs()
+void MainComponent::update()
 {
-    const auto colour = look.findColour (juce::TabbedComponent::backgroundColourId);
-    auto devices = std::make_unique<AudioPanel> (host);
-    audioPanel = devices.get();
-    auto routes = std::make_unique<RoutingPanel> (host);
-    routingPanel = routes.get();
-    tabs.addTab ("Audio device", colour, devices.release(), true);
-    tabs.addTab ("Routing", colour, routes.release(), true);
-    tabs.addTab ("MIDI", colour, std::make_unique<MidiPanel> (host).release(), true);
-    tabs.addTab ("Touch", colour, std::make_unique<TouchPanel> (host).release(), true);
-    tabs.setCurrentTabIndex (1);
+    routing.update();
+    audio.update();
 }
 
 bool MainComponent::keyPressed (const juce::KeyPress& key)
 {
-    if (key != juce::KeyPress (juce::KeyPress::escapeKey) && key != juce::KeyPress (juce::KeyPress::F12Key))
+    if (key == juce::KeyPress (juce::KeyPress::F12Key))
+        host.muteAll();
+    else if (key == juce::KeyPress (juce::KeyPress::escapeKey))
+    {
+        host.processor().session().stopAll();
+        host.router().identify (OutputRouting::none);
+    }
+    else
         return false;
 
-    host.muteAll();
     showState();
     return true;
 }
 
 juce::String MainComponent::statusText() const
 {
-    const auto audio = openedAudio (host.devices());
+    const auto opened = openedAudio (host.devices());
 
-    if (audio.type.empty())
-        return "No audio device is open.";
+    if (opened.type.empty())
+        return "No audio device is open: choose one in Settings, Audio device.";
 
-    return juce::String::fromUTF8 (audio.type.c_str()) + " " + juce::String::fromUTF8 (audio.device.c_str()) + ", "
-           + juce::String (juce::roundToInt (audio.sampleRate)) + " Hz, " + juce::String (audio.blockSize)
-           + " samples, " + juce::String (audio.outputs.size()) + " outputs, "
+    return juce::String::fromUTF8 (opened.type.c_str()) + " " + juce::String::fromUTF8 (opened.device.c_str()) + ", "
+           + juce::String (juce::roundToInt (opened.sampleRate)) + " Hz, " + juce::String (opened.blockSize)
+           + " samples, " + juce::String (opened.outputs.size()) + " outputs, "
            + juce::String (std::max (0, host.devices().getXRunCount())) + " xruns, "
            + juce::String (juce::roundToInt (100 * host.devices().getCpuUsage())) + " % CPU";
 }
 
+juce::String MainComponent::warningText() const
+{
+    if (host.router().isMuted())
+        return "All outputs are muted: nothing sounds until they are released.";
+
+    return host.warning();
+}
+
 void MainComponent::showState()
 {
+    const auto& palette = look.palette();
     const auto isMuted = host.router().isMuted();
-    mute.setButtonText (isMuted ? "MUTED: release" : "MUTE ALL");
-    mute.setColour (juce::TextButton::buttonColourId,
-                    isMuted ? StandaloneLook::danger().darker (0.9F) : StandaloneLook::danger());
+    mute.setButtonText (isMuted ? "MUTED: RELEASE" : "MUTE ALL");
+    mute.setColour (juce::TextButton::buttonColourId, isMuted ? palette.raised : palette.warning);
+    mute.setColour (juce::TextButton::textColourOffId, isMuted ? palette.warning : palette.onStrong);
     status.setText (statusText(), juce::dontSendNotification);
-    warning.setText (host.warning(), juce::dontSendNotification);
+    warning.setText (warningText(), juce::dontSendNotification);
+    warning.setTooltip (warning.getText());
+}
+
+void MainComponent::showTheme()
+{
+    look.setPalette (player.content().isDark() ? Palette::dark() : Palette::light());
+    const auto& palette = look.palette();
+    warning.setColour (juce::Label::textColourId, palette.warning);
+    settingsButton.setColour (juce::TextButton::buttonOnColourId, palette.raised);
+    settingsButton.setColour (juce::TextButton::textColourOnId, palette.accent);
+    sendLookAndFeelChange();
+    showState();
 }
 
 void MainComponent::paint (juce::Graphics& g)
 {
-    g.fillAll (look.findColour (juce::ResizableWindow::backgroundColourId));
-}
-
-void MainComponent::childBoundsChanged (juce::Component* child)
-{
-    if (child == player.get())
-        resized();
+    g.fillAll (look.palette().window);
+    g.setColour (look.palette().panel);
+    g.fillRect (getLocalBounds().removeFromTop (topHeight - 1));
 }
 
 void MainComponent::resized()
 {
     auto area = getLocalBounds();
-    auto top = area.removeFromTop (topHeight).reduced (margin);
+    auto top = area.removeFromTop (topHeight).reduced (margin, margin - 1);
     mute.setBounds (top.removeFromRight (muteWidth));
     top.removeFromRight (margin);
-    showSettings.setBounds (top.removeFromRight (90).withSizeKeepingCentre (90, 30));
+    settingsButton.setBounds (top.removeFromRight (buttonWidth));
+    top.removeFromRight (margin);
     status.setBounds (top.removeFromTop (top.getHeight() / 2));
     warning.setBounds (top);
 
-    if (tabs.isVisible())
-        tabs.setBounds (area.removeFromRight (tabsWidth).reduced (margin));
+    if (settings.isVisible())
+        settings.setBounds (area.removeFromRight (settingsWidth).withTrimmedTop (gap));
 
-    player->setBounds (area);
+    player.setBounds (area);
 }
 } // namespace antinode

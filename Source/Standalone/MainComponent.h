@@ -1,46 +1,56 @@
 #pragma once
 
-#include "StandaloneHost.h"
-#include "StandaloneLook.h"
+#include "AudioPanel.h"
+#include "MidiPanel.h"
+#include "RoutingPanel.h"
+#include "TouchPanel.h"
 
-#include <juce_gui_basics/juce_gui_basics.h>
-
-#include <memory>
+#include <Editor/Editor.h>
 
 namespace antinode
 {
-class AudioPanel;
-class RoutingPanel;
-
-/** All that is in the window: MUTE ALL on top, the player's editor, and the settings beside it. */
+/** All that is in the window: MUTE ALL on top, the editor, and the settings beside it. */
 class MainComponent : public juce::Component, private juce::Timer
 {
 public:
+    /** The least size at which everything is legible, in pixels. */
+    static constexpr int leastWidth = 1100, leastHeight = 560;
+
     /** @param hostToUse  outlives this [message thread] */
     explicit MainComponent (StandaloneHost& hostToUse);
     ~MainComponent() override;
 
-    /** Escape and F12 mute everything. */
+    Editor& editor() { return player; }
+
+    /** Shows the routing and the audio device as they are now. [message thread] */
+    void update();
+
+    /** Shows one of the settings: "Audio device", "Routing", "MIDI", "Touch". [message thread] */
+    void showSettings (const juce::String& name) { settings.show (name); }
+
+    /** F12 mutes everything, Escape ends all that plays. */
     bool keyPressed (const juce::KeyPress&) override;
 
     void paint (juce::Graphics&) override;
     void resized() override;
-    void childBoundsChanged (juce::Component*) override;
 
 private:
-    void addTabs();
     void timerCallback() override { showState(); }
     void showState();
+    void showTheme();
     juce::String statusText() const;
+    juce::String warningText() const;
 
     StandaloneHost& host;
-    StandaloneLook look;
-    std::unique_ptr<juce::Component> player; ///< The editor.
-    juce::TabbedComponent tabs { juce::TabbedButtonBar::TabsAtTop };
-    juce::TextButton mute, showSettings { "Settings" };
+    EditorLook look;
+    Editor player;
+    AudioPanel audio;
+    RoutingPanel routing;
+    MidiPanel midi;
+    TouchPanel touch;
+    PanelGroup settings { "Settings" };
+    juce::TextButton mute, settingsButton { "Settings" };
     juce::Label status, warning;
-    AudioPanel* audioPanel = nullptr; ///< In the tabs, as the next one.
-    RoutingPanel* routingPanel = nullptr;
-    juce::TooltipWindow tooltips { this };
+    LocalTooltips tooltips { this, 600 };
 };
 } // namespace antinode

@@ -2,15 +2,33 @@
 
 #include "MainComponent.h"
 
+#include <algorithm>
+
 namespace antinode
 {
-MainWindow::MainWindow (StandaloneHost& host) : DocumentWindow ("Antinode", juce::Colour (0xff1b2226), allButtons)
+MainWindow::MainWindow (StandaloneHost& host) : DocumentWindow ("Antinode", Palette::dark().window, allButtons)
 {
     setUsingNativeTitleBar (true);
     setResizable (true, false);
     setContentOwned (new MainComponent (host), true);
-    centreWithSize (getWidth(), getHeight());
+    fitToScreen();
     setVisible (true);
     getContentComponent()->grabKeyboardFocus();
+}
+
+void MainWindow::fitToScreen()
+{
+    constexpr int frame = 40; // of a title bar that is not there yet
+    auto width = getWidth(), height = getHeight();
+
+    if (const auto* const screen = juce::Desktop::getInstance().getDisplays().getPrimaryDisplay())
+    {
+        width = std::min (width, screen->userArea.getWidth());
+        height = std::min (height, screen->userArea.getHeight() - frame);
+    }
+
+    setResizeLimits (std::min (width, MainComponent::leastWidth), std::min (height, MainComponent::leastHeight),
+                     maximumSize, maximumSize);
+    centreWithSize (width, height);
 }
 } // namespace antinode

@@ -14,5 +14,11 @@ public:
     explicit MainWindow (StandaloneHost& host);
 
     void closeButtonPressed() override { juce::MessageManager::getInstance()->stopDispatchLoop(); }
+
+private:
+    static constexpr int maximumSize = 16384;
+
+    /** What is cut off cannot be clicked, MUTE ALL least of all. */
+    void fitToScreen();
 };
 } // namespace antinode

@@ -1,5 +1,7 @@
 #include "MidiPanel.h"
 
+#include <Editor/EditorLook.h>
+
 #include <algorithm>
 
 namespace antinode
@@ -13,6 +15,7 @@ MidiPanel::MidiPanel (StandaloneHost& hostToUse) : host (hostToUse)
 {
     all.setToggleState (host.settings().midi.all, juce::dontSendNotification);
     all.onClick = [this] { choose(); };
+    none.setFont (EditorLook::font (EditorLook::smallTextHeight));
     addAndMakeVisible (all);
     addChildComponent (none);
     update();

@@ -1,17 +1,20 @@
 #include "RoutingPanel.h"
 
+#include <Editor/EditorLook.h>
+
 #include <algorithm>
 
 namespace antinode
 {
 namespace
 {
-constexpr int rowHeight = 30, headHeight = 22, margin = 12, levelMilliseconds = 50;
+constexpr int rowHeight = 28, headHeight = 22, margin = 12, levelMilliseconds = 50;
 constexpr int noMonitor = OutputRouting::mostOutputs + 1;
 } // namespace
 
 RoutingPanel::RoutingPanel (StandaloneHost& hostToUse) : host (hostToUse)
 {
+    monitorName.setFont (EditorLook::font (EditorLook::smallTextHeight));
     viewport.setViewedComponent (&list, false);
     viewport.setScrollBarsShown (true, false);
     straight.setTooltip ("Every ceramic on the output of its number, no monitor");
@@ -80,7 +83,9 @@ void RoutingPanel::timerCallback()
 
 void RoutingPanel::paint (juce::Graphics& g)
 {
-    RoutingRow::paintHeadings (g, getLocalBounds().reduced (margin).removeFromTop (headHeight));
+    g.setColour (EditorLook::paletteOf (*this).mutedText);
+    RoutingRow::paintHeadings (
+        g, viewport.getBounds().translated (0, -headHeight).withHeight (headHeight).withWidth (list.getWidth()));
 }
 
 void RoutingPanel::resized()
@@ -88,13 +93,14 @@ void RoutingPanel::resized()
     auto area = getLocalBounds().reduced (margin);
     area.removeFromTop (headHeight);
     auto foot = area.removeFromBottom (rowHeight).reduced (0, 2);
-    straight.setBounds (foot.removeFromRight (80));
+    straight.setBounds (foot.removeFromRight (90));
     foot.removeFromRight (margin);
     monitor.setBounds (foot.removeFromRight (110));
     monitorName.setBounds (foot);
     area.removeFromBottom (margin);
     viewport.setBounds (area);
-    list.setSize (area.getWidth() - viewport.getScrollBarThickness(), rowHeight * static_cast<int> (rows.size()));
+    list.setSize (area.getWidth() - viewport.getScrollBarThickness() - margin / 2,
+                  rowHeight * static_cast<int> (rows.size()));
 
     for (int k = 0; k < static_cast<int> (rows.size()); ++k)
         rows[static_cast<std::size_t> (k)]->setBounds (0, k * rowHeight, list.getWidth(), rowHeight);

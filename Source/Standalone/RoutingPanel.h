@@ -25,9 +25,9 @@ private:
     void makeRows (int ceramics, int outputs);
 
     StandaloneHost& host;
-    juce::Label monitorName { {}, "Probe velocities on outputs" };
+    juce::Label monitorName { {}, "Velocities at the probes, on outputs" };
     juce::ComboBox monitor;
-    juce::TextButton straight { "Straight" };
+    juce::TextButton straight { "One to one" };
     juce::Viewport viewport;
     juce::Component list;
     std::vector<std::unique_ptr<RoutingRow>> rows;

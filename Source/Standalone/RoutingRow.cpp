@@ -1,14 +1,12 @@
 #include "RoutingRow.h"
 
-#include "StandaloneLook.h"
-
-#include <antinode_model/InputError.h>
+#include <Editor/EditorLook.h>
 
 namespace antinode
 {
 namespace
 {
-constexpr int nameWidth = 34, outputWidth = 76, voltsWidth = 64, polarityWidth = 34, identifyWidth = 72, gap = 6;
+constexpr int nameWidth = 30, outputWidth = 66, voltsWidth = 60, polarityWidth = 30, identifyWidth = 66, gap = 6;
 constexpr int noOutput = OutputRouting::mostOutputs + 1; // identifiers of a choice cannot be 0
 } // namespace
 
@@ -28,14 +26,19 @@ RoutingRow::RoutingRow (StandaloneHost& hostToUse, int ceramicToShow, int output
             withOutput (host.settings().routing, ceramic, chosen == noOutput ? OutputRouting::none : chosen - 1));
     };
     volts.setInputRestrictions (10, "0123456789.");
-    volts.setTextToShowWhenEmpty ("device", StandaloneLook::quietText());
-    volts.setTooltip ("Volts at the ceramic for a full-scale sample; empty: the device's full scale");
+    name.setFont (EditorLook::font (EditorLook::smallTextHeight));
+    volts.setFont (EditorLook::font (EditorLook::smallTextHeight));
+    volts.setJustification (juce::Justification::centredLeft);
+    volts.setTooltip (
+        "Volts at the ceramic for a sample of full scale. Empty: as the device says, which is shown in grey.");
     volts.setEscapeAndReturnKeysConsumed (false);
     volts.onReturnKey = volts.onFocusLost = [this] { changeChain(); };
     polarity.setClickingTogglesState (true);
     polarity.onClick = [this] { changeChain(); };
-    polarity.setTooltip ("Polarity of the amplifier");
-    identify.setTooltip ("Soft bursts on this ceramic alone; only while armed");
+    polarity.setTooltip ("Polarity: minus where the wires are swapped");
+    identify.setTooltip ("Soft bursts on this ceramic alone, to find out which one it is. Only while armed.");
+    level.setTooltip ("Peak of the output, from 60 dB below full scale up. The lamp says that samples beyond full "
+                      "scale were clamped.");
     identify.onClick = [this]
     { host.router().identify (host.router().identified() == ceramic ? OutputRouting::none : ceramic); };
 
@@ -56,6 +59,9 @@ void RoutingRow::update()
     if (! volts.hasKeyboardFocus (true))
         volts.setText (chain.voltsPerFullScale > 0 ? juce::String (chain.voltsPerFullScale) : juce::String(), false);
 
+    const auto fullScale = host.processor().session().fullScaleVolts();
+    volts.setTextToShowWhenEmpty (fullScale > 0 ? juce::String (fullScale) : juce::String(),
+                                  EditorLook::paletteOf (*this).mutedText);
     polarity.setToggleState (chain.polarity < 0, juce::dontSendNotification);
     polarity.setButtonText (chain.polarity < 0 ? juce::String::charToString (0x2212) : juce::String ("+"));
     volts.setEnabled (isRouted);
@@ -85,6 +91,12 @@ void RoutingRow::changeChain()
     host.setRouting (routing);
 }
 
+void RoutingRow::lookAndFeelChanged()
+{
+    volts.applyColourToAllText (EditorLook::paletteOf (*this).text);
+    update();
+}
+
 void RoutingRow::resized()
 {
     auto area = getLocalBounds().reduced (0, 2);
@@ -104,15 +116,14 @@ void RoutingRow::resized()
 
 void RoutingRow::paintHeadings (juce::Graphics& g, juce::Rectangle<int> area)
 {
-    g.setColour (StandaloneLook::quietText());
-    g.setFont (12.0F);
+    g.setFont (EditorLook::font (EditorLook::smallTextHeight));
     const auto write = [&] (const char* text, int width)
     { g.drawText (text, area.removeFromLeft (width + gap), juce::Justification::centredLeft); };
-    write ("Cer.", nameWidth);
+    write ("C", nameWidth);
     write ("Output", outputWidth);
-    write ("V at 0 dBFS", voltsWidth + polarityWidth + gap);
+    write ("V at full scale", voltsWidth + polarityWidth + gap);
     write ("", identifyWidth);
     g.drawText ("Level", area, juce::Justification::centredLeft);
-    g.drawText ("Held", area, juce::Justification::centredRight);
+    g.drawText ("Clamped", area, juce::Justification::centredRight);
 }
 } // namespace antinode

@@ -20,9 +20,10 @@ public:
     /** Shows levels and the tone; a few times a second. [message thread] */
     void updateLevel();
 
+    void lookAndFeelChanged() override;
     void resized() override;
 
-    /** The headings of the columns, above rows of the same width. [message thread] */
+    /** The headings of the columns in the colour that is set, above rows of the same width. [message thread] */
     static void paintHeadings (juce::Graphics&, juce::Rectangle<int>);
 
 private:

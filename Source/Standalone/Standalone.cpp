@@ -6,7 +6,6 @@
 #include "QuietLibraries.h"
 #include "WindowRun.h"
 
-#include <Editor/InstallEditor.h>
 #include <antinode_model/InputError.h>
 
 #include <cstdio>
@@ -60,7 +59,6 @@ void runHeadless (const StandaloneOptions& options)
 
 void runWindow (const StandaloneOptions& options)
 {
-    installEditor();
     StandaloneHost host (settingsFileOf (options), true);
     loadDocuments (host, options);
     host.openAll (withOptions (host.settings(), options));

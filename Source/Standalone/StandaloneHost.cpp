@@ -2,6 +2,8 @@
 
 #include <antinode_model/InputError.h>
 
+#include <algorithm>
+
 namespace antinode
 {
 namespace
@@ -127,9 +129,32 @@ void StandaloneHost::shutDown()
     deviceManager.closeAudioDevice();
 }
 
-juce::String StandaloneHost::warning() const
+juce::String StandaloneHost::warning()
 {
-    return ownWarning.isNotEmpty() ? ownWarning : player.warning();
+    if (ownWarning.isNotEmpty())
+        return ownWarning;
+
+    const auto ofPlayer = player.warning();
+    return ofPlayer.isNotEmpty() ? ofPlayer : silentCeramics();
+}
+
+juce::String StandaloneHost::silentCeramics()
+{
+    const auto model = player.session().snapshot()->model;
+    auto* const device = deviceManager.getCurrentAudioDevice();
+
+    if (model == nullptr || device == nullptr)
+        return {};
+
+    const auto open = device->getActiveOutputChannels();
+    const auto ceramics = std::min (static_cast<int> (model->actuators()), OutputRouting::mostCeramics);
+    const auto first = kept.routing.outputs.begin();
+    const auto silent = std::count_if (
+        first, first + ceramics, [&open] (int output) { return output != OutputRouting::none && ! open[output]; });
+    return silent == 0 ? juce::String()
+                       : juce::String (silent) + " of " + juce::String (ceramics)
+                             + " ceramics get nothing: their outputs are not among the "
+                             + juce::String (open.countNumberOfSetBits()) + " that are open.";
 }
 
 void StandaloneHost::changeListenerCallback (juce::ChangeBroadcaster*)

@@ -47,7 +47,10 @@ public:
     void shutDown();
 
     /** What the user must know, or empty. [message thread] */
-    juce::String warning() const;
+    juce::String warning();
+
+    /** Says where ceramics have outputs that the device does not, or empty. [message thread] */
+    juce::String silentCeramics();
 
     /** Called after a routing, device or warning has changed. [message thread] */
     std::function<void()> onChange;

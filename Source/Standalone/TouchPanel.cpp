@@ -1,17 +1,18 @@
 #include "TouchPanel.h"
 
+#include <Editor/EditorLook.h>
 #include <antinode_model/InputError.h>
 
 namespace antinode
 {
 namespace
 {
-constexpr int rowHeight = 30, margin = 12, nameWidth = 90, fieldWidth = 80, countMilliseconds = 250;
+constexpr int rowHeight = 28, margin = 12, nameWidth = 90, fieldWidth = 80, countMilliseconds = 250;
 constexpr auto thisComputer = "127.0.0.1", wholeNetwork = "0.0.0.0";
 
 juce::String portText (int port)
 {
-    return port > 0 ? juce::String (port) : juce::String ("off");
+    return port > 0 ? "on port " + juce::String (port) : juce::String ("off");
 }
 
 juce::String statusText (const TouchPorts& ports, const TouchCounters& counters)
@@ -21,9 +22,10 @@ juce::String statusText (const TouchPorts& ports, const TouchCounters& counters)
     for (const auto count : counters.faults)
         faults += count;
 
-    return "OSC " + portText (ports.oscPort) + ", TUIO " + portText (ports.tuioPort) + ": "
-           + juce::String (counters.packets) + " packets, " + juce::String (counters.touches) + " touches, "
-           + juce::String (counters.limited) + " beyond the rate, " + juce::String (faults) + " faults";
+    return "OSC " + portText (ports.oscPort) + ", TUIO " + portText (ports.tuioPort) + "\n"
+           + juce::String (counters.packets) + " packets, " + juce::String (counters.touches) + " touches passed on\n"
+           + "Dropped: " + juce::String (counters.limited) + " beyond 500 a second, " + juce::String (faults)
+           + " faulty";
 }
 } // namespace
 
@@ -33,12 +35,17 @@ TouchPanel::TouchPanel (StandaloneHost& hostToUse) : host (hostToUse)
     oscPort.setText (juce::String (ports.oscPort), false);
     tuioPort.setText (juce::String (ports.tuioPort), false);
     network.setToggleState (ports.address != thisComputer, juce::dontSendNotification);
-    status.setMinimumHorizontalScale (0.8F);
+    status.setJustificationType (juce::Justification::topLeft);
+
+    for (auto* const label : { &oscName, &tuioName, &status })
+        label->setFont (EditorLook::font (EditorLook::smallTextHeight));
 
     for (auto* const editor : { &oscPort, &tuioPort })
     {
         editor->setInputRestrictions (5, "0123456789");
-        editor->setTooltip ("0: off");
+        editor->setFont (EditorLook::font (EditorLook::smallTextHeight));
+        editor->setJustification (juce::Justification::centredLeft);
+        editor->setTooltip ("UDP port; 0: off");
         editor->setEscapeAndReturnKeysConsumed (false);
         editor->onReturnKey = [this] { apply(); };
     }
@@ -75,6 +82,12 @@ void TouchPanel::showState()
                     juce::dontSendNotification);
 }
 
+void TouchPanel::lookAndFeelChanged()
+{
+    for (auto* const editor : { &oscPort, &tuioPort })
+        editor->applyColourToAllText (EditorLook::paletteOf (*this).text);
+}
+
 void TouchPanel::resized()
 {
     auto area = getLocalBounds().reduced (margin);
@@ -88,6 +101,7 @@ void TouchPanel::resized()
     place (tuioName, tuioPort);
     network.setBounds (area.removeFromTop (rowHeight));
     applyButton.setBounds (area.removeFromTop (rowHeight).reduced (0, 2).removeFromLeft (fieldWidth));
-    status.setBounds (area.removeFromTop (2 * rowHeight));
+    area.removeFromTop (margin);
+    status.setBounds (area.removeFromTop (3 * rowHeight));
 }
 } // namespace antinode

@@ -13,6 +13,7 @@ public:
     /** @param hostToUse  outlives this [message thread] */
     explicit TouchPanel (StandaloneHost& hostToUse);
 
+    void lookAndFeelChanged() override;
     void resized() override;
 
 private:

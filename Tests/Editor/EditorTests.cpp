@@ -137,9 +137,11 @@ TEST_CASE ("Space fires where the device is armed and says so where it is not")
     test.playBlock();
     test.content().refresh (0);
     CHECK (test.processor.session().meters().triggered() == 0);
-    CHECK (test.content().statusLine().text().contains ("Disarmed"));
+    CHECK (test.content().statusLine().text().contains ("disarmed"));
     CHECK (test.content().keyPressed (juce::KeyPress ('a')));
     CHECK (arm.get());
+    test.content().refresh (0);
+    CHECK_FALSE (test.content().statusLine().text().contains ("disarmed"));
     CHECK (test.content().surface().keyPressed (juce::KeyPress (juce::KeyPress::spaceKey)));
     test.playBlock();
     CHECK (test.processor.session().meters().triggered() == 1);

@@ -1,0 +1,26 @@
+#include <Standalone/MainComponent.h>
+
+#include <catch2/catch.hpp>
+
+using namespace antinode;
+
+TEST_CASE ("F12 mutes all outputs until they are released, Escape mutes nothing")
+{
+    StandaloneHost host (SettingsFile ({}), false);
+    MainComponent window (host);
+    CHECK (window.keyPressed (juce::KeyPress (juce::KeyPress::escapeKey)));
+    CHECK_FALSE (host.router().isMuted());
+    CHECK (window.keyPressed (juce::KeyPress (juce::KeyPress::F12Key)));
+    CHECK (host.router().isMuted());
+    CHECK_FALSE (window.editor().content().keyPressed (juce::KeyPress (juce::KeyPress::F12Key)));
+}
+
+TEST_CASE ("the settings are as dark or light as the editor beside them")
+{
+    StandaloneHost host (SettingsFile ({}), false);
+    MainComponent window (host);
+    window.editor().content().setDark (false);
+    CHECK_FALSE (EditorLook::paletteOf (window).isDark);
+    window.editor().content().setDark (true);
+    CHECK (EditorLook::paletteOf (window).isDark);
+}
