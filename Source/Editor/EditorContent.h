@@ -22,7 +22,7 @@ namespace antinode
 {
 /** All that the editor shows, in a plain component: any window can have it. Nothing in it runs by itself but the design view's
     thread: whoever has it calls refresh(). [message thread] */
-class EditorContent : public juce::Component
+class EditorContent final : public juce::Component
 {
 public:
     /** The least size at which everything is legible, in pixels at scale 1. */

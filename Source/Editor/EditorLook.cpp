@@ -119,7 +119,7 @@ void EditorLook::drawButtonText (juce::Graphics& g, juce::TextButton& button, bo
 {
     const auto id = button.getToggleState() ? juce::TextButton::textColourOnId : juce::TextButton::textColourOffId;
     // Signs and the words that matter most.
-    const auto text = button.getButtonText();
+    const auto& text = button.getButtonText();
     const auto isSign = text.length() == 1, isLoud = text.length() > 1 && text == text.toUpperCase();
     g.setFont (font (isSign ? 18.0f : textHeight, isLoud));
     g.setColour (button.findColour (id).withMultipliedAlpha (button.isEnabled() ? 1.0f : 0.4f));
