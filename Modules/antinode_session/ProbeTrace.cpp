@@ -6,13 +6,15 @@ namespace antinode
 {
 void ProbeTrace::write (const double* velocities, int count)
 {
+    const auto samples = samplesPerEntry.load (std::memory_order_relaxed);
+
     for (int n = 0; n < count; ++n)
     {
         const auto value = static_cast<float> (velocities[n]);
         current = inEntry == 0 ? Entry { value, value }
                                : Entry { std::min (current.least, value), std::max (current.largest, value) };
 
-        if (++inEntry < samplesPerEntry)
+        if (++inEntry < samples)
             continue;
 
         const auto at = position.load (std::memory_order_relaxed);

@@ -18,8 +18,8 @@ public:
         float least = 0, largest = 0; ///< m/s
     };
 
-    /** Before the first block. @param samples  how many make an entry, 1 or more [not while the audio thread writes] */
-    void prepare (int samples) { samplesPerEntry = samples; }
+    /** @param samples  how many make an entry, 1 or more; the one that is begun may be of either length [any] */
+    void prepare (int samples) { samplesPerEntry.store (samples, std::memory_order_relaxed); }
 
     /** [audio thread] */
     void write (const double* velocities, int count);
@@ -31,7 +31,8 @@ public:
     std::uint64_t written() const { return position.load (std::memory_order_acquire); }
 
 private:
-    int samplesPerEntry = 48, inEntry = 0;
+    std::atomic<int> samplesPerEntry { 48 };
+    int inEntry = 0; ///< Of the audio thread, as the next line.
     Entry current;
     std::array<std::atomic<float>, capacity> least {}, largest {};
     std::atomic<std::uint64_t> position { 0 };

@@ -127,7 +127,8 @@ std::shared_ptr<const FocusDocument> AntinodeProcessor::focus() const
 juce::String AntinodeProcessor::warning() const
 {
     const auto now = player->snapshot();
-    const auto channels = static_cast<int> (ceramicOrder.size());
+    // Not the order of the channels: a host may be preparing us on another thread.
+    const auto channels = getChannelCountOfBus (false, 0);
     const auto ceramics = now->model != nullptr ? static_cast<int> (now->model->actuators()) : 0;
     const juce::ScopedLock lock (documents);
 

@@ -127,6 +127,38 @@ TEST_CASE ("The editor opens and closes while blocks are processed")
     CHECK (processor.session().meters().triggered() > 0);
 }
 
+TEST_CASE ("The editor looks on while a host prepares on another thread")
+{
+    AntinodeProcessor processor (8, juce::AudioProcessor::wrapperType_Undefined);
+    Editor editor (processor);
+    std::atomic<bool> isDone { false };
+    std::thread host (
+        [&]
+        {
+            for (int i = 0; i < 6; ++i)
+            {
+                processor.prepareToPlay (i % 2 == 0 ? 48000 : 96000, EditorFixture::blockSize);
+                juce::AudioBuffer<float> buffer (processor.getTotalNumOutputChannels(), EditorFixture::blockSize);
+                juce::MidiBuffer midi;
+                processor.processBlock (buffer, midi);
+                juce::MemoryBlock state;
+                processor.getStateInformation (state);
+                processor.setStateInformation (state.getData(), static_cast<int> (state.getSize()));
+            }
+
+            isDone = true;
+        });
+
+    while (! isDone)
+    {
+        editor.content().refresh (0.016);
+        std::this_thread::sleep_for (std::chrono::milliseconds (1));
+    }
+
+    host.join();
+    CHECK (processor.warning().isEmpty());
+}
+
 TEST_CASE ("Space fires where the device is armed and says so where it is not")
 {
     EditorFixture test;
