@@ -41,7 +41,7 @@ private:
 /** A parameter's range for a slider, which counts in double. */
 juce::NormalisableRange<double> rangeOf (const juce::RangedAudioParameter& parameter)
 {
-    const auto range = parameter.getNormalisableRange();
+    const auto& range = parameter.getNormalisableRange();
     juce::NormalisableRange<double> wide {
         static_cast<double> (range.start), static_cast<double> (range.end),
         [range] (double, double, double share)
