@@ -9,7 +9,7 @@
 namespace antinode
 {
 /** A chart, drawn once and kept until it, its size or the theme changes. [message thread] */
-class ChartView : public juce::Component
+class ChartView final : public juce::Component
 {
 public:
     explicit ChartView (const juce::String& title);

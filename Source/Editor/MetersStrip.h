@@ -12,7 +12,7 @@
 namespace antinode
 {
 /** The meters of all ceramics of the device, side by side. [message thread] */
-class MetersStrip : public juce::Component
+class MetersStrip final : public juce::Component
 {
 public:
     MetersStrip (AntinodeProcessor&, History&);

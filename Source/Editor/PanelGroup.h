@@ -9,7 +9,7 @@ namespace antinode
 {
 /** Panels that share a place: one is shown, the others wait behind their tabs. They belong to somebody else.
     [message thread] */
-class PanelGroup : public juce::Component
+class PanelGroup final : public juce::Component
 {
 public:
     struct Panel

@@ -10,7 +10,7 @@
 namespace antinode
 {
 /** All parameters in their groups, one below the other. [message thread] */
-class ParameterPanel : public juce::Component
+class ParameterPanel final : public juce::Component
 {
 public:
     explicit ParameterPanel (AntinodeProcessor&);

@@ -9,7 +9,7 @@
 namespace antinode
 {
 /** The browser of devices or focuses: the factory's and the user's own, to be loaded, kept and removed. [message thread] */
-class PresetPanel : public juce::Component, private juce::ListBoxModel
+class PresetPanel final : public juce::Component, private juce::ListBoxModel
 {
 public:
     explicit PresetPanel (Presets&);

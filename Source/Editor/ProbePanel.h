@@ -6,7 +6,7 @@
 namespace antinode
 {
 /** The velocity at the probe: as designed, and below it what it is just now. [message thread] */
-class ProbePanel : public juce::Component
+class ProbePanel final : public juce::Component
 {
 public:
     explicit ProbePanel (const ProbeTrace&);

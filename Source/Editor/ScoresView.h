@@ -9,7 +9,7 @@
 namespace antinode
 {
 /** How good the focus is, what the user should be warned of and what was chosen, in plain words. [message thread] */
-class ScoresView : public juce::Component
+class ScoresView final : public juce::Component
 {
 public:
     ScoresView();

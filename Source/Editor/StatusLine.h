@@ -9,7 +9,7 @@
 namespace antinode
 {
 /** One sentence: what is being worked out, or what is wrong. [message thread] */
-class StatusLine : public juce::Component, public juce::SettableTooltipClient
+class StatusLine final : public juce::Component, public juce::SettableTooltipClient
 {
 public:
     explicit StatusLine (AntinodeProcessor&);

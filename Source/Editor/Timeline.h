@@ -6,7 +6,7 @@ namespace antinode
 {
 /** Which instant around the focus the surface shows: a slider over the frames, and a button that plays them slowly.
     [message thread] */
-class Timeline : public juce::Component
+class Timeline final : public juce::Component
 {
 public:
     Timeline();

@@ -11,7 +11,7 @@
 namespace antinode
 {
 /** What is loaded, undo and redo, the theme, and the three buttons that put voltage on the ceramics or take it off. [message thread] */
-class TopBar : public juce::Component
+class TopBar final : public juce::Component
 {
 public:
     TopBar (AntinodeProcessor&, History&);

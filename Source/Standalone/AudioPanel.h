@@ -9,7 +9,7 @@
 namespace antinode
 {
 /** Which audio device, and how. JUCE's own panel has a button that plays half of full scale past the router: so it is not used. */
-class AudioPanel : public juce::Component
+class AudioPanel final : public juce::Component
 {
 public:
     /** @param hostToUse  outlives this [message thread] */

@@ -10,7 +10,7 @@
 namespace antinode
 {
 /** All that is in the window: MUTE ALL on top, the editor, and the settings beside it. */
-class MainComponent : public juce::Component, private juce::Timer
+class MainComponent final : public juce::Component, private juce::Timer
 {
 public:
     /** The least size at which everything is legible, in pixels. */

@@ -10,7 +10,7 @@
 namespace antinode
 {
 /** Which MIDI inputs play; those that are plugged in later appear. */
-class MidiPanel : public juce::Component, private juce::Timer
+class MidiPanel final : public juce::Component, private juce::Timer
 {
 public:
     /** @param hostToUse  outlives this [message thread] */

@@ -8,7 +8,7 @@
 namespace antinode
 {
 /** Which ceramic is on which output, behind which amplifier; where the monitor goes. */
-class RoutingPanel : public juce::Component, private juce::Timer
+class RoutingPanel final : public juce::Component, private juce::Timer
 {
 public:
     /** @param hostToUse  outlives this [message thread] */

@@ -8,7 +8,7 @@
 namespace antinode
 {
 /** One ceramic: its output, the amplifier behind it, its identify tone, its level. */
-class RoutingRow : public juce::Component
+class RoutingRow final : public juce::Component
 {
 public:
     /** @param hostToUse  outlives this @param ceramicToShow  from 0 @param outputs  to choose from [message thread] */

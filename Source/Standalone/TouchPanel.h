@@ -7,7 +7,7 @@
 namespace antinode
 {
 /** The ports that touches come in by, and what came in. */
-class TouchPanel : public juce::Component, private juce::Timer
+class TouchPanel final : public juce::Component, private juce::Timer
 {
 public:
     /** @param hostToUse  outlives this [message thread] */
