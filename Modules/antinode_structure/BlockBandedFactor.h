@@ -1,7 +1,8 @@
 #pragma once
 
-#include "DenseKernels.h"
 #include "TensorOperator.h"
+
+#include <antinode_model/DenseKernels.h>
 
 #include <vector>
 

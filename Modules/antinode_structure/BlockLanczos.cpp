@@ -1,6 +1,6 @@
 #include "BlockLanczos.h"
 
-#include "DenseKernels.h"
+#include <antinode_model/DenseKernels.h>
 
 #include <algorithm>
 #include <cmath>

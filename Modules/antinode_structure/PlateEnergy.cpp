@@ -1,7 +1,6 @@
 #include "PlateEnergy.h"
 
-#include "DenseKernels.h"
-
+#include <antinode_model/DenseKernels.h>
 #include <antinode_model/GaussLegendre.h>
 
 #include <algorithm>

@@ -1,10 +1,11 @@
 #include "PlateModel.h"
 
-#include "DenseKernels.h"
 #include "DescribedModel.h"
 #include "DescriptionChecks.h"
 #include "ElementChain.h"
 #include "PlateWaves.h"
+
+#include <antinode_model/DenseKernels.h>
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,10 @@
 #include "PlateSolution.h"
 
-#include "DenseKernels.h"
 #include "ElementChain.h"
 #include "PlateEnergy.h"
 #include "PlateWaves.h"
 
+#include <antinode_model/DenseKernels.h>
 #include <antinode_model/GaussLegendre.h>
 #include <antinode_model/InputError.h>
 

@@ -1,7 +1,8 @@
 #include "PlateStatics.h"
 
-#include "DenseKernels.h"
 #include "PlateModel.h"
+
+#include <antinode_model/DenseKernels.h>
 
 namespace antinode
 {

@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-// What the solution of plates spends its time on, by the system's BLAS and LAPACK: made for the processor it runs on, on one
+// What the solution of plates and the allocation spend their time on, by the system's BLAS and LAPACK: made for the processor it runs on, on one
 // thread. All matrices are column by column, a part of a larger one or whole.
 using MatrixIn = Eigen::Ref<const Eigen::MatrixXd>;
 using MatrixOut = Eigen::Ref<Eigen::MatrixXd>;
@@ -20,6 +20,20 @@ void addTransposedLeft (MatrixOut to, double factor, const MatrixIn& a, const Ma
 
 /** to += factor a b'. [worker] */
 void addTransposedRight (MatrixOut to, double factor, const MatrixIn& a, const MatrixIn& b);
+
+/** The lower triangle of to += factor a a'. [worker] */
+void addGram (MatrixOut to, double factor, const MatrixIn& a);
+
+/** Factors a positive definite matrix, a = L L': L replaces the lower triangle of a; above it nothing is read or written.
+    @return  false when it is not positive definite
+    [worker] */
+bool factorLower (Eigen::MatrixXd& a);
+
+/** x = L^-1 x, L the lower triangle of a. [worker] */
+void solveLower (const MatrixIn& a, MatrixOut x);
+
+/** x = L'^-1 x, L the lower triangle of a. [worker] */
+void solveLowerTransposed (const MatrixIn& a, MatrixOut x);
 
 /** x = L^-1 x, L the lower triangle of a with ones on its diagonal. [worker] */
 void solveUnitLower (const MatrixIn& a, MatrixOut x);

@@ -10,6 +10,9 @@ extern "C" void dsyevd_ (const char* job, const char* triangle, const int* size,
                          double* values, double* work, const int* workSize, int* integerWork,
                          const int* integerWorkSize, int* info);
 
+// NOLINTNEXTLINE(readability-identifier-naming): LAPACK names it.
+extern "C" void dpotrf_ (const char* triangle, const int* size, double* matrix, const int* stride, int* info);
+
 namespace antinode
 {
 namespace
@@ -57,6 +60,34 @@ void addTransposedLeft (MatrixOut to, double factor, const MatrixIn& a, const Ma
 void addTransposedRight (MatrixOut to, double factor, const MatrixIn& a, const MatrixIn& b)
 {
     product (to, factor, a, CblasNoTrans, b, CblasTrans);
+}
+
+void addGram (MatrixOut to, double factor, const MatrixIn& a)
+{
+    if (a.size() > 0)
+        cblas_dsyrk (CblasColMajor, CblasLower, CblasNoTrans, asInt (to.rows()), asInt (a.cols()), factor, a.data(),
+                     asInt (a.outerStride()), 1, to.data(), asInt (to.outerStride()));
+}
+
+bool factorLower (Eigen::MatrixXd& a)
+{
+    const int size = asInt (a.rows());
+    int info = 0;
+
+    if (size > 0)
+        dpotrf_ ("L", &size, a.data(), &size, &info);
+
+    return info == 0;
+}
+
+void solveLower (const MatrixIn& a, MatrixOut x)
+{
+    triangle (CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, a, x);
+}
+
+void solveLowerTransposed (const MatrixIn& a, MatrixOut x)
+{
+    triangle (CblasLeft, CblasLower, CblasTrans, CblasNonUnit, a, x);
 }
 
 void solveUnitLower (const MatrixIn& a, MatrixOut x)
