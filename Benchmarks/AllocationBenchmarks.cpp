@@ -5,19 +5,19 @@ namespace antinode
 {
 namespace
 {
-// The sizes of the literature's and our own comparisons: ceramics, modes, samples, guards, rate.
-const test::InstanceSize sizes[] = { { 2, 2, 500, 0, 96000, 0 },
-                                     { 4, 6, 2000, 0, 96000, 0 },
-                                     { 8, 15, 4800, 0, 192000, 0 },
-                                     { 16, 40, 4800, 0, 192000, 0 } };
+AllocationProblem instance (const benchmark::State& state)
+{
+    return test::instance (state.range (1) == 0 ? test::ModePattern::beam : test::ModePattern::plate,
+                           state.range (2) == 0 ? test::RowKind::identity : test::RowKind::terminal,
+                           test::standardSizes[state.range (0) - 1], 1);
+}
 
-/** Arguments: size s1 to s4, slack in per cent of the least peak. */
+/** Arguments: size s1 to s6, beam or plate, the paper's rows or exact ones, slack in per cent of the least peak. */
 void allocation (benchmark::State& state)
 {
-    const auto pattern = test::ModePattern::beam;
-    auto problem = test::instance (pattern, test::RowKind::terminal, sizes[state.range (0) - 1], 1);
+    auto problem = instance (state);
     const auto least = solveAllocation (problem, AllocationGoal::peak).certificate.leastPeakRatio;
-    problem = test::withLimits (problem, 0.01 * static_cast<double> (state.range (1)), least);
+    problem = test::withLimits (problem, 0.01 * static_cast<double> (state.range (3)), least);
     const bench::ReferenceRatio ratio (state);
     double gap = 0;
 
@@ -27,19 +27,22 @@ void allocation (benchmark::State& state)
     state.counters["gap"] = gap;
 }
 BENCHMARK (allocation)
-    ->ArgsProduct ({ { 1, 2, 3, 4 }, { 130, 105 } })
-    ->ArgNames ({ "s", "slack_percent" })
+    ->ArgsProduct ({ { 1, 2, 3, 4, 5 }, { 0, 1 }, { 0, 1 }, { 130, 105, 80 } })
+    ->ArgsProduct ({ { 6 }, { 1 }, { 1 }, { 130, 105 } })
+    ->ArgNames ({ "s", "plate", "exact", "slack_percent" })
     ->Unit (benchmark::kMillisecond);
 
 void leastPeak (benchmark::State& state)
 {
-    const auto problem =
-        test::instance (test::ModePattern::beam, test::RowKind::terminal, sizes[state.range (0) - 1], 1);
+    const auto problem = instance (state);
     const bench::ReferenceRatio ratio (state);
 
     for (auto run : state)
         benchmark::DoNotOptimize (solveAllocation (problem, AllocationGoal::peak).certificate.leastPeakRatio);
 }
-BENCHMARK (leastPeak)->DenseRange (1, 4)->ArgName ("s")->Unit (benchmark::kMillisecond);
+BENCHMARK (leastPeak)
+    ->ArgsProduct ({ { 1, 2, 3, 4, 5, 6 }, { 1 }, { 1 } })
+    ->ArgNames ({ "s", "plate", "exact" })
+    ->Unit (benchmark::kMillisecond);
 } // namespace
 } // namespace antinode

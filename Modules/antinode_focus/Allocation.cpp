@@ -1,14 +1,17 @@
 #include "Allocation.h"
 
+#include "AllocationActiveSet.h"
 #include "AllocationCertificate.h"
 #include "AllocationInput.h"
 #include "LimitedAllocation.h"
 #include "WhitenedAllocation.h"
 
+#include <antinode_model/DenseKernels.h>
 #include <antinode_model/InputError.h>
 
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 namespace antinode
 {
@@ -60,7 +63,25 @@ void checkSolved (double gap)
                           "control fewer modes, or let their growths differ more");
 }
 
-/** The shares where the limits matter, with status, bound and effort of the certificate. */
+/** Gaps beyond this are looked for anew by the slower way. */
+constexpr auto certifiedGap = 1e-6;
+
+/** The shares by the active set, with status, bound and effort of the certificate. */
+std::optional<Eigen::MatrixXd> activeShares (const WhitenedAllocation& whitened, const RowSystem& rows,
+                                             const Eigen::MatrixXd& unlimited, AllocationCertificate& certificate)
+{
+    const auto result = activeSetShares (whitened, rows, 1, unlimited);
+
+    if (! result || ! (result->gap() <= certifiedGap))
+        return {};
+
+    certificate.status = AllocationStatus::optimal;
+    certificate.bound = result->bound;
+    addEffort (certificate, result->effort);
+    return result->shares;
+}
+
+/** The shares by interior points, with status, bound and effort of the certificate. */
 Eigen::MatrixXd limitedShares (const WhitenedAllocation& whitened, const RowSystem& rows, AllocationGoal goal,
                                AllocationCertificate& certificate)
 {
@@ -87,6 +108,7 @@ Allocation solveAllocation (const AllocationProblem& problem, AllocationGoal goa
 {
     const auto begin = std::chrono::steady_clock::now();
     validate (problem);
+    keepToOneThread();
 
     if (problem.wanted.isZero (0))
         return nothing (problem);
@@ -101,7 +123,9 @@ Allocation solveAllocation (const AllocationProblem& problem, AllocationGoal goa
 
     if (goal == AllocationGoal::peak || certificate.peakRatio > 1)
     {
-        shares = limitedShares (whitened, rows, goal, certificate);
+        const auto active = goal == AllocationGoal::norm ? activeShares (whitened, rows, shares, certificate)
+                                                         : std::optional<Eigen::MatrixXd>();
+        shares = active ? *active : limitedShares (whitened, rows, goal, certificate);
         certificate.peakRatio = whitened.peakRatio (shares);
     }
     else
@@ -122,6 +146,7 @@ Allocation solveAllocation (const AllocationProblem& problem, AllocationGoal goa
 Eigen::MatrixXd minimumNormAllocation (const AllocationProblem& problem)
 {
     validate (problem);
+    keepToOneThread();
 
     if (problem.wanted.isZero (0))
         return nothing (problem).matrix;

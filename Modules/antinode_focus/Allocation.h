@@ -50,7 +50,7 @@ enum class AllocationStatus
 struct AllocationCertificate
 {
     AllocationStatus status = AllocationStatus::unconstrained;
-    int iterations = 0;   ///< Interior-point iterations over all rounds.
+    int iterations = 0;   ///< Interior-point iterations over all rounds; 0 where the active set did it.
     int rounds = 0;       ///< Rounds of peak constraint generation.
     double objective = 0; ///< What is minimised, guards' part included, V^2.
     /** A value that no M can go below which meets the rows and the limits (weak duality), V^2. Where the least peak was
@@ -71,8 +71,8 @@ struct Allocation
     AllocationCertificate certificate;
 };
 
-/** The best allocation, with its certificate: closed form where that keeps the limits, else a primal-dual interior point
-    method on the peaks of the voltages. Deterministic. Limits are kept to 1e-9, rows to rounding. The gap is at most 1e-6, mostly 1e-9,
+/** The best allocation, with its certificate: closed form where that keeps the limits, else an active set of the voltages'
+    peaks, and where that does not end a primal-dual interior point method. Deterministic. Limits are kept to 1e-9, rows to rounding. The gap is at most 1e-6, mostly 1e-9,
     unless the limits leave less than 1e-4 to spare or drives almost coincide: then rounding can leave more, and the certificate says so.
     Where the limits cannot be kept (status infeasible) the matrix is that of the least peak: the caller decides what to say;
     all is linear in `wanted`, so wanted / certificate.leastPeakRatio can be reached.

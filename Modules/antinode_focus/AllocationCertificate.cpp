@@ -16,7 +16,7 @@ double price (const WhitenedAllocation& problem, const Eigen::MatrixXd& sampleMu
 double leastNormBound (const WhitenedAllocation& problem, const RowSystem& rows,
                        const Eigen::MatrixXd& sampleMultipliers, double ratio)
 {
-    const Eigen::MatrixXd pull = problem.basis.transpose() * sampleMultipliers;
+    const auto pull = problem.pull (sampleMultipliers);
     const auto y = rows.multipliers (problem.wanted + problem.rowValues (pull));
     const auto shares = (problem.weightedRows (y) - pull).squaredNorm();
     const auto guards = y.cwiseAbs2().dot (problem.compliance);
@@ -27,8 +27,7 @@ double leastNormBound (const WhitenedAllocation& problem, const RowSystem& rows,
 double leastPeakBound (const WhitenedAllocation& problem, const Eigen::VectorXd& rowMultipliers,
                        Eigen::MatrixXd sampleMultipliers)
 {
-    sampleMultipliers +=
-        problem.basis * (problem.weightedRows (rowMultipliers) - problem.basis.transpose() * sampleMultipliers);
+    sampleMultipliers += problem.voltages (problem.weightedRows (rowMultipliers) - problem.pull (sampleMultipliers));
     const auto all = price (problem, sampleMultipliers);
     return all > 0 ? (1 - roundingAllowance) * problem.wanted.dot (rowMultipliers) / all : 0;
 }

@@ -1,5 +1,7 @@
 #include "AllocationInteriorPoint.h"
 
+#include <antinode_model/DenseKernels.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -47,9 +49,7 @@ double AllocationInteriorPoint::firstProduct (const std::vector<SampleList>& lis
 
 bool AllocationInteriorPoint::step()
 {
-    factor();
-
-    if (rowSystem.info() != Eigen::Success)
+    if (! factor())
         return false;
 
     auto targets = residuals();
@@ -70,26 +70,40 @@ bool AllocationInteriorPoint::step()
     return true;
 }
 
-void AllocationInteriorPoint::factor()
+bool AllocationInteriorPoint::factor()
 {
     Eigen::MatrixXd matrix = (problem.compliance / curvature).asDiagonal();
     ratioOnRows = Eigen::VectorXd::Zero (problem.wanted.size());
     ratioStiffness = 0;
+    auto areFactored = true;
 
     for (std::size_t i = 0; i < ceramics.size(); ++i)
     {
         auto& ceramic = ceramics[i];
         ceramic.factor (curvature, problem.responses);
         const auto participation = problem.participation.col (static_cast<Eigen::Index> (i));
-        const Eigen::MatrixXd rows = ceramic.halfRows() * participation.asDiagonal();
-        matrix.selfadjointView<Eigen::Lower>().rankUpdate (rows.transpose());
-        ratioOnRows += rows.transpose() * ceramic.halfRatio();
+        const Eigen::MatrixXd rows = participation.asDiagonal() * ceramic.halfRows().transpose();
+        addGram (matrix, 1, rows);
+        ratioOnRows += rows * ceramic.halfRatio();
         ratioStiffness += ceramic.ratioStiffness() - ceramic.halfRatio().squaredNorm();
+        areFactored = areFactored && ceramic.isFactored();
     }
 
-    rowSystem.compute (matrix.selfadjointView<Eigen::Lower>());
-    ratioMultipliers = rowSystem.solve (ratioOnRows);
+    rowSystem = std::move (matrix);
+
+    if (! areFactored || ! factorLower (rowSystem))
+        return false;
+
+    ratioMultipliers = rowSolve (ratioOnRows);
     ratioStiffness += ratioOnRows.dot (ratioMultipliers);
+    return true;
+}
+
+Eigen::VectorXd AllocationInteriorPoint::rowSolve (Eigen::VectorXd right) const
+{
+    solveLower (rowSystem, right);
+    solveLowerTransposed (rowSystem, right);
+    return right;
 }
 
 AllocationInteriorPoint::Residuals AllocationInteriorPoint::residuals() const
@@ -126,7 +140,7 @@ AllocationInteriorPoint::Direction AllocationInteriorPoint::solve (const Residua
     }
 
     Direction direction;
-    direction.rows = rowSystem.solve (rows);
+    direction.rows = rowSolve (rows);
 
     if (kind == Ratio::free)
     {

@@ -62,7 +62,8 @@ private:
     double complementarity() const;
     double complementarity (const Direction&, double step) const;
     double longestStep (const Direction&) const;
-    void factor();
+    bool factor();
+    Eigen::VectorXd rowSolve (Eigen::VectorXd right) const;
     Residuals residuals() const;
     Direction solve (const Residuals&) const;
     void advance (const Direction&, double step);
@@ -73,7 +74,7 @@ private:
     Eigen::MatrixXd x; ///< N_d x N_b
     Eigen::VectorXd y; ///< N_r
     std::vector<CeramicBarrier> ceramics;
-    Eigen::LLT<Eigen::MatrixXd> rowSystem;
+    Eigen::MatrixXd rowSystem; ///< Factored.
     Eigen::VectorXd ratioOnRows, ratioMultipliers;
     double ratioStiffness = 0;
 };

@@ -1,5 +1,7 @@
 #include "CeramicBarrier.h"
 
+#include <antinode_model/DenseKernels.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -67,13 +69,26 @@ void CeramicBarrier::factor (double curvature, const Eigen::MatrixXd& responses)
     const Eigen::VectorXd both = weights.rowwise().sum();
     const auto drives = directions.rows();
     const Eigen::MatrixXd scaled = directions * both.cwiseSqrt().asDiagonal();
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity (drives, drives) * curvature;
-    matrix.selfadjointView<Eigen::Lower>().rankUpdate (scaled);
-    system.compute (matrix.selfadjointView<Eigen::Lower>());
-    rowsOverL = system.matrixL().solve (responses.transpose());
+    lower = Eigen::MatrixXd::Identity (drives, drives) * curvature;
+    addGram (lower, 1, scaled);
+    factored = factorLower (lower);
+    rowsOverL = responses.transpose();
+    solveLower (lower, rowsOverL);
     const Eigen::VectorXd net = (weights.col (0) - weights.col (1)).matrix();
-    ratioOverL = system.matrixL().solve (limit * (directions * net));
+    ratioOverL = halfSolve (limit * (directions * net));
     stiffness = limit * limit * both.sum();
+}
+
+Eigen::VectorXd CeramicBarrier::halfSolve (Eigen::VectorXd right) const
+{
+    solveLower (lower, right);
+    return right;
+}
+
+Eigen::VectorXd CeramicBarrier::otherHalfSolve (Eigen::VectorXd right) const
+{
+    solveLowerTransposed (lower, right);
+    return right;
 }
 
 Eigen::VectorXd CeramicBarrier::pull (const Residual& residual) const

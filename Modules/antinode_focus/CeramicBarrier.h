@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <vector>
@@ -75,8 +74,11 @@ public:
     Eigen::VectorXd netPull() const { return directions * netMultiplier(); }
 
     /** L^-1 and L^-T of H = L L'. [worker] */
-    Eigen::VectorXd halfSolve (const Eigen::VectorXd& right) const { return system.matrixL().solve (right); }
-    Eigen::VectorXd otherHalfSolve (const Eigen::VectorXd& right) const { return system.matrixU().solve (right); }
+    Eigen::VectorXd halfSolve (Eigen::VectorXd right) const;
+    Eigen::VectorXd otherHalfSolve (Eigen::VectorXd right) const;
+
+    /** Whether H was positive definite, as rounding saw it. [any] */
+    bool isFactored() const { return factored; }
 
     const Eigen::MatrixXd& halfRows() const { return rowsOverL; }   ///< L^-1 responses', N_d x N_r.
     const Eigen::VectorXd& halfRatio() const { return ratioOverL; } ///< L^-1 of the ratio's pull on the share.
@@ -87,7 +89,8 @@ private:
     SampleList workingSet;
     Eigen::MatrixXd directions; ///< q_n, N_d x working set.
     Eigen::ArrayX2d slacks, multipliers;
-    Eigen::LLT<Eigen::MatrixXd> system;
+    Eigen::MatrixXd lower; ///< L
+    bool factored = false;
     Eigen::MatrixXd rowsOverL;
     Eigen::VectorXd ratioOverL;
     double stiffness = 0;

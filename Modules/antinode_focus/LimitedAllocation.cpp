@@ -2,6 +2,7 @@
 
 #include "AllocationCertificate.h"
 #include "AllocationInteriorPoint.h"
+#include "LocalPeaks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,25 +27,6 @@ double peakRatio (const Eigen::MatrixXd& voltages, const Eigen::VectorXd& limits
     return peaks (voltages).cwiseQuotient (limits).maxCoeff();
 }
 
-/** Local maxima of |voltage| above a threshold each, a list a ceramic: between two zeros only they can break a limit. */
-std::vector<SampleList> peaksAbove (const Eigen::MatrixXd& voltages, const Eigen::VectorXd& thresholds)
-{
-    std::vector<SampleList> lists (static_cast<std::size_t> (voltages.cols()));
-    const auto last = voltages.rows() - 1;
-
-    for (Eigen::Index i = 0; i < voltages.cols(); ++i)
-        for (Eigen::Index n = 0; n <= last; ++n)
-        {
-            const auto value = std::abs (voltages (n, i));
-
-            if (value > thresholds[i] && value >= std::abs (voltages (std::max<Eigen::Index> (n - 1, 0), i))
-                && value >= std::abs (voltages (std::min (n + 1, last), i)))
-                lists[static_cast<std::size_t> (i)].push_back (n);
-        }
-
-    return lists;
-}
-
 /** The interior point method with constraint generation: every peak beyond its limit joins the working set at once. */
 class PeakSearch
 {
@@ -59,7 +41,7 @@ public:
     /** Limits the peaks above a threshold each, where there are any. */
     void limitPeaks (const Eigen::VectorXd& thresholds)
     {
-        const auto found = peaksAbove (currentVoltages, thresholds);
+        const auto found = localPeaks (currentVoltages, thresholds);
 
         if (std::all_of (found.begin(), found.end(), [] (const auto& list) { return list.empty(); }))
             return;

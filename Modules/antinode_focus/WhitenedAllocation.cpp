@@ -1,5 +1,6 @@
 #include "WhitenedAllocation.h"
 
+#include <antinode_model/DenseKernels.h>
 #include <antinode_model/InputError.h>
 
 #include <Eigen/QR>
@@ -167,6 +168,20 @@ Eigen::MatrixXd WhitenedAllocation::weightedRows (const Eigen::VectorXd& multipl
     return responses.transpose() * (multipliers.asDiagonal() * participation);
 }
 
+Eigen::MatrixXd WhitenedAllocation::voltages (const Eigen::MatrixXd& shares) const
+{
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero (basis.rows(), shares.cols());
+    addProduct (all, 1, basis, shares);
+    return all;
+}
+
+Eigen::MatrixXd WhitenedAllocation::pull (const Eigen::MatrixXd& sampleMultipliers) const
+{
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero (basis.cols(), sampleMultipliers.cols());
+    addTransposedLeft (sums, 1, basis, sampleMultipliers);
+    return sums;
+}
+
 double WhitenedAllocation::peakRatio (const Eigen::MatrixXd& shares) const
 {
     return voltages (shares).cwiseAbs().colwise().maxCoeff().transpose().cwiseQuotient (limits).maxCoeff();
@@ -212,6 +227,12 @@ RowSystem::RowSystem (const WhitenedAllocation& problemToUse) : problem (problem
 Eigen::VectorXd RowSystem::multipliers (const Eigen::VectorXd& values) const
 {
     return factors.solve (values);
+}
+
+Eigen::MatrixXd RowSystem::halfSolve (Eigen::MatrixXd right) const
+{
+    solveLower (factors.matrixLLT(), right);
+    return right;
 }
 
 Eigen::MatrixXd RowSystem::leastNormShares() const

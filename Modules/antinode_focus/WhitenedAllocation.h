@@ -40,8 +40,11 @@ struct WhitenedAllocation
     /** The transpose of rowValues: sum of rows weighted by multipliers, N_d x N_b. [any] */
     Eigen::MatrixXd weightedRows (const Eigen::VectorXd& multipliers) const;
 
-    /** Voltages of all ceramics, N_s x N_b, in voltageUnit. [any] */
-    Eigen::MatrixXd voltages (const Eigen::MatrixXd& shares) const { return basis * shares; }
+    /** Voltages of all ceramics, N_s x N_b, in voltageUnit. [worker] */
+    Eigen::MatrixXd voltages (const Eigen::MatrixXd& shares) const;
+
+    /** The transpose of voltages: Q' z, N_d x N_b. [worker] */
+    Eigen::MatrixXd pull (const Eigen::MatrixXd& sampleMultipliers) const;
 
     /** The largest |voltage| / limit on the grid. [any] */
     double peakRatio (const Eigen::MatrixXd& shares) const;
@@ -68,6 +71,9 @@ public:
 
     /** Multipliers y with rowValues (weightedRows (y)) + compliance y = values. [any] */
     Eigen::VectorXd multipliers (const Eigen::VectorXd& values) const;
+
+    /** L^-1 right, where L L' is the Gram matrix; N_r x any. [worker] */
+    Eigen::MatrixXd halfSolve (Eigen::MatrixXd right) const;
 
     /** The shares of least objective without limits. [worker] */
     Eigen::MatrixXd leastNormShares() const;

@@ -29,14 +29,20 @@ double uniform (std::mt19937_64& random, double low, double high)
     return low + (high - low) * static_cast<double> (random() >> 11) * 0x1p-53;
 }
 
-std::vector<Mode> randomModes (ModePattern pattern, int count, double highest, std::mt19937_64& random)
+/** Modes between about 1 and 100 % of a highest frequency. Where a beam's first ones would not swing once within the duration they
+    lie on a soft foundation, which lifts them. */
+std::vector<Mode> randomModes (ModePattern pattern, int count, const InstanceSize& size, std::mt19937_64& random)
 {
+    const auto highest = size.sampleRate / 6;
+    const auto oneCycle = 1.25 * size.sampleRate / size.samples / highest;
+    const auto foundation = std::pow (1.5 / (count + 0.5), 2) < oneCycle ? oneCycle : 0.0;
     std::vector<Mode> all;
 
     for (int k = 0; k < count; ++k)
     {
-        const auto place =
-            pattern == ModePattern::beam ? std::pow ((k + 1.5) / (count + 0.5), 2) : uniform (random, 0.03, 1.0);
+        const auto place = pattern == ModePattern::beam
+                               ? std::hypot (std::pow ((k + 1.5) / (count + 0.5), 2), foundation)
+                               : uniform (random, 0.03, 1.0);
         const auto omega = 2 * std::numbers::pi * highest * place;
         const auto damping = 0.5 / uniform (random, 40, 150);
         all.push_back ({ damping * omega, omega * std::sqrt (1 - damping * damping) });
@@ -48,7 +54,7 @@ std::vector<Mode> randomModes (ModePattern pattern, int count, double highest, s
 
 std::vector<Mode> controlledModes (ModePattern pattern, const InstanceSize& size, std::mt19937_64& random)
 {
-    auto all = randomModes (pattern, size.modes, size.sampleRate / 6, random);
+    auto all = randomModes (pattern, size.modes, size, random);
 
     if (size.closePair > 0)
     {
@@ -124,7 +130,7 @@ AllocationProblem instance (ModePattern pattern, RowKind kind, const InstanceSiz
     std::mt19937_64 random (seed);
     const auto duration = size.samples / size.sampleRate;
     const auto controlled = controlledModes (pattern, size, random);
-    const auto guards = randomModes (ModePattern::plate, size.guards, size.sampleRate / 6, random);
+    const auto guards = randomModes (ModePattern::plate, size.guards, size, random);
     std::vector<Drive> drives;
     drives.reserve (controlled.size());
 

@@ -30,6 +30,11 @@ struct InstanceSize
     double closePair = 0;      ///< Where more than 0: how far the last mode lies above the one before it, relative.
 };
 
+/** The sizes s1 to s6 on which solvers are compared. */
+inline constexpr InstanceSize standardSizes[] = { { 2, 2, 500, 0, 96000 },     { 4, 6, 2000, 0, 96000 },
+                                                  { 8, 15, 4800, 0, 192000 },  { 16, 40, 4800, 0, 192000 },
+                                                  { 32, 64, 9600, 0, 384000 }, { 64, 200, 20000, 0, 800000 } };
+
 /** Growing drives (four e-folds up to the end) of damped modes with random participations. The same for the same seed.
     Voltage limits are 1, the guards' weight 0. */
 AllocationProblem instance (ModePattern, RowKind, const InstanceSize&, std::uint32_t seed);

@@ -16,12 +16,6 @@ using namespace antinode::test;
 
 namespace
 {
-/** The sizes s1, s2, s3 on which solvers were compared, and s4. */
-const InstanceSize sizes[] = { { 2, 2, 500, 0, 96000 },
-                               { 4, 6, 2000, 0, 96000 },
-                               { 8, 15, 4800, 0, 192000 },
-                               { 16, 40, 4800, 0, 192000 } };
-
 /** Rows as vectors over M (i, l) stacked by ceramics: row k is participation (k, i) rows (k, l). */
 Eigen::MatrixXd stackedRows (const Eigen::MatrixXd& participation, const Eigen::MatrixXd& rows)
 {
@@ -128,7 +122,7 @@ TEST_CASE ("The minimum norm solves the Karush-Kuhn-Tucker system of all unknown
 
 TEST_CASE ("Limits that the minimum norm keeps leave it as it is, with a gap of rounding", "[allocation]")
 {
-    auto problem = instance (ModePattern::plate, RowKind::terminal, sizes[1], 2);
+    auto problem = instance (ModePattern::plate, RowKind::terminal, standardSizes[1], 2);
     const auto matrix = minimumNormAllocation (problem);
     problem.voltageLimits *= 1.001 * peakRatio (problem, matrix);
     const auto allocation = solveAllocation (problem, AllocationGoal::norm);
@@ -146,13 +140,13 @@ TEST_CASE ("Limits of 1.3, 1.05 and 0.8 of the least peak are kept, kept tightly
             for (int size = 0; size < 3; ++size)
             {
                 CAPTURE (size, static_cast<int> (pattern), static_cast<int> (kind));
-                checkLimitedInstance (pattern, kind, sizes[size]);
+                checkLimitedInstance (pattern, kind, standardSizes[size]);
             }
 }
 
 TEST_CASE ("16 ceramics, 40 modes and 4800 samples at 1.05 of the least peak are solved to 1e-6", "[allocation]")
 {
-    const auto problem = instance (ModePattern::plate, RowKind::terminal, sizes[3], 1);
+    const auto problem = instance (ModePattern::plate, RowKind::terminal, standardSizes[3], 1);
     const auto least = solveAllocation (problem, AllocationGoal::peak).certificate.leastPeakRatio;
     const auto limited = withLimits (problem, 1.05, least);
     const auto allocation = solveAllocation (limited, AllocationGoal::norm);
@@ -163,7 +157,7 @@ TEST_CASE ("16 ceramics, 40 modes and 4800 samples at 1.05 of the least peak are
 
 TEST_CASE ("Every ceramic keeps its own limit", "[allocation]")
 {
-    auto problem = instance (ModePattern::beam, RowKind::terminal, sizes[1], 4);
+    auto problem = instance (ModePattern::beam, RowKind::terminal, standardSizes[1], 4);
     problem.voltageLimits << 1, 0.1, 3, 0.5;
     const auto least = solveAllocation (problem, AllocationGoal::peak).certificate.leastPeakRatio;
     const auto limited = withLimits (problem, 1.1, least);
@@ -175,7 +169,7 @@ TEST_CASE ("Every ceramic keeps its own limit", "[allocation]")
 
 TEST_CASE ("The same problem gives the same bits", "[allocation]")
 {
-    const auto problem = instance (ModePattern::plate, RowKind::terminal, sizes[2], 5);
+    const auto problem = instance (ModePattern::plate, RowKind::terminal, standardSizes[2], 5);
 
     for (const auto goal : { AllocationGoal::norm, AllocationGoal::peak })
     {
@@ -189,7 +183,7 @@ TEST_CASE ("The same problem gives the same bits", "[allocation]")
 
 TEST_CASE ("Limits that cannot be kept say what can be reached: wanted over the least peak ratio", "[allocation]")
 {
-    auto problem = instance (ModePattern::plate, RowKind::terminal, sizes[1], 6);
+    auto problem = instance (ModePattern::plate, RowKind::terminal, standardSizes[1], 6);
     const auto tooMuch = solveAllocation (problem, AllocationGoal::norm);
     REQUIRE (tooMuch.certificate.status == AllocationStatus::infeasible);
     problem.wanted /= tooMuch.certificate.leastPeakRatio * (1 + 1e-5);
@@ -261,7 +255,7 @@ TEST_CASE ("Drives that are copies of each other, or nothing at all, are allowed
 
 TEST_CASE ("Nothing wanted needs no voltage", "[allocation]")
 {
-    auto problem = instance (ModePattern::beam, RowKind::terminal, sizes[0], 1);
+    auto problem = instance (ModePattern::beam, RowKind::terminal, standardSizes[0], 1);
     problem.wanted.setZero();
     const auto allocation = solveAllocation (problem, AllocationGoal::norm);
     CHECK (allocation.matrix == Eigen::MatrixXd::Zero (2, 2));
@@ -271,7 +265,7 @@ TEST_CASE ("Nothing wanted needs no voltage", "[allocation]")
 
 TEST_CASE ("A mode that no ceramic moves is named, unless nothing is wanted of it", "[allocation]")
 {
-    auto problem = instance (ModePattern::beam, RowKind::terminal, sizes[1], 1);
+    auto problem = instance (ModePattern::beam, RowKind::terminal, standardSizes[1], 1);
     problem.participation.row (2).setConstant (1e-18);
     CHECK_THROWS_WITH (solveAllocation (problem, AllocationGoal::norm),
                        Catch::Contains ("no ceramic moves controlled mode row 3"));
@@ -282,7 +276,7 @@ TEST_CASE ("A mode that no ceramic moves is named, unless nothing is wanted of i
 
 TEST_CASE ("Rows that cannot be told apart are named", "[allocation]")
 {
-    auto problem = instance (ModePattern::beam, RowKind::terminal, sizes[1], 1);
+    auto problem = instance (ModePattern::beam, RowKind::terminal, standardSizes[1], 1);
     problem.participation.row (4) = 2 * problem.participation.row (1);
     problem.rows.row (4) = problem.rows.row (1);
     CHECK_THROWS_WITH (solveAllocation (problem, AllocationGoal::norm), Catch::Contains ("controlled mode row 5"));

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace antinode
+{
+/** Local maxima of |voltage| above a threshold each, a list of samples a ceramic: between two zeros only they can break a limit.
+    @param voltages    N_s x N_b
+    @param thresholds  N_b
+    [worker] */
+std::vector<std::vector<Eigen::Index>> localPeaks (const Eigen::MatrixXd& voltages, const Eigen::VectorXd& thresholds);
+} // namespace antinode

@@ -1,0 +1,161 @@
+#include "Focus/AllocationInstances.h"
+
+#include <antinode_focus/Allocation.h>
+#include <antinode_model/InputError.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+using namespace antinode;
+using namespace antinode::test;
+
+namespace
+{
+/** Small numbers and choices, the same on every library. */
+class Choice
+{
+public:
+    explicit Choice (std::uint32_t seed) : random (seed) {}
+
+    int below (int count) { return static_cast<int> (random() % static_cast<unsigned> (count)); }
+    bool oneIn (int count) { return below (count) == 0; }
+
+private:
+    std::mt19937_64 random;
+};
+
+/** What goes wrong in real descriptions: twins, modes that nothing moves, a window in which drives cannot be told apart. */
+void spoil (AllocationProblem& problem, Choice& choice)
+{
+    const auto modes = static_cast<int> (problem.wanted.size());
+    const auto ceramics = static_cast<int> (problem.voltageLimits.size());
+
+    if (choice.oneIn (6))
+        problem.participation.row (choice.below (modes)).setZero();
+
+    if (choice.oneIn (6))
+        problem.participation.col (choice.below (ceramics)).setZero();
+
+    if (choice.oneIn (6))
+        problem.waveforms.row (choice.below (modes)) = problem.waveforms.row (choice.below (modes));
+
+    if (choice.oneIn (8))
+    {
+        const auto copy = choice.below (modes), original = choice.below (modes);
+        problem.participation.row (copy) = problem.participation.row (original);
+        problem.rows.row (copy) = problem.rows.row (original);
+    }
+
+    if (choice.oneIn (8))
+        problem.waveforms = problem.waveforms.rightCols (1 + choice.below (2 * modes)).eval();
+
+    if (choice.oneIn (8))
+        problem.wanted[choice.below (modes)] = 0;
+}
+
+/** Limits about the peak of the least norm, some below what can be reached. What has no least norm keeps its limits. */
+void limit (AllocationProblem& problem, Choice& choice)
+{
+    try
+    {
+        const auto peak = (minimumNormAllocation (problem) * problem.waveforms).cwiseAbs().maxCoeff();
+
+        if (peak > 0)
+            problem.voltageLimits *= 0.1 * (5 + choice.below (6)) * peak / problem.voltageLimits.maxCoeff();
+    }
+    catch (const InputError&)
+    {
+    }
+}
+
+AllocationProblem fuzzed (std::uint32_t seed)
+{
+    Choice choice (seed);
+    const InstanceSize size { 1 + choice.below (6),
+                              1 + choice.below (8),
+                              60 + choice.below (400),
+                              3 * choice.below (2),
+                              24000.0 * (1 + choice.below (4)),
+                              choice.oneIn (4) ? std::pow (10.0, -choice.below (9)) : 0 };
+    auto problem = instance (choice.oneIn (2) ? ModePattern::beam : ModePattern::plate,
+                             choice.oneIn (2) ? RowKind::identity : RowKind::terminal,
+                             size.modes > 1 ? size : InstanceSize { size.ceramics, 1, size.samples }, seed);
+    spoil (problem, choice);
+    problem.guardWeight = std::pow (10.0, choice.below (5));
+    const auto voltage = std::pow (10.0, choice.below (25) - 12);
+    const auto velocity = std::pow (10.0, choice.below (25) - 12);
+    problem.participation *= velocity / voltage;
+    problem.guardParticipation *= velocity / voltage;
+    problem.wanted *= velocity;
+    problem.voltageLimits *= voltage;
+    limit (problem, choice);
+    return problem;
+}
+
+/** Says which row or ceramic is wrong, or what to change. */
+bool isClear (const std::string& refusal)
+{
+    return refusal.find ("controlled mode row") != std::string::npos
+           || refusal.find ("control fewer modes") != std::string::npos;
+}
+
+struct Outcomes
+{
+    int answers = 0, limited = 0, refusals = 0;
+};
+
+void solveOne (const AllocationProblem& problem, AllocationGoal goal, Outcomes& outcomes)
+{
+    try
+    {
+        const auto allocation = solveAllocation (problem, goal);
+        const auto& certificate = allocation.certificate;
+        const Eigen::VectorXd peaks = (allocation.matrix * problem.waveforms).cwiseAbs().rowwise().maxCoeff();
+        ++outcomes.answers;
+        outcomes.limited += certificate.status == AllocationStatus::optimal;
+        REQUIRE (allocation.matrix.allFinite());
+        REQUIRE (std::abs (certificate.gap) <= 1e-4);
+        REQUIRE (certificate.rowResidual <= 1e-5); // 1e-7 is passed where a window tells drives hardly apart.
+
+        if (goal == AllocationGoal::norm && certificate.status != AllocationStatus::infeasible)
+            REQUIRE ((peaks.array() <= problem.voltageLimits.array() * (1 + 2e-9)).all());
+    }
+    catch (const InputError& error)
+    {
+        ++outcomes.refusals;
+        CAPTURE (std::string (error.what()));
+        REQUIRE (isClear (error.what()));
+    }
+}
+
+Outcomes solveAll (std::uint32_t first, std::uint32_t count)
+{
+    Outcomes outcomes;
+
+    for (auto seed = first; seed < first + count; ++seed)
+    {
+        CAPTURE (seed);
+        solveOne (fuzzed (seed), seed % 8 == 0 ? AllocationGoal::peak : AllocationGoal::norm, outcomes);
+    }
+
+    return outcomes;
+}
+} // namespace
+
+TEST_CASE ("400 spoilt small problems end in a certified answer or a refusal that names the row", "[allocation]")
+{
+    const auto outcomes = solveAll (1, 400);
+    CHECK (outcomes.answers >= 150);
+    CHECK (outcomes.limited >= 50);
+    CHECK (outcomes.refusals >= 50);
+}
+
+TEST_CASE ("10 000 spoilt small problems end in a certified answer or a refusal that names the row", "[.slow]")
+{
+    const auto outcomes = solveAll (1000, 10000);
+    CHECK (outcomes.answers >= 5000);
+    CHECK (outcomes.limited >= 2000);
+}
