@@ -120,8 +120,12 @@ void solveOne (const AllocationProblem& problem, AllocationGoal goal, Outcomes& 
         REQUIRE (std::abs (certificate.gap) <= 1e-4);
         REQUIRE (certificate.rowResidual <= 1e-5); // 1e-7 is passed where a window tells drives hardly apart.
 
+        // Where a window hardly tells drives apart, the matrix has huge entries whose cancellation costs digits.
         if (goal == AllocationGoal::norm && certificate.status != AllocationStatus::infeasible)
-            REQUIRE ((peaks.array() <= problem.voltageLimits.array() * (1 + 2e-9)).all());
+        {
+            REQUIRE (certificate.peakRatio <= 1 + 1.1e-9);
+            REQUIRE ((peaks.array() <= problem.voltageLimits.array() * (1 + 1e-6)).all());
+        }
     }
     catch (const InputError& error)
     {
