@@ -20,8 +20,8 @@ namespace
 /** A peak ratio below which the limits leave so much room that the exact least one need not be known. */
 constexpr auto easyRatio = 0.97;
 
-/** Gaps beyond this are no solution. */
-constexpr auto largestGap = 1e-4;
+/** Gaps beyond this are no solution; where the active set leaves one, the interior point looks anew. */
+constexpr auto largestGap = 1e-6;
 
 /** What the limits must have to spare for the least norm within them to be looked for. */
 constexpr auto leastRoom = 1e-6;
@@ -63,16 +63,13 @@ void checkSolved (double gap)
                           "control fewer modes, or let their growths differ more");
 }
 
-/** Gaps beyond this are looked for anew by the slower way. */
-constexpr auto certifiedGap = 1e-6;
-
 /** The shares by the active set, with status, bound and effort of the certificate. */
 std::optional<Eigen::MatrixXd> activeShares (const WhitenedAllocation& whitened, const RowSystem& rows,
                                              const Eigen::MatrixXd& unlimited, AllocationCertificate& certificate)
 {
     const auto result = activeSetShares (whitened, rows, 1, unlimited);
 
-    if (! result || ! (result->gap() <= certifiedGap))
+    if (! result || ! (result->gap() <= largestGap))
         return {};
 
     certificate.status = AllocationStatus::optimal;

@@ -72,14 +72,14 @@ struct Allocation
 };
 
 /** The best allocation, with its certificate: closed form where that keeps the limits, else an active set of the voltages'
-    peaks, and where that does not end a primal-dual interior point method. Deterministic. Limits are kept to 1e-9, rows to rounding. The gap is at most 1e-6, mostly 1e-9,
-    unless the limits leave less than 1e-4 to spare or drives almost coincide: then rounding can leave more, and the certificate says so.
+    peaks, and where that does not end a primal-dual interior point method. Deterministic. Limits are kept to 1e-9 and rows met to 1e-9,
+    or to what rounding the matrix to doubles leaves where drives almost coincide. The gap is at most 1e-6, mostly 1e-9.
     Where the limits cannot be kept (status infeasible) the matrix is that of the least peak: the caller decides what to say;
     all is linear in `wanted`, so wanted / certificate.leastPeakRatio can be reached.
     Where drives are combinations of others (to 1e-5 of their length) each counts as if 1e-4 of its length were in a sample of its own.
     `wanted` all 0 gives M = 0.
     @throws InputError  when the problem is not well-formed, or a row cannot be met at all (a mode that no ceramic moves, or that
-                        cannot be steered apart from those before it), naming the row; or when rounding leaves a gap above 1e-4
+                        cannot be steered apart from those before it), naming the row; or when rounding leaves a gap above 1e-6
     [worker] Docs/Theory.md, section 4. */
 Allocation solveAllocation (const AllocationProblem&, AllocationGoal);
 

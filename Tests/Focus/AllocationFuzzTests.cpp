@@ -5,7 +5,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <string>
 
@@ -107,6 +109,23 @@ struct Outcomes
     int answers = 0, limited = 0, refusals = 0;
 };
 
+/** What rounding the matrix to doubles may change at most: sum |a| |b| |M| of each row, in parts of the wanted. */
+double rowResolution (const AllocationProblem& problem, const Eigen::MatrixXd& matrix)
+{
+    const Eigen::VectorXd sums = problem.participation.cwiseAbs()
+                                     .cwiseProduct (problem.rows.cwiseAbs() * matrix.transpose().cwiseAbs())
+                                     .rowwise()
+                                     .sum();
+    return sums.maxCoeff() / problem.wanted.cwiseAbs().maxCoeff() * std::numeric_limits<double>::epsilon();
+}
+
+/** The same for the voltages, in parts of the limits. */
+double limitResolution (const AllocationProblem& problem, const Eigen::MatrixXd& matrix)
+{
+    const Eigen::VectorXd sums = (matrix.cwiseAbs() * problem.waveforms.cwiseAbs()).rowwise().maxCoeff();
+    return sums.cwiseQuotient (problem.voltageLimits).maxCoeff() * std::numeric_limits<double>::epsilon();
+}
+
 void solveOne (const AllocationProblem& problem, AllocationGoal goal, Outcomes& outcomes)
 {
     try
@@ -114,18 +133,15 @@ void solveOne (const AllocationProblem& problem, AllocationGoal goal, Outcomes& 
         const auto allocation = solveAllocation (problem, goal);
         const auto& certificate = allocation.certificate;
         const Eigen::VectorXd peaks = (allocation.matrix * problem.waveforms).cwiseAbs().rowwise().maxCoeff();
+        const auto beyond = peaks.cwiseQuotient (problem.voltageLimits).maxCoeff() - 1;
         ++outcomes.answers;
         outcomes.limited += certificate.status == AllocationStatus::optimal;
         REQUIRE (allocation.matrix.allFinite());
-        REQUIRE (std::abs (certificate.gap) <= 1e-4);
-        REQUIRE (certificate.rowResidual <= 1e-5); // 1e-7 is passed where a window tells drives hardly apart.
+        REQUIRE (std::abs (certificate.gap) <= 1e-6);
+        REQUIRE (certificate.rowResidual <= std::max (1e-9, rowResolution (problem, allocation.matrix)));
 
-        // Where a window hardly tells drives apart, the matrix has huge entries whose cancellation costs digits.
         if (goal == AllocationGoal::norm && certificate.status != AllocationStatus::infeasible)
-        {
-            REQUIRE (certificate.peakRatio <= 1 + 1.1e-9);
-            REQUIRE ((peaks.array() <= problem.voltageLimits.array() * (1 + 1e-6)).all());
-        }
+            REQUIRE (beyond <= std::max (1.1e-9, limitResolution (problem, allocation.matrix)));
     }
     catch (const InputError& error)
     {
@@ -149,17 +165,10 @@ Outcomes solveAll (std::uint32_t first, std::uint32_t count)
 }
 } // namespace
 
-TEST_CASE ("400 spoilt small problems end in a certified answer or a refusal that names the row", "[allocation]")
+TEST_CASE ("10 000 spoilt small problems end in a certified answer or a refusal that names the row", "[allocation]")
 {
-    const auto outcomes = solveAll (1, 400);
-    CHECK (outcomes.answers >= 150);
-    CHECK (outcomes.limited >= 50);
-    CHECK (outcomes.refusals >= 50);
-}
-
-TEST_CASE ("10 000 spoilt small problems end in a certified answer or a refusal that names the row", "[.slow]")
-{
-    const auto outcomes = solveAll (1000, 10000);
+    const auto outcomes = solveAll (1, 10000);
     CHECK (outcomes.answers >= 5000);
     CHECK (outcomes.limited >= 2000);
+    CHECK (outcomes.refusals >= 1000);
 }
