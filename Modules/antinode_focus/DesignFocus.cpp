@@ -2,6 +2,7 @@
 
 #include "Brake.h"
 #include "DesignRemarks.h"
+#include "DriveAllocation.h"
 #include "DriveGrid.h"
 #include "LowerBound.h"
 #include "Prediction.h"
@@ -16,13 +17,6 @@ namespace antinode
 {
 namespace
 {
-using Drives = std::vector<std::vector<Oscillation>>;
-
-double millimetresPerSecond (double velocity)
-{
-    return velocity * 1000;
-}
-
 void checkTargets (const Surface& surface, const std::vector<Target>& targets)
 {
     const auto isPlate = surface.kind == SurfaceKind::plate;
@@ -55,134 +49,6 @@ void checkRate (const ModalModel& model, const std::vector<int>& modes, Playback
                                                    "(focus: /modes/maximum_frequency_Hz)");
 }
 
-/** The modes guarded: the lowest of those that are not controlled. */
-std::vector<int> guardsFor (const ModalModel& model, const std::vector<int>& controlled, const AllocationChoice& choice)
-{
-    std::vector<int> guards;
-
-    for (int k = 0; k < model.modes(); ++k)
-        if (! std::binary_search (controlled.begin(), controlled.end(), k))
-            guards.push_back (k);
-
-    if (choice.guardModes && *choice.guardModes < static_cast<int> (guards.size()))
-        guards.resize (static_cast<std::size_t> (*choice.guardModes));
-
-    return guards;
-}
-
-double firstStart (const Drives& drives)
-{
-    auto first = drives.front().front().start;
-
-    for (const auto& drive : drives)
-        first = std::min (first, drive.front().start);
-
-    return first;
-}
-
-/** Each mode by the ceramic that moves it most. */
-Eigen::MatrixXd oneToOneAllocation (const Eigen::MatrixXd& participation, const Eigen::VectorXd& wanted)
-{
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero (participation.cols(), participation.rows());
-
-    for (Eigen::Index k = 0; k < participation.rows(); ++k)
-    {
-        Eigen::Index best = 0;
-        participation.row (k).cwiseAbs().maxCoeff (&best);
-        matrix (best, k) = wanted[k] / participation (k, best);
-    }
-
-    return matrix;
-}
-
-AllocationProblem allocationProblem (const ModalModel& model, const FocusDescription& description,
-                                     const std::vector<int>& modes, const Eigen::VectorXd& wanted, const Drives& drives,
-                                     Playback playback)
-{
-    const auto& choice = description.allocation;
-    const auto isExact = choice.method == AllocationMethod::exact || choice.method == AllocationMethod::minimumPeak;
-    const auto time = description.focusTime;
-    const auto first = choice.window ? std::max (time - *choice.window, firstStart (drives)) : firstStart (drives);
-    const auto count = static_cast<Eigen::Index> (modes.size());
-
-    AllocationProblem problem;
-    problem.waveforms = sampleDrives (drives, first, time + releaseDuration());
-    problem.participation = model.participation (modes, Eigen::all);
-    problem.wanted = wanted;
-    problem.voltageLimits = voltageLimits (model, choice) * gridLimitMargin();
-
-    if (! isExact)
-    {
-        problem.rows = Eigen::MatrixXd::Identity (count, count);
-        return problem;
-    }
-
-    const auto guards = guardsFor (model, modes, choice);
-    problem.rows = terminalVelocities (model, modes, drives, time, playback);
-    problem.guardParticipation = model.participation (guards, Eigen::all);
-    problem.guardRows = terminalVelocities (model, guards, drives, time, playback);
-    problem.guardWeight = choice.guardWeight;
-    return problem;
-}
-
-Allocation allocate (const AllocationProblem& problem, AllocationMethod method)
-{
-    if (method == AllocationMethod::minimumPeak)
-        return solveAllocation (problem, AllocationGoal::peak);
-
-    if (method == AllocationMethod::exact || method == AllocationMethod::paper)
-        return solveAllocation (problem, AllocationGoal::norm);
-
-    Allocation allocation;
-    allocation.matrix = method == AllocationMethod::oneToOne
-                            ? oneToOneAllocation (problem.participation, problem.wanted)
-                            : minimumNormAllocation (problem);
-    const Eigen::MatrixXd voltages = allocation.matrix * problem.waveforms;
-    allocation.certificate.objective = 0.5 * voltages.squaredNorm();
-    allocation.certificate.peakRatio =
-        voltages.cwiseAbs().rowwise().maxCoeff().cwiseQuotient (problem.voltageLimits).maxCoeff();
-    return allocation;
-}
-
-void throwWhereBeyondLimit (const AllocationCertificate& certificate, AllocationMethod method,
-                            const Eigen::VectorXd& limits, double peakVelocity)
-{
-    const auto isBeyond = certificate.status == AllocationStatus::infeasible
-                          || (method == AllocationMethod::minimumPeak && certificate.peakRatio > 1);
-
-    if (! isBeyond)
-        return;
-
-    const auto ratio = certificate.peakRatio;
-    const auto least = limits.maxCoeff() * ratio;
-    const auto reachable = peakVelocity / ratio;
-    throw LimitError ("focus: /allocation/voltage_limit_V",
-                      inWords (limits.maxCoeff()) + " V cannot bring " + inWords (millimetresPerSecond (peakVelocity))
-                          + " mm/s: these drives need at least " + inWords (least) + " V; at this limit "
-                          + inWords (millimetresPerSecond (reachable)) + " mm/s can be reached",
-                      least, reachable);
-}
-
-/** A drive's oscillations share its column of the matrix. */
-VoltageProgram programOf (const Drives& drives, const Eigen::MatrixXd& matrix, const Eigen::VectorXd& limits,
-                          double focusTime)
-{
-    VoltageProgram program;
-    std::vector<Eigen::Index> columns;
-
-    for (std::size_t l = 0; l < drives.size(); ++l)
-        for (const auto& oscillation : drives[l])
-        {
-            program.oscillations.push_back (oscillation);
-            columns.push_back (static_cast<Eigen::Index> (l));
-        }
-
-    program.allocation = matrix (Eigen::all, columns);
-    program.voltageLimits = limits;
-    program.focusTime = focusTime;
-    return program;
-}
-
 double lowerBound (const ModalModel& model, const std::vector<int>& modes, const Eigen::VectorXd& wanted,
                    const Eigen::VectorXd& limits, double focusTime)
 {
@@ -201,7 +67,7 @@ FocusDesign designDrives (const ModalModel& model, const FocusDescription& descr
     checkRate (model, modes, playback);
     const auto modeDrives = driveModes (model, modes, description.focusTime, description.transients);
     FocusDesign design;
-    Drives drives;
+    DriveList drives;
 
     for (const auto& drive : modeDrives)
     {
@@ -211,8 +77,7 @@ FocusDesign designDrives (const ModalModel& model, const FocusDescription& descr
     }
 
     const auto limits = voltageLimits (model, description.allocation);
-    const auto problem = allocationProblem (model, description, modes, wanted, drives, playback);
-    const auto allocation = allocate (problem, description.allocation.method);
+    const auto allocation = allocateDrives (model, description, modes, wanted, drives, playback);
     throwWhereBeyondLimit (allocation.certificate, description.allocation.method, limits, peakVelocity);
 
     design.description = description;
@@ -232,25 +97,6 @@ FocusDesign designDrives (const ModalModel& model, const FocusDescription& descr
     return design;
 }
 } // namespace
-
-LimitError::LimitError (const std::string& where, const std::string& wrong, double leastPeakVoltageToUse,
-                        double reachableVelocityToUse)
-    : InputError (where, wrong), leastPeakVoltage (leastPeakVoltageToUse), reachableVelocity (reachableVelocityToUse)
-{
-}
-
-Eigen::VectorXd voltageLimits (const ModalModel& model, const AllocationChoice& choice)
-{
-    Eigen::VectorXd limits (model.actuators());
-
-    for (Eigen::Index i = 0; i < limits.size(); ++i)
-    {
-        const auto own = model.ceramics[static_cast<std::size_t> (i)].voltageLimit;
-        limits[i] = std::min (own, choice.voltageLimit.value_or (own));
-    }
-
-    return limits;
-}
 
 double peakVoltage (const FocusDesign& design)
 {

@@ -1,24 +1,11 @@
 #pragma once
 
+#include "DriveAllocation.h"
 #include "FocusDesign.h"
-
-#include <antinode_model/InputError.h>
-
-#include <functional>
+#include "LimitError.h"
 
 namespace antinode
 {
-/** The voltage limit cannot be met by the wanted focus. The text says what can. */
-class LimitError : public InputError
-{
-public:
-    LimitError (const std::string& where, const std::string& wrong, double leastPeakVoltageToUse,
-                double reachableVelocityToUse);
-
-    double leastPeakVoltage;  ///< V: the least peak of these drives that brings the wanted field.
-    double reachableVelocity; ///< m/s: the peak velocity that the limit allows.
-};
-
 /** What a design is made for. */
 enum class DesignExtent
 {
@@ -43,7 +30,4 @@ FocusDesign designModes (const ModalModel&, const FocusDescription&, const std::
 
 /** The largest voltage of any ceramic that the drives of a design and their release ask for, before any limiter. V. [any] */
 double peakVoltage (const FocusDesign&);
-
-/** The voltage limit of each ceramic: the device's, or the focus's where that is lower. N_b, V. [any] */
-Eigen::VectorXd voltageLimits (const ModalModel&, const AllocationChoice&);
 } // namespace antinode

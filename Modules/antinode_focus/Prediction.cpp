@@ -43,14 +43,6 @@ Complex realResponse (const Oscillation& oscillation, Response&& response)
     const auto x = oscillation.phasor();
     return 0.5 * (x * response (p) + std::conj (x) * response (std::conj (p)));
 }
-
-Complex terminalState (Complex pole, const Oscillation& oscillation, double focusTime, Playback playback)
-{
-    if (playback.sampleRate > 0 && playback.reconstruction == Reconstruction::zeroOrderHold)
-        return heldModalResponse (pole, oscillation, focusTime, playback.sampleRate);
-
-    return modalResponse (pole, oscillation, focusTime);
-}
 } // namespace
 
 Complex modalResponse (Complex pole, const Oscillation& oscillation, double time)
@@ -115,28 +107,6 @@ Eigen::VectorXcd predictStates (const ModalModel& model, const VoltageProgram& p
                 forces (k, c) * modalResponse (poles[k], program.oscillations[static_cast<std::size_t> (c)], time);
 
     return states;
-}
-
-Eigen::MatrixXd terminalVelocities (const ModalModel& model, const std::vector<int>& modes,
-                                    const std::vector<std::vector<Oscillation>>& drives, double focusTime,
-                                    Playback playback)
-{
-    const auto poles = modalPoles (model);
-    Eigen::MatrixXd velocities (modes.size(), drives.size());
-
-    for (Eigen::Index l = 0; l < velocities.cols(); ++l)
-        for (Eigen::Index k = 0; k < velocities.rows(); ++k)
-        {
-            const auto pole = poles[modes[static_cast<std::size_t> (k)]];
-            Complex state = 0;
-
-            for (const auto& oscillation : drives[static_cast<std::size_t> (l)])
-                state += terminalState (pole, oscillation, focusTime, playback);
-
-            velocities (k, l) = state.real() + pole.real() / pole.imag() * state.imag();
-        }
-
-    return velocities;
 }
 
 double oscillationValue (const Oscillation& oscillation, double time)

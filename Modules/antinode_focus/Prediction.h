@@ -2,7 +2,6 @@
 
 #include <antinode_model/ModalModel.h>
 #include <antinode_model/Oscillation.h>
-#include <antinode_model/Playback.h>
 
 #include <Eigen/Core>
 
@@ -38,16 +37,6 @@ Eigen::VectorXd modalDisplacements (const ModalModel&, const Eigen::VectorXcd& s
     @return      N_m values y_k
     [worker] Docs/Theory.md, section 3.1. */
 Eigen::VectorXcd predictStates (const ModalModel&, const VoltageProgram&, double time);
-
-/** Terminal velocities per unit participation: C (k, l), the velocity of mode k at t_f when drive l alone acts on it with
-    participation 1. Played band-limited, a drive and its release are what they are as continuous waveforms, so one closed form serves
-    both; held samples have their own exact sum.
-    @param modes   the modes k that are looked at
-    @param drives  the oscillations of each drive l
-    @return        modes x drives, (m/s kg^1/2) / (N kg^-1/2)
-    [worker] Docs/Theory.md, sections 4.1 and 6.3. */
-Eigen::MatrixXd terminalVelocities (const ModalModel&, const std::vector<int>& modes,
-                                    const std::vector<std::vector<Oscillation>>& drives, double focusTime, Playback);
 
 /** The value of an oscillation at one time: for start <= t < end, else 0. [any] */
 double oscillationValue (const Oscillation&, double time);

@@ -1,0 +1,142 @@
+#include "DriveAllocation.h"
+
+#include "DriveGrid.h"
+#include "StateRows.h"
+#include "Transients.h"
+
+#include <algorithm>
+
+namespace antinode
+{
+namespace
+{
+/** The modes guarded: the lowest of those that are not controlled. */
+std::vector<int> guardsFor (const ModalModel& model, const std::vector<int>& controlled, const AllocationChoice& choice)
+{
+    std::vector<int> guards;
+
+    for (int k = 0; k < model.modes(); ++k)
+        if (! std::binary_search (controlled.begin(), controlled.end(), k))
+            guards.push_back (k);
+
+    if (choice.guardModes && *choice.guardModes < static_cast<int> (guards.size()))
+        guards.resize (static_cast<std::size_t> (*choice.guardModes));
+
+    return guards;
+}
+
+double firstStart (const DriveList& drives)
+{
+    auto first = drives.front().front().start;
+
+    for (const auto& drive : drives)
+        first = std::min (first, drive.front().start);
+
+    return first;
+}
+
+/** Each mode by the ceramic that moves it most. */
+Eigen::MatrixXd oneToOneAllocation (const Eigen::MatrixXd& participation, const Eigen::VectorXd& wanted)
+{
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero (participation.cols(), participation.rows());
+
+    for (Eigen::Index k = 0; k < participation.rows(); ++k)
+    {
+        Eigen::Index best = 0;
+        participation.row (k).cwiseAbs().maxCoeff (&best);
+        matrix (best, k) = wanted[k] / participation (k, best);
+    }
+
+    return matrix;
+}
+
+AllocationProblem allocationProblem (const ModalModel& model, const FocusDescription& description,
+                                     const std::vector<int>& modes, const Eigen::VectorXd& wanted,
+                                     const DriveList& drives, Playback playback)
+{
+    const auto& choice = description.allocation;
+    const auto isExact = choice.method == AllocationMethod::exact || choice.method == AllocationMethod::minimumPeak;
+    const auto time = description.focusTime;
+    const auto first = choice.window ? std::max (time - *choice.window, firstStart (drives)) : firstStart (drives);
+    const auto count = static_cast<Eigen::Index> (modes.size());
+
+    AllocationProblem problem;
+    problem.waveforms = sampleDrives (drives, first, time + releaseDuration());
+    problem.participation = model.participation (modes, Eigen::all);
+    problem.wanted = wanted;
+    problem.voltageLimits = voltageLimits (model, choice) * gridLimitMargin();
+
+    if (! isExact)
+    {
+        problem.rows = Eigen::MatrixXd::Identity (count, count);
+        return problem;
+    }
+
+    const auto guards = guardsFor (model, modes, choice);
+    problem.rows = rowResponses (model, rowsAt (time, modes, ModalQuantity::velocity), drives, playback);
+    problem.guardParticipation = model.participation (guards, Eigen::all);
+    problem.guardRows = rowResponses (model, rowsAt (time, guards, ModalQuantity::velocity), drives, playback);
+    problem.guardWeight = choice.guardWeight;
+    return problem;
+}
+
+Allocation allocate (const AllocationProblem& problem, AllocationMethod method)
+{
+    if (method == AllocationMethod::minimumPeak)
+        return solveAllocation (problem, AllocationGoal::peak);
+
+    if (method == AllocationMethod::exact || method == AllocationMethod::paper)
+        return solveAllocation (problem, AllocationGoal::norm);
+
+    Allocation allocation;
+    allocation.matrix = method == AllocationMethod::oneToOne
+                            ? oneToOneAllocation (problem.participation, problem.wanted)
+                            : minimumNormAllocation (problem);
+    const Eigen::MatrixXd voltages = allocation.matrix * problem.waveforms;
+    allocation.certificate.objective = 0.5 * voltages.squaredNorm();
+    allocation.certificate.peakRatio =
+        voltages.cwiseAbs().rowwise().maxCoeff().cwiseQuotient (problem.voltageLimits).maxCoeff();
+    return allocation;
+}
+} // namespace
+
+Eigen::VectorXd voltageLimits (const ModalModel& model, const AllocationChoice& choice)
+{
+    Eigen::VectorXd limits (model.actuators());
+
+    for (Eigen::Index i = 0; i < limits.size(); ++i)
+    {
+        const auto own = model.ceramics[static_cast<std::size_t> (i)].voltageLimit;
+        limits[i] = std::min (own, choice.voltageLimit.value_or (own));
+    }
+
+    return limits;
+}
+
+Allocation allocateDrives (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
+                           const Eigen::VectorXd& wanted, const DriveList& drives, Playback playback)
+{
+    return allocate (allocationProblem (model, description, modes, wanted, drives, playback),
+                     description.allocation.method);
+}
+
+/** A drive's oscillations share its column of the matrix. */
+VoltageProgram programOf (const DriveList& drives, const Eigen::MatrixXd& matrix, const Eigen::VectorXd& limits,
+                          double focusTime)
+{
+    VoltageProgram program;
+    std::vector<Eigen::Index> columns;
+
+    for (std::size_t l = 0; l < drives.size(); ++l)
+        for (const auto& oscillation : drives[l])
+        {
+            program.oscillations.push_back (oscillation);
+            columns.push_back (static_cast<Eigen::Index> (l));
+        }
+
+    program.allocation = matrix (Eigen::all, columns);
+    program.voltageLimits = limits;
+    program.focusTime = focusTime;
+    return program;
+}
+} // namespace antinode

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "Allocation.h"
+#include "FocusDescription.h"
+
+#include <antinode_model/ModalModel.h>
+#include <antinode_model/Oscillation.h>
+#include <antinode_model/Playback.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace antinode
+{
+/** Drives: the oscillations of each, which share a column of the allocation. */
+using DriveList = std::vector<std::vector<Oscillation>>;
+
+/** The voltage limit of each ceramic: the device's, or the focus's where that is lower. N_b, V. [any] */
+Eigen::VectorXd voltageLimits (const ModalModel&, const AllocationChoice&);
+
+/** Who plays how much of which drive, so that the controlled modes have the wanted velocities at the focus time.
+    @param modes   the controlled modes, ascending
+    @param wanted  their modal velocities at t_f, m/s kg^1/2
+    @throws InputError  as solveAllocation
+    [worker] Docs/Theory.md, section 4. */
+Allocation allocateDrives (const ModalModel&, const FocusDescription&, const std::vector<int>& modes,
+                           const Eigen::VectorXd& wanted, const DriveList&, Playback);
+
+/** Drives mixed by a matrix, N_b x drives, as a program. [any] */
+VoltageProgram programOf (const DriveList&, const Eigen::MatrixXd& matrix, const Eigen::VectorXd& limits,
+                          double focusTime);
+} // namespace antinode

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "Allocation.h"
+#include "FocusDescription.h"
+
+#include <antinode_model/InputError.h>
+
+namespace antinode
+{
+/** The voltage limit cannot be met by the wanted focus. The text says what can. */
+class LimitError : public InputError
+{
+public:
+    LimitError (const std::string& where, const std::string& wrong, double leastPeakVoltageToUse,
+                double reachableVelocityToUse);
+
+    double leastPeakVoltage;  ///< V: the least peak of these drives that brings the wanted field.
+    double reachableVelocity; ///< m/s: the peak velocity that the limit allows.
+};
+
+/** @param limits        N_b, V
+    @param peakVelocity  what was wanted, m/s
+    @throws LimitError   when an allocation shows that the limits cannot be met
+    [worker] */
+void throwWhereBeyondLimit (const AllocationCertificate&, AllocationMethod, const Eigen::VectorXd& limits,
+                            double peakVelocity);
+} // namespace antinode

@@ -1,0 +1,58 @@
+#include "StateRows.h"
+
+#include "Prediction.h"
+
+#include <complex>
+
+namespace antinode
+{
+namespace
+{
+using Complex = std::complex<double>;
+
+Complex stateAt (Complex pole, const Oscillation& oscillation, double time, Playback playback)
+{
+    if (playback.sampleRate > 0 && playback.reconstruction == Reconstruction::zeroOrderHold)
+        return heldModalResponse (pole, oscillation, time, playback.sampleRate);
+
+    return modalResponse (pole, oscillation, time);
+}
+
+double quantityOf (Complex state, Complex pole, ModalQuantity quantity)
+{
+    return quantity == ModalQuantity::velocity ? state.real() + pole.real() / pole.imag() * state.imag() : state.imag();
+}
+} // namespace
+
+std::vector<StateRow> rowsAt (double time, const std::vector<int>& modes, ModalQuantity quantity)
+{
+    std::vector<StateRow> rows;
+
+    for (const auto mode : modes)
+        rows.push_back ({ mode, time, quantity });
+
+    return rows;
+}
+
+Eigen::MatrixXd rowResponses (const ModalModel& model, const std::vector<StateRow>& rows,
+                              const std::vector<std::vector<Oscillation>>& drives, Playback playback)
+{
+    const auto poles = modalPoles (model);
+    Eigen::MatrixXd responses (rows.size(), drives.size());
+
+    for (Eigen::Index l = 0; l < responses.cols(); ++l)
+        for (Eigen::Index r = 0; r < responses.rows(); ++r)
+        {
+            const auto& row = rows[static_cast<std::size_t> (r)];
+            const auto pole = poles[row.mode];
+            Complex state = 0;
+
+            for (const auto& oscillation : drives[static_cast<std::size_t> (l)])
+                state += stateAt (pole, oscillation, row.time, playback);
+
+            responses (r, l) = quantityOf (state, pole, row.quantity);
+        }
+
+    return responses;
+}
+} // namespace antinode

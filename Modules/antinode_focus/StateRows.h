@@ -1,0 +1,39 @@
+#pragma once
+
+#include <antinode_model/ModalModel.h>
+#include <antinode_model/Oscillation.h>
+#include <antinode_model/Playback.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace antinode
+{
+/** What is looked at of a mode. Both in m/s kg^1/2, so that errors of the one weigh as much as errors of the other. */
+enum class ModalQuantity
+{
+    velocity,    ///< q'
+    displacement ///< b q, b the damped angular frequency.
+};
+
+/** One number of a mode's motion at one time: what a row of the allocation prescribes. */
+struct StateRow
+{
+    int mode = 0;
+    double time = 0; ///< s from the trigger.
+    ModalQuantity quantity = ModalQuantity::velocity;
+};
+
+/** One row of a quantity a mode, at one time. [any] */
+std::vector<StateRow> rowsAt (double time, const std::vector<int>& modes, ModalQuantity);
+
+/** What each row sees of each drive per unit participation: C (r, l), the quantity of row r when drive l alone acts on its mode with
+    participation 1. Played band-limited, a drive and its release are what they are as continuous waveforms, so one closed form serves
+    both; held samples have their own exact sum.
+    @param drives  the oscillations of each drive l
+    @return        rows x drives, (m/s kg^1/2) / (N kg^-1/2)
+    [worker] Docs/Theory.md, sections 4.1 and 6.3. */
+Eigen::MatrixXd rowResponses (const ModalModel&, const std::vector<StateRow>& rows,
+                              const std::vector<std::vector<Oscillation>>& drives, Playback);
+} // namespace antinode
