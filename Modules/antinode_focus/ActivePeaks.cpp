@@ -55,7 +55,7 @@ void ActivePeaks::set (std::vector<ActivePeak> peaksToLimit, Eigen::VectorXd mul
     normals.resize (problem.drives(), z.size());
 
     for (Eigen::Index j = 0; j < z.size(); ++j)
-        normals.col (j) = peak (j).sign * problem.basis.row (peak (j).sample).transpose();
+        normals.col (j) = peak (j).sign * problem.direction (peak (j).ceramic, peak (j).sample);
 
     matrix = gram();
     beyond = excess (start);

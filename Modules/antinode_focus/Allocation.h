@@ -11,6 +11,7 @@ namespace antinode
         minimise    1/2 ||M Psi||_F^2 + guardWeight/2 * scale * sum_g (guard row g of M)^2
         subject to  row k:   sum_i sum_l participation (k, i) rows (k, l) M (i, l) = wanted (k)      (hard)
                     |(M Psi) (i, n)| <= voltageLimits (i)
+                    |(M slopes) (i, n)| <= slewLimits (i)      (where there are any)
 
     A guard row is built like a hard row, from guardParticipation and guardRows, in the same unit, and wants 0.
     `rows` is the identity for the paper's rows (29) and the matrix C of terminal velocities for exact rows.
@@ -29,6 +30,8 @@ struct AllocationProblem
     Eigen::MatrixXd guardParticipation; ///< N_g x N_b, or empty
     Eigen::MatrixXd guardRows;          ///< N_g x N_d, or empty
     double guardWeight = 0;             ///< lambda, at least 0
+    Eigen::MatrixXd slopes;             ///< dPsi/dt, N_d x N_t, 1/s, on a grid on which the slew limits hold, or empty.
+    Eigen::VectorXd slewLimits;         ///< N_b, V/s, more than 0; empty where slopes are.
     Eigen::VectorXd voltageLimits;      ///< N_b, V, more than 0
 };
 
@@ -36,7 +39,7 @@ struct AllocationProblem
 enum class AllocationGoal
 {
     norm, ///< The norm, guards included, within the limits.
-    peak ///< The largest |U_i| / voltageLimits (i), guards ignored; then the norm, guards included, within 1.001 of it.
+    peak ///< The largest |U_i| / voltageLimits (i) and |dU_i/dt| / slewLimits (i), guards ignored; then the norm, guards included, within 1.001 of it.
 };
 
 enum class AllocationStatus
@@ -56,8 +59,9 @@ struct AllocationCertificate
     /** A value that no M can go below which meets the rows and the limits (weak duality), V^2. Where the least peak was
         asked for, or the limits cannot be kept, the limits are those times 1.001 leastPeakRatio. */
     double bound = 0;
-    double gap = 0;       ///< (objective - bound) / objective.
-    double peakRatio = 0; ///< max |U_i| / voltageLimits (i) on the grid.
+    double gap = 0; ///< (objective - bound) / objective.
+    double peakRatio =
+        0; ///< The larger of max |U_i| / voltageLimits (i) and max |dU_i/dt| / slewLimits (i) on the grids.
     /** Certified: no M has a smaller peakRatio. The least there is, to 1e-6, for AllocationGoal::peak and infeasible limits;
         otherwise only what came up on the way to knowing that the limits can be kept, or 0. */
     double leastPeakRatio = 0;

@@ -27,7 +27,7 @@ double leastNormBound (const WhitenedAllocation& problem, const RowSystem& rows,
 double leastPeakBound (const WhitenedAllocation& problem, const Eigen::VectorXd& rowMultipliers,
                        Eigen::MatrixXd sampleMultipliers)
 {
-    sampleMultipliers += problem.voltages (problem.weightedRows (rowMultipliers) - problem.pull (sampleMultipliers));
+    sampleMultipliers += problem.balancing (problem.weightedRows (rowMultipliers) - problem.pull (sampleMultipliers));
     const auto all = price (problem, sampleMultipliers);
     return all > 0 ? (1 - roundingAllowance) * problem.wanted.dot (rowMultipliers) / all : 0;
 }

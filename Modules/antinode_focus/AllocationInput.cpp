@@ -2,6 +2,7 @@
 
 #include <antinode_model/InputError.h>
 
+#include <algorithm>
 #include <string>
 
 namespace antinode
@@ -26,6 +27,23 @@ void checkSize (const char* name, const Eigen::MatrixXd& matrix, Eigen::Index ro
                                                                   + std::to_string (columns));
     check (matrix.allFinite(), std::string (name) + " hold a value that is not finite");
 }
+
+void checkLimits (const char* name, const Eigen::VectorXd& limits, Eigen::Index ceramics, const char* unit)
+{
+    checkSize ((std::string (name) + " limits").c_str(), limits, ceramics, 1);
+    check (limits.minCoeff() > 0, std::string ("has a ") + name + " limit of " + std::to_string (limits.minCoeff())
+                                      + " " + unit + ", allowed is more than 0");
+}
+
+/** Samples of the slopes that are limited; neither limits without slopes nor slopes without limits. */
+void checkSlopes (const AllocationProblem& problem, Eigen::Index drives, Eigen::Index ceramics)
+{
+    if (problem.slopes.size() == 0 && problem.slewLimits.size() == 0)
+        return;
+
+    checkSize ("slopes", problem.slopes, drives, std::max<Eigen::Index> (1, problem.slopes.cols()));
+    checkLimits ("slew", problem.slewLimits, ceramics, "V/s");
+}
 } // namespace
 
 void validate (const AllocationProblem& problem)
@@ -47,10 +65,8 @@ void validate (const AllocationProblem& problem)
         checkSize ("guard participations", problem.guardParticipation, guards, ceramics);
     }
 
-    checkSize ("voltage limits", problem.voltageLimits, ceramics, 1);
-    check (problem.voltageLimits.minCoeff() > 0, "has a voltage limit of "
-                                                     + std::to_string (problem.voltageLimits.minCoeff())
-                                                     + " V, allowed is more than 0");
+    checkLimits ("voltage", problem.voltageLimits, ceramics, "V");
+    checkSlopes (problem, drives, ceramics);
     check (problem.guardWeight >= 0 && problem.guardWeight <= 1e12,
            "has a guard weight of " + std::to_string (problem.guardWeight) + ", allowed is 0 to 1e12");
 }

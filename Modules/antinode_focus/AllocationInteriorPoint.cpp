@@ -33,7 +33,16 @@ void AllocationInteriorPoint::addSamples (const std::vector<SampleList>& lists)
     const auto product = products() > 0 ? complementarity() / products() : firstProduct (lists);
 
     for (std::size_t i = 0; i < ceramics.size(); ++i)
-        ceramics[i].add (lists[i], problem.basis, x.col (static_cast<Eigen::Index> (i)), ratio, product);
+    {
+        const auto ceramic = static_cast<Eigen::Index> (i);
+        const auto fresh = ceramics[i].notYetLimited (lists[i]);
+        Eigen::MatrixXd directions (problem.drives(), fresh.size());
+
+        for (Eigen::Index j = 0; j < directions.cols(); ++j)
+            directions.col (j) = problem.direction (ceramic, fresh[static_cast<std::size_t> (j)]);
+
+        ceramics[i].add (fresh, directions, x.col (ceramic), ratio, product);
+    }
 }
 
 double AllocationInteriorPoint::firstProduct (const std::vector<SampleList>& lists) const

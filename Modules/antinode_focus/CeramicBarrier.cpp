@@ -39,18 +39,22 @@ Eigen::ArrayX2d multiplierPull (const CeramicBarrier::Residual& residual, const 
 
 CeramicBarrier::CeramicBarrier (double limitToUse, Eigen::Index drives) : limit (limitToUse), directions (drives, 0) {}
 
-void CeramicBarrier::add (const SampleList& samples, const Eigen::MatrixXd& basis, const Eigen::VectorXd& share,
-                          double ratio, double barrier)
+SampleList CeramicBarrier::notYetLimited (const SampleList& samples) const
 {
-    constexpr auto leastSlack = 0.02; // Of the limit: smaller ones would tie the next steps to a barely kept limit.
     SampleList fresh;
 
     for (const auto sample : samples)
         if (std::find (workingSet.begin(), workingSet.end(), sample) == workingSet.end())
             fresh.push_back (sample);
 
-    const auto count = static_cast<Eigen::Index> (fresh.size());
-    const Eigen::MatrixXd freshDirections = basis (fresh, Eigen::all).transpose();
+    return fresh;
+}
+
+void CeramicBarrier::add (const SampleList& fresh, const Eigen::MatrixXd& freshDirections, const Eigen::VectorXd& share,
+                          double ratio, double barrier)
+{
+    constexpr auto leastSlack = 0.02; // Of the limit: smaller ones would tie the next steps to a barely kept limit.
+    const auto count = freshDirections.cols();
     const Eigen::ArrayX2d freshSlacks =
         (ratio * limit - bothSigns (freshDirections.transpose() * share)).max (leastSlack * ratio * limit);
     workingSet.insert (workingSet.end(), fresh.begin(), fresh.end());

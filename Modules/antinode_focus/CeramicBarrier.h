@@ -32,11 +32,15 @@ public:
     /** @param limitToUse  of the voltage at ratio 1 */
     CeramicBarrier (double limitToUse, Eigen::Index drives);
 
+    /** Those samples that are not yet limited. [worker] */
+    SampleList notYetLimited (const SampleList&) const;
+
     /** Limits more samples; those already limited stay as they are.
-        @param basis    Q, N_s x N_d
-        @param barrier  product of slack and multiplier of the new ones
+        @param fresh       not yet limited
+        @param directions  their q_n, N_d x fresh
+        @param barrier     product of slack and multiplier of the new ones
         [worker] */
-    void add (const SampleList&, const Eigen::MatrixXd& basis, const Eigen::VectorXd& share, double ratio,
+    void add (const SampleList& fresh, const Eigen::MatrixXd& directions, const Eigen::VectorXd& share, double ratio,
               double barrier);
 
     /** Factors H = curvature I + sum (multiplier / slack) q q'. [worker] N_d^2 working samples */

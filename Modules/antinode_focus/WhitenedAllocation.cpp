@@ -47,6 +47,7 @@ void whitenDrives (WhitenedAllocation& whitened, const Eigen::MatrixXd& waveform
 
     const Eigen::MatrixXd triangle = factors.matrixQR().topRows (drives);
     whitened.basis = std::move (columns);
+    whitened.voltageSamples = whitened.basis.rows();
     triangle.triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight> (whitened.basis);
     Eigen::MatrixXd gram = Eigen::MatrixXd::Zero (drives, drives);
     gram.selfadjointView<Eigen::Lower>().rankUpdate (whitened.basis.transpose());
@@ -54,6 +55,20 @@ void whitenDrives (WhitenedAllocation& whitened, const Eigen::MatrixXd& waveform
     rounding.matrixU().solveInPlace<Eigen::OnTheRight> (whitened.basis);
     whitened.toShares = whitened.voltageUnit * lengths.cwiseInverse().asDiagonal() * inverseOf (triangle)
                         * inverseOf (rounding.matrixU());
+}
+
+/** Puts the slopes below the voltages' samples. */
+void appendSlopes (WhitenedAllocation& whitened, const AllocationProblem& problem)
+{
+    if (problem.slopes.size() == 0)
+        return;
+
+    const auto first = whitened.voltageSamples + 1;
+    whitened.slopeWeights = problem.voltageLimits.cwiseQuotient (problem.slewLimits);
+    whitened.basis.conservativeResize (first + problem.slopes.cols(), Eigen::NoChange);
+    whitened.basis.row (first - 1).setZero();
+    whitened.basis.bottomRows (problem.slopes.cols()) =
+        problem.slopes.transpose() * whitened.toShares / whitened.voltageUnit;
 }
 
 /** Which rows some ceramic moves. */
@@ -168,18 +183,41 @@ Eigen::MatrixXd WhitenedAllocation::weightedRows (const Eigen::VectorXd& multipl
     return responses.transpose() * (multipliers.asDiagonal() * participation);
 }
 
+Eigen::VectorXd WhitenedAllocation::direction (Eigen::Index ceramic, Eigen::Index sample) const
+{
+    const auto weight = sample < voltageSamples ? 1 : slopeWeights[ceramic];
+    return weight * basis.row (sample).transpose();
+}
+
 Eigen::MatrixXd WhitenedAllocation::voltages (const Eigen::MatrixXd& shares) const
 {
     Eigen::MatrixXd all = Eigen::MatrixXd::Zero (basis.rows(), shares.cols());
     addProduct (all, 1, basis, shares);
+
+    if (slopeWeights.size() > 0)
+        all.bottomRows (basis.rows() - voltageSamples) *= slopeWeights.asDiagonal();
+
     return all;
 }
 
 Eigen::MatrixXd WhitenedAllocation::pull (const Eigen::MatrixXd& sampleMultipliers) const
 {
+    const auto slopes = basis.rows() - voltageSamples;
     Eigen::MatrixXd sums = Eigen::MatrixXd::Zero (basis.cols(), sampleMultipliers.cols());
-    addTransposedLeft (sums, 1, basis, sampleMultipliers);
+    addTransposedLeft (sums, 1, basis.topRows (voltageSamples), sampleMultipliers.topRows (voltageSamples));
+
+    if (slopes > 0)
+        addTransposedLeft (sums, 1, basis.bottomRows (slopes),
+                           sampleMultipliers.bottomRows (slopes) * slopeWeights.asDiagonal());
+
     return sums;
+}
+
+Eigen::MatrixXd WhitenedAllocation::balancing (const Eigen::MatrixXd& shares) const
+{
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero (basis.rows(), shares.cols());
+    addProduct (all.topRows (voltageSamples), 1, basis.topRows (voltageSamples), shares);
+    return all;
 }
 
 double WhitenedAllocation::peakRatio (const Eigen::MatrixXd& shares) const
@@ -206,6 +244,7 @@ WhitenedAllocation whiten (const AllocationProblem& problem)
     whitened.voltageUnit = problem.voltageLimits.maxCoeff();
     whitened.limits = problem.voltageLimits / whitened.voltageUnit;
     whitenDrives (whitened, problem.waveforms);
+    appendSlopes (whitened, problem);
     const auto scale = appendRows (whitened, problem.participation (hard, Eigen::all), problem.rows (hard, Eigen::all));
     whitened.hardRows = scale.size();
     whitened.wanted = scale.cwiseProduct (problem.wanted (hard));

@@ -14,22 +14,29 @@ namespace antinode
     limit. The first hardRows rows are the wanted ones, the others the guards; each is scaled so that its Gram entry is 1:
 
         minimise 1/2 |X|^2 + sum over guards (row value)^2 / (2 compliance),  hard row values = wanted,  |Q x_i| <= limits (i)
+
+    Slopes count as further samples below those of Q, in parts of the slew limit times the voltage limit. A sample of 0 parts them.
 */
 struct WhitenedAllocation
 {
-    Eigen::MatrixXd basis;         ///< Q, N_s x N_d, orthonormal columns.
-    Eigen::MatrixXd toShares;      ///< N_d x N_d: m_i = toShares x_i, V.
-    Eigen::MatrixXd responses;     ///< N_r x N_d: row r sees ceramic i as participation (r, i) responses (r, :) x_i.
-    Eigen::MatrixXd participation; ///< N_r x N_b
-    Eigen::VectorXd wanted;        ///< N_r; 0 for guards.
-    Eigen::VectorXd compliance;    ///< N_r; 0 for hard rows.
-    Eigen::VectorXd limits;        ///< N_b; the largest is 1.
+    Eigen::MatrixXd basis;           ///< Q, orthonormal columns, and below it the slopes; N_s x N_d.
+    Eigen::Index voltageSamples = 0; ///< Rows of Q.
+    Eigen::VectorXd slopeWeights;    ///< N_b: what slopes are multiplied by to count as voltages, s.
+    Eigen::MatrixXd toShares;        ///< N_d x N_d: m_i = toShares x_i, V.
+    Eigen::MatrixXd responses;       ///< N_r x N_d: row r sees ceramic i as participation (r, i) responses (r, :) x_i.
+    Eigen::MatrixXd participation;   ///< N_r x N_b
+    Eigen::VectorXd wanted;          ///< N_r; 0 for guards.
+    Eigen::VectorXd compliance;      ///< N_r; 0 for hard rows.
+    Eigen::VectorXd limits;          ///< N_b; the largest is 1.
     Eigen::LLT<Eigen::MatrixXd> hardGram; ///< Of the hard rows.
     Eigen::Index hardRows = 0;
     double voltageUnit = 1; ///< V
 
     Eigen::Index drives() const { return basis.cols(); }
     Eigen::Index ceramics() const { return participation.cols(); }
+
+    /** What a ceramic's share is multiplied by to give one of its samples, N_d. [any] */
+    Eigen::VectorXd direction (Eigen::Index ceramic, Eigen::Index sample) const;
 
     /** The same without its guards. [worker] */
     WhitenedAllocation withoutGuards() const;
@@ -40,11 +47,14 @@ struct WhitenedAllocation
     /** The transpose of rowValues: sum of rows weighted by multipliers, N_d x N_b. [any] */
     Eigen::MatrixXd weightedRows (const Eigen::VectorXd& multipliers) const;
 
-    /** Voltages of all ceramics, N_s x N_b, in voltageUnit. [worker] */
+    /** Voltages of all ceramics, and slopes below them, N_s x N_b, in voltageUnit. [worker] */
     Eigen::MatrixXd voltages (const Eigen::MatrixXd& shares) const;
 
     /** The transpose of voltages: Q' z, N_d x N_b. [worker] */
     Eigen::MatrixXd pull (const Eigen::MatrixXd& sampleMultipliers) const;
+
+    /** Sample multipliers, N_s x N_b, that pull as these shares do: pull (balancing (x)) = x. [worker] */
+    Eigen::MatrixXd balancing (const Eigen::MatrixXd& shares) const;
 
     /** The largest |voltage| / limit on the grid. [any] */
     double peakRatio (const Eigen::MatrixXd& shares) const;

@@ -73,6 +73,19 @@ void limit (AllocationProblem& problem, Choice& choice)
     }
 }
 
+/** Slew limits about the steepest slope that the voltage limits leave, in any unit of time. */
+void limitSlew (AllocationProblem& problem, Choice& choice)
+{
+    const auto count = problem.waveforms.cols() - 1;
+
+    if (count < 1 || ! choice.oneIn (4))
+        return;
+
+    const auto rate = std::pow (10.0, choice.below (13) - 6);
+    problem.slopes = rate * (problem.waveforms.rightCols (count) - problem.waveforms.leftCols (count));
+    problem.slewLimits = problem.voltageLimits * rate * std::pow (2.0, -choice.below (8));
+}
+
 AllocationProblem fuzzed (std::uint32_t seed)
 {
     Choice choice (seed);
@@ -94,6 +107,7 @@ AllocationProblem fuzzed (std::uint32_t seed)
     problem.wanted *= velocity;
     problem.voltageLimits *= voltage;
     limit (problem, choice);
+    limitSlew (problem, choice);
     return problem;
 }
 
@@ -108,6 +122,16 @@ struct Outcomes
 {
     int answers = 0, limited = 0, refusals = 0;
 };
+
+/** By how much slew limits are exceeded, in parts of them. */
+double slewBeyond (const AllocationProblem& problem, const Eigen::MatrixXd& matrix)
+{
+    if (problem.slopes.size() == 0)
+        return 0;
+
+    const Eigen::VectorXd steepest = (matrix * problem.slopes).cwiseAbs().rowwise().maxCoeff();
+    return steepest.cwiseQuotient (problem.slewLimits).maxCoeff() - 1;
+}
 
 /** What rounding the matrix to doubles may change at most: sum |a| |b| |M| of each row, in parts of the wanted. */
 double rowResolution (const AllocationProblem& problem, const Eigen::MatrixXd& matrix)
@@ -141,7 +165,10 @@ void solveOne (const AllocationProblem& problem, AllocationGoal goal, Outcomes& 
         REQUIRE (certificate.rowResidual <= std::max (1e-9, rowResolution (problem, allocation.matrix)));
 
         if (goal == AllocationGoal::norm && certificate.status != AllocationStatus::infeasible)
+        {
             REQUIRE (beyond <= std::max (1.1e-9, limitResolution (problem, allocation.matrix)));
+            REQUIRE (slewBeyond (problem, allocation.matrix) <= 1e-8);
+        }
     }
     catch (const InputError& error)
     {
