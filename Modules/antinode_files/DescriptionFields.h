@@ -28,9 +28,10 @@ void fields (auto& stream, Struct<CeramicDescription> auto& ceramic)
 
 void fields (auto& stream, Struct<StructureCommon> auto& common)
 {
-    auto& [thickness, material, dampingRatios, ceramics, voltageLimit, fullScaleVoltage, maximumFrequency, modeCount] =
-        common;
-    stream (thickness, material, dampingRatios, ceramics, voltageLimit, fullScaleVoltage, maximumFrequency, modeCount);
+    auto& [thickness, material, dampingRatios, ceramics, voltageLimit, slewLimit, currentLimit, fullScaleVoltage,
+           maximumFrequency, modeCount] = common;
+    stream (thickness, material, dampingRatios, ceramics, voltageLimit, slewLimit, currentLimit, fullScaleVoltage,
+            maximumFrequency, modeCount);
 }
 
 void fields (auto& stream, Struct<BeamDescription> auto& beam)

@@ -94,13 +94,15 @@ void readModes (const JsonObject& device, const std::vector<Eigen::Index>& order
         readMode (modes[static_cast<std::size_t> (k)], order, k, model);
 }
 
-Ceramic readCeramic (const JsonValue& value, double limit)
+Ceramic readCeramic (const JsonValue& value, const VoltageLimits& limits)
 {
-    const auto object = value.object ({ "name", "x_mm", "y_mm", "size_x_mm", "size_y_mm", "voltage_limit_V" });
+    const auto object =
+        value.object ({ "name", "x_mm", "y_mm", "size_x_mm", "size_y_mm", "voltage_limit_V", "slew_limit_V_per_us" });
     const auto x = object.required ("x_mm").number (ranges::positionMillimetre);
     const auto y = object.required ("y_mm").number (ranges::positionMillimetre);
     const auto name = object.optional ("name");
     const auto ownLimit = object.optional ("voltage_limit_V");
+    const auto ownSlew = object.optional ("slew_limit_V_per_us");
 
     Ceramic ceramic;
     ceramic.name = name ? name->text (ranges::maximumNameBytes) : "";
@@ -108,23 +110,32 @@ Ceramic readCeramic (const JsonValue& value, double limit)
     ceramic.xMaximum = fromMillimetres (x + object.required ("size_x_mm").number (ceramicSizeMillimetre));
     ceramic.yMinimum = fromMillimetres (y);
     ceramic.yMaximum = fromMillimetres (y + object.required ("size_y_mm").number (ceramicSizeMillimetre));
-    ceramic.voltageLimit = ownLimit ? ownLimit->number ({ 0, limit }) : limit;
+    ceramic.voltageLimit = ownLimit ? ownLimit->number ({ 0, limits.voltage }) : limits.voltage;
+    ceramic.slewLimit =
+        ownSlew ? fromVoltsPerMicrosecond (ownSlew->number (ranges::slewVoltsPerMicrosecond)) : limits.slew;
     return ceramic;
 }
 
 /** The ceramics, of which a modal device may say nothing but their number and limit. */
 void readCeramics (const JsonObject& device, ModalModel& model)
 {
-    const auto limits = readLimits (device.required ("limits"));
+    const auto limitsObject = device.required ("limits");
+    const auto limits = readLimits (limitsObject);
+
+    if (limits.current > 0)
+        limitsObject.fail (
+            "limits the current, which needs the ceramics' capacitance, and modes do not tell it; allowed "
+            "is 'slew_V_per_us', the current over the capacitance");
+
     const auto count = static_cast<std::size_t> (model.actuators());
     model.fullScaleVoltage = limits.fullScale;
-    model.ceramics.resize (count, { {}, 0, 0, 0, 0, limits.voltage });
+    model.ceramics.resize (count, { {}, 0, 0, 0, 0, limits.voltage, limits.slew });
 
     if (const auto list = device.optional ("ceramics"))
     {
         const auto items = list->items (count, count);
         std::transform (items.begin(), items.end(), model.ceramics.begin(),
-                        [&] (const auto& item) { return readCeramic (item, limits.voltage); });
+                        [&] (const auto& item) { return readCeramic (item, limits); });
     }
 
     for (std::size_t i = 0; i < count; ++i)

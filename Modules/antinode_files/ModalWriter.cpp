@@ -62,6 +62,9 @@ Json ceramicsToJson (const ModalModel& model)
         if (ceramic.voltageLimit != limit)
             item["voltage_limit_V"] = ceramic.voltageLimit;
 
+        if (ceramic.slewLimit > 0)
+            item["slew_limit_V_per_us"] = toVoltsPerMicrosecond (ceramic.slewLimit);
+
         ceramics.push_back (std::move (item));
     }
 

@@ -10,8 +10,8 @@ namespace antinode
     compile. @throws InputError  as FieldReader [worker] */
 void fields (auto& stream, Struct<Ceramic> auto& ceramic)
 {
-    auto& [name, xMinimum, xMaximum, yMinimum, yMaximum, voltageLimit] = ceramic;
-    stream (name, xMinimum, xMaximum, yMinimum, yMaximum, voltageLimit);
+    auto& [name, xMinimum, xMaximum, yMinimum, yMaximum, voltageLimit, slewLimit] = ceramic;
+    stream (name, xMinimum, xMaximum, yMinimum, yMaximum, voltageLimit, slewLimit);
 }
 
 void fields (auto& stream, Struct<GridAxis> auto& axis)

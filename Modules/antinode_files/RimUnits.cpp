@@ -50,6 +50,16 @@ double fromMilliseconds (double milliseconds)
     return milliseconds / 1000;
 }
 
+double fromVoltsPerMicrosecond (double voltsPerMicrosecond)
+{
+    return voltsPerMicrosecond * 1e6;
+}
+
+double fromMilliamperes (double milliamperes)
+{
+    return milliamperes / 1000;
+}
+
 double fromHertz (double hertz)
 {
     return 2 * std::numbers::pi * hertz;
@@ -63,6 +73,11 @@ double toMillimetres (double metres)
 double toMilliseconds (double seconds)
 {
     return inverted (fromMilliseconds, seconds, seconds * 1000);
+}
+
+double toVoltsPerMicrosecond (double voltsPerSecond)
+{
+    return inverted (fromVoltsPerMicrosecond, voltsPerSecond, voltsPerSecond / 1e6);
 }
 
 double toHertz (double angularFrequency)

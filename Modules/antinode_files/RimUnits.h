@@ -8,6 +8,12 @@ double fromMillimetres (double millimetres);
 /** ms to s, correctly rounded. [any] */
 double fromMilliseconds (double milliseconds);
 
+/** V/us to V/s. [any] */
+double fromVoltsPerMicrosecond (double voltsPerMicrosecond);
+
+/** mA to A, correctly rounded. [any] */
+double fromMilliamperes (double milliamperes);
+
 /** Hz to rad/s. [any] */
 double fromHertz (double hertz);
 
@@ -17,6 +23,9 @@ double toMillimetres (double metres);
 
 /** The same for ms. [any] */
 double toMilliseconds (double seconds);
+
+/** The same for V/us. [any] */
+double toVoltsPerMicrosecond (double voltsPerSecond);
 
 /** The same for Hz; here about a third of all values have no exact number. [any] */
 double toHertz (double angularFrequency);

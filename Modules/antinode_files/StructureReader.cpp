@@ -44,6 +44,8 @@ StructureCommon readCommon (const JsonObject& body)
     common.dampingRatios = readDampingRatios (body);
     const auto limits = readLimits (body.required ("limits"));
     common.voltageLimit = limits.voltage;
+    common.slewLimit = limits.slew;
+    common.currentLimit = limits.current;
     common.fullScaleVoltage = limits.fullScale;
 
     if (const auto given = body.optional ("modes"))

@@ -78,7 +78,8 @@ FocusDesign designDrives (const ModalModel& model, const FocusDescription& descr
 
     const auto limits = voltageLimits (model, description.allocation);
     const auto allocation = allocateDrives (model, description, modes, wanted, drives, playback);
-    throwWhereBeyondLimit (allocation.certificate, description.allocation.method, limits, peakVelocity);
+    throwWhereBeyondLimit (allocation.certificate, description.allocation.method, limits, peakVelocity,
+                           hasSlewLimits (model));
 
     design.description = description;
     design.controlledModes = modes;

@@ -50,6 +50,22 @@ Eigen::MatrixXd oneToOneAllocation (const Eigen::MatrixXd& participation, const 
     return matrix;
 }
 
+/** V/s; for ceramics without a limit what they can never reach. */
+Eigen::VectorXd slewLimits (const ModalModel& model, const Eigen::MatrixXd& slopes)
+{
+    constexpr auto farBeyond = 1e6;
+    Eigen::VectorXd limits (model.actuators());
+
+    for (Eigen::Index i = 0; i < limits.size(); ++i)
+    {
+        const auto& ceramic = model.ceramics[static_cast<std::size_t> (i)];
+        limits[i] =
+            ceramic.slewLimit > 0 ? ceramic.slewLimit : farBeyond * ceramic.voltageLimit * slopes.cwiseAbs().maxCoeff();
+    }
+
+    return limits;
+}
+
 AllocationProblem allocationProblem (const ModalModel& model, const FocusDescription& description,
                                      const std::vector<int>& modes, const Eigen::VectorXd& wanted,
                                      const DriveList& drives, Playback playback)
@@ -65,6 +81,12 @@ AllocationProblem allocationProblem (const ModalModel& model, const FocusDescrip
     problem.participation = model.participation (modes, Eigen::all);
     problem.wanted = wanted;
     problem.voltageLimits = voltageLimits (model, choice) * gridLimitMargin();
+
+    if (hasSlewLimits (model))
+    {
+        problem.slopes = sampleSlopes (drives, first, time + releaseDuration());
+        problem.slewLimits = slewLimits (model, problem.slopes) * gridLimitMargin();
+    }
 
     if (! isExact)
     {
@@ -111,6 +133,12 @@ Eigen::VectorXd voltageLimits (const ModalModel& model, const AllocationChoice& 
     }
 
     return limits;
+}
+
+bool hasSlewLimits (const ModalModel& model)
+{
+    return std::any_of (model.ceramics.begin(), model.ceramics.end(),
+                        [] (const auto& ceramic) { return ceramic.slewLimit > 0; });
 }
 
 Allocation allocateDrives (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,

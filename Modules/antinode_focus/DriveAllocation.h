@@ -19,6 +19,9 @@ using DriveList = std::vector<std::vector<Oscillation>>;
 /** The voltage limit of each ceramic: the device's, or the focus's where that is lower. N_b, V. [any] */
 Eigen::VectorXd voltageLimits (const ModalModel&, const AllocationChoice&);
 
+/** Whether any ceramic's voltage may change only so fast. [any] */
+bool hasSlewLimits (const ModalModel&);
+
 /** Who plays how much of which drive, so that the controlled modes have the wanted velocities at the focus time.
     @param modes   the controlled modes, ascending
     @param wanted  their modal velocities at t_f, m/s kg^1/2

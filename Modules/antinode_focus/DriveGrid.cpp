@@ -41,11 +41,31 @@ void addSamples (Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> samples
         samples[n] += phasor.real();
     }
 }
+
+/** The oscillation whose value is the slope of the given one. */
+Oscillation slopeOf (Oscillation oscillation)
+{
+    const auto phasor = oscillation.exponent() * oscillation.phasor();
+    oscillation.inPhase = -phasor.imag();
+    oscillation.quadrature = phasor.real();
+    return oscillation;
+}
 } // namespace
 
 double gridLimitMargin()
 {
     return std::cos (std::numbers::pi / gridSamplesPerCycle);
+}
+
+Eigen::MatrixXd sampleSlopes (const std::vector<std::vector<Oscillation>>& drives, double first, double last)
+{
+    auto slopes = drives;
+
+    for (auto& drive : slopes)
+        for (auto& oscillation : drive)
+            oscillation = slopeOf (oscillation);
+
+    return sampleDrives (slopes, first, last);
 }
 
 Eigen::MatrixXd sampleDrives (const std::vector<std::vector<Oscillation>>& drives, double first, double last)

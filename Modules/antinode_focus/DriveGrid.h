@@ -21,4 +21,7 @@ double gridLimitMargin();
     @return        drives x N_s
     [worker] Docs/Theory.md, section 4.6. */
 Eigen::MatrixXd sampleDrives (const std::vector<std::vector<Oscillation>>& drives, double first, double last);
+
+/** The slopes of the drives on the same grid, 1/s. [worker] Docs/Theory.md, section 4.6. */
+Eigen::MatrixXd sampleSlopes (const std::vector<std::vector<Oscillation>>& drives, double first, double last);
 } // namespace antinode

@@ -19,7 +19,7 @@ LimitError::LimitError (const std::string& where, const std::string& wrong, doub
 }
 
 void throwWhereBeyondLimit (const AllocationCertificate& certificate, AllocationMethod method,
-                            const Eigen::VectorXd& limits, double peakVelocity)
+                            const Eigen::VectorXd& limits, double peakVelocity, bool hasSlewLimits)
 {
     const auto isBeyond = certificate.status == AllocationStatus::infeasible
                           || (method == AllocationMethod::minimumPeak && certificate.peakRatio > 1);
@@ -30,9 +30,11 @@ void throwWhereBeyondLimit (const AllocationCertificate& certificate, Allocation
     const auto ratio = certificate.peakRatio;
     const auto least = limits.maxCoeff() * ratio;
     const auto reachable = peakVelocity / ratio;
+    const auto needed = hasSlewLimits ? "these drives need " + inWords (ratio) + " times that; at these limits "
+                                      : "these drives need at least " + inWords (least) + " V; at this limit ";
     throw LimitError ("focus: /allocation/voltage_limit_V",
-                      inWords (limits.maxCoeff()) + " V cannot bring " + inWords (millimetresPerSecond (peakVelocity))
-                          + " mm/s: these drives need at least " + inWords (least) + " V; at this limit "
+                      inWords (limits.maxCoeff()) + (hasSlewLimits ? " V within the slew limits" : " V")
+                          + " cannot bring " + inWords (millimetresPerSecond (peakVelocity)) + " mm/s: " + needed
                           + inWords (millimetresPerSecond (reachable)) + " mm/s can be reached",
                       least, reachable);
 }

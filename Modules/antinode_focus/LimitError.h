@@ -20,8 +20,9 @@ public:
 
 /** @param limits        N_b, V
     @param peakVelocity  what was wanted, m/s
+    @param hasSlewLimits whether there are slew limits besides
     @throws LimitError   when an allocation shows that the limits cannot be met
     [worker] */
 void throwWhereBeyondLimit (const AllocationCertificate&, AllocationMethod, const Eigen::VectorXd& limits,
-                            double peakVelocity);
+                            double peakVelocity, bool hasSlewLimits);
 } // namespace antinode

@@ -82,10 +82,14 @@ private:
     AllocationEffort work;
 };
 
-/** A curvature that changes the least peak by about 1e-8 of itself. */
-double tinyCurvature (const WhitenedAllocation& problem, double ratio)
+/** A curvature that changes the least peak by about 1e-8 of itself. The shares' square is at most that of voltages at their limits all the
+    time; where slopes are what is limited it stays far below, and so small a curvature would leave rounding alone in charge. */
+double tinyCurvature (const WhitenedAllocation& problem, const LimitedAllocation& start)
 {
-    return 1e-8 / (static_cast<double> (problem.basis.rows()) * problem.limits.squaredNorm() * ratio);
+    constexpr auto mostGrowth = 1000; // Of the square from the least norm to the least peak.
+    const auto atLimits =
+        static_cast<double> (problem.voltageSamples) * problem.limits.squaredNorm() * start.value * start.value;
+    return 1e-8 * start.value / std::min (atLimits, mostGrowth * start.shares.squaredNorm());
 }
 
 /** Shares pulled towards a point inside the limits until none of their samples is beyond. */
@@ -110,7 +114,7 @@ LimitedAllocation leastPeakShares (const WhitenedAllocation& problem, const RowS
     best.shares = rows.leastNormShares();
     best.value = problem.peakRatio (best.shares);
     PeakSearch search (problem, rows, AllocationInteriorPoint::Ratio::free, room * best.value,
-                       tinyCurvature (problem, best.value), best.shares);
+                       tinyCurvature (problem, best), best.shares);
     search.limitPeaks (firstPeaks * peaks (search.voltages()));
 
     while (best.value > easyRatio && ! search.isEnough (best.gap(), aim, need) && search.advance())

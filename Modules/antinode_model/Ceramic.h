@@ -11,5 +11,6 @@ struct Ceramic
     double xMinimum = 0, xMaximum = 0; ///< Extent, m.
     double yMinimum = 0, yMaximum = 0; ///< Extent, m; both 0 on a line.
     double voltageLimit = 0;           ///< U_max, V, at least 0.
+    double slewLimit = 0;              ///< max |dU/dt|, V/s; 0: none.
 };
 } // namespace antinode

@@ -1,5 +1,7 @@
 #include "DescribedModel.h"
 
+#include "Capacitance.h"
+
 #include <algorithm>
 
 namespace antinode
@@ -24,7 +26,7 @@ void describe (ModalModel& model, const std::string& name, const StructureCommon
         const auto alongY = [&] (double y) { return std::clamp (y, surface.yMinimum, surface.yMaximum); };
         model.ceramics.push_back ({ ceramic.name.empty() ? "C" + std::to_string (i + 1) : ceramic.name,
                                     alongX (ceramic.x), alongX (ceramic.x + ceramic.sizeX), alongY (ceramic.y),
-                                    alongY (ceramic.y + ceramic.sizeY), common.voltageLimit });
+                                    alongY (ceramic.y + ceramic.sizeY), common.voltageLimit, slewLimit (common, i) });
     }
 }
 

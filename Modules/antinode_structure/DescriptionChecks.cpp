@@ -40,6 +40,11 @@ void requireCommon (const StructureCommon& common)
         throw InputError ("device",
                           "voltage limit is " + text (common.voltageLimit) + ", allowed are 0 and positive numbers");
 
+    for (const auto limit : { common.slewLimit, common.currentLimit })
+        if (! (std::isfinite (limit) && limit >= 0))
+            throw InputError ("device", "slew or current limit is " + text (limit)
+                                            + ", allowed are positive numbers, and 0 for none");
+
     if (common.dampingRatios.empty())
         throw InputError ("device", "has no damping ratio, allowed is one for all modes or a list");
 

@@ -69,6 +69,8 @@ struct StructureCommon
     std::vector<double> dampingRatios; ///< One for all modes, or one a mode; the last one serves the modes beyond.
     std::vector<CeramicDescription> ceramics;
     double voltageLimit = 0;                ///< V, of every ceramic
+    double slewLimit = 0;                   ///< V/s, of every amplifier; 0: none.
+    double currentLimit = 0;                ///< A, of every amplifier; 0: none.
     double fullScaleVoltage = 0;            ///< V
     std::optional<double> maximumFrequency; ///< Hz
     std::optional<int> modeCount;

@@ -183,3 +183,50 @@ TEST_CASE ("A detuned model is reproducible and as far off as asked for", "[focu
     CHECK (std::sqrt (damping.square().mean()) == Approx (0.1).epsilon (0.2));
     CHECK (detuned (model, {}, 7).participation == model.participation);
 }
+
+TEST_CASE ("Slew limits of the ceramics hold at every instant, and those out of reach are named", "[focus]")
+{
+    auto model = test::sineBeam (20, 8);
+    const auto free = designFocus (model, sincFocus (AllocationMethod::exact), {});
+    const auto steepest = [] (const VoltageProgram& program)
+    {
+        Eigen::VectorXd slopes = Eigen::VectorXd::Zero (program.allocation.rows());
+
+        for (double time = 0; time < 0.026; time += 1e-6)
+        {
+            Eigen::VectorXd values (program.oscillations.size());
+
+            for (Eigen::Index c = 0; c < values.size(); ++c)
+            {
+                const auto& oscillation = program.oscillations[static_cast<std::size_t> (c)];
+                const auto isOn = time >= oscillation.start && time < oscillation.end;
+                const auto p = oscillation.exponent();
+                values[c] = isOn ? (p * oscillation.phasor() * std::exp (p * (time - oscillation.start))).real() : 0.0;
+            }
+
+            slopes = slopes.cwiseMax ((program.allocation * values).cwiseAbs());
+        }
+
+        return slopes;
+    };
+    const auto limit = 0.9 * steepest (free.program).maxCoeff();
+
+    for (auto& ceramic : model.ceramics)
+        ceramic.slewLimit = limit;
+
+    model.ceramics[2].slewLimit = 0;
+    const auto slewed = designFocus (model, sincFocus (AllocationMethod::exact), {});
+    const auto slopes = steepest (slewed.program);
+
+    for (Eigen::Index i = 0; i < slopes.size(); ++i)
+        if (i != 2)
+            CHECK (slopes[i] <= limit);
+
+    CHECK (slopes.maxCoeff() >= 0.95 * limit);
+    CHECK (slewed.certificate.objective >= free.certificate.objective);
+
+    for (auto& ceramic : model.ceramics)
+        ceramic.slewLimit = 0.01 * limit;
+
+    CHECK_THROWS_WITH (designFocus (model, sincFocus (AllocationMethod::exact), {}), Catch::Contains ("slew"));
+}

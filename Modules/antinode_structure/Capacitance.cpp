@@ -1,0 +1,37 @@
+#include "Capacitance.h"
+
+#include <antinode_model/InputError.h>
+
+#include <algorithm>
+
+namespace antinode
+{
+double capacitance (const CeramicDescription& ceramic)
+{
+    constexpr auto vacuumPermittivity = 8.8541878128e-12; // F/m
+    const auto one =
+        vacuumPermittivity * ceramic.material.permittivityRelative * ceramic.sizeX * ceramic.sizeY / ceramic.thickness;
+
+    if (ceramic.mounting == CeramicMounting::oneSide)
+        return one;
+
+    return ceramic.wiring == CeramicWiring::parallel ? 2 * one : one / 2;
+}
+
+double slewLimit (const StructureCommon& common, std::size_t index)
+{
+    if (common.currentLimit == 0)
+        return common.slewLimit;
+
+    const auto charged = capacitance (common.ceramics[index]);
+
+    if (! (charged > 0))
+        throw InputError (
+            "device: /limits/current_mA",
+            "needs the capacitance of ceramic " + std::to_string (index + 1)
+                + ", but its material has no 'permittivity_relative': give it, or 'slew_V_per_us' instead");
+
+    const auto byCurrent = common.currentLimit / charged;
+    return common.slewLimit > 0 ? std::min (common.slewLimit, byCurrent) : byCurrent;
+}
+} // namespace antinode
