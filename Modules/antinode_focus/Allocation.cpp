@@ -65,9 +65,10 @@ void checkSolved (double gap)
 
 /** The shares by the active set, with status, bound and effort of the certificate. */
 std::optional<Eigen::MatrixXd> activeShares (const WhitenedAllocation& whitened, const RowSystem& rows,
-                                             const Eigen::MatrixXd& unlimited, AllocationCertificate& certificate)
+                                             const Eigen::MatrixXd& unlimited, AllocationCertificate& certificate,
+                                             const AllocationWatch& watch)
 {
-    const auto result = activeSetShares (whitened, rows, 1, unlimited);
+    const auto result = activeSetShares (whitened, rows, 1, unlimited, watch);
 
     if (! result || ! (result->gap() <= largestGap))
         return {};
@@ -80,18 +81,18 @@ std::optional<Eigen::MatrixXd> activeShares (const WhitenedAllocation& whitened,
 
 /** The shares by interior points, with status, bound and effort of the certificate. */
 Eigen::MatrixXd limitedShares (const WhitenedAllocation& whitened, const RowSystem& rows, AllocationGoal goal,
-                               AllocationCertificate& certificate)
+                               AllocationCertificate& certificate, const AllocationWatch& watch)
 {
     const auto hardOnly = whitened.withoutGuards();
     const auto isPeak = goal == AllocationGoal::peak;
-    const auto least = leastPeakShares (hardOnly, RowSystem (hardOnly), isPeak ? 0.0 : easyRatio);
+    const auto least = leastPeakShares (hardOnly, RowSystem (hardOnly), isPeak ? 0.0 : easyRatio, watch);
 
     if (isPeak || least.value > easyRatio)
         checkSolved (least.gap());
 
     const auto isInfeasible = ! isPeak && least.value > 1 - leastRoom;
     const auto ratio = isPeak || isInfeasible ? roomAboveLeastPeak * least.bound : 1.0;
-    const auto result = leastNormShares (whitened, rows, ratio, least.shares);
+    const auto result = leastNormShares (whitened, rows, ratio, least.shares, watch);
     certificate.status = isInfeasible ? AllocationStatus::infeasible : AllocationStatus::optimal;
     certificate.leastPeakRatio = least.bound;
     certificate.bound = result.bound;
@@ -101,7 +102,7 @@ Eigen::MatrixXd limitedShares (const WhitenedAllocation& whitened, const RowSyst
 }
 } // namespace
 
-Allocation solveAllocation (const AllocationProblem& problem, AllocationGoal goal)
+Allocation solveAllocation (const AllocationProblem& problem, AllocationGoal goal, const AllocationWatch& watch)
 {
     const auto begin = std::chrono::steady_clock::now();
     validate (problem);
@@ -120,9 +121,9 @@ Allocation solveAllocation (const AllocationProblem& problem, AllocationGoal goa
 
     if (goal == AllocationGoal::peak || certificate.peakRatio > 1)
     {
-        const auto active = goal == AllocationGoal::norm ? activeShares (whitened, rows, shares, certificate)
+        const auto active = goal == AllocationGoal::norm ? activeShares (whitened, rows, shares, certificate, watch)
                                                          : std::optional<Eigen::MatrixXd>();
-        shares = active ? *active : limitedShares (whitened, rows, goal, certificate);
+        shares = active ? *active : limitedShares (whitened, rows, goal, certificate, watch);
         certificate.peakRatio = whitened.peakRatio (shares);
     }
     else

@@ -88,7 +88,8 @@ bool solveWith (ActivePeaks& active, const Peaks& found)
 } // namespace
 
 std::optional<LimitedAllocation> activeSetShares (const WhitenedAllocation& problem, const RowSystem& rows,
-                                                  double ratio, const Eigen::MatrixXd& start)
+                                                  double ratio, const Eigen::MatrixXd& start,
+                                                  const AllocationWatch& watch)
 {
     const Eigen::VectorXd limits = ratio * problem.limits;
     const auto highest = highestBound * problem.objective (start);
@@ -100,6 +101,7 @@ std::optional<LimitedAllocation> activeSetShares (const WhitenedAllocation& prob
 
     while (best.effort.rounds < mostRounds && best.value < highest)
     {
+        report (watch, { AllocationStage::activeSet, best.effort.rounds, 1 });
         const auto found = beyond (problem.voltages (best.shares), limits, active.peaks());
 
         if (found.empty())

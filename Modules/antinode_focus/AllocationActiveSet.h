@@ -1,5 +1,6 @@
 #pragma once
 
+#include "AllocationWatch.h"
 #include "LimitedAllocation.h"
 #include "WhitenedAllocation.h"
 
@@ -15,5 +16,5 @@ namespace antinode
                   the exchange leads nowhere
     [worker] Docs/Theory.md, section 4.3. */
 std::optional<LimitedAllocation> activeSetShares (const WhitenedAllocation&, const RowSystem&, double ratio,
-                                                  const Eigen::MatrixXd& start);
+                                                  const Eigen::MatrixXd& start, const AllocationWatch&);
 } // namespace antinode

@@ -104,7 +104,8 @@ Eigen::MatrixXd pulledInside (const Eigen::MatrixXd& shares, double reached, dou
 }
 } // namespace
 
-LimitedAllocation leastPeakShares (const WhitenedAllocation& problem, const RowSystem& rows, double easyRatio)
+LimitedAllocation leastPeakShares (const WhitenedAllocation& problem, const RowSystem& rows, double easyRatio,
+                                   const AllocationWatch& watch)
 {
     constexpr auto aim = 1e-7;
     constexpr auto need = 5e-7;
@@ -119,6 +120,7 @@ LimitedAllocation leastPeakShares (const WhitenedAllocation& problem, const RowS
 
     while (best.value > easyRatio && ! search.isEnough (best.gap(), aim, need) && search.advance())
     {
+        report (watch, { AllocationStage::leastPeak, search.effort().iterations, best.gap() });
         const auto& state = search.state();
         best.improve (search.shares(), peakRatio (search.voltages(), problem.limits),
                       leastPeakBound (problem, state.rowMultipliers(), state.sampleMultipliers()));
@@ -130,7 +132,7 @@ LimitedAllocation leastPeakShares (const WhitenedAllocation& problem, const RowS
 }
 
 LimitedAllocation leastNormShares (const WhitenedAllocation& problem, const RowSystem& rows, double ratio,
-                                   const Eigen::MatrixXd& inside)
+                                   const Eigen::MatrixXd& inside, const AllocationWatch& watch)
 {
     constexpr auto aim = 1e-9;
     constexpr auto need = 1e-7;
@@ -145,6 +147,7 @@ LimitedAllocation leastNormShares (const WhitenedAllocation& problem, const RowS
 
     while (! search.isEnough (best.gap(), aim, need) && search.advance())
     {
+        report (watch, { AllocationStage::leastNorm, search.effort().iterations, best.gap() });
         const auto reached = peakRatio (search.voltages(), problem.limits);
         const auto allowed = pulledInside (search.shares(), reached, ratio, inside, insideRatio);
         best.improve (allowed, problem.objective (allowed),

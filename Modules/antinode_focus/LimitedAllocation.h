@@ -1,5 +1,6 @@
 #pragma once
 
+#include "AllocationWatch.h"
 #include "WhitenedAllocation.h"
 
 #include <Eigen/Core>
@@ -32,11 +33,12 @@ struct LimitedAllocation
 /** Shares whose largest |voltage| / limit is the least that these drives allow, to 5e-7, for a problem without guards.
     @param easyRatio  once a ratio below this is reached the search ends early
     [worker] Docs/Theory.md, section 4. */
-LimitedAllocation leastPeakShares (const WhitenedAllocation&, const RowSystem&, double easyRatio);
+LimitedAllocation leastPeakShares (const WhitenedAllocation&, const RowSystem&, double easyRatio,
+                                   const AllocationWatch&);
 
 /** Shares of the least objective within |Q x_i| <= ratio limits (i), which they keep exactly on all samples.
     @param inside  shares that meet the hard rows and stay below those limits
     [worker] Docs/Theory.md, section 4. */
 LimitedAllocation leastNormShares (const WhitenedAllocation&, const RowSystem&, double ratio,
-                                   const Eigen::MatrixXd& inside);
+                                   const Eigen::MatrixXd& inside, const AllocationWatch&);
 } // namespace antinode

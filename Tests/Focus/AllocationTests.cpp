@@ -253,6 +253,36 @@ TEST_CASE ("Drives that are copies of each other, or nothing at all, are allowed
     CHECK (allocation.matrix.allFinite());
 }
 
+TEST_CASE ("A watch sees the gap fall, and cancels when it wants to", "[allocation]")
+{
+    const auto problem = instance (ModePattern::plate, RowKind::terminal, standardSizes[1], 5);
+    double last = 1;
+    auto calls = 0;
+    const auto allocation = solveAllocation (problem, AllocationGoal::peak,
+                                             [&] (const AllocationProgress& progress)
+                                             {
+                                                 ++calls;
+                                                 last = progress.gap;
+                                                 return true;
+                                             });
+    CHECK (calls > 3);
+    CHECK (last < 1e-3);
+    CHECK (allocation.matrix == solveAllocation (problem, AllocationGoal::peak).matrix);
+
+    for (const auto stopAt : { 1, 2, calls })
+    {
+        auto count = 0;
+        const auto watch = [&] (const AllocationProgress&) { return ++count < stopAt; };
+        CHECK_THROWS_AS (solveAllocation (problem, AllocationGoal::peak, watch), AllocationCancelled);
+        CHECK (count == stopAt);
+    }
+
+    const auto least = allocation.certificate.leastPeakRatio;
+    const auto never = [] (const AllocationProgress&) { return false; };
+    CHECK_THROWS_AS (solveAllocation (withLimits (problem, 1.1, least), AllocationGoal::norm, never),
+                     AllocationCancelled);
+}
+
 TEST_CASE ("Nothing wanted needs no voltage", "[allocation]")
 {
     auto problem = instance (ModePattern::beam, RowKind::terminal, standardSizes[0], 1);
