@@ -3,6 +3,7 @@
 #include "Focus/AllocationInstances.h"
 #include "IpoptPeer.h"
 #include "NloptPeer.h"
+#include "OwnTable.h"
 #include "ReferenceLoop.h"
 
 #include <cstdio>
@@ -124,18 +125,23 @@ void compare (int largest)
 } // namespace
 } // namespace antinode::bench
 
-/** Prints a table of all sizes up to the one given (1 to 6, 4 where none is): the same instances, solved by Antinode and by general
-    solvers. Processor time of one thread. */
+/** Processor time of one thread, as tables. `antinode_solver_peers peers 4`: the same instances up to s4, solved by Antinode and by
+    general solvers. `antinode_solver_peers own 6`: Antinode alone on all kinds of instances up to s6. */
 int main (int count, char** arguments)
 {
-    const auto largest = count > 1 ? std::atoi (arguments[1]) : 4;
+    const std::string what = count == 3 ? arguments[1] : "";
+    const auto largest = count == 3 ? std::atoi (arguments[2]) : 0;
 
-    if (largest < 1 || largest > 6)
+    if ((what != "peers" && what != "own") || largest < 1 || largest > 6)
     {
-        std::fprintf (stderr, "antinode_solver_peers: size is '%s', allowed is 1 to 6\n", arguments[1]);
+        std::fputs ("usage: antinode_solver_peers peers|own SIZE, with a largest size of 1 to 6\n", stderr);
         return 2;
     }
 
-    antinode::bench::compare (largest);
+    if (what == "peers")
+        antinode::bench::compare (largest);
+    else
+        antinode::bench::printOwnTable (largest);
+
     return 0;
 }
