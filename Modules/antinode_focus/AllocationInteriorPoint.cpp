@@ -117,7 +117,8 @@ Eigen::VectorXd AllocationInteriorPoint::rowSolve (Eigen::VectorXd right) const
 
 AllocationInteriorPoint::Residuals AllocationInteriorPoint::residuals() const
 {
-    const Eigen::MatrixXd stationarity = curvature * x - problem.weightedRows (y);
+    const auto pull = kind == Ratio::fixed ? curvature : 0.0;
+    const Eigen::MatrixXd stationarity = pull * x - problem.weightedRows (y);
     Residuals all (ceramics.size());
 
     for (std::size_t i = 0; i < ceramics.size(); ++i)

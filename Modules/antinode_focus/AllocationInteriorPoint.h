@@ -11,10 +11,11 @@ namespace antinode
 {
 /** Primal-dual interior point (Mehrotra's predictor and corrector) on those samples of the voltages that matter:
 
-        minimise    curvature (1/2 |X|^2 + guards' part)  [+ ratio, where it is free]
+        minimise    curvature (1/2 |X|^2 + guards' part), or ratio where it is free
         subject to  hard rows,  |Q x_i| <= ratio limits (i)  on the working set of samples
 
-    With a free ratio and a tiny curvature this gives the least peak, with a fixed ratio and curvature 1 the least norm. A step costs
+    With a free ratio this gives the least peak: there the curvature pulls each step to where it starts, not to 0, so that it steadies
+    the steps and leaves the optimum alone. With a fixed ratio and curvature 1 it gives the least norm. A step costs
     N_d^2 x working samples + N_b N_r^2 N_d + N_r^3 / 6. Docs/Theory.md, section 4.
 */
 class AllocationInteriorPoint

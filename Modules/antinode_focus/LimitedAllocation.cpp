@@ -82,14 +82,39 @@ private:
     AllocationEffort work;
 };
 
-/** A curvature that changes the least peak by about 1e-8 of itself. The shares' square is at most that of voltages at their limits all the
-    time; where slopes are what is limited it stays far below, and so small a curvature would leave rounding alone in charge. */
-double tinyCurvature (const WhitenedAllocation& problem, const LimitedAllocation& start)
+/** How a least peak is searched for. */
+struct PeakAim
 {
-    constexpr auto mostGrowth = 1000; // Of the square from the least norm to the least peak.
-    const auto atLimits =
-        static_cast<double> (problem.voltageSamples) * problem.limits.squaredNorm() * start.value * start.value;
-    return 1e-8 * start.value / std::min (atLimits, mostGrowth * start.shares.squaredNorm());
+    double easyRatio;  ///< A ratio that is low enough.
+    double steadiness; ///< Curvature of the steps in parts of the ratio, at shares of the least norm.
+};
+
+constexpr auto neededPeakGap = 5e-7;
+
+/** Improves shares and bound as far as it can. */
+void searchLeastPeak (LimitedAllocation& best, const WhitenedAllocation& problem, const RowSystem& rows, PeakAim aim,
+                      const AllocationWatch& watch)
+{
+    constexpr auto wantedGap = 1e-7;
+    constexpr auto firstPeaks = 0.2;
+    constexpr auto room = 1.1;
+    const auto start = rows.leastNormShares();
+    const auto ratio = problem.peakRatio (start);
+    PeakSearch search (problem, rows, AllocationInteriorPoint::Ratio::free, room * ratio,
+                       aim.steadiness * ratio / start.squaredNorm(), start);
+    search.limitPeaks (firstPeaks * peaks (search.voltages()));
+
+    while (best.value > aim.easyRatio && ! search.isEnough (best.gap(), wantedGap, neededPeakGap) && search.advance())
+    {
+        report (watch, { AllocationStage::leastPeak, best.effort.iterations + search.effort().iterations, best.gap() });
+        const auto& state = search.state();
+        best.improve (search.shares(), peakRatio (search.voltages(), problem.limits),
+                      leastPeakBound (problem, state.rowMultipliers(), state.sampleMultipliers()));
+        search.limitPeaks (state.peakRatio() * problem.limits);
+    }
+
+    best.effort.iterations += search.effort().iterations;
+    best.effort.rounds += search.effort().rounds;
 }
 
 /** Shares pulled towards a point inside the limits until none of their samples is beyond. */
@@ -107,27 +132,15 @@ Eigen::MatrixXd pulledInside (const Eigen::MatrixXd& shares, double reached, dou
 LimitedAllocation leastPeakShares (const WhitenedAllocation& problem, const RowSystem& rows, double easyRatio,
                                    const AllocationWatch& watch)
 {
-    constexpr auto aim = 1e-7;
-    constexpr auto need = 5e-7;
-    constexpr auto firstPeaks = 0.2;
-    constexpr auto room = 1.1;
     LimitedAllocation best;
     best.shares = rows.leastNormShares();
     best.value = problem.peakRatio (best.shares);
-    PeakSearch search (problem, rows, AllocationInteriorPoint::Ratio::free, room * best.value,
-                       tinyCurvature (problem, best), best.shares);
-    search.limitPeaks (firstPeaks * peaks (search.voltages()));
 
-    while (best.value > easyRatio && ! search.isEnough (best.gap(), aim, need) && search.advance())
-    {
-        report (watch, { AllocationStage::leastPeak, search.effort().iterations, best.gap() });
-        const auto& state = search.state();
-        best.improve (search.shares(), peakRatio (search.voltages(), problem.limits),
-                      leastPeakBound (problem, state.rowMultipliers(), state.sampleMultipliers()));
-        search.limitPeaks (state.peakRatio() * problem.limits);
-    }
+    // What steadies one problem's steps holds up another's: where rounding ends the search too early it begins anew.
+    for (const auto steadiness : { 1e-3, 1e-5, 1e-1 })
+        if (best.value > easyRatio && best.gap() > neededPeakGap)
+            searchLeastPeak (best, problem, rows, { easyRatio, steadiness }, watch);
 
-    best.effort = search.effort();
     return best;
 }
 
