@@ -20,5 +20,7 @@ constexpr NumberRange voltage { 1e-3, 1e5 };
 constexpr NumberRange timeMillisecond { 1e-3, 60000 };
 constexpr NumberRange dampingRatio { 0, 1, true, true };
 constexpr NumberRange qualityFactor { 0.5, 1e9, true };
+constexpr NumberRange frequencySpreadPercent { 0, 10 };
+constexpr NumberRange spreadPercent { 0, 50 };
 } // namespace ranges
 } // namespace antinode

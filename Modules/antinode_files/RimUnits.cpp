@@ -55,6 +55,11 @@ double fromHertz (double hertz)
     return 2 * std::numbers::pi * hertz;
 }
 
+double fromPercent (double percent)
+{
+    return percent / 100;
+}
+
 double toMillimetres (double metres)
 {
     return inverted (fromMillimetres, metres, metres * 1000);
@@ -63,6 +68,11 @@ double toMillimetres (double metres)
 double toMilliseconds (double seconds)
 {
     return inverted (fromMilliseconds, seconds, seconds * 1000);
+}
+
+double toPercent (double share)
+{
+    return inverted (fromPercent, share, share * 100);
 }
 
 double toHertz (double angularFrequency)
