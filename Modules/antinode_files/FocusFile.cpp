@@ -18,6 +18,7 @@ constexpr NumberRange captured { 0, 1, true };
 constexpr NumberRange growth { 0, 1000 };
 constexpr NumberRange brake { 1, 1000, true };
 constexpr NumberRange guardWeight { 0, 1e12 };
+constexpr NumberRange robustWeight { 0, 1e9, true };
 constexpr NumberRange tukey { 0, 1 };
 
 std::optional<double> optionalNumber (const JsonObject& object, std::string_view key, const NumberRange& range)
@@ -137,9 +138,29 @@ AllocationMethod readMethod (const JsonValue& value)
     return value.choice (allocationMethodWords);
 }
 
+/** Percentages as shares; what is not given is as usual. */
+Robustness readRobustness (const JsonValue& value)
+{
+    const auto object =
+        value.object ({ "frequency_percent", "damping_percent", "participation_percent", "drift_percent", "weight" });
+    Robustness robustness;
+    const auto read = [&] (const char* key, const NumberRange& range, double& share)
+    {
+        if (const auto given = object.optional (key))
+            share = fromPercent (given->number (range));
+    };
+    read ("frequency_percent", ranges::frequencySpreadPercent, robustness.spread.frequency);
+    read ("damping_percent", ranges::spreadPercent, robustness.spread.damping);
+    read ("participation_percent", ranges::spreadPercent, robustness.spread.participation);
+    read ("drift_percent", ranges::frequencySpreadPercent, robustness.spread.drift);
+    robustness.weight = optionalNumber (object, "weight", robustWeight).value_or (robustness.weight);
+    return robustness;
+}
+
 AllocationChoice readAllocation (const JsonValue& value)
 {
-    const auto object = value.object ({ "method", "voltage_limit_V", "guard_modes", "guard_weight", "window_ms" });
+    const auto object =
+        value.object ({ "method", "voltage_limit_V", "guard_modes", "guard_weight", "window_ms", "robust" });
     AllocationChoice allocation;
 
     if (const auto method = object.optional ("method"))
@@ -151,6 +172,15 @@ AllocationChoice readAllocation (const JsonValue& value)
     allocation.voltageLimit = optionalNumber (object, "voltage_limit_V", ranges::voltage);
     allocation.guardWeight = optionalNumber (object, "guard_weight", guardWeight).value_or (allocation.guardWeight);
     allocation.window = optionalMilliseconds (object, "window_ms");
+
+    if (const auto robust = object.optional ("robust"))
+    {
+        if (allocation.method != AllocationMethod::exact)
+            robust->fail ("is given with another method than 'exact', allowed is only with that");
+
+        allocation.robust = readRobustness (*robust);
+    }
+
     return allocation;
 }
 

@@ -67,6 +67,15 @@ Json transientsToJson (const TransientChoice& transients)
     return object;
 }
 
+Json robustnessToJson (const Robustness& robustness)
+{
+    return { { "frequency_percent", toPercent (robustness.spread.frequency) },
+             { "damping_percent", toPercent (robustness.spread.damping) },
+             { "participation_percent", toPercent (robustness.spread.participation) },
+             { "drift_percent", toPercent (robustness.spread.drift) },
+             { "weight", robustness.weight } };
+}
+
 Json allocationToJson (const AllocationChoice& allocation)
 {
     Json object { { "method", wordFor (allocationMethodWords, allocation.method) } };
@@ -74,6 +83,10 @@ Json allocationToJson (const AllocationChoice& allocation)
     object["guard_modes"] = allocation.guardModes ? Json (*allocation.guardModes) : Json ("all");
     object["guard_weight"] = allocation.guardWeight;
     putMilliseconds (object, "window_ms", allocation.window);
+
+    if (allocation.robust)
+        object["robust"] = robustnessToJson (*allocation.robust);
+
     return object;
 }
 } // namespace

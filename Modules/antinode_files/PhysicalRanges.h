@@ -22,5 +22,7 @@ constexpr NumberRange currentMilliampere { 1e-6, 1e6 };
 constexpr NumberRange timeMillisecond { 1e-3, 60000 };
 constexpr NumberRange dampingRatio { 0, 1, true, true };
 constexpr NumberRange qualityFactor { 0.5, 1e9, true };
+constexpr NumberRange frequencySpreadPercent { 0, 10 };
+constexpr NumberRange spreadPercent { 0, 50 };
 } // namespace ranges
 } // namespace antinode

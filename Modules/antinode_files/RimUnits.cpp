@@ -65,6 +65,11 @@ double fromHertz (double hertz)
     return 2 * std::numbers::pi * hertz;
 }
 
+double fromPercent (double percent)
+{
+    return percent / 100;
+}
+
 double toMillimetres (double metres)
 {
     return inverted (fromMillimetres, metres, metres * 1000);
@@ -78,6 +83,11 @@ double toMilliseconds (double seconds)
 double toVoltsPerMicrosecond (double voltsPerSecond)
 {
     return inverted (fromVoltsPerMicrosecond, voltsPerSecond, voltsPerSecond / 1e6);
+}
+
+double toPercent (double share)
+{
+    return inverted (fromPercent, share, share * 100);
 }
 
 double toHertz (double angularFrequency)

@@ -17,6 +17,9 @@ double fromMilliamperes (double milliamperes);
 /** Hz to rad/s. [any] */
 double fromHertz (double hertz);
 
+/** % to a share, correctly rounded. [any] */
+double fromPercent (double percent);
+
 /** The number of mm that fromMillimetres turns into this length again; of several the one with the fewest digits. A few
     lengths in a hundred have none, because a double in mm is coarser there: then the nearest. [any] */
 double toMillimetres (double metres);
@@ -26,6 +29,9 @@ double toMilliseconds (double seconds);
 
 /** The same for V/us. [any] */
 double toVoltsPerMicrosecond (double voltsPerSecond);
+
+/** The same for %. [any] */
+double toPercent (double share);
 
 /** The same for Hz; here about a third of all values have no exact number. [any] */
 double toHertz (double angularFrequency);

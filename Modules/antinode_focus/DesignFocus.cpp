@@ -7,6 +7,7 @@
 #include "LowerBound.h"
 #include "Prediction.h"
 #include "Projection.h"
+#include "RobustDrives.h"
 #include "TargetField.h"
 #include "Transients.h"
 
@@ -75,6 +76,10 @@ FocusDesign designDrives (const ModalModel& model, const FocusDescription& descr
         design.growth.push_back (drive.growth);
         design.cycles.push_back (drive.cycles);
     }
+
+    if (description.allocation.robust)
+        for (const auto& drive : fasterDrives (model, modes, description.focusTime, description.transients))
+            drives.push_back (drive);
 
     const auto limits = voltageLimits (model, description.allocation);
     const auto allocation = allocateDrives (model, description, modes, wanted, drives, playback);

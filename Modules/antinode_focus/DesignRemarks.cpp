@@ -32,6 +32,15 @@ std::string methodName (AllocationMethod method)
     return {};
 }
 
+std::string robustnessInWords (const Robustness& robustness)
+{
+    const auto percent = [] (double share) { return inWords (100 * share) + " %"; };
+    const auto& spread = robustness.spread;
+    return "Robust against errors of " + percent (std::hypot (spread.frequency, spread.drift)) + " in frequency, "
+           + percent (spread.damping) + " in damping and " + percent (spread.participation)
+           + " in participation (standard deviations).";
+}
+
 void addChoices (FocusDesign& design, const ModalModel& model)
 {
     const auto& description = design.description;
@@ -49,6 +58,12 @@ void addChoices (FocusDesign& design, const ModalModel& model)
         design.choices.push_back ("Cycles chosen: as many as fit before the focus.");
 
     design.choices.push_back ("Allocation: " + methodName (description.allocation.method) + ".");
+
+    if (description.allocation.robust)
+        design.choices.push_back (robustnessInWords (*description.allocation.robust));
+
+    if (description.allocation.robust && description.transients.growth.empty())
+        design.choices.emplace_back ("Each mode has a second drive, which rises by 12 e-folds before the focus.");
 }
 
 void warnOfPeak (FocusDesign& design)

@@ -43,6 +43,8 @@ ModalModel detuned (const ModalModel& model, const DetuningSpread& spread, std::
             result.participation (k, i) *= factor (spread.participation);
     }
 
+    // Drawn last, so that devices without drift are those that they were before there was any.
+    result.angularFrequencies *= factor (spread.drift);
     return result;
 }
 } // namespace antinode

@@ -1,10 +1,12 @@
 #include "DriveAllocation.h"
 
 #include "DriveGrid.h"
+#include "RobustRows.h"
 #include "StateRows.h"
 #include "Transients.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace antinode
 {
@@ -99,6 +101,10 @@ AllocationProblem allocationProblem (const ModalModel& model, const FocusDescrip
     problem.guardParticipation = model.participation (guards, Eigen::all);
     problem.guardRows = rowResponses (model, rowsAt (time, guards, ModalQuantity::velocity), drives, playback);
     problem.guardWeight = choice.guardWeight;
+
+    if (choice.robust)
+        return withRobustRows (std::move (problem), model, { modes, guards, drives, time, playback }, *choice.robust);
+
     return problem;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Robustness.h"
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -81,6 +83,7 @@ struct AllocationChoice
     double guardWeight = 100;
     std::optional<double>
         window; ///< s before the focus time in which the norm is taken and the limit is imposed; none: all.
+    std::optional<Robustness> robust; ///< With the method exact only: what the design is made robust against.
 };
 
 /** What is wanted: where, what shape, how strong, when, and how it is brought about. Docs/FileFormats.md. */

@@ -144,6 +144,9 @@ FocusDescription withSettings (const FocusDescription& document, const PlaySetti
     applyTarget (focus, settings, loaded, surface);
     focus.allocation.method = allocationMethodWords[static_cast<std::size_t> (settings.method)].second;
 
+    if (focus.allocation.method != AllocationMethod::exact)
+        focus.allocation.robust.reset();
+
     if (! isSame (settings.focusTimeMilliseconds, loaded.focusTimeMilliseconds))
         focus.focusTime = static_cast<double> (settings.focusTimeMilliseconds) * milli;
 

@@ -1,8 +1,11 @@
 #include "Commands.h"
 #include "CommonOptions.h"
+#include "DesignTolerances.h"
+#include "ToleranceReport.h"
 
 #include <antinode_files/DesignFile.h>
 #include <antinode_files/OutputFolder.h>
+#include <antinode_files/ToleranceFile.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/DesignRemarks.h>
 
@@ -15,11 +18,34 @@ namespace antinode
 {
 namespace
 {
-void design (const CommonOptions& options)
+struct DesignCommandOptions
 {
+    CommonOptions common;
+    ToleranceCommandOptions tolerance;
+};
+
+void writeTolerances (OutputFolder& folder, const ModalModel& model, const std::string& focus,
+                      const std::vector<DesignTolerance>& tolerances)
+{
+    folder.write ("tolerance.json", toleranceToJson (model, focus, tolerances).dump (2) + "\n");
+    folder.write ("tolerance.html", renderReport (toleranceReport (model, focus, tolerances)));
+}
+
+void design (const DesignCommandOptions& all)
+{
+    const auto& options = all.common;
     const auto [model, result] = designFrom (options);
+    std::vector<DesignTolerance> tolerances;
     OutputFolder folder (options.folder);
     folder.write ("design.json", designToJson (result, model).dump (2) + "\n");
+
+    if (all.tolerance.isWanted)
+    {
+        Progress progress (options.isQuiet);
+        tolerances = designTolerances (model, result, all.tolerance, progress);
+        writeTolerances (folder, model, result.description.name, tolerances);
+    }
+
     folder.commit();
 
     if (options.isQuiet)
@@ -33,6 +59,9 @@ void design (const CommonOptions& options)
     for (const auto& warning : result.warnings)
         std::printf ("Warning: %s\n", warning.c_str());
 
+    if (! tolerances.empty())
+        std::printf ("%s%s/tolerance.html\n", tolerancesInWords (model, tolerances).c_str(), options.folder.c_str());
+
     std::printf ("%s/design.json\n", options.folder.c_str());
 }
 } // namespace
@@ -40,8 +69,9 @@ void design (const CommonOptions& options)
 void addDesignCommand (CLI::App& app)
 {
     auto* command = app.add_subcommand ("design", "Computes who plays what for a focus and writes design.json");
-    auto options = std::make_shared<CommonOptions>();
-    addCommonOptions (*command, *options);
+    auto options = std::make_shared<DesignCommandOptions>();
+    addCommonOptions (*command, options->common);
+    addToleranceOptions (*command, options->tolerance);
     command->callback ([options] { design (*options); });
 }
 } // namespace antinode

@@ -81,6 +81,27 @@ TEST_CASE ("What a focus leaves out is left to choice", "[files]")
     CHECK (focus.probes.empty());
 }
 
+TEST_CASE ("What a focus is robust against is read in per cent, what it leaves out is as usual", "[files]")
+{
+    const auto robust = readFocus (goodFocus ("robust focus"), "my.json").allocation.robust;
+    REQUIRE (robust.has_value());
+    CHECK (robust->spread.frequency == 0.003);
+    CHECK (robust->spread.damping == 0.2);
+    CHECK (robust->spread.participation == 0.1);
+    CHECK (robust->spread.drift == 0.002);
+    CHECK (robust->weight == 500);
+
+    auto document = goodFocus ("robust focus");
+    document["allocation"]["robust"] = nlohmann::json::object();
+    const auto usual = readFocus (document, "my.json").allocation.robust;
+    REQUIRE (usual.has_value());
+    CHECK (usual->spread.frequency == usualSpread.frequency);
+    CHECK (usual->spread.damping == usualSpread.damping);
+    CHECK (usual->spread.participation == usualSpread.participation);
+    CHECK (usual->spread.drift == 0);
+    CHECK_FALSE (readFocus (goodFocus(), "my.json").allocation.robust.has_value());
+}
+
 TEST_CASE ("Growth and cycles are one number for all modes, or one a mode", "[files]")
 {
     CHECK (focusWith ("transients.growth=4").transients.growth == std::vector<double> { 4 });
@@ -125,6 +146,10 @@ TEST_CASE ("Typical mistakes in focuses are named with their place and what is a
               "'one_to_one', 'minimum_norm', 'minimum_peak'");
     CHECK (errorWith ("allocation.guard_modes=some")
            == "my.json: /allocation/guard_modes: is the text 'some', allowed is 'all'");
+    CHECK (errorWith ("allocation.robust={}")
+           == "my.json: /allocation/robust: is given with another method than 'exact', allowed is only with that");
+    CHECK (errorWith ("allocation={\"robust\": {\"frequency_percent\": 11}}")
+           == "my.json: /allocation/robust/frequency_percent: is 11, allowed is 0 to 10");
     CHECK (errorWith ("edge_window={\"tukey\": 1.5}") == "my.json: /edge_window/tukey: is 1.5, allowed is 0 to 1");
     CHECK (errorWith ("probes_mm.0=[1]") == "my.json: /probes_mm/0: has 1 entries, allowed is a list of 2");
     CHECK (errorWith ("device=staple").find ("my.json: /device: is not a key here, allowed are 'schema', 'name', ")
@@ -133,7 +158,7 @@ TEST_CASE ("Typical mistakes in focuses are named with their place and what is a
 
 TEST_CASE ("A focus written and read again says the same", "[files]")
 {
-    for (const auto* const name : { "focus", "minimal focus" })
+    for (const auto* const name : { "focus", "minimal focus", "robust focus" })
     {
         const auto once = focusToJson (readFocus (goodFocus (name), "my.json")).dump();
         const auto twice = focusToJson (readFocus (parseJson (once, "my.json"), "my.json")).dump();

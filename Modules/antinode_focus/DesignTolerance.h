@@ -1,0 +1,16 @@
+#pragma once
+
+#include "Tolerance.h"
+
+#include <string>
+
+namespace antinode
+{
+/** A design beside others that are compared on the same devices. */
+struct DesignTolerance
+{
+    std::string name;       ///< "nominal" or "robust".
+    double peakVoltage = 0; ///< V
+    Tolerance tolerance;
+};
+} // namespace antinode

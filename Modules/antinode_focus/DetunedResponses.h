@@ -1,0 +1,27 @@
+#pragma once
+
+#include "DetuningSpread.h"
+#include "RowOrigin.h"
+
+#include <antinode_model/ModalModel.h>
+
+#include <vector>
+
+namespace antinode
+{
+/** What modes do at the focus under each drive where the device is off: rows, each weighted by the root of its share, whose squares, summed,
+    are expected squares over errors of frequency and damping. */
+struct DetunedResponses
+{
+    std::vector<int> modes;              ///< Controlled ones, then guards.
+    std::vector<Eigen::MatrixXd> values; ///< Of each mode, rows x drives: the velocity per unit participation.
+    /** Of each mode, rows x drives: what of it is an error. Of a controlled mode that is the difference to the device as it is known,
+        whose velocity is met; of a guard it is all. */
+    std::vector<Eigen::MatrixXd> errors;
+};
+
+/** By the product of two Gauss-Hermite rules of three points, for frequency and damping: exact where responses are polynomials of degree 2
+    in either.
+    [worker] Docs/Theory.md, section 7.5. */
+DetunedResponses detunedResponses (const ModalModel&, const RowOrigin&, const DetuningSpread&);
+} // namespace antinode

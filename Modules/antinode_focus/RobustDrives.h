@@ -1,0 +1,12 @@
+#pragma once
+
+#include "DriveAllocation.h"
+
+namespace antinode
+{
+/** Drives beside those that driveModes chose: one a mode that rises three times as fast, so that a mode's velocity can be made from two
+    envelopes whose errors cancel. None where growths are given.
+    @throws InputError  as driveModes
+    [any] Docs/Theory.md, section 7.5. */
+DriveList fasterDrives (const ModalModel&, const std::vector<int>& modes, double focusTime, const TransientChoice&);
+} // namespace antinode

@@ -1,0 +1,163 @@
+#include "RobustRows.h"
+
+#include "DetunedResponses.h"
+
+#include <antinode_model/DenseKernels.h>
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+constexpr std::size_t mostRows = 4000;
+constexpr double weakest = 1; // what costs less than the energy that moves it does not shape the answer
+
+/** A guard row, and what its penalty is to the energy of the drives that move it most. */
+struct RobustRow
+{
+    double strength = 0;
+    Eigen::RowVectorXd participation, response;
+};
+
+/** Coordinates in which the drives' energy is a sum of squares: a row r becomes r L^-T, with G = L L'. */
+class DriveMetric
+{
+public:
+    explicit DriveMetric (const Eigen::MatrixXd& waveforms)
+    {
+        constexpr auto rounding = 1e-12; // close drives are nearly dependent
+        Eigen::MatrixXd gram = waveforms * waveforms.transpose();
+        gram.diagonal() *= 1 + rounding;
+        factors.compute (gram);
+    }
+
+    Eigen::MatrixXd whiten (const Eigen::MatrixXd& rows) const
+    {
+        return factors.matrixL().solve (rows.transpose()).transpose();
+    }
+
+    Eigen::MatrixXd restore (const Eigen::MatrixXd& rows) const { return rows * factors.matrixU(); }
+
+private:
+    Eigen::LLT<Eigen::MatrixXd> factors;
+};
+
+/** As few whitened rows as have the same Gram matrix up to a part that does not matter. */
+Eigen::MatrixXd compressed (const Eigen::MatrixXd& rows)
+{
+    constexpr auto negligible = 1e-8; // of the squared length
+    const auto eigen = symmetricEigen (rows * rows.transpose());
+    const auto count = (eigen.values.array() > negligible * eigen.values.maxCoeff()).count();
+    return eigen.vectors.rightCols (count).transpose() * rows;
+}
+
+/** Frequency and damping of each mode. */
+void addModeRows (std::vector<RobustRow>& found, const DetunedResponses& responses, const ModalModel& model,
+                  const DriveMetric& metric, double price)
+{
+    for (std::size_t k = 0; k < responses.modes.size(); ++k)
+    {
+        const Eigen::RowVectorXd participation = model.participation.row (responses.modes[k]);
+        const auto rows = compressed (metric.whiten (responses.errors[k]));
+
+        for (Eigen::Index c = 0; c < rows.rows(); ++c)
+            found.push_back ({ price * rows.row (c).squaredNorm() * participation.squaredNorm(), participation,
+                               metric.restore (rows.row (c)) });
+    }
+}
+
+/** Whitened responses of all modes under each other, and the mode of each. */
+std::pair<Eigen::MatrixXd, std::vector<int>> stacked (const DetunedResponses& responses, const DriveMetric& metric)
+{
+    std::pair<Eigen::MatrixXd, std::vector<int>> stack;
+
+    for (std::size_t k = 0; k < responses.modes.size(); ++k)
+    {
+        const auto rows = compressed (metric.whiten (responses.values[k]));
+        stack.first.conservativeResize (stack.first.rows() + rows.rows(), rows.cols());
+        stack.first.bottomRows (rows.rows()) = rows;
+        stack.second.insert (stack.second.end(), static_cast<std::size_t> (rows.rows()), responses.modes[k]);
+    }
+
+    return stack;
+}
+
+/** The participations of each ceramic: errors of different ceramics do not cancel, so that each has rows of its own, of which pivoted
+    elimination leaves as few as there are drives. */
+void addCeramicRows (std::vector<RobustRow>& found, const DetunedResponses& responses, const ModalModel& model,
+                     const DriveMetric& metric, double spread, double price)
+{
+    const auto [rows, modes] = stacked (responses, metric);
+
+    for (Eigen::Index i = 0; i < model.actuators(); ++i)
+    {
+        const Eigen::VectorXd errors = spread * model.participation (modes, i);
+        Eigen::MatrixXd gram = Eigen::MatrixXd::Zero (rows.cols(), rows.cols());
+        addGram (gram, price, rows.transpose() * errors.asDiagonal());
+        const Eigen::LDLT<Eigen::MatrixXd> factors (gram);
+        const Eigen::VectorXd strengths = factors.vectorD();
+        const Eigen::MatrixXd triangle = factors.matrixL();
+
+        for (Eigen::Index c = 0; c < strengths.size(); ++c)
+            if (strengths[c] > weakest)
+            {
+                const Eigen::VectorXd column = factors.transpositionsP().transpose() * triangle.col (c);
+                found.push_back ({ strengths[c], Eigen::RowVectorXd::Unit (model.actuators(), i),
+                                   std::sqrt (strengths[c] / price) * metric.restore (column.transpose()) });
+            }
+    }
+}
+
+/** What a squared error of 1 costs, in the unit of the drives' energy. */
+double priceOf (AllocationProblem problem, double weight)
+{
+    problem.guardRows.resize (0, problem.rows.cols());
+    problem.guardParticipation.resize (0, problem.participation.cols());
+    const auto leastEnergy = (minimumNormAllocation (problem) * problem.waveforms).squaredNorm();
+    return weight * leastEnergy / problem.wanted.squaredNorm();
+}
+
+/** The strongest rows below the guards that are there. All guards share one weight: those that are there are scaled to keep theirs. */
+void append (AllocationProblem& problem, std::vector<RobustRow> found, double weight)
+{
+    std::erase_if (found, [] (const RobustRow& row) { return ! (row.strength > weakest); });
+    std::stable_sort (found.begin(), found.end(),
+                      [] (const RobustRow& a, const RobustRow& b) { return a.strength > b.strength; });
+    found.resize (std::min (found.size(), mostRows));
+    const auto guards = problem.guardRows.rows();
+    const auto count = guards + static_cast<Eigen::Index> (found.size());
+    problem.guardRows *= std::sqrt (problem.guardWeight / weight);
+    problem.guardWeight = weight;
+    problem.guardRows.conservativeResize (count, problem.rows.cols());
+    problem.guardParticipation.conservativeResize (count, problem.participation.cols());
+
+    for (std::size_t r = 0; r < found.size(); ++r)
+    {
+        const auto at = guards + static_cast<Eigen::Index> (r);
+        problem.guardRows.row (at) = found[r].response;
+        problem.guardParticipation.row (at) = found[r].participation;
+    }
+}
+} // namespace
+
+AllocationProblem withRobustRows (AllocationProblem problem, const ModalModel& model, const RowOrigin& origin,
+                                  const Robustness& robustness)
+{
+    if (! (robustness.weight > 0) || problem.wanted.isZero (0))
+        return problem;
+
+    keepToOneThread();
+    const auto price = priceOf (problem, robustness.weight);
+    const auto responses = detunedResponses (model, origin, robustness.spread);
+    const DriveMetric metric (problem.waveforms);
+    std::vector<RobustRow> found;
+    addModeRows (found, responses, model, metric, price);
+    addCeramicRows (found, responses, model, metric, robustness.spread.participation, price);
+    append (problem, std::move (found), robustness.weight);
+    return problem;
+}
+} // namespace antinode

@@ -1,0 +1,113 @@
+#include "Tolerance.h"
+
+#include "Detuning.h"
+#include "Prediction.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+namespace antinode
+{
+namespace
+{
+/** Without shapes, which detuning does not change: cheap to copy. */
+ModalModel modesOf (const ModalModel& model)
+{
+    ModalModel modes;
+    modes.angularFrequencies = model.angularFrequencies;
+    modes.dampingRatios = model.dampingRatios;
+    modes.participation = model.participation;
+    return modes;
+}
+
+/** A seed for each draw (SplitMix64, Steele et al. 2014): those of neighbouring seeds have nothing in common. */
+std::uint64_t seedOf (std::uint64_t seed, int draw)
+{
+    constexpr std::uint64_t odd = 0x9e3779b97f4a7c15, first = 0xbf58476d1ce4e5b9, second = 0x94d049bb133111eb;
+    const auto mix = [] (std::uint64_t z)
+    {
+        z = (z ^ (z >> 30)) * first;
+        z = (z ^ (z >> 27)) * second;
+        return z ^ (z >> 31);
+    };
+    return mix (mix (seed + odd) + odd * static_cast<std::uint64_t> (draw));
+}
+
+FocusScore scoreOn (const ModalModel& modes, const ModalModel& model, const FocusDesign& design)
+{
+    const auto states = predictStates (modes, design.program, design.program.focusTime);
+    return scoreField (model.surface, model.shapes * modalVelocities (modes, states), design.truncatedField);
+}
+
+std::vector<FocusScore> drawScores (const ModalModel& model, const FocusDesign& design, const ToleranceOptions& options,
+                                    const std::function<void (double)>& progress)
+{
+    const auto modes = modesOf (model);
+    std::vector<FocusScore> scores (static_cast<std::size_t> (options.draws));
+    std::atomic<int> next = 0;
+    const auto work = [&] (bool isReporting)
+    {
+        for (auto draw = next++; draw < options.draws; draw = next++)
+        {
+            scores[static_cast<std::size_t> (draw)] =
+                scoreOn (detuned (modes, options.spread, seedOf (options.seed, draw)), model, design);
+
+            if (isReporting)
+                progress (static_cast<double> (draw + 1) / options.draws);
+        }
+    };
+    std::vector<std::thread> others;
+
+    for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
+        others.emplace_back (work, false);
+
+    work (true);
+
+    for (auto& other : others)
+        other.join();
+
+    return scores;
+}
+
+Percentiles scorePercentiles (const std::vector<FocusScore>& scores, double FocusScore::*member)
+{
+    std::vector<double> values (scores.size());
+    std::transform (scores.begin(), scores.end(), values.begin(),
+                    [&] (const FocusScore& score) { return score.*member; });
+    return percentilesOf (std::move (values));
+}
+} // namespace
+
+Percentiles percentilesOf (std::vector<double> values)
+{
+    constexpr double whole = 100;
+    std::sort (values.begin(), values.end());
+    Percentiles result {};
+
+    for (std::size_t i = 0; i < result.size(); ++i)
+    {
+        const auto place = tolerancePercents[i] / whole * static_cast<double> (values.size() - 1);
+        const auto below = static_cast<std::size_t> (place);
+        const auto above = std::min (below + 1, values.size() - 1);
+        result[i] = std::lerp (values[below], values[above], place - std::floor (place));
+    }
+
+    return result;
+}
+
+Tolerance evaluateTolerance (const ModalModel& model, const FocusDesign& design, const ToleranceOptions& options,
+                             const std::function<void (double)>& progress)
+{
+    Tolerance tolerance;
+    tolerance.options = options;
+    tolerance.known = scoreOn (modesOf (model), model, design);
+    tolerance.draws = drawScores (model, design, options, progress);
+    tolerance.vScore = scorePercentiles (tolerance.draws, &FocusScore::vScore);
+    tolerance.fieldError = scorePercentiles (tolerance.draws, &FocusScore::fieldError);
+    tolerance.peakRatio = scorePercentiles (tolerance.draws, &FocusScore::peakRatio);
+    tolerance.causes = toleranceCauses (model, design, options.spread);
+    return tolerance;
+}
+} // namespace antinode

@@ -1,0 +1,127 @@
+#include "DesignTolerances.h"
+
+#include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/DesignRemarks.h>
+#include <antinode_model/InputError.h>
+
+#include <array>
+#include <cstdio>
+#include <limits>
+
+namespace antinode
+{
+namespace
+{
+constexpr double percent = 100;
+constexpr std::size_t shownCauses = 3;
+
+constexpr double mostOfFrequency = 10, mostOfOthers = 50; // %
+
+/** A spread that was asked for, or another. CLI::Range would let through what is no number. */
+double spreadOr (const std::optional<double>& asked, const char* option, double most, double otherwise)
+{
+    if (! asked)
+        return otherwise;
+
+    if (! (*asked >= 0 && *asked <= most))
+        throw InputError (option, "is " + inWords (*asked) + ", allowed is 0 to " + inWords (most));
+
+    return *asked / percent;
+}
+
+DetuningSpread spreadOf (const ToleranceCommandOptions& options, const FocusDescription& focus)
+{
+    const auto usual = focus.allocation.robust ? focus.allocation.robust->spread : usualSpread;
+    return { spreadOr (options.frequency, "--frequency-percent", mostOfFrequency, usual.frequency),
+             spreadOr (options.damping, "--damping-percent", mostOfOthers, usual.damping),
+             spreadOr (options.participation, "--participation-percent", mostOfOthers, usual.participation),
+             spreadOr (options.drift, "--drift-percent", mostOfFrequency, usual.drift) };
+}
+
+std::string row (const std::string& name, const Percentiles& values, const char* format)
+{
+    std::array<char, 64> cell {};
+    std::snprintf (cell.data(), cell.size(), "  %-22s", name.c_str());
+    std::string text = cell.data();
+
+    for (const auto value : values)
+    {
+        std::snprintf (cell.data(), cell.size(), format, value);
+        text += cell.data();
+    }
+
+    return text + "\n";
+}
+
+Percentiles inPercent (Percentiles values)
+{
+    for (auto& value : values)
+        value *= percent;
+
+    return values;
+}
+} // namespace
+
+void addToleranceOptions (CLI::App& command, ToleranceCommandOptions& options)
+{
+    auto* const wanted = command.add_flag ("--tolerance", options.isWanted,
+                                           "Says how the field bears devices that differ from the model");
+    const auto add = [&] (const char* name, auto& value, const char* text)
+    { return command.add_option (name, value, text)->needs (wanted); };
+    add ("--draws", options.draws, "How many such devices are drawn")
+        ->check (CLI::Range (1, 1000000))
+        ->capture_default_str();
+    add ("--seed", options.seed, "Another number draws other devices")
+        ->check (CLI::Range (0, std::numeric_limits<int>::max()))
+        ->capture_default_str();
+    add ("--frequency-percent", options.frequency, "Standard deviation of each frequency; without it 0.1");
+    add ("--damping-percent", options.damping, "Standard deviation of each damping; without it 10");
+    add ("--participation-percent", options.participation, "Standard deviation of each participation; without it 5");
+    add ("--drift-percent", options.drift, "Standard deviation of a drift that all frequencies share; without it 0");
+}
+
+std::vector<DesignTolerance> designTolerances (const ModalModel& model, const FocusDesign& design,
+                                               const ToleranceCommandOptions& options, Progress& progress)
+{
+    const ToleranceOptions settings { spreadOf (options, design.description), options.draws,
+                                      static_cast<std::uint64_t> (options.seed) };
+    const auto evaluate = [&] (const char* name, const FocusDesign& evaluated)
+    {
+        return DesignTolerance { name, peakVoltage (evaluated),
+                                 evaluateTolerance (model, evaluated, settings,
+                                                    [&] (double share) { progress.show ("Drawing devices", share); }) };
+    };
+
+    if (! design.description.allocation.robust)
+        return { evaluate ("nominal", design) };
+
+    auto description = design.description;
+    description.allocation.robust.reset();
+    const auto nominal = designFocus (model, description, design.playback, DesignExtent::playable);
+    return { evaluate ("nominal", nominal), evaluate ("robust", design) };
+}
+
+std::string tolerancesInWords (const ModalModel& model, const std::vector<DesignTolerance>& designs)
+{
+    const auto& options = designs.front().tolerance.options;
+    auto text = std::to_string (options.draws) + " devices off by " + inWords (percent * options.spread.frequency)
+                + " % in frequency, " + inWords (percent * options.spread.damping) + " % in damping, "
+                + inWords (percent * options.spread.participation) + " % in participation, "
+                + inWords (percent * options.spread.drift) + " % by a drift of all frequencies\n";
+    text += row ("percentile", tolerancePercents, "%9.0f");
+
+    for (const auto& design : designs)
+    {
+        const auto& tolerance = design.tolerance;
+        text += design.name + ", peak " + inWords (design.peakVoltage) + " V\n";
+        text += row ("v-score", tolerance.vScore, "%9.4f");
+        text += row ("field error (%)", inPercent (tolerance.fieldError), "%9.2f");
+        text += row ("peak ratio", tolerance.peakRatio, "%9.4f");
+
+        for (std::size_t i = 0; i < std::min (shownCauses, tolerance.causes.size()); ++i)
+            text += "  " + sentenceOf (tolerance.causes[i], model) + "\n";
+    }
+
+    return text;
+}
+} // namespace antinode
