@@ -1,7 +1,7 @@
 #include "EngineFixtures.h"
 
 #include <Support/AdaptiveOde.h>
-#include <antinode_engine/KaiserSinc.h>
+#include <antinode_model/KaiserSinc.h>
 #include <antinode_engine/PlateModel.h>
 #include <antinode_model/GaussLegendre.h>
 

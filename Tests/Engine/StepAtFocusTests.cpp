@@ -1,6 +1,6 @@
 #include "EngineFixtures.h"
 
-#include <antinode_engine/KaiserSinc.h>
+#include <antinode_model/KaiserSinc.h>
 #include <antinode_engine/PlateModel.h>
 #include <antinode_engine/VoltageSynthesiser.h>
 #include <antinode_model/GaussLegendre.h>
