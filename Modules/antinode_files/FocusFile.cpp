@@ -128,22 +128,13 @@ std::optional<int> readGuardModes (const JsonValue& value)
     return value.integer (0, static_cast<int> (ranges::maximumModes));
 }
 
-AllocationMethod readMethod (const JsonValue& value)
-{
-    if (value.isWord ("free_waveform"))
-        value.fail ("is 'free_waveform', which this version does not have, allowed is one of "
-                    + listed (wordsOf (allocationMethodWords)));
-
-    return value.choice (allocationMethodWords);
-}
-
 AllocationChoice readAllocation (const JsonValue& value)
 {
     const auto object = value.object ({ "method", "voltage_limit_V", "guard_modes", "guard_weight", "window_ms" });
     AllocationChoice allocation;
 
     if (const auto method = object.optional ("method"))
-        allocation.method = readMethod (*method);
+        allocation.method = method->choice (allocationMethodWords);
 
     if (const auto guards = object.optional ("guard_modes"))
         allocation.guardModes = readGuardModes (*guards);

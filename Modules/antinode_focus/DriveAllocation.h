@@ -19,6 +19,16 @@ using DriveList = std::vector<std::vector<Oscillation>>;
 /** The voltage limit of each ceramic: the device's, or the focus's where that is lower. N_b, V. [any] */
 Eigen::VectorXd voltageLimits (const ModalModel&, const AllocationChoice&);
 
+/** Whether a method asks for the least peak voltage, whatever the limit. [any] */
+bool asksForLeastPeak (AllocationMethod);
+
+/** The modes that are guarded: the lowest of those that are not controlled, as many as asked for. [any] */
+std::vector<int> guardModes (const ModalModel&, const std::vector<int>& controlled, const AllocationChoice&);
+
+/** How long before the focus a waveform may begin that is not bound to cycles: the focus time, or less where a maximum duration or a window
+    says so. s [any] */
+double longestDrive (const FocusDescription&);
+
 /** Who plays how much of which drive, so that the controlled modes have the wanted velocities at the focus time.
     @param modes   the controlled modes, ascending
     @param wanted  their modal velocities at t_f, m/s kg^1/2

@@ -43,12 +43,13 @@ void addSamples (Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> samples
 }
 } // namespace
 
-double gridLimitMargin()
+double gridLimitMargin (int samplesPerCycle)
 {
-    return std::cos (std::numbers::pi / gridSamplesPerCycle);
+    return std::cos (std::numbers::pi / samplesPerCycle);
 }
 
-Eigen::MatrixXd sampleDrives (const std::vector<std::vector<Oscillation>>& drives, double first, double last)
+Eigen::MatrixXd sampleDrives (const std::vector<std::vector<Oscillation>>& drives, double first, double last,
+                              int samplesPerCycle)
 {
     double highest = 0;
 
@@ -56,7 +57,7 @@ Eigen::MatrixXd sampleDrives (const std::vector<std::vector<Oscillation>>& drive
         for (const auto& oscillation : drive)
             highest = std::max (highest, std::abs (oscillation.exponent()) / (2 * std::numbers::pi));
 
-    const auto steps = std::max (2.0, std::ceil ((last - first) * highest * gridSamplesPerCycle));
+    const auto steps = std::max (2.0, std::ceil ((last - first) * highest * samplesPerCycle));
     Eigen::MatrixXd samples = Eigen::MatrixXd::Zero (drives.size(), static_cast<Eigen::Index> (steps) + 1);
 
     const SampleTimes times { last, last - first, steps };
