@@ -1,5 +1,7 @@
 #include "Commands.h"
 #include "CommonOptions.h"
+#include "Progress.h"
+#include "TradeoffReport.h"
 
 #include <antinode_files/DesignFile.h>
 #include <antinode_files/OutputFolder.h>
@@ -35,6 +37,21 @@ void design (const CommonOptions& options)
 
     std::printf ("%s/design.json\n", options.folder.c_str());
 }
+void sweep (const CommonOptions& options)
+{
+    Progress progress (options.isQuiet);
+    const auto [model, focus] = inputsFrom (options);
+    const auto tradeoff =
+        sweepTradeoff (model, focus, options.playback(), [&] (double share) { progress.show ("Designing", share); });
+    OutputFolder folder (options.folder);
+    folder.write ("tradeoff.json", tradeoffToJson (tradeoff, focus.name, model.name).dump (2) + "\n");
+    folder.write ("tradeoff.csv", tradeoffToCsv (tradeoff));
+    folder.write ("tradeoff.html", renderReport (tradeoffReport (tradeoff, focus.name, model.name)));
+    folder.commit();
+
+    if (! options.isQuiet)
+        std::printf ("%s%s/tradeoff.html\n", tradeoffToText (tradeoff).c_str(), options.folder.c_str());
+}
 } // namespace
 
 void addDesignCommand (CLI::App& app)
@@ -42,6 +59,9 @@ void addDesignCommand (CLI::App& app)
     auto* command = app.add_subcommand ("design", "Computes who plays what for a focus and writes design.json");
     auto options = std::make_shared<CommonOptions>();
     addCommonOptions (*command, *options);
-    command->callback ([options] { design (*options); });
+    auto isSweep = std::make_shared<bool> (false);
+    command->add_flag ("--tradeoff", *isSweep,
+                       "Designs it by all methods and growths instead: voltage against time in motion");
+    command->callback ([options, isSweep] { *isSweep ? sweep (*options) : design (*options); });
 }
 } // namespace antinode
