@@ -90,7 +90,6 @@ LineChart tradeoffChart (const Tradeoff& tradeoff)
     if (longest > 0)
         chart.xRange = AxisRange { 0, 1.03 * longest };
 
-
     for (const auto& [word, method] : allocationMethodWords)
         if (auto series = seriesOf (tradeoff, method); series.x.size() > 0)
             chart.series.push_back (std::move (series));
