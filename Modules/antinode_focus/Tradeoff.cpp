@@ -154,9 +154,10 @@ double timeInMotion (const ModalModel& model, const VoltageProgram& program, con
     Eigen::VectorXcd states = Eigen::VectorXcd::Zero (poles.size());
     std::vector<double> norms;
 
-    for (double n = 0; n < steps; ++n)
+    for (Eigen::Index n = 0; n < static_cast<Eigen::Index> (steps); ++n)
     {
-        const Eigen::VectorXd forces = model.participation * voltagesOf (program, (n + 0.5) * interval);
+        const Eigen::VectorXd forces =
+            model.participation * voltagesOf (program, (static_cast<double> (n) + 0.5) * interval);
         states = (turn * states.array() + gain * forces.array()).matrix();
         norms.push_back (modalVelocities (model, states).norm());
     }
