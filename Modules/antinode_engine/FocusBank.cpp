@@ -1,5 +1,7 @@
 #include "FocusBank.h"
 
+#include <antinode_model/InputError.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -25,6 +27,16 @@ VoltageProgram partOf (const VoltageProgram& program, bool brakes)
     return part;
 }
 
+/** @throws InputError  where there are samples, which are bound to one rate and to one place in time */
+const VoltageProgram& requireOscillations (const VoltageProgram& program)
+{
+    if (program.samples)
+        throw InputError ("voltage program", "is a free waveform, which is played offline only; use the allocation "
+                                             "'dictionary' in real time");
+
+    return program;
+}
+
 bool hasBrake (const VoltageProgram& program)
 {
     const auto count = std::count_if (program.oscillations.begin(), program.oscillations.end(),
@@ -34,7 +46,7 @@ bool hasBrake (const VoltageProgram& program)
 } // namespace
 
 PlayableFocus::PlayableFocus (const VoltageProgram& program, Playback playback)
-    : PlayableFocus (program, playback, hasBrake (program))
+    : PlayableFocus (requireOscillations (program), playback, hasBrake (program))
 {
 }
 

@@ -13,7 +13,7 @@ namespace antinode
 /** A designed focus, ready to be played: read only from here on. */
 struct PlayableFocus
 {
-    /** @throws InputError  as VoltageSynthesiser [worker] allocates */
+    /** @throws InputError  as VoltageSynthesiser, and for a free waveform [worker] allocates */
     PlayableFocus (const VoltageProgram&, Playback);
 
     VoltageSynthesiser synthesiser;     ///< Of all but the brakes.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace antinode
 {
@@ -83,10 +84,52 @@ private:
     Eigen::Index total, last = 0;
 };
 
+/** A program's own samples, from the sample on which the first of them falls. */
+struct PlacedSamples
+{
+    Eigen::Index first = 0;
+    Eigen::MatrixXd values;
+
+    void addTo (Eigen::Index begin, Eigen::Ref<Eigen::MatrixXd> block) const
+    {
+        const auto from = std::max (begin, first);
+        const auto to = std::min (begin + block.cols(), first + values.cols());
+
+        if (from < to)
+            block.middleCols (from - begin, to - from) += values.middleCols (from - first, to - from);
+    }
+};
+
+PlacedSamples placedSamples (const VoltageProgram& program, Playback playback, std::int64_t focusSample)
+{
+    if (! program.samples)
+        return {};
+
+    const auto& samples = *program.samples;
+    const auto made = samples.playback;
+
+    if (made.sampleRate != playback.sampleRate || made.reconstruction != playback.reconstruction)
+    {
+        const auto nameOf = [] (Reconstruction reconstruction)
+        { return reconstruction == Reconstruction::bandLimited ? "band_limited" : "zero_order_hold"; };
+        throw InputError ("sample rate",
+                          text ("is ", playback.sampleRate, " Hz, ", nameOf (playback.reconstruction),
+                                ", but this free waveform is made for ", made.sampleRate, " Hz, ",
+                                nameOf (made.reconstruction), ": design it for ", playback.sampleRate, " Hz"));
+    }
+
+    if (samples.values.rows() != program.voltageLimits.size())
+        throw InputError ("voltage program", "needs samples for every ceramic of the device");
+
+    const auto fromFocus = std::llround ((samples.firstTime - program.focusTime) * made.sampleRate);
+    return { focusSample + fromFocus, samples.values };
+}
+
 /** What an event passes through, in this order. */
 struct Kernels
 {
     VoltageSynthesiser synthesiser;
+    PlacedSamples samples;
     VoltageLimiter limiter;
     PlateModel plate;
 };
@@ -98,6 +141,7 @@ void renderBlock (Kernels& kernels, Eigen::Index first, Eigen::Index count, Eige
 {
     Eigen::MatrixXd block (modalVelocities.rows(), count);
     kernels.synthesiser.process (first, voltages.middleCols (first, count));
+    kernels.samples.addTo (first, voltages.middleCols (first, count));
     kernels.limiter.process (voltages.middleCols (first, count));
     kernels.plate.processModes (voltages.middleCols (first, count), block);
 
@@ -139,7 +183,9 @@ Render renderOffline (const ModalModel& model, const VoltageProgram& program, co
         throw InputError ("voltage program",
                           "needs a row of the allocation and a limit for every ceramic of the device");
 
-    Kernels kernels { VoltageSynthesiser (program, settings.playback), VoltageLimiter (program.voltageLimits),
+    VoltageSynthesiser synthesiser (program, settings.playback);
+    auto ownSamples = placedSamples (program, settings.playback, synthesiser.focusSample());
+    Kernels kernels { std::move (synthesiser), std::move (ownSamples), VoltageLimiter (program.voltageLimits),
                       PlateModel (model, settings.playback, settings.probeShapes) };
 
     Render render;

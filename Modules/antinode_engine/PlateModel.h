@@ -1,8 +1,7 @@
 #pragma once
 
-#include "ModalRecursion.h"
-
 #include <antinode_model/ModalModel.h>
+#include <antinode_model/ModalRecursion.h>
 #include <antinode_model/Playback.h>
 
 #include <Eigen/Core>

@@ -1,6 +1,6 @@
 #include "RealtimePlate.h"
 
-#include "ModalRecursion.h"
+#include <antinode_model/ModalRecursion.h>
 
 #include <algorithm>
 #include <cmath>

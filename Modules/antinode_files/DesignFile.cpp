@@ -24,7 +24,10 @@ Json conventions()
         { "angular_frequency_rad_s", "2 pi frequency_Hz to the last bit" },
         { "free_decay_per_s", "of a brake: the decay rate of its mode when it is left alone" },
         { "allocation",
-          "one row a ceramic, one column an oscillation: U_i(t) = sum over c of allocation[i][c] value_c(t), in V" }
+          "one row a ceramic, one column an oscillation: U_i(t) = sum over c of allocation[i][c] value_c(t), in V" },
+        { "samples",
+          "of a free waveform: one row a ceramic, the first sample at first_time_s; added to what oscillations "
+          "and allocation give, where there are any" }
     };
 }
 
@@ -42,6 +45,21 @@ Json oscillationToJson (const Oscillation& oscillation)
     if (oscillation.isBrake())
         json["free_decay_per_s"] = oscillation.freeDecay;
 
+    return json;
+}
+
+Json playbackToJson (const Playback& playback)
+{
+    const auto isBandLimited = playback.reconstruction == Reconstruction::bandLimited;
+    return { { "reconstruction", isBandLimited ? "band_limited" : "zero_order_hold" },
+             { "sample_rate_Hz", playback.sampleRate } };
+}
+
+Json samplesToJson (const SampledVoltages& samples)
+{
+    auto json = playbackToJson (samples.playback);
+    json["first_time_s"] = samples.firstTime;
+    json["voltages_V"] = rowsOf (samples.values);
     return json;
 }
 
@@ -77,13 +95,6 @@ Json certificateToJson (const AllocationCertificate& certificate)
              { "time_ms", certificate.milliseconds } };
 }
 
-Json playbackToJson (const Playback& playback)
-{
-    const auto isBandLimited = playback.reconstruction == Reconstruction::bandLimited;
-    return { { "reconstruction", isBandLimited ? "band_limited" : "zero_order_hold" },
-             { "sample_rate_Hz", playback.sampleRate } };
-}
-
 Json fieldToJson (const FocusDesign& design, const ModalModel& model)
 {
     constexpr double millimetres = 1000;
@@ -102,10 +113,14 @@ nlohmann::ordered_json designToJson (const FocusDesign& design, const ModalModel
     json["captured"] = design.captured;
     json["residue"] = design.residue;
     json["controlled_modes"] = controlledModesToJson (design, model);
-    json["oscillations"] = Json::array();
 
-    for (const auto& oscillation : design.program.oscillations)
-        json["oscillations"].push_back (oscillationToJson (oscillation));
+    if (! design.program.samples || ! design.program.oscillations.empty())
+    {
+        json["oscillations"] = Json::array();
+
+        for (const auto& oscillation : design.program.oscillations)
+            json["oscillations"].push_back (oscillationToJson (oscillation));
+    }
 
     json["ceramics"] = Json::array();
 
@@ -113,7 +128,16 @@ nlohmann::ordered_json designToJson (const FocusDesign& design, const ModalModel
         json["ceramics"].push_back (ceramic.name);
 
     json["voltage_limits_V"] = listOf (design.program.voltageLimits);
-    json["allocation"] = rowsOf (design.program.allocation);
+
+    if (json.contains ("oscillations"))
+        json["allocation"] = rowsOf (design.program.allocation);
+
+    if (design.program.samples)
+    {
+        json["samples"] = samplesToJson (*design.program.samples);
+        json["intersample_peak_voltage_V"] = design.intersamplePeakVoltage;
+    }
+
     json["certificate"] = certificateToJson (design.certificate);
     json["least_peak_voltage_V"] = design.leastPeakVoltage;
     json["reachable_peak_velocity_mm_s"] = toMillimetres (design.reachablePeakVelocity);

@@ -129,15 +129,6 @@ std::optional<int> readGuardModes (const JsonValue& value)
     return value.integer (0, static_cast<int> (ranges::maximumModes));
 }
 
-AllocationMethod readMethod (const JsonValue& value)
-{
-    if (value.isWord ("free_waveform"))
-        value.fail ("is 'free_waveform', which this version does not have, allowed is one of "
-                    + listed (wordsOf (allocationMethodWords)));
-
-    return value.choice (allocationMethodWords);
-}
-
 /** Percentages as shares; what is not given is as usual. */
 Robustness readRobustness (const JsonValue& value)
 {
@@ -164,7 +155,7 @@ AllocationChoice readAllocation (const JsonValue& value)
     AllocationChoice allocation;
 
     if (const auto method = object.optional ("method"))
-        allocation.method = readMethod (*method);
+        allocation.method = method->choice (allocationMethodWords);
 
     if (const auto guards = object.optional ("guard_modes"))
         allocation.guardModes = readGuardModes (*guards);

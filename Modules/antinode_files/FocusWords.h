@@ -21,12 +21,14 @@ inline constexpr WordList<ModeOrder, 2> modeOrderWords { { { "energy", ModeOrder
 inline constexpr WordList<DriveKind, 2> driveKindWords { { { "offset_free", DriveKind::offsetFree },
                                                            { "paper", DriveKind::paper } } };
 
-inline constexpr WordList<AllocationMethod, 5> allocationMethodWords {
+inline constexpr WordList<AllocationMethod, 7> allocationMethodWords {
     { { "exact", AllocationMethod::exact },
       { "paper", AllocationMethod::paper },
       { "one_to_one", AllocationMethod::oneToOne },
       { "minimum_norm", AllocationMethod::minimumNorm },
-      { "minimum_peak", AllocationMethod::minimumPeak } }
+      { "minimum_peak", AllocationMethod::minimumPeak },
+      { "dictionary", AllocationMethod::dictionary },
+      { "free_waveform", AllocationMethod::freeWaveform } }
 };
 
 inline constexpr WordList<AllocationStatus, 3> allocationStatusWords {

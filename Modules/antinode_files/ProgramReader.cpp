@@ -3,6 +3,7 @@
 #include "PhysicalRanges.h"
 #include "RimUnits.h"
 #include "SurfaceReader.h"
+#include "WordList.h"
 
 namespace antinode
 {
@@ -12,6 +13,10 @@ constexpr std::size_t maximumOscillations = 100000;
 constexpr NumberRange anyNumber { -1e15, 1e15 };
 constexpr NumberRange time { -1e4, 1e4 };
 constexpr NumberRange frequencyOrConstant { 0, 1e8 };
+constexpr std::size_t maximumSamples = 10000000;
+constexpr NumberRange sampleRate { 8000, 2e6 };
+constexpr WordList<Reconstruction, 2> reconstructionWords { { { "band_limited", Reconstruction::bandLimited },
+                                                              { "zero_order_hold", Reconstruction::zeroOrderHold } } };
 constexpr NumberRange limit { 0, 1e5 };
 
 Oscillation readOscillation (const JsonValue& value)
@@ -35,6 +40,33 @@ Oscillation readOscillation (const JsonValue& value)
 
     return oscillation;
 }
+/** A matrix of the size that it is to have, row by row. */
+void readRows (const JsonValue& value, Eigen::MatrixXd& matrix)
+{
+    const auto rows = value.items (static_cast<std::size_t> (matrix.rows()), static_cast<std::size_t> (matrix.rows()));
+    const auto columns = static_cast<std::size_t> (matrix.cols());
+
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+    {
+        const auto row = rows[static_cast<std::size_t> (i)].numbers (columns, columns, anyNumber);
+        matrix.row (i) = Eigen::Map<const Eigen::RowVectorXd> (row.data(), matrix.cols());
+    }
+}
+
+SampledVoltages readSamples (const JsonValue& value, std::size_t ceramics)
+{
+    const auto object = value.object ({ "reconstruction", "sample_rate_Hz", "first_time_s", "voltages_V" });
+    SampledVoltages samples;
+    samples.playback.reconstruction = object.required ("reconstruction").choice (reconstructionWords);
+    samples.playback.sampleRate = object.required ("sample_rate_Hz").number (sampleRate);
+    samples.firstTime = object.required ("first_time_s").number (time);
+    const auto voltages = object.required ("voltages_V");
+    const auto rows = voltages.items (ceramics, ceramics);
+    const auto count = rows.empty() ? 0 : rows.front().numbers (0, maximumSamples, anyNumber).size();
+    samples.values.resize (static_cast<Eigen::Index> (ceramics), static_cast<Eigen::Index> (count));
+    readRows (voltages, samples.values);
+    return samples;
+}
 } // namespace
 
 VoltageProgram readProgram (const nlohmann::json& document, const std::string& source)
@@ -44,22 +76,23 @@ VoltageProgram readProgram (const nlohmann::json& document, const std::string& s
     VoltageProgram program;
     program.focusTime = value.required ("focus_time_s").number (time);
 
-    for (const auto& item : value.required ("oscillations").items (0, maximumOscillations))
-        program.oscillations.push_back (readOscillation (item));
+    const auto samples = value.find ("samples");
+    const auto hasOscillations = ! samples || value.find ("oscillations").has_value();
+
+    if (hasOscillations)
+        for (const auto& item : value.required ("oscillations").items (0, maximumOscillations))
+            program.oscillations.push_back (readOscillation (item));
 
     const auto limits = value.required ("voltage_limits_V").numbers (0, ranges::maximumCeramics, limit);
-    const auto rows = value.required ("allocation").items (limits.size(), limits.size());
-    const auto columns = program.oscillations.size();
     program.voltageLimits =
         Eigen::Map<const Eigen::VectorXd> (limits.data(), static_cast<Eigen::Index> (limits.size()));
-    program.allocation.resize (program.voltageLimits.size(), static_cast<Eigen::Index> (columns));
+    program.allocation.resize (program.voltageLimits.size(), static_cast<Eigen::Index> (program.oscillations.size()));
 
-    for (std::size_t i = 0; i < rows.size(); ++i)
-    {
-        const auto row = rows[i].numbers (columns, columns, anyNumber);
-        program.allocation.row (static_cast<Eigen::Index> (i)) =
-            Eigen::Map<const Eigen::RowVectorXd> (row.data(), program.allocation.cols());
-    }
+    if (hasOscillations)
+        readRows (value.required ("allocation"), program.allocation);
+
+    if (samples)
+        program.samples = readSamples (*samples, limits.size());
 
     return program;
 }

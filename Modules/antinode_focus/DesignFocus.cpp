@@ -3,11 +3,14 @@
 #include "Brake.h"
 #include "DesignRemarks.h"
 #include "DriveAllocation.h"
+#include "DriveDictionary.h"
 #include "DriveGrid.h"
+#include "FreeWaveform.h"
 #include "LowerBound.h"
 #include "Prediction.h"
 #include "Projection.h"
 #include "RobustDrives.h"
+#include "SampledPrediction.h"
 #include "TargetField.h"
 #include "Transients.h"
 
@@ -62,12 +65,61 @@ double lowerBound (const ModalModel& model, const std::vector<int>& modes, const
     return anyWaveformPeakBound (problem) * limits.maxCoeff();
 }
 
+/** What does not depend on what is played. */
+FocusDesign designOf (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
+                      const Eigen::VectorXd& wanted, Playback playback, double peakVelocity, DesignExtent extent)
+{
+    FocusDesign design;
+    design.description = description;
+    design.controlledModes = modes;
+    design.playback = playback;
+    design.reachablePeakVelocity = peakVelocity;
+
+    if (extent == DesignExtent::complete)
+        design.lowerBoundVoltage =
+            lowerBound (model, modes, wanted, voltageLimits (model, description.allocation), description.focusTime);
+
+    return design;
+}
+
+FocusDesign designSamples (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
+                           const Eigen::VectorXd& wanted, Playback playback, double peakVelocity, DesignExtent extent)
+{
+    if (extent == DesignExtent::playable)
+        throw InputError (
+            "focus: /allocation/method",
+            "is 'free_waveform', which is played offline only; use 'dictionary' in real time, which comes "
+            "near the same voltage");
+
+    const auto limits = voltageLimits (model, description.allocation);
+    auto waveform = freeWaveform (model, description, modes, wanted, limits, playback);
+    auto design = designOf (model, description, modes, wanted, playback, peakVelocity, extent);
+    design.growth.assign (modes.size(), 0);
+    design.cycles.assign (modes.size(), 0);
+    design.intersamplePeakVoltage = intersamplePeak (waveform.voltages);
+    design.certificate = waveform.certificate;
+    design.program.allocation.resize (model.actuators(), 0);
+    design.program.voltageLimits = limits;
+    design.program.focusTime = description.focusTime;
+    design.program.samples = std::move (waveform.voltages);
+    design.leastPeakVoltage = design.certificate.leastPeakRatio * limits.maxCoeff();
+
+    if (description.transients.brake)
+        appendBrake (design, model);
+
+    return design;
+}
+
 FocusDesign designDrives (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
                           const Eigen::VectorXd& wanted, Playback playback, double peakVelocity, DesignExtent extent)
 {
     checkRate (model, modes, playback);
+
+    if (description.allocation.method == AllocationMethod::freeWaveform)
+        return designSamples (model, description, modes, wanted, playback, peakVelocity, extent);
+
     const auto modeDrives = driveModes (model, modes, description.focusTime, description.transients);
-    FocusDesign design;
+    auto design = designOf (model, description, modes, wanted, playback, peakVelocity, extent);
     DriveList drives;
 
     for (const auto& drive : modeDrives)
@@ -81,21 +133,17 @@ FocusDesign designDrives (const ModalModel& model, const FocusDescription& descr
         for (const auto& drive : fasterDrives (model, modes, description.focusTime, description.transients))
             drives.push_back (drive);
 
+    if (description.allocation.method == AllocationMethod::dictionary)
+        drives = dictionaryDrives (model, description, modes, design.growth);
+
     const auto limits = voltageLimits (model, description.allocation);
     const auto allocation = allocateDrives (model, description, modes, wanted, drives, playback);
     throwWhereBeyondLimit (allocation.certificate, description.allocation.method, limits, peakVelocity,
                            hasSlewLimits (model));
 
-    design.description = description;
-    design.controlledModes = modes;
     design.program = programOf (drives, allocation.matrix, limits, description.focusTime);
     design.certificate = allocation.certificate;
-    design.playback = playback;
     design.leastPeakVoltage = allocation.certificate.leastPeakRatio * limits.maxCoeff();
-    design.reachablePeakVelocity = peakVelocity;
-
-    if (extent == DesignExtent::complete)
-        design.lowerBoundVoltage = lowerBound (model, modes, wanted, limits, description.focusTime);
 
     if (description.transients.brake)
         appendBrake (design, model);
@@ -106,6 +154,9 @@ FocusDesign designDrives (const ModalModel& model, const FocusDescription& descr
 
 double peakVoltage (const FocusDesign& design)
 {
+    if (design.program.samples)
+        return design.program.samples->values.cwiseAbs().maxCoeff();
+
     // The certificate's ratio is against limits that are tightened for what lies between the samples of its grid.
     return design.certificate.peakRatio * gridLimitMargin() * design.program.voltageLimits.maxCoeff();
 }

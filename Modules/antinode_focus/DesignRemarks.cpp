@@ -1,5 +1,7 @@
 #include "DesignRemarks.h"
 
+#include "DriveAllocation.h"
+
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -27,6 +29,14 @@ std::string methodName (AllocationMethod method)
                    "others guarded";
         case AllocationMethod::minimumPeak:
             return "exact terminal velocities of all controlled modes at the least peak voltage, the others guarded";
+        case AllocationMethod::dictionary:
+            return "exact terminal velocities of all controlled modes at the least peak voltage, several growth rates "
+                   "and "
+                   "both quadratures a mode, the others guarded";
+        case AllocationMethod::freeWaveform:
+            return "exact terminal velocities of all controlled modes by samples of any form, of the least energy "
+                   "within the "
+                   "voltage limit, the others guarded";
     }
 
     return {};
@@ -51,10 +61,13 @@ void addChoices (FocusDesign& design, const ModalModel& model)
 
     design.choices.push_back ("Controlled modes: " + modes + " of " + std::to_string (model.modes()) + ".");
 
-    if (description.transients.growth.empty())
+    const auto hasDrives = ! design.program.samples;
+
+    if (hasDrives && description.transients.growth.empty())
         design.choices.push_back ("Growth chosen so that all modes rise together, by 4 e-folds before the focus.");
 
-    if (description.transients.cycles.empty())
+    if (hasDrives && description.transients.cycles.empty()
+        && description.allocation.method != AllocationMethod::dictionary)
         design.choices.push_back ("Cycles chosen: as many as fit before the focus.");
 
     design.choices.push_back ("Allocation: " + methodName (description.allocation.method) + ".");
@@ -75,9 +88,19 @@ void warnOfPeak (FocusDesign& design)
                                    + " times the voltage limit; the limiter will clip it and the field will differ. "
                                      "Use the allocation 'exact' or 'paper', a lower velocity or a higher limit.");
     else if (design.certificate.status == AllocationStatus::optimal
-             && design.description.allocation.method != AllocationMethod::minimumPeak)
+             && ! asksForLeastPeak (design.description.allocation.method))
         design.warnings.push_back (
             "The voltage limit is reached: the load is spread over more ceramics than without it.");
+}
+void addSampleRemarks (FocusDesign& design)
+{
+    const auto& samples = *design.program.samples;
+    design.choices.push_back ("The waveform is made of samples for " + inWords (samples.playback.sampleRate)
+                              + " Hz and nothing else; between them it reaches "
+                              + inWords (design.intersamplePeakVoltage) + " V.");
+    design.warnings.emplace_back (
+        "A free waveform is played offline only. In real time use the allocation 'dictionary', which "
+        "comes near the same voltage.");
 }
 } // namespace
 
@@ -111,5 +134,8 @@ void addRemarks (FocusDesign& design, const ModalModel& model)
             + " Hz lies near half the sample rate, where converters roll off: take a higher rate.");
 
     warnOfPeak (design);
+
+    if (design.program.samples)
+        addSampleRemarks (design);
 }
 } // namespace antinode

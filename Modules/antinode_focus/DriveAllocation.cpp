@@ -1,5 +1,6 @@
 #include "DriveAllocation.h"
 
+#include "DriveDictionary.h"
 #include "DriveGrid.h"
 #include "RobustRows.h"
 #include "StateRows.h"
@@ -12,21 +13,6 @@ namespace antinode
 {
 namespace
 {
-/** The modes guarded: the lowest of those that are not controlled. */
-std::vector<int> guardsFor (const ModalModel& model, const std::vector<int>& controlled, const AllocationChoice& choice)
-{
-    std::vector<int> guards;
-
-    for (int k = 0; k < model.modes(); ++k)
-        if (! std::binary_search (controlled.begin(), controlled.end(), k))
-            guards.push_back (k);
-
-    if (choice.guardModes && *choice.guardModes < static_cast<int> (guards.size()))
-        guards.resize (static_cast<std::size_t> (*choice.guardModes));
-
-    return guards;
-}
-
 double firstStart (const DriveList& drives)
 {
     auto first = drives.front().front().start;
@@ -70,23 +56,22 @@ Eigen::VectorXd slewLimits (const ModalModel& model, const Eigen::MatrixXd& slop
 
 AllocationProblem allocationProblem (const ModalModel& model, const FocusDescription& description,
                                      const std::vector<int>& modes, const Eigen::VectorXd& wanted,
-                                     const DriveList& drives, Playback playback)
+                                     const DriveList& drives, DriveSpan span, Playback playback)
 {
     const auto& choice = description.allocation;
-    const auto isExact = choice.method == AllocationMethod::exact || choice.method == AllocationMethod::minimumPeak;
+    const auto isExact = choice.method == AllocationMethod::exact || asksForLeastPeak (choice.method);
     const auto time = description.focusTime;
-    const auto first = choice.window ? std::max (time - *choice.window, firstStart (drives)) : firstStart (drives);
     const auto count = static_cast<Eigen::Index> (modes.size());
 
     AllocationProblem problem;
-    problem.waveforms = sampleDrives (drives, first, time + releaseDuration());
+    problem.waveforms = sampleDrives (drives, span.first, span.last);
     problem.participation = model.participation (modes, Eigen::all);
     problem.wanted = wanted;
     problem.voltageLimits = voltageLimits (model, choice) * gridLimitMargin();
 
     if (hasSlewLimits (model))
     {
-        problem.slopes = sampleSlopes (drives, first, time + releaseDuration());
+        problem.slopes = sampleSlopes (drives, span.first, span.last);
         problem.slewLimits = slewLimits (model, problem.slopes) * gridLimitMargin();
     }
 
@@ -96,7 +81,7 @@ AllocationProblem allocationProblem (const ModalModel& model, const FocusDescrip
         return problem;
     }
 
-    const auto guards = guardsFor (model, modes, choice);
+    const auto guards = guardModes (model, modes, choice);
     problem.rows = rowResponses (model, rowsAt (time, modes, ModalQuantity::velocity), drives, playback);
     problem.guardParticipation = model.participation (guards, Eigen::all);
     problem.guardRows = rowResponses (model, rowsAt (time, guards, ModalQuantity::velocity), drives, playback);
@@ -108,8 +93,11 @@ AllocationProblem allocationProblem (const ModalModel& model, const FocusDescrip
     return problem;
 }
 
-Allocation allocate (const AllocationProblem& problem, AllocationMethod method)
+Allocation allocate (const AllocationProblem& problem, AllocationMethod method, const DriveList& drives, DriveSpan span)
 {
+    if (method == AllocationMethod::dictionary)
+        return allocateDictionary (problem, drives, span);
+
     if (method == AllocationMethod::minimumPeak)
         return solveAllocation (problem, AllocationGoal::peak);
 
@@ -127,6 +115,11 @@ Allocation allocate (const AllocationProblem& problem, AllocationMethod method)
     return allocation;
 }
 } // namespace
+
+bool asksForLeastPeak (AllocationMethod method)
+{
+    return method == AllocationMethod::minimumPeak || method == AllocationMethod::dictionary;
+}
 
 Eigen::VectorXd voltageLimits (const ModalModel& model, const AllocationChoice& choice)
 {
@@ -147,11 +140,37 @@ bool hasSlewLimits (const ModalModel& model)
                         [] (const auto& ceramic) { return ceramic.slewLimit > 0; });
 }
 
+std::vector<int> guardModes (const ModalModel& model, const std::vector<int>& controlled,
+                             const AllocationChoice& choice)
+{
+    std::vector<int> guards;
+
+    for (int k = 0; k < model.modes(); ++k)
+        if (! std::binary_search (controlled.begin(), controlled.end(), k))
+            guards.push_back (k);
+
+    if (choice.guardModes && *choice.guardModes < static_cast<int> (guards.size()))
+        guards.resize (static_cast<std::size_t> (*choice.guardModes));
+
+    return guards;
+}
+
+double longestDrive (const FocusDescription& description)
+{
+    const auto time = description.focusTime;
+    return std::min ({ time, description.transients.maximumDuration.value_or (time),
+                       description.allocation.window.value_or (time) });
+}
+
 Allocation allocateDrives (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
                            const Eigen::VectorXd& wanted, const DriveList& drives, Playback playback)
 {
-    return allocate (allocationProblem (model, description, modes, wanted, drives, playback),
-                     description.allocation.method);
+    const auto& choice = description.allocation;
+    const auto time = description.focusTime;
+    const auto first = choice.window ? std::max (time - *choice.window, firstStart (drives)) : firstStart (drives);
+    const DriveSpan span { first, time + releaseDuration() };
+    return allocate (allocationProblem (model, description, modes, wanted, drives, span, playback), choice.method,
+                     drives, span);
 }
 
 /** A drive's oscillations share its column of the matrix. */

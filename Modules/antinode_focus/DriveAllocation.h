@@ -16,11 +16,27 @@ namespace antinode
 /** Drives: the oscillations of each, which share a column of the allocation. */
 using DriveList = std::vector<std::vector<Oscillation>>;
 
+/** When drives are looked at, s from the trigger. */
+struct DriveSpan
+{
+    double first = 0, last = 0;
+};
+
 /** The voltage limit of each ceramic: the device's, or the focus's where that is lower. N_b, V. [any] */
 Eigen::VectorXd voltageLimits (const ModalModel&, const AllocationChoice&);
 
 /** Whether any ceramic's voltage may change only so fast. [any] */
 bool hasSlewLimits (const ModalModel&);
+
+/** Whether a method asks for the least peak voltage, whatever the limit. [any] */
+bool asksForLeastPeak (AllocationMethod);
+
+/** The modes that are guarded: the lowest of those that are not controlled, as many as asked for. [any] */
+std::vector<int> guardModes (const ModalModel&, const std::vector<int>& controlled, const AllocationChoice&);
+
+/** How long before the focus a waveform may begin that is not bound to cycles: the focus time, or less where a maximum duration or a window
+    says so. s [any] */
+double longestDrive (const FocusDescription&);
 
 /** Who plays how much of which drive, so that the controlled modes have the wanted velocities at the focus time.
     @param modes   the controlled modes, ascending

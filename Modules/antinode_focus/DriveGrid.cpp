@@ -52,12 +52,13 @@ Oscillation slopeOf (Oscillation oscillation)
 }
 } // namespace
 
-double gridLimitMargin()
+double gridLimitMargin (int samplesPerCycle)
 {
-    return std::cos (std::numbers::pi / gridSamplesPerCycle);
+    return std::cos (std::numbers::pi / samplesPerCycle);
 }
 
-Eigen::MatrixXd sampleSlopes (const std::vector<std::vector<Oscillation>>& drives, double first, double last)
+Eigen::MatrixXd sampleSlopes (const std::vector<std::vector<Oscillation>>& drives, double first, double last,
+                              int samplesPerCycle)
 {
     auto slopes = drives;
 
@@ -65,10 +66,11 @@ Eigen::MatrixXd sampleSlopes (const std::vector<std::vector<Oscillation>>& drive
         for (auto& oscillation : drive)
             oscillation = slopeOf (oscillation);
 
-    return sampleDrives (slopes, first, last);
+    return sampleDrives (slopes, first, last, samplesPerCycle);
 }
 
-Eigen::MatrixXd sampleDrives (const std::vector<std::vector<Oscillation>>& drives, double first, double last)
+Eigen::MatrixXd sampleDrives (const std::vector<std::vector<Oscillation>>& drives, double first, double last,
+                              int samplesPerCycle)
 {
     double highest = 0;
 
@@ -76,7 +78,7 @@ Eigen::MatrixXd sampleDrives (const std::vector<std::vector<Oscillation>>& drive
         for (const auto& oscillation : drive)
             highest = std::max (highest, std::abs (oscillation.exponent()) / (2 * std::numbers::pi));
 
-    const auto steps = std::max (2.0, std::ceil ((last - first) * highest * gridSamplesPerCycle));
+    const auto steps = std::max (2.0, std::ceil ((last - first) * highest * samplesPerCycle));
     Eigen::MatrixXd samples = Eigen::MatrixXd::Zero (drives.size(), static_cast<Eigen::Index> (steps) + 1);
 
     const SampleTimes times { last, last - first, steps };

@@ -12,16 +12,18 @@ namespace antinode
     modulus of its exponent: a release bends by its decay as well as by its frequency. */
 constexpr int gridSamplesPerCycle = 32;
 
-/** What the grid's limit must be multiplied by so that the limit holds between its samples too: cos (pi / 32) = 0.9952.
+/** What the grid's limit must be multiplied by so that the limit holds between its samples too: cos (pi / 32) = 0.9952 at 32 a cycle.
     [any] Docs/Theory.md, section 4.6. */
-double gridLimitMargin();
+double gridLimitMargin (int samplesPerCycle = gridSamplesPerCycle);
 
 /** Drives sampled from `first` to `last` inclusive, fine enough for gridLimitMargin.
     @param drives  the oscillations of each drive
     @return        drives x N_s
     [worker] Docs/Theory.md, section 4.6. */
-Eigen::MatrixXd sampleDrives (const std::vector<std::vector<Oscillation>>& drives, double first, double last);
+Eigen::MatrixXd sampleDrives (const std::vector<std::vector<Oscillation>>& drives, double first, double last,
+                              int samplesPerCycle = gridSamplesPerCycle);
 
 /** The slopes of the drives on the same grid, 1/s. [worker] Docs/Theory.md, section 4.6. */
-Eigen::MatrixXd sampleSlopes (const std::vector<std::vector<Oscillation>>& drives, double first, double last);
+Eigen::MatrixXd sampleSlopes (const std::vector<std::vector<Oscillation>>& drives, double first, double last,
+                              int samplesPerCycle = gridSamplesPerCycle);
 } // namespace antinode

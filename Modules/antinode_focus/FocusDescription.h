@@ -72,7 +72,9 @@ enum class AllocationMethod
     minimumNorm, ///< Rows (29), least norm, no limit: closed form.
     paper,       ///< Rows (29) within the voltage limit: the paper's problem.
     exact,       ///< Exact terminal rows within the voltage limit, soft guard modes: the default.
-    minimumPeak  ///< Exact terminal rows at the least peak voltage.
+    minimumPeak, ///< Exact terminal rows at the least peak voltage.
+    dictionary,  ///< The same with several drives a mode: near the least voltage of any waveform.
+    freeWaveform ///< Samples of any form, of the least energy within the voltage limit; offline only.
 };
 
 struct AllocationChoice

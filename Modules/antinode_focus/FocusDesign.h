@@ -37,7 +37,9 @@ struct FocusDesign
     double reachablePeakVelocity = 0; ///< m/s: what the limit allows where it cannot be met; else the wanted one.
     double lowerBoundVoltage =
         0; ///< V: certified; no waveform reaches the terminal velocities within t_f below it; 0 where it was not computed.
-    Playback playback;                 ///< What the terminal rows were computed for.
+    double intersamplePeakVoltage =
+        0;             ///< V: of a free waveform, also between its samples; 0 where there are no samples.
+    Playback playback; ///< What the terminal rows were computed for.
     std::vector<std::string> choices;  ///< What was chosen and why, in plain words.
     std::vector<std::string> warnings; ///< In plain words.
 };

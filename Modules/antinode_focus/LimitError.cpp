@@ -1,6 +1,7 @@
 #include "LimitError.h"
 
 #include "DesignRemarks.h"
+#include "DriveAllocation.h"
 
 namespace antinode
 {
@@ -21,8 +22,8 @@ LimitError::LimitError (const std::string& where, const std::string& wrong, doub
 void throwWhereBeyondLimit (const AllocationCertificate& certificate, AllocationMethod method,
                             const Eigen::VectorXd& limits, double peakVelocity, bool hasSlewLimits)
 {
-    const auto isBeyond = certificate.status == AllocationStatus::infeasible
-                          || (method == AllocationMethod::minimumPeak && certificate.peakRatio > 1);
+    const auto isBeyond =
+        certificate.status == AllocationStatus::infeasible || (asksForLeastPeak (method) && certificate.peakRatio > 1);
 
     if (! isBeyond)
         return;

@@ -1,12 +1,13 @@
 #include "LowerBound.h"
 
-#include <antinode_model/InputError.h>
+#include "BoundedWaveform.h"
 
-#include <Eigen/Cholesky>
+#include <antinode_model/InputError.h>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numbers>
 #include <string>
 
 namespace antinode
@@ -21,7 +22,7 @@ void check (bool isRight, const std::string& wrong)
         throw InputError ("lower bound", wrong);
 }
 
-void validate (const WaveformBoundProblem& problem, int samples)
+void validate (const WaveformBoundProblem& problem)
 {
     const auto modes = problem.wanted.size();
     const auto ceramics = problem.voltageLimits.size();
@@ -36,7 +37,6 @@ void validate (const WaveformBoundProblem& problem, int samples)
            "has a pole that grows or does not oscillate, allowed are damped oscillations");
     check (problem.voltageLimits.minCoeff() > 0, "has a voltage limit of 0 or less, allowed is more than 0");
     check (std::isfinite (problem.duration) && problem.duration > 0, "has no duration, allowed is more than 0 s");
-    check (samples >= 2, "has fewer than 2 samples");
 
     for (Eigen::Index k = 0; k < modes; ++k)
         check (problem.wanted[k] == 0 || ! problem.participation.row (k).isZero (0),
@@ -77,51 +77,25 @@ Eigen::MatrixXd sampledModes (const Eigen::VectorXcd& poles, const Eigen::Vector
     return values;
 }
 
-/** One step of iteratively reweighted least squares: y that minimises sum of weights f_i^2 at fixed wanted' y. */
-Eigen::VectorXd weightedMultipliers (const WaveformBoundProblem& problem, const Eigen::MatrixXd& modes,
-                                     const Eigen::MatrixXd& weights)
+/** y that makes wanted' y / sum_i limit_i integral |f_i| large: the multipliers of the least peak of samples, each held for a step. */
+Eigen::VectorXd goodMultipliers (const WaveformBoundProblem& problem)
 {
-    constexpr auto regularisation = 1e-12;
-    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero (modes.rows(), modes.rows());
-
-    for (Eigen::Index i = 0; i < weights.rows(); ++i)
-    {
-        const Eigen::MatrixXd weighted =
-            problem.participation.col (i).asDiagonal() * modes * weights.row (i).cwiseSqrt().asDiagonal();
-        gram.selfadjointView<Eigen::Lower>().rankUpdate (weighted);
-    }
-
-    gram.diagonal().array() += regularisation * gram.diagonal().maxCoeff();
-    return gram.selfadjointView<Eigen::Lower>().ldlt().solve (problem.wanted);
-}
-
-/** y that makes wanted' y / sum_i limit_i integral |f_i| large. */
-Eigen::VectorXd goodMultipliers (const WaveformBoundProblem& problem, Eigen::Index samples)
-{
-    constexpr auto iterations = 12;
-    constexpr auto smallest = 1e-3;
-    const auto step = problem.duration / static_cast<double> (samples - 1);
-    const auto modes = sampledModes (problem.poles, velocityWeights (problem), 0, step, samples);
-    Eigen::MatrixXd weights = problem.voltageLimits.replicate (1, samples);
-    Eigen::VectorXd best = problem.wanted;
-    double bestRatio = 0;
-
-    for (int iteration = 0; iteration < iterations; ++iteration)
-    {
-        const auto y = weightedMultipliers (problem, modes, weights);
-        const Eigen::MatrixXd force = (problem.participation.transpose() * y.asDiagonal() * modes).cwiseAbs();
-        const auto ratio = problem.wanted.dot (y) / force.rowwise().sum().dot (problem.voltageLimits);
-
-        if (ratio > bestRatio)
-        {
-            best = y;
-            bestRatio = ratio;
-        }
-
-        weights = problem.voltageLimits.asDiagonal() * force.cwiseMax (smallest * force.mean()).cwiseInverse();
-    }
-
-    return best;
+    constexpr auto samplesPerCycle = 8.0;
+    constexpr auto mostSamples = 20000.0;
+    constexpr auto fewestSamples = 32.0;
+    constexpr auto tolerance = 0.005;
+    const auto cycles = problem.duration * problem.poles.cwiseAbs().maxCoeff() / (2 * std::numbers::pi);
+    const auto samples = std::clamp (std::ceil (samplesPerCycle * cycles), fewestSamples, mostSamples);
+    const auto step = problem.duration / samples;
+    BoundedWaveformProblem sampled;
+    sampled.weights =
+        step
+        * sampledModes (problem.poles, velocityWeights (problem), step / 2, step, static_cast<Eigen::Index> (samples));
+    sampled.participation = problem.participation;
+    sampled.wanted = problem.wanted;
+    sampled.compliance = Eigen::VectorXd::Zero (problem.wanted.size());
+    sampled.limits = problem.voltageLimits;
+    return leastWaveformPeak (sampled, tolerance).multipliers;
 }
 
 /** An upper bound of the integral of |f| over a cell: its values at both ends, the change of its antiderivative, and a bound of |f''|. */
@@ -170,15 +144,15 @@ double priceBound (const WaveformBoundProblem& problem, const Eigen::VectorXd& y
 }
 } // namespace
 
-double anyWaveformPeakBound (const WaveformBoundProblem& problem, int samples)
+double anyWaveformPeakBound (const WaveformBoundProblem& problem)
 {
     constexpr auto roundingAllowance = 1e-9;
-    validate (problem, samples);
+    validate (problem);
 
     if (problem.wanted.isZero (0))
         return 0;
 
-    const auto y = goodMultipliers (problem, samples);
+    const auto y = goodMultipliers (problem);
     return std::max (0.0, (1 - roundingAllowance) * problem.wanted.dot (y) / priceBound (problem, y));
 }
 } // namespace antinode

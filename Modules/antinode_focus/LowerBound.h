@@ -19,12 +19,12 @@ struct WaveformBoundProblem
 
         max |u_i| / limit_i >= sum_k wanted_k y_k / sum_i limit_i integral_0^t_f |f_i|,   f_i (tau) = sum_k y_k participation_ki h_k (tau)
 
-    y is made good by iteratively reweighted least squares; that it is not the best costs tightness, not truth. The integrals are bounded
+    y are the multipliers of the least peak of samples, 8 a cycle of the fastest mode and at most 20000, within 0.5 % (BoundedWaveform.h);
+    that it is not the best costs tightness, not truth. The integrals are bounded
     from above on a grid of 0.15 rad of the fastest mode: cells in which f_i certainly keeps its sign by its antiderivative, others by
     the chord and (step^3 / 12) max |f_i''|, the largest that a chord can miss. So the bound holds for the continuous waveform.
-    @param samples  of the grid on which y is optimised
-    @return         a ratio, 0 where nothing is wanted
+    @return  a ratio, 0 where nothing is wanted
     @throws InputError  when sizes or numbers are not usable, or no ceramic moves a wanted mode
     [worker] Docs/Theory.md, section 4. */
-double anyWaveformPeakBound (const WaveformBoundProblem&, int samples = 1000);
+double anyWaveformPeakBound (const WaveformBoundProblem&);
 } // namespace antinode

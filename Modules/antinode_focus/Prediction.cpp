@@ -1,5 +1,7 @@
 #include "Prediction.h"
 
+#include "SampledPrediction.h"
+
 #include <cmath>
 
 namespace antinode
@@ -105,6 +107,9 @@ Eigen::VectorXcd predictStates (const ModalModel& model, const VoltageProgram& p
         for (Eigen::Index c = 0; c < forces.cols(); ++c)
             states[k] +=
                 forces (k, c) * modalResponse (poles[k], program.oscillations[static_cast<std::size_t> (c)], time);
+
+    if (program.samples)
+        states += sampledStates (model, *program.samples, time);
 
     return states;
 }

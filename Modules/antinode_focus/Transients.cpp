@@ -18,7 +18,7 @@ constexpr double envelopeFolds = 4;           // e-folds of growth that the chos
 constexpr double greatestEnvelopeFolds = 600; // beyond, the start of a drive would leave the range of numbers
 constexpr double chosenGreatestFolds = 40;    // beyond, an earlier start adds less than 1e-17
 constexpr double brakeDecay = 1e-6;
-constexpr double releaseRate = 20000; // 1/s: 50 us, short against what a finger feels, long against a sample
+constexpr double rateOfRelease = 20000; // 1/s: 50 us, short against what a finger feels, long against a sample
 constexpr double releaseDecay = 1e-6;
 
 double driveDuration (double dampedFrequency, int cycles)
@@ -86,20 +86,25 @@ void checkCycles (const ModalModel& model, int mode, double a, double b, double 
 }
 } // namespace
 
+double releaseRate()
+{
+    return rateOfRelease;
+}
+
 double releaseDuration()
 {
-    return -std::log (releaseDecay) / releaseRate;
+    return -std::log (releaseDecay) / rateOfRelease;
 }
 
 std::vector<Oscillation> releaseOf (const Oscillation& oscillation)
 {
     const auto phasor =
         oscillation.phasor() * std::exp (oscillation.exponent() * (oscillation.end - oscillation.start));
-    const auto share = oscillation.growth / releaseRate;
+    const auto share = oscillation.growth / rateOfRelease;
     const auto part = [&] (double folds, double weight)
     {
         return oscillationFrom (oscillation.mode, oscillation.end, oscillation.end + releaseDuration(),
-                                { -folds * releaseRate, oscillation.angularFrequency }, weight * phasor);
+                                { -folds * rateOfRelease, oscillation.angularFrequency }, weight * phasor);
     };
     return { part (1, 2 + share), part (2, -1 - share) };
 }

@@ -19,6 +19,9 @@ struct ModeDrive
     std::vector<Oscillation> oscillations;
 };
 
+/** The rate r of the release, 1/s. [any] Docs/Theory.md, section 3.7. */
+double releaseRate();
+
 /** How long a drive takes to be released after the focus, s: its envelope has then fallen by 2e-6. [any] */
 double releaseDuration();
 

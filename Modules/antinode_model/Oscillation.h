@@ -1,8 +1,11 @@
 #pragma once
 
+#include "SampledVoltages.h"
+
 #include <Eigen/Core>
 
 #include <complex>
+#include <optional>
 #include <vector>
 
 namespace antinode
@@ -32,12 +35,14 @@ struct Oscillation
 };
 
 /** What is played: oscillations and the matrix that mixes them to the ceramics' voltages,
-    U_i (t) = sum_c allocation (i, c) value_c (t). Real-time code needs nothing else. Docs/Theory.md, section 4. */
+    U_i (t) = sum_c allocation (i, c) value_c (t). Real-time code needs nothing else. Docs/Theory.md, section 4.
+    A free waveform has samples beside them, which are added; they are bound to a sample rate and are played offline only. */
 struct VoltageProgram
 {
     std::vector<Oscillation> oscillations;
     Eigen::MatrixXd allocation;    ///< N_b x oscillations, V.
     Eigen::VectorXd voltageLimits; ///< N_b: U_max of each ceramic, V.
     double focusTime = 0;          ///< t_f, s, counted from the trigger.
+    std::optional<SampledVoltages> samples = {};
 };
 } // namespace antinode

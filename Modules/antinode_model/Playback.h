@@ -5,7 +5,7 @@ namespace antinode
 /** How the samples of a voltage become a voltage. Docs/Theory.md, section 6. */
 enum class Reconstruction
 {
-    bandLimited,  ///< An audio interface: sum u_n K (t/T - n), K the windowed sinc of antinode_engine/KaiserSinc.h.
+    bandLimited,  ///< An audio interface: sum u_n K (t/T - n), K the windowed sinc of KaiserSinc.h.
     zeroOrderHold ///< An arbitrary waveform generator: u_n held until the next sample.
 };
 

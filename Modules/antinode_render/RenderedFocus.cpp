@@ -115,6 +115,10 @@ nlohmann::ordered_json summaryOf (const RenderedFocus& focus)
     summary["voltage_limit_V"] = design.program.voltageLimits.maxCoeff();
     summary["full_scale_V"] = focus.model.fullScaleVoltage;
     summary["lower_bound_voltage_V"] = design.lowerBoundVoltage;
+
+    if (design.program.samples)
+        summary["intersample_peak_voltage_V"] = design.intersamplePeakVoltage;
+
     summary["limited_samples"] = focus.render.limitedSamples;
     summary["allocation"] = wordFor (allocationMethodWords, design.description.allocation.method);
     summary["solver"] = { { "status", wordFor (allocationStatusWords, certificate.status) },

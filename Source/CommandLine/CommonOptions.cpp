@@ -43,7 +43,7 @@ void addCacheFlag (CLI::App& command, bool& usesCache)
     command.add_flag ("!--no-cache", usesCache, "Solves the device anew and keeps nothing of it for the next time");
 }
 
-std::pair<ModalModel, FocusDesign> designFrom (const CommonOptions& options)
+std::pair<ModalModel, FocusDescription> inputsFrom (const CommonOptions& options)
 {
     checkAssignments (options.assignments);
 
@@ -52,6 +52,12 @@ std::pair<ModalModel, FocusDesign> designFrom (const CommonOptions& options)
 
     const auto focus = loadFocus (options.focus, options.assignments);
     auto model = solveDevice (loadDevice (options.device, options.assignments), {}, options.usesCache);
+    return { std::move (model), focus };
+}
+
+std::pair<ModalModel, FocusDesign> designFrom (const CommonOptions& options)
+{
+    auto [model, focus] = inputsFrom (options);
     auto design = designFocus (model, focus, options.playback());
     return { std::move (model), std::move (design) };
 }

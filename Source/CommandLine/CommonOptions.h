@@ -30,6 +30,9 @@ void addCommonOptions (CLI::App&, CommonOptions&);
 /** The flag that solves anew what the user's cache may have. The bool must live as long as the app. */
 void addCacheFlag (CLI::App&, bool& usesCache);
 
+/** The solved device and the focus that these options name. @throws InputError  for anything that cannot be read or solved. [worker] */
+std::pair<ModalModel, FocusDescription> inputsFrom (const CommonOptions&);
+
 /** A focus designed as these options say.
     @throws InputError  for anything that cannot be read, solved or met. [worker] */
 std::pair<ModalModel, FocusDesign> designFrom (const CommonOptions&);

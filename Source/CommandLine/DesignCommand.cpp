@@ -1,7 +1,9 @@
 #include "Commands.h"
 #include "CommonOptions.h"
 #include "DesignTolerances.h"
+#include "Progress.h"
 #include "ToleranceReport.h"
+#include "TradeoffReport.h"
 
 #include <antinode_files/DesignFile.h>
 #include <antinode_files/OutputFolder.h>
@@ -22,6 +24,7 @@ struct DesignCommandOptions
 {
     CommonOptions common;
     ToleranceCommandOptions tolerance;
+    bool isTradeoff = false;
 };
 
 void writeTolerances (OutputFolder& folder, const ModalModel& model, const std::string& focus,
@@ -64,6 +67,21 @@ void design (const DesignCommandOptions& all)
 
     std::printf ("%s/design.json\n", options.folder.c_str());
 }
+void sweep (const CommonOptions& options)
+{
+    Progress progress (options.isQuiet);
+    const auto [model, focus] = inputsFrom (options);
+    const auto tradeoff =
+        sweepTradeoff (model, focus, options.playback(), [&] (double share) { progress.show ("Designing", share); });
+    OutputFolder folder (options.folder);
+    folder.write ("tradeoff.json", tradeoffToJson (tradeoff, focus.name, model.name).dump (2) + "\n");
+    folder.write ("tradeoff.csv", tradeoffToCsv (tradeoff));
+    folder.write ("tradeoff.html", renderReport (tradeoffReport (tradeoff, focus.name, model.name)));
+    folder.commit();
+
+    if (! options.isQuiet)
+        std::printf ("%s%s/tradeoff.html\n", tradeoffToText (tradeoff).c_str(), options.folder.c_str());
+}
 } // namespace
 
 void addDesignCommand (CLI::App& app)
@@ -72,6 +90,9 @@ void addDesignCommand (CLI::App& app)
     auto options = std::make_shared<DesignCommandOptions>();
     addCommonOptions (*command, options->common);
     addToleranceOptions (*command, options->tolerance);
-    command->callback ([options] { design (*options); });
+    auto* tradeoff = command->add_flag ("--tradeoff", options->isTradeoff,
+                                        "Designs it by all methods and growths instead: voltage against time in motion");
+    tradeoff->excludes (command->get_option ("--tolerance"));
+    command->callback ([options] { options->isTradeoff ? sweep (options->common) : design (*options); });
 }
 } // namespace antinode

@@ -140,10 +140,9 @@ TEST_CASE ("Typical mistakes in focuses are named with their place and what is a
     CHECK (errorWith ("transients.brake=1") == "my.json: /transients/brake: is 1, allowed is more than 1 to 1000");
     CHECK (errorWith ("transients.cycles=2.5")
            == "my.json: /transients/cycles: is 2.5, allowed is a whole number from 0 to 1000000");
-    CHECK (errorWith ("allocation.method=free_waveform")
-           == "my.json: /allocation/method: is 'free_waveform', which this version does not have, allowed is one of "
-              "'exact', 'paper', "
-              "'one_to_one', 'minimum_norm', 'minimum_peak'");
+    CHECK (errorWith ("allocation.method=free_wave")
+           == "my.json: /allocation/method: is the text 'free_wave' (did you mean 'free_waveform'?), allowed is one of "
+              "'exact', 'paper', 'one_to_one', 'minimum_norm', 'minimum_peak', 'dictionary', 'free_waveform'");
     CHECK (errorWith ("allocation.guard_modes=some")
            == "my.json: /allocation/guard_modes: is the text 'some', allowed is 'all'");
     CHECK (errorWith ("allocation.robust={}")

@@ -1,9 +1,8 @@
 #include "ModalRecursion.h"
 
+#include "GaussLegendre.h"
+#include "InputError.h"
 #include "KaiserSinc.h"
-
-#include <antinode_model/GaussLegendre.h>
-#include <antinode_model/InputError.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <antinode_model/ModalModel.h>
-#include <antinode_model/Playback.h>
+#include "ModalModel.h"
+#include "Playback.h"
 
 #include <Eigen/Core>
 

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace antinode
+{
+/** The least-energy samples within limits that bring rows to what is wanted. N_r rows, N_b ceramics, N_s samples.
+
+    Unknown: samples u, N_b x N_s, V. Row k gives sum_i sum_n participation (k, i) weights (k, n) u (i, n):
+
+        minimise    1/2 ||u||_F^2 + sum over soft rows (row value)^2 / (2 compliance)
+        subject to  row value = wanted (hard rows, those of compliance 0),   |u (i, n)| <= limits (i)
+*/
+struct BoundedWaveformProblem
+{
+    Eigen::MatrixXd weights;       ///< N_r x N_s
+    Eigen::MatrixXd participation; ///< N_r x N_b
+    Eigen::VectorXd wanted;        ///< N_r; 0 for soft rows.
+    Eigen::VectorXd compliance;    ///< N_r, at least 0.
+    Eigen::VectorXd limits;        ///< N_b, V, more than 0.
+};
+
+/** An answer, with what proves it. */
+struct BoundedWaveform
+{
+    Eigen::MatrixXd samples;     ///< N_b x N_s, V: clip (A' multipliers), A' the transpose of the rows.
+    Eigen::VectorXd multipliers; ///< N_r
+    bool isMet = false;          ///< Whether the hard rows are met, to 1e-10 of the largest.
+    double rowResidual = 0;      ///< max |row error| / max |wanted|, hard rows.
+    double objective = 0;        ///< What is minimised.
+    double bound = 0;            ///< No samples within the limits that meet the hard rows have less (weak duality).
+    double peakBound = 0;        ///< No samples that meet the hard rows have a smaller max |u (i, n)| / limits (i).
+    int iterations = 0;
+};
+
+/** Semismooth Newton steps on the dual, u = clip (A' y, +-limits): 3 to 15 of them, each with a line search.
+    @return  isMet false where the limits do not allow it, proven where peakBound > 1
+    [worker] up to N_b N_r^2 N_s / 2 a step. Docs/Theory.md, section 4.9. */
+BoundedWaveform solveBoundedWaveform (const BoundedWaveformProblem&);
+
+/** Two values between which the least max |u (i, n)| / limits (i) of samples that meet the hard rows lies. */
+struct PeakBracket
+{
+    double lower = 0, upper = 0;
+    Eigen::VectorXd multipliers; ///< N_r: what proves the lower one.
+};
+
+/** The bracket, closed until upper < (1 + tolerance) lower, or as far as rounding lets it. All rows are to be hard.
+    [worker] some 20 to 60 steps of solveBoundedWaveform. Docs/Theory.md, section 4.9. */
+PeakBracket leastWaveformPeak (const BoundedWaveformProblem&, double tolerance);
+} // namespace antinode

@@ -1,0 +1,99 @@
+#include "DriveDictionary.h"
+
+#include "DriveGrid.h"
+#include "Transients.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+using Complex = std::complex<double>;
+
+constexpr double greatestFolds = 40; // beyond, an earlier start adds less than 1e-17
+
+/** Re[X e^{p tau} (1 - e^{-r tau})^2] as three oscillations; those that only shape the onset end where they have died away. */
+std::vector<Oscillation> risingOscillation (int mode, double start, double end, Complex exponent, Complex phasor)
+{
+    const auto part = [&] (int folds, double weight)
+    {
+        const auto last = folds == 0 ? end : std::min (end, start + releaseDuration());
+        return Oscillation { mode,
+                             start,
+                             last,
+                             exponent.real() - folds * releaseRate(),
+                             exponent.imag(),
+                             -weight * phasor.imag(),
+                             weight * phasor.real() };
+    };
+    return { part (0, 1), part (1, -2), part (2, 1) };
+}
+
+/** The same, with the phasor it has at its end, and released there. */
+std::vector<Oscillation> dictionaryDrive (int mode, double start, double end, Complex exponent, Complex phasorAtEnd)
+{
+    auto drive = risingOscillation (mode, start, end, exponent, phasorAtEnd * std::exp (exponent * (start - end)));
+    const auto rising = drive;
+
+    for (const auto& oscillation : rising)
+        if (oscillation.end == end)
+            for (const auto& release : releaseOf (oscillation))
+                drive.push_back (release);
+
+    return drive;
+}
+} // namespace
+
+std::vector<double> dictionaryGrowths (std::size_t modes)
+{
+    constexpr std::size_t few = 24, many = 80;
+
+    if (modes <= few)
+        return { 0, 0.3, 1, 3, 8 };
+
+    return modes <= many ? std::vector<double> { 0, 2 } : std::vector<double> { 1 };
+}
+
+DriveList dictionaryDrives (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
+                            const std::vector<double>& growth)
+{
+    const auto end = description.focusTime;
+    const auto longest = std::min (
+        { end, description.transients.maximumDuration.value_or (end), description.allocation.window.value_or (end) });
+    const auto decay = decayRates (model);
+    const auto frequency = dampedFrequencies (model);
+    DriveList drives;
+
+    for (std::size_t i = 0; i < modes.size(); ++i)
+        for (const auto multiple : dictionaryGrowths (modes.size()))
+        {
+            const auto mode = modes[i];
+            const Complex exponent (multiple * decay[mode] * std::max (growth[i], 1.0), frequency[mode]);
+            const auto duration = std::min (longest, greatestFolds / std::max (exponent.real(), 1e-300));
+
+            for (const auto phase : { Complex (1, 0), Complex (0, -1) })
+                drives.push_back (dictionaryDrive (mode, end - duration, end, exponent, phase));
+        }
+
+    return drives;
+}
+
+Allocation allocateDictionary (AllocationProblem problem, const DriveList& drives, DriveSpan span)
+{
+    constexpr auto samplesPerCycle = gridSamplesPerCycle / 2;
+    const Eigen::VectorXd limits = problem.voltageLimits / gridLimitMargin();
+    const auto fine = std::exchange (problem.waveforms, sampleDrives (drives, span.first, span.last, samplesPerCycle));
+    problem.voltageLimits = limits * gridLimitMargin (samplesPerCycle);
+    auto allocation = solveAllocation (problem, AllocationGoal::peak);
+    const Eigen::MatrixXd voltages = allocation.matrix * fine;
+    auto& certificate = allocation.certificate;
+    const Eigen::VectorXd peaks = voltages.cwiseAbs().rowwise().maxCoeff();
+    certificate.peakRatio = peaks.cwiseQuotient (limits).maxCoeff() / gridLimitMargin();
+    certificate.leastPeakRatio *= gridLimitMargin (samplesPerCycle) / gridLimitMargin();
+    return allocation;
+}
+} // namespace antinode

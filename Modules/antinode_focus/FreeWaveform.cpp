@@ -1,0 +1,164 @@
+#include "FreeWaveform.h"
+
+#include "BoundedWaveform.h"
+#include "DesignRemarks.h"
+#include "DriveAllocation.h"
+#include "LimitError.h"
+#include "SampledPrediction.h"
+
+#include <antinode_model/KaiserSinc.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace antinode
+{
+namespace
+{
+constexpr auto most = 128.0 * 1024 * 1024; // row weights: 1 GiB
+
+/** Which samples there are: how many before the focus, and how many in all. */
+struct SampleRange
+{
+    Eigen::Index focus = 0, count = 0;
+};
+
+SampleRange rangeOf (const FocusDescription& description, Playback playback, std::size_t rows)
+{
+    constexpr auto onSample = 1e-6;
+
+    if (! (playback.sampleRate > 0))
+        throw InputError ("sample rate", "is missing: a free waveform is made of samples, design it for a rate");
+
+    const auto before = std::floor (longestDrive (description) * playback.sampleRate + onSample);
+
+    if (before * static_cast<double> (rows) > most)
+        throw InputError ("sample rate", "is too high for this focus time: a free waveform would take more than 1 GiB; "
+                                         "take a lower rate, a shorter focus time or fewer guard modes");
+
+    const auto focus = static_cast<Eigen::Index> (before);
+    const auto isHeld = playback.reconstruction == Reconstruction::zeroOrderHold;
+    return { focus, isHeld ? std::max<Eigen::Index> (focus, 1) : focus + kaiserSincHalfWidth };
+}
+
+/** Rows of modal velocities at the focus. */
+Eigen::MatrixXd velocityWeights (const ModalModel& model, const std::vector<int>& modes, Playback playback,
+                                 const SampleRange& range)
+{
+    const Eigen::VectorXd ratio = (decayRates (model).array() / dampedFrequencies (model).array()) (modes);
+    const auto responses = sampleResponses (model, modes, playback, range.count, range.focus);
+    return responses.real() - ratio.asDiagonal() * responses.imag();
+}
+
+BoundedWaveformProblem hardRows (const ModalModel& model, const std::vector<int>& modes, const Eigen::VectorXd& wanted,
+                                 const Eigen::VectorXd& limits, Playback playback, const SampleRange& range)
+{
+    BoundedWaveformProblem problem;
+    problem.weights = velocityWeights (model, modes, playback, range);
+    problem.participation = model.participation (modes, Eigen::all);
+    problem.wanted = wanted;
+    problem.compliance = Eigen::VectorXd::Zero (wanted.size());
+    problem.limits = limits;
+
+    for (Eigen::Index k = 0; k < wanted.size(); ++k)
+        if (wanted[k] != 0 && problem.participation.row (k).isZero (0))
+            throw InputError ("device '" + model.name + "'",
+                              "no ceramic moves controlled mode "
+                                  + std::to_string (modes[static_cast<std::size_t> (k)] + 1)
+                                  + ", leave that mode out or place a ceramic where it bends");
+
+    return problem;
+}
+
+/** The least energy of the hard rows alone, without limits: what the guards' weight is measured with. */
+double leastEnergy (BoundedWaveformProblem problem)
+{
+    problem.limits.setConstant (std::numeric_limits<double>::infinity());
+    return solveBoundedWaveform (problem).samples.squaredNorm();
+}
+
+BoundedWaveformProblem withGuards (const BoundedWaveformProblem& hard, const Eigen::MatrixXd& weights,
+                                   const Eigen::MatrixXd& participation, double weight)
+{
+    const auto stiffness = weight * leastEnergy (hard) / hard.wanted.squaredNorm();
+
+    if (! (stiffness > 0) || weights.rows() == 0)
+        return hard;
+
+    const auto rows = hard.wanted.size() + weights.rows();
+    BoundedWaveformProblem all;
+    all.weights.resize (rows, hard.weights.cols());
+    all.weights << hard.weights, weights;
+    all.participation.resize (rows, hard.participation.cols());
+    all.participation << hard.participation, participation;
+    all.wanted = Eigen::VectorXd::Zero (rows);
+    all.wanted.head (hard.wanted.size()) = hard.wanted;
+    all.compliance = Eigen::VectorXd::Zero (rows);
+    all.compliance.tail (weights.rows()).setConstant (1 / stiffness);
+    all.limits = hard.limits;
+    return all;
+}
+
+[[noreturn]] void throwBeyondLimit (const BoundedWaveformProblem& hard, const FocusDescription& description)
+{
+    constexpr auto tolerance = 0.001;
+    const auto bracket = leastWaveformPeak (hard, tolerance);
+
+    if (bracket.upper <= 1)
+        throw InputError ("focus: /modes",
+                          "the velocities of the controlled modes cannot be met apart from each other: "
+                          "control fewer modes");
+
+    double peakVelocity = 0;
+
+    for (const auto& target : description.targets)
+        peakVelocity = std::max (peakVelocity, target.peakVelocity);
+
+    const auto limit = hard.limits.maxCoeff();
+    const auto reachable = peakVelocity / bracket.upper;
+    throw LimitError ("focus: /allocation/voltage_limit_V",
+                      inWords (limit) + " V cannot bring " + inWords (peakVelocity * 1000)
+                          + " mm/s: no waveform of samples does it below " + inWords (limit * bracket.lower)
+                          + " V; at this limit " + inWords (reachable * 1000) + " mm/s can be reached",
+                      limit * bracket.upper, reachable);
+}
+
+AllocationCertificate certificateOf (const BoundedWaveform& solution, const Eigen::VectorXd& limits,
+                                     std::chrono::duration<double, std::milli> time)
+{
+    AllocationCertificate certificate;
+    certificate.peakRatio = solution.samples.cwiseAbs().rowwise().maxCoeff().cwiseQuotient (limits).maxCoeff();
+    certificate.status = certificate.peakRatio < 1 ? AllocationStatus::unconstrained : AllocationStatus::optimal;
+    certificate.iterations = solution.iterations;
+    certificate.objective = solution.objective;
+    certificate.bound = solution.bound;
+    certificate.gap =
+        solution.objective > 0 ? std::max (0.0, (solution.objective - solution.bound) / solution.objective) : 0;
+    certificate.leastPeakRatio = solution.peakBound;
+    certificate.rowResidual = solution.rowResidual;
+    certificate.milliseconds = time.count();
+    return certificate;
+}
+} // namespace
+
+FreeWaveform freeWaveform (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
+                           const Eigen::VectorXd& wanted, const Eigen::VectorXd& limits, Playback playback)
+{
+    const auto start = std::chrono::steady_clock::now();
+    const auto guards = guardModes (model, modes, description.allocation);
+    const auto range = rangeOf (description, playback, modes.size() + guards.size());
+    const auto hard = hardRows (model, modes, wanted, limits, playback, range);
+    const auto solution = solveBoundedWaveform (withGuards (hard, velocityWeights (model, guards, playback, range),
+                                                            model.participation (guards, Eigen::all),
+                                                            description.allocation.guardWeight));
+
+    if (! solution.isMet)
+        throwBeyondLimit (hard, description);
+
+    const auto firstTime = description.focusTime - static_cast<double> (range.focus) / playback.sampleRate;
+    return { { playback, firstTime, solution.samples },
+             certificateOf (solution, limits, std::chrono::steady_clock::now() - start) };
+}
+} // namespace antinode

@@ -1,0 +1,137 @@
+#include "SampledPrediction.h"
+
+#include "Prediction.h"
+
+#include <antinode_model/GaussLegendre.h>
+#include <antinode_model/KaiserSinc.h>
+#include <antinode_model/ModalRecursion.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace antinode
+{
+namespace
+{
+using Complex = std::complex<double>;
+
+/** Voltages at a place counted in samples from the first one. */
+Eigen::VectorXd voltagesAtPlace (const SampledVoltages& voltages, double place)
+{
+    const auto& values = voltages.values;
+    const auto below = static_cast<Eigen::Index> (std::floor (place));
+
+    if (voltages.playback.reconstruction == Reconstruction::zeroOrderHold)
+        return below >= 0 && below < values.cols() ? Eigen::VectorXd (values.col (below))
+                                                   : Eigen::VectorXd::Zero (values.rows());
+
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero (values.rows());
+    const auto first = std::max<Eigen::Index> (0, below - kaiserSincHalfWidth + 1);
+    const auto last = std::min (values.cols() - 1, below + kaiserSincHalfWidth);
+
+    for (auto n = first; n <= last; ++n)
+        sum += kaiserSinc (place - static_cast<double> (n)) * values.col (n);
+
+    return sum;
+}
+
+/** What a part of a sample interval adds to the states, by Gauss and Legendre's rule. */
+Eigen::VectorXcd addedWithin (const ModalModel& model, const SampledVoltages& voltages, double place, double part)
+{
+    const auto poles = modalPoles (model);
+    const auto interval = 1 / voltages.playback.sampleRate;
+    const auto phase = poles.imag().maxCoeff() * interval * part;
+    const auto rule = gaussLegendre (16, std::max (1, static_cast<int> (std::ceil (phase / std::numbers::pi))));
+    Eigen::VectorXcd sum = Eigen::VectorXcd::Zero (poles.size());
+
+    for (Eigen::Index i = 0; i < rule.nodes.size(); ++i)
+    {
+        const Eigen::VectorXd forces = model.participation * voltagesAtPlace (voltages, place + part * rule.nodes[i]);
+        const Eigen::ArrayXcd decayed = (poles.array() * (interval * part * (1 - rule.nodes[i]))).exp();
+        sum.array() += rule.weights[i] * part * interval * decayed * forces.array();
+    }
+
+    return sum;
+}
+} // namespace
+
+Eigen::MatrixXcd sampleResponses (const ModalModel& model, const std::vector<int>& modes, Playback playback,
+                                  Eigen::Index samples, Eigen::Index focus)
+{
+    // Sample n is tap l of the step that ends at sample m = n + reach - l.
+    const auto recursion = modalRecursion (model, playback);
+    const auto taps = recursion.tapsReal.cols();
+    const auto reach = taps - 1 - recursion.latency;
+    const auto poles = modalPoles (model);
+    Eigen::MatrixXcd responses (modes.size(), samples);
+
+    for (Eigen::Index k = 0; k < responses.rows(); ++k)
+    {
+        const auto mode = modes[static_cast<std::size_t> (k)];
+        const auto turn = poles[mode] / playback.sampleRate;
+        const auto tap = [&] (Eigen::Index l)
+        { return Complex (recursion.tapsReal (mode, l), recursion.tapsImaginary (mode, l)); };
+        Complex whole = 0;
+
+        for (Eigen::Index l = 0; l < taps; ++l)
+            whole += tap (l) * std::exp (turn * static_cast<double> (l - reach));
+
+        for (Eigen::Index n = 0; n < samples; ++n)
+        {
+            const auto firstTap = std::max<Eigen::Index> (0, n + reach - focus);
+            Complex response = firstTap == 0 ? whole * std::exp (turn * static_cast<double> (focus - n)) : 0.0;
+
+            if (firstTap > 0)
+                for (auto l = firstTap; l < taps; ++l)
+                    response += tap (l) * std::exp (turn * static_cast<double> (focus - n - reach + l));
+
+            responses (k, n) = response;
+        }
+    }
+
+    return responses;
+}
+
+Eigen::VectorXd voltagesAt (const SampledVoltages& voltages, double time)
+{
+    return voltagesAtPlace (voltages, (time - voltages.firstTime) * voltages.playback.sampleRate);
+}
+
+Eigen::VectorXcd sampledStates (const ModalModel& model, const SampledVoltages& voltages, double time)
+{
+    constexpr auto onSample = 1e-6;
+    std::vector<int> modes (static_cast<std::size_t> (model.modes()));
+    std::iota (modes.begin(), modes.end(), 0);
+    const auto place = (time - voltages.firstTime) * voltages.playback.sampleRate;
+    const auto below = std::floor (place + onSample);
+    const auto responses =
+        sampleResponses (model, modes, voltages.playback, voltages.values.cols(), static_cast<Eigen::Index> (below));
+    const Eigen::MatrixXd forces = model.participation * voltages.values;
+    Eigen::VectorXcd states = responses.cwiseProduct (forces.cast<Complex>()).rowwise().sum();
+
+    if (place - below > onSample)
+    {
+        const auto part = place - below;
+        const Eigen::ArrayXcd decayed = (modalPoles (model).array() * (part / voltages.playback.sampleRate)).exp();
+        states = (decayed * states.array()).matrix() + addedWithin (model, voltages, below, part);
+    }
+
+    return states;
+}
+
+double intersamplePeak (const SampledVoltages& voltages)
+{
+    constexpr auto placesPerSample = 8;
+    const auto first = -static_cast<Eigen::Index> (kaiserSincHalfWidth);
+    const auto last = voltages.values.cols() + kaiserSincHalfWidth;
+    auto peak = voltages.values.size() > 0 ? voltages.values.cwiseAbs().maxCoeff() : 0.0;
+
+    for (auto n = first * placesPerSample; n < last * placesPerSample; ++n)
+        peak = std::max (peak,
+                         voltagesAtPlace (voltages, static_cast<double> (n) / placesPerSample).cwiseAbs().maxCoeff());
+
+    return peak;
+}
+} // namespace antinode

@@ -1,0 +1,170 @@
+#include "Tradeoff.h"
+
+#include "DesignFocus.h"
+#include "FocusScore.h"
+#include "Prediction.h"
+#include "SampledPrediction.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace antinode
+{
+namespace
+{
+constexpr auto noLimit = 1e5; // V
+constexpr auto usableError = 0.05;
+constexpr std::array envelopeFolds { 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0 };
+constexpr std::array limitMultiples { 1.02, 1.1, 1.3, 1.6, 2.0, 0.0 };
+constexpr std::array methods { AllocationMethod::minimumNorm, AllocationMethod::paper, AllocationMethod::exact,
+                               AllocationMethod::minimumPeak, AllocationMethod::dictionary };
+
+Eigen::VectorXd voltagesOf (const VoltageProgram& program, double time)
+{
+    Eigen::VectorXd values (program.oscillations.size());
+
+    for (Eigen::Index c = 0; c < values.size(); ++c)
+        values[c] = oscillationValue (program.oscillations[static_cast<std::size_t> (c)], time);
+
+    Eigen::VectorXd voltages = program.allocation * values;
+
+    if (program.samples)
+        voltages += voltagesAt (*program.samples, time);
+
+    return voltages;
+}
+
+/** The focus as it is designed for a point. */
+FocusDescription describedFor (FocusDescription focus, const TradeoffPoint& point, const Eigen::VectorXd& decay,
+                               double lowerBound)
+{
+    const auto time = std::min (focus.focusTime, focus.transients.maximumDuration.value_or (focus.focusTime));
+    focus.allocation.method = point.method;
+    focus.allocation.voltageLimit = point.limitMultiple > 0 ? point.limitMultiple * lowerBound : noLimit;
+    focus.transients.cycles.clear();
+    focus.transients.growth.clear();
+    focus.transients.brake.reset();
+
+    if (point.envelopeFolds > 0)
+        for (const auto rate : decay)
+            focus.transients.growth.push_back (point.envelopeFolds / (time * rate));
+
+    return focus;
+}
+
+void look (TradeoffPoint& point, const ModalModel& model, const FocusDesign& design)
+{
+    const auto states = predictStates (model, design.program, design.program.focusTime);
+    const Eigen::VectorXd field = model.shapes * modalVelocities (model, states);
+    const auto score = scoreField (model.surface, field, design.truncatedField);
+    point.peakVoltage = peakVoltage (design);
+    point.timeInMotion = timeInMotion (model, design.program, design.controlledModes);
+    point.vScore = score.vScore;
+    point.fieldError = score.fieldError;
+}
+
+bool isUsable (const TradeoffPoint& point)
+{
+    return point.failure.empty() && point.fieldError < usableError;
+}
+
+void markFront (std::vector<TradeoffPoint>& points)
+{
+    for (auto& point : points)
+        point.isOnFront = isUsable (point)
+                          && std::none_of (points.begin(), points.end(),
+                                           [&] (const TradeoffPoint& other) {
+                                               return isUsable (other) && other.peakVoltage < point.peakVoltage
+                                                      && other.timeInMotion < point.timeInMotion;
+                                           });
+}
+
+std::vector<TradeoffPoint> plannedPoints()
+{
+    std::vector<TradeoffPoint> points;
+
+    for (const auto method : methods)
+        for (const auto folds : envelopeFolds)
+        {
+            TradeoffPoint point;
+            point.method = method;
+            point.envelopeFolds = folds;
+            points.push_back (point);
+        }
+
+    for (const auto multiple : limitMultiples)
+    {
+        TradeoffPoint point;
+        point.method = AllocationMethod::freeWaveform;
+        point.limitMultiple = multiple;
+        points.push_back (point);
+    }
+
+    return points;
+}
+} // namespace
+
+Tradeoff sweepTradeoff (const ModalModel& device, const FocusDescription& focus, Playback playback,
+                        const std::function<void (double)>& progress)
+{
+    auto model = device;
+
+    for (auto& ceramic : model.ceramics)
+        ceramic.voltageLimit = noLimit;
+
+    TradeoffPoint first;
+    first.method = AllocationMethod::minimumNorm;
+    const auto start = designFocus (model, describedFor (focus, first, {}, 0), playback);
+    const Eigen::VectorXd decay = decayRates (model) (start.controlledModes);
+    Tradeoff result { plannedPoints(), start.lowerBoundVoltage };
+
+    for (std::size_t i = 0; i < result.points.size(); ++i)
+    {
+        auto& point = result.points[i];
+
+        try
+        {
+            look (point, model,
+                  designFocus (model, describedFor (focus, point, decay, result.lowerBoundVoltage), playback));
+        }
+        catch (const InputError& error)
+        {
+            point.failure = error.what();
+        }
+
+        if (progress)
+            progress (static_cast<double> (i + 1) / static_cast<double> (result.points.size()));
+    }
+
+    markFront (result.points);
+    return result;
+}
+
+double timeInMotion (const ModalModel& model, const VoltageProgram& program, const std::vector<int>& modes)
+{
+    constexpr auto stepsPerCycle = 10.0;
+    const auto poles = modalPoles (model);
+    const auto highest = poles (modes).cwiseAbs().maxCoeff() / (2 * std::numbers::pi);
+    const auto steps = std::max (1.0, std::ceil (program.focusTime * highest * stepsPerCycle));
+    const auto interval = program.focusTime / steps;
+    const Eigen::ArrayXcd turn = (poles.array() * interval).exp();
+    const Eigen::ArrayXcd gain = (turn - 1.0) / poles.array();
+    Eigen::VectorXcd states = Eigen::VectorXcd::Zero (poles.size());
+    std::vector<double> norms;
+
+    for (Eigen::Index n = 0; n < static_cast<Eigen::Index> (steps); ++n)
+    {
+        const Eigen::VectorXd forces =
+            model.participation * voltagesOf (program, (static_cast<double> (n) + 0.5) * interval);
+        states = (turn * states.array() + gain * forces.array()).matrix();
+        norms.push_back (modalVelocities (model, states).norm());
+    }
+
+    const auto half = 0.5 * norms.back();
+    return interval
+           * static_cast<double> (
+               std::count_if (norms.begin(), norms.end(), [half] (double norm) { return norm > half; }));
+}
+} // namespace antinode

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "FocusDescription.h"
+
+#include <antinode_model/ModalModel.h>
+#include <antinode_model/Oscillation.h>
+#include <antinode_model/Playback.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** One design of a trade-off. */
+struct TradeoffPoint
+{
+    AllocationMethod method = AllocationMethod::exact;
+    double envelopeFolds = 0; ///< Growth that all modes share, in e-folds before the focus; 0 for a free waveform.
+    double limitMultiple =
+        0;                  ///< Of a free waveform: its limit as a multiple of the bound of all waveforms; 0: no limit.
+    double peakVoltage = 0; ///< V
+    double timeInMotion =
+        0;             ///< s before the focus during which the modal velocities' norm is above half of its final value.
+    double vScore = 0; ///< Against what the controlled modes carry, closed form.
+    double fieldError = 0;  ///< The same.
+    bool isOnFront = false; ///< No other point with a field error below 5 % has both less voltage and less time.
+    std::string failure;    ///< Why there is no design; empty where there is one.
+};
+
+/** What methods and growths cost and bring for one focus. */
+struct Tradeoff
+{
+    std::vector<TradeoffPoint> points; ///< Method by method, growth ascending.
+    double lowerBoundVoltage = 0;      ///< V: no waveform does it below.
+};
+
+/** Designs a focus by minimum_norm, paper, exact, minimum_peak and dictionary with each growth, and by free_waveform with each limit, all
+    without the voltage limit, and looks at each in closed form.
+    @param playback  with a rate, for the free waveforms
+    @param progress  called with 0..1 after each design; may be empty
+    @throws InputError  as designFocus, where not even the first design can be made
+    [worker] Docs/Theory.md, section 4.10. */
+Tradeoff sweepTradeoff (const ModalModel&, const FocusDescription&, Playback,
+                        const std::function<void (double)>& progress = {});
+
+/** How long before the focus the norm of all modal velocities is above half of what it is at the focus. The voltages are taken as constant
+    over a tenth of the period of the fastest mode listed. s
+    [worker] Docs/Theory.md, section 4.10. */
+double timeInMotion (const ModalModel&, const VoltageProgram&, const std::vector<int>& modes);
+} // namespace antinode
