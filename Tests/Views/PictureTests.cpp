@@ -21,6 +21,30 @@ TEST_CASE ("A picture has the size asked for times its scale, on the theme's bac
     CHECK (image.getPixelAt (674, 269) == Theme::dark().background);
 }
 
+TEST_CASE ("The last row and column of a picture are background, also where the chart covers them in part")
+{
+    constexpr int rounding = 1; // of 255, when JUCE blends a colour with itself
+    const auto background = Theme::dark().background;
+    const auto differenceOf = [] (juce::Colour one, juce::Colour other)
+    {
+        return std::max ({ std::abs (one.getRed() - other.getRed()), std::abs (one.getGreen() - other.getGreen()),
+                           std::abs (one.getBlue() - other.getBlue()) });
+    };
+
+    for (const auto scale : { 1.43f, 1.44f, 1.49f })
+    {
+        const auto image = decoded (renderPng (lines(), 451, 181, scale, Theme::dark()));
+        const auto right = image.getWidth() - 1, bottom = image.getHeight() - 1;
+        INFO (scale);
+
+        for (int x = 0; x <= right; ++x)
+            REQUIRE (differenceOf (image.getPixelAt (x, bottom), background) <= rounding);
+
+        for (int y = 0; y <= bottom; ++y)
+            REQUIRE (differenceOf (image.getPixelAt (right, y), background) <= rounding);
+    }
+}
+
 TEST_CASE ("A picture's bytes are the same each time it is drawn, whatever was drawn in between")
 {
     const auto first = picturesOf (everyKind());
