@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <future>
+#include <set>
 
 using namespace antinode;
 using namespace antinode::example_charts;
@@ -146,4 +147,32 @@ TEST_CASE ("Contours, and nodal lines where something moves, leave lines on a ma
     CHECK (nodal != plain);
     chart.contours.levels = { 0.5 };
     CHECK (pngOf (chart) != nodal);
+}
+
+TEST_CASE ("A spectrum of more modes than pixels keeps its colours and its largest bar")
+{
+    constexpr int modes = 900, largest = 333;
+    const auto theme = Theme::dark();
+    BarChart chart;
+    chart.categories.resize (modes);
+    chart.yRange = AxisRange { 0, 10 };
+    chart.legend = LegendPlace::none;
+    Eigen::VectorXd wanted = Eigen::VectorXd::Ones (modes), reached = wanted;
+    wanted[largest] = 8;
+    reached[largest] = 6;
+    chart.series = { { "wanted", wanted, 1 }, { "reached", reached, 0 } };
+    const auto image = decoded (renderPng (chart, 450, 300, 1, theme));
+    const auto ofWanted = seriesColour (theme, 1, 0), ofReached = seriesColour (theme, 0, 1);
+    std::set<int> columnsOfWanted;
+    auto pixelsOfReached = 0;
+
+    for (int x = 0; x < image.getWidth(); ++x)
+        for (int y = 0; y < image.getHeight() / 2; ++y)
+            if (image.getPixelAt (x, y) == ofWanted)
+                columnsOfWanted.insert (x);
+            else
+                pixelsOfReached += image.getPixelAt (x, y) == ofReached ? 1 : 0;
+
+    CHECK (columnsOfWanted.size() == 1);
+    CHECK (pixelsOfReached > 10);
 }
