@@ -16,7 +16,7 @@ struct DesignRequest
     std::shared_ptr<const ModalModel> model;
     FocusDescription focus;                        ///< Its first target is moved, the others keep their distance to it.
     std::vector<std::pair<double, double>> places; ///< x, y in m, up to 128; may be empty.
-    int first = 0;                                 ///< The note's place that is wanted first.
+    std::vector<int> first;                        ///< The notes' places that are wanted first, in this order.
     Playback playback;
 };
 

@@ -3,24 +3,12 @@
 #include <antinode_focus/DesignFocus.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <numeric>
 
 namespace antinode
 {
 namespace
 {
 constexpr auto partInterval = std::chrono::milliseconds (100); ///< Between parts of a bank that are handed over.
-
-/** The places in the order of their distance, by number, from the wanted one. */
-std::vector<int> orderFrom (int first, std::size_t count)
-{
-    std::vector<int> order (count);
-    std::iota (order.begin(), order.end(), 0);
-    std::stable_sort (order.begin(), order.end(),
-                      [first] (int a, int b) { return std::abs (a - first) < std::abs (b - first); });
-    return order;
-}
 
 FocusDescription movedTo (FocusDescription focus, double x, double y)
 {
@@ -151,16 +139,15 @@ void DesignWorker::designBank (const DesignRequest& request, Clock::time_point a
     handOverBank();
     noteReady (isDone, asked);
     auto lastPart = Clock::now();
-    const auto order = orderFrom (request.first, request.places.size());
 
-    for (std::size_t i = 0; i < order.size() && ! isOutdated(); ++i)
+    for (BankOrder order (request.first, request.places.size()); ! order.isEmpty() && ! isOutdated();)
     {
-        const auto [place, isAwaited] = nextPlace (order, isDone);
+        const auto [place, isAwaited] = nextPlace (order);
         const auto [x, y] = request.places[static_cast<std::size_t> (place)];
         designPlace (request, place, movedTo (request.focus, x, y));
         isDone[static_cast<std::size_t> (place)] = true;
 
-        if (isAwaited || Clock::now() - lastPart >= partInterval || i + 1 == order.size())
+        if (isAwaited || Clock::now() - lastPart >= partInterval || order.isEmpty())
         {
             handOverBank();
             noteReady (isDone, asked);
@@ -171,18 +158,10 @@ void DesignWorker::designBank (const DesignRequest& request, Clock::time_point a
     }
 }
 
-/** The place to be designed next: one that somebody waits for, else the first in the order that is not done. */
-std::pair<int, bool> DesignWorker::nextPlace (const std::vector<int>& order, const Places& isDone) const
+BankOrder::Next DesignWorker::nextPlace (BankOrder& order) const
 {
-    const auto isOpen = [&] (int place) { return ! isDone[static_cast<std::size_t> (place)]; };
-    const auto isAwaited = [&] (int place)
-    { return std::find (order.begin(), order.end(), place) != order.end() && isOpen (place); };
     const std::lock_guard lock (mutex);
-
-    if (const auto found = std::find_if (urgent.begin(), urgent.end(), isAwaited); found != urgent.end())
-        return { *found, true };
-
-    return { *std::find_if (order.begin(), order.end(), isOpen), false };
+    return order.take (urgent);
 }
 
 void DesignWorker::noteReady (const Places& isDone, Clock::time_point asked)

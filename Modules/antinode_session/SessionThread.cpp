@@ -177,7 +177,7 @@ void Session::requestDesigns()
         // A focus of another device may have probes beside this surface: the monitor stays where it was.
     }
 
-    path->worker().request ({ model, description, notePlaces(), spotNote, { Reconstruction::bandLimited, rate } });
+    path->worker().request ({ model, description, notePlaces(), { spotNote }, { Reconstruction::bandLimited, rate } });
 }
 
 std::vector<std::pair<double, double>> Session::notePlaces() const
