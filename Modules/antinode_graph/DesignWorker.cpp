@@ -1,5 +1,6 @@
 #include "DesignWorker.h"
 
+#include <antinode_focus/BankPlaces.h>
 #include <antinode_focus/DesignFocus.h>
 
 #include <algorithm>
@@ -9,19 +10,6 @@ namespace antinode
 namespace
 {
 constexpr auto partInterval = std::chrono::milliseconds (100); ///< Between parts of a bank that are handed over.
-
-FocusDescription movedTo (FocusDescription focus, double x, double y)
-{
-    const auto shiftX = x - focus.targets.front().x, shiftY = y - focus.targets.front().y;
-
-    for (auto& target : focus.targets)
-    {
-        target.x += shiftX;
-        target.y += shiftY;
-    }
-
-    return focus;
-}
 } // namespace
 
 DesignWorker::DesignWorker (BankHandOver& handOverToUse) : handOver (handOverToUse), thread ([this] { run(); }) {}
@@ -137,7 +125,7 @@ void DesignWorker::designBank (const DesignRequest& request, Clock::time_point a
     designPlace (request, FocusBank::livePlace, request.focus);
     isDone[FocusBank::livePlace] = true;
     handOverBank();
-    noteReady (isDone, asked);
+    noteReady (request, isDone, asked);
     auto lastPart = Clock::now();
 
     for (BankOrder order (request.first, request.places.size()); ! order.isEmpty() && ! isOutdated();)
@@ -150,7 +138,7 @@ void DesignWorker::designBank (const DesignRequest& request, Clock::time_point a
         if (isAwaited || Clock::now() - lastPart >= partInterval || order.isEmpty())
         {
             handOverBank();
-            noteReady (isDone, asked);
+            noteReady (request, isDone, asked);
             lastPart = Clock::now();
         }
 
@@ -164,7 +152,7 @@ BankOrder::Next DesignWorker::nextPlace (BankOrder& order) const
     return order.take (urgent);
 }
 
-void DesignWorker::noteReady (const Places& isDone, Clock::time_point asked)
+void DesignWorker::noteReady (const DesignRequest& request, const Places& isDone, Clock::time_point asked)
 {
     const std::chrono::duration<double, std::milli> elapsed = Clock::now() - asked;
     {
@@ -174,6 +162,11 @@ void DesignWorker::noteReady (const Places& isDone, Clock::time_point asked)
             return; // The state is the next request's already.
 
         isReady = isDone;
+        state.hasFirst = std::all_of (request.first.begin(), request.first.end(),
+                                      [&] (int place) {
+                                          return place >= static_cast<int> (request.places.size())
+                                                 || isDone[static_cast<std::size_t> (place)];
+                                      });
 
         if (state.firstMilliseconds == 0)
             state.firstMilliseconds = elapsed.count();
@@ -226,13 +219,17 @@ void DesignWorker::designPlace (const DesignRequest& request, int place, const F
         return; // The state is the next request's already, or does not count this place.
 
     ++state.designed;
-    state.failed += failed ? 1 : 0;
 
-    if (failed)
-        state.error = error;
+    if (! failed)
+        return;
 
-    if (failed && place == FocusBank::livePlace)
+    ++state.failed;
+    state.error = error;
+
+    if (place == FocusBank::livePlace)
         state.liveError = error;
+    else
+        state.failedNotes.insert (std::upper_bound (state.failedNotes.begin(), state.failedNotes.end(), place), place);
 }
 
 void DesignWorker::handOverBank()

@@ -70,7 +70,7 @@ private:
     void designTouches();
     bool isOutdated() const;
     void handOverBank();
-    void noteReady (const Places& isDone, Clock::time_point asked);
+    void noteReady (const DesignRequest&, const Places& isDone, Clock::time_point asked);
     BankOrder::Next nextPlace (BankOrder&) const;
 
     BankHandOver& handOver;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace antinode
 {
@@ -73,6 +74,13 @@ void Session::waitUntilSettled (std::span<const FocusEvent> events)
     const auto round = settleAsked = ++roundsAsked;
     wake.notify_all();
     settled.wait (lock, [&] { return roundsDone >= round; });
+}
+
+void Session::designFirst (std::vector<int> notes)
+{
+    const std::lock_guard lock (mutex);
+    firstNotes = std::move (notes);
+    isFirstNew = true;
 }
 
 void Session::fire (double amplitude)

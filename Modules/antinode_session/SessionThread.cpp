@@ -101,7 +101,8 @@ void Session::takeDocuments()
     {
         const std::lock_guard lock (mutex);
         newDevice = std::exchange (nextDevice, nullptr);
-        isFocusNew = nextFocus != nullptr || isFocusNew;
+        // Another order makes another request too.
+        isFocusNew = nextFocus != nullptr || std::exchange (isFirstNew, false) || isFocusNew;
 
         if (nextFocus != nullptr)
             focus = std::exchange (nextFocus, nullptr);
@@ -118,6 +119,7 @@ void Session::takeDocuments()
     {
         const std::lock_guard lock (mutex);
         isSolving = false;
+        designs = {}; // Those of the device before: nobody shall take them for this one's.
     }
     publish();
 }
@@ -177,7 +179,7 @@ void Session::requestDesigns()
         // A focus of another device may have probes beside this surface: the monitor stays where it was.
     }
 
-    path->worker().request ({ model, description, notePlaces(), { spotNote }, { Reconstruction::bandLimited, rate } });
+    path->worker().request ({ model, description, notePlaces(), wantedFirst(), { Reconstruction::bandLimited, rate } });
 }
 
 std::vector<std::pair<double, double>> Session::notePlaces() const
@@ -224,6 +226,12 @@ void Session::forwardTouches()
                                       if (place >= 0)
                                           triggers.push ({ 0, FocusEventKind::trigger, place, amplitude });
                                   });
+}
+
+std::vector<int> Session::wantedFirst() const
+{
+    const std::lock_guard lock (mutex);
+    return firstNotes;
 }
 
 double Session::wantedSampleRate() const

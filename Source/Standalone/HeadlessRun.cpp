@@ -3,6 +3,7 @@
 #include "Interruption.h"
 
 #include <antinode_model/InputError.h>
+#include <antinode_session/DesignSentences.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -19,6 +20,11 @@ std::string counted (std::int64_t count, const std::string& what)
 {
     return std::to_string (count) + " " + what + (count == 1 ? "" : "s");
 }
+
+void complain (const std::string& sentence)
+{
+    std::fprintf (stderr, "antinode-standalone: %s\n", sentence.c_str());
+}
 } // namespace
 
 HeadlessRun::HeadlessRun (StandaloneHost& hostToPlay, std::vector<TimedNote> notes, double seconds, bool isArmed)
@@ -27,12 +33,17 @@ HeadlessRun::HeadlessRun (StandaloneHost& hostToPlay, std::vector<TimedNote> not
     for (auto& note : notes)
         note.seconds += armTime;
 
-    host.callback().setSchedule (EventSchedule (std::move (notes)));
+    EventSchedule schedule (std::move (notes));
+
+    if (auto numbers = schedule.noteNumbers(); ! numbers.empty())
+        host.processor().session().designFirst (std::move (numbers));
+
+    host.callback().setSchedule (std::move (schedule));
 }
 
 void HeadlessRun::run()
 {
-    std::printf ("solving the device and designing its foci; the notes start after that\n");
+    std::printf ("solving the device and designing the foci of the notes, which start after that\n");
     std::fflush (stdout);
     seenAt = juce::Time::getMillisecondCounter();
     startTimer (tickMilliseconds);
@@ -94,7 +105,9 @@ void HeadlessRun::beginWhenDesigned()
     if (! progress.liveError.empty())
         return end (progress.liveError);
 
-    if (now->isSolving || progress.wanted == 0 || ! progress.isDone())
+    const auto isOtherDevice = now->device == nullptr || now->device->text != host.processor().device()->text;
+
+    if (now->isSolving || isOtherDevice || ! progress.hasFirst)
         return;
 
     if (arms)
@@ -105,7 +118,10 @@ void HeadlessRun::beginWhenDesigned()
     std::fflush (stdout);
 
     if (const auto warning = host.silentCeramics(); warning.isNotEmpty())
-        std::fprintf (stderr, "antinode-standalone: %s\n", warning.toRawUTF8());
+        complain (warning.toStdString());
+
+    if (const auto sentence = unplayableNotes (progress, now->playback.sampleRate); ! sentence.empty())
+        complain (sentence);
 
     host.callback().startSchedule();
 }
@@ -114,10 +130,16 @@ std::string HeadlessRun::startText() const
 {
     const auto audio = openedAudio (host.devices());
     const auto model = host.processor().session().snapshot()->model;
+    const auto progress = host.processor().session().progress();
+    const auto designs = progress.isDone()
+                             ? std::string()
+                             : "; " + std::to_string (progress.designed) + " of " + std::to_string (progress.wanted)
+                                   + " places are designed, the others follow";
     return "playing on " + audio.type + " device '" + audio.device
            + "': " + std::to_string (std::lround (audio.sampleRate)) + " Hz, " + counted (audio.blockSize, "sample")
            + " a block, " + counted (std::ssize (audio.outputs), "output") + "; '" + model->name + "' with "
-           + counted (model->actuators(), "ceramic") + ", " + (arms ? "armed" : "disarmed: only --arm lets it sound");
+           + counted (model->actuators(), "ceramic") + ", " + (arms ? "armed" : "disarmed: only --arm lets it sound")
+           + designs;
 }
 
 std::string HeadlessRun::endText() const

@@ -99,6 +99,23 @@ TEST_CASE ("The focus at its own place is handed over first, then the place that
     CHECK (worker.progress().firstMilliseconds > 0);
 }
 
+TEST_CASE ("A worker says when the wanted places are there", "[graph]")
+{
+    BankHandOver handOver;
+    DesignWorker worker (handOver);
+    auto request = requestFor (128);
+    request.first = { 3, 100, 300 }; // The last one is beyond the bank.
+    worker.request (request);
+    DesignProgress progress;
+
+    while (! progress.hasFirst)
+        progress = worker.progress();
+
+    const std::unique_ptr<const FocusBank> bank (handOver.take());
+    CHECK (bank->foci[3] != nullptr);
+    CHECK (bank->foci[100] != nullptr);
+}
+
 TEST_CASE ("A place that somebody waits for comes before all others", "[graph]")
 {
     BankHandOver handOver;
@@ -138,6 +155,7 @@ TEST_CASE ("A place that cannot be designed stays silent and says why", "[graph]
     worker.request (request);
     worker.waitUntilDone();
     CHECK (worker.progress().failed == 1);
+    CHECK (worker.progress().failedNotes == std::vector { 1 });
     CHECK_THAT (worker.progress().error, Catch::Contains ("beside the surface"));
     CHECK (firstChannel (player, 1, 500).cwiseAbs().maxCoeff() == 0);
     CHECK (firstChannel (player, 2, 500).cwiseAbs().maxCoeff() > 0);

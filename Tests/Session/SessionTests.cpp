@@ -41,6 +41,18 @@ TEST_CASE ("A parameter that moves makes a new design, by itself", "[session]")
     CHECK ((after.topRows (8) * 2 - before.topRows (8)).cwiseAbs().maxCoeff() < 1e-3 * before.cwiseAbs().maxCoeff());
 }
 
+TEST_CASE ("Notes that are wanted first play before the bank is designed", "[session]")
+{
+    test::PlayedSession played ("glass-148x210", "glass-finger");
+    played.session.designFirst ({ 20, 90 });
+    played.session.prepare (rate, false);
+    REQUIRE (waitFor ([&] { return played.session.progress().hasFirst; }));
+    CHECK_FALSE (played.session.progress().isDone());
+
+    for (const auto note : { 20, 90 })
+        CHECK (played.play (9600, { { 0, FocusEventKind::trigger, note, 1 } }).topRows (8).cwiseAbs().maxCoeff() > 0);
+}
+
 TEST_CASE ("Another device ramps the old voltages to 0 before its own begin", "[session]")
 {
     test::PlayedSession played;
