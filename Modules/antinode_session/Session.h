@@ -63,9 +63,16 @@ public:
     /** Fires the focus at its own place with the next block. @param amplitude  0 to 1 [any but the audio thread] */
     void fire (double amplitude);
 
-    /** Designs and fires a focus at another place. @param x, y  m [any but the audio thread]
-        @return  false where it was dropped: there is no path, the place is off the surface, or too many wait */
-    bool fireAt (double x, double y, double amplitude);
+    /** What becomes of a focus that is fired at another place. */
+    enum class TouchResult
+    {
+        taken,
+        besideSurface,
+        notTaken ///< No device is solved yet, or too many wait.
+    };
+
+    /** Designs and fires a focus at another place. @param x, y  m [any but the audio thread] */
+    TouchResult fireAt (double x, double y, double amplitude);
 
     /** Fades all voices out with the next block. [any] */
     void stopAll();

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <numeric>
 
 namespace antinode
 {
@@ -159,6 +160,21 @@ std::string HeadlessRun::endText() const
     std::snprintf (volts, sizeof volts, "%.1f", static_cast<double> (peak));
     return "ended: " + counted (meters.triggered(), "trigger") + ", at most " + volts + " V, "
            + counted (clamped, "clamped sample") + ", " + counted (outputs.badNumbers(), "block")
-           + " with bad numbers, " + counted (xruns, "xrun");
+           + " with bad numbers, " + counted (xruns, "xrun") + touchText();
+}
+
+/** Nothing where no touch came in. */
+std::string HeadlessRun::touchText() const
+{
+    const auto counters = host.touch().counters();
+    const auto unplayed = host.touch().unplayed();
+    const auto dropped = counters.limited + unplayed.notTaken
+                         + std::accumulate (counters.faults.begin(), counters.faults.end(), std::int64_t());
+
+    if (counters.packets == 0)
+        return {};
+
+    return "; of " + counted (counters.packets, "touch packet") + ": " + std::to_string (unplayed.besideSurface)
+           + " beside the surface, " + std::to_string (dropped) + " dropped otherwise";
 }
 } // namespace antinode

@@ -27,6 +27,7 @@ private:
     void end (const std::string& failure);
     std::string startText() const;
     std::string endText() const;
+    std::string touchText() const;
 
     StandaloneHost& host;
     double duration;

@@ -96,8 +96,8 @@ TEST_CASE ("A touch is designed at its own place and fired, a place off the surf
 {
     test::PlayedSession played;
     played.session.prepare (rate, true);
-    CHECK_FALSE (played.session.fireAt (1, 0, 1));
-    REQUIRE (played.session.fireAt (-0.02, 0, 0.5));
+    CHECK (played.session.fireAt (1, 0, 1) == Session::TouchResult::besideSurface);
+    REQUIRE (played.session.fireAt (-0.02, 0, 0.5) == Session::TouchResult::taken);
     CHECK (waitFor (
         [&]
         {
