@@ -129,7 +129,7 @@ void AntinodeProcessor::prepareToPlay (double sampleRate, int)
 {
     bufferChannels.lay (*this, wrapper);
     player->prepare (sampleRate, isNonRealtime());
-    setLatencySamples (static_cast<int> (player->latencySamples()));
+    reportLatency();
     changes.post();
 }
 
@@ -183,12 +183,21 @@ void AntinodeProcessor::processBlockBypassed (juce::AudioBuffer<double>& buffer,
     play (buffer, midi, true);
 }
 
+/** A host prepares us on a thread of its own while messages run on another. Who comes second leaves it to a message that follows: to wait
+    would hold up a host that, told of the latency, waits for the other thread. */
+void AntinodeProcessor::reportLatency()
+{
+    const juce::ScopedTryLock lock (latencyReports);
+
+    if (lock.isLocked())
+        setLatencySamples (static_cast<int> (player->latencySamples()));
+    else
+        changes.post();
+}
+
 void AntinodeProcessor::tellOfChanges()
 {
-    const auto wanted = static_cast<int> (player->latencySamples());
-
-    if (wanted != getLatencySamples())
-        setLatencySamples (wanted);
+    reportLatency();
 
     // Texts of places are in mm of the device.
     if (auto model = player->snapshot()->model; model != describedModel)

@@ -92,6 +92,7 @@ private:
     static BusesProperties busesFor (int ceramics, WrapperType);
     template <typename Sample>
     void play (juce::AudioBuffer<Sample>&, const juce::MidiBuffer&, bool isBypassed);
+    void reportLatency();
     void tellOfChanges();
     void setWarning (const juce::String&);
 
@@ -102,6 +103,7 @@ private:
     MidiTriggers triggers { VelocityCurve {} };
     std::atomic<std::uint64_t> mutedCeramics { 0 };
     BufferChannels bufferChannels;
+    juce::CriticalSection latencyReports; ///< One at a time.
     std::shared_ptr<const ModalModel>
         describedModel; ///< What the host knows the parameters' texts of. Of the message thread.
 
