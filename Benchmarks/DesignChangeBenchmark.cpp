@@ -40,7 +40,7 @@ DesignRequest requestOf (const std::shared_ptr<const ModalModel>& model)
     request.focus.focusTime = 0.025;
     request.focus.modes.count = 64;
     request.places = bankPlaces (model->surface, 25, 0.02);
-    request.first = 12;
+    request.first = { 12 };
     request.playback = { Reconstruction::bandLimited, 192e3 };
     return request;
 }

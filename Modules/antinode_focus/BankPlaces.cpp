@@ -32,4 +32,17 @@ std::vector<std::pair<double, double>> bankPlaces (const Surface& surface, int c
 
     return places;
 }
+
+FocusDescription movedTo (FocusDescription focus, double x, double y)
+{
+    const auto shiftX = x - focus.targets.front().x, shiftY = y - focus.targets.front().y;
+
+    for (auto& target : focus.targets)
+    {
+        target.x += shiftX;
+        target.y += shiftY;
+    }
+
+    return focus;
+}
 } // namespace antinode

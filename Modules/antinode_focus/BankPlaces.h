@@ -1,5 +1,7 @@
 #pragma once
 
+#include "FocusDescription.h"
+
 #include <antinode_model/Surface.h>
 
 #include <utility>
@@ -14,4 +16,7 @@ namespace antinode
     @return        x, y in m
     [any] */
 std::vector<std::pair<double, double>> bankPlaces (const Surface&, int count, double margin);
+
+/** A focus with its first target at another place, x, y in m; the others keep their distance to it. [any] */
+FocusDescription movedTo (FocusDescription, double x, double y);
 } // namespace antinode

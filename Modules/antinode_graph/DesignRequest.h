@@ -16,7 +16,7 @@ struct DesignRequest
     std::shared_ptr<const ModalModel> model;
     FocusDescription focus;                        ///< Its first target is moved, the others keep their distance to it.
     std::vector<std::pair<double, double>> places; ///< x, y in m, up to 128; may be empty.
-    int first = 0;                                 ///< The note's place that is wanted first.
+    std::vector<int> first;                        ///< The notes' places that are wanted first, in this order.
     Playback playback;
 };
 
@@ -25,6 +25,8 @@ struct DesignProgress
 {
     int designed = 0, wanted = 0; ///< Places of the newest request, its own one among them.
     int failed = 0;               ///< Of these: places without a focus.
+    std::vector<int> failedNotes; ///< Which of the notes' places have none, in ascending order.
+    bool hasFirst = false;        ///< Whether its own place and those that are wanted first were handed over.
     std::string error;            ///< Why the last one of them failed, in one sentence.
     std::string liveError;        ///< Why the focus at its own place failed; empty where it did not.
     double firstMilliseconds = 0; ///< From the newest request to its first focus.

@@ -1,39 +1,15 @@
 #include "DesignWorker.h"
 
+#include <antinode_focus/BankPlaces.h>
 #include <antinode_focus/DesignFocus.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <numeric>
 
 namespace antinode
 {
 namespace
 {
 constexpr auto partInterval = std::chrono::milliseconds (100); ///< Between parts of a bank that are handed over.
-
-/** The places in the order of their distance, by number, from the wanted one. */
-std::vector<int> orderFrom (int first, std::size_t count)
-{
-    std::vector<int> order (count);
-    std::iota (order.begin(), order.end(), 0);
-    std::stable_sort (order.begin(), order.end(),
-                      [first] (int a, int b) { return std::abs (a - first) < std::abs (b - first); });
-    return order;
-}
-
-FocusDescription movedTo (FocusDescription focus, double x, double y)
-{
-    const auto shiftX = x - focus.targets.front().x, shiftY = y - focus.targets.front().y;
-
-    for (auto& target : focus.targets)
-    {
-        target.x += shiftX;
-        target.y += shiftY;
-    }
-
-    return focus;
-}
 } // namespace
 
 DesignWorker::DesignWorker (BankHandOver& handOverToUse) : handOver (handOverToUse), thread ([this] { run(); }) {}
@@ -149,21 +125,20 @@ void DesignWorker::designBank (const DesignRequest& request, Clock::time_point a
     designPlace (request, FocusBank::livePlace, request.focus);
     isDone[FocusBank::livePlace] = true;
     handOverBank();
-    noteReady (isDone, asked);
+    noteReady (request, isDone, asked);
     auto lastPart = Clock::now();
-    const auto order = orderFrom (request.first, request.places.size());
 
-    for (std::size_t i = 0; i < order.size() && ! isOutdated(); ++i)
+    for (BankOrder order (request.first, request.places.size()); ! order.isEmpty() && ! isOutdated();)
     {
-        const auto [place, isAwaited] = nextPlace (order, isDone);
+        const auto [place, isAwaited] = nextPlace (order);
         const auto [x, y] = request.places[static_cast<std::size_t> (place)];
         designPlace (request, place, movedTo (request.focus, x, y));
         isDone[static_cast<std::size_t> (place)] = true;
 
-        if (isAwaited || Clock::now() - lastPart >= partInterval || i + 1 == order.size())
+        if (isAwaited || Clock::now() - lastPart >= partInterval || order.isEmpty())
         {
             handOverBank();
-            noteReady (isDone, asked);
+            noteReady (request, isDone, asked);
             lastPart = Clock::now();
         }
 
@@ -171,21 +146,13 @@ void DesignWorker::designBank (const DesignRequest& request, Clock::time_point a
     }
 }
 
-/** The place to be designed next: one that somebody waits for, else the first in the order that is not done. */
-std::pair<int, bool> DesignWorker::nextPlace (const std::vector<int>& order, const Places& isDone) const
+BankOrder::Next DesignWorker::nextPlace (BankOrder& order) const
 {
-    const auto isOpen = [&] (int place) { return ! isDone[static_cast<std::size_t> (place)]; };
-    const auto isAwaited = [&] (int place)
-    { return std::find (order.begin(), order.end(), place) != order.end() && isOpen (place); };
     const std::lock_guard lock (mutex);
-
-    if (const auto found = std::find_if (urgent.begin(), urgent.end(), isAwaited); found != urgent.end())
-        return { *found, true };
-
-    return { *std::find_if (order.begin(), order.end(), isOpen), false };
+    return order.take (urgent);
 }
 
-void DesignWorker::noteReady (const Places& isDone, Clock::time_point asked)
+void DesignWorker::noteReady (const DesignRequest& request, const Places& isDone, Clock::time_point asked)
 {
     const std::chrono::duration<double, std::milli> elapsed = Clock::now() - asked;
     {
@@ -195,6 +162,11 @@ void DesignWorker::noteReady (const Places& isDone, Clock::time_point asked)
             return; // The state is the next request's already.
 
         isReady = isDone;
+        state.hasFirst = std::all_of (request.first.begin(), request.first.end(),
+                                      [&] (int place) {
+                                          return place >= static_cast<int> (request.places.size())
+                                                 || isDone[static_cast<std::size_t> (place)];
+                                      });
 
         if (state.firstMilliseconds == 0)
             state.firstMilliseconds = elapsed.count();
@@ -247,13 +219,17 @@ void DesignWorker::designPlace (const DesignRequest& request, int place, const F
         return; // The state is the next request's already, or does not count this place.
 
     ++state.designed;
-    state.failed += failed ? 1 : 0;
 
-    if (failed)
-        state.error = error;
+    if (! failed)
+        return;
 
-    if (failed && place == FocusBank::livePlace)
+    ++state.failed;
+    state.error = error;
+
+    if (place == FocusBank::livePlace)
         state.liveError = error;
+    else
+        state.failedNotes.insert (std::upper_bound (state.failedNotes.begin(), state.failedNotes.end(), place), place);
 }
 
 void DesignWorker::handOverBank()

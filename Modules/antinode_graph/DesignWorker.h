@@ -1,5 +1,6 @@
 #pragma once
 
+#include "BankOrder.h"
 #include "DesignRequest.h"
 
 #include <antinode_engine/BankHandOver.h>
@@ -16,8 +17,8 @@
 
 namespace antinode
 {
-/** Designs banks on a thread of its own and hands them over: the focus at its own place first, then the wanted note's place,
-    then the others outward from it, in ever larger parts. A newer request replaces one that has not been finished: rapid
+/** Designs banks on a thread of its own and hands them over: the focus at its own place first, then the wanted notes' places
+    one by one, then the others in parts (BankOrder). A newer request replaces one that has not been finished: rapid
     changes of a parameter coalesce. Until a place is designed anew it keeps the focus that it had. A touched place is designed
     between two others. */
 class DesignWorker
@@ -69,8 +70,8 @@ private:
     void designTouches();
     bool isOutdated() const;
     void handOverBank();
-    void noteReady (const Places& isDone, Clock::time_point asked);
-    std::pair<int, bool> nextPlace (const std::vector<int>& order, const Places& isDone) const;
+    void noteReady (const DesignRequest&, const Places& isDone, Clock::time_point asked);
+    BankOrder::Next nextPlace (BankOrder&) const;
 
     BankHandOver& handOver;
     mutable std::mutex mutex;

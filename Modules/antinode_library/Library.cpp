@@ -49,6 +49,18 @@ bool isAllowedName (const std::string& name)
            && std::all_of (name.begin(), name.end(), isAllowed);
 }
 
+/** Ours in the folder of a variable, else in the usual one at home. */
+std::optional<std::filesystem::path> userFolder (const char* variable, const char* usual)
+{
+    if (const auto* const folder = std::getenv (variable); folder != nullptr && *folder == '/')
+        return std::filesystem::path (folder) / "antinode";
+
+    if (const auto* const home = std::getenv ("HOME"); home != nullptr && *home == '/')
+        return std::filesystem::path (home) / usual / "antinode";
+
+    return std::nullopt;
+}
+
 std::optional<std::filesystem::path> userFile (LibraryKind kind, const std::string& name)
 {
     const auto folder = userLibraryFolder();
@@ -78,13 +90,12 @@ std::vector<std::string> userNames (LibraryKind kind)
 
 std::optional<std::filesystem::path> userLibraryFolder()
 {
-    if (const auto* const data = std::getenv ("XDG_DATA_HOME"); data != nullptr && *data == '/')
-        return std::filesystem::path (data) / "antinode";
+    return userFolder ("XDG_DATA_HOME", ".local/share");
+}
 
-    if (const auto* const home = std::getenv ("HOME"); home != nullptr && *home == '/')
-        return std::filesystem::path (home) / ".local/share/antinode";
-
-    return std::nullopt;
+std::optional<std::filesystem::path> userConfigFolder()
+{
+    return userFolder ("XDG_CONFIG_HOME", ".config");
 }
 
 std::vector<std::string> factoryNames (LibraryKind kind)

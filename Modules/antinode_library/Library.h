@@ -28,6 +28,9 @@ struct LibraryEntry
 /** Where the user's own are kept: $XDG_DATA_HOME/antinode, else $HOME/.local/share/antinode; none where neither is set. [any] */
 std::optional<std::filesystem::path> userLibraryFolder();
 
+/** Where the user's settings are kept: $XDG_CONFIG_HOME/antinode, else $HOME/.config/antinode; none where neither is set. [any] */
+std::optional<std::filesystem::path> userConfigFolder();
+
 /** The factory's by name, then the user's by name. One of the user's that has a factory name is left out. [worker] */
 std::vector<LibraryEntry> libraryEntries (LibraryKind);
 

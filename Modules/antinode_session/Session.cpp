@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace antinode
 {
@@ -75,35 +76,42 @@ void Session::waitUntilSettled (std::span<const FocusEvent> events)
     settled.wait (lock, [&] { return roundsDone >= round; });
 }
 
+void Session::designFirst (std::vector<int> notes)
+{
+    const std::lock_guard lock (mutex);
+    firstNotes = std::move (notes);
+    isFirstNew = true;
+}
+
 void Session::fire (double amplitude)
 {
     triggers.push ({ 0, FocusEventKind::trigger, FocusBank::livePlace, amplitude });
 }
 
-bool Session::fireAt (double x, double y, double amplitude)
+Session::TouchResult Session::fireAt (double x, double y, double amplitude)
 {
     const auto now = snapshot();
 
     if (now->model == nullptr)
-        return false;
+        return TouchResult::notTaken;
 
     const auto& surface = now->model->surface;
     const auto isInside = x >= surface.xMinimum && x <= surface.xMaximum
                           && (surface.kind == SurfaceKind::line || (y >= surface.yMinimum && y <= surface.yMaximum));
 
     if (! isInside)
-        return false;
+        return TouchResult::besideSurface;
 
     {
         const std::lock_guard lock (mutex);
 
         if (touches.size() >= FocusBank::touchPlaces)
-            return false;
+            return TouchResult::notTaken;
 
         touches.push_back ({ x, surface.kind == SurfaceKind::line ? 0.0 : y, amplitude });
     }
     wake.notify_all();
-    return true;
+    return TouchResult::taken;
 }
 
 void Session::stopAll()

@@ -56,12 +56,23 @@ public:
         trigger: for offline rendering. One caller at a time. [any but a real-time audio thread] */
     void waitUntilSettled (std::span<const FocusEvent> events = {});
 
+    /** Designs the places of these notes before those of the others, in this order; middle C's where nobody says.
+        [any but the audio thread] */
+    void designFirst (std::vector<int> notes);
+
     /** Fires the focus at its own place with the next block. @param amplitude  0 to 1 [any but the audio thread] */
     void fire (double amplitude);
 
-    /** Designs and fires a focus at another place. @param x, y  m [any but the audio thread]
-        @return  false where it was dropped: there is no path, the place is off the surface, or too many wait */
-    bool fireAt (double x, double y, double amplitude);
+    /** What becomes of a focus that is fired at another place. */
+    enum class TouchResult
+    {
+        taken,
+        besideSurface,
+        notTaken ///< No device is solved yet, or too many wait.
+    };
+
+    /** Designs and fires a focus at another place. @param x, y  m [any but the audio thread] */
+    TouchResult fireAt (double x, double y, double amplitude);
 
     /** Fades all voices out with the next block. [any] */
     void stopAll();
@@ -95,6 +106,7 @@ private:
     void publish();
     std::vector<std::pair<double, double>> notePlaces() const;
     Eigen::MatrixXd probeShapes() const;
+    std::vector<int> wantedFirst() const;
     double wantedSampleRate() const;
     int placeOf (const FocusEvent&) const;
     std::span<const FocusEvent> gather (std::span<const FocusEvent> events);
@@ -116,7 +128,8 @@ private:
     std::uint64_t roundsAsked = 0, settleAsked = 0, roundsDone = 0; ///< Rounds of the thread that others wait for.
     DesignProgress designs;
     std::vector<int> settlePlaces; ///< Of the bank: what is waited for.
-    bool isStopping = false, isSolving = false;
+    std::vector<int> firstNotes { spotNote };
+    bool isStopping = false, isSolving = false, isFirstNew = false;
     std::shared_ptr<const SessionSnapshot> published;
 
     std::shared_ptr<const DeviceDocument> device; ///< Of the session's thread, as the next lines.

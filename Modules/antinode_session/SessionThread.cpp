@@ -1,7 +1,6 @@
 #include "FocusSettings.h"
 #include "Session.h"
 
-#include <antinode_focus/BankPlaces.h>
 #include <antinode_library/Library.h>
 #include <antinode_model/InputError.h>
 
@@ -16,7 +15,6 @@ namespace
 {
 constexpr auto interval = std::chrono::milliseconds (4); // between looks at the parameters
 constexpr double traceEntriesPerSecond = 2000;
-constexpr double bankMargin = 0.1; // of the surface's shorter side, kept from its edges
 
 PlayerSettings playerSettingsOf (const PlaySettings& settings)
 {
@@ -101,7 +99,8 @@ void Session::takeDocuments()
     {
         const std::lock_guard lock (mutex);
         newDevice = std::exchange (nextDevice, nullptr);
-        isFocusNew = nextFocus != nullptr || isFocusNew;
+        // Another order makes another request too.
+        isFocusNew = nextFocus != nullptr || std::exchange (isFirstNew, false) || isFocusNew;
 
         if (nextFocus != nullptr)
             focus = std::exchange (nextFocus, nullptr);
@@ -118,6 +117,7 @@ void Session::takeDocuments()
     {
         const std::lock_guard lock (mutex);
         isSolving = false;
+        designs = {}; // Those of the device before: nobody shall take them for this one's.
     }
     publish();
 }
@@ -159,71 +159,6 @@ void Session::buildPath (double sampleRate)
         deviceError = failure.what();
         isModelNew = false;
     }
-}
-
-void Session::requestDesigns()
-{
-    const auto description = withSettings (focus->description, settings, model->surface);
-    latency = settings.focusOnNote ? std::llround (description.focusTime * rate) : 0;
-    playsSpotOnly = settings.noteLayout == static_cast<int> (NoteLayout::spot);
-    isFocusNew = false;
-
-    try
-    {
-        path->plate().setProbes (probeShapes());
-    }
-    catch (const InputError&)
-    {
-        // A focus of another device may have probes beside this surface: the monitor stays where it was.
-    }
-
-    path->worker().request ({ model, description, notePlaces(), spotNote, { Reconstruction::bandLimited, rate } });
-}
-
-std::vector<std::pair<double, double>> Session::notePlaces() const
-{
-    if (settings.noteLayout == static_cast<int> (NoteLayout::spot))
-        return {};
-
-    const auto& surface = model->surface;
-    const auto width = surface.xMaximum - surface.xMinimum, height = surface.yMaximum - surface.yMinimum;
-    const auto shorter = height > 0 ? std::min (width, height) : width;
-    auto places = bankPlaces (surface, FocusBank::notePlaces, bankMargin * shorter);
-    const auto spot = withSettings (focus->description, settings, surface).targets.front();
-    places[spotNote] = { spot.x, spot.y };
-    return places;
-}
-
-Eigen::MatrixXd Session::probeShapes() const
-{
-    const auto places = probePlaces (focus->description, settings, model->surface);
-    Eigen::MatrixXd shapes (AudioPath::probes, model->modes());
-    const auto& surface = model->surface;
-
-    for (std::size_t i = 0; i < places.size(); ++i)
-        shapes.row (static_cast<Eigen::Index> (i)) =
-            shapesAt (*model, std::clamp (places[i].first, surface.xMinimum, surface.xMaximum),
-                      std::clamp (places[i].second, surface.yMinimum, surface.yMaximum));
-
-    return shapes;
-}
-
-void Session::forwardTouches()
-{
-    std::vector<Touch> waiting;
-    {
-        const std::lock_guard lock (mutex);
-        waiting.swap (touches);
-    }
-
-    for (const auto& touch : waiting)
-        if (path != nullptr)
-            path->worker().touch (touch.x, touch.y,
-                                  [this, amplitude = touch.amplitude] (int place)
-                                  {
-                                      if (place >= 0)
-                                          triggers.push ({ 0, FocusEventKind::trigger, place, amplitude });
-                                  });
 }
 
 double Session::wantedSampleRate() const

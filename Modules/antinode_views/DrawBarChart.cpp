@@ -6,11 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace antinode
 {
 namespace
 {
+constexpr float groupShare = 0.78f; // of the room of a category, for its bars
+constexpr float leastBar = 2;       // pixels at scale 1: the colours of thinner bars side by side mix in the eye
+
 AxisRange chosenY (const BarChart& chart)
 {
     if (! chart.yRange)
@@ -30,32 +34,126 @@ Axis categoryAxis (const BarChart& chart)
     return axis;
 }
 
-void drawBar (juce::Graphics& g, const PlotFrame& frame, float left, float width, double value)
+/** Whole pixels: what begins and ends between them blends with its neighbours. */
+class PixelGrid
 {
-    const auto y = frame.yAt (value);
-    if (! std::isfinite (y))
-        return;
-    const auto base = frame.y.logarithmic ? frame.plot.getBottom() : frame.yAt (0);
+public:
+    explicit PixelGrid (juce::Graphics& g) : scale (g.getInternalContext().getPhysicalPixelScaleFactor()) {}
+
+    float pixel() const { return 1 / scale; }
+    float nearest (float length) const { return std::round (length * scale) / scale; }
+    float below (float length) const { return std::floor (length * scale) / scale; }
+    juce::Rectangle<float> nearest (juce::Rectangle<float> area) const
+    {
+        return juce::Rectangle<float>::leftTopRightBottom (nearest (area.getX()), nearest (area.getY()),
+                                                           nearest (area.getRight()), nearest (area.getBottom()));
+    }
+
+private:
+    float scale;
+};
+
+float baseOf (const PlotFrame& frame)
+{
+    return frame.y.logarithmic ? frame.plot.getBottom() : frame.yAt (0);
+}
+
+/** From the base to the value; empty where it has no place. */
+juce::Rectangle<float> barOf (const PlotFrame& frame, float left, float width, double value)
+{
+    const auto y = frame.yAt (value), base = baseOf (frame);
     const auto top = std::min (y, base);
-    g.fillRect (juce::Rectangle<float> (left, top, width, std::max (y, base) - top));
+    return std::isfinite (y) ? juce::Rectangle<float> (left, top, width, std::max (y, base) - top)
+                             : juce::Rectangle<float>();
+}
+
+float pitchOf (const PlotFrame& frame, const BarChart& chart)
+{
+    return frame.plot.getWidth() / static_cast<float> (chart.categories.size());
+}
+
+/** The bars of a category side by side. */
+void drawGroups (juce::Graphics& g, const PlotFrame& frame, const BarChart& chart, const Theme& theme)
+{
+    const PixelGrid grid (g);
+    const auto groupWidth = groupShare * pitchOf (frame, chart);
+    const auto each = groupWidth / static_cast<float> (chart.series.size());
+    const auto width = grid.below (each - std::min (1.0f, each * 0.1f));
+
+    for (std::size_t s = 0; s < chart.series.size(); ++s)
+    {
+        const auto& series = chart.series[s];
+        g.setColour (seriesColour (theme, series.colour, s));
+
+        for (Eigen::Index k = 0; k < series.values.size(); ++k)
+        {
+            const auto left = frame.xAt (static_cast<double> (k)) - groupWidth / 2 + static_cast<float> (s) * each;
+            g.fillRect (barOf (frame, grid.nearest (left), width, series.values[k]));
+        }
+    }
+}
+
+/** A series' bars over the whole width of their categories; where several share a column of pixels, what all of them cover. */
+std::vector<juce::Rectangle<float>> columnsOf (const PixelGrid& grid, const PlotFrame& frame,
+                                               const Eigen::VectorXd& values)
+{
+    std::vector<juce::Rectangle<float>> columns;
+
+    for (Eigen::Index k = 0; k < values.size(); ++k)
+    {
+        const auto left = grid.nearest (frame.xAt (static_cast<double> (k) - 0.5));
+        const auto room = grid.nearest (frame.xAt (static_cast<double> (k) + 0.5)) - left;
+        const auto gap =
+            room > 2.5f * grid.pixel() ? std::max (grid.pixel(), grid.nearest ((1 - groupShare) * room)) : 0;
+        const auto bar = grid.nearest (barOf (frame, left, std::max (grid.pixel(), room - gap), values[k]));
+
+        if (! columns.empty() && columns.back().getX() == bar.getX())
+            columns.back() = columns.back().getUnion (bar);
+        else
+            columns.push_back (bar);
+    }
+
+    return columns;
+}
+
+/** The series over each other, in their order. Where one is covered its ends are drawn again, across the bars above it. */
+void drawColumns (juce::Graphics& g, const PlotFrame& frame, const BarChart& chart, const Theme& theme)
+{
+    const PixelGrid grid (g);
+    const auto endHeight = std::max (grid.pixel(), grid.nearest (theme.lineWidth));
+    const auto base = grid.nearest (baseOf (frame));
+    std::vector<std::vector<juce::Rectangle<float>>> columns;
+
+    for (std::size_t s = 0; s < chart.series.size(); ++s)
+    {
+        columns.push_back (columnsOf (grid, frame, chart.series[s].values));
+        g.setColour (seriesColour (theme, chart.series[s].colour, s));
+
+        for (const auto& column : columns.back())
+            g.fillRect (column);
+    }
+
+    for (std::size_t s = 0; s + 1 < columns.size(); ++s)
+    {
+        g.setColour (seriesColour (theme, chart.series[s].colour, s));
+
+        for (const auto& column : columns[s])
+        {
+            g.fillRect (column.withHeight (std::min (endHeight, std::max (0.0f, base - column.getY()))));
+            g.fillRect (column.withTop (std::max (base, column.getBottom() - endHeight)));
+        }
+    }
 }
 
 void drawBars (juce::Graphics& g, const PlotFrame& frame, const BarChart& chart, const Theme& theme)
 {
     const juce::Graphics::ScopedSaveState state (g);
     g.reduceClipRegion (frame.plot.getSmallestIntegerContainer());
-    const auto groupWidth = 0.78f * frame.plot.getWidth() / static_cast<float> (chart.categories.size());
-    const auto width = groupWidth / static_cast<float> (chart.series.size());
-    for (std::size_t s = 0; s < chart.series.size(); ++s)
-    {
-        const auto& series = chart.series[s];
-        g.setColour (seriesColour (theme, series.colour, s));
-        for (Eigen::Index k = 0; k < series.values.size(); ++k)
-        {
-            const auto left = frame.xAt (static_cast<double> (k)) - groupWidth / 2 + static_cast<float> (s) * width;
-            drawBar (g, frame, left, std::max (0.5f, width - std::min (1.0f, width * 0.1f)), series.values[k]);
-        }
-    }
+
+    if (groupShare * pitchOf (frame, chart) < leastBar * static_cast<float> (chart.series.size()))
+        drawColumns (g, frame, chart, theme);
+    else
+        drawGroups (g, frame, chart, theme);
 }
 } // namespace
 

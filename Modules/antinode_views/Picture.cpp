@@ -1,5 +1,6 @@
 #include "Picture.h"
 
+#include "BlankImage.h"
 #include "Drawing.h"
 #include "Numbers.h"
 
@@ -47,8 +48,7 @@ std::string encodePng (const juce::Image& image)
 std::string renderPng (const Chart& chart, int width, int height, float scale, const Theme& theme)
 {
     requireSize (width, height, scale);
-    const auto scaled = [scale] (int length) { return juce::roundToInt (static_cast<float> (length) * scale); };
-    const juce::Image image (juce::Image::RGB, scaled (width), scaled (height), false, juce::SoftwareImageType());
+    const auto image = blankImage (width, height, scale, theme.background);
     {
         juce::Graphics g (image);
         g.addTransform (juce::AffineTransform::scale (scale));

@@ -2,6 +2,7 @@
 
 #include "EditorLook.h"
 
+#include <antinode_views/BlankImage.h>
 #include <antinode_views/Drawing.h>
 #include <antinode_views/Lettering.h>
 
@@ -33,13 +34,12 @@ void ChartView::lookAndFeelChanged()
 
 void ChartView::drawImage (float scale)
 {
-    const auto pixels = [scale] (int length)
-    { return juce::jmax (1, juce::roundToInt (static_cast<float> (length) * scale)); };
-    image = { juce::Image::RGB, pixels (getWidth()), pixels (getHeight()), false, juce::SoftwareImageType() };
+    const auto& theme = EditorLook::paletteOf (*this).charts;
+    image = blankImage (getWidth(), getHeight(), scale, theme.background);
     imageScale = scale;
     juce::Graphics g (image);
     g.addTransform (juce::AffineTransform::scale (scale));
-    draw (g, getLocalBounds().toFloat(), *chart, EditorLook::paletteOf (*this).charts);
+    draw (g, getLocalBounds().toFloat(), *chart, theme);
 }
 
 void ChartView::paint (juce::Graphics& g)

@@ -2,6 +2,6 @@
 
 namespace antinode
 {
-/** Gives every processor of this program its editor. [message thread] */
+/** Gives every processor of this program its editor, as dark or light as the last one was left. [message thread] */
 void installEditor();
 } // namespace antinode

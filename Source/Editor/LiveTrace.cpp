@@ -2,6 +2,7 @@
 
 #include "EditorLook.h"
 
+#include <antinode_views/BlankImage.h>
 #include <antinode_views/Curve.h>
 #include <antinode_views/Lettering.h>
 
@@ -61,9 +62,7 @@ void LiveTrace::lookAndFeelChanged()
 void LiveTrace::drawAxesOnce (float scale)
 {
     const auto& theme = EditorLook::paletteOf (*this).charts;
-    const auto pixels = [scale] (int length)
-    { return juce::jmax (1, juce::roundToInt (static_cast<float> (length) * scale)); };
-    axes = { juce::Image::RGB, pixels (getWidth()), pixels (getHeight()), false, juce::SoftwareImageType() };
+    axes = blankImage (getWidth(), getHeight(), scale, theme.background);
     juce::Graphics g (axes);
     g.addTransform (juce::AffineTransform::scale (scale));
     const auto rest = drawTitle (g, getLocalBounds().toFloat(), "Live", theme);

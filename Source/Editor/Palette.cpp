@@ -12,7 +12,7 @@ juce::Colour rgb (juce::uint32 value)
 Palette fromCharts (const Theme& charts)
 {
     Palette palette {
-        compact (charts), {}, charts.background, {}, {}, charts.text, charts.mutedText, {}, {}, {}, {}, {}
+        compact (charts), {}, charts.background, {}, {}, charts.text, charts.mutedText, {}, {}, {}, {}, {}, {}
     };
     palette.charts.padding = 8;
     palette.charts.labelHeight = 12;
@@ -29,6 +29,7 @@ Palette makeDark()
     palette.accent = rgb (0x56B4E9);
     palette.fire = rgb (0xF5853F);
     palette.armed = rgb (0x2FC19A);
+    palette.caution = rgb (0xE8B33B);
     palette.onStrong = rgb (0x0C0F13);
     return palette;
 }
@@ -42,6 +43,7 @@ Palette makeLight()
     palette.accent = rgb (0x0072B2);
     palette.fire = rgb (0xB94F00);
     palette.armed = rgb (0x00795A);
+    palette.caution = rgb (0x855E00);
     palette.onStrong = rgb (0xFFFFFF);
     palette.isDark = false;
     return palette;

@@ -19,6 +19,7 @@ struct Palette
     juce::Colour fire;     ///< The wanted spot and what fires it.
     juce::Colour armed;    ///< Outputs that play.
     juce::Colour warning;  ///< Limits, errors, STOP.
+    juce::Colour caution;  ///< What plays, but not all of it.
     juce::Colour onStrong; ///< Text on the strong colours above.
     bool isDark = true;
 

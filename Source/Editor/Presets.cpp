@@ -22,6 +22,35 @@ juce::String sentenceOf (const Action& action)
         return juce::String::fromUTF8 (failure.what());
     }
 }
+
+/** Puts a device or focus of the library, or of a file, into a state. */
+void read (LibraryKind kind, const std::string& nameOrFile, SessionState& state)
+{
+    const auto source = documentSource (kind, nameOrFile);
+    const auto json = loadDocument (kind, nameOrFile);
+
+    if (kind == LibraryKind::device)
+        state.device = std::make_shared<const DeviceDocument> (readDeviceDocument (json, source));
+    else
+        state.focus = std::make_shared<const FocusDocument> (readFocusDocument (json, source));
+}
+
+/** The loaded device under another name. */
+nlohmann::ordered_json deviceNamed (const AntinodeProcessor& processor, const std::string& name)
+{
+    auto json = nlohmann::ordered_json::parse (processor.device()->text);
+    json["name"] = name;
+    return json;
+}
+
+/** The loaded focus as the parameters changed it, under another name. */
+nlohmann::ordered_json focusNamed (AntinodeProcessor& processor, const std::string& name)
+{
+    auto focus = withSettings (processor.focus()->description, processor.parameters().settings(),
+                               extentOf (processor.device()->description));
+    focus.name = name;
+    return focusToJson (focus);
+}
 } // namespace
 
 Presets::Presets (AntinodeProcessor& processorToLoad, History& historyToKeep)
@@ -34,19 +63,13 @@ juce::String Presets::load (LibraryKind kind, const std::string& nameOrFile)
     return sentenceOf (
         [&]
         {
-            const auto source = documentSource (kind, nameOrFile);
-            const auto json = loadDocument (kind, nameOrFile);
+            auto wanted = processor.state();
+            read (kind, nameOrFile, wanted);
 
             if (kind == LibraryKind::device)
-            {
-                auto device = std::make_shared<const DeviceDocument> (readDeviceDocument (json, source));
-                history.record ([&] { processor.load (std::move (device), nullptr); });
-            }
+                history.record ([&] { processor.load (wanted.device, nullptr); });
             else
-            {
-                auto focus = std::make_shared<const FocusDocument> (readFocusDocument (json, source));
-                history.record ([&] { processor.load (nullptr, std::move (focus)); });
-            }
+                history.record ([&] { processor.load (nullptr, wanted.focus); });
         });
 }
 
@@ -55,18 +78,12 @@ juce::String Presets::save (LibraryKind kind, const std::string& name)
     return sentenceOf (
         [&]
         {
-            if (kind == LibraryKind::device)
-            {
-                auto json = nlohmann::ordered_json::parse (processor.device()->text);
-                json["name"] = name;
-                saveDocument (kind, name, json);
-                return;
-            }
-
-            auto focus = withSettings (processor.focus()->description, processor.parameters().settings(),
-                                       extentOf (processor.device()->description));
-            focus.name = name;
-            saveDocument (kind, name, focusToJson (focus));
+            saveDocument (kind, name,
+                          kind == LibraryKind::device ? deviceNamed (processor, name) : focusNamed (processor, name));
+            auto wanted = processor.state();
+            read (kind, name, wanted);
+            // Not loaded: what is armed, muted and set stays.
+            history.record ([&] { processor.setState (wanted, false); });
         });
 }
 

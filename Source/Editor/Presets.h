@@ -18,7 +18,7 @@ public:
     /** @param nameOrFile  as loadDocument */
     juce::String load (LibraryKind, const std::string& nameOrFile);
 
-    /** Keeps the device, or the focus as the parameters changed it, as the user's own. */
+    /** Keeps the device, or the focus as the parameters changed it, as the user's own, and goes on with that. */
     juce::String save (LibraryKind, const std::string& name);
 
     /** Removes one of the user's own. */

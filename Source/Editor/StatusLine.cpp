@@ -2,6 +2,7 @@
 
 #include "EditorLook.h"
 
+#include <antinode_session/DesignSentences.h>
 #include <antinode_views/Lettering.h>
 
 namespace antinode
@@ -32,38 +33,32 @@ StatusLine::Message StatusLine::message (const DesignPicture* picture, bool isWo
     const auto progress = processor.session().progress();
 
     if (said.isNotEmpty())
-        return { said, true };
+        return { said, Level::warning };
 
     if (processor.session().meters().isMutedForBadNumbers())
-        return { "The output is muted: a number was not finite. Load the device anew.", true };
+        return { "The output is muted: a number was not finite. Load the device anew.", Level::warning };
 
     if (const auto warning = processor.warning(); warning.isNotEmpty())
-        return { warning, true };
+        return { warning, Level::warning };
 
     if (session->isSolving || session->model == nullptr)
         return { "Solving " + fromUtf8 (processor.device()->description.name)
-                     + juce::String::fromUTF8 (" \xE2\x80\xA6"),
-                 false };
+                 + juce::String::fromUTF8 (" \xE2\x80\xA6") };
 
     if (! progress.liveError.empty())
-        return { fromUtf8 (progress.liveError), true };
+        return { fromUtf8 (progress.liveError), Level::warning };
 
     if (picture != nullptr && ! picture->error.empty())
-        return { fromUtf8 (picture->error), true };
+        return { fromUtf8 (picture->error), Level::warning };
 
     if (! progress.isDone())
         return { "Designing " + juce::String (progress.designed) + " of " + juce::String (progress.wanted)
-                     + juce::String::fromUTF8 (" places \xE2\x80\xA6"),
-                 false };
+                 + juce::String::fromUTF8 (" places \xE2\x80\xA6") };
 
-    if (progress.failed > 0)
-        return { juce::String (progress.failed) + " of " + juce::String (progress.wanted)
-                     + (progress.failed == 1 ? " places has no focus: " : " places have no focus: ")
-                     + fromUtf8 (progress.error),
-                 true };
+    if (const auto sentence = unplayableNotes (progress, session->playback.sampleRate); ! sentence.empty())
+        return { fromUtf8 (sentence), Level::caution };
 
-    return { isWorking ? juce::String::fromUTF8 ("Ready; rendering the charts \xE2\x80\xA6") : juce::String ("Ready"),
-             false };
+    return { isWorking ? juce::String::fromUTF8 ("Ready; rendering the charts \xE2\x80\xA6") : juce::String ("Ready") };
 }
 
 void StatusLine::refresh (const DesignPicture* picture, bool isWorking)
@@ -75,12 +70,12 @@ void StatusLine::refresh (const DesignPicture* picture, bool isWorking)
                          + "voices " + juce::String (meters.voices()) + "    triggers "
                          + juce::String (meters.triggered());
 
-    if (now.text == shown && numbers == figures && now.isWarning == isWarning)
+    if (now.text == shown && numbers == figures && now.level == shownLevel)
         return;
 
     shown = now.text;
     figures = numbers;
-    isWarning = now.isWarning;
+    shownLevel = now.level;
     setDescription (shown);
     setTooltip (shown);
     repaint();
@@ -94,11 +89,13 @@ void StatusLine::paint (juce::Graphics& g)
     const TextStyle style { EditorLook::smallTextHeight, false, palette.mutedText };
     const auto right = area.removeFromRight (textWidth (figures.toStdString(), style) + 2);
     drawText (g, figures.toStdString(), right, juce::Justification::centredRight, style);
-    g.setColour (isWarning ? palette.warning : palette.armed);
+    const auto isCalm = shownLevel == Level::calm;
+    const auto urgent = shownLevel == Level::warning ? palette.warning : palette.caution;
+    g.setColour (isCalm ? palette.armed : urgent);
     g.fillEllipse (area.removeFromLeft (8).withSizeKeepingCentre (8, 8));
     area.removeFromLeft (8);
     area.removeFromRight (16);
     drawText (g, shown.toStdString(), area, juce::Justification::centredLeft,
-              { EditorLook::smallTextHeight, false, isWarning ? palette.warning : palette.text });
+              { EditorLook::smallTextHeight, false, isCalm ? palette.text : urgent });
 }
 } // namespace antinode

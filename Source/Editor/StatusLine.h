@@ -12,6 +12,14 @@ namespace antinode
 class StatusLine final : public juce::Component, public juce::SettableTooltipClient
 {
 public:
+    /** How urgent a sentence is. */
+    enum class Level
+    {
+        calm,
+        caution, ///< Something cannot be played, but the focus can.
+        warning
+    };
+
     explicit StatusLine (AntinodeProcessor&);
 
     /** @param picture    the newest one, or none
@@ -22,6 +30,7 @@ public:
     void say (const juce::String& sentence);
 
     juce::String text() const { return shown; }
+    Level level() const { return shownLevel; }
 
     void paint (juce::Graphics&) override;
 
@@ -29,13 +38,13 @@ private:
     struct Message
     {
         juce::String text;
-        bool isWarning = false;
+        Level level = Level::calm;
     };
 
     Message message (const DesignPicture* picture, bool isWorking) const;
 
     AntinodeProcessor& processor;
     juce::String said, shown, figures;
-    bool isWarning = false;
+    Level shownLevel = Level::calm;
 };
 } // namespace antinode

@@ -2,21 +2,12 @@
 
 #include "VST3Channels.h"
 
-#include <antinode_library/Library.h>
-#include <antinode_model/InputError.h>
-
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace antinode
 {
 namespace
 {
-constexpr int monitorChannels = 2;
-
 juce::AudioChannelSet ceramicSet (int channels, juce::AudioProcessor::WrapperType wrapper)
 {
     return wrapper == juce::AudioProcessor::wrapperType_VST3 ? vst3ChannelSet (channels)
@@ -26,20 +17,11 @@ juce::AudioChannelSet ceramicSet (int channels, juce::AudioProcessor::WrapperTyp
 
 std::function<juce::AudioProcessorEditor*(AntinodeProcessor&)> AntinodeProcessor::makeEditor;
 
-SessionState demonstrator()
-{
-    const auto focus = loadDocument (LibraryKind::focus, "demonstrator");
-    const auto device = loadDocument (LibraryKind::device, "staple");
-    return { std::make_shared<const DeviceDocument> (readDeviceDocument (device, "device 'staple'")),
-             std::make_shared<const FocusDocument> (readFocusDocument (focus, "focus 'demonstrator'")),
-             {},
-             0 };
-}
-
 juce::AudioProcessor::BusesProperties AntinodeProcessor::busesFor (int ceramics, WrapperType wrapper)
 {
-    const auto monitor = wrapper == wrapperType_VST3 ? juce::AudioChannelSet::stereo()
-                                                     : juce::AudioChannelSet::discreteChannels (monitorChannels);
+    const auto monitor = wrapper == wrapperType_VST3
+                             ? juce::AudioChannelSet::stereo()
+                             : juce::AudioChannelSet::discreteChannels (BufferChannels::mostMonitors);
     return BusesProperties()
         .withOutput ("Ceramics", ceramicSet (ceramics, wrapper), true)
         .withOutput ("Monitor", monitor, true);
@@ -56,7 +38,7 @@ AntinodeProcessor::AntinodeProcessor (int ceramics, WrapperType wrapperToUse)
     controls->setFocus (settingsOf (loadedFocus->description, extentOf (loadedDevice->description), {}));
     player = std::make_unique<Session> (
         *loadedDevice, *loadedFocus, [this] { return controls->settings(); }, [this] { changes.post(); });
-    layChannels();
+    bufferChannels.lay (*this, wrapper);
     changes.begin();
 }
 
@@ -86,30 +68,6 @@ void AntinodeProcessor::load (std::shared_ptr<const DeviceDocument> newDevice,
 
     controls->setFocus (settingsOf (focus()->description, extentOf (device()->description), controls->settings()));
     player->load (std::move (newDevice), std::move (newFocus));
-}
-
-SessionState AntinodeProcessor::state() const
-{
-    return { device(), focus(), controls->values(), mutes() };
-}
-
-void AntinodeProcessor::setState (const SessionState& wanted, bool isRestored)
-{
-    const auto isOtherDevice = wanted.device->text != device()->text,
-               isOtherFocus = wanted.focus->text != focus()->text;
-    {
-        const juce::ScopedLock lock (documents);
-        loadedDevice = wanted.device;
-        loadedFocus = wanted.focus;
-    }
-    auto values = wanted.parameters;
-
-    if (isRestored && wanted.device->description.requiresArming)
-        values["arm"] = 0;
-
-    controls->setValues (values);
-    mutedCeramics = wanted.mutes;
-    player->load (isOtherDevice ? wanted.device : nullptr, isOtherFocus ? wanted.focus : nullptr);
 }
 
 std::shared_ptr<const DeviceDocument> AntinodeProcessor::device() const
@@ -163,30 +121,15 @@ bool AntinodeProcessor::isBusesLayoutSupported (const BusesLayout& layout) const
     // By count: hosts name channels as they like, wires are told apart by their numbers.
     const auto ceramics = layout.getMainOutputChannels();
     const auto monitor = layout.getNumChannels (false, 1);
-    return layout.inputBuses.isEmpty() && ceramics >= 1 && ceramics <= mostCeramics && monitor <= monitorChannels;
-}
-
-/** Which channel of the buffer is which wire, for the layout that the host has chosen. */
-void AntinodeProcessor::layChannels()
-{
-    const auto* const main = getBus (false, 0);
-    const auto layout = main->getCurrentLayout();
-    ceramicOrder.resize (static_cast<std::size_t> (layout.size()));
-
-    if (wrapper == wrapperType_VST3)
-        ceramicOrder = vst3ChannelOrder (layout);
-    else
-        std::iota (ceramicOrder.begin(), ceramicOrder.end(), 0);
-
-    firstMonitor = layout.size();
-    monitors = getChannelCountOfBus (false, 1);
+    return layout.inputBuses.isEmpty() && ceramics >= 1 && ceramics <= mostCeramics
+           && monitor <= BufferChannels::mostMonitors;
 }
 
 void AntinodeProcessor::prepareToPlay (double sampleRate, int)
 {
-    layChannels();
+    bufferChannels.lay (*this, wrapper);
     player->prepare (sampleRate, isNonRealtime());
-    setLatencySamples (static_cast<int> (player->latencySamples()));
+    reportLatency();
     changes.post();
 }
 
@@ -199,38 +142,25 @@ template <typename Sample>
 void AntinodeProcessor::play (juce::AudioBuffer<Sample>& buffer, const juce::MidiBuffer& midi, bool isBypassed)
 {
     const juce::ScopedNoDenormals noDenormals;
-    std::array<Sample*, mostCeramics> ceramics {};
-    std::array<Sample*, monitorChannels> monitor {};
-    const auto wires = static_cast<int> (ceramicOrder.size());
+    BufferChannels::Pointers<Sample> pointers;
+    const auto block = bufferChannels.blockOf (buffer, pointers);
 
     // A host that hands over fewer channels than it asked for gets silence rather than the wrong ceramics.
-    if (buffer.getNumChannels() < wires + monitors)
+    if (! block)
     {
         buffer.clear();
         return;
     }
 
-    for (int k = 0; k < wires; ++k)
-        ceramics[static_cast<std::size_t> (k)] = buffer.getWritePointer (ceramicOrder[static_cast<std::size_t> (k)]);
-
-    for (int i = 0; i < monitors; ++i)
-        monitor[static_cast<std::size_t> (i)] = buffer.getWritePointer (firstMonitor + i);
-
-    for (auto i = wires + monitors; i < buffer.getNumChannels(); ++i)
-        buffer.clear (i, 0, buffer.getNumSamples());
-
     auto now = controls->controls();
     now.isArmed = now.isArmed && ! isBypassed;
     now.mutes = mutedCeramics;
-    const OutputBlock<Sample> block { { ceramics.data(), static_cast<std::size_t> (wires) },
-                                      { monitor.data(), static_cast<std::size_t> (monitors) },
-                                      buffer.getNumSamples() };
     const auto events = triggers.read (midi, buffer.getNumSamples());
 
     if (isNonRealtime())
         player->waitUntilSettled (events);
 
-    player->process (block, events, now);
+    player->process (*block, events, now);
 }
 
 void AntinodeProcessor::processBlock (juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi)
@@ -253,32 +183,21 @@ void AntinodeProcessor::processBlockBypassed (juce::AudioBuffer<double>& buffer,
     play (buffer, midi, true);
 }
 
-void AntinodeProcessor::getStateInformation (juce::MemoryBlock& block)
+/** A host prepares us on a thread of its own while messages run on another. Who comes second leaves it to a message that follows: to wait
+    would hold up a host that, told of the latency, waits for the other thread. */
+void AntinodeProcessor::reportLatency()
 {
-    const auto text = stateToText (state());
-    block.replaceAll (text.data(), text.size());
-}
+    const juce::ScopedTryLock lock (latencyReports);
 
-void AntinodeProcessor::setStateInformation (const void* data, int size)
-{
-    try
-    {
-        setState (readState ({ static_cast<const char*> (data), static_cast<std::size_t> (std::max (0, size)) }), true);
-        setWarning ({});
-    }
-    catch (const InputError& failure)
-    {
-        setWarning ("The saved state could not be read, so nothing was changed: "
-                    + juce::String::fromUTF8 (failure.what()));
-    }
+    if (lock.isLocked())
+        setLatencySamples (static_cast<int> (player->latencySamples()));
+    else
+        changes.post();
 }
 
 void AntinodeProcessor::tellOfChanges()
 {
-    const auto wanted = static_cast<int> (player->latencySamples());
-
-    if (wanted != getLatencySamples())
-        setLatencySamples (wanted);
+    reportLatency();
 
     // Texts of places are in mm of the device.
     if (auto model = player->snapshot()->model; model != describedModel)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "BufferChannels.h"
 #include "ChangeMessages.h"
 #include "Parameters.h"
 
@@ -9,11 +10,9 @@
 
 #include <juce_audio_processors/juce_audio_processors.h>
 
-#include <array>
 #include <atomic>
 #include <functional>
 #include <memory>
-#include <vector>
 
 namespace antinode
 {
@@ -24,7 +23,7 @@ namespace antinode
 class AntinodeProcessor : public juce::AudioProcessor
 {
 public:
-    static constexpr int mostCeramics = 64;
+    static constexpr int mostCeramics = BufferChannels::mostCeramics;
 
     /** @param ceramics  channels of the main bus at first, 1 to 64
         @param wrapper   what it runs in: decides how channels are laid on wires
@@ -93,7 +92,7 @@ private:
     static BusesProperties busesFor (int ceramics, WrapperType);
     template <typename Sample>
     void play (juce::AudioBuffer<Sample>&, const juce::MidiBuffer&, bool isBypassed);
-    void layChannels();
+    void reportLatency();
     void tellOfChanges();
     void setWarning (const juce::String&);
 
@@ -103,8 +102,8 @@ private:
     std::unique_ptr<Session> player;
     MidiTriggers triggers { VelocityCurve {} };
     std::atomic<std::uint64_t> mutedCeramics { 0 };
-    std::vector<int> ceramicOrder; ///< Buffer channel of ceramic k.
-    int firstMonitor = 0, monitors = 0;
+    BufferChannels bufferChannels;
+    juce::CriticalSection latencyReports; ///< One at a time.
     std::shared_ptr<const ModalModel>
         describedModel; ///< What the host knows the parameters' texts of. Of the message thread.
 

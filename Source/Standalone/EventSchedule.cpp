@@ -26,6 +26,18 @@ void EventSchedule::addTo (juce::MidiBuffer& buffer, std::int64_t start, int cou
     }
 }
 
+std::vector<int> EventSchedule::noteNumbers() const
+{
+    std::vector<int> numbers;
+
+    for (const auto& note : notes)
+        if (const auto number = note.message.getNoteNumber();
+            note.message.isNoteOn() && std::find (numbers.begin(), numbers.end(), number) == numbers.end())
+            numbers.push_back (number);
+
+    return numbers;
+}
+
 std::vector<TimedNote> readMidiFile (const std::filesystem::path& path)
 {
     const juce::File file (juce::File::getCurrentWorkingDirectory().getChildFile (path.string()));

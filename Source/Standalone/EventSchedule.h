@@ -34,6 +34,9 @@ public:
 
     std::size_t size() const { return notes.size(); }
 
+    /** The numbers of the notes that begin, each once, in the order in which they first do. [any] */
+    std::vector<int> noteNumbers() const;
+
 private:
     std::vector<TimedNote> notes;
     std::size_t next = 0;

@@ -3,9 +3,11 @@
 #include "Interruption.h"
 
 #include <antinode_model/InputError.h>
+#include <antinode_session/DesignSentences.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <numeric>
 
 namespace antinode
 {
@@ -19,6 +21,11 @@ std::string counted (std::int64_t count, const std::string& what)
 {
     return std::to_string (count) + " " + what + (count == 1 ? "" : "s");
 }
+
+void complain (const std::string& sentence)
+{
+    std::fprintf (stderr, "antinode-standalone: %s\n", sentence.c_str());
+}
 } // namespace
 
 HeadlessRun::HeadlessRun (StandaloneHost& hostToPlay, std::vector<TimedNote> notes, double seconds, bool isArmed)
@@ -27,12 +34,17 @@ HeadlessRun::HeadlessRun (StandaloneHost& hostToPlay, std::vector<TimedNote> not
     for (auto& note : notes)
         note.seconds += armTime;
 
-    host.callback().setSchedule (EventSchedule (std::move (notes)));
+    EventSchedule schedule (std::move (notes));
+
+    if (auto numbers = schedule.noteNumbers(); ! numbers.empty())
+        host.processor().session().designFirst (std::move (numbers));
+
+    host.callback().setSchedule (std::move (schedule));
 }
 
 void HeadlessRun::run()
 {
-    std::printf ("solving the device and designing its foci; the notes start after that\n");
+    std::printf ("solving the device and designing the foci of the notes, which start after that\n");
     std::fflush (stdout);
     seenAt = juce::Time::getMillisecondCounter();
     startTimer (tickMilliseconds);
@@ -94,7 +106,9 @@ void HeadlessRun::beginWhenDesigned()
     if (! progress.liveError.empty())
         return end (progress.liveError);
 
-    if (now->isSolving || progress.wanted == 0 || ! progress.isDone())
+    const auto isOtherDevice = now->device == nullptr || now->device->text != host.processor().device()->text;
+
+    if (now->isSolving || isOtherDevice || ! progress.hasFirst)
         return;
 
     if (arms)
@@ -105,7 +119,10 @@ void HeadlessRun::beginWhenDesigned()
     std::fflush (stdout);
 
     if (const auto warning = host.silentCeramics(); warning.isNotEmpty())
-        std::fprintf (stderr, "antinode-standalone: %s\n", warning.toRawUTF8());
+        complain (warning.toStdString());
+
+    if (const auto sentence = unplayableNotes (progress, now->playback.sampleRate); ! sentence.empty())
+        complain (sentence);
 
     host.callback().startSchedule();
 }
@@ -114,10 +131,16 @@ std::string HeadlessRun::startText() const
 {
     const auto audio = openedAudio (host.devices());
     const auto model = host.processor().session().snapshot()->model;
+    const auto progress = host.processor().session().progress();
+    const auto designs = progress.isDone()
+                             ? std::string()
+                             : "; " + std::to_string (progress.designed) + " of " + std::to_string (progress.wanted)
+                                   + " places are designed, the others follow";
     return "playing on " + audio.type + " device '" + audio.device
            + "': " + std::to_string (std::lround (audio.sampleRate)) + " Hz, " + counted (audio.blockSize, "sample")
            + " a block, " + counted (std::ssize (audio.outputs), "output") + "; '" + model->name + "' with "
-           + counted (model->actuators(), "ceramic") + ", " + (arms ? "armed" : "disarmed: only --arm lets it sound");
+           + counted (model->actuators(), "ceramic") + ", " + (arms ? "armed" : "disarmed: only --arm lets it sound")
+           + designs;
 }
 
 std::string HeadlessRun::endText() const
@@ -137,6 +160,21 @@ std::string HeadlessRun::endText() const
     std::snprintf (volts, sizeof volts, "%.1f", static_cast<double> (peak));
     return "ended: " + counted (meters.triggered(), "trigger") + ", at most " + volts + " V, "
            + counted (clamped, "clamped sample") + ", " + counted (outputs.badNumbers(), "block")
-           + " with bad numbers, " + counted (xruns, "xrun");
+           + " with bad numbers, " + counted (xruns, "xrun") + touchText();
+}
+
+/** Nothing where no touch came in. */
+std::string HeadlessRun::touchText() const
+{
+    const auto counters = host.touch().counters();
+    const auto unplayed = host.touch().unplayed();
+    const auto dropped = counters.limited + unplayed.notTaken
+                         + std::accumulate (counters.faults.begin(), counters.faults.end(), std::int64_t());
+
+    if (counters.packets == 0)
+        return {};
+
+    return "; of " + counted (counters.packets, "touch packet") + ": " + std::to_string (unplayed.besideSurface)
+           + " beside the surface, " + std::to_string (dropped) + " dropped otherwise";
 }
 } // namespace antinode

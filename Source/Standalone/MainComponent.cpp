@@ -15,7 +15,12 @@ MainComponent::MainComponent (StandaloneHost& hostToUse)
     setLookAndFeel (&look);
     // The window has edges of its own.
     player.setResizable (true, false);
-    player.content().onTheme = [this] { showTheme(); };
+    player.content().setDark (host.settings().isDark);
+    player.content().onTheme = [this]
+    {
+        host.setDark (player.content().isDark());
+        showTheme();
+    };
     mute.onClick = [this]
     {
         if (host.router().isMuted())

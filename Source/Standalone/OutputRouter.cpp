@@ -1,6 +1,7 @@
 #include "OutputRouter.h"
 
 #include "IdentifyTone.h"
+#include "SampleChecks.h"
 
 #include <algorithm>
 #include <array>
@@ -21,42 +22,6 @@ struct OutputRouter::Part
 {
     int offset = 0, count = 0;
 };
-
-namespace
-{
-/** Where the first sample that is not finite is, or `count`. */
-int firstBadSample (std::span<const float* const> channels, int offset, int count)
-{
-    for (const auto* const channel : channels)
-        for (int n = 0; n < count; ++n)
-            if (! std::isfinite (channel[offset + n]))
-                count = n;
-
-    return count;
-}
-
-/** What an output can give: finite, and no more than full scale. */
-void copyWithin (const float* from, float* to, int count, float factor, std::int64_t& clamped)
-{
-    for (int n = 0; n < count; ++n)
-    {
-        const auto value = from[n] * factor;
-        const auto allowed = std::isfinite (value) ? std::clamp (value, -1.0F, 1.0F) : 0.0F;
-        clamped += static_cast<int> (std::abs (value) > 1.0F);
-        to[n] = allowed;
-    }
-}
-
-float peakOf (const float* samples, int count)
-{
-    float peak = 0;
-
-    for (int n = 0; n < count; ++n)
-        peak = std::max (peak, std::abs (samples[n]));
-
-    return peak;
-}
-} // namespace
 
 OutputRouter::OutputRouter()
 {

@@ -1,8 +1,8 @@
 #include "SettingsFile.h"
 
+#include <antinode_library/Library.h>
 #include <antinode_model/InputError.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <system_error>
@@ -40,19 +40,8 @@ std::string contentOf (const fs::path& file)
 
 fs::path usualSettingsFile()
 {
-    const auto folderOf = [] (const char* variable) -> fs::path
-    {
-        const auto* const value = std::getenv (variable);
-        return value != nullptr && fs::path (value).is_absolute() ? fs::path (value) : fs::path();
-    };
-
-    if (const auto config = folderOf ("XDG_CONFIG_HOME"); ! config.empty())
-        return config / "antinode" / "standalone.json";
-
-    if (const auto home = folderOf ("HOME"); ! home.empty())
-        return home / ".config" / "antinode" / "standalone.json";
-
-    return {};
+    const auto folder = userConfigFolder();
+    return folder ? *folder / "standalone.json" : fs::path();
 }
 
 StandaloneSettings SettingsFile::load()

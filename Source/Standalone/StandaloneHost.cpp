@@ -76,6 +76,12 @@ void StandaloneHost::setMidi (const MidiChoice& choice)
     triggerAsyncUpdate();
 }
 
+void StandaloneHost::setDark (bool isDark)
+{
+    kept.isDark = isDark;
+    triggerAsyncUpdate();
+}
+
 void StandaloneHost::openAll (const StandaloneSettings& wanted)
 {
     setMidi (wanted.midi);

@@ -36,6 +36,9 @@ public:
     void setTouch (const TouchPorts&);
     void setMidi (const MidiChoice&);
 
+    /** Kept only: the window shows it. [message thread] */
+    void setDark (bool isDark);
+
     /** Opens what the settings say of audio, MIDI and touch, and keeps them; what cannot be opened becomes a warning.
         [message thread] */
     void openAll (const StandaloneSettings&);

@@ -1,5 +1,6 @@
 #include "StandaloneSettings.h"
 
+#include <Editor/EditorPreferences.h>
 #include <antinode_files/JsonReader.h>
 #include <antinode_files/JsonText.h>
 
@@ -120,7 +121,8 @@ std::string settingsToText (const StandaloneSettings& settings)
                 { "touch",
                   { { "osc_port", settings.touch.oscPort },
                     { "tuio_port", settings.touch.tuioPort },
-                    { "address", settings.touch.address } } } };
+                    { "address", settings.touch.address } } },
+                { "theme", wordFor (themeWords, settings.isDark) } };
 
     if (settings.state)
         json["state"] = Json::parse (stateToText (*settings.state));
@@ -133,12 +135,16 @@ StandaloneSettings readSettings (std::string_view text)
     const auto json = parseJson (text, "settings");
     const JsonValue value (json, "settings");
     value.requireSchema (schema);
-    const auto object = value.object ({ "schema", "audio", "routing", "midi", "touch", "state" });
+    const auto object = value.object ({ "schema", "audio", "routing", "midi", "touch", "theme", "state" });
     StandaloneSettings settings { readAudio (object.required ("audio")),
                                   readRouting (object.required ("routing")),
                                   readMidi (object.required ("midi")),
                                   readTouch (object.required ("touch")),
+                                  true,
                                   {} };
+
+    if (const auto theme = object.optional ("theme"))
+        settings.isDark = theme->choice (themeWords);
 
     if (object.has ("state"))
         settings.state = readState (json["state"].dump());

@@ -29,6 +29,7 @@ struct StandaloneSettings
     OutputRouting routing = straightRouting();
     MidiChoice midi;
     TouchPorts touch;
+    bool isDark = true;                ///< Else the window is light.
     std::optional<SessionState> state; ///< Device, focus and parameters; none: the demonstrator.
 };
 

@@ -12,24 +12,32 @@ std::pair<double, double> placeOf (const Touch& touch, const Surface& surface)
              surface.yMinimum * (1 - touch.y) + surface.yMaximum * touch.y };
 }
 
-void play (const Touch& touch, Session& session)
+void TouchInput::play (const Touch& touch)
 {
     if (touch.kind == TouchKind::stopAll)
         return session.stopAll();
 
-    if (const auto now = session.snapshot(); now->model != nullptr)
+    const auto now = session.snapshot();
+    auto result = Session::TouchResult::notTaken;
+
+    if (now->model != nullptr)
     {
         const auto [x, y] = placeOf (touch, now->model->surface);
-        session.fireAt (x, y, touch.amplitude);
+        result = session.fireAt (x, y, touch.amplitude);
     }
+
+    besideSurface += result == Session::TouchResult::besideSurface ? 1 : 0;
+    notTaken += result == Session::TouchResult::notTaken ? 1 : 0;
 }
 
 void TouchInput::open (const TouchPorts& ports)
 {
     receiver.reset();
+    besideSurface = 0;
+    notTaken = 0;
 
     if (ports.oscPort != 0 || ports.tuioPort != 0)
-        receiver = std::make_unique<TouchReceiver> (ports, TouchOptions {},
-                                                    [this] (const Touch& touch) { play (touch, session); });
+        receiver =
+            std::make_unique<TouchReceiver> (ports, TouchOptions {}, [this] (const Touch& touch) { play (touch); });
 }
 } // namespace antinode

@@ -4,6 +4,8 @@
 #include <antinode_session/Session.h>
 #include <antinode_touch/TouchReceiver.h>
 
+#include <atomic>
+#include <cstdint>
 #include <memory>
 #include <utility>
 
@@ -11,6 +13,13 @@ namespace antinode
 {
 /** Where a touch lies. Fractions are of the surface's extent, millimetres those of its drawing. @return  x, y in m [any] */
 std::pair<double, double> placeOf (const Touch&, const Surface&);
+
+/** Good touches that play nothing all the same. */
+struct UnplayedTouches
+{
+    std::int64_t besideSurface = 0;
+    std::int64_t notTaken = 0; ///< No device was solved yet, or too many waited.
+};
 
 /** Touches from the network as foci of a session. */
 class TouchInput
@@ -28,11 +37,15 @@ public:
     /** [message thread] */
     TouchCounters counters() const { return receiver != nullptr ? receiver->counters() : TouchCounters {}; }
 
+    /** Since the ports were opened. [any] */
+    UnplayedTouches unplayed() const { return { besideSurface, notTaken }; }
+
+    /** What a touch does to the session; counted where it plays nothing. [any but the audio thread] */
+    void play (const Touch&);
+
 private:
     Session& session;
+    std::atomic<std::int64_t> besideSurface { 0 }, notTaken { 0 };
     std::unique_ptr<TouchReceiver> receiver;
 };
-
-/** What a touch does to a session. [any but the audio thread] */
-void play (const Touch&, Session&);
 } // namespace antinode

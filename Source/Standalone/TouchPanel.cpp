@@ -15,8 +15,11 @@ juce::String portText (int port)
     return port > 0 ? "on port " + juce::String (port) : juce::String ("off");
 }
 
-juce::String statusText (const TouchPorts& ports, const TouchCounters& counters)
+juce::String statusText (const TouchInput& touch)
 {
+    const auto ports = touch.ports();
+    const auto counters = touch.counters();
+    const auto unplayed = touch.unplayed();
     std::int64_t faults = 0;
 
     for (const auto count : counters.faults)
@@ -25,7 +28,8 @@ juce::String statusText (const TouchPorts& ports, const TouchCounters& counters)
     return "OSC " + portText (ports.oscPort) + ", TUIO " + portText (ports.tuioPort) + "\n"
            + juce::String (counters.packets) + " packets, " + juce::String (counters.touches) + " touches passed on\n"
            + "Dropped: " + juce::String (counters.limited) + " beyond 500 a second, " + juce::String (faults)
-           + " faulty";
+           + " faulty,\n" + juce::String (unplayed.besideSurface) + " beside the surface, "
+           + juce::String (unplayed.notTaken) + " without a device or with too many waiting";
 }
 } // namespace
 
@@ -78,8 +82,7 @@ void TouchPanel::apply()
 
 void TouchPanel::showState()
 {
-    status.setText (failure.isNotEmpty() ? failure : statusText (host.touch().ports(), host.touch().counters()),
-                    juce::dontSendNotification);
+    status.setText (failure.isNotEmpty() ? failure : statusText (host.touch()), juce::dontSendNotification);
 }
 
 void TouchPanel::lookAndFeelChanged()
@@ -102,6 +105,6 @@ void TouchPanel::resized()
     network.setBounds (area.removeFromTop (rowHeight));
     applyButton.setBounds (area.removeFromTop (rowHeight).reduced (0, 2).removeFromLeft (fieldWidth));
     area.removeFromTop (margin);
-    status.setBounds (area.removeFromTop (3 * rowHeight));
+    status.setBounds (area.removeFromTop (4 * rowHeight));
 }
 } // namespace antinode

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <tuple>
 
 using namespace antinode;
 
@@ -52,6 +53,39 @@ TEST_CASE ("A focus as the parameters changed it is kept, loaded and deleted")
     CHECK_FALSE (isOwn (LibraryKind::focus, "my bump"));
     CHECK (content.keyPressed (juce::KeyPress (juce::KeyPress::escapeKey)));
     CHECK_FALSE (browser.isVisible());
+}
+
+TEST_CASE ("What was saved under another name is what is loaded from then on, with all as it was")
+{
+    const OwnLibrary library;
+    EditorFixture test;
+    test.settle();
+    test.processor.setMutes (5);
+    test.processor.parameters().arm().setValueNotifyingHost (1);
+    auto& width = *test.processor.parameters().find ("width");
+    width.setValueNotifyingHost (width.convertTo0to1 (33));
+    const auto parameters = test.processor.state().parameters;
+    auto& browser = test.content().presetPanel();
+
+    for (const auto& [kind, name, title] : { std::tuple { LibraryKind::focus, "my bump", "Focus: my bump" },
+                                             std::tuple { LibraryKind::device, "my staple", "Device: my staple" } })
+    {
+        test.content().browse (kind);
+        browser.saveAs (name);
+        test.settle();
+        auto isShown = false;
+        forEachVisible (test.content(),
+                        [&] (juce::Component& shown) { isShown = isShown || shown.getTitle() == title; });
+        CHECK (isShown);
+    }
+
+    CHECK (test.processor.state().parameters == parameters);
+    CHECK (test.processor.mutes() == 5);
+    test.content().history().undo();
+    test.content().history().undo();
+    CHECK (test.processor.focus()->description.name == "demonstrator");
+    CHECK (test.processor.device()->description.name == "staple");
+    CHECK (test.processor.state().parameters == parameters);
 }
 
 TEST_CASE ("Loading a device is undone with all that it changed")

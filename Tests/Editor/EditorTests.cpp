@@ -194,6 +194,21 @@ TEST_CASE ("A focus that cannot be met is said in a sentence, and the next one i
     test.waitUntil ([&] { return test.content().statusLine().text() == "Ready"; });
 }
 
+TEST_CASE ("A note that cannot be played at this rate is a caution, the focus itself a warning")
+{
+    EditorFixture test;
+    test.processor.prepareToPlay (48000, EditorFixture::blockSize);
+    const auto& status = test.content().statusLine();
+    test.waitUntil ([&] { return status.level() == StatusLine::Level::caution; });
+    INFO (status.text());
+    CHECK (status.text().matchesWildcard ("1 of 128 notes cannot be played at 48 kHz (note *): *", false));
+    test.processor.prepareToPlay (8000, EditorFixture::blockSize);
+    test.waitUntil ([&] { return status.level() == StatusLine::Level::warning; });
+    test.processor.prepareToPlay (EditorFixture::sampleRate, EditorFixture::blockSize);
+    test.waitUntil ([&] { return status.text() == "Ready"; });
+    CHECK (status.level() == StatusLine::Level::calm);
+}
+
 TEST_CASE ("The field is played through time and goes back to the focus")
 {
     EditorFixture test;

@@ -78,7 +78,7 @@ TEST_CASE ("The focus at its own place is handed over first, then the place that
     BankHandOver handOver;
     DesignWorker worker (handOver);
     auto request = requestFor (128);
-    request.first = 77;
+    request.first = { 77 };
     worker.request (request);
     std::unique_ptr<const FocusBank> bank;
 
@@ -89,12 +89,31 @@ TEST_CASE ("The focus at its own place is handed over first, then the place that
     CHECK (bank->foci[0] == nullptr); // The farthest by number: designed last.
     const auto wanted = 77;
     worker.waitFor (std::span (&wanted, 1));
-    bank.reset (handOver.take());
-    REQUIRE (bank != nullptr);
+
+    if (std::unique_ptr<const FocusBank> newer (handOver.take()); newer != nullptr)
+        bank = std::move (newer);
+
     CHECK (bank->foci[77] != nullptr);
     worker.waitUntilDone();
     CHECK (worker.progress().designed == 129);
     CHECK (worker.progress().firstMilliseconds > 0);
+}
+
+TEST_CASE ("A worker says when the wanted places are there", "[graph]")
+{
+    BankHandOver handOver;
+    DesignWorker worker (handOver);
+    auto request = requestFor (128);
+    request.first = { 3, 100, 300 }; // The last one is beyond the bank.
+    worker.request (request);
+    DesignProgress progress;
+
+    while (! progress.hasFirst)
+        progress = worker.progress();
+
+    const std::unique_ptr<const FocusBank> bank (handOver.take());
+    CHECK (bank->foci[3] != nullptr);
+    CHECK (bank->foci[100] != nullptr);
 }
 
 TEST_CASE ("A place that somebody waits for comes before all others", "[graph]")
@@ -136,6 +155,7 @@ TEST_CASE ("A place that cannot be designed stays silent and says why", "[graph]
     worker.request (request);
     worker.waitUntilDone();
     CHECK (worker.progress().failed == 1);
+    CHECK (worker.progress().failedNotes == std::vector { 1 });
     CHECK_THAT (worker.progress().error, Catch::Contains ("beside the surface"));
     CHECK (firstChannel (player, 1, 500).cwiseAbs().maxCoeff() == 0);
     CHECK (firstChannel (player, 2, 500).cwiseAbs().maxCoeff() > 0);

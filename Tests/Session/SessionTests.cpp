@@ -41,6 +41,18 @@ TEST_CASE ("A parameter that moves makes a new design, by itself", "[session]")
     CHECK ((after.topRows (8) * 2 - before.topRows (8)).cwiseAbs().maxCoeff() < 1e-3 * before.cwiseAbs().maxCoeff());
 }
 
+TEST_CASE ("Notes that are wanted first play before the bank is designed", "[session]")
+{
+    test::PlayedSession played ("glass-148x210", "glass-finger");
+    played.session.designFirst ({ 20, 90 });
+    played.session.prepare (rate, false);
+    REQUIRE (waitFor ([&] { return played.session.progress().hasFirst; }));
+    CHECK_FALSE (played.session.progress().isDone());
+
+    for (const auto note : { 20, 90 })
+        CHECK (played.play (9600, { { 0, FocusEventKind::trigger, note, 1 } }).topRows (8).cwiseAbs().maxCoeff() > 0);
+}
+
 TEST_CASE ("Another device ramps the old voltages to 0 before its own begin", "[session]")
 {
     test::PlayedSession played;
@@ -84,8 +96,8 @@ TEST_CASE ("A touch is designed at its own place and fired, a place off the surf
 {
     test::PlayedSession played;
     played.session.prepare (rate, true);
-    CHECK_FALSE (played.session.fireAt (1, 0, 1));
-    REQUIRE (played.session.fireAt (-0.02, 0, 0.5));
+    CHECK (played.session.fireAt (1, 0, 1) == Session::TouchResult::besideSurface);
+    REQUIRE (played.session.fireAt (-0.02, 0, 0.5) == Session::TouchResult::taken);
     CHECK (waitFor (
         [&]
         {

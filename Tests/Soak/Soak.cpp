@@ -130,7 +130,7 @@ DesignRequest requestOf (const std::shared_ptr<const ModalModel>& model, unsigne
     request.focus.focusTime = 0.02;
     request.focus.modes.count = 5;
     request.places = bankPlaces (model->surface, FocusBank::places, 0.02);
-    request.first = static_cast<int> (choice % FocusBank::places);
+    request.first = { static_cast<int> (choice % FocusBank::places) };
     request.playback = { Reconstruction::bandLimited, rate };
 
     if (choice % 2 == 0)

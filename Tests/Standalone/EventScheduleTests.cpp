@@ -50,6 +50,17 @@ TEST_CASE ("notes of a schedule fall on their samples, whatever the blocks")
         CHECK (played (schedule, 4096, blocks) == wanted);
 }
 
+TEST_CASE ("a schedule's notes are counted once, in the order in which they begin")
+{
+    const EventSchedule schedule ({ { 3, note (60) },
+                                    { 1, juce::MidiMessage::noteOff (1, 50) },
+                                    { 2, note (64) },
+                                    { 4, note (64) },
+                                    { 2, note (62) } });
+    CHECK (schedule.noteNumbers() == std::vector { 64, 62, 60 });
+    CHECK (EventSchedule().noteNumbers().empty());
+}
+
 TEST_CASE ("a MIDI file's notes fall where its tempi say")
 {
     const TemporaryFolder folder;

@@ -1,5 +1,7 @@
 #include <Standalone/MainComponent.h>
 
+#include "Support/TemporaryFolder.h"
+
 #include <catch2/catch.hpp>
 
 using namespace antinode;
@@ -23,4 +25,22 @@ TEST_CASE ("the settings are as dark or light as the editor beside them")
     CHECK_FALSE (EditorLook::paletteOf (window).isDark);
     window.editor().content().setDark (true);
     CHECK (EditorLook::paletteOf (window).isDark);
+}
+
+TEST_CASE ("the window is as dark or light as it was left")
+{
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "standalone.json";
+
+    for (const auto isDark : { false, true })
+    {
+        {
+            StandaloneHost host (SettingsFile (path), true);
+            MainComponent window (host);
+            window.editor().content().setDark (isDark);
+        }
+        StandaloneHost host (SettingsFile (path), true);
+        const MainComponent window (host);
+        CHECK (EditorLook::paletteOf (window).isDark == isDark);
+    }
 }

@@ -24,6 +24,7 @@ StandaloneSettings unusualSettings()
     settings.routing.chains[40] = { 1.0 / 3, -1 };
     settings.midi = { false, { "a", "b" } };
     settings.touch = { 9100, 0, "0.0.0.0" };
+    settings.isDark = false;
     settings.state = demonstrator();
     settings.state->parameters["x"] = 12.3456789012345678;
     return settings;
@@ -56,10 +57,20 @@ TEST_CASE ("settings come back as they were kept")
     CHECK (read.touch.oscPort == 9100);
     CHECK (read.touch.tuioPort == 0);
     CHECK (read.touch.address == "0.0.0.0");
+    CHECK_FALSE (read.isDark);
     REQUIRE (read.state);
     CHECK (read.state->parameters == wanted.state->parameters);
     CHECK (settingsToText (read) == settingsToText (wanted));
     CHECK (std::distance (fs::directory_iterator (path.parent_path()), {}) == 1);
+}
+
+TEST_CASE ("settings of before there was a theme are dark")
+{
+    auto text = settingsToText (StandaloneSettings());
+    const std::string theme = ",\n  \"theme\": \"dark\"";
+    REQUIRE (text.find (theme) != std::string::npos);
+    text.erase (text.find (theme), theme.size());
+    CHECK (readSettings (text).isDark);
 }
 
 TEST_CASE ("where nothing is kept the usual settings apply")

@@ -65,3 +65,19 @@ TEST_CASE ("a touch from the network plays a focus")
     touch.open ({ 0, 0, "127.0.0.1" });
     CHECK (touch.ports().oscPort == 0);
 }
+
+TEST_CASE ("touches beside the surface are counted until the ports are opened anew")
+{
+    AntinodeProcessor processor (8, juce::AudioProcessor::wrapperType_Undefined);
+    processor.prepareToPlay (48000, 256);
+    processor.session().waitUntilSettled();
+    TouchInput touch (processor.session());
+    touch.play ({ TouchKind::focusAt, true, 500, 0, 1 });
+    touch.play ({ TouchKind::focusAt, true, -75.1, 0, 1 });
+    touch.play ({ TouchKind::focusAt, true, 24, 0, 1 });
+    touch.play ({ TouchKind::stopAll, false, 0, 0, 0 });
+    CHECK (touch.unplayed().besideSurface == 2);
+    CHECK (touch.unplayed().notTaken == 0);
+    touch.open ({ 0, 0, "127.0.0.1" });
+    CHECK (touch.unplayed().besideSurface == 0);
+}

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <future>
+#include <set>
 
 using namespace antinode;
 using namespace antinode::example_charts;
@@ -19,6 +20,30 @@ TEST_CASE ("A picture has the size asked for times its scale, on the theme's bac
     CHECK (image.getHeight() == 270);
     CHECK (image.getPixelAt (0, 0) == Theme::dark().background);
     CHECK (image.getPixelAt (674, 269) == Theme::dark().background);
+}
+
+TEST_CASE ("The last row and column of a picture are background, also where the chart covers them in part")
+{
+    constexpr int rounding = 1; // of 255, when JUCE blends a colour with itself
+    const auto background = Theme::dark().background;
+    const auto differenceOf = [] (juce::Colour one, juce::Colour other)
+    {
+        return std::max ({ std::abs (one.getRed() - other.getRed()), std::abs (one.getGreen() - other.getGreen()),
+                           std::abs (one.getBlue() - other.getBlue()) });
+    };
+
+    for (const auto scale : { 1.43f, 1.44f, 1.49f })
+    {
+        const auto image = decoded (renderPng (lines(), 451, 181, scale, Theme::dark()));
+        const auto right = image.getWidth() - 1, bottom = image.getHeight() - 1;
+        INFO (scale);
+
+        for (int x = 0; x <= right; ++x)
+            REQUIRE (differenceOf (image.getPixelAt (x, bottom), background) <= rounding);
+
+        for (int y = 0; y <= bottom; ++y)
+            REQUIRE (differenceOf (image.getPixelAt (right, y), background) <= rounding);
+    }
 }
 
 TEST_CASE ("A picture's bytes are the same each time it is drawn, whatever was drawn in between")
@@ -122,4 +147,32 @@ TEST_CASE ("Contours, and nodal lines where something moves, leave lines on a ma
     CHECK (nodal != plain);
     chart.contours.levels = { 0.5 };
     CHECK (pngOf (chart) != nodal);
+}
+
+TEST_CASE ("A spectrum of more modes than pixels keeps its colours and its largest bar")
+{
+    constexpr int modes = 900, largest = 333;
+    const auto theme = Theme::dark();
+    BarChart chart;
+    chart.categories.resize (modes);
+    chart.yRange = AxisRange { 0, 10 };
+    chart.legend = LegendPlace::none;
+    Eigen::VectorXd wanted = Eigen::VectorXd::Ones (modes), reached = wanted;
+    wanted[largest] = 8;
+    reached[largest] = 6;
+    chart.series = { { "wanted", wanted, 1 }, { "reached", reached, 0 } };
+    const auto image = decoded (renderPng (chart, 450, 300, 1, theme));
+    const auto ofWanted = seriesColour (theme, 1, 0), ofReached = seriesColour (theme, 0, 1);
+    std::set<int> columnsOfWanted;
+    auto pixelsOfReached = 0;
+
+    for (int x = 0; x < image.getWidth(); ++x)
+        for (int y = 0; y < image.getHeight() / 2; ++y)
+            if (image.getPixelAt (x, y) == ofWanted)
+                columnsOfWanted.insert (x);
+            else
+                pixelsOfReached += image.getPixelAt (x, y) == ofReached ? 1 : 0;
+
+    CHECK (columnsOfWanted.size() == 1);
+    CHECK (pixelsOfReached > 10);
 }

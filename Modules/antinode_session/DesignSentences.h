@@ -1,0 +1,14 @@
+#pragma once
+
+#include <antinode_graph/DesignRequest.h>
+
+#include <string>
+
+namespace antinode
+{
+/** Says how many notes have no focus, which, and why the last of them has none; empty where all have one. The focus at its own place is
+    not meant: DesignProgress::liveError.
+    @param sampleRate  that they were designed for, Hz
+    [any] */
+std::string unplayableNotes (const DesignProgress&, double sampleRate);
+} // namespace antinode

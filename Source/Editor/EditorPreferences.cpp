@@ -1,0 +1,63 @@
+#include "EditorPreferences.h"
+
+#include <antinode_files/JsonReader.h>
+#include <antinode_files/JsonText.h>
+#include <antinode_files/OutputFolder.h>
+#include <antinode_library/Library.h>
+#include <antinode_model/InputError.h>
+
+#include <nlohmann/json.hpp>
+
+namespace antinode
+{
+namespace
+{
+constexpr auto schema = "antinode.editor/1";
+
+std::optional<std::filesystem::path> preferencesFile()
+{
+    const auto folder = userConfigFolder();
+    return folder ? std::optional (*folder / "editor.json") : std::nullopt;
+}
+} // namespace
+
+EditorPreferences readPreferences()
+{
+    const auto file = preferencesFile();
+    std::error_code ignored;
+
+    if (! file || ! std::filesystem::exists (*file, ignored))
+        return {};
+
+    try
+    {
+        const auto json = readJsonFile (*file);
+        const JsonValue value (json, file->string());
+        value.requireSchema (schema);
+        return { value.object ({ "schema", "theme" }).required ("theme").choice (themeWords) };
+    }
+    catch (const InputError&)
+    {
+        return {}; // It is written anew with the next choice.
+    }
+}
+
+void keepPreferences (const EditorPreferences& preferences)
+{
+    const auto file = preferencesFile();
+
+    if (! file)
+        return;
+
+    const nlohmann::ordered_json json { { "schema", schema }, { "theme", wordFor (themeWords, preferences.isDark) } };
+
+    try
+    {
+        writeWholeFile (*file, json.dump (2) + "\n");
+    }
+    catch (const InputError&)
+    {
+        // A home that cannot be written to is no reason to disturb a host.
+    }
+}
+} // namespace antinode

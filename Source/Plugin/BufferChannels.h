@@ -1,0 +1,40 @@
+#pragma once
+
+#include <antinode_session/AudioPath.h>
+
+#include <juce_audio_processors/juce_audio_processors.h>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace antinode
+{
+/** Which channels of a host's buffer are the ceramics and which the monitor. */
+class BufferChannels
+{
+public:
+    static constexpr int mostCeramics = 64, mostMonitors = 2;
+
+    /** Room for what a block points to. */
+    template <typename Sample>
+    struct Pointers
+    {
+        std::array<Sample*, mostCeramics> ceramics {};
+        std::array<Sample*, mostMonitors> monitor {};
+    };
+
+    /** Takes the layout that the host has chosen. @param wrapper  decides how channels are laid on wires
+        [worker] nothing may be processing */
+    void lay (const juce::AudioProcessor&, juce::AudioProcessor::WrapperType wrapper);
+
+    /** A block on the channels of a buffer; those beyond are cleared. None where the buffer has fewer than the host asked for.
+        [audio thread] */
+    template <typename Sample>
+    std::optional<OutputBlock<Sample>> blockOf (juce::AudioBuffer<Sample>&, Pointers<Sample>&) const;
+
+private:
+    std::vector<int> ceramicOrder; ///< Buffer channel of ceramic k.
+    int firstMonitor = 0, monitors = 0;
+};
+} // namespace antinode
