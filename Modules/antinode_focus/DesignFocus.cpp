@@ -4,10 +4,11 @@
 #include "DesignRemarks.h"
 #include "DriveAllocation.h"
 #include "DriveGrid.h"
+#include "FocusMoments.h"
 #include "LowerBound.h"
 #include "Prediction.h"
 #include "Projection.h"
-#include "TargetField.h"
+#include "Repetition.h"
 #include "Transients.h"
 
 #include <algorithm>
@@ -49,51 +50,81 @@ void checkRate (const ModalModel& model, const std::vector<int>& modes, Playback
                                                    "(focus: /modes/maximum_frequency_Hz)");
 }
 
-double lowerBound (const ModalModel& model, const std::vector<int>& modes, const Eigen::VectorXd& wanted,
-                   const Eigen::VectorXd& limits, double focusTime)
+/** No waveform brings any of the foci with less. */
+double lowerBound (const ModalModel& model, const std::vector<int>& modes, const std::vector<FocusMoment>& moments,
+                   const Eigen::VectorXd& limits)
 {
     WaveformBoundProblem problem;
     problem.poles = modalPoles (model) (modes);
     problem.participation = model.participation (modes, Eigen::all);
-    problem.wanted = wanted;
     problem.voltageLimits = limits;
-    problem.duration = focusTime;
-    return anyWaveformPeakBound (problem) * limits.maxCoeff();
+    double bound = 0;
+
+    for (const auto& moment : moments)
+    {
+        problem.wanted = moment.wanted;
+        problem.duration = moment.time;
+        bound = std::max (bound, anyWaveformPeakBound (problem));
+    }
+
+    return bound * limits.maxCoeff();
+}
+
+/** The drives of every moment, each before its own time. Growth and cycles are told of the first. */
+DriveList drivesOf (FocusDesign& design, const ModalModel& model)
+{
+    DriveList drives;
+
+    for (const auto& moment : design.moments)
+        for (const auto& drive : driveModes (model, design.controlledModes, moment.time, design.description.transients))
+        {
+            drives.push_back (drive.oscillations);
+
+            if (&moment != &design.moments.front())
+                continue;
+
+            design.growth.push_back (drive.growth);
+            design.cycles.push_back (drive.cycles);
+        }
+
+    return drives;
 }
 
 FocusDesign designDrives (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
-                          const Eigen::VectorXd& wanted, Playback playback, double peakVelocity, DesignExtent extent)
+                          std::vector<FocusMoment> moments, Playback playback, double peakVelocity, DesignExtent extent)
 {
     checkRate (model, modes, playback);
-    const auto modeDrives = driveModes (model, modes, description.focusTime, description.transients);
     FocusDesign design;
-    DriveList drives;
-
-    for (const auto& drive : modeDrives)
-    {
-        drives.push_back (drive.oscillations);
-        design.growth.push_back (drive.growth);
-        design.cycles.push_back (drive.cycles);
-    }
-
-    const auto limits = voltageLimits (model, description.allocation);
-    const auto allocation = allocateDrives (model, description, modes, wanted, drives, playback);
-    throwWhereBeyondLimit (allocation.certificate, description.allocation.method, limits, peakVelocity);
-
     design.description = description;
     design.controlledModes = modes;
-    design.program = programOf (drives, allocation.matrix, limits, description.focusTime);
+    design.moments = std::move (moments);
+    const auto& first = design.moments.front();
+    design.target = first.target;
+    design.truncatedField = first.truncatedField;
+    design.captured = first.captured;
+    design.residue = std::sqrt (1 - first.captured * first.captured);
+
+    const auto drives = drivesOf (design, model);
+    const auto limits = voltageLimits (model, description.allocation);
+    const auto allocation = allocateDrives (model, description, modes, design.moments, drives, playback);
+    throwWhereBeyondLimit (allocation.certificate, description.allocation.method, limits, peakVelocity);
+
+    design.program = programOf (drives, allocation.matrix, limits, first.time);
     design.certificate = allocation.certificate;
     design.playback = playback;
     design.leastPeakVoltage = allocation.certificate.leastPeakRatio * limits.maxCoeff();
     design.reachablePeakVelocity = peakVelocity;
 
-    if (extent == DesignExtent::complete)
-        design.lowerBoundVoltage = lowerBound (model, modes, wanted, limits, description.focusTime);
-
-    if (description.transients.brake)
+    if (hasBrake (description.transients))
         appendBrake (design, model);
 
+    if (extent == DesignExtent::complete)
+    {
+        design.lowerBoundVoltage = lowerBound (model, modes, design.moments, limits);
+        design.shortestPeriod = shortestPeriod (model, design.program, timesOf (design.moments));
+    }
+
+    addRemarks (design, model);
     return design;
 }
 } // namespace
@@ -111,37 +142,22 @@ FocusDesign designFocus (const ModalModel& model, const FocusDescription& descri
         throw InputError ("device '" + model.name + "'", "has no ceramics, a focus needs at least one");
 
     checkTargets (model.surface, description.targets);
-    const auto target = projectField (model, targetField (model.surface, description.targets, description.edgeWindow));
-
-    if (! (target.energy > 0))
-        throw InputError ("focus: /targets", "give no velocity anywhere on '" + model.name
-                                                 + "': widen a target, or narrow the edge window");
-
-    const auto selection = selectModes (model, target, description.modes);
+    auto moments = focusMoments (model, description, playback);
+    const auto modes = controlModes (model, description.modes, moments);
     double peakVelocity = 0;
 
     for (const auto& wantedPlace : description.targets)
         peakVelocity = std::max (peakVelocity, wantedPlace.peakVelocity);
 
-    auto design = designDrives (model, description, selection.modes, selection.wanted, playback, peakVelocity, extent);
-    design.target = target;
-    design.truncatedField = selection.truncated;
-    design.captured = selection.captured;
-    design.residue = std::sqrt (1 - selection.captured * selection.captured);
-    addRemarks (design, model);
-    return design;
+    return designDrives (model, description, modes, std::move (moments), playback, peakVelocity, extent);
 }
 
 FocusDesign designModes (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
                          const Eigen::VectorXd& wanted, Playback playback)
 {
     const Eigen::VectorXd field = model.shapes (Eigen::all, modes) * wanted;
-    auto design =
-        designDrives (model, description, modes, wanted, playback, field.cwiseAbs().maxCoeff(), DesignExtent::complete);
-    design.target = projectField (model, field);
-    design.truncatedField = field;
-    design.captured = 1;
-    addRemarks (design, model);
-    return design;
+    FocusMoment moment { description.focusTime, description.targets, projectField (model, field), wanted, field, 1 };
+    return designDrives (model, description, modes, { std::move (moment) }, playback, field.cwiseAbs().maxCoeff(),
+                         DesignExtent::complete);
 }
 } // namespace antinode

@@ -50,32 +50,68 @@ Eigen::MatrixXd oneToOneAllocation (const Eigen::MatrixXd& participation, const 
     return matrix;
 }
 
+/** The velocities of modes at every moment, moment by moment. */
+std::vector<StateRow> velocityRows (const std::vector<int>& modes, const std::vector<FocusMoment>& moments)
+{
+    std::vector<StateRow> rows;
+
+    for (const auto& moment : moments)
+    {
+        const auto more = rowsAt (moment.time, modes, ModalQuantity::velocity);
+        rows.insert (rows.end(), more.begin(), more.end());
+    }
+
+    return rows;
+}
+
+std::vector<int> timesOver (const std::vector<int>& modes, const std::vector<FocusMoment>& moments)
+{
+    std::vector<int> all;
+
+    for (std::size_t i = 0; i < moments.size(); ++i)
+        all.insert (all.end(), modes.begin(), modes.end());
+
+    return all;
+}
+
+Eigen::VectorXd wantedOf (const std::vector<FocusMoment>& moments)
+{
+    Eigen::VectorXd wanted (0);
+
+    for (const auto& moment : moments)
+    {
+        wanted.conservativeResize (wanted.size() + moment.wanted.size());
+        wanted.tail (moment.wanted.size()) = moment.wanted;
+    }
+
+    return wanted;
+}
+
 AllocationProblem allocationProblem (const ModalModel& model, const FocusDescription& description,
-                                     const std::vector<int>& modes, const Eigen::VectorXd& wanted,
+                                     const std::vector<int>& modes, const std::vector<FocusMoment>& moments,
                                      const DriveList& drives, Playback playback)
 {
     const auto& choice = description.allocation;
     const auto isExact = choice.method == AllocationMethod::exact || choice.method == AllocationMethod::minimumPeak;
-    const auto time = description.focusTime;
-    const auto first = choice.window ? std::max (time - *choice.window, firstStart (drives)) : firstStart (drives);
-    const auto count = static_cast<Eigen::Index> (modes.size());
+    const auto start = firstStart (drives);
+    const auto first = choice.window ? std::max (moments.front().time - *choice.window, start) : start;
 
     AllocationProblem problem;
-    problem.waveforms = sampleDrives (drives, first, time + releaseDuration());
-    problem.participation = model.participation (modes, Eigen::all);
-    problem.wanted = wanted;
+    problem.waveforms = sampleDrives (drives, first, moments.back().time + releaseDuration());
+    problem.wanted = wantedOf (moments);
+    problem.participation = model.participation (timesOver (modes, moments), Eigen::all);
     problem.voltageLimits = voltageLimits (model, choice) * gridLimitMargin();
 
     if (! isExact)
     {
-        problem.rows = Eigen::MatrixXd::Identity (count, count);
+        problem.rows = Eigen::MatrixXd::Identity (problem.wanted.size(), problem.wanted.size());
         return problem;
     }
 
     const auto guards = guardsFor (model, modes, choice);
-    problem.rows = rowResponses (model, rowsAt (time, modes, ModalQuantity::velocity), drives, playback);
-    problem.guardParticipation = model.participation (guards, Eigen::all);
-    problem.guardRows = rowResponses (model, rowsAt (time, guards, ModalQuantity::velocity), drives, playback);
+    problem.rows = rowResponses (model, velocityRows (modes, moments), drives, playback);
+    problem.guardParticipation = model.participation (timesOver (guards, moments), Eigen::all);
+    problem.guardRows = rowResponses (model, velocityRows (guards, moments), drives, playback);
     problem.guardWeight = choice.guardWeight;
     return problem;
 }
@@ -114,9 +150,9 @@ Eigen::VectorXd voltageLimits (const ModalModel& model, const AllocationChoice& 
 }
 
 Allocation allocateDrives (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
-                           const Eigen::VectorXd& wanted, const DriveList& drives, Playback playback)
+                           const std::vector<FocusMoment>& moments, const DriveList& drives, Playback playback)
 {
-    return allocate (allocationProblem (model, description, modes, wanted, drives, playback),
+    return allocate (allocationProblem (model, description, modes, moments, drives, playback),
                      description.allocation.method);
 }
 

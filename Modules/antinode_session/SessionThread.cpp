@@ -2,6 +2,7 @@
 #include "Session.h"
 
 #include <antinode_focus/BankPlaces.h>
+#include <antinode_focus/FocusMoments.h>
 #include <antinode_library/Library.h>
 #include <antinode_model/InputError.h>
 
@@ -152,7 +153,7 @@ void Session::buildPath (double sampleRate)
         isModelNew = false;
         trace.prepare (std::max (1, static_cast<int> (sampleRate / traceEntriesPerSecond)));
         paths.give (std::move (made));
-        tail = focus->description.focusTime + std::log (1000) / decayRates (*model).minCoeff();
+        tail = latestFocusTime (focus->description) + std::log (1000) / decayRates (*model).minCoeff();
     }
     catch (const std::exception& failure)
     {
@@ -164,7 +165,7 @@ void Session::buildPath (double sampleRate)
 void Session::requestDesigns()
 {
     const auto description = withSettings (focus->description, settings, model->surface);
-    latency = settings.focusOnNote ? std::llround (description.focusTime * rate) : 0;
+    latency = settings.focusOnNote ? std::llround (earliestFocusTime (description) * rate) : 0;
     playsSpotOnly = settings.noteLayout == static_cast<int> (NoteLayout::spot);
     isFocusNew = false;
 
