@@ -169,15 +169,9 @@ Attempt attemptAsAsked (const FocusDesign& design, const ModalModel& model)
 {
     const auto& choice = design.description.transients;
     const auto shortest = 3 * releaseDuration();
-    auto duration = shortest;
-
-    if (choice.brakeDuration)
-        duration = *choice.brakeDuration;
-    else
-    {
-        const auto slowest = decayRates (model) (design.controlledModes).minCoeff();
-        duration = std::clamp (-std::log (restOfDecay) / (*choice.brake * slowest), shortest, longest);
-    }
+    const auto slowest = decayRates (model) (design.controlledModes).minCoeff();
+    const auto chosen = -std::log (restOfDecay) / (choice.brake.value_or (1) * slowest);
+    const auto duration = choice.brakeDuration.value_or (std::clamp (chosen, shortest, longest));
 
     if (duration < shortest)
         throw InputError ("focus: /transients/brake_duration_ms",

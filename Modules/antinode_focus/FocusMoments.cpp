@@ -70,10 +70,9 @@ double latestFocusTime (const FocusDescription& description)
 
 std::vector<double> timesOf (const std::vector<FocusMoment>& moments)
 {
-    std::vector<double> times;
-
-    for (const auto& moment : moments)
-        times.push_back (moment.time);
+    std::vector<double> times (moments.size());
+    std::transform (moments.begin(), moments.end(), times.begin(),
+                    [] (const FocusMoment& moment) { return moment.time; });
 
     return times;
 }
@@ -120,7 +119,7 @@ std::vector<int> controlModes (const ModalModel& model, const ModeChoice& choice
             chosen.insert (selection.modes.begin(), selection.modes.end());
         }
 
-    const std::vector<int> modes (chosen.begin(), chosen.end());
+    std::vector<int> modes (chosen.begin(), chosen.end());
 
     for (auto& moment : moments)
     {

@@ -112,8 +112,8 @@ private:
     {
         Eigen::VectorXcd later = Eigen::VectorXcd::Zero (model.modes());
 
-        for (auto t = time - period; t > motion.first(); t -= period)
-            later += motion.statesAt (t);
+        for (int n = 1; time - n * period > motion.first(); ++n)
+            later += motion.statesAt (time - n * period);
 
         const auto isFirstFree = amplitude (later, most) <= most;
         return isFirstFree && staysWithin (Eigen::VectorXcd::Zero (model.modes()), period, time, most)
