@@ -36,14 +36,10 @@ PlayableBrake::PlayableBrake (const VoltageProgram& brakes, Playback playback)
 
 PlayableBrake::Mode PlayableBrake::modeOf (const Oscillation& brake)
 {
-    const auto excess = brake.growth + brake.freeDecay; // p - s = (1 - gamma') a
-    const auto mismatch = -excess / brake.angularFrequency;
-    const std::complex<double> j (0, 1);
-    const auto moved = j * brake.phasor() / (excess + 2.0 * j * brake.angularFrequency);
-    const auto size = std::abs (moved);
-    const auto direction = size > 0 ? moved / size : std::complex<double> (1); // no force: any factor will do
-    return { brake.freeDecay, brake.angularFrequency, mismatch, direction - mismatch * direction.imag(),
-             std::conj (direction) };
+    const auto rho = brake.counterShare;
+    const auto scale = 1 / (1 - std::norm (rho));
+    return { brake.freeDecay, brake.angularFrequency, scale * (1.0 + rho),
+             scale * product (rho, 1.0 + std::conj (rho)) };
 }
 
 void PlayableBrake::factorsAfter (std::int64_t delay, std::span<std::complex<double>> factors) const
@@ -53,11 +49,19 @@ void PlayableBrake::factorsAfter (std::int64_t delay, std::span<std::complex<dou
     for (std::size_t c = 0; c < modes.size(); ++c)
     {
         const auto& mode = modes[c];
+
+        // The parts of a mode's brake follow one another.
+        if (c > 0 && mode.isAs (modes[c - 1]))
+        {
+            factors[c] = factors[c - 1];
+            continue;
+        }
+
         const auto left = std::exp (-mode.decay * time);
         const auto size = left > still ? left : 0.0;
         const auto phase = mode.frequency * time;
-        const auto state = product (mode.state, { size * std::cos (phase), size * std::sin (phase) });
-        factors[c] = product (state + mode.mismatch * state.imag(), mode.turnBack);
+        const std::complex<double> turn { size * std::cos (phase), size * std::sin (phase) };
+        factors[c] = product (mode.with, turn) - product (mode.against, std::conj (turn));
     }
 }
 } // namespace antinode

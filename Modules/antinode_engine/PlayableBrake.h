@@ -15,7 +15,7 @@ namespace antinode
 class PlayableBrake
 {
 public:
-    static constexpr std::size_t mostOscillations = 512;
+    static constexpr std::size_t mostOscillations = 2048;
 
     /** @param brakes  a program of brakes only, 1 to mostOscillations of them
         @throws InputError  as VoltageSynthesiser
@@ -37,17 +37,21 @@ public:
     /** What the brakes are to be multiplied with where they begin later.
         @param delay    samples, 0 or more
         @param factors  room for one an oscillation
-        [audio thread] an exponential, a sine and a cosine for every oscillation: some 10 us for 512 */
+        [audio thread] an exponential, a sine and a cosine for every mode: some 10 us for 2048 of them */
     void factorsAfter (std::int64_t delay, std::span<std::complex<double>> factors) const;
 
 private:
-    /** A mode as its brake finds it. */
+    /** The mode of an oscillation, and how its brake turns with it. */
     struct Mode
     {
-        double decay = 0, frequency = 0; // a, 1/s, and b, rad/s
-        double mismatch = 0;             // (gamma' - 1) a / b
-        std::complex<double> state;      // y at the designed start, up to a real factor
-        std::complex<double> turnBack;   // 1 / (y + mismatch Im y), up to the inverse of it
+        double decay = 0, frequency = 0;    // a, 1/s, and b, rad/s
+        std::complex<double> with, against; // the factor is with e^{s tau} - against conj (e^{s tau})
+
+        bool isAs (const Mode& other) const
+        {
+            return decay == other.decay && frequency == other.frequency && with == other.with
+                   && against == other.against;
+        }
     };
 
     static Mode modeOf (const Oscillation&);

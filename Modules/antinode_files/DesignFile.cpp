@@ -23,6 +23,8 @@ Json conventions()
                          "tau = t - start_s, for start_s <= t < end_s, else 0" },
         { "angular_frequency_rad_s", "2 pi frequency_Hz to the last bit" },
         { "free_decay_per_s", "of a brake: the decay rate of its mode when it is left alone" },
+        { "counter_share",
+          "of a brake: real and imaginary part of the share of its effect on its mode that turns against it" },
         { "allocation",
           "one row a ceramic, one column an oscillation: U_i(t) = sum over c of allocation[i][c] value_c(t), in V" },
         { "samples",
@@ -43,7 +45,10 @@ Json oscillationToJson (const Oscillation& oscillation)
                 { "quadrature", oscillation.quadrature } };
 
     if (oscillation.isBrake())
+    {
         json["free_decay_per_s"] = oscillation.freeDecay;
+        json["counter_share"] = { oscillation.counterShare.real(), oscillation.counterShare.imag() };
+    }
 
     return json;
 }
@@ -95,6 +100,24 @@ Json certificateToJson (const AllocationCertificate& certificate)
              { "time_ms", certificate.milliseconds } };
 }
 
+/** Of a train the foci after the first, whose field is the design's. */
+Json laterFociToJson (const FocusDesign& design)
+{
+    auto list = Json::array();
+
+    for (std::size_t i = 1; i < design.moments.size(); ++i)
+    {
+        const auto& moment = design.moments[i];
+        list.push_back ({ { "time_s", moment.time },
+                          { "captured", moment.captured },
+                          { "wanted_velocities_m_s_sqrt_kg", listOf (moment.wanted) },
+                          { "wanted_mm_s", listOf (moment.target.field * 1000) },
+                          { "truncated_mm_s", listOf (moment.truncatedField * 1000) } });
+    }
+
+    return list;
+}
+
 Json fieldToJson (const FocusDesign& design, const ModalModel& model)
 {
     constexpr double millimetres = 1000;
@@ -142,10 +165,21 @@ nlohmann::ordered_json designToJson (const FocusDesign& design, const ModalModel
     json["least_peak_voltage_V"] = design.leastPeakVoltage;
     json["reachable_peak_velocity_mm_s"] = toMillimetres (design.reachablePeakVelocity);
     json["lower_bound_voltage_V"] = design.lowerBoundVoltage;
+
+    if (design.restTime)
+        json["rest_time_ms"] = toMilliseconds (*design.restTime);
+
+    if (design.shortestPeriod)
+        json["shortest_period_ms"] = toMilliseconds (*design.shortestPeriod);
+
     json["playback"] = playbackToJson (design.playback);
     json["choices"] = design.choices;
     json["warnings"] = design.warnings;
     json["field"] = fieldToJson (design, model);
+
+    if (design.moments.size() > 1)
+        json["later_foci"] = laterFociToJson (design);
+
     return json;
 }
 } // namespace antinode

@@ -17,6 +17,7 @@ constexpr NumberRange velocityMillimetresPerSecond { 1e-6, 1e7 };
 constexpr NumberRange captured { 0, 1, true };
 constexpr NumberRange growth { 0, 1000 };
 constexpr NumberRange brake { 1, 1000, true };
+constexpr NumberRange brakeMilliseconds { 1, 1000 };
 constexpr NumberRange guardWeight { 0, 1e12 };
 constexpr NumberRange robustWeight { 0, 1e9, true };
 constexpr NumberRange tukey { 0, 1 };
@@ -35,8 +36,8 @@ std::optional<double> optionalMilliseconds (const JsonObject& object, std::strin
 
 Target readTarget (const JsonValue& value)
 {
-    const auto object =
-        value.object ({ "shape", "profile", "x_mm", "y_mm", "width_mm", "width_y_mm", "peak_velocity_mm_s", "phase" });
+    const auto object = value.object (
+        { "shape", "profile", "x_mm", "y_mm", "width_mm", "width_y_mm", "peak_velocity_mm_s", "phase", "time_ms" });
     Target target;
     target.shape = object.required ("shape").choice (targetShapeWords);
     target.x = fromMillimetres (object.required ("x_mm").number (ranges::positionMillimetre));
@@ -47,6 +48,8 @@ Target readTarget (const JsonValue& value)
 
     if (const auto phase = object.optional ("phase"))
         target.phase = phase->sign();
+
+    target.time = optionalMilliseconds (object, "time_ms");
 
     if (const auto profile = object.optional ("profile"))
         target.profile = profile->choice (targetProfileWords);
@@ -103,7 +106,8 @@ std::vector<int> readCycles (const JsonValue& value)
 
 TransientChoice readTransients (const JsonValue& value)
 {
-    const auto object = value.object ({ "drive", "growth", "cycles", "maximum_duration_ms", "brake" });
+    const auto object =
+        value.object ({ "drive", "growth", "cycles", "maximum_duration_ms", "brake", "brake_duration_ms" });
     TransientChoice transients;
 
     if (const auto drive = object.optional ("drive"))
@@ -117,6 +121,10 @@ TransientChoice readTransients (const JsonValue& value)
 
     transients.maximumDuration = optionalMilliseconds (object, "maximum_duration_ms");
     transients.brake = optionalNumber (object, "brake", brake);
+
+    if (const auto duration = optionalNumber (object, "brake_duration_ms", brakeMilliseconds))
+        transients.brakeDuration = fromMilliseconds (*duration);
+
     return transients;
 }
 

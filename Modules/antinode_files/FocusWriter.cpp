@@ -36,6 +36,7 @@ Json targetToJson (const Target& target)
 
     object["peak_velocity_mm_s"] = toMillimetres (target.peakVelocity);
     object["phase"] = target.phase;
+    putMilliseconds (object, "time_ms", target.time);
     return object;
 }
 
@@ -64,6 +65,7 @@ Json transientsToJson (const TransientChoice& transients)
 
     putMilliseconds (object, "maximum_duration_ms", transients.maximumDuration);
     put (object, "brake", transients.brake);
+    putMilliseconds (object, "brake_duration_ms", transients.brakeDuration);
     return object;
 }
 

@@ -21,8 +21,9 @@ constexpr NumberRange limit { 0, 1e5 };
 
 Oscillation readOscillation (const JsonValue& value)
 {
-    const auto object = value.object ({ "mode", "start_s", "end_s", "growth_per_s", "frequency_Hz",
-                                        "angular_frequency_rad_s", "in_phase", "quadrature", "free_decay_per_s" });
+    const auto object =
+        value.object ({ "mode", "start_s", "end_s", "growth_per_s", "frequency_Hz", "angular_frequency_rad_s",
+                        "in_phase", "quadrature", "free_decay_per_s", "counter_share" });
     Oscillation oscillation;
     oscillation.mode = object.required ("mode").integer (0, static_cast<int> (ranges::maximumModes) - 1);
     oscillation.start = object.required ("start_s").number (time);
@@ -37,6 +38,15 @@ Oscillation readOscillation (const JsonValue& value)
 
     if (const auto decay = object.optional ("free_decay_per_s"))
         oscillation.freeDecay = decay->number ({ 0, anyNumber.maximum });
+
+    if (const auto share = object.optional ("counter_share"))
+    {
+        const auto parts = share->numbers (2, 2, { -1, 1 });
+        oscillation.counterShare = { parts[0], parts[1] };
+
+        if (std::norm (oscillation.counterShare) >= 1)
+            share->fail ("is 1 or more in magnitude, allowed is less than 1");
+    }
 
     return oscillation;
 }

@@ -4,8 +4,13 @@
 
 namespace antinode
 {
-/** Adds the brakes of all controlled modes to a design, within the voltage limits: they take over when its drives are released.
-    Where the limit does not allow the whole brake, it is weakened and a warning says so.
+/** Adds to a design, within the voltage limits, what brings all modes that still matter by then to rest after the last focus: their
+    velocities and displacements are exactly 0 at the end, the other modes are guarded. Begins when the drives are released.
+    Where the limits do not allow rest in the time asked for, the brake takes longer and a warning says so.
+    @throws InputError  when the time asked for is too short for any brake, or as solveAllocation
     [worker] Docs/Theory.md, section 3.4. */
 void appendBrake (FocusDesign&, const ModalModel&);
+
+/** Whether a focus asks for a brake. [any] */
+bool hasBrake (const TransientChoice&);
 } // namespace antinode

@@ -5,13 +5,14 @@
 #include "DriveAllocation.h"
 #include "DriveDictionary.h"
 #include "DriveGrid.h"
+#include "FocusMoments.h"
 #include "FreeWaveform.h"
 #include "LowerBound.h"
 #include "Prediction.h"
 #include "Projection.h"
+#include "Repetition.h"
 #include "RobustDrives.h"
 #include "SampledPrediction.h"
-#include "TargetField.h"
 #include "Transients.h"
 
 #include <algorithm>
@@ -53,37 +54,89 @@ void checkRate (const ModalModel& model, const std::vector<int>& modes, Playback
                                                    "(focus: /modes/maximum_frequency_Hz)");
 }
 
-double lowerBound (const ModalModel& model, const std::vector<int>& modes, const Eigen::VectorXd& wanted,
-                   const Eigen::VectorXd& limits, double focusTime)
+/** No waveform brings any of the foci with less. */
+double lowerBound (const ModalModel& model, const std::vector<int>& modes, const std::vector<FocusMoment>& moments,
+                   const Eigen::VectorXd& limits)
 {
     WaveformBoundProblem problem;
     problem.poles = modalPoles (model) (modes);
     problem.participation = model.participation (modes, Eigen::all);
-    problem.wanted = wanted;
     problem.voltageLimits = limits;
-    problem.duration = focusTime;
-    return anyWaveformPeakBound (problem) * limits.maxCoeff();
+    double bound = 0;
+
+    for (const auto& moment : moments)
+    {
+        problem.wanted = moment.wanted;
+        problem.duration = moment.time;
+        bound = std::max (bound, anyWaveformPeakBound (problem));
+    }
+
+    return bound * limits.maxCoeff();
+}
+
+/** The drives of every moment, each before its own time. Growth and cycles are told of the first. */
+DriveList drivesOf (FocusDesign& design, const ModalModel& model)
+{
+    const auto& description = design.description;
+    DriveList drives;
+
+    for (const auto& moment : design.moments)
+        for (const auto& drive : driveModes (model, design.controlledModes, moment.time, description.transients))
+        {
+            drives.push_back (drive.oscillations);
+
+            if (&moment != &design.moments.front())
+                continue;
+
+            design.growth.push_back (drive.growth);
+            design.cycles.push_back (drive.cycles);
+        }
+
+    if (description.allocation.robust)
+        for (const auto& drive :
+             fasterDrives (model, design.controlledModes, description.focusTime, description.transients))
+            drives.push_back (drive);
+
+    if (description.allocation.method == AllocationMethod::dictionary)
+        return dictionaryDrives (model, description, design.controlledModes, design.growth);
+
+    return drives;
 }
 
 /** What does not depend on what is played. */
-FocusDesign designOf (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
-                      const Eigen::VectorXd& wanted, Playback playback, double peakVelocity, DesignExtent extent)
+FocusDesign designOf (const FocusDescription& description, const std::vector<int>& modes,
+                      std::vector<FocusMoment> moments, Playback playback, double peakVelocity)
 {
     FocusDesign design;
     design.description = description;
     design.controlledModes = modes;
     design.playback = playback;
     design.reachablePeakVelocity = peakVelocity;
-
-    if (extent == DesignExtent::complete)
-        design.lowerBoundVoltage =
-            lowerBound (model, modes, wanted, voltageLimits (model, description.allocation), description.focusTime);
-
+    design.moments = std::move (moments);
+    const auto& first = design.moments.front();
+    design.target = first.target;
+    design.truncatedField = first.truncatedField;
+    design.captured = first.captured;
+    design.residue = std::sqrt (1 - first.captured * first.captured);
     return design;
 }
 
-FocusDesign designSamples (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
-                           const Eigen::VectorXd& wanted, Playback playback, double peakVelocity, DesignExtent extent)
+/** The program as drives and their allocation. */
+void allocateProgram (FocusDesign& design, const ModalModel& model)
+{
+    const auto& choice = design.description.allocation;
+    const auto limits = voltageLimits (model, choice);
+    const auto drives = drivesOf (design, model);
+    const auto allocation =
+        allocateDrives (model, design.description, design.controlledModes, design.moments, drives, design.playback);
+    throwWhereBeyondLimit (allocation.certificate, choice.method, limits, design.reachablePeakVelocity,
+                           hasSlewLimits (model));
+    design.program = programOf (drives, allocation.matrix, limits, design.moments.front().time);
+    design.certificate = allocation.certificate;
+}
+
+/** The program as samples. */
+void sampleProgram (FocusDesign& design, const ModalModel& model, DesignExtent extent)
 {
     if (extent == DesignExtent::playable)
         throw InputError (
@@ -91,63 +144,45 @@ FocusDesign designSamples (const ModalModel& model, const FocusDescription& desc
             "is 'free_waveform', which is played offline only; use 'dictionary' in real time, which comes "
             "near the same voltage");
 
-    const auto limits = voltageLimits (model, description.allocation);
-    auto waveform = freeWaveform (model, description, modes, wanted, limits, playback);
-    auto design = designOf (model, description, modes, wanted, playback, peakVelocity, extent);
-    design.growth.assign (modes.size(), 0);
-    design.cycles.assign (modes.size(), 0);
+    const auto& moment = design.moments.front();
+    const auto limits = voltageLimits (model, design.description.allocation);
+    auto description = design.description;
+    description.focusTime = moment.time;
+    auto waveform = freeWaveform (model, description, design.controlledModes, moment.wanted, limits, design.playback);
+    design.growth.assign (design.controlledModes.size(), 0);
+    design.cycles.assign (design.controlledModes.size(), 0);
     design.intersamplePeakVoltage = intersamplePeak (waveform.voltages);
     design.certificate = waveform.certificate;
     design.program.allocation.resize (model.actuators(), 0);
     design.program.voltageLimits = limits;
-    design.program.focusTime = description.focusTime;
+    design.program.focusTime = moment.time;
     design.program.samples = std::move (waveform.voltages);
-    design.leastPeakVoltage = design.certificate.leastPeakRatio * limits.maxCoeff();
-
-    if (description.transients.brake)
-        appendBrake (design, model);
-
-    return design;
 }
 
 FocusDesign designDrives (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
-                          const Eigen::VectorXd& wanted, Playback playback, double peakVelocity, DesignExtent extent)
+                          std::vector<FocusMoment> moments, Playback playback, double peakVelocity, DesignExtent extent)
 {
     checkRate (model, modes, playback);
+    auto design = designOf (description, modes, std::move (moments), playback, peakVelocity);
 
     if (description.allocation.method == AllocationMethod::freeWaveform)
-        return designSamples (model, description, modes, wanted, playback, peakVelocity, extent);
+        sampleProgram (design, model, extent);
+    else
+        allocateProgram (design, model);
 
-    const auto modeDrives = driveModes (model, modes, description.focusTime, description.transients);
-    auto design = designOf (model, description, modes, wanted, playback, peakVelocity, extent);
-    DriveList drives;
+    const auto& limits = design.program.voltageLimits;
+    design.leastPeakVoltage = design.certificate.leastPeakRatio * limits.maxCoeff();
 
-    for (const auto& drive : modeDrives)
-    {
-        drives.push_back (drive.oscillations);
-        design.growth.push_back (drive.growth);
-        design.cycles.push_back (drive.cycles);
-    }
-
-    if (description.allocation.robust)
-        for (const auto& drive : fasterDrives (model, modes, description.focusTime, description.transients))
-            drives.push_back (drive);
-
-    if (description.allocation.method == AllocationMethod::dictionary)
-        drives = dictionaryDrives (model, description, modes, design.growth);
-
-    const auto limits = voltageLimits (model, description.allocation);
-    const auto allocation = allocateDrives (model, description, modes, wanted, drives, playback);
-    throwWhereBeyondLimit (allocation.certificate, description.allocation.method, limits, peakVelocity,
-                           hasSlewLimits (model));
-
-    design.program = programOf (drives, allocation.matrix, limits, description.focusTime);
-    design.certificate = allocation.certificate;
-    design.leastPeakVoltage = allocation.certificate.leastPeakRatio * limits.maxCoeff();
-
-    if (description.transients.brake)
+    if (hasBrake (description.transients))
         appendBrake (design, model);
 
+    if (extent == DesignExtent::complete)
+        design.lowerBoundVoltage = lowerBound (model, modes, design.moments, limits);
+
+    if (extent == DesignExtent::complete && ! design.program.samples)
+        design.shortestPeriod = shortestPeriod (model, design.program, timesOf (design.moments));
+
+    addRemarks (design, model);
     return design;
 }
 } // namespace
@@ -168,37 +203,22 @@ FocusDesign designFocus (const ModalModel& model, const FocusDescription& descri
         throw InputError ("device '" + model.name + "'", "has no ceramics, a focus needs at least one");
 
     checkTargets (model.surface, description.targets);
-    const auto target = projectField (model, targetField (model.surface, description.targets, description.edgeWindow));
-
-    if (! (target.energy > 0))
-        throw InputError ("focus: /targets", "give no velocity anywhere on '" + model.name
-                                                 + "': widen a target, or narrow the edge window");
-
-    const auto selection = selectModes (model, target, description.modes);
+    auto moments = focusMoments (model, description, playback);
+    const auto modes = controlModes (model, description.modes, moments);
     double peakVelocity = 0;
 
     for (const auto& wantedPlace : description.targets)
         peakVelocity = std::max (peakVelocity, wantedPlace.peakVelocity);
 
-    auto design = designDrives (model, description, selection.modes, selection.wanted, playback, peakVelocity, extent);
-    design.target = target;
-    design.truncatedField = selection.truncated;
-    design.captured = selection.captured;
-    design.residue = std::sqrt (1 - selection.captured * selection.captured);
-    addRemarks (design, model);
-    return design;
+    return designDrives (model, description, modes, std::move (moments), playback, peakVelocity, extent);
 }
 
 FocusDesign designModes (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
                          const Eigen::VectorXd& wanted, Playback playback)
 {
     const Eigen::VectorXd field = model.shapes (Eigen::all, modes) * wanted;
-    auto design =
-        designDrives (model, description, modes, wanted, playback, field.cwiseAbs().maxCoeff(), DesignExtent::complete);
-    design.target = projectField (model, field);
-    design.truncatedField = field;
-    design.captured = 1;
-    addRemarks (design, model);
-    return design;
+    FocusMoment moment { description.focusTime, description.targets, projectField (model, field), wanted, field, 1 };
+    return designDrives (model, description, modes, { std::move (moment) }, playback, field.cwiseAbs().maxCoeff(),
+                         DesignExtent::complete);
 }
 } // namespace antinode

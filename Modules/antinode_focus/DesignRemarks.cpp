@@ -2,6 +2,7 @@
 
 #include "DriveAllocation.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -11,6 +12,7 @@ namespace antinode
 namespace
 {
 constexpr double poorCapture = 0.9;
+constexpr double leastMove = 1e-9;             // s
 constexpr double wholeCapture = 0.99;          // what the default choice of modes asks for
 constexpr double reliableShareOfNyquist = 0.8; // the interpolation of the plate model and of real converters
 
@@ -60,6 +62,13 @@ void addChoices (FocusDesign& design, const ModalModel& model)
         modes += (modes.empty() ? "" : ", ") + std::to_string (mode + 1);
 
     design.choices.push_back ("Controlled modes: " + modes + " of " + std::to_string (model.modes()) + ".");
+
+    for (const auto& moment : design.moments)
+        for (const auto& target : moment.targets)
+            if (const auto asked = target.time.value_or (moment.time); std::abs (asked - moment.time) > leastMove)
+                design.choices.push_back ("The focus at " + inWords (asked * 1000)
+                                          + " ms falls on the nearest sample, at " + inWords (moment.time * 1000)
+                                          + " ms.");
 
     const auto hasDrives = ! design.program.samples;
 
@@ -122,8 +131,13 @@ void addRemarks (FocusDesign& design, const ModalModel& model)
             "The device is free to move as a whole. What the wanted field has of such motion no "
             "ceramic can bring about: foci of opposite sign, or a sinc, have less of it.");
 
-    if (design.captured < poorCapture)
-        design.warnings.push_back ("The controlled modes carry only " + inWords (design.captured)
+    auto captured = design.captured;
+
+    for (const auto& moment : design.moments)
+        captured = std::min (captured, moment.captured);
+
+    if (captured < poorCapture)
+        design.warnings.push_back ("The controlled modes carry only " + inWords (captured)
                                    + " of the wanted field (1 is all): control more modes or widen the target.");
 
     const auto highest = model.frequencyHz (design.controlledModes.back());

@@ -54,19 +54,54 @@ Eigen::VectorXd slewLimits (const ModalModel& model, const Eigen::MatrixXd& slop
     return limits;
 }
 
+/** The velocities of modes at every moment, moment by moment. */
+std::vector<StateRow> velocityRows (const std::vector<int>& modes, const std::vector<FocusMoment>& moments)
+{
+    std::vector<StateRow> rows;
+
+    for (const auto& moment : moments)
+    {
+        const auto more = rowsAt (moment.time, modes, ModalQuantity::velocity);
+        rows.insert (rows.end(), more.begin(), more.end());
+    }
+
+    return rows;
+}
+
+std::vector<int> timesOver (const std::vector<int>& modes, const std::vector<FocusMoment>& moments)
+{
+    std::vector<int> all;
+
+    for (std::size_t i = 0; i < moments.size(); ++i)
+        all.insert (all.end(), modes.begin(), modes.end());
+
+    return all;
+}
+
+Eigen::VectorXd wantedOf (const std::vector<FocusMoment>& moments)
+{
+    Eigen::VectorXd wanted (0);
+
+    for (const auto& moment : moments)
+    {
+        wanted.conservativeResize (wanted.size() + moment.wanted.size());
+        wanted.tail (moment.wanted.size()) = moment.wanted;
+    }
+
+    return wanted;
+}
+
 AllocationProblem allocationProblem (const ModalModel& model, const FocusDescription& description,
-                                     const std::vector<int>& modes, const Eigen::VectorXd& wanted,
+                                     const std::vector<int>& modes, const std::vector<FocusMoment>& moments,
                                      const DriveList& drives, DriveSpan span, Playback playback)
 {
     const auto& choice = description.allocation;
     const auto isExact = choice.method == AllocationMethod::exact || asksForLeastPeak (choice.method);
-    const auto time = description.focusTime;
-    const auto count = static_cast<Eigen::Index> (modes.size());
 
     AllocationProblem problem;
     problem.waveforms = sampleDrives (drives, span.first, span.last);
-    problem.participation = model.participation (modes, Eigen::all);
-    problem.wanted = wanted;
+    problem.wanted = wantedOf (moments);
+    problem.participation = model.participation (timesOver (modes, moments), Eigen::all);
     problem.voltageLimits = voltageLimits (model, choice) * gridLimitMargin();
 
     if (hasSlewLimits (model))
@@ -77,18 +112,19 @@ AllocationProblem allocationProblem (const ModalModel& model, const FocusDescrip
 
     if (! isExact)
     {
-        problem.rows = Eigen::MatrixXd::Identity (count, count);
+        problem.rows = Eigen::MatrixXd::Identity (problem.wanted.size(), problem.wanted.size());
         return problem;
     }
 
     const auto guards = guardModes (model, modes, choice);
-    problem.rows = rowResponses (model, rowsAt (time, modes, ModalQuantity::velocity), drives, playback);
-    problem.guardParticipation = model.participation (guards, Eigen::all);
-    problem.guardRows = rowResponses (model, rowsAt (time, guards, ModalQuantity::velocity), drives, playback);
+    problem.rows = rowResponses (model, velocityRows (modes, moments), drives, playback);
+    problem.guardParticipation = model.participation (timesOver (guards, moments), Eigen::all);
+    problem.guardRows = rowResponses (model, velocityRows (guards, moments), drives, playback);
     problem.guardWeight = choice.guardWeight;
 
     if (choice.robust)
-        return withRobustRows (std::move (problem), model, { modes, guards, drives, time, playback }, *choice.robust);
+        return withRobustRows (std::move (problem), model, { modes, guards, drives, moments.front().time, playback },
+                               *choice.robust);
 
     return problem;
 }
@@ -163,13 +199,13 @@ double longestDrive (const FocusDescription& description)
 }
 
 Allocation allocateDrives (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
-                           const Eigen::VectorXd& wanted, const DriveList& drives, Playback playback)
+                           const std::vector<FocusMoment>& moments, const DriveList& drives, Playback playback)
 {
     const auto& choice = description.allocation;
-    const auto time = description.focusTime;
-    const auto first = choice.window ? std::max (time - *choice.window, firstStart (drives)) : firstStart (drives);
-    const DriveSpan span { first, time + releaseDuration() };
-    return allocate (allocationProblem (model, description, modes, wanted, drives, span, playback), choice.method,
+    const auto start = firstStart (drives);
+    const auto first = choice.window ? std::max (moments.front().time - *choice.window, start) : start;
+    const DriveSpan span { first, moments.back().time + releaseDuration() };
+    return allocate (allocationProblem (model, description, modes, moments, drives, span, playback), choice.method,
                      drives, span);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Allocation.h"
-#include "FocusDescription.h"
+#include "FocusDesign.h"
 
 #include <antinode_model/ModalModel.h>
 #include <antinode_model/Oscillation.h>
@@ -38,13 +38,13 @@ std::vector<int> guardModes (const ModalModel&, const std::vector<int>& controll
     says so. s [any] */
 double longestDrive (const FocusDescription&);
 
-/** Who plays how much of which drive, so that the controlled modes have the wanted velocities at the focus time.
-    @param modes   the controlled modes, ascending
-    @param wanted  their modal velocities at t_f, m/s kg^1/2
+/** Who plays how much of which drive, so that the controlled modes have the wanted velocities at the time of every focus.
+    @param modes    the controlled modes, ascending
+    @param moments  the foci by time, with the modal velocities wanted; one where rows are not exact
     @throws InputError  as solveAllocation
     [worker] Docs/Theory.md, section 4. */
 Allocation allocateDrives (const ModalModel&, const FocusDescription&, const std::vector<int>& modes,
-                           const Eigen::VectorXd& wanted, const DriveList&, Playback);
+                           const std::vector<FocusMoment>& moments, const DriveList&, Playback);
 
 /** Drives mixed by a matrix, N_b x drives, as a program. [any] */
 VoltageProgram programOf (const DriveList&, const Eigen::MatrixXd& matrix, const Eigen::VectorXd& limits,

@@ -33,6 +33,7 @@ struct Target
     int phase = 1;           ///< 1 or -1: the sign of the peak.
     TargetProfile profile = TargetProfile::radial;
     std::optional<double> widthY = {}; ///< Full width at half maximum in y, m, of a separable target; none: as in x.
+    std::optional<double> time = {};   ///< s from the trigger; none: the focus time. Several times make a train.
 };
 
 enum class ModeOrder
@@ -60,10 +61,11 @@ enum class DriveKind
 struct TransientChoice
 {
     DriveKind drive = DriveKind::offsetFree;
-    std::vector<double> growth;            ///< gamma, at least 0; empty: chosen so that all modes rise together.
-    std::vector<int> cycles;               ///< N, at least 0; empty: as many as fit before the focus time.
-    std::optional<double> maximumDuration; ///< s, of the drive before the focus time.
-    std::optional<double> brake;           ///< gamma' > 1: decay after the focus, as a multiple of the free decay.
+    std::vector<double> growth;               ///< gamma, at least 0; empty: chosen so that all modes rise together.
+    std::vector<int> cycles;                  ///< N, at least 0; empty: as many as fit before the focus time.
+    std::optional<double> maximumDuration;    ///< s, of the drive before the focus time.
+    std::optional<double> brake;              ///< gamma' > 1: decay after the focus, as a multiple of the free decay.
+    std::optional<double> brakeDuration = {}; ///< T_b, s: all is at rest so long after the focus.
 };
 
 enum class AllocationMethod

@@ -7,6 +7,7 @@
 #include <antinode_model/Oscillation.h>
 #include <antinode_model/Playback.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,17 @@ struct ProjectedTarget
     double energy = 0;               ///< K = integral m v*^2 dA, kg m^2/s^2.
 };
 
+/** One of the foci of a train, or the only one: the targets that share one time. Docs/Theory.md, section 4.11. */
+struct FocusMoment
+{
+    double time = 0; ///< s from the trigger.
+    std::vector<Target> targets;
+    ProjectedTarget target;
+    Eigen::VectorXd wanted;         ///< Of the controlled modes: their velocities at that time, m/s kg^1/2.
+    Eigen::VectorXd truncatedField; ///< N_p: the part of the wanted field that the controlled modes carry, m/s.
+    double captured = 0;            ///< sqrt (S/K)
+};
+
 /** A whole design: what is wanted, what is controlled, what is played. Written as design.json. */
 struct FocusDesign
 {
@@ -31,6 +43,12 @@ struct FocusDesign
     Eigen::VectorXd truncatedField;   ///< N_p: the part of the wanted field that the controlled modes carry, m/s.
     double captured = 0;              ///< sqrt (S/K), 1 is best: the paper's Table C.1.
     double residue = 0;               ///< sqrt (1 - S/K).
+    std::vector<FocusMoment>
+        moments; ///< By time, the earliest is what the five above speak of. One where it is no train.
+    std::optional<double>
+        restTime; ///< s after the last focus: the brake has then brought all to rest. None without a brake.
+    std::optional<double>
+        shortestPeriod; ///< s: the program may be repeated so often and less. None where it was not computed.
     VoltageProgram program;
     AllocationCertificate certificate;
     double leastPeakVoltage = 0; ///< V: the least peak of these drives and rows where the solver computed it, else 0.

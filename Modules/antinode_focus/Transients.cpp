@@ -17,8 +17,6 @@ using Complex = std::complex<double>;
 constexpr double envelopeFolds = 4;           // e-folds of growth that the chosen envelope spends before the focus
 constexpr double greatestEnvelopeFolds = 600; // beyond, the start of a drive would leave the range of numbers
 constexpr double chosenGreatestFolds = 40;    // beyond, an earlier start adds less than 1e-17
-constexpr double brakeDecay = 1e-6;
-constexpr double rateOfRelease = 20000; // 1/s: 50 us, short against what a finger feels, long against a sample
 constexpr double releaseDecay = 1e-6;
 
 double driveDuration (double dampedFrequency, int cycles)
@@ -88,23 +86,23 @@ void checkCycles (const ModalModel& model, int mode, double a, double b, double 
 
 double releaseRate()
 {
-    return rateOfRelease;
+    return 20000; // 50 us: short against what a finger feels, long against a sample
 }
 
 double releaseDuration()
 {
-    return -std::log (releaseDecay) / rateOfRelease;
+    return -std::log (releaseDecay) / releaseRate();
 }
 
 std::vector<Oscillation> releaseOf (const Oscillation& oscillation)
 {
     const auto phasor =
         oscillation.phasor() * std::exp (oscillation.exponent() * (oscillation.end - oscillation.start));
-    const auto share = oscillation.growth / rateOfRelease;
+    const auto share = oscillation.growth / releaseRate();
     const auto part = [&] (double folds, double weight)
     {
         return oscillationFrom (oscillation.mode, oscillation.end, oscillation.end + releaseDuration(),
-                                { -folds * rateOfRelease, oscillation.angularFrequency }, weight * phasor);
+                                { -folds * releaseRate(), oscillation.angularFrequency }, weight * phasor);
     };
     return { part (1, 2 + share), part (2, -1 - share) };
 }
@@ -161,16 +159,5 @@ std::vector<ModeDrive> driveModes (const ModalModel& model, const std::vector<in
     }
 
     return drives;
-}
-
-Oscillation brakeMode (int mode, double a, double b, double brake, double displacement, double velocity, double start)
-{
-    const Complex exponent (-brake * a, b);
-    const Complex motion = displacement - 1i * (velocity + brake * a * displacement) / b; // Q
-    const auto stiffness = (1 - brake) * a * ((1 - brake) * a + 2i * b);                  // P (p)
-    auto oscillation =
-        oscillationFrom (mode, start, start - std::log (brakeDecay) / (brake * a), exponent, stiffness * motion);
-    oscillation.freeDecay = a;
-    return oscillation;
 }
 } // namespace antinode

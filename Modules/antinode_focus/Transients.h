@@ -19,7 +19,7 @@ struct ModeDrive
     std::vector<Oscillation> oscillations;
 };
 
-/** The rate r of the release, 1/s. [any] Docs/Theory.md, section 3.7. */
+/** r, 1/s: how fast drives are released. [any] Docs/Theory.md, section 3.7. */
 double releaseRate();
 
 /** How long a drive takes to be released after the focus, s: its envelope has then fallen by 2e-6. [any] */
@@ -46,13 +46,4 @@ ModeDrive driveMode (int mode, double decayRate, double dampedFrequency, DriveKi
     [any] Docs/Theory.md, section 3.5. */
 std::vector<ModeDrive> driveModes (const ModalModel&, const std::vector<int>& modes, double focusTime,
                                    const TransientChoice&);
-
-/** The brake of one mode: from displacement and velocity at `start` the velocity decays with the envelope e^{-brake a t}.
-    Ends when the envelope has fallen by 1e-6.
-    @param displacement, velocity  q (m kg^1/2) and q' (m/s kg^1/2) at `start`
-    @param brake                   gamma' > 1
-    @param start                   s from the trigger
-    [any] Docs/Theory.md, section 3.4. */
-Oscillation brakeMode (int mode, double decayRate, double dampedFrequency, double brake, double displacement,
-                       double velocity, double start);
 } // namespace antinode

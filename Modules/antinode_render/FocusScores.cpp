@@ -21,7 +21,7 @@ std::vector<ReportScore> focusScores (const RenderedFocus& focus)
     const auto limit = inWords (design.program.voltageLimits.maxCoeff());
     const auto peakVoltage = focus.render.voltages.cwiseAbs().maxCoeff();
     const auto peakVelocity = focus.reachedField.cwiseAbs().maxCoeff() * milli;
-    return {
+    std::vector<ReportScore> scores {
         { "v-score", formatFixed (focus.truncatedScore.vScore, 5),
           "Correlation of the reached field with what the controlled modes can carry; against the wanted field itself "
           "it is "
@@ -41,5 +41,18 @@ std::vector<ReportScore> focusScores (const RenderedFocus& focus)
         { "Contrast", inWords (focus.contrast),
           "Peak over RMS of the motion outside the focal spot at the same instant." },
     };
+
+    if (focus.residual)
+        scores.push_back ({ "Residual field", percent (focus.residual->ratio),
+                            "Largest velocity anywhere on the surface once the brake is over, "
+                                + inWords (focus.residual->time * milli)
+                                + " ms after the focus, against the peak at the focus." });
+
+    if (design.shortestPeriod)
+        scores.push_back ({ "Shortest period", inWords (*design.shortestPeriod * milli) + " ms",
+                            "Repeated so often or less, all other repeats together leave at most 1 % of the peak at "
+                            "each focus, and voltages that overlap keep their limits." });
+
+    return scores;
 }
 } // namespace antinode

@@ -1,7 +1,9 @@
 #include "RenderedFocus.h"
 
 #include <antinode_files/FocusWords.h>
+#include <antinode_focus/DesignRemarks.h>
 #include <antinode_focus/TargetField.h>
+#include <antinode_model/InputError.h>
 
 #include <nlohmann/json.hpp>
 
@@ -13,16 +15,83 @@ namespace antinode
 namespace
 {
 constexpr double leastAftermath = 0.025; // s
+constexpr double residualSpan = 0.002;   // s: a velocity that passes through zero just then is no rest
 
 double durationOf (const FocusDesign& design)
 {
-    const auto focus = design.program.focusTime;
+    const auto focus = design.moments.back().time;
     auto end = std::max (2 * focus, focus + leastAftermath);
 
     for (const auto& oscillation : design.program.oscillations)
         end = std::max (end, oscillation.end);
 
-    return end;
+    return design.restTime ? std::max (end, focus + *design.restTime + 1.5 * residualSpan) : end;
+}
+
+ReachedMoment reachedAt (const ModalModel& model, const FocusMoment& moment, const Render& render, std::int64_t sample)
+{
+    ReachedMoment reached;
+    reached.sample = sample;
+    reached.modalVelocities = render.modalVelocities.col (sample);
+    reached.field = model.shapes * reached.modalVelocities;
+    reached.score = scoreField (model.surface, reached.field, moment.target.field);
+    reached.truncatedScore = scoreField (model.surface, reached.field, moment.truncatedField);
+    return reached;
+}
+
+/** Later foci fall on samples counted from the first. */
+std::vector<ReachedMoment> reachedMoments (const ModalModel& model, const FocusDesign& design, const Render& render)
+{
+    std::vector<ReachedMoment> reached;
+
+    for (const auto& moment : design.moments)
+    {
+        const auto sample =
+            render.focusSample + std::llround ((moment.time - design.program.focusTime) * render.sampleRate);
+
+        if (sample >= render.modalVelocities.cols())
+            throw InputError ("duration", "does not reach the focus at " + inWords (moment.time * 1000)
+                                              + " ms: allowed is a longer one");
+
+        reached.push_back (reachedAt (model, moment, render, sample));
+    }
+
+    return reached;
+}
+
+/** None where there is no brake, or where it is not rendered to its end. */
+std::optional<ResidualMotion> residualOf (const RenderedFocus& focus)
+{
+    if (! focus.design.restTime)
+        return {};
+
+    const auto& render = focus.render;
+    const auto first = focus.moments.back().sample
+                       + static_cast<Eigen::Index> (std::ceil (*focus.design.restTime * render.sampleRate));
+    const auto count = static_cast<Eigen::Index> (std::ceil (residualSpan * render.sampleRate));
+
+    if (first + count > render.modalVelocities.cols())
+        return {};
+
+    const Eigen::MatrixXd left = focus.model.shapes * render.modalVelocities.middleCols (first, count);
+    return ResidualMotion { *focus.design.restTime,
+                            left.cwiseAbs().maxCoeff() / focus.moments.back().field.cwiseAbs().maxCoeff() };
+}
+
+nlohmann::ordered_json fociJson (const RenderedFocus& focus)
+{
+    auto list = nlohmann::ordered_json::array();
+
+    for (const auto& moment : focus.moments)
+        list.push_back ({ { "time_ms", static_cast<double> (moment.sample) / focus.render.sampleRate * 1000 },
+                          { "v_score", moment.score.vScore },
+                          { "field_error", moment.score.fieldError },
+                          { "peak_ratio", moment.score.peakRatio },
+                          { "v_score_truncated", moment.truncatedScore.vScore },
+                          { "field_error_truncated", moment.truncatedScore.fieldError },
+                          { "peak_ratio_truncated", moment.truncatedScore.peakRatio } });
+
+    return list;
 }
 
 std::vector<std::pair<double, double>> probesOf (const FocusDesign& design, const RenderOptions& options)
@@ -78,12 +147,14 @@ RenderedFocus renderFocus (ModalModel model, FocusDesign design, const RenderOpt
             shapesAt (model, result.probes[i].first, result.probes[i].second);
 
     result.render = renderOffline (model, design.program, settings, progress);
-    result.reachedField = model.shapes * result.render.focusVelocities;
-    result.score = scoreField (model.surface, result.reachedField, design.target.field);
-    result.truncatedScore = scoreField (model.surface, result.reachedField, design.truncatedField);
-    result.contrast = fieldContrast (model.surface, result.reachedField, design.description.targets);
+    result.moments = reachedMoments (model, design, result.render);
+    result.reachedField = result.moments.front().field;
+    result.score = result.moments.front().score;
+    result.truncatedScore = result.moments.front().truncatedScore;
+    result.contrast = fieldContrast (model.surface, result.reachedField, design.moments.front().targets);
     result.model = std::move (model);
     result.design = std::move (design);
+    result.residual = residualOf (result);
     return result;
 }
 
@@ -110,6 +181,7 @@ nlohmann::ordered_json summaryOf (const RenderedFocus& focus)
     summary["peak_ratio_truncated"] = focus.truncatedScore.peakRatio;
     summary["contrast"] = focus.contrast;
     summary["focus_time_ms"] = static_cast<double> (focus.render.focusSample) / focus.render.sampleRate * 1000;
+    summary["foci"] = fociJson (focus);
     summary["peak_velocity_mm_s"] = focus.reachedField.cwiseAbs().maxCoeff() * 1000;
     summary["peak_voltage_V"] = focus.render.voltages.cwiseAbs().maxCoeff();
     summary["voltage_limit_V"] = design.program.voltageLimits.maxCoeff();
@@ -118,6 +190,15 @@ nlohmann::ordered_json summaryOf (const RenderedFocus& focus)
 
     if (design.program.samples)
         summary["intersample_peak_voltage_V"] = design.intersamplePeakVoltage;
+
+    if (focus.residual)
+    {
+        summary["residual_field_ratio"] = focus.residual->ratio;
+        summary["residual_time_ms"] = focus.residual->time * 1000;
+    }
+
+    if (design.shortestPeriod)
+        summary["shortest_period_ms"] = *design.shortestPeriod * 1000;
 
     summary["limited_samples"] = focus.render.limitedSamples;
     summary["allocation"] = wordFor (allocationMethodWords, design.description.allocation.method);

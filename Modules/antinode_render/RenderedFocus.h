@@ -7,6 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -19,9 +20,27 @@ struct RenderOptions
 {
     Playback playback { Reconstruction::bandLimited, 192000 };
     std::optional<double>
-        duration; ///< s from the trigger; none: twice the focus time, at least 25 ms after it or until the brake ends.
+        duration; ///< s from the trigger; none: twice the last focus time, at least 25 ms after it or until 2 ms after the brake.
     std::vector<std::pair<double, double>> probes; ///< x, y in m; none: the focus's, or its targets.
     int blockSize = 512;
+};
+
+/** What the plate model did at the time of one focus. */
+struct ReachedMoment
+{
+    std::int64_t sample = 0;
+    Eigen::VectorXd modalVelocities; ///< N_m, m/s kg^1/2
+    Eigen::VectorXd field;           ///< N_p, m/s
+    FocusScore score;                ///< Against the wanted field.
+    FocusScore truncatedScore;       ///< Against the truncated field.
+};
+
+/** What is left after the last focus where a brake is asked for. */
+struct ResidualMotion
+{
+    double time = 0; ///< s after the last focus.
+    double ratio =
+        0; ///< The largest velocity anywhere on the surface from then on for 2 ms, of the peak of the last field.
 };
 
 /** A designed focus and what the plate model did with its sampled voltages. */
@@ -35,6 +54,8 @@ struct RenderedFocus
     FocusScore score;                              ///< Against the wanted field.
     FocusScore truncatedScore;                     ///< Against the truncated field.
     double contrast = 0;
+    std::vector<ReachedMoment> moments; ///< One each of the design's; the first is what the fields above speak of.
+    std::optional<ResidualMotion> residual;
 };
 
 /** Plays a design through synthesiser, limiter and plate model, and scores what the plate did.

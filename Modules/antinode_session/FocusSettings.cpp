@@ -68,6 +68,15 @@ void applyTarget (FocusDescription& focus, const PlaySettings& settings, const P
         focus.targets[i].peakVelocity *= first.peakVelocity / before.peakVelocity;
     }
 }
+/** A train keeps its rhythm. */
+void moveInTime (FocusDescription& focus, double focusTime)
+{
+    for (auto& target : focus.targets)
+        if (target.time)
+            *target.time = std::max (*target.time + focusTime - focus.focusTime, milli);
+
+    focus.focusTime = focusTime;
+}
 } // namespace
 
 std::pair<double, double> placeFromPercent (const Surface& surface, double xPercent, double yPercent)
@@ -148,7 +157,7 @@ FocusDescription withSettings (const FocusDescription& document, const PlaySetti
         focus.allocation.robust.reset();
 
     if (! isSame (settings.focusTimeMilliseconds, loaded.focusTimeMilliseconds))
-        focus.focusTime = static_cast<double> (settings.focusTimeMilliseconds) * milli;
+        moveInTime (focus, static_cast<double> (settings.focusTimeMilliseconds) * milli);
 
     if (settings.growth >= 0)
         focus.transients.growth = { static_cast<double> (settings.growth) };

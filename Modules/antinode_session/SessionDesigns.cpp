@@ -2,6 +2,7 @@
 #include "Session.h"
 
 #include <antinode_focus/BankPlaces.h>
+#include <antinode_focus/FocusMoments.h>
 #include <antinode_model/InputError.h>
 
 #include <algorithm>
@@ -17,7 +18,7 @@ constexpr double bankMargin = 0.1; // of the surface's shorter side, kept from i
 void Session::requestDesigns()
 {
     const auto description = withSettings (focus->description, settings, model->surface);
-    latency = settings.focusOnNote ? std::llround (description.focusTime * rate) : 0;
+    latency = settings.focusOnNote ? std::llround (earliestFocusTime (description) * rate) : 0;
     playsSpotOnly = settings.noteLayout == static_cast<int> (NoteLayout::spot);
     isFocusNew = false;
 

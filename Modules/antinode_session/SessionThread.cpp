@@ -152,7 +152,7 @@ void Session::buildPath (double sampleRate)
         isModelNew = false;
         trace.prepare (std::max (1, static_cast<int> (sampleRate / traceEntriesPerSecond)));
         paths.give (std::move (made));
-        tail = focus->description.focusTime + std::log (1000) / decayRates (*model).minCoeff();
+        tail = latestFocusTime (focus->description) + std::log (1000) / decayRates (*model).minCoeff();
     }
     catch (const std::exception& failure)
     {

@@ -75,4 +75,35 @@ std::vector<ReportFigure> fieldFigures (const RenderedFocus& focus)
 {
     return focus.model.surface.kind == SurfaceKind::plate ? plateFigures (focus) : lineFigures (focus);
 }
+
+std::vector<ReportFigure> laterFieldFigures (const RenderedFocus& focus)
+{
+    const auto& model = focus.model;
+    const auto isPlate = model.surface.kind == SurfaceKind::plate;
+    std::vector<ReportFigure> figures;
+
+    for (std::size_t i = 1; i < focus.moments.size(); ++i)
+    {
+        const auto& wanted = focus.design.moments[i];
+        const auto& reached = focus.moments[i];
+        const auto caption = "Velocity at the focus at "
+                             + inWords (static_cast<double> (reached.sample) / focus.render.sampleRate * 1000)
+                             + " ms; field error " + inWords (100 * reached.truncatedScore.fieldError) + " %.";
+
+        if (isPlate)
+            figures.push_back ({ caption,
+                                 {},
+                                 plateFieldChart (model, reached.field, "velocity", wanted.targets),
+                                 figureWidth,
+                                 plateFigureHeight (model.surface, figureWidth, 1, 1) });
+        else
+            figures.push_back ({ caption,
+                                 {},
+                                 fieldChart (model, wanted.target.field, wanted.truncatedField, reached.field),
+                                 figureWidth,
+                                 400 });
+    }
+
+    return figures;
+}
 } // namespace antinode

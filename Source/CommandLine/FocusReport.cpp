@@ -46,6 +46,10 @@ ReportSection fieldSection (const RenderedFocus& focus)
     ReportSection section;
     section.heading = "The field at the focus";
     section.figures = fieldFigures (focus);
+
+    for (auto& figure : laterFieldFigures (focus))
+        section.figures.push_back (std::move (figure));
+
     section.figures.push_back (
         { "Modal velocities at the focus. Modes without a wanted bar are not controlled: they are kept small.",
           {},

@@ -4,9 +4,10 @@
 #include <Support/SineBeam.h>
 
 #include <antinode_engine/PlateModel.h>
+#include <antinode_focus/BrakeDrives.h>
 #include <antinode_focus/Prediction.h>
-#include <antinode_focus/Transients.h>
 
+#include <Eigen/LU>
 #include <catch2/catch.hpp>
 
 using namespace antinode;
@@ -23,7 +24,8 @@ std::int64_t samplesOf (double seconds)
     return std::llround (seconds * rate);
 }
 
-/** Eight modes of a beam that decay with 40 / s, each moved by a ceramic of its own for 20 ms, then braked with ten times that, or not. */
+/** Eight modes of a beam that decay with 40 / s, each moved by a ceramic of its own for 20 ms, then brought to rest within
+    20 ms, or not. */
 struct Braked
 {
     ModalModel model = sineBeam (playerCeramics, playerCeramics);
@@ -49,13 +51,39 @@ struct Braked
 
     void appendBrakes (double time)
     {
-        const auto states = predictStates (model, program, time);
-        const auto velocities = modalVelocities (model, states), displacements = modalDisplacements (model, states);
-        program.allocation = program.allocation.replicate (1, 2).eval();
+        const BrakeWindow window { time, time + 0.02, 200 };
+        const auto states = predictStates (model, program, window.end);
+        const auto poles = modalPoles (model);
 
         for (int k = 0; k < playerCeramics; ++k)
-            program.oscillations.push_back (brakeMode (k, decayRates (model)[k], dampedFrequencies (model)[k], 10,
-                                                       displacements[k], velocities[k], time));
+        {
+            auto drives = brakeDrives (k, decayRates (model)[k], dampedFrequencies (model)[k], window);
+            Eigen::Matrix2d responses;
+            responses.col (0) = responseTo (drives[0], poles[k], window.end);
+            responses.col (1) = responseTo (drives[1], poles[k], window.end);
+            const Eigen::Vector2d amounts =
+                responses.inverse() * Eigen::Vector2d (-states[k].real(), -states[k].imag());
+            const auto share = counterShare (poles[k], drives, { amounts[0], -amounts[1] });
+
+            for (int d = 0; d < 2; ++d)
+                for (auto oscillation : drives[static_cast<std::size_t> (d)])
+                {
+                    oscillation.counterShare = share;
+                    program.oscillations.push_back (oscillation);
+                    program.allocation.conservativeResize (Eigen::NoChange, program.allocation.cols() + 1);
+                    program.allocation.rightCols<1>() = amounts[d] * Eigen::VectorXd::Unit (playerCeramics, k);
+                }
+        }
+    }
+
+    static Eigen::Vector2d responseTo (const std::vector<Oscillation>& drive, std::complex<double> pole, double time)
+    {
+        std::complex<double> state = 0;
+
+        for (const auto& oscillation : drive)
+            state += modalResponse (pole, oscillation, time);
+
+        return { state.real(), state.imag() };
     }
 
     Eigen::MatrixXd played (const std::vector<TimedEvent>& events, Eigen::Index length, PlayerSettings settings,

@@ -59,6 +59,7 @@ FocusDesign irregularDesign()
 
     program.oscillations.push_back ({ 1, 0, 0.025, 0, 0, 0, -2.5 });                                // A constant.
     program.oscillations.push_back ({ 1, 0.026, 0.1, -2000.0 / 3, 1e5 / 7, 0.1, -2.5, 100.0 / 3 }); // A brake.
+    program.oscillations.back().counterShare = { 0.1 / 3, -0.2 / 7 };
     program.allocation = Eigen::MatrixXd::NullaryExpr (2, 42, next);
     return design;
 }
@@ -90,6 +91,7 @@ TEST_CASE ("A program written in a design and read again is the same to the bit"
         CHECK (std::tie (a.angularFrequency, a.inPhase, a.quadrature)
                == std::tie (b.angularFrequency, b.inPhase, b.quadrature));
         CHECK (a.freeDecay == b.freeDecay);
+        CHECK (a.counterShare == b.counterShare);
     }
 }
 

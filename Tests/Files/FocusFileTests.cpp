@@ -57,6 +57,11 @@ TEST_CASE ("A focus is read with all its keys, in SI units", "[files]")
     CHECK (focus.transients.cycles == std::vector<int> { 3, 5 });
     CHECK (focus.transients.maximumDuration == 0.02);
     CHECK (focus.transients.brake == 20.0);
+    CHECK (focus.transients.brakeDuration == 0.03);
+    CHECK_FALSE (focus.targets[0].time.has_value());
+    CHECK (focusWith ("targets.0.time_ms=35").targets[0].time == 0.035);
+    CHECK (errorWith ("transients.brake_duration_ms=2000").find ("/transients/brake_duration_ms: is 2000")
+           != std::string::npos);
     CHECK (focus.allocation.method == AllocationMethod::minimumPeak);
     CHECK (focus.allocation.voltageLimit == 50.0);
     CHECK (focus.allocation.guardModes == 10);
@@ -124,7 +129,7 @@ TEST_CASE ("Typical mistakes in focuses are named with their place and what is a
            == "my.json: /targets/1/width_mm: is missing, it must be given");
     CHECK (errorWith ("targets.0.peak_velocity=40")
            == "my.json: /targets/0/peak_velocity: is not a key here (did you mean 'peak_velocity_mm_s'?), allowed are "
-              "'shape', 'profile', 'x_mm', 'y_mm', 'width_mm', 'width_y_mm', 'peak_velocity_mm_s', 'phase'");
+              "'shape', 'profile', 'x_mm', 'y_mm', 'width_mm', 'width_y_mm', 'peak_velocity_mm_s', 'phase', 'time_ms'");
     CHECK (errorWith ("targets.0.profile=radial")
            == "my.json: /targets/0/width_y_mm: is given for a radial target, which has one width; allowed is only with "
               "\"profile\": \"separable\"");

@@ -182,30 +182,6 @@ TEST_CASE ("The release goes on from the drive without a step in value or slope 
         }
 }
 
-TEST_CASE ("The brake makes the velocity decay with gamma' times the free decay, to 1e-9 of the equation of motion",
-           "[focus]")
-{
-    const Mode mode { 2303, 1.0 / 120 };
-
-    for (const auto brake : { 1.5, 4.0, 20.0, 50.0 })
-    {
-        auto drive = driveMode (0, mode.a(), mode.b(), DriveKind::offsetFree, 2, 20, 0.025);
-        const auto start = 0.025 + releaseDuration();
-        const auto released = predicted (mode, drive.oscillations, start);
-        drive.oscillations.push_back (brakeMode (0, mode.a(), mode.b(), brake, released[0], released[1], start));
-        const auto end = drive.oscillations.back().end;
-        CHECK (end == Approx (start + std::log (1e6) / (brake * mode.a())));
-
-        // At every whole period the velocity has fallen by exactly e^{-gamma' a t}.
-        const auto period = 2 * pi / mode.b();
-        const auto cycles = std::max (1.0, std::floor ((end - start) / period / 3));
-        CHECK (predicted (mode, drive.oscillations, start + cycles * period)[1]
-               == Approx (released[1] * std::exp (-brake * mode.a() * cycles * period)).epsilon (1e-9));
-        checkAgainstOde (mode, drive.oscillations, start + 0.3 * (end - start), 1);
-        checkAgainstOde (mode, drive.oscillations, end + 0.002, 1);
-    }
-}
-
 TEST_CASE ("The closed form stays exact where the drive's exponent meets the pole", "[focus]")
 {
     const Mode mode { 500, 0.01 };

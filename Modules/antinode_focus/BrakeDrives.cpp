@@ -1,0 +1,57 @@
+#include "BrakeDrives.h"
+
+#include "Prediction.h"
+#include "Transients.h"
+
+namespace antinode
+{
+namespace
+{
+using namespace std::complex_literals;
+using Complex = std::complex<double>;
+
+constexpr double greatestCounterShare =
+    0.9; // beyond, the brake lasts less than a cycle, and no turn of it is another brake
+
+std::vector<Oscillation> brakeDrive (int mode, double a, double b, const BrakeWindow& window, Complex phasor)
+{
+    const auto part = [&] (double folds, double weight, double end) -> Oscillation
+    {
+        const auto x = weight * phasor;
+        return { mode, window.start, end, -window.decay - folds * releaseRate(), b, -x.imag(), x.real() };
+    };
+    const auto onsetEnd = window.start + releaseDuration();
+    std::vector<Oscillation> drive { part (0, 1, window.end - releaseDuration()), part (1, -2, onsetEnd),
+                                     part (2, 1, onsetEnd) };
+
+    for (const auto& release : releaseOf (drive.front()))
+        drive.push_back (release);
+
+    for (auto& oscillation : drive)
+        oscillation.freeDecay = a;
+
+    return drive;
+}
+} // namespace
+
+DriveList brakeDrives (int mode, double a, double b, const BrakeWindow& window)
+{
+    return { brakeDrive (mode, a, b, window, 1.0), brakeDrive (mode, a, b, window, -1i) };
+}
+
+Complex counterShare (Complex pole, const DriveList& drives, Complex force)
+{
+    const auto responseTo = [&] (const std::vector<Oscillation>& drive)
+    {
+        Complex state = 0;
+
+        for (const auto& oscillation : drive)
+            state += modalResponse (pole, oscillation, drive.back().end);
+
+        return state;
+    };
+    const auto first = responseTo (drives[0]), second = 1i * responseTo (drives[1]);
+    const auto with = force * (first + second), against = std::conj (force) * (first - second);
+    return std::abs (against) < greatestCounterShare * std::abs (with) ? against / with : 0.0;
+}
+} // namespace antinode
