@@ -1,6 +1,7 @@
 #include "FocusSettings.h"
 #include "Session.h"
 
+#include <antinode_focus/FocusMoments.h>
 #include <antinode_library/Library.h>
 #include <antinode_model/InputError.h>
 
