@@ -90,8 +90,9 @@ void addDesignCommand (CLI::App& app)
     auto options = std::make_shared<DesignCommandOptions>();
     addCommonOptions (*command, options->common);
     addToleranceOptions (*command, options->tolerance);
-    auto* tradeoff = command->add_flag ("--tradeoff", options->isTradeoff,
-                                        "Designs it by all methods and growths instead: voltage against time in motion");
+    auto* tradeoff =
+        command->add_flag ("--tradeoff", options->isTradeoff,
+                           "Designs it by all methods and growths instead: voltage against time in motion");
     tradeoff->excludes (command->get_option ("--tolerance"));
     command->callback ([options] { options->isTradeoff ? sweep (options->common) : design (*options); });
 }
