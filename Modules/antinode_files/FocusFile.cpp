@@ -156,10 +156,25 @@ Robustness readRobustness (const JsonValue& value)
     return robustness;
 }
 
+/** Whether displacements are to be 0. */
+bool readDisplacement (const JsonValue& value, AllocationMethod method, bool isRobust)
+{
+    const auto isZero = value.choice (WordList<bool, 2> { { { "free", false }, { "zero", true } } });
+
+    if (isZero && ! hasExactRows (method))
+        value.fail ("is 'zero' with a method that has no exact rows, allowed is that with 'exact', 'minimum_peak' and "
+                    "'dictionary'");
+
+    if (isZero && isRobust)
+        value.fail ("is 'zero' beside 'robust', allowed is one of them");
+
+    return isZero;
+}
+
 AllocationChoice readAllocation (const JsonValue& value)
 {
-    const auto object =
-        value.object ({ "method", "voltage_limit_V", "guard_modes", "guard_weight", "window_ms", "robust" });
+    const auto object = value.object (
+        { "method", "voltage_limit_V", "guard_modes", "guard_weight", "window_ms", "displacement", "robust" });
     AllocationChoice allocation;
 
     if (const auto method = object.optional ("method"))
@@ -171,6 +186,10 @@ AllocationChoice readAllocation (const JsonValue& value)
     allocation.voltageLimit = optionalNumber (object, "voltage_limit_V", ranges::voltage);
     allocation.guardWeight = optionalNumber (object, "guard_weight", guardWeight).value_or (allocation.guardWeight);
     allocation.window = optionalMilliseconds (object, "window_ms");
+
+    if (const auto displacement = object.optional ("displacement"))
+        allocation.isUndisplaced =
+            readDisplacement (*displacement, allocation.method, object.optional ("robust").has_value());
 
     if (const auto robust = object.optional ("robust"))
     {

@@ -86,6 +86,9 @@ Json allocationToJson (const AllocationChoice& allocation)
     object["guard_weight"] = allocation.guardWeight;
     putMilliseconds (object, "window_ms", allocation.window);
 
+    if (allocation.isUndisplaced)
+        object["displacement"] = "zero";
+
     if (allocation.robust)
         object["robust"] = robustnessToJson (*allocation.robust);
 

@@ -54,14 +54,15 @@ Eigen::VectorXd slewLimits (const ModalModel& model, const Eigen::MatrixXd& slop
     return limits;
 }
 
-/** The velocities of modes at every moment, moment by moment. */
-std::vector<StateRow> velocityRows (const std::vector<int>& modes, const std::vector<FocusMoment>& moments)
+/** A quantity of modes at every moment, moment by moment. */
+std::vector<StateRow> rowsOver (const std::vector<int>& modes, const std::vector<FocusMoment>& moments,
+                                ModalQuantity quantity)
 {
     std::vector<StateRow> rows;
 
     for (const auto& moment : moments)
     {
-        const auto more = rowsAt (moment.time, modes, ModalQuantity::velocity);
+        const auto more = rowsAt (moment.time, modes, quantity);
         rows.insert (rows.end(), more.begin(), more.end());
     }
 
@@ -91,12 +92,23 @@ Eigen::VectorXd wantedOf (const std::vector<FocusMoment>& moments)
     return wanted;
 }
 
+/** Hard rows of the same modes that want 0. */
+void addDisplacementRows (AllocationProblem& problem, const Eigen::MatrixXd& responses)
+{
+    const auto count = responses.rows();
+    const Eigen::MatrixXd participation = problem.participation;
+    problem.participation = participation.replicate (2, 1);
+    problem.rows.conservativeResize (2 * count, Eigen::NoChange);
+    problem.rows.bottomRows (count) = responses;
+    problem.wanted.conservativeResize (2 * count);
+    problem.wanted.tail (count).setZero();
+}
+
 AllocationProblem allocationProblem (const ModalModel& model, const FocusDescription& description,
                                      const std::vector<int>& modes, const std::vector<FocusMoment>& moments,
                                      const DriveList& drives, DriveSpan span, Playback playback)
 {
     const auto& choice = description.allocation;
-    const auto isExact = choice.method == AllocationMethod::exact || asksForLeastPeak (choice.method);
 
     AllocationProblem problem;
     problem.waveforms = sampleDrives (drives, span.first, span.last);
@@ -110,17 +122,21 @@ AllocationProblem allocationProblem (const ModalModel& model, const FocusDescrip
         problem.slewLimits = slewLimits (model, problem.slopes) * gridLimitMargin();
     }
 
-    if (! isExact)
+    if (! hasExactRows (choice.method))
     {
         problem.rows = Eigen::MatrixXd::Identity (problem.wanted.size(), problem.wanted.size());
         return problem;
     }
 
     const auto guards = guardModes (model, modes, choice);
-    problem.rows = rowResponses (model, velocityRows (modes, moments), drives, playback);
+    problem.rows = rowResponses (model, rowsOver (modes, moments, ModalQuantity::velocity), drives, playback);
     problem.guardParticipation = model.participation (timesOver (guards, moments), Eigen::all);
-    problem.guardRows = rowResponses (model, velocityRows (guards, moments), drives, playback);
+    problem.guardRows = rowResponses (model, rowsOver (guards, moments, ModalQuantity::velocity), drives, playback);
     problem.guardWeight = choice.guardWeight;
+
+    if (choice.isUndisplaced)
+        addDisplacementRows (
+            problem, rowResponses (model, rowsOver (modes, moments, ModalQuantity::displacement), drives, playback));
 
     if (choice.robust)
         return withRobustRows (std::move (problem), model, { modes, guards, drives, moments.front().time, playback },

@@ -79,6 +79,13 @@ enum class AllocationMethod
     freeWaveform ///< Samples of any form, of the least energy within the voltage limit; offline only.
 };
 
+/** Whether a method asks for the very velocities at the focus, by rows of drives in any number. [any] */
+constexpr bool hasExactRows (AllocationMethod method)
+{
+    return method == AllocationMethod::exact || method == AllocationMethod::minimumPeak
+           || method == AllocationMethod::dictionary;
+}
+
 struct AllocationChoice
 {
     AllocationMethod method = AllocationMethod::exact;
@@ -87,6 +94,8 @@ struct AllocationChoice
     double guardWeight = 100;
     std::optional<double>
         window; ///< s before the focus time in which the norm is taken and the limit is imposed; none: all.
+    bool isUndisplaced =
+        false; ///< At the focus the controlled modes are to be undisplaced as well; with exact rows, not robust.
     std::optional<Robustness> robust; ///< With the method exact only: what the design is made robust against.
 };
 

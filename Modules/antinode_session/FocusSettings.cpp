@@ -156,6 +156,8 @@ FocusDescription withSettings (const FocusDescription& document, const PlaySetti
     if (focus.allocation.method != AllocationMethod::exact)
         focus.allocation.robust.reset();
 
+    focus.allocation.isUndisplaced = focus.allocation.isUndisplaced && hasExactRows (focus.allocation.method);
+
     if (! isSame (settings.focusTimeMilliseconds, loaded.focusTimeMilliseconds))
         moveInTime (focus, static_cast<double> (settings.focusTimeMilliseconds) * milli);
 

@@ -152,12 +152,27 @@ TEST_CASE ("Typical mistakes in focuses are named with their place and what is a
            == "my.json: /allocation/guard_modes: is the text 'some', allowed is 'all'");
     CHECK (errorWith ("allocation.robust={}")
            == "my.json: /allocation/robust: is given with another method than 'exact', allowed is only with that");
+    CHECK (errorWith ("allocation={\"method\": \"paper\", \"displacement\": \"zero\"}")
+           == "my.json: /allocation/displacement: is 'zero' with a method that has no exact rows, allowed is that with "
+              "'exact', 'minimum_peak' and 'dictionary'");
+    CHECK (errorWith ("allocation={\"displacement\": \"zero\", \"robust\": {}}")
+           == "my.json: /allocation/displacement: is 'zero' beside 'robust', allowed is one of them");
     CHECK (errorWith ("allocation={\"robust\": {\"frequency_percent\": 11}}")
            == "my.json: /allocation/robust/frequency_percent: is 11, allowed is 0 to 10");
     CHECK (errorWith ("edge_window={\"tukey\": 1.5}") == "my.json: /edge_window/tukey: is 1.5, allowed is 0 to 1");
     CHECK (errorWith ("probes_mm.0=[1]") == "my.json: /probes_mm/0: has 1 entries, allowed is a list of 2");
     CHECK (errorWith ("device=staple").find ("my.json: /device: is not a key here, allowed are 'schema', 'name', ")
            == 0);
+}
+
+TEST_CASE ("A focus that is to pass undisplaced says so, and still does when it is written", "[files]")
+{
+    auto document = goodFocus ("minimal focus");
+    CHECK_FALSE (readFocus (document, "my.json").allocation.isUndisplaced);
+    document["allocation"] = { { "displacement", "zero" } };
+    const auto focus = readFocus (document, "my.json");
+    CHECK (focus.allocation.isUndisplaced);
+    CHECK (readFocus (focusToJson (focus), "my.json").allocation.isUndisplaced);
 }
 
 TEST_CASE ("A focus written and read again says the same", "[files]")

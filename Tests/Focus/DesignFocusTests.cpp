@@ -187,6 +187,24 @@ TEST_CASE ("A detuned model is reproducible and as far off as asked for", "[focu
     CHECK (detuned (model, {}, 7).participation == model.participation);
 }
 
+TEST_CASE ("Displacements of the controlled modes are 0 at the focus where that is asked for", "[focus]")
+{
+    const auto model = test::sineBeam (20, 8);
+    auto focus = sincFocus (AllocationMethod::exact);
+    const auto free = designFocus (model, focus, {});
+    focus.allocation.isUndisplaced = true;
+    const auto design = designFocus (model, focus, {});
+    const auto displacementOf = [&] (const FocusDesign& any)
+    {
+        const auto states = predictStates (model, any.program, any.program.focusTime);
+        return states.imag() (any.controlledModes).cwiseAbs().maxCoeff();
+    };
+    const auto velocities = velocitiesAt (model, design, 0.025);
+    CHECK (displacementOf (design) <= 1e-9 * velocities.cwiseAbs().maxCoeff());
+    CHECK (displacementOf (free) > 1e-4 * velocities.cwiseAbs().maxCoeff());
+    CHECK (errorOfField (model, design) < 0.005);
+}
+
 TEST_CASE ("Slew limits of the ceramics hold at every instant, and those out of reach are named", "[focus]")
 {
     auto model = test::sineBeam (20, 8);
