@@ -91,7 +91,7 @@ Eigen::VectorXd ActivePeaks::risingStep (Indices part, const Eigen::VectorXd& sl
 {
     while (true)
     {
-        const auto step = newtonStep (part, slope);
+        auto step = newtonStep (part, slope);
         const auto isStuck = [&] (Eigen::Index j) { return z[j] == 0 && step[j] < 0; };
 
         if (std::erase_if (part, isStuck) == 0)
@@ -104,7 +104,9 @@ void ActivePeaks::ascend (const Eigen::VectorXd& step, const Eigen::VectorXd& sl
     constexpr auto least = 0.01; // Of the gain that the slope promises.
     const auto straight = (step.array() < 0).select (-z.array() / step.array(), 1.0).minCoeff();
 
-    for (double length = 1; length > straight; length *= 0.5)
+    auto length = 1.0;
+
+    while (length > straight)
     {
         const Eigen::VectorXd next = (z + length * step).cwiseMax (0);
         const Eigen::VectorXd change = next - z;
@@ -116,9 +118,11 @@ void ActivePeaks::ascend (const Eigen::VectorXd& step, const Eigen::VectorXd& sl
             z = next;
             return;
         }
+
+        length *= 0.5;
     }
 
-    const auto length = std::min (straight, 1.0);
+    length = std::min (straight, 1.0);
 
     for (Eigen::Index j = 0; j < z.size(); ++j)
         z[j] = step[j] < 0 && -z[j] >= length * step[j] ? 0.0 : std::max (0.0, z[j] + length * step[j]);

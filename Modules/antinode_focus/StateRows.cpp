@@ -27,6 +27,7 @@ double quantityOf (Complex state, Complex pole, ModalQuantity quantity)
 std::vector<StateRow> rowsAt (double time, const std::vector<int>& modes, ModalQuantity quantity)
 {
     std::vector<StateRow> rows;
+    rows.reserve (modes.size());
 
     for (const auto mode : modes)
         rows.push_back ({ mode, time, quantity });
