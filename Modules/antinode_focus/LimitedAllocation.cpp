@@ -127,6 +127,38 @@ Eigen::MatrixXd pulledInside (const Eigen::MatrixXd& shares, double reached, dou
     const auto weight = std::min (1.0, (reached - allowed) / (reached - insideRatio));
     return (1 - weight) * shares + weight * inside;
 }
+/** Where a least norm is searched for. */
+struct NormAim
+{
+    double ratio;      ///< The limits', times their own.
+    double firstPeaks; ///< Peaks above this share of the limits are limited from the beginning.
+    const Eigen::MatrixXd& inside;
+};
+
+/** Improves shares and bound as far as it can. */
+void searchLeastNorm (LimitedAllocation& best, const WhitenedAllocation& problem, const NormAim& aim,
+                      const RowSystem& rows, const AllocationWatch& watch)
+{
+    constexpr auto wantedGap = 1e-9;
+    constexpr auto neededGap = 1e-7;
+    const auto insideRatio = problem.peakRatio (aim.inside);
+    const Eigen::VectorXd limits = aim.ratio * problem.limits;
+    PeakSearch search (problem, rows, AllocationInteriorPoint::Ratio::fixed, aim.ratio, 1, aim.inside);
+    search.limitPeaks (aim.firstPeaks * limits);
+
+    while (! search.isEnough (best.gap(), wantedGap, neededGap) && search.advance())
+    {
+        report (watch, { AllocationStage::leastNorm, best.effort.iterations + search.effort().iterations, best.gap() });
+        const auto reached = peakRatio (search.voltages(), problem.limits);
+        const auto allowed = pulledInside (search.shares(), reached, aim.ratio, aim.inside, insideRatio);
+        best.improve (allowed, problem.objective (allowed),
+                      leastNormBound (problem, rows, search.state().sampleMultipliers(), aim.ratio));
+        search.limitPeaks (limits);
+    }
+
+    best.effort.iterations += search.effort().iterations;
+    best.effort.rounds += search.effort().rounds;
+}
 } // namespace
 
 LimitedAllocation leastPeakShares (const WhitenedAllocation& problem, const RowSystem& rows, double easyRatio,
@@ -147,28 +179,16 @@ LimitedAllocation leastPeakShares (const WhitenedAllocation& problem, const RowS
 LimitedAllocation leastNormShares (const WhitenedAllocation& problem, const RowSystem& rows, double ratio,
                                    const Eigen::MatrixXd& inside, const AllocationWatch& watch)
 {
-    constexpr auto aim = 1e-9;
-    constexpr auto need = 1e-7;
-    constexpr auto firstPeaks = 0.8;
-    const auto insideRatio = problem.peakRatio (inside);
-    const Eigen::VectorXd limits = ratio * problem.limits;
+    constexpr auto acceptedGap = 1e-6;
     LimitedAllocation best;
     best.shares = inside;
     best.value = problem.objective (inside);
-    PeakSearch search (problem, rows, AllocationInteriorPoint::Ratio::fixed, ratio, 1, inside);
-    search.limitPeaks (firstPeaks * limits);
 
-    while (! search.isEnough (best.gap(), aim, need) && search.advance())
-    {
-        report (watch, { AllocationStage::leastNorm, search.effort().iterations, best.gap() });
-        const auto reached = peakRatio (search.voltages(), problem.limits);
-        const auto allowed = pulledInside (search.shares(), reached, ratio, inside, insideRatio);
-        best.improve (allowed, problem.objective (allowed),
-                      leastNormBound (problem, rows, search.state().sampleMultipliers(), ratio));
-        search.limitPeaks (limits);
-    }
+    // Other first samples are another way there: where rounding ends one too early the next one begins.
+    for (const auto firstPeaks : { 0.8, 0.3, 0.95 })
+        if (best.effort.rounds == 0 || best.gap() > acceptedGap)
+            searchLeastNorm (best, problem, { ratio, firstPeaks, inside }, rows, watch);
 
-    best.effort = search.effort();
     return best;
 }
 

@@ -94,3 +94,27 @@ TEST_CASE ("The embedded train reaches both foci on the staple and rests after t
                < 1e-3 * render.focusVelocities.cwiseAbs().maxCoeff());
     }
 }
+
+TEST_CASE ("Limits out of reach are proven so at every place of the staple, with what can be reached", "[focus]")
+{
+    auto focus = readFocus (embedded ("Focuses/demonstrator.json"), "demonstrator");
+    focus.targets.front().peakVelocity = 10;
+
+    // The middle is the hardest: there the voltages of the two halves may be exchanged.
+    for (const auto place : { -0.046, -0.024, 0.0, 0.007, 0.024, 0.046 })
+    {
+        focus.targets.front().x = place;
+        CAPTURE (place);
+
+        try
+        {
+            designFocus (staple(), focus, { Reconstruction::bandLimited, 192000 }, DesignExtent::playable);
+            FAIL ("10 m/s was reached");
+        }
+        catch (const LimitError& error)
+        {
+            CHECK (error.leastPeakVoltage > 500);
+            CHECK (error.reachableVelocity == Approx (10 * 50 / error.leastPeakVoltage).epsilon (1e-6));
+        }
+    }
+}
