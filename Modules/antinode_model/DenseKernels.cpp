@@ -2,6 +2,7 @@
 
 #include <cblas.h>
 
+#include <mutex>
 #include <stdexcept>
 #include <vector>
 
@@ -17,6 +18,13 @@ namespace antinode
 {
 namespace
 {
+/** Debian's OpenBLAS without threads hands its work memory to whoever calls: two threads at once would compute in the same memory. */
+std::unique_lock<std::mutex> alone()
+{
+    static std::mutex mutex;
+    return std::unique_lock (mutex);
+}
+
 int asInt (Eigen::Index index)
 {
     return static_cast<int> (index);
@@ -27,23 +35,29 @@ void product (MatrixOut& to, double factor, const MatrixIn& a, CBLAS_TRANSPOSE a
 {
     const auto depth = aOrder == CblasNoTrans ? a.cols() : a.rows();
 
-    if (to.size() > 0 && depth > 0)
-        cblas_dgemm (CblasColMajor, aOrder, bOrder, asInt (to.rows()), asInt (to.cols()), asInt (depth), factor,
-                     a.data(), asInt (a.outerStride()), b.data(), asInt (b.outerStride()), 1, to.data(),
-                     asInt (to.outerStride()));
+    if (to.size() == 0 || depth == 0)
+        return;
+
+    const auto lock = alone();
+    cblas_dgemm (CblasColMajor, aOrder, bOrder, asInt (to.rows()), asInt (to.cols()), asInt (depth), factor, a.data(),
+                 asInt (a.outerStride()), b.data(), asInt (b.outerStride()), 1, to.data(), asInt (to.outerStride()));
 }
 
 void triangle (CBLAS_SIDE side, CBLAS_UPLO part, CBLAS_TRANSPOSE order, CBLAS_DIAG diagonal, const MatrixIn& a,
                MatrixOut& x)
 {
-    if (x.size() > 0)
-        cblas_dtrsm (CblasColMajor, side, part, order, diagonal, asInt (x.rows()), asInt (x.cols()), 1, a.data(),
-                     asInt (a.outerStride()), x.data(), asInt (x.outerStride()));
+    if (x.size() == 0)
+        return;
+
+    const auto lock = alone();
+    cblas_dtrsm (CblasColMajor, side, part, order, diagonal, asInt (x.rows()), asInt (x.cols()), 1, a.data(),
+                 asInt (a.outerStride()), x.data(), asInt (x.outerStride()));
 }
 } // namespace
 
 void keepToOneThread()
 {
+    const auto lock = alone();
     openblas_set_num_threads (1);
 }
 
@@ -64,15 +78,19 @@ void addTransposedRight (MatrixOut to, double factor, const MatrixIn& a, const M
 
 void addGram (MatrixOut to, double factor, const MatrixIn& a)
 {
-    if (a.size() > 0)
-        cblas_dsyrk (CblasColMajor, CblasLower, CblasNoTrans, asInt (to.rows()), asInt (a.cols()), factor, a.data(),
-                     asInt (a.outerStride()), 1, to.data(), asInt (to.outerStride()));
+    if (a.size() == 0)
+        return;
+
+    const auto lock = alone();
+    cblas_dsyrk (CblasColMajor, CblasLower, CblasNoTrans, asInt (to.rows()), asInt (a.cols()), factor, a.data(),
+                 asInt (a.outerStride()), 1, to.data(), asInt (to.outerStride()));
 }
 
 bool factorLower (Eigen::MatrixXd& a)
 {
     const int size = asInt (a.rows());
     int info = 0;
+    const auto lock = alone();
 
     if (size > 0)
         dpotrf_ ("L", &size, a.data(), &size, &info);
@@ -114,6 +132,7 @@ SymmetricEigen symmetricEigen (Eigen::MatrixXd a)
 {
     SymmetricEigen result { Eigen::VectorXd (a.rows()), {} };
     const int size = asInt (a.rows());
+    const auto lock = alone();
     int info = 0, askSize = -1, integerSize = 0;
     double workSize = 0;
     dsyevd_ ("V", "L", &size, a.data(), &size, result.values.data(), &workSize, &askSize, &integerSize, &askSize,

@@ -6,6 +6,7 @@ namespace antinode
 {
 // What the solution of plates and the allocation spend their time on, by the system's BLAS and LAPACK: made for the processor it runs on, on one
 // thread. All matrices are column by column, a part of a larger one or whole.
+// Any threads may call; one computes at a time, because Debian's library for one thread does not bear two.
 using MatrixIn = Eigen::Ref<const Eigen::MatrixXd>;
 using MatrixOut = Eigen::Ref<Eigen::MatrixXd>;
 

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <thread>
+#include <vector>
 
 using namespace antinode;
 using namespace antinode::test;
@@ -179,6 +181,27 @@ TEST_CASE ("The same problem gives the same bits", "[allocation]")
         CHECK (first.certificate.bound == second.certificate.bound);
         CHECK (first.certificate.iterations == second.certificate.iterations);
     }
+}
+
+TEST_CASE ("Threads that solve at once get the same bits as one alone", "[allocation]")
+{
+    const auto problem = instance (ModePattern::plate, RowKind::terminal, standardSizes[2], 1);
+    const auto alone = solveAllocation (problem, AllocationGoal::peak).matrix;
+    std::vector<int> same (3);
+    std::vector<std::thread> threads;
+
+    for (auto& count : same)
+        threads.emplace_back (
+            [&]
+            {
+                for (int n = 0; n < 5; ++n)
+                    count += solveAllocation (problem, AllocationGoal::peak).matrix == alone;
+            });
+
+    for (auto& thread : threads)
+        thread.join();
+
+    CHECK (same == std::vector<int> (3, 5));
 }
 
 TEST_CASE ("Limits that cannot be kept say what can be reached: wanted over the least peak ratio", "[allocation]")
