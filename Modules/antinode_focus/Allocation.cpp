@@ -133,6 +133,8 @@ Allocation solveAllocation (const AllocationProblem& problem, AllocationGoal goa
     const auto voltsSquared = whitened.voltageUnit * whitened.voltageUnit;
     certificate.bound *= voltsSquared;
     certificate.objective = whitened.objective (shares) * voltsSquared;
+    certificate.peakVoltage =
+        whitened.voltages (shares).topRows (problem.waveforms.cols()).cwiseAbs().maxCoeff() * whitened.voltageUnit;
     certificate.gap = (certificate.objective - certificate.bound) / certificate.objective;
     checkSolved (certificate.gap);
     allocation.matrix = whitened.matrix (shares);

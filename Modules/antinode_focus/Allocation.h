@@ -64,6 +64,7 @@ struct AllocationCertificate
     double gap = 0; ///< (objective - bound) / objective.
     double peakRatio =
         0; ///< The larger of max |U_i| / voltageLimits (i) and max |dU_i/dt| / slewLimits (i) on the grids.
+    double peakVoltage = 0; ///< max |U_i| on the grid, V.
     /** Certified: no M has a smaller peakRatio. The least there is, to 1e-6, for AllocationGoal::peak and infeasible limits;
         otherwise only what came up on the way to knowing that the limits can be kept, or 0. */
     double leastPeakRatio = 0;

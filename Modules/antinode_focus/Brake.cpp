@@ -139,14 +139,14 @@ BrakeProblem problemFor (const FocusDesign& design, const ModalModel& model, con
         return problem;
 
     auto& allocation = problem.allocation;
-    allocation.waveforms = sampleDrives (problem.drives, lastFocus (design) + releaseDuration(), end);
+    limitDrives (allocation, model, design.program.voltageLimits, problem.drives,
+                 { lastFocus (design) + releaseDuration(), end });
     allocation.participation = stateParticipation (model, modes);
     allocation.rows = rowResponses (model, stateRows (rest, modes), problem.drives, design.playback);
     allocation.wanted = -freeMotion (design, model, rest, modes);
     allocation.guardParticipation = stateParticipation (model, guards);
     allocation.guardRows = rowResponses (model, stateRows (rest, guards), problem.drives, design.playback);
     allocation.guardWeight = design.description.allocation.guardWeight;
-    allocation.voltageLimits = design.program.voltageLimits * gridLimitMargin();
     return problem;
 }
 

@@ -144,6 +144,11 @@ void sampleProgram (FocusDesign& design, const ModalModel& model, DesignExtent e
             "is 'free_waveform', which is played offline only; use 'dictionary' in real time, which comes "
             "near the same voltage");
 
+    if (hasSlewLimits (model))
+        throw InputError ("focus: /allocation/method",
+                          "is 'free_waveform', whose samples keep no slew or current limit, which this device has; "
+                          "allowed are 'exact', 'paper', 'minimum_peak' and 'dictionary'");
+
     const auto& moment = design.moments.front();
     const auto limits = voltageLimits (model, design.description.allocation);
     auto description = design.description;
@@ -192,8 +197,7 @@ double peakVoltage (const FocusDesign& design)
     if (design.program.samples)
         return design.program.samples->values.cwiseAbs().maxCoeff();
 
-    // The certificate's ratio is against limits that are tightened for what lies between the samples of its grid.
-    return design.certificate.peakRatio * gridLimitMargin() * design.program.voltageLimits.maxCoeff();
+    return design.certificate.peakVoltage;
 }
 
 FocusDesign designFocus (const ModalModel& model, const FocusDescription& description, Playback playback,

@@ -111,16 +111,9 @@ AllocationProblem allocationProblem (const ModalModel& model, const FocusDescrip
     const auto& choice = description.allocation;
 
     AllocationProblem problem;
-    problem.waveforms = sampleDrives (drives, span.first, span.last);
+    limitDrives (problem, model, voltageLimits (model, choice), drives, span);
     problem.wanted = wantedOf (moments);
     problem.participation = model.participation (timesOver (modes, moments), Eigen::all);
-    problem.voltageLimits = voltageLimits (model, choice) * gridLimitMargin();
-
-    if (hasSlewLimits (model))
-    {
-        problem.slopes = sampleSlopes (drives, span.first, span.last);
-        problem.slewLimits = slewLimits (model, problem.slopes) * gridLimitMargin();
-    }
 
     if (! hasExactRows (choice.method))
     {
@@ -162,6 +155,7 @@ Allocation allocate (const AllocationProblem& problem, AllocationMethod method, 
                             : minimumNormAllocation (problem);
     const Eigen::MatrixXd voltages = allocation.matrix * problem.waveforms;
     allocation.certificate.objective = 0.5 * voltages.squaredNorm();
+    allocation.certificate.peakVoltage = voltages.cwiseAbs().maxCoeff();
     allocation.certificate.peakRatio =
         voltages.cwiseAbs().rowwise().maxCoeff().cwiseQuotient (problem.voltageLimits).maxCoeff();
     return allocation;
@@ -190,6 +184,19 @@ bool hasSlewLimits (const ModalModel& model)
 {
     return std::any_of (model.ceramics.begin(), model.ceramics.end(),
                         [] (const auto& ceramic) { return ceramic.slewLimit > 0; });
+}
+
+void limitDrives (AllocationProblem& problem, const ModalModel& model, const Eigen::VectorXd& limits,
+                  const DriveList& drives, DriveSpan span)
+{
+    problem.waveforms = sampleDrives (drives, span.first, span.last);
+    problem.voltageLimits = limits * gridLimitMargin();
+
+    if (! hasSlewLimits (model))
+        return;
+
+    problem.slopes = sampleSlopes (drives, span.first, span.last);
+    problem.slewLimits = slewLimits (model, problem.slopes) * gridLimitMargin();
 }
 
 std::vector<int> guardModes (const ModalModel& model, const std::vector<int>& controlled,

@@ -28,6 +28,11 @@ Eigen::VectorXd voltageLimits (const ModalModel&, const AllocationChoice&);
 /** Whether any ceramic's voltage may change only so fast. [any] */
 bool hasSlewLimits (const ModalModel&);
 
+/** Puts drives into a problem, with all limits that they have to keep while they last, on the grid that these are tightened for.
+    @param limits  N_b, V
+    [worker] Docs/Theory.md, sections 4.1 and 4.6. */
+void limitDrives (AllocationProblem&, const ModalModel&, const Eigen::VectorXd& limits, const DriveList&, DriveSpan);
+
 /** Whether a method asks for the least peak voltage, whatever the limit. [any] */
 bool asksForLeastPeak (AllocationMethod);
 

@@ -92,7 +92,16 @@ Allocation allocateDictionary (AllocationProblem problem, const DriveList& drive
     const Eigen::MatrixXd voltages = allocation.matrix * fine;
     auto& certificate = allocation.certificate;
     const Eigen::VectorXd peaks = voltages.cwiseAbs().rowwise().maxCoeff();
+    certificate.peakVoltage = peaks.maxCoeff();
     certificate.peakRatio = peaks.cwiseQuotient (limits).maxCoeff() / gridLimitMargin();
+
+    if (problem.slopes.size() > 0)
+    {
+        const Eigen::VectorXd steepest = (allocation.matrix * problem.slopes).cwiseAbs().rowwise().maxCoeff();
+        certificate.peakRatio =
+            std::max (certificate.peakRatio, steepest.cwiseQuotient (problem.slewLimits).maxCoeff());
+    }
+
     certificate.leastPeakRatio *= gridLimitMargin (samplesPerCycle) / gridLimitMargin();
     return allocation;
 }

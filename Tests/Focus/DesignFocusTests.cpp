@@ -213,7 +213,7 @@ TEST_CASE ("Slew limits of the ceramics hold at every instant, and those out of 
     {
         Eigen::VectorXd slopes = Eigen::VectorXd::Zero (program.allocation.rows());
 
-        for (double time = 0; time < 0.026; time += 1e-6)
+        for (double time = 0; time < 0.036; time += 1e-6)
         {
             Eigen::VectorXd values (program.oscillations.size());
 
@@ -244,7 +244,17 @@ TEST_CASE ("Slew limits of the ceramics hold at every instant, and those out of 
             CHECK (slopes[i] <= limit);
 
     CHECK (slopes.maxCoeff() >= 0.95 * limit);
+    CHECK (peakVoltage (slewed) == Approx (peakVoltage (free)).epsilon (0.2)); // Volts, not parts of what is limited.
     CHECK (slewed.certificate.objective >= free.certificate.objective);
+
+    auto braked = sincFocus (AllocationMethod::exact);
+    braked.transients.brakeDuration = 0.01;
+    model.ceramics[2].slewLimit = limit;
+    CHECK (steepest (designFocus (model, braked, {}).program).maxCoeff() <= limit);
+
+    auto any = sincFocus (AllocationMethod::freeWaveform);
+    CHECK_THROWS_WITH (designFocus (model, any, { Reconstruction::bandLimited, 96000 }),
+                       Catch::Contains ("keep no slew or current limit"));
 
     for (auto& ceramic : model.ceramics)
         ceramic.slewLimit = 0.01 * limit;
