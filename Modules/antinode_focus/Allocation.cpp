@@ -26,9 +26,6 @@ constexpr auto largestGap = 1e-6;
 /** What the limits must have to spare for the least norm within them to be looked for. */
 constexpr auto leastRoom = 1e-6;
 
-/** Room above the least peak in which the norm is then made small. */
-constexpr auto roomAboveLeastPeak = 1.001;
-
 double secondsSince (std::chrono::steady_clock::time_point begin)
 {
     return std::chrono::duration<double> (std::chrono::steady_clock::now() - begin).count();
@@ -81,7 +78,7 @@ std::optional<Eigen::MatrixXd> activeShares (const WhitenedAllocation& whitened,
 
 /** The shares by interior points, with status, bound and effort of the certificate. */
 Eigen::MatrixXd limitedShares (const WhitenedAllocation& whitened, const RowSystem& rows, AllocationGoal goal,
-                               AllocationCertificate& certificate, const AllocationWatch& watch)
+                               double peakRoom, AllocationCertificate& certificate, const AllocationWatch& watch)
 {
     const auto hardOnly = whitened.withoutGuards();
     const auto isPeak = goal == AllocationGoal::peak;
@@ -91,7 +88,7 @@ Eigen::MatrixXd limitedShares (const WhitenedAllocation& whitened, const RowSyst
         checkSolved (least.gap());
 
     const auto isInfeasible = ! isPeak && least.value > 1 - leastRoom;
-    const auto ratio = isPeak || isInfeasible ? roomAboveLeastPeak * least.bound : 1.0;
+    const auto ratio = isPeak || isInfeasible ? peakRoom * least.bound : 1.0;
     const auto result = leastNormShares (whitened, rows, ratio, least.shares, watch);
     certificate.status = isInfeasible ? AllocationStatus::infeasible : AllocationStatus::optimal;
     certificate.leastPeakRatio = least.bound;
@@ -123,7 +120,7 @@ Allocation solveAllocation (const AllocationProblem& problem, AllocationGoal goa
     {
         const auto active = goal == AllocationGoal::norm ? activeShares (whitened, rows, shares, certificate, watch)
                                                          : std::optional<Eigen::MatrixXd>();
-        shares = active ? *active : limitedShares (whitened, rows, goal, certificate, watch);
+        shares = active ? *active : limitedShares (whitened, rows, goal, problem.peakRoom, certificate, watch);
         certificate.peakRatio = whitened.peakRatio (shares);
     }
     else

@@ -35,13 +35,14 @@ struct AllocationProblem
     Eigen::MatrixXd slopes;             ///< dPsi/dt, N_d x N_t, 1/s, on a grid on which the slew limits hold, or empty.
     Eigen::VectorXd slewLimits;         ///< N_b, V/s, more than 0; empty where slopes are.
     Eigen::VectorXd voltageLimits;      ///< N_b, V, more than 0
+    double peakRoom = 1.001;            ///< AllocationGoal::peak: the norm is the least within so many times the least peak.
 };
 
 /** What to minimise. */
 enum class AllocationGoal
 {
     norm, ///< The norm, guards included, within the limits.
-    peak ///< The largest |U_i| / voltageLimits (i) and |dU_i/dt| / slewLimits (i), guards ignored; then the norm, guards included, within 1.001 of it.
+    peak ///< The largest |U_i| / voltageLimits (i) and |dU_i/dt| / slewLimits (i), guards ignored; then the norm, guards included, within peakRoom times it.
 };
 
 enum class AllocationStatus
@@ -59,7 +60,7 @@ struct AllocationCertificate
     int rounds = 0;       ///< Rounds of peak constraint generation.
     double objective = 0; ///< What is minimised, guards' part included, V^2.
     /** A value that no M can go below which meets the rows and the limits (weak duality), V^2. Where the least peak was
-        asked for, or the limits cannot be kept, the limits are those times 1.001 leastPeakRatio. */
+        asked for, or the limits cannot be kept, the limits are those times peakRoom leastPeakRatio. */
     double bound = 0;
     double gap = 0; ///< (objective - bound) / objective.
     double peakRatio =

@@ -194,10 +194,10 @@ Attempt attemptAsAsked (const FocusDesign& design, const ModalModel& model)
     return { duration, choice.brake, envelopeFolds };
 }
 
-Allocation allocate (const BrakeProblem& problem, const ModalModel& model)
+Allocation allocate (const BrakeProblem& problem, const ModalModel& model, const AllocationWatch& watch)
 {
     if (! problem.modes.empty())
-        return solveAllocation (problem.allocation, AllocationGoal::norm);
+        return solveAllocation (problem.allocation, AllocationGoal::norm, watch);
 
     return { Eigen::MatrixXd (model.actuators(), 0), {} };
 }
@@ -251,18 +251,18 @@ bool hasBrake (const TransientChoice& choice)
     return choice.brake.has_value() || choice.brakeDuration.has_value();
 }
 
-void appendBrake (FocusDesign& design, const ModalModel& model)
+void appendBrake (FocusDesign& design, const ModalModel& model, const AllocationWatch& watch)
 {
     const auto asked = attemptAsAsked (design, model);
     auto attempt = asked;
     auto problem = problemFor (design, model, attempt);
-    auto allocation = allocate (problem, model);
+    auto allocation = allocate (problem, model, watch);
 
     while (allocation.certificate.status == AllocationStatus::infeasible && ! isEasiest (attempt))
     {
         attempt = easierThan (attempt, allocation.certificate.peakRatio);
         problem = problemFor (design, model, attempt);
-        allocation = allocate (problem, model);
+        allocation = allocate (problem, model, watch);
     }
 
     addBrakeRemarks (design, asked, attempt, problem.modes.size());

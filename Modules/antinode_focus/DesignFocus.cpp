@@ -122,13 +122,13 @@ FocusDesign designOf (const FocusDescription& description, const std::vector<int
 }
 
 /** The program as drives and their allocation. */
-void allocateProgram (FocusDesign& design, const ModalModel& model)
+void allocateProgram (FocusDesign& design, const ModalModel& model, const AllocationWatch& watch)
 {
     const auto& choice = design.description.allocation;
     const auto limits = voltageLimits (model, choice);
     const auto drives = drivesOf (design, model);
     const auto allocation =
-        allocateDrives (model, design.description, design.controlledModes, design.moments, drives, design.playback);
+        allocateDrives (model, design.description, design.controlledModes, design.moments, drives, design.playback, watch);
     throwWhereBeyondLimit (allocation.certificate, choice.method, limits, design.reachablePeakVelocity,
                            hasSlewLimits (model));
     design.program = programOf (drives, allocation.matrix, limits, design.moments.front().time);
@@ -165,7 +165,8 @@ void sampleProgram (FocusDesign& design, const ModalModel& model, DesignExtent e
 }
 
 FocusDesign designDrives (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
-                          std::vector<FocusMoment> moments, Playback playback, double peakVelocity, DesignExtent extent)
+                          std::vector<FocusMoment> moments, Playback playback, double peakVelocity, DesignExtent extent,
+                          const AllocationWatch& watch)
 {
     checkRate (model, modes, playback);
     auto design = designOf (description, modes, std::move (moments), playback, peakVelocity);
@@ -173,13 +174,13 @@ FocusDesign designDrives (const ModalModel& model, const FocusDescription& descr
     if (description.allocation.method == AllocationMethod::freeWaveform)
         sampleProgram (design, model, extent);
     else
-        allocateProgram (design, model);
+        allocateProgram (design, model, watch);
 
     const auto& limits = design.program.voltageLimits;
     design.leastPeakVoltage = design.certificate.leastPeakRatio * limits.maxCoeff();
 
     if (hasBrake (description.transients))
-        appendBrake (design, model);
+        appendBrake (design, model, watch);
 
     if (extent == DesignExtent::complete)
         design.lowerBoundVoltage = lowerBound (model, modes, design.moments, limits);
@@ -201,7 +202,7 @@ double peakVoltage (const FocusDesign& design)
 }
 
 FocusDesign designFocus (const ModalModel& model, const FocusDescription& description, Playback playback,
-                         DesignExtent extent)
+                         DesignExtent extent, const AllocationWatch& watch)
 {
     if (model.actuators() == 0)
         throw InputError ("device '" + model.name + "'", "has no ceramics, a focus needs at least one");
@@ -214,7 +215,7 @@ FocusDesign designFocus (const ModalModel& model, const FocusDescription& descri
     for (const auto& wantedPlace : description.targets)
         peakVelocity = std::max (peakVelocity, wantedPlace.peakVelocity);
 
-    return designDrives (model, description, modes, std::move (moments), playback, peakVelocity, extent);
+    return designDrives (model, description, modes, std::move (moments), playback, peakVelocity, extent, watch);
 }
 
 FocusDesign designModes (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
@@ -223,6 +224,6 @@ FocusDesign designModes (const ModalModel& model, const FocusDescription& descri
     const Eigen::VectorXd field = model.shapes (Eigen::all, modes) * wanted;
     FocusMoment moment { description.focusTime, description.targets, projectField (model, field), wanted, field, 1 };
     return designDrives (model, description, modes, { std::move (moment) }, playback, field.cwiseAbs().maxCoeff(),
-                         DesignExtent::complete);
+                         DesignExtent::complete, {});
 }
 } // namespace antinode

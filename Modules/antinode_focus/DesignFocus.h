@@ -15,10 +15,12 @@ enum class DesignExtent
 
 /** From what is wanted to what is played: project, choose modes, transients, allocate.
     @param playback  what the exact terminal rows are computed for
-    @throws LimitError  when the voltage limit cannot be met (proven); InputError for all else that cannot be done
+    @param watch     looked at by the allocation's solver before every step
+    @throws LimitError  when the voltage limit cannot be met (proven); AllocationCancelled when the watch says no; InputError for all
+                        else that cannot be done
     [worker] Docs/Theory.md, sections 2 to 4. */
 FocusDesign designFocus (const ModalModel&, const FocusDescription&, Playback,
-                         DesignExtent extent = DesignExtent::complete);
+                         DesignExtent extent = DesignExtent::complete, const AllocationWatch& watch = {});
 
 /** The second half: modal velocities prescribed instead of projected, for example for tests of single modes.
     @param modes   ascending mode indices

@@ -138,16 +138,17 @@ AllocationProblem allocationProblem (const ModalModel& model, const FocusDescrip
     return problem;
 }
 
-Allocation allocate (const AllocationProblem& problem, AllocationMethod method, const DriveList& drives, DriveSpan span)
+Allocation allocate (const AllocationProblem& problem, AllocationMethod method, const DriveList& drives, DriveSpan span,
+                     const AllocationWatch& watch)
 {
     if (method == AllocationMethod::dictionary)
-        return allocateDictionary (problem, drives, span);
+        return allocateDictionary (problem, drives, span, watch);
 
     if (method == AllocationMethod::minimumPeak)
-        return solveAllocation (problem, AllocationGoal::peak);
+        return solveAllocation (problem, AllocationGoal::peak, watch);
 
     if (method == AllocationMethod::exact || method == AllocationMethod::paper)
-        return solveAllocation (problem, AllocationGoal::norm);
+        return solveAllocation (problem, AllocationGoal::norm, watch);
 
     Allocation allocation;
     allocation.matrix = method == AllocationMethod::oneToOne
@@ -222,14 +223,15 @@ double longestDrive (const FocusDescription& description)
 }
 
 Allocation allocateDrives (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
-                           const std::vector<FocusMoment>& moments, const DriveList& drives, Playback playback)
+                           const std::vector<FocusMoment>& moments, const DriveList& drives, Playback playback,
+                           const AllocationWatch& watch)
 {
     const auto& choice = description.allocation;
     const auto start = firstStart (drives);
     const auto first = choice.window ? std::max (moments.front().time - *choice.window, start) : start;
     const DriveSpan span { first, moments.back().time + releaseDuration() };
     return allocate (allocationProblem (model, description, modes, moments, drives, span, playback), choice.method,
-                     drives, span);
+                     drives, span, watch);
 }
 
 /** A drive's oscillations share its column of the matrix. */

@@ -14,6 +14,10 @@ namespace
 {
 using Complex = std::complex<double>;
 
+/** A thousandth is not enough where modes that are not controlled are near: the field error of the aluminium plate falls from 12 % to
+    0.04 %, and nothing is gained beyond. */
+constexpr double roomForGuards = 1.005;
+
 constexpr double greatestFolds = 40; // beyond, an earlier start adds less than 1e-17
 
 /** Re[X e^{p tau} (1 - e^{-r tau})^2] as three oscillations; those that only shape the onset end where they have died away. */
@@ -82,13 +86,15 @@ DriveList dictionaryDrives (const ModalModel& model, const FocusDescription& des
     return drives;
 }
 
-Allocation allocateDictionary (AllocationProblem problem, const DriveList& drives, DriveSpan span)
+Allocation allocateDictionary (AllocationProblem problem, const DriveList& drives, DriveSpan span,
+                               const AllocationWatch& watch)
 {
     constexpr auto samplesPerCycle = gridSamplesPerCycle / 2;
     const Eigen::VectorXd limits = problem.voltageLimits / gridLimitMargin();
     const auto fine = std::exchange (problem.waveforms, sampleDrives (drives, span.first, span.last, samplesPerCycle));
     problem.voltageLimits = limits * gridLimitMargin (samplesPerCycle);
-    auto allocation = solveAllocation (problem, AllocationGoal::peak);
+    problem.peakRoom = roomForGuards;
+    auto allocation = solveAllocation (problem, AllocationGoal::peak, watch);
     const Eigen::MatrixXd voltages = allocation.matrix * fine;
     auto& certificate = allocation.certificate;
     const Eigen::VectorXd peaks = voltages.cwiseAbs().rowwise().maxCoeff();

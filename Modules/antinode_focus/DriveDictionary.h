@@ -24,9 +24,10 @@ std::vector<double> dictionaryGrowths (std::size_t modes);
 DriveList dictionaryDrives (const ModalModel&, const FocusDescription&, const std::vector<int>& modes,
                             const std::vector<double>& growth);
 
-/** The dictionary's drives at the least peak voltage, exact terminal rows, guards soft. The solver sees a grid that is half as fine as that
+/** The dictionary's drives within 1.005 of the least peak voltage, exact terminal rows, guards soft. The solver sees a grid that is half as fine as that
     of other methods, with limits that are tightened for it; the certificate's ratios are those on the fine one.
     @throws InputError  as solveAllocation
     [worker] Docs/Theory.md, section 4.8. */
-Allocation allocateDictionary (AllocationProblem, const DriveList&, DriveSpan);
+Allocation allocateDictionary (AllocationProblem, const DriveList&, DriveSpan,
+                               const AllocationWatch& watch = {});
 } // namespace antinode

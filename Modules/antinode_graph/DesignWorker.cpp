@@ -10,6 +10,9 @@ namespace antinode
 namespace
 {
 constexpr auto partInterval = std::chrono::milliseconds (100); ///< Between parts of a bank that are handed over.
+
+/** Younger designs are finished though they are outdated: while a parameter moves, something is to be heard of it. */
+constexpr auto longDesign = std::chrono::milliseconds (250);
 } // namespace
 
 DesignWorker::DesignWorker (BankHandOver& handOverToUse) : handOver (handOverToUse), thread ([this] { run(); }) {}
@@ -122,7 +125,10 @@ void DesignWorker::designBank (const DesignRequest& request, Clock::time_point a
                bank.foci.begin() + FocusBank::livePlace, nullptr);
     std::fill (bank.foci.begin() + FocusBank::firstTouchPlace, bank.foci.end(), nullptr);
     Places isDone {};
-    designPlace (request, FocusBank::livePlace, request.focus);
+
+    if (! designPlace (request, FocusBank::livePlace, request.focus))
+        return;
+
     isDone[FocusBank::livePlace] = true;
     handOverBank();
     noteReady (request, isDone, asked);
@@ -132,7 +138,10 @@ void DesignWorker::designBank (const DesignRequest& request, Clock::time_point a
     {
         const auto [place, isAwaited] = nextPlace (order);
         const auto [x, y] = request.places[static_cast<std::size_t> (place)];
-        designPlace (request, place, movedTo (request.focus, x, y));
+
+        if (! designPlace (request, place, movedTo (request.focus, x, y)))
+            return;
+
         isDone[static_cast<std::size_t> (place)] = true;
 
         if (isAwaited || Clock::now() - lastPart >= partInterval || order.isEmpty())
@@ -186,25 +195,39 @@ void DesignWorker::designTouches()
     {
         const auto place = FocusBank::firstTouchPlace + nextTouchPlace;
 
-        if (accepted)
-            designPlace (*accepted, place, movedTo (accepted->focus, touch.x, touch.y));
-
-        const auto isDesigned = bank.foci[static_cast<std::size_t> (place)] != nullptr;
+        const auto isDesigned = accepted && designPlace (*accepted, place, movedTo (accepted->focus, touch.x, touch.y))
+                                && bank.foci[static_cast<std::size_t> (place)] != nullptr;
         nextTouchPlace = (nextTouchPlace + 1) % FocusBank::touchPlaces;
         handOverBank();
         touch.ready (isDesigned ? place : -1);
     }
 }
 
-void DesignWorker::designPlace (const DesignRequest& request, int place, const FocusDescription& description)
+/** Touches are not outdated by a request: who asked waits for an answer. */
+bool DesignWorker::mayGoOn (int place, Clock::time_point begin) const
+{
+    const std::lock_guard lock (mutex);
+    const auto isReplaced = next && place < FocusBank::firstTouchPlace && Clock::now() - begin > longDesign;
+    return ! isStopping && ! isReplaced;
+}
+
+/** @return  false where it was given up: the place keeps what it has */
+bool DesignWorker::designPlace (const DesignRequest& request, int place, const FocusDescription& description)
 {
     std::shared_ptr<const PlayableFocus> focus;
     std::string error;
+    const auto goOn = [this, place, begin = Clock::now()] (const AllocationProgress&)
+    { return mayGoOn (place, begin); };
 
     try
     {
-        const auto design = designFocus (*request.model, description, request.playback, DesignExtent::playable);
+        const auto design =
+            designFocus (*request.model, description, request.playback, DesignExtent::playable, goOn);
         focus = std::make_shared<const PlayableFocus> (design.program, request.playback);
+    }
+    catch (const AllocationCancelled&)
+    {
+        return false;
     }
     catch (const std::exception& failure)
     {
@@ -216,12 +239,12 @@ void DesignWorker::designPlace (const DesignRequest& request, int place, const F
     const std::lock_guard lock (mutex);
 
     if (next || place >= FocusBank::firstTouchPlace)
-        return; // The state is the next request's already, or does not count this place.
+        return true; // The state is the next request's already, or does not count this place.
 
     ++state.designed;
 
     if (! failed)
-        return;
+        return true;
 
     ++state.failed;
     state.error = error;
@@ -230,6 +253,8 @@ void DesignWorker::designPlace (const DesignRequest& request, int place, const F
         state.liveError = error;
     else
         state.failedNotes.insert (std::upper_bound (state.failedNotes.begin(), state.failedNotes.end(), place), place);
+
+    return true;
 }
 
 void DesignWorker::handOverBank()

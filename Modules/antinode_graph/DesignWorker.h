@@ -19,7 +19,7 @@ namespace antinode
 {
 /** Designs banks on a thread of its own and hands them over: the focus at its own place first, then the wanted notes' places
     one by one, then the others in parts (BankOrder). A newer request replaces one that has not been finished: rapid
-    changes of a parameter coalesce. Until a place is designed anew it keeps the focus that it had. A touched place is designed
+    changes of a parameter coalesce, and a design that takes long is given up. Until a place is designed anew it keeps the focus that it had. A touched place is designed
     between two others. */
 class DesignWorker
 {
@@ -66,7 +66,8 @@ private:
 
     void run();
     void designBank (const DesignRequest&, Clock::time_point asked);
-    void designPlace (const DesignRequest&, int place, const FocusDescription&);
+    bool designPlace (const DesignRequest&, int place, const FocusDescription&);
+    bool mayGoOn (int place, Clock::time_point begin) const;
     void designTouches();
     bool isOutdated() const;
     void handOverBank();

@@ -13,6 +13,8 @@ namespace antinode
 {
 namespace
 {
+/** Younger designs are finished though they are outdated: while a parameter moves, its field is to be seen. */
+constexpr auto longDesign = std::chrono::milliseconds (250);
 constexpr auto pause = std::chrono::milliseconds (120); // without a new question before the long part begins
 
 /** Thrown through a render that nobody waits for any more. */
@@ -137,9 +139,13 @@ void DesignView::answer (const DesignQuestion& question)
 
     try
     {
-        answerWith (made, designFocus (*question.model, made.focus, question.playback, DesignExtent::playable));
+        answerWith (made, designFocus (*question.model, made.focus, question.playback, DesignExtent::playable,
+                                      watch (longDesign)));
     }
     catch (const GivenUp&)
+    {
+    }
+    catch (const AllocationCancelled&)
     {
     }
     catch (const std::exception& failure)
@@ -187,7 +193,7 @@ void DesignView::render (DesignPicture& made)
     RenderOptions options;
     options.playback = question.playback;
     options.probes = probesOf (question);
-    auto design = designFocus (*question.model, made.focus, question.playback);
+    auto design = designFocus (*question.model, made.focus, question.playback, DesignExtent::complete, watch ({}));
     const auto goOn = [this] (double)
     {
         if (isOutdated())
@@ -214,6 +220,12 @@ void DesignView::show (const DesignPicture& made)
     auto shown = std::make_shared<const DesignPicture> (made);
     const std::lock_guard lock (mutex);
     newest = std::move (shown);
+}
+
+AllocationWatch DesignView::watch (std::chrono::milliseconds grace) const
+{
+    return [this, last = std::chrono::steady_clock::now() + grace] (const AllocationProgress&)
+    { return ! isOutdated() || std::chrono::steady_clock::now() < last; };
 }
 
 bool DesignView::isQuietFor (std::chrono::milliseconds time)

@@ -2,6 +2,8 @@
 
 #include "DesignPicture.h"
 
+#include <antinode_focus/AllocationWatch.h>
+
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -41,6 +43,7 @@ private:
     void render (DesignPicture&);
     void show (const DesignPicture&);
     bool isOutdated() const { return asked != answered || isStopping; }
+    AllocationWatch watch (std::chrono::milliseconds grace) const;
     bool isQuietFor (std::chrono::milliseconds);
 
     mutable std::mutex mutex;

@@ -6,8 +6,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <thread>
 
 using namespace antinode;
 
@@ -71,6 +73,37 @@ TEST_CASE ("Rapid requests coalesce: the last one wins", "[graph]")
     second.waitUntilDone();
     CHECK (second.progress().designed == 21);
     CHECK (firstChannel (once, 7, 2000) == firstChannel (often, 7, 2000));
+}
+
+TEST_CASE ("A design that takes long is given up for a newer request", "[graph]")
+{
+    auto slow = requestFor (1);
+    slow.model = std::make_shared<const ModalModel> (test::sineBeam (24, ceramics));
+    slow.focus.modes.count = 24; // Takes many seconds, and one step of its solver less than one.
+    slow.focus.allocation.method = AllocationMethod::dictionary;
+    slow.playback.sampleRate = 768000;
+    slow.focus.focusTime = 0.05;
+    BankHandOver handOver;
+    DesignWorker worker (handOver);
+    worker.request (slow);
+    std::this_thread::sleep_for (std::chrono::milliseconds (50));
+    worker.request (requestFor (2));
+    std::vector<std::int64_t> ends;
+
+    while (! worker.progress().isDone() || ends.empty())
+    {
+        std::this_thread::sleep_for (std::chrono::milliseconds (1));
+
+        if (const auto* const bank = handOver.take())
+        {
+            ends.push_back (bank->foci[FocusBank::livePlace]->endSample);
+            handOver.giveBack (bank);
+        }
+    }
+
+    CHECK (worker.progress().failed == 0);
+    CHECK (worker.progress().designed == 3);
+    CHECK (*std::max_element (ends.begin(), ends.end()) < static_cast<std::int64_t> (0.04 * rate));
 }
 
 TEST_CASE ("The focus at its own place is handed over first, then the place that is wanted, then the others", "[graph]")
