@@ -53,16 +53,17 @@ std::optional<std::string> bytesOf (const fs::path& path, std::uintmax_t maximum
     if (! fs::is_regular_file (path, error)) // A pipe, for one, would be waited for.
         return {};
 
-    const auto size = fs::file_size (path, error);
+    // The size of what was opened: under this name there may be another file by now.
+    std::ifstream file (path, std::ios::binary | std::ios::ate);
+    const auto end = file ? static_cast<std::streamoff> (file.tellg()) : -1;
 
-    if (error || size > maximumBytes)
+    if (end < 0 || static_cast<std::uintmax_t> (end) > maximumBytes)
         return {};
 
-    std::string bytes (size, '\0');
-    std::ifstream file (path, std::ios::binary);
-    file.read (bytes.data(), static_cast<std::streamsize> (size));
-    return file && static_cast<std::uintmax_t> (file.gcount()) == size ? std::optional (std::move (bytes))
-                                                                       : std::nullopt;
+    std::string bytes (static_cast<std::size_t> (end), '\0');
+    file.seekg (0);
+    file.read (bytes.data(), end);
+    return file && file.gcount() == end ? std::optional (std::move (bytes)) : std::nullopt;
 }
 
 void makePrivateFolder (const fs::path& folder)

@@ -35,7 +35,7 @@ struct AllocationProblem
     Eigen::MatrixXd slopes;             ///< dPsi/dt, N_d x N_t, 1/s, on a grid on which the slew limits hold, or empty.
     Eigen::VectorXd slewLimits;         ///< N_b, V/s, more than 0; empty where slopes are.
     Eigen::VectorXd voltageLimits;      ///< N_b, V, more than 0
-    double peakRoom = 1.001;            ///< AllocationGoal::peak: the norm is the least within so many times the least peak.
+    double peakRoom = 1.001; ///< AllocationGoal::peak: the norm is the least within so many times the least peak.
 };
 
 /** What to minimise. */

@@ -2,18 +2,12 @@
 
 #include "Brake.h"
 #include "DesignRemarks.h"
-#include "DriveAllocation.h"
-#include "DriveDictionary.h"
-#include "DriveGrid.h"
+#include "DesignedProgram.h"
 #include "FocusMoments.h"
-#include "FreeWaveform.h"
 #include "LowerBound.h"
 #include "Prediction.h"
 #include "Projection.h"
 #include "Repetition.h"
-#include "RobustDrives.h"
-#include "SampledPrediction.h"
-#include "Transients.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,35 +68,6 @@ double lowerBound (const ModalModel& model, const std::vector<int>& modes, const
     return bound * limits.maxCoeff();
 }
 
-/** The drives of every moment, each before its own time. Growth and cycles are told of the first. */
-DriveList drivesOf (FocusDesign& design, const ModalModel& model)
-{
-    const auto& description = design.description;
-    DriveList drives;
-
-    for (const auto& moment : design.moments)
-        for (const auto& drive : driveModes (model, design.controlledModes, moment.time, description.transients))
-        {
-            drives.push_back (drive.oscillations);
-
-            if (&moment != &design.moments.front())
-                continue;
-
-            design.growth.push_back (drive.growth);
-            design.cycles.push_back (drive.cycles);
-        }
-
-    if (description.allocation.robust)
-        for (const auto& drive :
-             fasterDrives (model, design.controlledModes, description.focusTime, description.transients))
-            drives.push_back (drive);
-
-    if (description.allocation.method == AllocationMethod::dictionary)
-        return dictionaryDrives (model, description, design.controlledModes, design.growth);
-
-    return drives;
-}
-
 /** What does not depend on what is played. */
 FocusDesign designOf (const FocusDescription& description, const std::vector<int>& modes,
                       std::vector<FocusMoment> moments, Playback playback, double peakVelocity)
@@ -119,49 +84,6 @@ FocusDesign designOf (const FocusDescription& description, const std::vector<int
     design.captured = first.captured;
     design.residue = std::sqrt (1 - first.captured * first.captured);
     return design;
-}
-
-/** The program as drives and their allocation. */
-void allocateProgram (FocusDesign& design, const ModalModel& model, const AllocationWatch& watch)
-{
-    const auto& choice = design.description.allocation;
-    const auto limits = voltageLimits (model, choice);
-    const auto drives = drivesOf (design, model);
-    const auto allocation =
-        allocateDrives (model, design.description, design.controlledModes, design.moments, drives, design.playback, watch);
-    throwWhereBeyondLimit (allocation.certificate, choice.method, limits, design.reachablePeakVelocity,
-                           hasSlewLimits (model));
-    design.program = programOf (drives, allocation.matrix, limits, design.moments.front().time);
-    design.certificate = allocation.certificate;
-}
-
-/** The program as samples. */
-void sampleProgram (FocusDesign& design, const ModalModel& model, DesignExtent extent)
-{
-    if (extent == DesignExtent::playable)
-        throw InputError (
-            "focus: /allocation/method",
-            "is 'free_waveform', which is played offline only; use 'dictionary' in real time, which comes "
-            "near the same voltage");
-
-    if (hasSlewLimits (model))
-        throw InputError ("focus: /allocation/method",
-                          "is 'free_waveform', whose samples keep no slew or current limit, which this device has; "
-                          "allowed are 'exact', 'paper', 'minimum_peak' and 'dictionary'");
-
-    const auto& moment = design.moments.front();
-    const auto limits = voltageLimits (model, design.description.allocation);
-    auto description = design.description;
-    description.focusTime = moment.time;
-    auto waveform = freeWaveform (model, description, design.controlledModes, moment.wanted, limits, design.playback);
-    design.growth.assign (design.controlledModes.size(), 0);
-    design.cycles.assign (design.controlledModes.size(), 0);
-    design.intersamplePeakVoltage = intersamplePeak (waveform.voltages);
-    design.certificate = waveform.certificate;
-    design.program.allocation.resize (model.actuators(), 0);
-    design.program.voltageLimits = limits;
-    design.program.focusTime = moment.time;
-    design.program.samples = std::move (waveform.voltages);
 }
 
 FocusDesign designDrives (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,

@@ -101,6 +101,30 @@ void warnOfPeak (FocusDesign& design)
         design.warnings.push_back (
             "The voltage limit is reached: the load is spread over more ceramics than without it.");
 }
+
+/** Methods that make their own waveforms say so where others were described. */
+void warnOfUnusedDrives (FocusDesign& design)
+{
+    const auto& description = design.description;
+    const auto method = description.allocation.method;
+    const auto isDictionary = method == AllocationMethod::dictionary;
+
+    if (! isDictionary && method != AllocationMethod::freeWaveform)
+        return;
+
+    std::string unused;
+
+    if (! description.transients.cycles.empty())
+        unused = "'cycles'";
+    else if (description.transients.drive == DriveKind::paper)
+        unused = "'drive'";
+    else if (! isDictionary && ! description.transients.growth.empty())
+        unused = "'growth'";
+
+    if (! unused.empty())
+        design.warnings.push_back (unused + " is not used: this allocation makes its own waveforms.");
+}
+
 void addSampleRemarks (FocusDesign& design)
 {
     const auto& samples = *design.program.samples;
@@ -147,6 +171,7 @@ void addRemarks (FocusDesign& design, const ModalModel& model)
             "Mode " + std::to_string (design.controlledModes.back() + 1) + " at " + inWords (highest)
             + " Hz lies near half the sample rate, where converters roll off: take a higher rate.");
 
+    warnOfUnusedDrives (design);
     warnOfPeak (design);
 
     if (design.program.samples)

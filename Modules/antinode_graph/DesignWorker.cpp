@@ -221,8 +221,7 @@ bool DesignWorker::designPlace (const DesignRequest& request, int place, const F
 
     try
     {
-        const auto design =
-            designFocus (*request.model, description, request.playback, DesignExtent::playable, goOn);
+        const auto design = designFocus (*request.model, description, request.playback, DesignExtent::playable, goOn);
         focus = std::make_shared<const PlayableFocus> (design.program, request.playback);
     }
     catch (const AllocationCancelled&)

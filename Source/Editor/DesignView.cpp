@@ -140,7 +140,7 @@ void DesignView::answer (const DesignQuestion& question)
     try
     {
         answerWith (made, designFocus (*question.model, made.focus, question.playback, DesignExtent::playable,
-                                      watch (longDesign)));
+                                       watch (longDesign)));
     }
     catch (const GivenUp&)
     {

@@ -1,4 +1,5 @@
 #include "Support/SineBeam.h"
+#include "Support/SinePlate.h"
 
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/Detuning.h>
@@ -86,7 +87,7 @@ TEST_CASE ("A limit that cannot be met is refused with what can be reached, and 
 {
     const auto model = test::sineBeam (20, 8);
     const auto least = designFocus (model, sincFocus (AllocationMethod::minimumPeak), {}).leastPeakVoltage;
-    auto focus = sincFocus (AllocationMethod::exact, 0.8 * least);
+    auto focus = sincFocus (AllocationMethod::exact, 0.2 * least);
 
     try
     {
@@ -98,12 +99,25 @@ TEST_CASE ("A limit that cannot be met is refused with what can be reached, and 
         CHECK_THAT (error.what(),
                     Catch::Contains ("these drives need at least") && Catch::Contains ("mm/s can be reached"));
         CHECK (error.leastPeakVoltage == Approx (least).epsilon (2e-3));
-        CHECK (error.reachableVelocity == Approx (0.8 * 0.04).epsilon (2e-3));
+        CHECK (error.reachableVelocity == Approx (0.2 * 0.04).epsilon (2e-3));
         focus.targets[0].peakVelocity = 0.998 * error.reachableVelocity;
         CHECK_NOTHROW (designFocus (model, focus, {}));
     }
+}
 
-    CHECK_NOTHROW (designFocus (model, sincFocus (AllocationMethod::exact, 1.05 * least), {}));
+TEST_CASE ("A limit that one drive a mode cannot keep is kept with more of them, down to where these end", "[focus]")
+{
+    const auto model = test::sineBeam (20, 8);
+    const auto least = designFocus (model, sincFocus (AllocationMethod::minimumPeak), {}).leastPeakVoltage;
+    const auto plain = designFocus (model, sincFocus (AllocationMethod::exact, 1.05 * least), {});
+    const auto rich = designFocus (model, sincFocus (AllocationMethod::exact, 0.8 * least), {});
+    CHECK (peakVoltage (plain) <= 1.05 * least);
+    CHECK (peakVoltage (rich) <= 0.8 * least);
+    CHECK (rich.program.oscillations.size() == 4 * plain.program.oscillations.size());
+
+    auto described = sincFocus (AllocationMethod::exact, 0.8 * least);
+    described.transients.drive = DriveKind::paper; // Has no further drives.
+    CHECK_THROWS_AS (designFocus (model, described, {}), LimitError);
 }
 
 TEST_CASE ("Within an active limit the voltages touch it and the duality gap is certified", "[focus]")
@@ -117,6 +131,44 @@ TEST_CASE ("Within an active limit the voltages touch it and the duality gap is 
     CHECK (design.certificate.peakRatio == Approx (1).epsilon (1e-6));
     CHECK (design.lowerBoundVoltage > 0);
     CHECK (design.lowerBoundVoltage < least);
+}
+
+TEST_CASE ("Exact rows need at most 1.06 of the least peak of the paper's rows, also where modes are close", "[focus]")
+{
+    test::SinePlate plate;
+    plate.lengthY = 0.199; // Nearly a square: modes in pairs.
+    const auto model = plate.model (40);
+    FocusDescription focus;
+    focus.targets = { { TargetShape::bump, 0.07, 0.06, 0.03, 0.02, 1 } };
+    focus.focusTime = 0.02;
+    focus.modes.count = 15;
+
+    focus.allocation.method = AllocationMethod::paper;
+    focus.allocation.voltageLimit = 1e-3;
+    double paper = 0;
+
+    try
+    {
+        designFocus (model, focus, {});
+    }
+    catch (const LimitError& error)
+    {
+        paper = error.leastPeakVoltage;
+    }
+
+    REQUIRE (paper > 0);
+    focus.allocation.voltageLimit = 1.06 * paper;
+    focus.allocation.method = AllocationMethod::minimumPeak;
+    CHECK_THROWS_AS (designFocus (model, focus, {}), LimitError); // One drive a mode does not do.
+    focus.allocation.method = AllocationMethod::exact;
+    const auto design = designFocus (model, focus, {});
+    CHECK (peakVoltage (design) <= 1.06 * paper);
+    CHECK (design.program.oscillations.size() == 4 * 3 * design.controlledModes.size());
+    const auto reached = velocitiesAt (model, design, focus.focusTime);
+
+    for (const auto mode : design.controlledModes)
+        CHECK (reached[mode]
+               == Approx (design.target.modalVelocities[mode]).margin (1e-9 * reached.cwiseAbs().maxCoeff()));
 }
 
 TEST_CASE ("At the paper's growth of 4 the offset-free drive needs less voltage than the paper's", "[focus]")

@@ -39,6 +39,33 @@ TEST_CASE ("The dictionary comes within 1.5 of the bound of all waveforms, with 
     CHECK_THROWS_AS (designFocus (model, focus, {}), LimitError);
 }
 
+TEST_CASE ("Few modes or many, a short time or a long one: the dictionary is within 1.5 of the bound", "[dictionary]")
+{
+    const auto model = test::sineBeam (20, 6);
+    auto focus = dictionaryFocus();
+
+    for (const auto count : { 1, 2, 6, 10 })
+        for (const auto time : { 0.008, 0.025 })
+        {
+            focus.modes.count = count;
+            focus.focusTime = time;
+            const auto design = designFocus (model, focus, {});
+            CAPTURE (count, time);
+            CHECK (peakVoltage (design) < 1.5 * design.lowerBoundVoltage);
+        }
+}
+
+TEST_CASE ("Modes that the dictionary does not control stay nearly at rest", "[dictionary]")
+{
+    const auto model = test::sineBeam (20, 8);
+    auto focus = dictionaryFocus();
+    focus.modes.count = 8;
+    focus.modes.order = ModeOrder::frequency;
+    const auto design = designFocus (model, focus, {});
+    const auto reached = modalVelocities (model, predictStates (model, design.program, focus.focusTime));
+    CHECK (reached.tail (12).norm() < 0.003 * reached.head (8).norm());
+}
+
 TEST_CASE ("Drives of the dictionary start from 0 without a slope, are 1 at the focus and go on into their release",
            "[dictionary]")
 {

@@ -9,4 +9,12 @@ namespace antinode
     @throws InputError  as driveModes
     [any] Docs/Theory.md, section 7.5. */
 DriveList fasterDrives (const ModalModel&, const std::vector<int>& modes, double focusTime, const TransientChoice&);
+
+/** The faster drives, and each of all these drives once more, begun a quarter period later, or earlier where it lasts no more than that:
+    what a voltage limit that one drive a mode cannot keep is tried with.
+    @param choice  with offset-free drives
+    @throws InputError  as driveModes
+    [any] Docs/Theory.md, section 4.7. */
+DriveList furtherDrives (const ModalModel&, const std::vector<int>& modes, double focusTime,
+                         const TransientChoice& choice);
 } // namespace antinode

@@ -1,0 +1,117 @@
+#include "DesignedProgram.h"
+
+#include "DriveDictionary.h"
+#include "FreeWaveform.h"
+#include "FurtherDrives.h"
+#include "SampledPrediction.h"
+#include "Transients.h"
+
+namespace antinode
+{
+namespace
+{
+/** Further drives seldom lower the least peak to less than this: lower limits are refused at once. */
+constexpr auto leastShareToTry = 0.35;
+
+/** The drives of every moment, each before its own time. Growth and cycles are told of the first. */
+DriveList drivesOf (FocusDesign& design, const ModalModel& model)
+{
+    const auto& description = design.description;
+    DriveList drives;
+
+    for (const auto& moment : design.moments)
+        for (const auto& drive : driveModes (model, design.controlledModes, moment.time, description.transients))
+        {
+            drives.push_back (drive.oscillations);
+
+            if (&moment != &design.moments.front())
+                continue;
+
+            design.growth.push_back (drive.growth);
+            design.cycles.push_back (drive.cycles);
+        }
+
+    if (description.allocation.robust)
+        for (const auto& drive :
+             fasterDrives (model, design.controlledModes, description.focusTime, description.transients))
+            drives.push_back (drive);
+
+    if (description.allocation.method == AllocationMethod::dictionary)
+        return dictionaryDrives (model, description, design.controlledModes, design.growth);
+
+    return drives;
+}
+
+/** Whether a limit that cannot be kept is worth another attempt. */
+bool mayTakeFurtherDrives (const FocusDescription& description, const AllocationCertificate& certificate)
+{
+    const auto& choice = description.allocation;
+    return choice.method == AllocationMethod::exact && ! choice.robust
+           && description.transients.drive == DriveKind::offsetFree
+           && certificate.status == AllocationStatus::infeasible && leastShareToTry * certificate.leastPeakRatio < 1;
+}
+
+void addFurtherDrives (DriveList& drives, const FocusDesign& design, const ModalModel& model)
+{
+    for (const auto& moment : design.moments)
+        for (const auto& drive :
+             furtherDrives (model, design.controlledModes, moment.time, design.description.transients))
+            drives.push_back (drive);
+}
+} // namespace
+
+void allocateProgram (FocusDesign& design, const ModalModel& model, const AllocationWatch& watch)
+{
+    const auto& choice = design.description.allocation;
+    const auto limits = voltageLimits (model, choice);
+    auto drives = drivesOf (design, model);
+    const auto allocate = [&]
+    {
+        return allocateDrives (model, design.description, design.controlledModes, design.moments, drives,
+                               design.playback, watch);
+    };
+    auto allocation = allocate();
+
+    if (mayTakeFurtherDrives (design.description, allocation.certificate))
+    {
+        addFurtherDrives (drives, design, model);
+        allocation = allocate();
+        design.choices.emplace_back (
+            "One drive a mode cannot keep the voltage limit: each mode has further ones, which rise faster or begin a "
+            "quarter period later.");
+    }
+
+    throwWhereBeyondLimit (allocation.certificate, choice.method, limits, design.reachablePeakVelocity,
+                           hasSlewLimits (model));
+    design.program = programOf (drives, allocation.matrix, limits, design.moments.front().time);
+    design.certificate = allocation.certificate;
+}
+
+void sampleProgram (FocusDesign& design, const ModalModel& model, DesignExtent extent)
+{
+    if (extent == DesignExtent::playable)
+        throw InputError (
+            "focus: /allocation/method",
+            "is 'free_waveform', which is played offline only; use 'dictionary' in real time, which comes "
+            "near the same voltage");
+
+    if (hasSlewLimits (model))
+        throw InputError ("focus: /allocation/method",
+                          "is 'free_waveform', whose samples keep no slew or current limit, which this device has; "
+                          "allowed are 'exact', 'paper', 'minimum_peak' and 'dictionary'");
+
+    const auto& moment = design.moments.front();
+    const auto limits = voltageLimits (model, design.description.allocation);
+    auto description = design.description;
+    description.focusTime = moment.time;
+    auto waveform = freeWaveform (model, description, design.controlledModes, moment.wanted, limits, design.playback);
+    design.growth.assign (design.controlledModes.size(), 0);
+    design.cycles.assign (design.controlledModes.size(), 0);
+    design.intersamplePeakVoltage = intersamplePeak (waveform.voltages);
+    design.certificate = waveform.certificate;
+    design.program.allocation.resize (model.actuators(), 0);
+    design.program.voltageLimits = limits;
+    design.program.focusTime = moment.time;
+    design.program.samples = std::move (waveform.voltages);
+}
+} // namespace antinode
