@@ -33,10 +33,12 @@ void throwWhereBeyondLimit (const AllocationCertificate& certificate, Allocation
     const auto reachable = peakVelocity / ratio;
     const auto needed = hasSlewLimits ? "these drives need " + inWords (ratio) + " times that; at these limits "
                                       : "these drives need at least " + inWords (least) + " V; at this limit ";
+    const auto* const wayOut =
+        method == AllocationMethod::dictionary ? "" : ", more by the allocation 'dictionary'"; // has most drives
     throw LimitError ("focus: /allocation/voltage_limit_V",
                       inWords (limits.maxCoeff()) + (hasSlewLimits ? " V within the slew limits" : " V")
                           + " cannot bring " + inWords (millimetresPerSecond (peakVelocity)) + " mm/s: " + needed
-                          + inWords (millimetresPerSecond (reachable)) + " mm/s can be reached",
+                          + inWords (millimetresPerSecond (reachable)) + " mm/s can be reached" + wayOut,
                       least, reachable);
 }
 } // namespace antinode
