@@ -1,10 +1,11 @@
 #include "BoundedWaveform.h"
 
+#include "WaveformDual.h"
+
 #include <antinode_model/DenseKernels.h>
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace antinode
 {
@@ -13,133 +14,6 @@ namespace
 constexpr auto rowTolerance = 1e-12;     // aimed at
 constexpr auto acceptedResidual = 1e-10; // taken where rounding leaves no less
 constexpr auto mostSteps = 40;
-
-/** Where the samples of one ceramic are not at their limit. */
-std::vector<Eigen::Index> freeSamples (const Eigen::MatrixXd& pulls, const Eigen::VectorXd& limits, Eigen::Index i)
-{
-    std::vector<Eigen::Index> found;
-
-    for (Eigen::Index n = 0; n < pulls.cols(); ++n)
-        if (std::abs (pulls (i, n)) < limits[i])
-            found.push_back (n);
-
-    return found;
-}
-
-/** The dual and its pieces, rows scaled so that each has a Gram entry of 1. */
-class WaveformDual
-{
-public:
-    explicit WaveformDual (const BoundedWaveformProblem& problem)
-        : limits (problem.limits), weights (problem.weights), participation (problem.participation)
-    {
-        scale = (weights.rowwise().norm().array() * participation.rowwise().norm().array()).matrix();
-
-        for (auto& value : scale)
-            value = value > 0 ? 1 / value : 0;
-
-        participation = scale.asDiagonal() * participation;
-        wanted = scale.cwiseProduct (problem.wanted);
-        compliance = scale.cwiseAbs2().cwiseProduct (problem.compliance);
-        gram = Eigen::MatrixXd::Zero (weights.rows(), weights.rows());
-        addGram (gram, 1, weights);
-    }
-
-    /** A' y: what multipliers pull each sample to, N_b x N_s. */
-    Eigen::MatrixXd pullsOf (const Eigen::VectorXd& y) const
-    {
-        const Eigen::MatrixXd gains = y.asDiagonal() * participation;
-        Eigen::MatrixXd pulls = Eigen::MatrixXd::Zero (gains.cols(), weights.cols());
-        addTransposedLeft (pulls, 1, gains, weights);
-        return pulls;
-    }
-
-    Eigen::MatrixXd clipped (const Eigen::MatrixXd& pulls) const
-    {
-        return pulls.cwiseMin (limits.replicate (1, pulls.cols())).cwiseMax (-limits.replicate (1, pulls.cols()));
-    }
-
-    Eigen::VectorXd rowValues (const Eigen::MatrixXd& samples) const
-    {
-        Eigen::MatrixXd seen = Eigen::MatrixXd::Zero (weights.rows(), samples.rows());
-        addTransposedRight (seen, 1, weights, samples);
-        return seen.cwiseProduct (participation).rowwise().sum();
-    }
-
-    /** Each sample's part of the dual is v f - v^2 / 2 with v = clip (f). */
-    double value (const Eigen::VectorXd& y, const Eigen::MatrixXd& pulls) const
-    {
-        const auto played = clipped (pulls);
-        return wanted.dot (y) - played.cwiseProduct (pulls).sum() + 0.5 * played.squaredNorm()
-               - 0.5 * compliance.dot (y.cwiseAbs2());
-    }
-
-    /** What is minimised, over samples. */
-    double objective (const Eigen::MatrixXd& samples) const
-    {
-        const auto values = rowValues (samples);
-        double soft = 0;
-
-        for (Eigen::Index k = 0; k < values.size(); ++k)
-            if (compliance[k] > 0)
-                soft += values[k] * values[k] / compliance[k];
-
-        return 0.5 * (samples.squaredNorm() + soft);
-    }
-
-    /** The matrix of the Newton step: compliance and the rows as the samples within the limits see them. */
-    Eigen::MatrixXd curvature (const Eigen::MatrixXd& pulls) const
-    {
-        Eigen::MatrixXd sum = compliance.asDiagonal();
-
-        for (Eigen::Index i = 0; i < pulls.rows(); ++i)
-        {
-            const Eigen::MatrixXd part = seenBy (freeSamples (pulls, limits, i));
-            const auto column = participation.col (i);
-
-            for (Eigen::Index k = 0; k < sum.cols(); ++k)
-                sum.col (k).tail (sum.rows() - k) +=
-                    column[k] * column.tail (sum.rows() - k).cwiseProduct (part.col (k).tail (sum.rows() - k));
-        }
-
-        return sum;
-    }
-
-    Eigen::VectorXd limits;
-    Eigen::MatrixXd weights, participation;
-    Eigen::VectorXd wanted, compliance, scale;
-
-private:
-    /** The lower triangle of W W' over some samples: over them, or over all less the others, whichever are fewer. */
-    Eigen::MatrixXd seenBy (const std::vector<Eigen::Index>& samples) const
-    {
-        const auto count = static_cast<Eigen::Index> (samples.size());
-
-        if (count == weights.cols())
-            return gram;
-
-        if (2 * count <= weights.cols())
-        {
-            Eigen::MatrixXd part = Eigen::MatrixXd::Zero (gram.rows(), gram.cols());
-            addGram (part, 1, weights (Eigen::all, samples));
-            return part;
-        }
-
-        std::vector<Eigen::Index> others;
-
-        for (Eigen::Index n = 0, next = 0; n < weights.cols(); ++n)
-            if (next < count && samples[static_cast<std::size_t> (next)] == n)
-                ++next;
-            else
-                others.push_back (n);
-
-        Eigen::MatrixXd part = gram;
-        addGram (part, -1, weights (Eigen::all, others));
-        return part;
-    }
-
-    Eigen::MatrixXd gram;
-};
 
 /** Where a solution stands. */
 struct DualPoint

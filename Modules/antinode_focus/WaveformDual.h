@@ -1,0 +1,39 @@
+#pragma once
+
+#include "BoundedWaveform.h"
+
+#include <vector>
+
+namespace antinode
+{
+/** The dual of a bounded waveform and its pieces, rows scaled so that each has a Gram entry of 1. Docs/Theory.md, section 4.9. [worker] */
+class WaveformDual
+{
+public:
+    explicit WaveformDual (const BoundedWaveformProblem&);
+
+    /** A' y: what multipliers pull each sample to, N_b x N_s. */
+    Eigen::MatrixXd pullsOf (const Eigen::VectorXd& y) const;
+
+    Eigen::MatrixXd clipped (const Eigen::MatrixXd& pulls) const;
+    Eigen::VectorXd rowValues (const Eigen::MatrixXd& samples) const;
+
+    /** Each sample's part of the dual is v f - v^2 / 2 with v = clip (f). */
+    double value (const Eigen::VectorXd& y, const Eigen::MatrixXd& pulls) const;
+
+    /** What is minimised, over samples. */
+    double objective (const Eigen::MatrixXd& samples) const;
+
+    /** The matrix of the Newton step: compliance and the rows as the samples within the limits see them. Lower triangle. */
+    Eigen::MatrixXd curvature (const Eigen::MatrixXd& pulls) const;
+
+    Eigen::VectorXd limits;
+    Eigen::MatrixXd weights, participation;
+    Eigen::VectorXd wanted, compliance, scale;
+
+private:
+    Eigen::MatrixXd seenBy (const std::vector<Eigen::Index>& samples) const;
+
+    Eigen::MatrixXd gram;
+};
+} // namespace antinode
