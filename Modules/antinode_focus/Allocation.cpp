@@ -4,7 +4,7 @@
 #include "AllocationCertificate.h"
 #include "AllocationInput.h"
 #include "LimitedAllocation.h"
-#include "WhitenedAllocation.h"
+#include "RowSystem.h"
 
 #include <antinode_model/DenseKernels.h>
 #include <antinode_model/InputError.h>

@@ -2,7 +2,7 @@
 
 #include "AllocationWatch.h"
 #include "LimitedAllocation.h"
-#include "WhitenedAllocation.h"
+#include "RowSystem.h"
 
 #include <optional>
 

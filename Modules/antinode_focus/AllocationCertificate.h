@@ -1,6 +1,6 @@
 #pragma once
 
-#include "WhitenedAllocation.h"
+#include "RowSystem.h"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "AllocationWatch.h"
-#include "WhitenedAllocation.h"
+#include "RowSystem.h"
 
 #include <Eigen/Core>
 

@@ -119,12 +119,6 @@ Eigen::VectorXd appendRows (WhitenedAllocation& whitened, const Eigen::MatrixXd&
     return scale;
 }
 
-Eigen::MatrixXd rowGram (const WhitenedAllocation& whitened)
-{
-    return (whitened.responses * whitened.responses.transpose())
-        .cwiseProduct (whitened.participation * whitened.participation.transpose());
-}
-
 /** Refuses rows that contradict or repeat those before them: the pivots of their Gram matrix are squared distances from the span of
     those. The shift keeps the factoring from breaking down at the first such row. */
 void checkIndependentRows (const Eigen::MatrixXd& gram, const Rows& names)
@@ -176,6 +170,11 @@ WhitenedAllocation WhitenedAllocation::withoutGuards() const
 Eigen::VectorXd WhitenedAllocation::rowValues (const Eigen::MatrixXd& shares) const
 {
     return (responses * shares).cwiseProduct (participation).rowwise().sum();
+}
+
+Eigen::MatrixXd WhitenedAllocation::rowGram() const
+{
+    return (responses * responses.transpose()).cwiseProduct (participation * participation.transpose());
 }
 
 Eigen::MatrixXd WhitenedAllocation::weightedRows (const Eigen::VectorXd& multipliers) const
@@ -249,48 +248,10 @@ WhitenedAllocation whiten (const AllocationProblem& problem)
     whitened.hardRows = scale.size();
     whitened.wanted = scale.cwiseProduct (problem.wanted (hard));
     whitened.compliance = Eigen::VectorXd::Zero (scale.size());
-    const auto gram = rowGram (whitened);
+    const auto gram = whitened.rowGram();
     checkIndependentRows (gram, hard);
     whitened.hardGram.compute (gram);
     appendGuards (whitened, problem);
     return whitened;
-}
-
-RowSystem::RowSystem (const WhitenedAllocation& problemToUse) : problem (problemToUse)
-{
-    Eigen::MatrixXd gram = rowGram (problem);
-    gram.diagonal() += problem.compliance;
-    factors.compute (gram);
-}
-
-Eigen::VectorXd RowSystem::multipliers (const Eigen::VectorXd& values) const
-{
-    return factors.solve (values);
-}
-
-Eigen::MatrixXd RowSystem::halfSolve (Eigen::MatrixXd right) const
-{
-    solveLower (factors.matrixLLT(), right);
-    return right;
-}
-
-Eigen::MatrixXd RowSystem::leastNormShares() const
-{
-    return withExactRows (problem.weightedRows (multipliers (problem.wanted)));
-}
-
-Eigen::MatrixXd RowSystem::withExactRows (Eigen::MatrixXd shares) const
-{
-    constexpr auto refinements = 2;
-
-    for (int i = 0; i < refinements; ++i)
-    {
-        Eigen::VectorXd change = Eigen::VectorXd::Zero (problem.wanted.size());
-        change.head (problem.hardRows) =
-            problem.hardGram.solve ((problem.wanted - problem.rowValues (shares)).head (problem.hardRows));
-        shares += problem.weightedRows (change);
-    }
-
-    return shares;
 }
 } // namespace antinode

@@ -44,6 +44,9 @@ struct WhitenedAllocation
     /** What the rows give for shares X: N_r values. [any] */
     Eigen::VectorXd rowValues (const Eigen::MatrixXd& shares) const;
 
+    /** What rows have in common: the Gram matrix of all of them without compliance, N_r x N_r. [worker] */
+    Eigen::MatrixXd rowGram() const;
+
     /** The transpose of rowValues: sum of rows weighted by multipliers, N_d x N_b. [any] */
     Eigen::MatrixXd weightedRows (const Eigen::VectorXd& multipliers) const;
 
@@ -71,28 +74,4 @@ struct WhitenedAllocation
     @throws InputError  when a hard row cannot be met, naming it
     [worker] 4 N_s N_d^2 */
 WhitenedAllocation whiten (const AllocationProblem&);
-
-/** The Gram matrix of the rows, with compliance on its diagonal, factored. N_r x N_r. */
-class RowSystem
-{
-public:
-    /** [worker] N_r^2 (N_d + N_b) + N_r^3 / 6 */
-    explicit RowSystem (const WhitenedAllocation&);
-
-    /** Multipliers y with rowValues (weightedRows (y)) + compliance y = values. [any] */
-    Eigen::VectorXd multipliers (const Eigen::VectorXd& values) const;
-
-    /** L^-1 right, where L L' is the Gram matrix; N_r x any. [worker] */
-    Eigen::MatrixXd halfSolve (Eigen::MatrixXd right) const;
-
-    /** The shares of least objective without limits. [worker] */
-    Eigen::MatrixXd leastNormShares() const;
-
-    /** Shares with their hard row values brought back to the wanted ones, to rounding, by the smallest change. [worker] */
-    Eigen::MatrixXd withExactRows (Eigen::MatrixXd shares) const;
-
-private:
-    const WhitenedAllocation& problem;
-    Eigen::LLT<Eigen::MatrixXd> factors;
-};
 } // namespace antinode
