@@ -78,9 +78,23 @@ void checkLevels (const ExcitationSettings& settings, const Eigen::VectorXd& lim
                  text ("is ", settings.levels[i], " V, allowed is more than 0 to its limit, ", limits[i], " V"));
 }
 
-/** Begins and ends without a click. */
-void fadeEnds (Eigen::VectorXd& signal, Eigen::Index samples)
+/** As many blocks as are asked for and a little more, in which it fades out. */
+Eigen::Index playedSamples (const Excitation& excitation)
 {
+    const auto& settings = excitation.settings;
+
+    if (settings.signal == ExcitationSignal::sweep)
+        return settings.periods * excitation.block;
+
+    return (settings.settlingPeriods + settings.periods) * excitation.block
+           + std::min (excitation.block, static_cast<Eigen::Index> (fadeTime * settings.sampleRate));
+}
+
+/** The last part of a block's rhythm, in which it fades out, is as long as that in which it fades in. */
+void fadeEnds (const Excitation& excitation, Eigen::VectorXd& signal)
+{
+    const auto samples = signal.size() % excitation.block;
+
     for (Eigen::Index n = 0; n < samples; ++n)
     {
         const auto gain =
@@ -90,103 +104,119 @@ void fadeEnds (Eigen::VectorXd& signal, Eigen::Index samples)
     }
 }
 
-/** Makes the peak between the samples 1. @return the crest factor */
-double normalise (Eigen::VectorXd& signal)
+Eigen::VectorXd multisine (const Excitation& excitation)
 {
-    signal /= peakBetweenSamples (signal);
-    return std::sqrt (static_cast<double> (signal.size())) / signal.norm();
-}
-
-/** As many blocks as are asked for and a little more, in which it fades out. */
-Eigen::Index playedSamples (const ExcitationSettings& settings, Eigen::Index block)
-{
-    return (settings.settlingPeriods + settings.periods) * block
-           + std::min (block, static_cast<Eigen::Index> (fadeTime * settings.sampleRate));
-}
-
-void makeMultisine (Excitation& excitation)
-{
-    const auto& settings = excitation.settings;
     auto period = multisinePeriod (excitation.lines, excitation.block);
-    excitation.crestFactor = normalise (period);
-    excitation.signal.resize (playedSamples (settings, excitation.block));
-
-    for (Eigen::Index n = 0; n < excitation.signal.size(); ++n)
-        excitation.signal[n] = period[n % period.size()];
-
-    fadeEnds (excitation.signal,
-              excitation.signal.size() - (settings.settlingPeriods + settings.periods) * excitation.block);
+    period /= peakBetweenSamples (period);
+    Eigen::VectorXd signal = Eigen::VectorXd::NullaryExpr (playedSamples (excitation),
+                                                           [&] (Eigen::Index n) { return period[n % period.size()]; });
+    fadeEnds (excitation, signal);
+    return signal;
 }
 
-void makeNoise (Excitation& excitation)
+Eigen::VectorXd noise (const Excitation& excitation)
 {
     const auto& settings = excitation.settings;
-    const auto samples = playedSamples (settings, excitation.block);
-    const auto length = quickLength (static_cast<double> (samples));
+    const auto samples = playedSamples (excitation), length = quickLength (static_cast<double> (samples));
+    const auto margin =
+        2 * settings.resolution; // A window's width, so that the band's outermost lines are driven like the others.
     auto spectrum = spectrumOf (RandomNumbers (settings.seed).normal (length));
 
     for (Eigen::Index k = 0; k < spectrum.size(); ++k)
     {
         const auto frequency = static_cast<double> (k) * settings.sampleRate / static_cast<double> (length);
 
-        // A window's width beyond the band, so that its outermost lines are driven like the others.
-        if (frequency < settings.lowestFrequency - 2 * settings.resolution
-            || frequency > settings.highestFrequency + 2 * settings.resolution)
+        if (frequency < settings.lowestFrequency - margin || frequency > settings.highestFrequency + margin)
             spectrum[k] = 0;
     }
 
-    excitation.signal = signalOf (spectrum, length).head (samples);
-    excitation.crestFactor = normalise (excitation.signal);
-    fadeEnds (excitation.signal, samples - (settings.settlingPeriods + settings.periods) * excitation.block);
+    Eigen::VectorXd signal = signalOf (spectrum, length).head (samples);
+    signal /= peakBetweenSamples (signal);
+    fadeEnds (excitation, signal);
+    return signal;
 }
 
-void makeRepeatedSweep (Excitation& excitation)
+Sweep sweepOf (const ExcitationSettings& settings)
 {
-    const auto& settings = excitation.settings;
-    auto sweep =
-        makeSweep (settings.lowestFrequency, settings.highestFrequency, settings.sweepDuration, settings.sampleRate);
-    excitation.crestFactor = normalise (sweep.samples);
-    excitation.block = sweep.samples.size() + excitation.lineBlock;
-    excitation.signal = Eigen::VectorXd::Zero (settings.periods * excitation.block);
-
-    for (int i = 0; i < settings.periods; ++i)
-        excitation.signal.segment (i * excitation.block, sweep.samples.size()) = sweep.samples;
+    return makeSweep (settings.lowestFrequency, settings.highestFrequency, settings.sweepDuration, settings.sampleRate);
 }
-} // namespace
 
-Excitation makeExcitation (const ExcitationSettings& settings, const Eigen::VectorXd& voltageLimits)
+Eigen::VectorXd repeatedSweep (const Excitation& excitation)
+{
+    auto samples = sweepOf (excitation.settings).samples;
+    samples /= peakBetweenSamples (samples);
+    Eigen::VectorXd signal = Eigen::VectorXd::Zero (playedSamples (excitation));
+
+    for (Eigen::Index first = 0; first < signal.size(); first += excitation.block)
+        signal.segment (first, samples.size()) = samples;
+
+    return signal;
+}
+
+/** Everything but the signal. */
+Excitation laidOut (const ExcitationSettings& settings, const Eigen::VectorXd& voltageLimits)
 {
     checkBand (settings);
     checkLengths (settings);
     checkLevels (settings, voltageLimits);
-
     Excitation excitation;
     excitation.settings = settings;
     // Every second line at most of an odd grid is driven.
     excitation.lineBlock = quickLength ((settings.hasOddGrid ? 2 : 1) * settings.sampleRate / settings.resolution);
     excitation.block = excitation.lineBlock;
 
+    if (settings.signal == ExcitationSignal::sweep)
+        excitation.block += sweepOf (settings).samples.size();
+
     const auto perLine = static_cast<double> (excitation.lineBlock) / settings.sampleRate;
     const auto lowest = static_cast<Eigen::Index> (std::ceil (settings.lowestFrequency * perLine));
     const auto highest = static_cast<Eigen::Index> (std::floor (settings.highestFrequency * perLine));
     excitation.lines =
         settings.hasOddGrid ? oddRandomLines (lowest, highest, settings.seed) : everyLine (lowest, highest);
+    excitation.turn = playedSamples (excitation) + static_cast<Eigen::Index> (silenceTime * settings.sampleRate);
+    return excitation;
+}
+
+Excitation withSignal (Excitation excitation, Eigen::VectorXd signal)
+{
+    const auto isSweep = excitation.settings.signal == ExcitationSignal::sweep;
+    const auto sounding = signal.head (isSweep ? excitation.block - excitation.lineBlock : excitation.block);
+    excitation.crestFactor = std::sqrt (static_cast<double> (sounding.size())) / sounding.norm();
+    excitation.signal = std::move (signal);
+    return excitation;
+}
+} // namespace
+
+Excitation makeExcitation (const ExcitationSettings& settings, const Eigen::VectorXd& voltageLimits)
+{
+    auto excitation = laidOut (settings, voltageLimits);
 
     switch (settings.signal)
     {
         case ExcitationSignal::multisine:
-            makeMultisine (excitation);
-            break;
-        case ExcitationSignal::sweep:
-            makeRepeatedSweep (excitation);
-            break;
+            return withSignal (excitation, multisine (excitation));
         case ExcitationSignal::noise:
-            makeNoise (excitation);
+            return withSignal (excitation, noise (excitation));
+        case ExcitationSignal::sweep:
             break;
     }
 
-    excitation.turn = excitation.signal.size() + static_cast<Eigen::Index> (silenceTime * settings.sampleRate);
-    return excitation;
+    return withSignal (excitation, repeatedSweep (excitation));
+}
+
+Excitation excitationWith (const ExcitationSettings& settings, const Eigen::VectorXd& voltageLimits,
+                           const Eigen::VectorXd& signal)
+{
+    auto excitation = laidOut (settings, voltageLimits);
+    constexpr double rounding = 1e-6;
+
+    if (signal.size() != playedSamples (excitation) || ! (signal.cwiseAbs().maxCoeff() <= 1 + rounding)
+        || signal.isZero())
+        throw InputError ("excitation: signal",
+                          text ("of ", signal.size(), " samples is not the one of these settings, allowed are ",
+                                playedSamples (excitation), " samples with a peak of at most 1"));
+
+    return withSignal (std::move (excitation), signal);
 }
 
 Eigen::MatrixXd playedTurn (const Excitation& excitation, Eigen::Index ceramic, double fullScale)

@@ -39,6 +39,12 @@ inline constexpr double syncLevel = 0.5;
     [worker] Docs/Theory.md, section 8.7. */
 Excitation makeExcitation (const ExcitationSettings&, const Eigen::VectorXd& voltageLimits);
 
+/** An excitation as it was made before, with the signal that was played.
+    @throws InputError  as makeExcitation, and where the signal is not as long as the settings make it or its samples exceed 1
+    [worker] */
+Excitation excitationWith (const ExcitationSettings&, const Eigen::VectorXd& voltageLimits,
+                           const Eigen::VectorXd& signal);
+
 /** What is played in a ceramic's turn.
     @param fullScale  V that a sample of 1 stands for
     @return           (N_b + 1) x turn samples of full scale: ceramics, then the sync channel
