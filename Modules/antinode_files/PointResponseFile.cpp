@@ -9,7 +9,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int frequencyResponse = 4, coherenceFunction = 6;
+constexpr int frequencyResponse = 4, coherenceFunction = 6, singleReal = 2;
 
 FrequencyResponses responsesOf (const FrequencyResponses& all, Eigen::Index point)
 {
@@ -25,7 +25,7 @@ FrequencyResponses responsesOf (const FrequencyResponses& all, Eigen::Index poin
 UniversalFunction coherenceOf (UniversalFunction function, const Eigen::VectorXd& values)
 {
     function.functionType = coherenceFunction;
-    function.ordinateType = 4;
+    function.ordinateType = singleReal;
     function.lines[0] = "Coherence of velocity and drive";
     function.ordinate = {};
     function.denominator = {};

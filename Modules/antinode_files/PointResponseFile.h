@@ -9,7 +9,7 @@ namespace antinode
 {
 /** What was measured at one point as a universal file: a 58b of type 4 a ceramic, and of type 6, the coherence, where it is known. Node k
     is point k of the measurement, so that the files of all points together are a measurement.
-    @throws InputError  when a response is not finite
+    @param point  one at which all ceramics have had their turn
     [worker] Docs/FileFormats.md. */
 std::string encodePoint (const SurfaceMeasurement&, Eigen::Index point);
 

@@ -35,6 +35,9 @@ int runCommandLine (int argumentCount, const char* const* arguments)
     addDesignCommand (app);
     addRenderCommand (app);
     addPaperCommand (app);
+    addExciteCommand (app);
+    addMeasureCommand (app);
+    addFrfCommand (app);
     addVersionCommand (app);
 
     try

@@ -11,5 +11,8 @@ void addPlaceCommand (CLI::App&);
 void addDesignCommand (CLI::App&);
 void addRenderCommand (CLI::App&);
 void addPaperCommand (CLI::App&);
+void addExciteCommand (CLI::App&);
+void addMeasureCommand (CLI::App&);
+void addFrfCommand (CLI::App&);
 void addVersionCommand (CLI::App&);
 } // namespace antinode
