@@ -174,11 +174,12 @@ PointPlaces placesOf (const MatlabVariable& variable)
 ResponseUnit unitOf (const Variables& variables, const MatlabVariable& responses)
 {
     for (const auto& each : variables)
-        if (isOneOf (each, unitNames))
-            if (const auto unit = unitInText (each.text))
-                return *unit;
-            else if (const auto alone = responseUnit (each.text))
-                return *alone;
+    {
+        const auto unit = isOneOf (each, unitNames) ? unitInText (each.text) : std::nullopt;
+
+        if (unit)
+            return *unit;
+    }
 
     return quantityWord (shortName (responses)).value_or (ResponseUnit {});
 }
