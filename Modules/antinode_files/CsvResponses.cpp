@@ -245,46 +245,4 @@ MeasurementFile measurementFromCsv (std::string_view text, const std::string& so
 
     return file;
 }
-
-PointPlaces placesFromCsv (std::string_view text, const std::string& source)
-{
-    const auto table = readCsvTable (text, source);
-    const auto columns = table.numbers.cols();
-    std::vector<std::string> words;
-
-    for (const auto& line : { table.comments, table.headings })
-        for (const auto& each : line)
-            for (auto& word : wordsOf (each))
-                words.push_back (std::move (word));
-
-    const auto has = [&] (std::string_view word)
-    { return std::find (words.begin(), words.end(), word) != words.end(); };
-    const auto factor = has ("m") && ! has ("mm") ? 1.0 : 1e-3;
-    const auto isX = [] (const auto& heading)
-    {
-        const auto parts = wordsOf (heading);
-        return ! parts.empty() && parts.front() == "x";
-    };
-    const auto x = std::find_if (table.headings.begin(), table.headings.end(), isX);
-    const auto first = x != table.headings.end() ? x - table.headings.begin() : columns >= 3 ? 1 : 0;
-    PointPlaces places;
-
-    if (first + 2 > columns)
-        throw InputError (source,
-                          "has " + std::to_string (columns) + " columns, allowed are x and y, or a number, x and y");
-
-    for (Eigen::Index p = 0; p < table.numbers.rows(); ++p)
-    {
-        const Eigen::Vector2d place = factor * table.numbers.row (p).segment<2> (first).transpose();
-        const auto name = first > 0 ? numberText (table.numbers (p, 0)) : std::to_string (p + 1);
-
-        if (! place.allFinite())
-            throw InputError (source, "has no finite place for point " + inQuotes (name));
-
-        if (! places.emplace (name, place).second)
-            throw InputError (source, "has point " + inQuotes (name) + " twice");
-    }
-
-    return places;
-}
 } // namespace antinode

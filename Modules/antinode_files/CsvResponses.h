@@ -22,10 +22,4 @@ enum class CsvForm
     @throws InputError  source, place, what is wrong
     [worker] Docs/FileFormats.md. */
 MeasurementFile measurementFromCsv (std::string_view text, const std::string& source, CsvForm);
-
-/** Places of points from a table: x and y, or a name, x and y; in mm unless a heading or comment says m. Points without names are
-    numbered from 1.
-    @throws InputError  source, place, what is wrong
-    [worker] Docs/FileFormats.md. */
-PointPlaces placesFromCsv (std::string_view text, const std::string& source);
 } // namespace antinode

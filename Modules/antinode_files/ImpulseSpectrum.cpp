@@ -1,6 +1,6 @@
 #include "ImpulseSpectrum.h"
 
-#include <unsupported/Eigen/FFT>
+#include <antinode_measurement/Fourier.h>
 
 namespace antinode
 {
@@ -23,13 +23,9 @@ ImpulseSpectrum impulseSpectrum (const Eigen::VectorXd& samples, double interval
     while (! isQuick (count)) // A large prime factor would take a time that grows as its square.
         --count;
 
-    const Eigen::VectorXd used = samples.head (count);
-    Eigen::FFT<double> transform;
-    Eigen::VectorXcd lines;
-    transform.fwd (lines, used);
-    const auto half = count / 2 + 1;
+    const Eigen::VectorXcd lines = spectrumOf (Eigen::VectorXd (samples.head (count)));
     const auto recordLength = static_cast<double> (count) * interval;
-    return { Eigen::VectorXd::LinSpaced (half, 0, static_cast<double> (half - 1)) / recordLength,
-             lines.head (half) * interval, recordLength };
+    return { Eigen::VectorXd::LinSpaced (lines.size(), 0, static_cast<double> (lines.size() - 1)) / recordLength,
+             lines * interval, recordLength };
 }
 } // namespace antinode

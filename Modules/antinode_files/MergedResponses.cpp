@@ -114,8 +114,7 @@ void requireSameFrequencies (const MeasuredResponse& first, const MeasuredRespon
 {
     constexpr double tolerance = 1e-4; // Of a line's width: files print frequencies with six digits.
     const auto lines = first.frequencies.size();
-    const auto width =
-        lines > 1 ? (first.frequencies[lines - 1] - first.frequencies[0]) / static_cast<double> (lines - 1) : 1.0;
+    const auto width = std::abs (first.frequencies[lines - 1] - first.frequencies[0]) / static_cast<double> (lines - 1);
     const auto printed = 1e-5 * first.frequencies.cwiseAbs().maxCoeff();
 
     if (other.frequencies.size() != lines
@@ -239,24 +238,20 @@ void placePoints (const std::vector<MeasurementFile>& files, const MeasurementOp
 
     const auto& names = measurement.pointNames;
     points.resize (static_cast<Eigen::Index> (names.size()), 2);
-    measurement.hasPlaces = true;
+    const auto unplaced = std::find_if (names.begin(), names.end(),
+                                        [&] (const auto& name) { return placeOf (name, places) == places.end(); });
+    measurement.hasPlaces = unplaced == names.end();
+
+    if (! measurement.hasPlaces && ! options.places.empty())
+        throw InputError ("--points", "has no place for the point " + inQuotes (*unplaced) + " of the files");
 
     for (std::size_t p = 0; p < names.size(); ++p)
-    {
-        const auto place = placeOf (names[p], places);
-        const auto row = static_cast<Eigen::Index> (p);
-
-        if (place == places.end() && ! places.empty())
-            throw InputError ("points", "have no place for " + inQuotes (names[p])
-                                            + ", allowed is that all points have one or none");
-
-        measurement.hasPlaces = place != places.end();
-        points.row (row) =
-            measurement.hasPlaces ? place->second.transpose() : Eigen::RowVector2d (apart * static_cast<double> (p), 0);
-    }
+        points.row (static_cast<Eigen::Index> (p)) = measurement.hasPlaces
+                                                         ? placeOf (names[p], places)->second.transpose()
+                                                         : Eigen::RowVector2d (apart * static_cast<double> (p), 0);
 
     if (! measurement.hasPlaces)
-        measurement.remarks.emplace_back ("No file says where the points are: they are placed 1 mm apart on a line.");
+        measurement.remarks.emplace_back ("No file says where all points are: they are placed 1 mm apart on a line.");
 }
 
 std::vector<std::string> driverNames (const Responses& responses, const MeasurementOptions& options)

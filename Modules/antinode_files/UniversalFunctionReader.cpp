@@ -92,8 +92,8 @@ std::vector<double> binaryNumbers (const UniversalSection& section, const Univer
     const auto data = *section.data;
     const auto count = static_cast<std::size_t> (function.statedCount);
     const std::size_t values = function.isComplex() ? 2 : 1, period = values + (function.isEven ? 0 : 1);
-    const auto hasSingleAbscissa =
-        ! function.isEven && function.isDouble() && data.size() / (4 + 8 * values) == count && count > 0;
+    const auto hasSingleAbscissa = ! function.isEven && function.isDouble() && data.size() < 8 * period * count
+                                   && data.size() / (8 * values + 4) >= count;
     const auto width = [&] (std::size_t i) -> std::size_t
     { return function.isDouble() && ! (hasSingleAbscissa && i % period == 0) ? 8 : 4; };
     std::vector<double> numbers;

@@ -32,6 +32,7 @@ int runCommandLine (int argumentCount, const char* const* arguments)
     addDevicesCommand (app);
     addModesCommand (app);
     addPlaceCommand (app);
+    addIdentifyCommand (app);
     addDesignCommand (app);
     addRenderCommand (app);
     addPaperCommand (app);

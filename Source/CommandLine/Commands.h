@@ -8,6 +8,7 @@ namespace antinode
 void addDevicesCommand (CLI::App&);
 void addModesCommand (CLI::App&);
 void addPlaceCommand (CLI::App&);
+void addIdentifyCommand (CLI::App&);
 void addDesignCommand (CLI::App&);
 void addRenderCommand (CLI::App&);
 void addPaperCommand (CLI::App&);
