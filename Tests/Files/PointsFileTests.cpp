@@ -1,34 +1,26 @@
-#include <antinode_files/OutputFolder.h>
 #include <antinode_files/PointsFile.h>
 
 #include <Support/ErrorText.h>
-#include <Support/TemporaryFolder.h>
 
 #include <catch2/catch.hpp>
 
 using namespace antinode;
 
-TEST_CASE ("Points are measured in the order of the file, or of their numbers")
+TEST_CASE ("Points are read in mm, with a heading or none, by any separator")
 {
-    const TemporaryFolder folder;
-    const auto file = folder.path() / "points.csv";
-    writeWholeFile (file, "x_mm,y_mm\n10,20\n-3.5,40\n7,8\n");
-    const auto points = readPointsFile (file);
+    const auto points = decodePoints ("x_mm,y_mm\n# corner\n10, 20\n\n-3.5;4e1\r\n7\t8", "points.csv");
     REQUIRE (points.rows() == 3);
     CHECK (points.row (0).isApprox (Eigen::RowVector2d (0.010, 0.020)));
     CHECK (points.row (1).isApprox (Eigen::RowVector2d (-0.0035, 0.040)));
     CHECK (points.row (2).isApprox (Eigen::RowVector2d (0.007, 0.008)));
-
-    writeWholeFile (file, "number,x_mm,y_mm\n10,10,20\n9,9,8\n");
-    CHECK (readPointsFile (file).row (0).isApprox (Eigen::RowVector2d (0.009, 0.008)));
+    CHECK (decodePoints ("5\n6", "points.csv").col (1).isZero());
 }
 
-TEST_CASE ("A file of points that cannot be read says why")
+TEST_CASE ("Points that cannot be read name their line")
 {
-    const TemporaryFolder folder;
-    CHECK_THAT (errorText ([&] { readPointsFile (folder.path() / "none.csv"); }),
-                Catch::Contains ("missing or no plain file"));
-    CHECK_THAT (errorText ([&] { readPointsFile (folder.path()); }), Catch::Contains ("missing or no plain file"));
-    writeWholeFile (folder.path() / "words.csv", "x,y\na,b\n");
-    CHECK_FALSE (errorText ([&] { readPointsFile (folder.path() / "words.csv"); }).empty());
+    const auto error = [] (std::string_view text) { return errorText ([&] { decodePoints (text, "points.csv"); }); };
+    CHECK (error ("x,y\n1,2\n3,b\n") == "points.csv: line 3: is '3,b', allowed are x and y in mm, for example 12.5,30");
+    CHECK_THAT (error ("1,2\n1e9,2\n"), Catch::Contains ("line 2"));
+    CHECK_THAT (error ("1,2\nnan,2\n"), Catch::Contains ("line 2"));
+    CHECK (error ("x,y\n") == "points.csv: has no point, allowed are lines of x and y in mm");
 }
