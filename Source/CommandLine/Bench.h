@@ -22,7 +22,7 @@ public:
 
     /** Plays a turn while the sensors stand at consecutive points.
         @return  as many sensors as points, and the sync channel where it is recorded
-        @throws InputError  where it cannot be played, or somebody interrupts it
+        @throws InputError  where it cannot be played
         [worker] takes as long as the turn on a real bench */
     virtual TurnRecording play (const Excitation&, Eigen::Index ceramic, Eigen::Index firstPoint,
                                 Eigen::Index points) = 0;

@@ -1,3 +1,4 @@
+#include "AudioBench.h"
 #include "Commands.h"
 #include "ExcitationOptions.h"
 #include "MeasurementReport.h"
@@ -5,6 +6,7 @@
 #include "SensorOptions.h"
 #include "SimulatedBenchPlayer.h"
 
+#include <antinode_audio/Interruption.h>
 #include <antinode_files/PointsFile.h>
 #include <antinode_files/UniversalFile.h>
 #include <antinode_files/UniversalResponses.h>
@@ -21,6 +23,12 @@ struct MeasureOptions
     ExcitationOptions excitation;
     std::string pointsFile, folder;
     bool isSimulated = false, asksNothing = false;
+    AudioChoice audio;
+    std::vector<int> sensorInputs { 1 }; // counted from 1
+    int syncInput = 2;                   // 0: none
+    int syncOutput = 0;                  // 0: the one after the ceramics
+    SensorOptions sensor;
+    double latency = 0; // ms
     std::string simulatedDevice;
     SimulatedBenchSettings simulation;
     double simulatedDelay = 1.234567; // ms
@@ -43,15 +51,36 @@ std::unique_ptr<Bench> simulatedBench (const MeasureOptions& options, const Moda
     return std::make_unique<SimulatedBenchPlayer> (excitedDevice (other), points, settings);
 }
 
+std::unique_ptr<Bench> audioBench (const MeasureOptions& options, const ModalModel& model)
+{
+    if (! (options.sensor.sensitivity > 0))
+        throw InputError ("--sensitivity_mm_s_per_V", "is missing: how many mm/s make the sensor give a volt?");
+
+    BenchChannels channels;
+    channels.syncInput = options.syncInput - 1;
+    channels.syncOutput = options.syncOutput > 0 ? options.syncOutput - 1 : static_cast<int> (model.actuators());
+
+    for (const auto input : options.sensorInputs)
+        channels.sensors.push_back (input - 1);
+
+    auto choice = options.audio;
+    choice.sampleRate = options.excitation.rate;
+    return std::make_unique<AudioBench> (choice, channels, model.actuators(), model.fullScaleVoltage,
+                                         options.sensor.velocityOfFullScale());
+}
+
 void measure (const MeasureOptions& options)
 {
+    catchInterruptions();
     const auto model = excitedDevice (options.excitation);
     const auto sheet = excitationFor (model, options.excitation);
     const auto points = readPointsFile (options.pointsFile);
-    const auto bench = simulatedBench (options, model, points);
+    const auto bench = options.isSimulated ? simulatedBench (options, model, points) : audioBench (options, model);
     const MeasurementFolder folder (options.folder, sheet, points);
-    const auto measurement =
-        measurePoints (*bench, sheet, points, folder, PointGuide (options.isSimulated || options.asksNothing), {});
+    TurnAnalysisSettings analysis;
+    analysis.latency = options.latency / 1000 * options.excitation.rate;
+    const auto measurement = measurePoints (*bench, sheet, points, folder,
+                                            PointGuide (options.isSimulated || options.asksNothing), analysis);
 
     OutputFolder output (options.folder);
     output.write ("responses.uff", encodeUniversalFile (responseSets (measurement.responses)));
@@ -59,6 +88,31 @@ void measure (const MeasureOptions& options)
     output.commit();
     printMeasurement (measurement, sheet);
     std::printf ("Responses and pictures: %s/responses.uff, report.html\n", options.folder.c_str());
+}
+
+void addAudioOptions (CLI::App& command, MeasureOptions& options)
+{
+    constexpr int longestBlock = 1 << 16, mostChannels = mostDeviceOutputs;
+    command.add_option ("--backend", options.audio.type, "Type of the audio device: ALSA or JACK");
+    command.add_option ("--audio-device", options.audio.device,
+                        "Audio device, as antinode-standalone --list-devices names it");
+    command.add_option ("--block", options.audio.blockSize, "Block size, samples")
+        ->check (CLI::Range (1, longestBlock));
+    command
+        .add_option ("--sensor-input", options.sensorInputs,
+                     "Input of the sensor, counted from 1 (repeatable: several sensors at points in a row)")
+        ->allow_extra_args (false)
+        ->check (CLI::Range (1, mostChannels))
+        ->default_str ("1");
+    command.add_option ("--sync-input", options.syncInput, "Input to which the sync output is looped back, 0: none")
+        ->check (CLI::Range (0, mostChannels))
+        ->capture_default_str();
+    command.add_option ("--sync-output", options.syncOutput, "The sync output; else the one after the ceramics")
+        ->check (CLI::Range (1, mostChannels));
+    command.add_option ("--latency_ms", options.latency, "How late sensors are where nothing is looped back")
+        ->check (CLI::Range (0.0, 200.0))
+        ->capture_default_str();
+    addSensorOptions (command, options.sensor);
 }
 
 void addSimulationOptions (CLI::App& command, MeasureOptions& options)
@@ -97,6 +151,7 @@ void addMeasureCommand (CLI::App& app)
         ->required()
         ->type_name ("DIR");
     command->add_flag ("--no-questions", options->asksNothing, "Measures all points as they come");
+    addAudioOptions (*command, *options);
     addSimulationOptions (*command, *options);
     command->callback ([options] { measure (*options); });
 }

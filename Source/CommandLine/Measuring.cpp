@@ -1,5 +1,6 @@
 #include "Measuring.h"
 
+#include <antinode_audio/Interruption.h>
 #include <antinode_model/InputError.h>
 
 #include <algorithm>
@@ -31,6 +32,19 @@ struct Measuring
     const TurnAnalysisSettings& settings;
 };
 
+/** One turn. @throws InputError  also where somebody interrupts it: what was recorded is not whole then */
+TurnRecording playTurn (const Measuring& measuring, const Excitation& excitation, Eigen::Index ceramic,
+                        Eigen::Index first, Eigen::Index count)
+{
+    auto turn = measuring.bench.play (excitation, ceramic, first, count);
+
+    if (isInterrupted())
+        throw InputError ("measurement",
+                          "was interrupted: finished points are kept, the same command goes on with the others");
+
+    return turn;
+}
+
 /** A short excitation in the same band at a tenth of the levels. */
 Excitation quietExcitation (const ExcitationSheet& sheet)
 {
@@ -54,7 +68,7 @@ void checkLevels (const Measuring& measuring, Eigen::Index first, Eigen::Index c
 
     for (Eigen::Index ceramic = 0; ceramic < quiet.ceramics(); ++ceramic)
     {
-        const auto turn = measuring.bench.play (quiet, ceramic, first, count);
+        const auto turn = playTurn (measuring, quiet, ceramic, first, count);
         latency = analyseTurn (quiet, ceramic, turn, measuring.settings).latency;
         largest =
             std::max (largest, turn.sensors.cwiseAbs().maxCoeff() * measuring.sheet.excitation.settings.levels[ceramic]
@@ -84,7 +98,7 @@ bool measureAt (const Measuring& measuring, SurfaceMeasurement& measurement, Eig
 
     for (Eigen::Index ceramic = 0; ceramic < measuring.sheet.excitation.ceramics(); ++ceramic)
     {
-        const auto turn = measuring.bench.play (measuring.sheet.excitation, ceramic, first, count);
+        const auto turn = playTurn (measuring, measuring.sheet.excitation, ceramic, first, count);
         largest = std::max (largest, turn.sensors.cwiseAbs().maxCoeff());
         place (measurement, ceramic, first,
                analyseTurn (measuring.sheet.excitation, ceramic, turn, measuring.settings));
