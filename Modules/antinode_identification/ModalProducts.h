@@ -14,8 +14,7 @@ struct ModalProducts
     Eigen::VectorXd energies; ///< C: <data, data>.
 };
 
-/** Inner products of all functions with each other and with the data. On a segment of lines, functions of modes far from it are smooth:
-    they are interpolated from 16 Chebyshev nodes, to 1e-12, so that the work grows with the modes near a line, not with all.
+/** Inner products of all functions with each other and with the data.
     @param delay  s, is taken out of the data
     [worker] Docs/Theory.md, section 8.4. */
 ModalProducts modalProducts (const ModalBasis&, const PreparedResponses&, double delay);

@@ -206,6 +206,13 @@ Eigen::MatrixXd amplitudes (const FitState& state)
     return result;
 }
 
+Eigen::MatrixXd residualCoefficients (const FitState& state)
+{
+    Eigen::MatrixXd ofAll = Eigen::MatrixXd::Zero (functionsOfMode * state.modes(), state.columnWeights.size());
+    ofAll (Eigen::seqN (0, state.modes(), Eigen::fix<functionsOfMode>), Eigen::all) = amplitudes (state);
+    return powerCoefficients (state.basis, state.products, ofAll, 1);
+}
+
 NormalEquations normalEquations (const FitState& state, double ridge)
 {
     const auto modes = state.modes(), blocks = state.drivers() + 3;

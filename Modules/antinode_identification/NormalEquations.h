@@ -15,11 +15,11 @@ struct PointGroup
 /** All points with any weight, in groups. @param columnWeights C [worker] */
 std::vector<PointGroup> groupPoints (const Eigen::VectorXd& columnWeights, Eigen::Index points, Eigen::Index drivers);
 
-/** Where a fit stands: its products without powers, and all that is fitted. N_m modes, N_b drivers, N_p points. */
+/** Where a fit stands: its products, and all that is fitted. N_m modes, N_b drivers, N_p points. */
 struct FitState
 {
     ModalBasis basis;
-    ModalProducts reduced;
+    ModalProducts products, reduced; ///< With powers, and with the odd ones taken out.
     std::vector<PointGroup> groups;
     Eigen::VectorXd columnWeights; ///< C
     Eigen::MatrixXd strengths;     ///< N_m x N_b: participation over angular frequency.
@@ -38,6 +38,9 @@ Eigen::MatrixXd bestShapes (const FitState&, double ridge);
 
 /** What the modes give: phi alpha / omega, N_m x C. [any] */
 Eigen::MatrixXd amplitudes (const FitState&);
+
+/** Of the odd powers, odd powers x C: what is left for them beside the modes. [worker] */
+Eigen::MatrixXd residualCoefficients (const FitState&);
 
 /** Gauss-Newton equations in the unknowns of FitState, the best shapes eliminated. */
 struct NormalEquations

@@ -18,7 +18,8 @@ FitState stateAt (const PreparedResponses& data, const NormalModes& modes, doubl
 {
     FitState state;
     state.basis = basisOf (modes.angularFrequencies, modes.dampingRatios, data);
-    state.reduced = withoutPowers (state.basis, modalProducts (state.basis, data, modes.delay), 1);
+    state.products = modalProducts (state.basis, data, modes.delay);
+    state.reduced = withoutPowers (state.basis, state.products, 1);
     state.groups = groupPoints (data.columnWeights, data.points(), data.drivers());
     state.columnWeights = data.columnWeights;
     state.strengths = modes.angularFrequencies.cwiseInverse().asDiagonal() * modes.participation;
@@ -89,22 +90,18 @@ NormalModes stepped (const NormalModes& modes, const FitState& state, const Eige
     return result;
 }
 
-NormalModeFit finished (const PreparedResponses& data, NormalModes modes, const FitState& state, double cost,
-                        int iterations)
-{
-    NormalModeFit fit;
-    fit.basis = state.basis;
-    fit.cost = cost;
-    fit.iterations = iterations;
-    modes.shapes = state.shapes;
-    fit.residualCoefficients =
-        powerCoefficients (state.basis, modalProducts (state.basis, data, modes.delay), amplitudes (state));
-    fit.modes = std::move (modes);
-    return fit;
-}
 } // namespace
 
-NormalModeFit fitNormalModes (const PreparedResponses& data, const NormalModeStart& start, double ridge)
+void holdWhatIsNotSeen (NormalEquations& equations, const FitState& state, bool delayIsKnown)
+{
+    holdLengths (equations.matrix, state);
+
+    if (delayIsKnown)
+        holdDelay (equations);
+}
+
+NormalModeFit fitNormalModes (const PreparedResponses& data, const NormalModeStart& start, double ridge,
+                              double precision)
 {
     NormalModes modes { start.angularFrequencies, start.dampingRatios, {}, start.participation, start.delay };
     auto state = stateAt (data, modes, ridge);
@@ -117,16 +114,12 @@ NormalModeFit fitNormalModes (const PreparedResponses& data, const NormalModeSta
     for (; iteration < mostIterations; ++iteration)
     {
         auto held = equations;
-        holdLengths (held.matrix, state);
-
-        if (start.delayIsKnown)
-            holdDelay (held);
-
+        holdWhatIsNotSeen (held, state, start.delayIsKnown);
         const auto step = solveDamped (held.matrix, held.gradient, damping);
         const auto expected = step.dot (held.gradient);
 
-        // What a thousandth of a standard deviation would bring, or what rounding can show, is not worth a step.
-        if (expected <= 1e-6 * equations.cost / values || expected < 1e-20 * energy)
+        // Nor is what rounding hides worth a step.
+        if (expected <= precision * equations.cost / values || expected < 1e-20 * energy)
             break;
 
         auto nextModes = stepped (modes, state, step);
@@ -149,7 +142,8 @@ NormalModeFit fitNormalModes (const PreparedResponses& data, const NormalModeSta
         equations = std::move (next);
     }
 
-    return finished (data, modes, state, equations.cost, iteration);
+    modes.shapes = state.shapes;
+    return { std::move (modes), std::move (state), equations.cost, iteration };
 }
 Eigen::MatrixXd strongestParticipation (const Eigen::MatrixXd& residues, const PreparedResponses& data)
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "NormalModes.h"
+#include "NormalEquations.h"
 
 namespace antinode
 {
@@ -8,9 +8,8 @@ namespace antinode
 struct NormalModeFit
 {
     NormalModes modes;
-    Eigen::MatrixXd residualCoefficients; ///< Odd powers x C: of (i omega / scale)^power.
-    ModalBasis basis;                     ///< With the fitted poles.
-    double cost = 0;                      ///< Weighted sum of squared errors.
+    FitState state;  ///< At its end.
+    double cost = 0; ///< Weighted sum of squared errors.
     int iterations = 0;
 };
 
@@ -25,20 +24,14 @@ struct NormalModeStart
 
 /** All poles, shapes, participations and the common delay at once, by Levenberg and Marquardt's method. Shapes and residual terms
     are eliminated in each step (variable projection), so that only sums over frequencies and points remain.
-    @param ridge  relative, on the diagonal of the normal equations
+    @param ridge      relative, on the diagonal of the normal equations
+    @param precision  it ends where a step would be worth less than this many squared standard deviations
     [worker] Docs/Theory.md, section 8.4. */
-NormalModeFit fitNormalModes (const PreparedResponses&, const NormalModeStart&, double ridge);
+NormalModeFit fitNormalModes (const PreparedResponses&, const NormalModeStart&, double ridge, double precision);
 
-/** Standard deviations at the end of a fit, where weights are reciprocal variances.
-    [worker] Docs/Theory.md, section 8.5. */
-struct NormalModeDeviations
-{
-    Eigen::VectorXd angularFrequencies, dampingRatios; ///< N_m
-    Eigen::MatrixXd shapes;                            ///< N_p x N_m, at fixed length of the shape.
-    Eigen::MatrixXd participation;                     ///< N_m x N_b, at fixed length of the shape.
-    double delay = 0;
-};
-NormalModeDeviations deviationsOf (const PreparedResponses&, const NormalModes&, double ridge);
+/** Makes equations regular: fixes the lengths of participations, which the data leave free, and the delay where it is known.
+    [worker] Docs/Theory.md, section 8.4. */
+void holdWhatIsNotSeen (NormalEquations&, const FitState&, bool delayIsKnown);
 
 /** The start of a fit from unconstrained residues: the strongest product of shape and participation of each mode.
     @param residues  N_m x C, phi alpha

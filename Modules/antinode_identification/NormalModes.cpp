@@ -75,10 +75,10 @@ Eigen::MatrixXcd complexResidues (const ModalBasis& basis, const ModalProducts& 
 }
 
 Eigen::MatrixXd powerCoefficients (const ModalBasis& basis, const ModalProducts& products,
-                                   const Eigen::MatrixXd& amplitudes)
+                                   const Eigen::MatrixXd& amplitudes, int parity)
 {
-    const auto taken = powersOfParity (basis, 1);
-    const Eigen::MatrixXd toModes = products.gram (taken, Eigen::seqN (0, basis.modes(), Eigen::fix<functionsOfMode>));
+    const auto taken = powersOfParity (basis, parity);
+    const Eigen::MatrixXd toModes = products.gram (taken, Eigen::seqN (0, functionsOfMode * basis.modes()));
     return solveEven (products.gram (taken, taken), products.data (taken, Eigen::all) - toModes * amplitudes, 1e-13);
 }
 

@@ -30,12 +30,14 @@ ModalProducts withoutPowers (const ModalBasis&, const ModalProducts&, int parity
     [worker] Docs/Theory.md, section 8.4. */
 Eigen::MatrixXcd complexResidues (const ModalBasis&, const ModalProducts&, double ridge);
 
-/** Coefficients of the odd powers once the modes are known.
+/** Coefficients of the powers once the modes are known.
     @param products    with powers
-    @param amplitudes  N_m x C: phi alpha / omega
-    @return            odd powers x C
+    @param amplitudes  4 N_m x C: of all functions of the modes
+    @param parity      as above
+    @return            powers x C
     [worker] */
-Eigen::MatrixXd powerCoefficients (const ModalBasis&, const ModalProducts& products, const Eigen::MatrixXd& amplitudes);
+Eigen::MatrixXd powerCoefficients (const ModalBasis&, const ModalProducts& products, const Eigen::MatrixXd& amplitudes,
+                                   int parity);
 
 /** The delay that makes residues of all modes as real as can be; the smallest where several do.
     @param residues  phi alpha times exp (-i omega_k delay), N_m x C
