@@ -4,8 +4,6 @@
 
 #include <bit>
 #include <cmath>
-#include <cstring>
-#include <limits>
 
 namespace antinode
 {
@@ -17,18 +15,18 @@ std::string_view columns (std::string_view record, std::size_t first, std::size_
     return first < record.size() ? record.substr (first, width) : std::string_view {};
 }
 
-/** A whole number in a column; 0 where it is blank or something else, as for what nobody filled in. */
-std::int64_t integerIn (std::string_view record, std::size_t first, std::size_t width)
+/** A whole number in a column that leaves a blank before it; 0 where it is blank or something else, as for what nobody filled in. */
+UniversalLabel integerIn (std::string_view record, std::size_t first, std::size_t width)
 {
     std::vector<double> numbers;
     const auto isNumber = appendNumbersOf (columns (record, first, width), { width }, numbers) && numbers.size() == 1;
-    return isNumber && std::abs (numbers[0]) < 1e15 ? static_cast<std::int64_t> (numbers[0]) : 0;
+    const auto isShort = isNumber && std::abs (numbers[0]) < std::pow (10.0, static_cast<double> (width) - 1);
+    return isShort ? static_cast<UniversalLabel> (numbers[0]) : 0;
 }
 
 int smallIntegerIn (std::string_view record, std::size_t first, std::size_t width)
 {
-    const auto number = integerIn (record, first, width);
-    return std::abs (number) < std::numeric_limits<int>::max() ? static_cast<int> (number) : 0;
+    return static_cast<int> (integerIn (record, first, width));
 }
 
 UniversalPlace placeIn (std::string_view record, std::size_t first)

@@ -28,7 +28,7 @@ std::vector<UniversalLabel> readNodeList (UniversalRecords& records, std::size_t
 
     std::vector<UniversalLabel> nodes (count);
     std::transform (numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t> (count), nodes.begin(),
-                    [] (auto number) { return static_cast<UniversalLabel> (number); });
+                    [&] (double number) { return records.whole (number); });
     return nodes;
 }
 
@@ -69,7 +69,7 @@ UniversalNodes readNodeSet (UniversalRecords& records, bool isDouble)
             records.fail ("has " + std::to_string (numbers.size())
                           + " numbers of a node, allowed are 7: number, two systems, colour, three coordinates");
 
-        const auto whole = [&] (std::size_t i) { return static_cast<UniversalLabel> (numbers[i]); };
+        const auto whole = [&] (std::size_t i) { return records.whole (numbers[i]); };
         nodes.labels.push_back (whole (0));
         nodes.systems.push_back ({ whole (1), whole (2), whole (3) });
         places.insert (places.end(), numbers.begin() + integers, numbers.end());

@@ -15,10 +15,10 @@ UniversalHeader readHeaderSet (UniversalRecords& records)
     while (records.bytesLeft() > 0)
     {
         const auto record = records.record();
-        const auto text = trimmedText (record);
-        // Blanks before text are columns of dates; lines of blanks alone keep them.
-        header.lines.push_back (text.empty() ? std::string (record.substr (0, record.find_first_not_of (' ')))
-                                             : std::string (record.find_first_not_of (" \t"), ' ') + text);
+        const auto blanks = std::min (record.find_first_not_of (' '), record.size());
+        const auto text = trimmedText (record.substr (blanks));
+        // Blanks before text are columns of dates, but for what would then close the set.
+        header.lines.push_back (text == "-1" ? text : std::string (blanks, ' ') + text);
     }
 
     return header;

@@ -98,7 +98,9 @@ std::string plainText (std::string_view text, std::size_t length)
             plain += byte >= ' ' && byte < 0x7f ? static_cast<char> (byte) : '?';
     }
 
-    plain.resize (std::min (plain.size(), length));
+    if (plain.size() > length) // What blanks are left at its end would not be read again.
+        plain.resize (plain.find_last_not_of (' ', length - 1) + 1);
+
     return plain;
 }
 

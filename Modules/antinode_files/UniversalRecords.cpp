@@ -243,25 +243,28 @@ std::vector<double> UniversalRecords::numbers (ColumnWidths widths)
     return found;
 }
 
+std::int64_t UniversalRecords::whole (double number) const
+{
+    constexpr double largest = 999999999;
+
+    if (! (std::abs (number) <= largest && number == std::floor (number)))
+        fail ("has " + numberText (number) + ", allowed here are whole numbers of at most nine digits");
+
+    return static_cast<std::int64_t> (number);
+}
+
 std::vector<std::int64_t> UniversalRecords::integers (std::size_t fewest, std::size_t count, std::size_t width)
 {
-    constexpr double largest = 9e15; // A double tells every whole number up to here.
     const auto found = numbers ({ width });
-    std::vector<std::int64_t> whole (count);
+    std::vector<std::int64_t> integers (count);
 
     if (found.size() < fewest)
         fail ("has " + std::to_string (found.size()) + " numbers, allowed here are at least "
               + std::to_string (fewest));
 
-    for (std::size_t i = 0; i < std::min (count, found.size()); ++i)
-    {
-        if (! (std::abs (found[i]) <= largest && found[i] == std::floor (found[i])))
-            fail ("has " + numberText (found[i]) + ", allowed here are whole numbers");
-
-        whole[i] = static_cast<std::int64_t> (found[i]);
-    }
-
-    return whole;
+    std::transform (found.begin(), found.begin() + static_cast<std::ptrdiff_t> (std::min (count, found.size())),
+                    integers.begin(), [&] (double number) { return whole (number); });
+    return integers;
 }
 
 void UniversalRecords::fail (const std::string& wrong) const

@@ -44,6 +44,10 @@ public:
     /** The next record's first numbers, which must be whole; there may be more, and zeros stand for those that lack beyond `fewest`. */
     std::vector<std::int64_t> integers (std::size_t fewest, std::size_t count, std::size_t width = 10);
 
+    /** A number of the last record that must be whole and fit into a column of ten characters, which nothing else may touch.
+        @throws InputError  when it is not */
+    std::int64_t whole (double number) const;
+
     /** @throws InputError  source, line of the last record, what is wrong. */
     [[noreturn]] void fail (const std::string& wrong) const;
 

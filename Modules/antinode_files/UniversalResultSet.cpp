@@ -72,7 +72,8 @@ UniversalResult readResult (UniversalRecords& records, const UniversalResults& r
 
     for (auto& value : result.values)
     {
-        value.real (*number++);
+        value.real (form.digits == 0 ? static_cast<double> (records.whole (*number)) : *number);
+        ++number;
         value.imag (isComplex ? *number++ : 0);
     }
 

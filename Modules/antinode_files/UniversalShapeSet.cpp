@@ -36,7 +36,7 @@ void readAnalysis (UniversalShape& shape, UniversalRecords& records)
         records.appendNumbers ({ 10 }, integers);
 
     for (std::size_t i = 0; i < wanted; ++i)
-        shape.integers.push_back (static_cast<UniversalLabel> (integers[2 + i]));
+        shape.integers.push_back (records.whole (integers[2 + i]));
 
     shape.reals = someNumbers (records, reals, 13);
 }

@@ -55,7 +55,7 @@ void addComplexModes (IdentifiedModes& modes, const FitState& state, const Eigen
         splitResidues (modes, k, residues.row (k).reshaped (points, drivers));
 
     const auto amplitudesOfAll = functionAmplitudes (modes, state);
-    auto coefficients = powerCoefficients (state.basis, state.products, amplitudesOfAll, 0);
+    auto coefficients = powerCoefficients (state.basis, state.products, amplitudesOfAll);
     modes.residuals.clear();
 
     for (std::size_t n = 0; n < state.basis.powers.size(); ++n)

@@ -16,10 +16,9 @@ Eigen::MatrixXd strongest (Eigen::MatrixXd gram, Eigen::Index count)
     return eigen.vectors.rightCols (std::min (count, eigen.vectors.cols())).rowwise().reverse();
 }
 
-Eigen::MatrixXd gramOfPoints (const Eigen::MatrixXcd& values, Eigen::Index points, Eigen::Index drivers,
-                              Eigen::Index stride)
+Eigen::MatrixXd gramOfPoints (const DataBlock& values, Eigen::Index points, Eigen::Index drivers, Eigen::Index stride)
 {
-    const auto lines = (values.rows() + stride - 1) / stride;
+    const auto lines = (values.real.rows() + stride - 1) / stride;
     Eigen::MatrixXd gram = Eigen::MatrixXd::Zero (points, points);
     Eigen::MatrixXd rows (points, 2 * lines);
 
@@ -27,9 +26,8 @@ Eigen::MatrixXd gramOfPoints (const Eigen::MatrixXcd& values, Eigen::Index point
     {
         for (Eigen::Index f = 0; f < lines; ++f)
         {
-            const auto line = values.row (f * stride).segment (i * points, points).transpose();
-            rows.col (2 * f) = line.real();
-            rows.col (2 * f + 1) = line.imag();
+            rows.col (2 * f) = values.real.row (f * stride).segment (i * points, points);
+            rows.col (2 * f + 1) = values.imaginary.row (f * stride).segment (i * points, points);
         }
 
         addGram (gram, 1, rows);
@@ -58,8 +56,10 @@ CompressedBand compress (const PreparedResponses& data, Eigen::Index first, Eige
                          Eigen::Index references)
 {
     const auto points = data.points(), drivers = data.drivers();
-    Eigen::MatrixXcd values = block (data, first, count, 0);
-    values.array().rowwise() *= data.columnWeights.cwiseSqrt().transpose().array().cast<std::complex<double>>();
+    auto values = dataBlock (data, first, Eigen::VectorXcd::Ones (count));
+    const Eigen::VectorXd roots = data.columnWeights.cwiseSqrt();
+    values.real *= roots.asDiagonal();
+    values.imaginary *= roots.asDiagonal();
 
     // Directions need no more than some thousand samples; the values themselves keep every line.
     const auto stride = std::max<Eigen::Index> (1, count * drivers / 8192);
@@ -67,7 +67,14 @@ CompressedBand compress (const PreparedResponses& data, Eigen::Index first, Eige
     std::vector<Eigen::MatrixXcd> projected;
 
     for (Eigen::Index i = 0; i < drivers; ++i)
-        projected.push_back (values.middleCols (i * points, points) * directions);
+    {
+        Eigen::MatrixXd real = Eigen::MatrixXd::Zero (count, directions.cols()), imaginary = real;
+        addProduct (real, 1, values.real.middleCols (i * points, points), directions);
+        addProduct (imaginary, 1, values.imaginary.middleCols (i * points, points), directions);
+        projected.emplace_back (count, directions.cols());
+        projected.back().real() = real;
+        projected.back().imag() = imaginary;
+    }
 
     CompressedBand band;
     band.omega = data.omega.segment (first, count);

@@ -11,59 +11,48 @@ namespace antinode
 {
 namespace
 {
-/** Coefficients of all functions of the basis: the modes' amplitudes, and those of the odd powers. */
+/** Coefficients of all functions of the basis: the modes' amplitudes, and those of the powers. */
 Eigen::MatrixXd coefficientsOf (const FitState& state)
 {
     const auto& basis = state.basis;
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero (basis.size(), state.columnWeights.size());
     result (Eigen::seqN (0, basis.modes(), Eigen::fix<functionsOfMode>), Eigen::all) = amplitudes (state);
-    const auto ofPowers = residualCoefficients (state);
-    auto row = functionsOfMode * basis.modes();
-    Eigen::Index odd = 0;
-
-    for (const auto power : basis.powers)
-    {
-        if (power % 2 != 0)
-            result.row (row) = ofPowers.row (odd++);
-
-        ++row;
-    }
-
+    result.bottomRows (static_cast<Eigen::Index> (basis.powers.size())) = residualCoefficients (state);
     return result;
 }
 
 /** What the coefficients give on the lines of a segment whose weights are 1; of functions that are 0 nothing is computed. */
-Eigen::MatrixXcd synthesised (const LineSegment& segment, const Eigen::MatrixXd& coefficients, Eigen::Index lines)
+DataBlock synthesised (const LineSegment& segment, const Eigen::MatrixXd& coefficients, Eigen::Index lines)
 {
     const auto columns = coefficients.cols();
-    Eigen::MatrixXd real = Eigen::MatrixXd::Zero (lines, columns), imaginary = real;
+    DataBlock result { Eigen::MatrixXd::Zero (lines, columns), Eigen::MatrixXd::Zero (lines, columns) };
     const Eigen::MatrixXd near = coefficients (segment.near, Eigen::all);
-    addProduct (real, 1, segment.nearReal, near);
-    addProduct (imaginary, 1, segment.nearImaginary, near);
+    addProduct (result.real, 1, segment.nearReal, near);
+    addProduct (result.imaginary, 1, segment.nearImaginary, near);
 
     if (! segment.far.empty())
     {
         const Eigen::MatrixXd far = coefficients (segment.far, Eigen::all);
         Eigen::MatrixXd atNodes = Eigen::MatrixXd::Zero (segment.farReal.rows(), columns);
         addProduct (atNodes, 1, segment.farReal, far);
-        addProduct (real, 1, segment.interpolation, atNodes);
+        addProduct (result.real, 1, segment.interpolation, atNodes);
         atNodes.setZero();
         addProduct (atNodes, 1, segment.farImaginary, far);
-        addProduct (imaginary, 1, segment.interpolation, atNodes);
+        addProduct (result.imaginary, 1, segment.interpolation, atNodes);
     }
 
-    Eigen::MatrixXcd result (lines, columns);
-    result.real() = real;
-    result.imag() = imaginary;
     return result;
 }
 
-void fillMissing (PreparedResponses& data, Eigen::Index first, Eigen::Index count, double delay,
-                  const Eigen::MatrixXcd& given)
+void fillMissing (PreparedResponses& data, Eigen::Index first, Eigen::Index count, double delay, const DataBlock& given)
 {
     for (auto& value : data.missing)
         if (value.line >= first && value.line < first + count)
-            value.value = given (value.line - first, value.column) * std::polar (1.0, -data.omega[value.line] * delay);
+        {
+            const auto line = value.line - first;
+            value.value = std::complex (given.real (line, value.column), given.imaginary (line, value.column))
+                          * std::polar (1.0, -data.omega[value.line] * delay);
+        }
 }
 
 /** Logarithms of a matrix as row + column: geometric means over what counts. */
@@ -110,6 +99,11 @@ Eigen::VectorXd interpolated (const Eigen::VectorXd& at, const Eigen::VectorXd& 
 
     return result;
 }
+
+Eigen::VectorXd energiesOf (const Eigen::MatrixXd& real, const Eigen::MatrixXd& imaginary)
+{
+    return (real.colwise().squaredNorm() + imaginary.colwise().squaredNorm()).transpose();
+}
 } // namespace
 
 FitErrors fitErrors (PreparedResponses& data, const NormalModeFit& fit)
@@ -128,14 +122,18 @@ FitErrors fitErrors (PreparedResponses& data, const NormalModeFit& fit)
         const auto given =
             synthesised (lineSegment (fit.state.basis, omega, Eigen::VectorXd::Ones (count)), coefficients, count);
         fillMissing (data, first, count, fit.modes.delay, given);
-        Eigen::MatrixXcd error = block (data, first, count, fit.modes.delay);
-        errors.dataEnergies += error.colwise().squaredNorm().transpose();
-        error -= given;
+        auto error = dataBlock (data, first, advances (data, first, count, fit.modes.delay));
+        errors.dataEnergies += energiesOf (error.real, error.imaginary);
+        error.real -= given.real;
+        error.imaginary -= given.imaginary;
         errors.frequencies[s] = (omega[0] + omega[count - 1]) / 2;
         errors.lines[s] = static_cast<double> (count);
-        errors.energies.row (s) = error.colwise().squaredNorm();
-        errors.roughness.row (s) = (error.bottomRows (count - 1) - error.topRows (count - 1)).colwise().squaredNorm()
-                                   * (static_cast<double> (count) / (2.0 * static_cast<double> (count - 1)));
+        errors.energies.row (s) = energiesOf (error.real, error.imaginary).transpose();
+        errors.roughness.row (s) =
+            energiesOf (error.real.bottomRows (count - 1) - error.real.topRows (count - 1),
+                        error.imaginary.bottomRows (count - 1) - error.imaginary.topRows (count - 1))
+                .transpose()
+            * (static_cast<double> (count) / (2.0 * static_cast<double> (count - 1)));
     }
 
     return errors;

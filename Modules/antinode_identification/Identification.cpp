@@ -5,6 +5,7 @@
 #include "FitErrors.h"
 #include "ModeAssessment.h"
 #include "ModeSelection.h"
+#include "PeakPicking.h"
 #include "PoleSearch.h"
 #include "ShapeScales.h"
 
@@ -126,9 +127,8 @@ std::vector<ResidualTerm> residualTerms (const FitState& state, Eigen::Index poi
     Eigen::Index row = 0;
 
     for (const auto power : state.basis.powers)
-        if (power % 2 != 0)
-            terms.push_back (
-                { power, coefficients.row (row++).reshaped (points, drivers) / std::pow (state.basis.scale, power) });
+        terms.push_back (
+            { power, coefficients.row (row++).reshaped (points, drivers) / std::pow (state.basis.scale, power) });
 
     return terms;
 }
@@ -212,6 +212,10 @@ IdentifiedModes identify (const FrequencyResponses& responses, const Identificat
 {
     validate (responses);
     checkOptions (responses, options);
+
+    if (options.method == IdentificationMethod::peakPicking)
+        return pickPeaks (responses, options);
+
     auto data =
         weighted (prepare (responses, options.minimumFrequency, options.maximumFrequency), options.pointWeights);
     auto found = searchPoles (data, options);

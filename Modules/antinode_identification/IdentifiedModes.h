@@ -36,7 +36,8 @@ struct ModeQuality
 /** What modes outside of the band add: coefficients (i omega)^power to the velocity per drive, behind the delay. */
 struct ResidualTerm
 {
-    int power = 1;                ///< -1: a rigid body's or lower modes' inertia. 1: stiffness of higher modes.
+    int power =
+        1; ///< -1: a rigid body's or lower modes' inertia. 1: stiffness of higher modes. Even ones: their damping.
     Eigen::MatrixXd coefficients; ///< N_p x N_b
 };
 

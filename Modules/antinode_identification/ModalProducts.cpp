@@ -77,10 +77,10 @@ ModalProducts modalProducts (const ModalBasis& basis, const PreparedResponses& d
         const auto count = std::min (linesOfSegment, data.lines() - first);
         const Eigen::VectorXd roots = data.lineWeights.segment (first, count).cwiseSqrt();
         const auto segment = lineSegment (basis, data.omega.segment (first, count), roots);
-        const Eigen::MatrixXcd values = roots.asDiagonal() * block (data, first, count, delay);
+        const auto values = dataBlock (data, first, roots.asDiagonal() * advances (data, first, count, delay));
         addGramOf (result.gram, segment);
-        addProducts (result.data, segment, values.real(), values.imag());
-        result.energies += values.colwise().squaredNorm().transpose();
+        addProducts (result.data, segment, values.real, values.imaginary);
+        result.energies += (values.real.colwise().squaredNorm() + values.imaginary.colwise().squaredNorm()).transpose();
     }
 
     return result;

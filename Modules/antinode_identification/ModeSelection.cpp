@@ -12,6 +12,8 @@ namespace antinode
 {
 namespace
 {
+constexpr double mostDamping = 0.3;
+
 double frequencyOf (const PoleCluster& cluster)
 {
     return std::abs (cluster.pole) / (2 * std::numbers::pi);
@@ -66,19 +68,19 @@ std::vector<Eigen::Index> standOut (const FitState& state, double variance, doub
         static_cast<double> (std::max<Eigen::Index> (1, (state.shapes.rowwise().squaredNorm().array() > 0).count()));
     const auto drivers = static_cast<double> (state.drivers());
     const auto least = std::sqrt (1.5 * std::pow (1 + std::sqrt (drivers / points), 2) + 30 / points);
+    // What is damped so heavily is no resonance, but misfit that has taken its form.
+    const auto isMisfit = [&state] (Eigen::Index k) { return state.basis.dampingRatios[k] > mostDamping; };
     std::vector<Eigen::Index> kept;
     bool lastFell = false;
 
     for (Eigen::Index k = 0; k < state.modes(); ++k)
     {
-        const auto fails = ratios[k] < least;
-        const auto isStronger = k + 1 < state.modes() && ratios[k] > ratios[k + 1];
+        // Of two that stand for one mode each looks superfluous beside the other: only the weaker goes.
+        const auto isWeaker = k + 1 == state.modes() || ratios[k] <= ratios[k + 1] || ratios[k + 1] >= least;
+        lastFell = isMisfit (k) || (ratios[k] < least && isWeaker && ! lastFell);
 
-        // Of two that stand for one mode, each looks superfluous beside the other.
-        if (! fails || lastFell || (isStronger && ratios[k + 1] < least))
+        if (! lastFell)
             kept.push_back (k);
-
-        lastFell = kept.empty() || kept.back() != k;
     }
 
     std::stable_sort (kept.begin(), kept.end(),

@@ -210,7 +210,7 @@ Eigen::MatrixXd residualCoefficients (const FitState& state)
 {
     Eigen::MatrixXd ofAll = Eigen::MatrixXd::Zero (functionsOfMode * state.modes(), state.columnWeights.size());
     ofAll (Eigen::seqN (0, state.modes(), Eigen::fix<functionsOfMode>), Eigen::all) = amplitudes (state);
-    return powerCoefficients (state.basis, state.products, ofAll, 1);
+    return powerCoefficients (state.basis, state.products, ofAll);
 }
 
 NormalEquations normalEquations (const FitState& state, double ridge)

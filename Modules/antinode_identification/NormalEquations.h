@@ -19,7 +19,7 @@ std::vector<PointGroup> groupPoints (const Eigen::VectorXd& columnWeights, Eigen
 struct FitState
 {
     ModalBasis basis;
-    ModalProducts products, reduced; ///< With powers, and with the odd ones taken out.
+    ModalProducts products, reduced; ///< With powers, and with these taken out.
     std::vector<PointGroup> groups;
     Eigen::VectorXd columnWeights; ///< C
     Eigen::MatrixXd strengths;     ///< N_m x N_b: participation over angular frequency.
@@ -39,7 +39,7 @@ Eigen::MatrixXd bestShapes (const FitState&, double ridge);
 /** What the modes give: phi alpha / omega, N_m x C. [any] */
 Eigen::MatrixXd amplitudes (const FitState&);
 
-/** Of the odd powers, odd powers x C: what is left for them beside the modes. [worker] */
+/** Of the powers, powers x C: what is left for them beside the modes. [worker] */
 Eigen::MatrixXd residualCoefficients (const FitState&);
 
 /** Gauss-Newton equations in the unknowns of FitState, the best shapes eliminated. */

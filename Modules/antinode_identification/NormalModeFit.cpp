@@ -19,7 +19,7 @@ FitState stateAt (const PreparedResponses& data, const NormalModes& modes, doubl
     FitState state;
     state.basis = basisOf (modes.angularFrequencies, modes.dampingRatios, data);
     state.products = modalProducts (state.basis, data, modes.delay);
-    state.reduced = withoutPowers (state.basis, state.products, 1);
+    state.reduced = withoutPowers (state.basis, state.products);
     state.groups = groupPoints (data.columnWeights, data.points(), data.drivers());
     state.columnWeights = data.columnWeights;
     state.strengths = modes.angularFrequencies.cwiseInverse().asDiagonal() * modes.participation;

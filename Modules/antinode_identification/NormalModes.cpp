@@ -8,6 +8,11 @@ namespace
 {
 using Indices = std::vector<Eigen::Index>;
 
+auto columnsOfPowers (const ModalBasis& basis)
+{
+    return Eigen::seq (functionsOfMode * basis.modes(), basis.size() - 1);
+}
+
 /** x of a x = b for a symmetric positive matrix, made even on its diagonal first. */
 Eigen::MatrixXd solveEven (const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double ridge)
 {
@@ -15,18 +20,6 @@ Eigen::MatrixXd solveEven (const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, d
     Eigen::MatrixXd even = scale.asDiagonal() * a * scale.asDiagonal();
     even.diagonal().array() += ridge;
     return scale.asDiagonal() * even.ldlt().solve (scale.asDiagonal() * b);
-}
-
-/** Columns of the powers that are taken out. */
-Indices powersOfParity (const ModalBasis& basis, int parity)
-{
-    Indices result;
-
-    for (std::size_t n = 0; n < basis.powers.size(); ++n)
-        if (parity == 0 || basis.powers[n] % 2 != 0)
-            result.push_back (functionsOfMode * basis.modes() + static_cast<Eigen::Index> (n));
-
-    return result;
 }
 } // namespace
 
@@ -37,10 +30,10 @@ ModalBasis basisOf (const Eigen::VectorXd& angularFrequencies, const Eigen::Vect
     return { angularFrequencies, dampingRatios, { -1, 0, 1, 2, 3 }, scale };
 }
 
-ModalProducts withoutPowers (const ModalBasis& basis, const ModalProducts& products, int parity)
+ModalProducts withoutPowers (const ModalBasis& basis, const ModalProducts& products)
 {
     const auto kept = Eigen::seqN (0, functionsOfMode * basis.modes());
-    const auto taken = powersOfParity (basis, parity);
+    const auto taken = columnsOfPowers (basis);
     const Eigen::MatrixXd between = products.gram (taken, kept), data = products.data (taken, Eigen::all);
     Eigen::MatrixXd both (between.rows(), between.cols() + data.cols());
     both << between, data;
@@ -52,7 +45,7 @@ ModalProducts withoutPowers (const ModalBasis& basis, const ModalProducts& produ
 
 Eigen::MatrixXcd complexResidues (const ModalBasis& basis, const ModalProducts& products, double ridge)
 {
-    const auto reduced = withoutPowers (basis, products, 0);
+    const auto reduced = withoutPowers (basis, products);
     const auto modes = basis.modes();
     Indices columns;
 
@@ -75,9 +68,9 @@ Eigen::MatrixXcd complexResidues (const ModalBasis& basis, const ModalProducts& 
 }
 
 Eigen::MatrixXd powerCoefficients (const ModalBasis& basis, const ModalProducts& products,
-                                   const Eigen::MatrixXd& amplitudes, int parity)
+                                   const Eigen::MatrixXd& amplitudes)
 {
-    const auto taken = powersOfParity (basis, parity);
+    const auto taken = columnsOfPowers (basis);
     const Eigen::MatrixXd toModes = products.gram (taken, Eigen::seqN (0, functionsOfMode * basis.modes()));
     return solveEven (products.gram (taken, taken), products.data (taken, Eigen::all) - toModes * amplitudes, 1e-13);
 }
@@ -99,12 +92,13 @@ double delayOf (const Eigen::VectorXd& angularFrequencies, const Eigen::MatrixXc
         return sum;
     };
 
-    // Further than some milliseconds no measurement is off; a long delay must be clearly better than a short one.
-    constexpr double longest = 3e-3, priceOfLength = 0.2;
+    // Further than some milliseconds no measurement is off. Among so many delays a few modes agree on a wrong one by chance: a long
+    // one must be clearly better than a short one.
+    constexpr double longest = 3e-3, price = 0.4, longDelay = 2e-4;
     const auto step = 0.25 / angularFrequencies.maxCoeff();
     const auto modes = static_cast<double> (squares.size());
     const auto priced = [&] (double delay)
-    { return score (delay) - priceOfLength * modes * std::abs (delay) / longest; };
+    { return score (delay) - price * modes * std::abs (delay) / (std::abs (delay) + longDelay); };
     double best = 0, bestScore = priced (0);
 
     for (auto n = static_cast<long> (-longest / step); n <= static_cast<long> (longest / step); ++n)

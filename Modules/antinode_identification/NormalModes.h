@@ -20,10 +20,9 @@ struct NormalModes
 ModalBasis basisOf (const Eigen::VectorXd& angularFrequencies, const Eigen::VectorXd& dampingRatios,
                     const PreparedResponses&);
 
-/** Products with some powers fitted and taken out of data and functions; what is left are the functions of the modes.
-    @param parity  1: odd powers only, what real modes outside can add; 0: all
+/** Products with the powers fitted and taken out of data and functions; what is left are the functions of the modes.
     [worker] Docs/Theory.md, section 8.4. */
-ModalProducts withoutPowers (const ModalBasis&, const ModalProducts&, int parity);
+ModalProducts withoutPowers (const ModalBasis&, const ModalProducts&);
 
 /** Residues of all modes by least squares, each driver and point on its own: complex, so that no delay need be known.
     @return  N_m x C: r with r / (i omega - s) + conj; times 2 j b / s they are phi alpha for real modes without delay
@@ -33,11 +32,9 @@ Eigen::MatrixXcd complexResidues (const ModalBasis&, const ModalProducts&, doubl
 /** Coefficients of the powers once the modes are known.
     @param products    with powers
     @param amplitudes  4 N_m x C: of all functions of the modes
-    @param parity      as above
     @return            powers x C
     [worker] */
-Eigen::MatrixXd powerCoefficients (const ModalBasis&, const ModalProducts& products, const Eigen::MatrixXd& amplitudes,
-                                   int parity);
+Eigen::MatrixXd powerCoefficients (const ModalBasis&, const ModalProducts& products, const Eigen::MatrixXd& amplitudes);
 
 /** The delay that makes residues of all modes as real as can be; the smallest where several do.
     @param residues  phi alpha times exp (-i omega_k delay), N_m x C

@@ -7,8 +7,9 @@ namespace antinode
 {
 namespace
 {
-/** Poles belong together when they differ by less than this share of the half width, and their participations by this MAC. */
-constexpr double poleTolerance = 0.35, leastAssurance = 0.8;
+/** Poles belong together when they differ by less than this share of the half width, and of the frequency, and their participations
+    by this MAC. Poles of noise are broad: shares of their widths would hold anything. */
+constexpr double shareOfHalfWidth = 0.35, shareOfFrequency = 0.01, leastAssurance = 0.8;
 
 struct Candidate
 {
@@ -18,14 +19,19 @@ struct Candidate
     bool used = false;
 };
 
+double reachOf (std::complex<double> pole)
+{
+    return std::min (-shareOfHalfWidth * pole.real(), shareOfFrequency * pole.imag());
+}
+
 double distance (const Candidate& a, const Candidate& b)
 {
-    return std::abs (a.pole - b.pole) / std::min (-a.pole.real(), -b.pole.real());
+    return std::abs (a.pole - b.pole) / std::min (reachOf (a.pole), reachOf (b.pole));
 }
 
 bool belongTogether (const Candidate& a, const Candidate& b)
 {
-    return distance (a, b) < poleTolerance && std::norm (a.participation.dot (b.participation)) > leastAssurance;
+    return distance (a, b) < 1 && std::norm (a.participation.dot (b.participation)) > leastAssurance;
 }
 
 std::vector<Candidate> candidatesOf (const std::vector<OrderPoles>& orders)
@@ -47,7 +53,7 @@ std::vector<std::size_t> clusterAround (const std::vector<Candidate>& candidates
 {
     std::vector<std::size_t> nearest (orders, candidates.size());
     const auto& middle = candidates[centre];
-    const auto reach = -poleTolerance * middle.pole.real();
+    const auto reach = reachOf (middle.pole);
     const auto consider = [&] (std::size_t n)
     {
         const auto& candidate = candidates[n];

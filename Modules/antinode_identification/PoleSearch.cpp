@@ -21,7 +21,7 @@ double frequencyOf (std::complex<double> pole)
     return std::abs (pole) / (2 * std::numbers::pi);
 }
 
-/** Up to 72 poles in a band, at least 12 orders; no more unknowns than lines bear. */
+/** Enough for all modes of a band and its noise; no more unknowns than lines bear. */
 int highestOrder (const CompressedBand& band, const IdentificationOptions& options)
 {
     const auto bearable = static_cast<int> (band.lines() / 4);
@@ -29,8 +29,7 @@ int highestOrder (const CompressedBand& band, const IdentificationOptions& optio
     if (options.maximumOrder > 0)
         return std::min (options.maximumOrder, bearable);
 
-    const auto chosen = std::clamp (72 / static_cast<int> (band.references()), 12, 40);
-    return std::max (std::min (chosen, bearable), 1);
+    return std::max (std::min (18, bearable), 1);
 }
 
 struct BandPoles

@@ -33,9 +33,17 @@ LagSums sumOverLines (const CompressedBand& band, Eigen::Index order)
     const Eigen::ArrayXd angles = (band.omega.array() - band.omega[0]) * seconds;
     Matrix powers (lines, 2 * order + 1);
 
-    for (Eigen::Index lag = -order; lag <= order; ++lag)
-        for (Eigen::Index f = 0; f < lines; ++f)
-            powers (f, lag + order) = std::polar (1.0, angles[f] * static_cast<double> (lag));
+    for (Eigen::Index f = 0; f < lines; ++f)
+    {
+        const auto step = std::polar (1.0, angles[f]);
+        powers (f, order) = 1;
+
+        for (Eigen::Index lag = 1; lag <= order; ++lag)
+        {
+            powers (f, order + lag) = powers (f, order + lag - 1) * step;
+            powers (f, order - lag) = std::conj (powers (f, order + lag));
+        }
+    }
 
     LagSums sums;
     sums.basis = powers.rightCols (order + 1).colwise().sum().transpose();

@@ -145,30 +145,49 @@ PreparedResponses prepare (const FrequencyResponses& responses, double minimumFr
     return data;
 }
 
-Eigen::MatrixXcd block (const PreparedResponses& data, Eigen::Index first, Eigen::Index count, double delay)
+DataBlock dataBlock (const PreparedResponses& data, Eigen::Index first, const Eigen::VectorXcd& factors)
 {
-    Eigen::MatrixXcd result (count, data.columns());
-    Eigen::VectorXcd phases (count);
-
-    for (Eigen::Index f = 0; f < count; ++f)
-        phases[f] = std::polar (1.0, data.omega[first + f] * delay);
+    const auto count = factors.size();
+    DataBlock result { Eigen::MatrixXd (count, data.columns()), Eigen::MatrixXd (count, data.columns()) };
 
     for (Eigen::Index c = 0; c < data.columns(); ++c)
     {
-        if (data.columnWeights[c] > 0)
-            result.col (c) = columnOf (data, c).segment (first, count);
-        else
-            result.col (c).setZero();
+        if (data.columnWeights[c] <= 0)
+        {
+            result.real.col (c).setZero();
+            result.imaginary.col (c).setZero();
+            continue;
+        }
+
+        const auto values = columnOf (data, c).segment (first, count);
+
+        // Written out: the compiler's own product looks for infinities.
+        for (Eigen::Index f = 0; f < count; ++f)
+        {
+            result.real (f, c) = values[f].real() * factors[f].real() - values[f].imag() * factors[f].imag();
+            result.imaginary (f, c) = values[f].real() * factors[f].imag() + values[f].imag() * factors[f].real();
+        }
     }
 
     const auto before = [] (const MissingValue& value, Eigen::Index line) { return value.line < line; };
 
-    for (auto value = std::lower_bound (data.missing.begin(), data.missing.end(), first, before);
-         value != data.missing.end() && value->line < first + count; ++value)
-        result (value->line - first, value->column) = value->value;
+    for (auto missing = std::lower_bound (data.missing.begin(), data.missing.end(), first, before);
+         missing != data.missing.end() && missing->line < first + count; ++missing)
+    {
+        const auto value = missing->value * factors[missing->line - first];
+        result.real (missing->line - first, missing->column) = value.real();
+        result.imaginary (missing->line - first, missing->column) = value.imag();
+    }
 
-    if (delay != 0)
-        result.array().colwise() *= phases.array();
+    return result;
+}
+
+Eigen::VectorXcd advances (const PreparedResponses& data, Eigen::Index first, Eigen::Index count, double delay)
+{
+    Eigen::VectorXcd result (count);
+
+    for (Eigen::Index f = 0; f < count; ++f)
+        result[f] = std::polar (1.0, data.omega[first + f] * delay);
 
     return result;
 }

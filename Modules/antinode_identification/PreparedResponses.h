@@ -35,8 +35,17 @@ struct PreparedResponses
     [worker] */
 PreparedResponses prepare (const FrequencyResponses&, double minimumFrequency, double maximumFrequency);
 
-/** Values of some lines with the delay taken out: times exp (+i omega delay), 0 in columns without weight.
-    @return  count x C
+/** Values of neighbouring lines, real and imaginary parts on their own. Lines x C. */
+struct DataBlock
+{
+    Eigen::MatrixXd real, imaginary;
+};
+
+/** Values of some lines, each line times a factor, for example exp (+i omega delay) to take the delay out; 0 in columns without weight.
+    @param factors  one a line, from the first one on
     [worker] */
-Eigen::MatrixXcd block (const PreparedResponses&, Eigen::Index first, Eigen::Index count, double delay);
+DataBlock dataBlock (const PreparedResponses&, Eigen::Index first, const Eigen::VectorXcd& factors);
+
+/** exp (+i omega delay) on some lines: takes the delay out. [worker] */
+Eigen::VectorXcd advances (const PreparedResponses&, Eigen::Index first, Eigen::Index count, double delay);
 } // namespace antinode

@@ -112,23 +112,26 @@ ReportSection shapeSection (const IdentificationResult& result)
     return section;
 }
 
+/** A matrix of modes with a colour bar at its side: cells are square. */
+ReportFigure assuranceFigure (const std::string& caption, HeatMap chart)
+{
+    constexpr int cell = 16, margin = 90, colourBar = 110, smallest = 280, largest = 760;
+    const auto side = std::clamp (margin + cell * static_cast<int> (chart.values.rows()), smallest, largest);
+    return { caption, {}, std::move (chart), std::min (side + colourBar, figureWidth), side };
+}
+
 ReportSection assuranceSection (const IdentificationResult& result)
 {
-    constexpr int largestMatrix = 700;
-    const auto& model = result.model;
-    const auto side = std::clamp (140 + 14 * static_cast<int> (model.modes()), 260, largestMatrix);
+    const auto& shapes = result.model.shapes;
     ReportSection section;
     section.heading = "How well the points tell the shapes apart";
     section.paragraphs = {
         "Modal assurance criterion between the shapes: 1 where two look the same at the measured points. Off the "
-        "diagonal "
-        "it is 0 for modes of a whole body that is mapped densely and evenly; where a part is mapped it need not be."
+        "diagonal it is 0 for modes of a whole body that is mapped densely and evenly; where a part is mapped it need "
+        "not be."
     };
-    section.figures.push_back ({ "MAC of the identified modes with each other.",
-                                 {},
-                                 assuranceChart (modalAssurance (model.shapes, model.shapes, {}), "mode", "mode"),
-                                 figureWidth,
-                                 side });
+    section.figures.push_back (assuranceFigure ("MAC of the identified modes with each other.",
+                                                assuranceChart (modalAssurance (shapes, shapes, {}), "mode", "mode")));
     return section;
 }
 
@@ -137,11 +140,9 @@ ReportSection comparisonSection (const IdentificationResult& result)
     ReportSection section;
     section.heading = "Beside " + result.computed->name;
     section.paragraphs = { "Each identified mode with the computed mode that it is." };
-    section.figures.push_back ({ "MAC of identified and computed modes at the measured points.",
-                                 {},
-                                 assuranceChart (result.comparison->assurance, "identified mode", "computed mode"),
-                                 figureWidth,
-                                 std::clamp (140 + 14 * static_cast<int> (result.model.modes()), 260, 700) });
+    section.figures.push_back (
+        assuranceFigure ("MAC of identified and computed modes at the measured points.",
+                         assuranceChart (result.comparison->assurance, "identified mode", "computed mode")));
     section.tables.push_back (pairTable (result));
     return section;
 }
