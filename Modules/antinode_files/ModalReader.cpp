@@ -43,9 +43,10 @@ std::vector<JsonObject> readModeList (const JsonObject& device)
     std::vector<JsonObject> modes;
 
     for (const auto& mode : device.required ("modes").items (1, ranges::maximumModes))
-        modes.push_back (mode.object ({ "frequency_Hz", "damping_ratio", "quality_factor", "participation_per_V",
-                                        "shape", "slope", "frequency_error_relative", "frequency_standard_deviation_Hz",
-                                        "damping_ratio_standard_deviation" }));
+        modes.push_back (
+            mode.object ({ "frequency_Hz", "damping_ratio", "quality_factor", "participation_per_V", "shape", "slope",
+                           "frequency_error_relative", "frequency_standard_deviation_Hz",
+                           "damping_ratio_standard_deviation", "participation_standard_deviation_per_V" }));
 
     return modes;
 }
@@ -68,6 +69,9 @@ void readMode (const JsonObject& mode, const std::vector<Eigen::Index>& order, E
     for (const auto* const key : { "frequency_standard_deviation_Hz", "damping_ratio_standard_deviation" })
         if (const auto deviation = mode.optional (key))
             deviation->number (notNegative);
+
+    if (const auto deviations = mode.optional ("participation_standard_deviation_per_V"))
+        readVector (*deviations, model.actuators(), notNegative);
 }
 
 void readModes (const JsonObject& device, const std::vector<Eigen::Index>& order, ModalModel& model)

@@ -32,9 +32,13 @@ int runCommandLine (int argumentCount, const char* const* arguments)
     addDevicesCommand (app);
     addModesCommand (app);
     addPlaceCommand (app);
+    addIdentifyCommand (app);
     addDesignCommand (app);
     addRenderCommand (app);
     addPaperCommand (app);
+    addExciteCommand (app);
+    addMeasureCommand (app);
+    addFrfCommand (app);
     addVersionCommand (app);
 
     try

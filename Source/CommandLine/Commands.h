@@ -8,8 +8,12 @@ namespace antinode
 void addDevicesCommand (CLI::App&);
 void addModesCommand (CLI::App&);
 void addPlaceCommand (CLI::App&);
+void addIdentifyCommand (CLI::App&);
 void addDesignCommand (CLI::App&);
 void addRenderCommand (CLI::App&);
 void addPaperCommand (CLI::App&);
+void addExciteCommand (CLI::App&);
+void addMeasureCommand (CLI::App&);
+void addFrfCommand (CLI::App&);
 void addVersionCommand (CLI::App&);
 } // namespace antinode

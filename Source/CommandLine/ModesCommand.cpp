@@ -6,6 +6,7 @@
 #include <antinode_files/ModeTable.h>
 #include <antinode_files/OutputFolder.h>
 #include <antinode_files/UniversalFile.h>
+#include <antinode_files/UniversalModes.h>
 
 #include <nlohmann/json.hpp>
 
@@ -100,7 +101,7 @@ void listModes (const ModesOptions& options)
         writeWholeFile (options.csvFile, encodeModeTable (model));
 
     if (! options.universalFile.empty())
-        writeWholeFile (options.universalFile, encodeUniversalFile (model));
+        writeWholeFile (options.universalFile, encodeUniversalFile (modeSets (model)));
 
     if (options.isJson)
         std::printf ("%s\n", modesJson (model, kinds[description.body.index()], elapsed.count()).dump (2).c_str());

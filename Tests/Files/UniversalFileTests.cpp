@@ -1,176 +1,235 @@
 #include "Support/ErrorText.h"
-#include "Support/GridModel.h"
-#include "Support/SineBeam.h"
-#include "Support/UniversalFileReader.h"
+#include "Support/RunProgram.h"
 
 #include <antinode_files/UniversalFile.h>
+
+#include <nlohmann/json.hpp>
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
+#include <complex>
 
 using namespace antinode;
 using namespace antinode::test;
 
 namespace
 {
-constexpr double printed = 5.1e-6; // Half a unit of the sixth digit, relative to a mantissa of 1, and rounding.
+const std::string folder = ANTINODE_TEST_DATA "/UniversalFiles/";
+
+int numberOf (const UniversalSet& set)
+{
+    constexpr int numbers[] = { 58, 55, 15, 82, 151, 164, 2412, 2414 };
+
+    if (const auto* const unknown = std::get_if<UnknownUniversalSet> (&set))
+        return unknown->number;
+
+    const auto* const nodes = std::get_if<UniversalNodes> (&set);
+    return nodes != nullptr && nodes->isDouble ? 2411 : numbers[set.index()];
+}
+
+double lastAbscissa (const UniversalFunction& function)
+{
+    const auto last = function.values.size() - 1;
+    return function.isEven ? function.first + static_cast<double> (last) * function.step : function.abscissae[last];
+}
+
+/** Text with every character that its reader could not tell, U+FFFD, taken as any one character. */
+bool isSameText (const std::string& text, const std::string& expected)
+{
+    const std::string unknown = "\xef\xbf\xbd";
+    const auto at = expected.find (unknown);
+
+    if (at == std::string::npos)
+        return text == expected;
+
+    const auto behind = expected.substr (at + unknown.size());
+    return text.starts_with (expected.substr (0, at)) && text.ends_with (behind)
+           && text.size() == at + behind.size() + 2; // Latin-1 beyond ASCII has two bytes in UTF-8.
+}
+
+void checkFunction (const UniversalFunction& function, const nlohmann::json& expected)
+{
+    constexpr double rounding = 1e-12; // A sum of 8e4 terms in another order.
+    const auto& values = function.values;
+    const auto number = [] (const nlohmann::json& pair)
+    { return std::complex<double> (pair[0].get<double>(), pair[1].get<double>()); };
+    CHECK (function.functionType == expected["func_type"]);
+    CHECK (function.statedCount == expected["n"]);
+    CHECK ((function.encoding != UniversalEncoding::text) == (expected["binary"] == 1));
+    CHECK (function.ordinateType == expected["ord_data_type"]);
+    CHECK (function.isEven == (expected["abscissa_spacing"] == 1));
+    CHECK ((function.isEven ? function.first : function.abscissae[0]) == expected["x0"].get<double>());
+    CHECK (lastAbscissa (function) == Approx (expected["x_end"].get<double>()).epsilon (rounding));
+    CHECK (values[0] == number (expected["y0"]));
+    CHECK (values[values.size() - 1] == number (expected["y_end"]));
+    CHECK (values.cwiseAbs().sum() == Approx (expected["sum_abs"].get<double>()).epsilon (rounding));
+    CHECK (function.response.node == expected["rsp_node"]);
+    CHECK (function.reference.node == expected["ref_node"]);
+    CHECK (isSameText (function.ordinate.unit, expected["unit"]));
+}
+
+void checkShape (const UniversalShape& shape, const nlohmann::json& expected)
+{
+    CHECK (shape.analysisType == expected["analysis_type"]);
+    CHECK (shape.nodes.size() == expected["n_nodes"]);
+    CHECK (shape.values.allFinite());
+
+    if (expected["freq"].is_number())
+        CHECK (shape.reals.at (0) == expected["freq"]);
+    else
+        CHECK (shape.reals == std::vector<double> { -0.1111111, 41.11111, 4111.111, -3111.111, -111111.0, -211111.0 });
+}
+
+/** Five values in numbers that single precision and six digits hold exactly. */
+UniversalFunction exampleFunction (int type, bool isEven, UniversalEncoding encoding)
+{
+    UniversalFunction function;
+    function.encoding = encoding;
+    function.functionType = 4;
+    function.ordinateType = type;
+    function.isEven = isEven;
+    function.step = 0.25;
+    function.response = { "SHELL", -7, -3 };
+    function.ordinate = { 12, { 1, 0, 0 }, "Acceleration", "m/s\xc2\xb2" };
+    function.values.resize (5);
+    function.values << 1.5, -0.25, 1e5, 0, std::complex<double> (-3, function.isComplex() ? 2.5 : 0);
+
+    if (! isEven)
+        function.abscissae = Eigen::VectorXd::LinSpaced (5, 1, 3);
+
+    return function;
+}
+
+std::string rewritten (const std::string& bytes)
+{
+    return encodeUniversalFile (readUniversalFile (bytes, "file"));
+}
 } // namespace
 
-TEST_CASE ("Every line of a universal file has at most 80 columns of ASCII", "[files]")
+TEST_CASE ("Files of instruments and programs are read as others read them", "[files][universal]")
 {
-    auto model = gridModel (3, 2);
-    model.name = "Platte f\xc3\xbcr H\xc3\xa4nde \xe2\x82\xac\n" + std::string (100, 'x');
+    const auto files = nlohmann::json::parse (contentOf (folder + "expected.json"));
+    CHECK (files.size() == 13);
 
-    for (const auto& line : linesOf (encodeUniversalFile (model)))
+    for (const auto& [name, expected] : files.items())
     {
-        CHECK (line.size() <= 80);
-        CHECK (std::all_of (line.begin(), line.end(), [] (char c) { return c >= ' ' && c < 0x7f; }));
+        INFO (name);
+        const auto sets = readUniversalFile (contentOf (folder + name), name);
+        REQUIRE (sets.size() == expected["sets"].size());
+
+        for (std::size_t i = 0; i < sets.size(); ++i)
+        {
+            const auto& wanted = expected["sets"][i];
+            CHECK (numberOf (sets[i]) == wanted["type"]);
+
+            if (const auto* const function = std::get_if<UniversalFunction> (&sets[i]))
+                checkFunction (*function, wanted);
+            else if (const auto* const shape = std::get_if<UniversalShape> (&sets[i]))
+                checkShape (*shape, wanted);
+            else if (const auto* const nodes = std::get_if<UniversalNodes> (&sets[i]))
+                CHECK (nodes->labels.size() == wanted["n_nodes"]);
+        }
     }
-
-    const auto name = "Device Platte f?r H?nde ??" + std::string (54, 'x');
-    CHECK (setsOf (encodeUniversalFile (model), 151)[0].records[0] == name);
-    CHECK (setsOf (encodeUniversalFile (model), 55)[0].records[0] == name);
 }
 
-TEST_CASE ("A universal file begins with header, SI units and nodes, and has a set a mode", "[files]")
+TEST_CASE ("A universal file that was read and written is the same when that is done again", "[files][universal]")
 {
-    const auto text = encodeUniversalFile (gridModel (3, 2));
-    const auto sets = setsOf (text);
-    REQUIRE (sets.size() > 6);
-    CHECK (sets[0].number == 151);
-    CHECK (sets[1].number == 164);
-    CHECK (sets[2].number == 15);
-    CHECK (sets[3].number == 82);
-    CHECK (setsOf (text, 55).size() == 3);
-    CHECK (sets.back().number == 55);
+    const auto files = nlohmann::json::parse (contentOf (folder + "expected.json"));
 
-    const auto& header = sets[0].records;
-    REQUIRE (header.size() == 7);
-    CHECK (header[0] == "Device pane");
-    CHECK (header[2].starts_with ("Antinode "));
-    CHECK (header[3] == std::string (20, ' ') + "         0         0         0"); // No dates: no clock.
-    CHECK (header[4] == std::string (20, ' '));
-    CHECK (header[5] == header[2]);
-
-    // As other programs write it for metres and newtons.
-    CHECK (sets[1].records
-           == Lines { "         1SI: Meter (newton)           2",
-                      "  1.00000000000000000D+00  1.00000000000000000D+00  1.00000000000000000D+00",
-                      "  2.73149999999999977D+02" });
-}
-
-TEST_CASE ("Each record of a mode stands in the columns of the format", "[files]")
-{
-    auto model = sineBeam (2, 1);
-    model.angularFrequencies << 2 * std::numbers::pi * 128, 2 * std::numbers::pi * 1024;
-    model.dampingRatios << 0.005, 0.0025;
-    model.shapes (0, 1) = -12.345678;
-    model.shapes (1, 1) = 1e-120; // Would need an exponent of three digits.
-    const auto mode = setsOf (encodeUniversalFile (model), 55)[1].records;
-    CHECK (mode[0] == "Device sine beam");
-    CHECK (mode[2] == "NONE");
-    CHECK (mode[3] == "Shape along z, normal to the surface, mass-normalised, kg^-1/2");
-    CHECK (mode[4] == "Mode               2 Frequency  1.02400E+03");
-    CHECK (mode[5] == "         1         2         2         8         2         3");
-    CHECK (mode[6] == "         2         4         1         2");
-    CHECK (mode[7] == "  1.02400E+03  1.00000E+00  2.50000E-03  0.00000E+00");
-    CHECK (mode[8] == "         1");
-    CHECK (mode[9] == "  0.00000E+00  0.00000E+00 -1.23457E+01");
-    CHECK (mode[10] == "         2");
-    CHECK (mode[11] == "  0.00000E+00  0.00000E+00  0.00000E+00");
-
-    const auto nodes = setsOf (encodeUniversalFile (model), 15)[0].records;
-    CHECK (nodes[0] == "         1         0         0         8 -1.00000E-01  0.00000E+00  0.00000E+00");
-    const auto line = setsOf (encodeUniversalFile (model), 82)[0].records;
-    CHECK (line[0] == "         1       125         8");
-    CHECK (line[2] == "         1         2         3         4         5         6         7         8");
-    CHECK (line.back() == "       121       122       123       124       125");
-}
-
-TEST_CASE ("A line's points and shapes are read back as they are", "[files]")
-{
-    const auto model = sineBeam (6, 2);
-    const auto text = encodeUniversalFile (model);
-    const auto nodes = nodesOf (text);
-    REQUIRE (nodes.rows() == model.points());
-    CHECK ((nodes.leftCols (2) - model.surface.points).cwiseAbs().maxCoeff() <= printed * 0.1);
-    CHECK (nodes.col (2).isZero (0));
-
-    const auto shapes = shapesOf (text, nodes.rows());
-    CHECK (((shapes - model.shapes).array().abs() <= printed * model.shapes.array().abs()).all());
-    const auto edges = edgesOf (text);
-    CHECK (edges.size() == 400);
-
-    for (int i = 1; i <= 400; ++i)
-        CHECK (edges.contains ({ i, i + 1 }));
-}
-
-TEST_CASE ("A computed plate is sampled evenly from edge to edge, eight points a wavelength", "[files]")
-{
-    constexpr int modes = 6;
-    const auto model = gridModel (modes, 2, 20);
-    const auto text = encodeUniversalFile (model);
-    const auto nodes = nodesOf (text);
-    // Six half-waves along x, two along y, four steps each.
-    constexpr Eigen::Index nx = 25, ny = 9;
-    REQUIRE (nodes.rows() == nx * ny);
-    const auto shapes = shapesOf (text, nodes.rows());
-    const auto amplitude = 2 / std::sqrt (2.7 * 0.2 * 0.12);
-
-    for (Eigen::Index p = 0; p < nodes.rows(); ++p)
+    for (const auto& [name, expected] : files.items())
     {
-        const auto x = 0.2 * static_cast<double> (p % nx) / (nx - 1),
-                   y = 0.12 * static_cast<double> (p / nx) / (ny - 1);
-        CHECK (nodes (p, 0) == Approx (x).epsilon (printed).margin (1e-12));
-        CHECK (nodes (p, 1) == Approx (y).epsilon (printed).margin (1e-12));
-
-        for (int k = 0; k < modes; ++k) // 20 places in less than four half-waves: interpolated to 2e-8.
-            CHECK (shapes (p, k)
-                   == Approx (amplitude * std::sin ((k + 1) * std::numbers::pi * x / 0.2)
-                              * std::sin ((k % 2 + 1) * std::numbers::pi * y / 0.12))
-                          .epsilon (printed)
-                          .margin (1e-7));
+        INFO (name);
+        const auto once = rewritten (contentOf (folder + name));
+        CHECK (rewritten (once) == once);
     }
-
-    const auto edges = edgesOf (text);
-    CHECK (edges.size() == (nx - 1) * ny + nx * (ny - 1));
-
-    for (int j = 0; j < ny; ++j)
-        for (int i = 1; i < nx; ++i)
-            CHECK (edges.contains ({ i + j * nx, i + 1 + j * nx }));
 }
 
-TEST_CASE ("No plate has more than 4000 nodes, however rippled its modes are", "[files]")
+TEST_CASE ("Functions of every kind come back as they were written", "[files][universal]")
 {
-    const auto nodes = nodesOf (encodeUniversalFile (gridModel (120, 1, 90)));
-    CHECK (nodes.rows() <= 4000);
-    CHECK (nodes.rows() > 3600);
-    CHECK (nodes.col (0).maxCoeff() == 0.2);
-    CHECK (nodes.col (1).maxCoeff() == 0.12);
+    for (const auto type : { 2, 4, 5, 6 })
+        for (const auto isEven : { true, false })
+            for (const auto encoding :
+                 { UniversalEncoding::text, UniversalEncoding::littleEndian, UniversalEncoding::bigEndian })
+            {
+                const auto function = exampleFunction (type, isEven, encoding);
+                const auto text = encodeUniversalFile ({ function });
+                const auto read = std::get<UniversalFunction> (readUniversalFile (text, "file").at (0));
+                INFO (type << isEven << static_cast<int> (encoding));
+                // Numbers of the example have few digits, so that every form holds them exactly.
+                CHECK (read.values == function.values);
+                CHECK (read.abscissae == function.abscissae);
+                CHECK (read.encoding == encoding);
+                CHECK (read.step == function.step);
+                CHECK (read.response.node == -7);
+                CHECK (read.response.direction == -3);
+                CHECK (read.ordinate.unit == "m/s^2");
+                CHECK (encodeUniversalFile ({ read }) == text);
+            }
 }
 
-TEST_CASE ("Measured points keep their places, those in rows and columns are joined", "[files]")
+TEST_CASE ("Numbers are told apart without blanks, with D, without exponent letter, on half-full lines",
+           "[files][universal]")
 {
-    ModalModel model = gridModel (2, 1, 2);
-    model.surface.grid.reset();
-    model.surface.points.row (5) << 0.15, 0.1; // One of 6 x 4 lies apart from all rows and columns.
-    const auto text = encodeUniversalFile (model);
-    const auto nodes = nodesOf (text);
-    REQUIRE (nodes.rows() == 24);
-    CHECK ((nodes.leftCols (2) - model.surface.points).cwiseAbs().maxCoeff() <= printed * 0.2);
-    CHECK (((shapesOf (text, 24) - model.shapes).array().abs() <= printed * model.shapes.array().abs()).all());
-    const auto edges = edgesOf (text);
-    CHECK (edges.size() == 5 * 4 + 6 * 3 - 2);
-    CHECK (std::none_of (edges.begin(), edges.end(), [] (auto edge) { return edge.first == 6 || edge.second == 6; }));
+    const auto valuesOf = [] (const std::string& data)
+    {
+        const auto text = std::string ("    -1\n    58\nNONE\nNONE\nNONE\nNONE\nNONE\n")
+                          + "    1         0    0         0 NONE               1   3 NONE               0   0\n"
+                          + "         4         4         1  0.00000E+00  1.00000D-03  0.00000E+00\n"
+                          + "        17    0    0    0 NONE                 s\n        12    0    0    0 NONE"
+                          + "                 a unit that is much longer than its field\n"
+                          + "         0    0    0    0 NONE                 NONE\n         0    0    0    0 NONE\n"
+                          + data + "    -1\n";
+        const auto function = std::get<UniversalFunction> (readUniversalFile (text, "file").at (0));
+        CHECK (function.step == 1e-3);
+        CHECK (function.ordinate.unit == "a unit that is much longer than its field");
+        return Eigen::VectorXd (function.values.real());
+    };
+    const Eigen::Vector4d numbers (-1.25e3, 2.5e-110, -1, 4);
+    CHECK (valuesOf ("-1.25E+032.5-110-1.D04.0\n") == numbers);
+    CHECK (valuesOf ("  -1.250000000000E+03   2.500000000000-110\n -1\n      4\n") == numbers);
+    CHECK (valuesOf ("-1.250000000000D+03 2.50000000000D-110-1.000000000000E+00 4.000000000000E+00 \r\n") == numbers);
 }
 
-TEST_CASE ("A universal file with a number that is not finite is refused", "[files]")
+TEST_CASE ("A line of -1 closes a set, a -1 among coordinates does not", "[files][universal]")
 {
-    auto model = sineBeam (2, 1);
-    model.shapes (3, 1) = std::numeric_limits<double>::quiet_NaN();
-    CHECK (errorText ([&] { encodeUniversalFile (model); }) == "universal file: has a value that is not finite");
+    const auto sets = readUniversalFile ("    -1   \r\n  2411\r\n        -1         0         0        11\r\n"
+                                         "    -1.00000000D+00    -1    -1\r\n    -1\r\n",
+                                         "file");
+    const auto& nodes = std::get<UniversalNodes> (sets.at (0));
+    CHECK (nodes.labels == std::vector<UniversalLabel> { -1 });
+    CHECK (nodes.places == Eigen::RowVector3d (-1, -1, -1));
+}
+
+TEST_CASE ("The end of binary data is found however wrong the header counts", "[files][universal]")
+{
+    auto function = exampleFunction (5, true, UniversalEncoding::bigEndian);
+    const auto right = encodeUniversalFile ({ function });
+    const auto bytes = "          40";
+    REQUIRE (right.find (bytes) != std::string::npos);
+
+    for (const std::string said : { "          20", "          41", "           0", "      999999" })
+        for (const std::string_view closing : { "    -1\n", "\n    -1\n", "\r\n    -1" })
+        {
+            auto file = right.substr (0, right.size() - std::string_view ("\n    -1\n").size()) + std::string (closing);
+            file.replace (file.find (bytes), said.size(), said);
+            const auto read = std::get<UniversalFunction> (readUniversalFile (file, "file").at (0));
+            CHECK (read.values == function.values);
+        }
+}
+
+TEST_CASE ("What is not a universal file is refused with place and reason", "[files][universal]")
+{
+    const auto refusal = [] (const std::string& text)
+    { return errorText ([&] { readUniversalFile (text, "a.uff"); }); };
+    CHECK (refusal ("frequency,real\n1,2\n")
+           == "a.uff: is not a universal file: it has no data set between lines of -1");
+    CHECK (refusal ("    -1\n    15\n         1         0\n    -1\n")
+           == "a.uff: line 3: has 2 numbers of a node, allowed are 7: number, two systems, colour, three coordinates");
+    CHECK (refusal ("    -1\n    15\n")
+           == "a.uff: line 2: data set 15 is not closed by a line of -1, the file ends too early");
+    CHECK (refusal ("    -1\n    82\n         1 999999999         1\nText\n         1\n    -1\n")
+           == "a.uff: line 4: has 999999999 nodes, more than the file holds");
+    CHECK (refusal ("    -1\n   164\n         1SI\n nonsense\n    -1\n")
+           == "a.uff: line 4: has ' nonsense', allowed here are numbers");
 }

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "ResponseUnit.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace antinode
+{
+/** What a column holds. */
+enum class CsvColumnKind
+{
+    unknown,
+    real,
+    imaginary,
+    magnitude,
+    decibel,
+    phase,
+    coherence
+};
+
+/** What the heading of a column says. */
+struct CsvHeading
+{
+    CsvColumnKind kind = CsvColumnKind::unknown;
+    std::string point, driver;
+    bool isDegrees = false, isRadians = false;
+    std::optional<ResponseUnit> unit;
+};
+
+/** Reads "P3 C1 real", "H(point 3, driver 1) phase [deg]", "real_P3_C1 (m/s)/V" and the like. [any] */
+CsvHeading csvHeading (std::string_view text);
+
+/** The first unit of a response that a text names, else what its words say of the quantity. [any] */
+std::optional<ResponseUnit> unitInText (std::string_view text);
+
+/** Words in lower case: letters and digits without what is between them. [any] */
+std::vector<std::string> wordsOf (std::string_view text);
+} // namespace antinode

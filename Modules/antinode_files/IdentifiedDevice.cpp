@@ -1,0 +1,34 @@
+#include "IdentifiedDevice.h"
+
+#include "DeviceFile.h"
+#include "EigenJson.h"
+#include "RimUnits.h"
+
+#include <nlohmann/json.hpp>
+
+namespace antinode
+{
+nlohmann::ordered_json identifiedDeviceToJson (const ModalModel& model, const IdentifiedModes& modes,
+                                               const std::string& description)
+{
+    auto device = modalDeviceToJson (model, description);
+    const auto& deviations = modes.deviations;
+    device["delay_s"] = modes.delay;
+
+    for (Eigen::Index k = 0; k < model.modes(); ++k)
+    {
+        auto& mode = device["modes"][static_cast<std::size_t> (k)];
+
+        if (deviations.angularFrequencies.size() == model.modes())
+            mode["frequency_standard_deviation_Hz"] = toHertz (deviations.angularFrequencies[k]);
+
+        if (deviations.dampingRatios.size() == model.modes())
+            mode["damping_ratio_standard_deviation"] = deviations.dampingRatios[k];
+
+        if (deviations.participation.rows() == model.modes())
+            mode["participation_standard_deviation_per_V"] = listOf (deviations.participation.row (k));
+    }
+
+    return device;
+}
+} // namespace antinode

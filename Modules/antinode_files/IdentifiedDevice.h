@@ -1,0 +1,16 @@
+#pragma once
+
+#include <antinode_identification/IdentifiedModes.h>
+#include <antinode_model/ModalModel.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace antinode
+{
+/** An identified device as JSON of kind modal: what modalDeviceToJson() writes, with the standard deviations of frequency, damping ratio and
+    participation of every mode, and the delay of the measurement.
+    @param model  made of these modes, in their order
+    [worker] Docs/FileFormats.md. */
+nlohmann::ordered_json identifiedDeviceToJson (const ModalModel& model, const IdentifiedModes&,
+                                               const std::string& description);
+} // namespace antinode

@@ -1,0 +1,313 @@
+#include "MeasuredResponse.h"
+#include "MessageText.h"
+#include "NaturalOrder.h"
+
+#include <antinode_model/InputError.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+
+namespace antinode
+{
+namespace
+{
+using Responses = std::vector<MeasuredResponse>;
+
+/** Whether two responses of a list have this name empty and the other the same. */
+bool collides (const Responses& responses, std::string MeasuredResponse::*name, std::string MeasuredResponse::*other)
+{
+    std::set<std::string> seen;
+    return std::any_of (responses.begin(), responses.end(),
+                        [&] (const auto& response)
+                        { return (response.*name).empty() && ! seen.insert (response.*other).second; });
+}
+
+/** Points without names are numbered within their file where it has several for a driver. */
+void numberColumns (Responses& responses)
+{
+    std::map<std::string, int> counts, numbers;
+
+    for (const auto& response : responses)
+        counts[response.driver] += response.point.empty() ? 1 : 0;
+
+    for (auto& response : responses)
+        if (response.point.empty() && counts[response.driver] > 1)
+            response.point = std::to_string (++numbers[response.driver]);
+}
+
+/** All responses with names: what no file names is numbered by the files where these differ in nothing else, else it is 1. */
+Responses named (const std::vector<MeasurementFile>& files)
+{
+    Responses all;
+    std::vector<std::size_t> fileNumbers;
+
+    for (std::size_t f = 0; f < files.size(); ++f)
+    {
+        auto responses = files[f].responses;
+        numberColumns (responses);
+        fileNumbers.resize (fileNumbers.size() + responses.size(), f + 1);
+        std::move (responses.begin(), responses.end(), std::back_inserter (all));
+    }
+
+    const auto fill = [&] (std::string MeasuredResponse::*name, std::string MeasuredResponse::*other)
+    {
+        const auto byFile = collides (all, name, other);
+
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if ((all[i].*name).empty())
+                all[i].*name = byFile ? std::to_string (fileNumbers[i]) : "1";
+    };
+    fill (&MeasuredResponse::point, &MeasuredResponse::driver);
+    fill (&MeasuredResponse::driver, &MeasuredResponse::point);
+    return all;
+}
+
+/** What the numbers of a response mean, with what the user says. */
+ResponseUnit unitOf (const MeasuredResponse& response, const MeasurementOptions& options)
+{
+    auto unit = response.unit;
+
+    if (options.response)
+        unit = { options.response->quantity, options.response->factor,
+                 options.response->drive ? options.response->drive : unit.drive };
+
+    if (options.drive)
+        unit = { unit.quantity, unit.factor / options.drive->factor, options.drive->drive };
+
+    return unit;
+}
+
+void addUnitRemarks (const Responses& responses, const MeasurementOptions& options, std::vector<std::string>& remarks)
+{
+    const auto lacks = [&] (auto member)
+    {
+        return std::any_of (responses.begin(), responses.end(),
+                            [&] (const auto& response) { return ! (unitOf (response, options).*member).has_value(); });
+    };
+
+    if (lacks (&ResponseUnit::quantity))
+        remarks.emplace_back ("No file says what was measured: it is taken as velocity in m/s.");
+
+    if (lacks (&ResponseUnit::drive))
+        remarks.emplace_back ("No file says what drives the surface: it is taken as a voltage in V.");
+}
+
+DriveQuantity commonDrive (const Responses& responses, const MeasurementOptions& options)
+{
+    const auto driveOf = [&] (const auto& response)
+    { return unitOf (response, options).drive.value_or (DriveQuantity::voltage); };
+    const auto first = driveOf (responses.front());
+
+    for (const auto& response : responses)
+        if (driveOf (response) != first)
+            throw InputError (response.source, "is driven by another quantity than "
+                                                   + inQuotes (responses.front().source)
+                                                   + ", allowed are responses to voltages alone or to forces alone");
+
+    return first;
+}
+
+void requireSameFrequencies (const MeasuredResponse& first, const MeasuredResponse& other)
+{
+    constexpr double tolerance = 1e-4; // Of a line's width: files print frequencies with six digits.
+    const auto lines = first.frequencies.size();
+    const auto width = std::abs (first.frequencies[lines - 1] - first.frequencies[0]) / static_cast<double> (lines - 1);
+    const auto printed = 1e-5 * first.frequencies.cwiseAbs().maxCoeff();
+
+    if (other.frequencies.size() != lines
+        || (other.frequencies - first.frequencies).cwiseAbs().maxCoeff()
+               > std::max (tolerance * width, std::min (printed, 0.1 * width)))
+        throw InputError (other.source,
+                          "has other frequencies than " + inQuotes (first.source)
+                              + ", allowed are responses with the same lines: identify them one after the other");
+}
+
+/** m/s per number of this unit at each frequency. */
+Eigen::VectorXcd velocityFactors (const ResponseUnit& unit, const Eigen::VectorXd& frequencies)
+{
+    const Eigen::VectorXcd differentiation = std::complex<double> (0, 2 * std::numbers::pi) * frequencies;
+
+    switch (unit.quantity.value_or (ResponseQuantity::velocity))
+    {
+        case ResponseQuantity::displacement:
+            return unit.factor * differentiation;
+        case ResponseQuantity::acceleration:
+            return unit.factor * differentiation.cwiseInverse();
+        case ResponseQuantity::velocity:
+            break;
+    }
+
+    return Eigen::VectorXcd::Constant (frequencies.size(), unit.factor);
+}
+
+std::vector<std::string> namesOf (const Responses& responses, std::string MeasuredResponse::*name)
+{
+    std::vector<std::string> names;
+    std::set<std::string> seen;
+
+    for (const auto& response : responses)
+        if (seen.insert (response.*name).second)
+            names.push_back (response.*name);
+
+    return inNaturalOrder (std::move (names));
+}
+
+Eigen::Index indexOf (const std::vector<std::string>& names, const std::string& name)
+{
+    return std::find (names.begin(), names.end(), name) - names.begin();
+}
+
+/** Where forces act at more points than are measured, measured and driven points change places: H_pq = H_qp. */
+void exchangeByReciprocity (Responses& responses, DriveQuantity drive, std::vector<std::string>& remarks)
+{
+    const auto isKnown = [] (const auto& response) { return ! response.driverPoint.empty(); };
+
+    if (drive != DriveQuantity::force || ! std::all_of (responses.begin(), responses.end(), isKnown)
+        || namesOf (responses, &MeasuredResponse::driverPoint).size()
+               <= namesOf (responses, &MeasuredResponse::point).size())
+        return;
+
+    for (auto& response : responses)
+    {
+        std::swap (response.point, response.driverPoint);
+        response.driver = response.driverPoint;
+    }
+
+    remarks.emplace_back ("Forces act at more points than are measured: these change places, as reciprocity allows.");
+}
+
+void fillTable (const Responses& responses, const MeasurementOptions& options, const std::vector<std::string>& drivers,
+                Measurement& measurement)
+{
+    constexpr std::size_t fewest = 64,
+                          share = 8; // Of the table; one that is much emptier is a mistake, and takes memory.
+    auto& table = measurement.responses;
+    const auto lines = responses.front().frequencies.size();
+    const Eigen::Index skipped = responses.front().frequencies[0] <= 0 ? 1 : 0; // At 0 Hz nothing has a velocity.
+    const auto points = measurement.pointNames.size();
+
+    if (points * drivers.size() > fewest + share * responses.size())
+        throw InputError (responses.front().source, "and the other files have " + std::to_string (points)
+                                                        + " points and " + std::to_string (drivers.size())
+                                                        + " drivers, but only " + std::to_string (responses.size())
+                                                        + " responses of them");
+
+    table.frequencies = responses.front().frequencies.tail (lines - skipped);
+    const auto empty = std::complex<double> (std::numeric_limits<double>::quiet_NaN(), 0);
+    table.values.assign (drivers.size(),
+                         Eigen::MatrixXcd::Constant (lines - skipped, static_cast<Eigen::Index> (points), empty));
+    std::set<std::pair<std::string, std::string>> seen;
+
+    for (const auto& response : responses)
+    {
+        requireSameFrequencies (responses.front(), response);
+
+        if (! seen.emplace (response.point, response.driver).second)
+        {
+            measurement.remarks.push_back (response.source + " has point " + inQuotes (response.point) + " and driver "
+                                           + inQuotes (response.driver) + " once more: the first is taken.");
+            continue;
+        }
+
+        table.values[static_cast<std::size_t> (indexOf (drivers, response.driver))].col (
+            indexOf (measurement.pointNames, response.point)) =
+            response.values.tail (lines - skipped)
+                .cwiseProduct (velocityFactors (unitOf (response, options), table.frequencies));
+    }
+}
+
+/** The place of a name, or else of the number at its end: files of places often only number them. */
+PointPlaces::const_iterator placeOf (const std::string& name, const PointPlaces& places)
+{
+    const auto found = places.find (name);
+    return found != places.end() ? found : places.find (name.substr (name.find_last_not_of ("0123456789") + 1));
+}
+
+void placePoints (const std::vector<MeasurementFile>& files, const MeasurementOptions& options,
+                  Measurement& measurement)
+{
+    constexpr double apart = 1e-3;
+    auto places = options.places;
+    auto& points = measurement.responses.points;
+
+    for (const auto& file : files)
+        places.insert (file.places.begin(), file.places.end());
+
+    const auto& names = measurement.pointNames;
+    points.resize (static_cast<Eigen::Index> (names.size()), 2);
+    const auto unplaced = std::find_if (names.begin(), names.end(),
+                                        [&] (const auto& name) { return placeOf (name, places) == places.end(); });
+    measurement.hasPlaces = unplaced == names.end();
+
+    if (! measurement.hasPlaces && ! options.places.empty())
+        throw InputError ("--points", "has no place for the point " + inQuotes (*unplaced) + " of the files");
+
+    for (std::size_t p = 0; p < names.size(); ++p)
+        points.row (static_cast<Eigen::Index> (p)) = measurement.hasPlaces
+                                                         ? placeOf (names[p], places)->second.transpose()
+                                                         : Eigen::RowVector2d (apart * static_cast<double> (p), 0);
+
+    if (! measurement.hasPlaces)
+        measurement.remarks.emplace_back ("No file says where all points are: they are placed 1 mm apart on a line.");
+}
+
+std::vector<std::string> driverNames (const Responses& responses, const MeasurementOptions& options)
+{
+    auto names = namesOf (responses, &MeasuredResponse::driver);
+
+    if (options.drivers.empty())
+        return names;
+
+    for (const auto& name : names)
+        if (indexOf (options.drivers, name) == static_cast<Eigen::Index> (options.drivers.size()))
+            throw InputError ("--drivers", "lacks the driver " + inQuotes (name) + " of the files");
+
+    return options.drivers;
+}
+} // namespace
+
+Measurement mergedResponses (const std::vector<MeasurementFile>& files, const MeasurementOptions& options)
+{
+    Measurement measurement;
+    auto responses = named (files);
+
+    if (responses.empty())
+        throw InputError ("the files", "have no frequency response");
+
+    for (const auto& response : responses)
+        if (response.frequencies.size() < 2 || response.values.size() != response.frequencies.size())
+            throw InputError (response.source, "has a response of less than two lines");
+
+    for (const auto& file : files)
+        measurement.remarks.insert (measurement.remarks.end(), file.remarks.begin(), file.remarks.end());
+
+    addUnitRemarks (responses, options, measurement.remarks);
+    auto& table = measurement.responses;
+    table.drive = commonDrive (responses, options);
+    exchangeByReciprocity (responses, table.drive, measurement.remarks);
+    measurement.pointNames = namesOf (responses, &MeasuredResponse::point);
+    const auto drivers = driverNames (responses, options);
+    fillTable (responses, options, drivers, measurement);
+    placePoints (files, options, measurement);
+    measurement.recordLength = responses.front().recordLength;
+
+    for (const auto& name : drivers)
+    {
+        const auto first = std::find_if (responses.begin(), responses.end(),
+                                         [&] (const auto& response) { return response.driver == name; });
+        Driver driver { name, std::nullopt };
+
+        if (first != responses.end() && table.drive == DriveQuantity::force)
+            if (const auto point = indexOf (measurement.pointNames, first->driverPoint); point < table.points.rows())
+                driver.point = point;
+
+        table.drivers.push_back (std::move (driver));
+    }
+
+    validate (table);
+    return measurement;
+}
+} // namespace antinode

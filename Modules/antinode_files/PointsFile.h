@@ -1,0 +1,21 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace antinode
+{
+/** Places of a surface from CSV text: lines of x and y, or of x alone on a line, in mm; after a heading line or none. Empty lines and those
+    that begin with # are passed over.
+    @param source  how errors name it
+    @return        N x 2: x and y, m
+    @throws InputError  source, line, what is wrong, what is allowed
+    [worker] Docs/FileFormats.md. */
+Eigen::MatrixX2d decodePoints (std::string_view text, const std::string& source);
+
+/** The same of a file of at most 16 MiB. @throws InputError  also when it cannot be read [worker] */
+Eigen::MatrixX2d readPointsFile (const std::filesystem::path&);
+} // namespace antinode

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "UniversalSections.h"
+#include "UniversalSets.h"
+
+namespace antinode
+{
+/** A function of data set 58 or 58b. @throws InputError  source, line, what is wrong [worker] */
+UniversalFunction readFunctionSet (const UniversalSection&, const std::string& source);
+
+/** A function's line of the number, its records and data. @throws InputError  when a number is not finite [worker] */
+std::string encodeFunctionSet (const UniversalFunction&);
+} // namespace antinode

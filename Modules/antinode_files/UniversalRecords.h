@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace antinode
+{
+/** Widths of a record's columns, which repeat to its end. */
+using ColumnWidths = std::initializer_list<std::size_t>;
+
+/** The records (lines) of a universal data set, read one after the other. The text must outlive it. [worker]
+
+    Numbers stand in columns of Fortran formats, but not every program keeps to them. So a record is read by its columns where every
+    one holds a number, and else number by number: an exponent may begin with E or D or have no letter, and no blank need stand between
+    numbers. */
+class UniversalRecords
+{
+public:
+    /** @param source     how errors name the file
+        @param firstLine  the number of the first record in it, from 1 */
+    UniversalRecords (std::string_view text, std::string source, std::size_t firstLine);
+
+    /** True when nothing but blank lines is left. */
+    bool atEnd() const;
+
+    /** How many bytes are left: an upper bound for counts. */
+    std::size_t bytesLeft() const { return text.size() - position; }
+
+    /** The next record as it stands, without its line's end. @throws InputError  when there is none */
+    std::string_view record();
+
+    /** The next record as UTF-8 without the blanks around it; what is not UTF-8 is taken as Latin-1. */
+    std::string textRecord();
+
+    /** The next record's numbers. @throws InputError  when it has other things */
+    std::vector<double> numbers (ColumnWidths);
+
+    /** Appends the next record's numbers. */
+    void appendNumbers (ColumnWidths, std::vector<double>&);
+
+    /** The next record's first numbers, which must be whole; there may be more, and zeros stand for those that lack beyond `fewest`. */
+    std::vector<std::int64_t> integers (std::size_t fewest, std::size_t count, std::size_t width = 10);
+
+    /** A number of the last record that must be whole and fit into a column of ten characters, which nothing else may touch.
+        @throws InputError  when it is not */
+    std::int64_t whole (double number) const;
+
+    /** @throws InputError  source, line of the last record, what is wrong. */
+    [[noreturn]] void fail (const std::string& wrong) const;
+
+private:
+    std::string_view text;
+    std::string source;
+    std::size_t position = 0, line;
+};
+
+/** Numbers of one record. @return  false when it has other things [any] */
+bool appendNumbersOf (std::string_view record, ColumnWidths, std::vector<double>&);
+
+/** Text of unknown encoding as UTF-8, without the blanks around it: what is not UTF-8 is Latin-1. [any] */
+std::string trimmedText (std::string_view);
+} // namespace antinode

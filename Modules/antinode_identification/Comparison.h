@@ -1,0 +1,42 @@
+#pragma once
+
+#include "IdentifiedModes.h"
+
+#include <antinode_model/ModalModel.h>
+
+namespace antinode
+{
+/** Modal assurance criterion of every column of one with every column of the other: squared cosine of the angle between them.
+    @param one, other  N_p x N, N_p x M; rows that are not finite in either do not count
+    @param weights     N_p, at least 0; empty: all alike
+    @return            N x M, 0 to 1
+    [worker] Docs/Theory.md, section 8.7. */
+Eigen::MatrixXd modalAssurance (const Eigen::MatrixXd& one, const Eigen::MatrixXd& other,
+                                const Eigen::VectorXd& weights);
+
+/** One mode of either of two models that are the same mode. */
+struct ModePair
+{
+    Eigen::Index identified = 0, computed = 0;
+    double assurance = 0;          ///< MAC
+    double relativeDifference = 0; ///< of frequencies: identified / computed - 1.
+};
+
+/** A computed device beside the identified one. N_i identified, N_c computed modes. */
+struct ModeComparison
+{
+    Eigen::MatrixXd assurance;   ///< N_i x N_c: MAC at the identified points.
+    std::vector<ModePair> pairs; ///< One to one, ascending in the identified mode.
+};
+
+/** Which computed mode is which identified one: the one-to-one assignment with the largest sum of MAC less a penalty for
+    frequencies that are apart. Pairs below a MAC of 0.5 are none.
+    @throws InputError  when an identified point lies outside of the model's surface
+    [worker] Docs/Theory.md, section 8.7. */
+ModeComparison compareModes (const IdentifiedModes&, const ModalModel& computed);
+
+/** A computed model with the frequencies and dampings of the identified modes paired with its own; modes without a partner move with
+    their neighbours' relative difference. Shapes and participation stay. Ascending again.
+    [worker] Docs/Theory.md, section 8.7. */
+ModalModel transferred (const ModalModel& computed, const IdentifiedModes&, const ModeComparison&);
+} // namespace antinode

@@ -1,0 +1,100 @@
+#include "Compression.h"
+
+#include <antinode_model/DenseKernels.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+/** The strongest eigenvectors of a Gram matrix of which the lower triangle is given. */
+Eigen::MatrixXd strongest (Eigen::MatrixXd gram, Eigen::Index count)
+{
+    const auto eigen = symmetricEigen (std::move (gram));
+    return eigen.vectors.rightCols (std::min (count, eigen.vectors.cols())).rowwise().reverse();
+}
+
+Eigen::MatrixXd gramOfPoints (const DataBlock& values, Eigen::Index points, Eigen::Index drivers, Eigen::Index stride)
+{
+    const auto lines = (values.real.rows() + stride - 1) / stride;
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero (points, points);
+    Eigen::MatrixXd rows (points, 2 * lines);
+
+    for (Eigen::Index i = 0; i < drivers; ++i)
+    {
+        for (Eigen::Index f = 0; f < lines; ++f)
+        {
+            rows.col (2 * f) = values.real.row (f * stride).segment (i * points, points);
+            rows.col (2 * f + 1) = values.imaginary.row (f * stride).segment (i * points, points);
+        }
+
+        addGram (gram, 1, rows);
+    }
+
+    return gram;
+}
+
+Eigen::MatrixXd gramOfDrivers (const std::vector<Eigen::MatrixXcd>& values)
+{
+    const auto drivers = static_cast<Eigen::Index> (values.size());
+    Eigen::MatrixXd gram (drivers, drivers);
+
+    for (Eigen::Index i = 0; i < drivers; ++i)
+        for (Eigen::Index j = 0; j <= i; ++j)
+            gram (i, j) =
+                (values[static_cast<std::size_t> (i)].conjugate().cwiseProduct (values[static_cast<std::size_t> (j)]))
+                    .sum()
+                    .real();
+
+    return gram;
+}
+} // namespace
+
+CompressedBand compress (const PreparedResponses& data, Eigen::Index first, Eigen::Index count, Eigen::Index outputs,
+                         Eigen::Index references)
+{
+    const auto points = data.points(), drivers = data.drivers();
+    auto values = dataBlock (data, first, Eigen::VectorXcd::Ones (count));
+    const Eigen::VectorXd roots = data.columnWeights.cwiseSqrt();
+    values.real *= roots.asDiagonal();
+    values.imaginary *= roots.asDiagonal();
+
+    // Directions need no more than some thousand samples; the values themselves keep every line.
+    const auto stride = std::max<Eigen::Index> (1, count * drivers / 8192);
+    const auto directions = strongest (gramOfPoints (values, points, drivers, stride), outputs);
+    std::vector<Eigen::MatrixXcd> projected;
+
+    for (Eigen::Index i = 0; i < drivers; ++i)
+    {
+        Eigen::MatrixXd real = Eigen::MatrixXd::Zero (count, directions.cols()), imaginary = real;
+        addProduct (real, 1, values.real.middleCols (i * points, points), directions);
+        addProduct (imaginary, 1, values.imaginary.middleCols (i * points, points), directions);
+        projected.emplace_back (count, directions.cols());
+        projected.back().real() = real;
+        projected.back().imag() = imaginary;
+    }
+
+    CompressedBand band;
+    band.omega = data.omega.segment (first, count);
+
+    if (drivers <= references)
+    {
+        band.values = std::move (projected);
+        return band;
+    }
+
+    const auto mixture = strongest (gramOfDrivers (projected), references);
+
+    for (Eigen::Index j = 0; j < mixture.cols(); ++j)
+    {
+        band.values.emplace_back (Eigen::MatrixXcd::Zero (count, directions.cols()));
+
+        for (Eigen::Index i = 0; i < drivers; ++i)
+            band.values.back() += mixture (i, j) * projected[static_cast<std::size_t> (i)];
+    }
+
+    return band;
+}
+} // namespace antinode

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "NormalModeFit.h"
+
+namespace antinode
+{
+/** What a fit leaves of the data, summed over some tens to hundreds of lines at a time. S spans of lines, C columns. Without weights. */
+struct FitErrors
+{
+    Eigen::VectorXd frequencies; ///< S: rad/s, the middle of each span.
+    Eigen::VectorXd lines;       ///< S: how many lines.
+    Eigen::MatrixXd energies;    ///< S x C: sum of |error|^2.
+    Eigen::MatrixXd
+        roughness; ///< S x C: half the sum of |error - error of the line before|^2: noise, but no smooth misfit.
+    Eigen::VectorXd dataEnergies; ///< C: sum of |data|^2.
+};
+
+/** Data less the fit, everywhere; single missing values are replaced by what the fit gives there.
+    [worker] Docs/Theory.md, section 8.5. */
+FitErrors fitErrors (PreparedResponses&, const NormalModeFit&);
+
+/** Weights 1 / variance from what a fit leaves: a product of one for each line, point and driver. Where variances were given they stay, as
+    far as the errors bear them out.
+    [worker] Docs/Theory.md, section 8.5. */
+void weighByErrors (PreparedResponses&, const FitErrors&);
+} // namespace antinode

@@ -1,0 +1,238 @@
+#include "Identification.h"
+
+#include "ComplexModes.h"
+#include "Deviations.h"
+#include "FitErrors.h"
+#include "ModeAssessment.h"
+#include "ModeSelection.h"
+#include "PeakPicking.h"
+#include "PoleSearch.h"
+#include "ShapeScales.h"
+
+#include <antinode_model/InputError.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace antinode
+{
+namespace
+{
+/** A fit ends where a step is worth so many squared standard deviations: the first one only has to show the noise. */
+constexpr double coarse = 1e-2, fine = 1e-6;
+
+void checkOptions (const FrequencyResponses& responses, const IdentificationOptions& options)
+{
+    const auto points = responses.points.rows();
+    const auto fits = [points] (const Eigen::VectorXd& values)
+    {
+        return values.size() == 0
+               || (values.size() == points && values.allFinite() && values.minCoeff() >= 0 && values.sum() > 0);
+    };
+
+    if (! fits (options.pointWeights))
+        throw InputError ("point weights", "are not one number a point, at least 0 and not all 0");
+
+    if (! fits (options.pointMasses))
+        throw InputError ("point masses", "are not one number a point, at least 0 and not all 0");
+
+    if (options.minimumOrder < 1 || (options.maximumOrder != 0 && options.maximumOrder < options.minimumOrder)
+        || options.maximumOrder > 100)
+        throw InputError ("model orders", "are " + std::to_string (options.minimumOrder) + " to "
+                                              + std::to_string (options.maximumOrder)
+                                              + ", allowed is from 1 up, ascending, to at most 100");
+}
+
+PreparedResponses weighted (PreparedResponses data, const Eigen::VectorXd& pointWeights)
+{
+    if (pointWeights.size() > 0)
+        for (Eigen::Index c = 0; c < data.columns(); ++c)
+            data.columnWeights[c] *= pointWeights[c % data.points()];
+
+    return data;
+}
+
+/** Complex residues with the delay taken out: phi alpha. */
+Eigen::MatrixXcd residuesWithout (double delay, Eigen::MatrixXcd residues, const Eigen::VectorXd& angularFrequencies)
+{
+    for (Eigen::Index k = 0; k < residues.rows(); ++k)
+        residues.row (k) *= std::polar (1.0, angularFrequencies[k] * delay);
+
+    return residues;
+}
+
+NormalModeStart startFrom (const PreparedResponses& data, const std::vector<PoleCluster>& clusters,
+                           const IdentificationOptions& options)
+{
+    const auto modes = static_cast<Eigen::Index> (clusters.size());
+    NormalModeStart start { Eigen::VectorXd (modes), Eigen::VectorXd (modes), {}, 0, options.delay.has_value() };
+
+    for (Eigen::Index k = 0; k < modes; ++k)
+    {
+        const auto pole = clusters[static_cast<std::size_t> (k)].pole;
+        start.angularFrequencies[k] = std::abs (pole);
+        start.dampingRatios[k] = -pole.real() / std::abs (pole);
+    }
+
+    const auto basis = basisOf (start.angularFrequencies, start.dampingRatios, data);
+    const auto residues = complexResidues (basis, modalProducts (basis, data, 0), options.ridge);
+    start.delay = options.delay.value_or (delayOf (start.angularFrequencies, residues, data.columnWeights));
+    start.participation =
+        strongestParticipation (residuesWithout (start.delay, residues, start.angularFrequencies).real(), data);
+    return start;
+}
+
+NormalModeStart continued (const NormalModes& modes, bool delayIsKnown)
+{
+    return { modes.angularFrequencies, modes.dampingRatios, modes.participation, modes.delay, delayIsKnown };
+}
+
+/** E |error|^2 of a value of weight 1: as the errors are; where variances were given, at least 1. */
+double varianceOf (const NormalModeFit& fit, const PreparedResponses& data)
+{
+    const auto columns = static_cast<double> ((data.columnWeights.array() > 0).count());
+    const auto parameters =
+        static_cast<double> (fit.modes.modes() * (data.points() + data.drivers() + 1)) + 2 * columns;
+    const auto freedom = std::max (static_cast<double> (data.lines()) * columns - parameters / 2, 1.0);
+    const auto found = fit.cost / freedom;
+    return data.responses->variances.empty() ? found : std::max (1.0, found);
+}
+
+/** Fits, takes out what does not stand out of the noise, and fits again, until all do. */
+NormalModeFit fitWhatStandsOut (const PreparedResponses& data, NormalModeStart start,
+                                std::vector<PoleCluster>& clusters, double precision, double ridge)
+{
+    while (true)
+    {
+        auto fit = fitNormalModes (data, start, ridge, precision);
+        const auto kept = standOut (fit.state, varianceOf (fit, data), ridge);
+
+        // Modes that passed each other while they were fitted are put in order once more.
+        if (kept.size() == clusters.size() && std::is_sorted (kept.begin(), kept.end()))
+            return fit;
+
+        if (kept.empty())
+            throw InputError ("frequency responses", "hold no mode that stands out of the noise");
+
+        clusters = chosen (clusters, kept);
+        start = continued (chosen (fit.modes, kept), start.delayIsKnown);
+    }
+}
+
+std::vector<ResidualTerm> residualTerms (const FitState& state, Eigen::Index points, Eigen::Index drivers)
+{
+    const auto coefficients = residualCoefficients (state);
+    std::vector<ResidualTerm> terms;
+    Eigen::Index row = 0;
+
+    for (const auto power : state.basis.powers)
+        terms.push_back (
+            { power, coefficients.row (row++).reshaped (points, drivers) / std::pow (state.basis.scale, power) });
+
+    return terms;
+}
+
+void describeData (IdentifiedModes& result, const PreparedResponses& data)
+{
+    result.drive = data.responses->drive;
+    result.drivers = data.responses->drivers;
+    result.points = data.responses->points;
+    result.minimumFrequency = data.omega[0] / (2 * std::numbers::pi);
+    result.maximumFrequency = data.omega[data.lines() - 1] / (2 * std::numbers::pi);
+}
+
+void describeErrors (IdentifiedModes& result, const PreparedResponses& data, const FitErrors& errors)
+{
+    const Eigen::VectorXd active = (data.columnWeights.array() > 0).cast<double>();
+    const auto energy = errors.energies.colwise().sum().dot (active);
+    result.noise = std::sqrt (energy / (active.sum() * static_cast<double> (data.lines())));
+    result.reconstructionError = 10 * std::log10 (std::max (energy / errors.dataEnergies.dot (active), 1e-32));
+}
+
+/** Points at which nothing was measured have no shape. */
+void blankUnmeasured (Eigen::MatrixXd& shapes, const PreparedResponses& data)
+{
+    for (Eigen::Index p = 0; p < shapes.rows(); ++p)
+        if (data.columnWeights (Eigen::seqN (p, data.drivers(), data.points())).maxCoeff() <= 0)
+            shapes.row (p).setConstant (std::numeric_limits<double>::quiet_NaN());
+}
+
+IdentifiedModes described (const NormalModeFit& fit, const PreparedResponses& data, const FitErrors& errors,
+                           const std::vector<PoleCluster>& clusters, const IdentificationOptions& options)
+{
+    IdentifiedModes result;
+    describeData (result, data);
+    describeErrors (result, data, errors);
+    const auto& modes = fit.modes;
+    result.angularFrequencies = modes.angularFrequencies;
+    result.dampingRatios = modes.dampingRatios;
+    result.shapes = modes.shapes;
+    blankUnmeasured (result.shapes, data);
+    result.participation = modes.participation;
+    result.delay = modes.delay;
+    const auto variance = varianceOf (fit, data);
+    result.deviations = deviationsOf (fit.state, variance, options.delay.has_value(), options.ridge);
+    result.residuals = residualTerms (fit.state, data.points(), data.drivers());
+    const auto residues = complexResidues (fit.state.basis, fit.state.products, options.ridge);
+    result.quality = assessResidues (residues, data);
+    const auto strengths = signalToNoise (fit.state, variance, options.ridge);
+
+    for (std::size_t k = 0; k < result.quality.size(); ++k)
+    {
+        result.quality[k].presence = clusters[k].presence;
+        result.quality[k].signalToNoise = strengths[static_cast<Eigen::Index> (k)];
+    }
+
+    if (options.complexModes)
+        addComplexModes (result, fit.state, residues, data);
+
+    scaleShapes (result, options.pointMasses);
+    addDoubts (result);
+    return result;
+}
+
+[[noreturn]] void throwNoModes (const FrequencyResponses& responses, const IdentificationOptions& options)
+{
+    auto conjugated = responses;
+
+    for (auto& values : conjugated.values)
+        values = values.conjugate().eval();
+
+    const auto data = prepare (conjugated, options.minimumFrequency, options.maximumFrequency);
+    const auto found = searchPoles (weighted (data, options.pointWeights), options).clusters.size();
+    throw InputError ("frequency responses",
+                      found == 0 ? "hold no pole that returns at many model orders: no mode"
+                                 : "hold modes that grow instead of decaying: they seem to be complex conjugates, "
+                                   "allowed is the convention exp (+i omega t)");
+}
+} // namespace
+
+IdentifiedModes identify (const FrequencyResponses& responses, const IdentificationOptions& options)
+{
+    validate (responses);
+    checkOptions (responses, options);
+
+    if (options.method == IdentificationMethod::peakPicking)
+        return pickPeaks (responses, options);
+
+    auto data =
+        weighted (prepare (responses, options.minimumFrequency, options.maximumFrequency), options.pointWeights);
+    auto found = searchPoles (data, options);
+    auto clusters = picked (found.clusters, options);
+
+    if (clusters.empty())
+        throwNoModes (responses, options);
+
+    const auto start = startFrom (data, clusters, options);
+    auto fit = fitWhatStandsOut (data, start, clusters, coarse, options.ridge);
+
+    if (options.pointWeights.size() == 0)
+        weighByErrors (data, fitErrors (data, fit));
+
+    fit = fitWhatStandsOut (data, continued (fit.modes, options.delay.has_value()), clusters, fine, options.ridge);
+    auto result = described (fit, data, fitErrors (data, fit), clusters, options);
+    result.stabilisation = std::move (found.stabilisation);
+    return result;
+}
+} // namespace antinode

@@ -1,0 +1,147 @@
+#include "IdentifiedModel.h"
+
+#include "SurfaceCells.h"
+
+#include <antinode_model/InputError.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+/** Largest part of a shape that another one may seem to hold where the points cover the whole body. */
+constexpr double leastOverlap = 0.02;
+
+bool isLine (const Eigen::MatrixX2d& points)
+{
+    return points.col (1).maxCoeff() - points.col (1).minCoeff() <= 1e-9;
+}
+
+/** Points with data, on a line ascending in x. */
+std::vector<Eigen::Index> usedPoints (const IdentifiedModes& modes)
+{
+    std::vector<Eigen::Index> used;
+
+    for (Eigen::Index p = 0; p < modes.points.rows(); ++p)
+        if (modes.shapes.row (p).allFinite())
+            used.push_back (p);
+
+    if (used.empty())
+        throw InputError ("identified modes", "have no point with data");
+
+    if (isLine (modes.points (used, Eigen::all)))
+        std::stable_sort (used.begin(), used.end(),
+                          [&modes] (auto a, auto b) { return modes.points (a, 0) < modes.points (b, 0); });
+
+    return used;
+}
+
+void checkDistances (const Eigen::MatrixX2d& points)
+{
+    for (Eigen::Index p = 0; p < points.rows(); ++p)
+        for (Eigen::Index q = 0; q < p; ++q)
+            if ((points.row (p) - points.row (q)).norm() < 1e-9)
+                throw InputError ("points " + std::to_string (q + 1) + " and " + std::to_string (p + 1),
+                                  "lie in one place, allowed is a place of its own for each");
+}
+
+Surface surfaceOf (const Eigen::MatrixX2d& points)
+{
+    checkDistances (points);
+    Surface surface;
+    surface.kind = isLine (points) ? SurfaceKind::line : SurfaceKind::plate;
+    surface.points = points;
+    surface.xMinimum = points.col (0).minCoeff();
+    surface.xMaximum = points.col (0).maxCoeff();
+
+    if (surface.kind == SurfaceKind::line)
+    {
+        surface.points.col (1).setZero();
+        surface.areas = lineCells (points.col (0));
+        return surface;
+    }
+
+    surface.yMinimum = points.col (1).minCoeff();
+    surface.yMaximum = points.col (1).maxCoeff();
+    surface.areas = voronoiCells (points);
+    return surface;
+}
+
+/** Masses proportional to the areas, so that the median shape has modal mass 1. */
+Eigen::VectorXd massesByShapes (const Eigen::MatrixXd& shapes, const Eigen::VectorXd& areas)
+{
+    const Eigen::VectorXd modalAreas = shapes.cwiseAbs2().transpose() * areas;
+    std::vector<double> sorted (modalAreas.begin(), modalAreas.end());
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t> (sorted.size() / 2);
+    std::nth_element (sorted.begin(), middle, sorted.end());
+    return areas / std::max (*middle, 1e-300);
+}
+
+bool areOrthonormal (const Eigen::MatrixXd& shapes, const Eigen::VectorXd& masses)
+{
+    const Eigen::MatrixXd gram = shapes.transpose() * masses.asDiagonal() * shapes;
+    return (gram - Eigen::MatrixXd::Identity (gram.rows(), gram.cols())).cwiseAbs().maxCoeff() < leastOverlap;
+}
+
+std::vector<Ceramic> ceramicsOf (const IdentifiedModes& modes, const MappedSurface& mapped)
+{
+    if (! mapped.ceramics.empty())
+        return mapped.ceramics;
+
+    std::vector<Ceramic> ceramics;
+
+    for (const auto& driver : modes.drivers)
+    {
+        Ceramic ceramic;
+        ceramic.name = driver.name;
+        ceramic.voltageLimit = mapped.voltageLimit;
+        ceramics.push_back (ceramic);
+    }
+
+    return ceramics;
+}
+
+void check (const IdentifiedModes& modes, const MappedSurface& mapped)
+{
+    if (modes.drive != DriveQuantity::voltage)
+        throw InputError ("identified modes", "were driven by forces, allowed for a device are voltages of ceramics");
+
+    if (! mapped.ceramics.empty() && mapped.ceramics.size() != modes.drivers.size())
+        throw InputError ("ceramics", "are " + std::to_string (mapped.ceramics.size())
+                                          + ", allowed is one for each of the " + std::to_string (modes.drivers.size())
+                                          + " drivers");
+
+    if (mapped.masses.size() != 0 && mapped.masses.size() != modes.points.rows())
+        throw InputError ("masses", "are " + std::to_string (mapped.masses.size()) + ", allowed is one for each of the "
+                                        + std::to_string (modes.points.rows()) + " points");
+}
+} // namespace
+
+ModalModel toModalModel (const IdentifiedModes& modes, const MappedSurface& mapped)
+{
+    check (modes, mapped);
+    const auto used = usedPoints (modes);
+    ModalModel model;
+    model.name = mapped.name;
+    model.surface = surfaceOf (modes.points (used, Eigen::all));
+    model.angularFrequencies = modes.angularFrequencies;
+    model.dampingRatios = modes.dampingRatios;
+    model.shapes = modes.shapes (used, Eigen::all);
+    model.participation = modes.participation;
+    model.ceramics = ceramicsOf (modes, mapped);
+    model.fullScaleVoltage = mapped.fullScaleVoltage;
+    model.surface.masses = mapped.masses.size() > 0 ? Eigen::VectorXd (mapped.masses (used))
+                                                    : massesByShapes (model.shapes, model.surface.areas);
+    model.coversWholeBody = mapped.coversWholeBody.value_or (areOrthonormal (model.shapes, model.surface.masses));
+    model.frequencyErrors = modes.deviations.angularFrequencies.cwiseQuotient (modes.angularFrequencies);
+    model.warnings = modes.doubts;
+
+    if (model.surface.kind == SurfaceKind::line && model.points() > 1)
+        model = withSplineSlopes (std::move (model));
+
+    validate (model);
+    return model;
+}
+} // namespace antinode

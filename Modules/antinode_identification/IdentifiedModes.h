@@ -1,0 +1,89 @@
+#pragma once
+
+#include "FrequencyResponses.h"
+
+namespace antinode
+{
+/** What gives the shapes their size: responses alone determine only the products phi_pk alpha_ki. Docs/Theory.md, section 8.6. */
+enum class ShapeScaling
+{
+    drivingPoint, ///< A force acts at a measured point q: alpha_k = phi_qk, and the modal mass is 1.
+    knownMass,    ///< sum over points of mass phi_pk^2 = 1 with given masses.
+    convention ///< As if the points stood for 1 kg in all, evenly: sum phi_pk^2 = N_p. Products are right, sizes are not known.
+};
+
+/** How far an estimate may be off: standard deviations from the curvature of the likelihood, the Cramer-Rao bound for the noise
+    that is given or was found in the residuals. N_m modes, N_b drivers, N_p points. Docs/Theory.md, section 8.5. */
+struct ModeDeviations
+{
+    Eigen::VectorXd angularFrequencies; ///< N_m: rad/s.
+    Eigen::VectorXd dampingRatios;      ///< N_m
+    Eigen::MatrixXd shapes;             ///< N_p x N_m, at fixed size of the shape.
+    Eigen::MatrixXd participation;      ///< N_m x N_b, at fixed size of the shape.
+    double delay = 0;                   ///< s; 0 where the delay was given.
+};
+
+/** What can be said of how well one mode is known. */
+struct ModeQuality
+{
+    double rankOne = 1; ///< Share of its residues' energy that one shape times one participation explains; 1 is best.
+    double collinearity = 1;  ///< Modal phase collinearity (MPC): 1 where all points move in phase or against it.
+    double presence = 1;      ///< Share of the model orders at which it was found.
+    double signalToNoise = 0; ///< Its energy over that of the noise in its estimate, as amplitudes.
+    std::vector<std::string> doubts; ///< In plain words; empty where there is nothing to doubt.
+};
+
+/** What modes outside of the band add: coefficients (i omega)^power to the velocity per drive, behind the delay. */
+struct ResidualTerm
+{
+    int power =
+        1; ///< -1: a rigid body's or lower modes' inertia. 1: stiffness of higher modes. Even ones: their damping.
+    Eigen::MatrixXd coefficients; ///< N_p x N_b
+};
+
+/** One pole of one model order: what a stabilisation diagram is made of. */
+struct StabilisationPoint
+{
+    int order = 0;
+    double frequency = 0;    ///< Hz
+    double dampingRatio = 0; ///< Above 0: others are not kept.
+    bool stable = false;     ///< True where it belongs to a mode that is found at enough orders.
+};
+
+/** Modes as they follow from frequency responses. N_m modes, ascending in frequency; N_p points; N_b drivers.
+
+    H(p, i) = [ sum_k phi_pk alpha_ki i omega / (omega_k^2 - omega^2 + 2 i xi_k omega_k omega) + residual terms ]
+    exp (-i omega delay). Docs/Theory.md, sections 8.2 to 8.6.
+*/
+struct IdentifiedModes
+{
+    DriveQuantity drive = DriveQuantity::voltage;
+    std::vector<Driver> drivers;        ///< N_b
+    Eigen::MatrixX2d points;            ///< N_p x 2, m.
+    Eigen::VectorXd angularFrequencies; ///< N_m: omega_k, rad/s, undamped.
+    Eigen::VectorXd dampingRatios;      ///< N_m
+    Eigen::MatrixXd shapes; ///< N_p x N_m: phi_k, kg^-1/2; the largest value is positive. NaN at points without data.
+    Eigen::MatrixXd participation;         ///< N_m x N_b: alpha_ki, N kg^-1/2 / V, or kg^-1/2 for forces.
+    Eigen::MatrixXcd complexShapes;        ///< N_p x N_m, turned to lie along the real axis; empty unless asked for.
+    Eigen::MatrixXcd complexParticipation; ///< N_m x N_b; with complexShapes as the real ones; empty unless asked for.
+    double delay = 0;                      ///< s, common to all.
+    ModeDeviations deviations;
+    std::vector<ModeQuality> quality; ///< N_m
+    ShapeScaling scaling = ShapeScaling::convention;
+    std::string scalingReason; ///< Why this scaling, in plain words.
+    std::vector<ResidualTerm> residuals;
+    std::vector<StabilisationPoint> stabilisation;
+    double minimumFrequency = 0, maximumFrequency = 0; ///< Hz: the lines that were used.
+    double reconstructionError = 0;  ///< RMS of measured minus synthesised over RMS of measured, dB, on those lines.
+    double noise = 0;                ///< RMS of the residual, (m/s)/V or (m/s)/N.
+    std::vector<std::string> doubts; ///< Of the whole, in plain words.
+
+    Eigen::Index modes() const { return angularFrequencies.size(); }
+};
+
+/** The responses that modes stand for, residual terms and delay included: what measured ones are compared with.
+    @param frequencies  N_f: Hz, ascending, at least 0
+    @return             values (m/s)/V or (m/s)/N, without variances; complex modes where there are any
+    [worker] Docs/Theory.md, section 8.1. */
+FrequencyResponses synthesise (const IdentifiedModes&, const Eigen::VectorXd& frequencies);
+} // namespace antinode

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Dense>
+
+#include <vector>
+
+namespace antinode
+{
+/** What a mode of given pole may contribute, as functions of frequency: itself, and how it changes with what it depends on.
+    Mode k has columns functionsOfMode k to functionsOfMode k + 3 in this order; powers of i omega follow after all modes. */
+enum class ModalFunction
+{
+    velocity,  ///< g = i omega / D, D = omega_k^2 - omega^2 + 2 i xi omega_k omega; times omega_k.
+    frequency, ///< dg/domega_k xi omega_k, times omega_k: a shift by the half width.
+    damping,   ///< dg/dxi xi, times omega_k: a relative change of the damping.
+    delay      ///< -i omega g = omega^2 / D: a delay, behind unit mode.
+};
+
+constexpr Eigen::Index functionsOfMode = 4;
+
+/** Poles and powers that a fit is made of. N_m modes. */
+struct ModalBasis
+{
+    Eigen::VectorXd angularFrequencies; ///< N_m: rad/s
+    Eigen::VectorXd dampingRatios;      ///< N_m
+    std::vector<int> powers;            ///< Of i omega / scale.
+    double scale = 1;                   ///< rad/s: keeps powers near 1.
+
+    Eigen::Index modes() const { return angularFrequencies.size(); }
+    Eigen::Index size() const { return functionsOfMode * modes() + static_cast<Eigen::Index> (powers.size()); }
+    Eigen::Index column (Eigen::Index mode, ModalFunction function) const
+    {
+        return functionsOfMode * mode + static_cast<Eigen::Index> (function);
+    }
+};
+
+/** The four functions of one mode. @param omega N lines, rad/s @return N x 4 [any] Docs/Theory.md, section 8.4. */
+Eigen::MatrixXcd functionsOf (const ModalBasis&, Eigen::Index mode, const Eigen::VectorXd& omega);
+
+/** The powers of i omega / scale. @param omega N lines, rad/s, above 0 @return N x powers [any] */
+Eigen::MatrixXcd powersOf (const ModalBasis&, const Eigen::VectorXd& omega);
+} // namespace antinode

@@ -1,0 +1,118 @@
+#include "ModeAssessment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace antinode
+{
+namespace
+{
+std::string percent (double share)
+{
+    return std::to_string (static_cast<int> (std::lround (100 * share))) + " %";
+}
+
+/** Modal phase collinearity of a complex vector: 1 where all values lie on one line through 0. */
+double collinearity (const Eigen::VectorXcd& vector)
+{
+    const auto real = vector.real().squaredNorm(), imaginary = vector.imag().squaredNorm();
+    const auto between = vector.real().dot (vector.imag());
+    const auto sum = real + imaginary;
+    return sum > 0 ? (std::pow (real - imaginary, 2) + 4 * between * between) / (sum * sum) : 1;
+}
+
+void doubtMode (IdentifiedModes& modes, Eigen::Index k)
+{
+    auto& quality = modes.quality[static_cast<std::size_t> (k)];
+    auto& doubts = quality.doubts;
+    const auto halfWidth = modes.dampingRatios[k] * modes.angularFrequencies[k];
+
+    if (quality.presence < 0.6)
+        doubts.push_back ("it was found at " + percent (quality.presence) + " of the model orders only");
+
+    if (quality.signalToNoise < 4)
+        doubts.emplace_back ("it hardly stands out of the noise");
+
+    if (quality.collinearity < 0.9)
+        doubts.push_back ("its points do not move in phase (MPC " + percent (quality.collinearity)
+                          + "): damping that is not proportional, or responses that do not belong together");
+
+    if (quality.rankOne < 0.9 && quality.signalToNoise > 4)
+        doubts.push_back ("one shape explains " + percent (quality.rankOne)
+                          + " of its residues only: it may be two modes, or drivers measured differently");
+
+    if (modes.deviations.dampingRatios[k] > 0.1 * modes.dampingRatios[k])
+        doubts.push_back ("its damping is uncertain by "
+                          + percent (modes.deviations.dampingRatios[k] / modes.dampingRatios[k]));
+
+    for (const auto other : { k - 1, k + 1 })
+        if (other >= 0 && other < modes.modes()
+            && std::abs (modes.angularFrequencies[other] - modes.angularFrequencies[k]) < halfWidth / 4)
+            doubts.push_back ("mode " + std::to_string (other + 1) + " lies within a quarter of its half width");
+}
+
+/** Points of one half wave of the most rippled shape on a line, or of the wave that as many modes have in the plane. */
+double pointsPerHalfWave (const IdentifiedModes& modes)
+{
+    const auto spreadX = modes.points.col (0).maxCoeff() - modes.points.col (0).minCoeff();
+    const auto spreadY = modes.points.col (1).maxCoeff() - modes.points.col (1).minCoeff();
+    const auto halfWaves = spreadX > 0 && spreadY > 0 ? std::sqrt (static_cast<double> (modes.modes()))
+                                                      : static_cast<double> (modes.modes());
+    const auto points = static_cast<double> (modes.points.rows());
+    return (spreadX > 0 && spreadY > 0 ? std::sqrt (points) : points) / halfWaves;
+}
+} // namespace
+
+Eigen::VectorXd signalToNoise (const FitState& state, double variance, double ridge)
+{
+    Eigen::VectorXd energies = Eigen::VectorXd::Zero (state.modes());
+    double points = 0;
+
+    for (const auto& group : state.groups)
+    {
+        const Eigen::MatrixXd shapes = state.shapes (group.points, Eigen::all);
+        const auto inverse = shapeCoupling (state, group, ridge).inverseDiagonal;
+        energies += (shapes.cwiseAbs2().transpose() * group.pointWeights).cwiseQuotient (inverse);
+        points += static_cast<double> (group.points.size());
+    }
+
+    return (energies * (2 / std::max (variance, 1e-300) / points)).cwiseMax (0).cwiseSqrt();
+}
+
+std::vector<ModeQuality> assessResidues (const Eigen::MatrixXcd& residues, const PreparedResponses& data)
+{
+    std::vector<ModeQuality> result;
+
+    for (Eigen::Index k = 0; k < residues.rows(); ++k)
+    {
+        const Eigen::RowVectorXcd weighted = residues.row (k).cwiseProduct (data.columnWeights.cwiseSqrt().transpose());
+        const Eigen::MatrixXcd table = weighted.reshaped (data.points(), data.drivers());
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> eigen (table.adjoint() * table);
+        ModeQuality quality;
+        quality.rankOne = eigen.eigenvalues().tail (1)[0] / std::max (eigen.eigenvalues().sum(), 1e-300);
+        quality.collinearity = collinearity (table * eigen.eigenvectors().rightCols (1));
+        result.push_back (quality);
+    }
+
+    return result;
+}
+
+void addDoubts (IdentifiedModes& modes)
+{
+    for (Eigen::Index k = 0; k < modes.modes(); ++k)
+        doubtMode (modes, k);
+
+    if (modes.points.rows() > 1 && pointsPerHalfWave (modes) < 2.5)
+        modes.doubts.emplace_back (
+            "there may be less than 2.5 points to a half wave of the highest modes: points on nodal lines hide modes");
+
+    if (modes.drivers.size() == 1 && modes.points.rows() > 1)
+        modes.doubts.emplace_back ("one driver alone misses modes that it cannot move");
+
+    if (modes.reconstructionError > -20)
+        modes.doubts.push_back ("the modes reconstruct the responses to "
+                                + std::to_string (static_cast<int> (std::lround (modes.reconstructionError)))
+                                + " dB only");
+}
+} // namespace antinode

@@ -1,0 +1,107 @@
+#include "ModeSelection.h"
+
+#include "ModeAssessment.h"
+
+#include <antinode_model/InputError.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace antinode
+{
+namespace
+{
+constexpr double mostDamping = 0.3;
+
+double frequencyOf (const PoleCluster& cluster)
+{
+    return std::abs (cluster.pole) / (2 * std::numbers::pi);
+}
+
+std::size_t nearest (const std::vector<PoleCluster>& clusters, double frequency)
+{
+    std::size_t best = 0;
+
+    for (std::size_t k = 1; k < clusters.size(); ++k)
+        if (std::abs (frequencyOf (clusters[k]) - frequency) < std::abs (frequencyOf (clusters[best]) - frequency))
+            best = k;
+
+    if (clusters.empty() || std::abs (frequencyOf (clusters[best]) - frequency) > 0.02 * frequency)
+    {
+        auto allowed = std::string ("no other frequency");
+
+        if (! clusters.empty())
+            allowed = "the nearest candidate is at " + std::to_string (frequencyOf (clusters[best])) + " Hz";
+
+        throw InputError ("frequency " + std::to_string (frequency) + " Hz", "has no candidate within 2 %; " + allowed);
+    }
+
+    return best;
+}
+} // namespace
+
+std::vector<PoleCluster> picked (const std::vector<PoleCluster>& clusters, const IdentificationOptions& options)
+{
+    std::vector<bool> isKept (clusters.size(), options.selected.empty());
+
+    for (const auto frequency : options.selected)
+        isKept[nearest (clusters, frequency)] = true;
+
+    for (const auto frequency : options.rejected)
+        isKept[nearest (clusters, frequency)] = false;
+
+    std::vector<PoleCluster> result;
+
+    for (std::size_t k = 0; k < clusters.size(); ++k)
+        if (isKept[k])
+            result.push_back (clusters[k]);
+
+    return result;
+}
+
+std::vector<Eigen::Index> standOut (const FitState& state, double variance, double ridge)
+{
+    const auto ratios = signalToNoise (state, variance, ridge);
+    // The strongest direction of pure noise has (sqrt (N_p) + sqrt (N_b))^2 / N_p times its mean energy; the poles were chosen among many.
+    const auto points =
+        static_cast<double> (std::max<Eigen::Index> (1, (state.shapes.rowwise().squaredNorm().array() > 0).count()));
+    const auto drivers = static_cast<double> (state.drivers());
+    const auto least = std::sqrt (1.5 * std::pow (1 + std::sqrt (drivers / points), 2) + 30 / points);
+    // What is damped so heavily is no resonance, but misfit that has taken its form.
+    const auto isMisfit = [&state] (Eigen::Index k) { return state.basis.dampingRatios[k] > mostDamping; };
+    std::vector<Eigen::Index> kept;
+    bool lastFell = false;
+
+    for (Eigen::Index k = 0; k < state.modes(); ++k)
+    {
+        // Of two that stand for one mode each looks superfluous beside the other: only the weaker goes.
+        const auto isWeaker = k + 1 == state.modes() || ratios[k] <= ratios[k + 1] || ratios[k + 1] >= least;
+        lastFell = isMisfit (k) || (ratios[k] < least && isWeaker && ! lastFell);
+
+        if (! lastFell)
+            kept.push_back (k);
+    }
+
+    std::stable_sort (kept.begin(), kept.end(),
+                      [&state] (auto a, auto b)
+                      { return state.basis.angularFrequencies[a] < state.basis.angularFrequencies[b]; });
+    return kept;
+}
+
+std::vector<PoleCluster> chosen (const std::vector<PoleCluster>& clusters, const std::vector<Eigen::Index>& indices)
+{
+    std::vector<PoleCluster> result;
+
+    for (const auto k : indices)
+        result.push_back (clusters[static_cast<std::size_t> (k)]);
+
+    return result;
+}
+
+NormalModes chosen (const NormalModes& modes, const std::vector<Eigen::Index>& indices)
+{
+    return { modes.angularFrequencies (indices), modes.dampingRatios (indices), modes.shapes (Eigen::all, indices),
+             modes.participation (indices, Eigen::all), modes.delay };
+}
+} // namespace antinode

@@ -1,0 +1,265 @@
+#include "NormalEquations.h"
+
+#include <antinode_model/DenseKernels.h>
+
+#include <algorithm>
+#include <array>
+
+namespace antinode
+{
+namespace
+{
+constexpr std::array poleFunctions { ModalFunction::frequency, ModalFunction::damping, ModalFunction::delay };
+
+/** The part of a matrix over all functions that belongs to one kind in rows and one in columns: N_m x N_m. */
+Eigen::MatrixXd part (const Eigen::MatrixXd& gram, ModalFunction row, ModalFunction column)
+{
+    const auto modes = gram.rows() / functionsOfMode;
+    const auto every = [modes] (ModalFunction function)
+    { return Eigen::seqN (static_cast<Eigen::Index> (function), modes, Eigen::fix<functionsOfMode>); };
+    return gram (every (row), every (column));
+}
+
+Eigen::MatrixXd rowsOf (const Eigen::MatrixXd& data, ModalFunction function)
+{
+    const auto modes = data.rows() / functionsOfMode;
+    return data (Eigen::seqN (static_cast<Eigen::Index> (function), modes, Eigen::fix<functionsOfMode>), Eigen::all);
+}
+
+/** How much of a function one unit of an unknown stands for, a mode: unit modes delayed by the delay's unit. */
+Eigen::VectorXd unitsOf (const FitState& state, ModalFunction function)
+{
+    if (function != ModalFunction::delay)
+        return Eigen::VectorXd::Ones (state.modes());
+
+    return state.basis.angularFrequencies * state.delayUnit();
+}
+
+Eigen::MatrixXd shapeMatrix (const FitState& state, const PointGroup& group, double ridge)
+{
+    const Eigen::MatrixXd weighted = state.strengths * group.driverWeights.asDiagonal() * state.strengths.transpose();
+    Eigen::MatrixXd matrix =
+        part (state.reduced.gram, ModalFunction::velocity, ModalFunction::velocity).cwiseProduct (weighted);
+    matrix.diagonal() *= 1 + ridge;
+    return matrix;
+}
+
+/** X: how unknowns of any mode act on the shape of each, N_m x N_m (N_b + 3). */
+Eigen::MatrixXd couplingMatrix (const FitState& state, const PointGroup& group)
+{
+    const auto modes = state.modes(), drivers = state.drivers();
+    const auto& strengths = state.strengths;
+    const auto velocity = part (state.reduced.gram, ModalFunction::velocity, ModalFunction::velocity);
+    const Eigen::MatrixXd weighted = strengths * group.driverWeights.asDiagonal() * strengths.transpose();
+    Eigen::MatrixXd result (modes, modes * (drivers + 3));
+
+    for (Eigen::Index i = 0; i < drivers; ++i)
+        result.middleCols (i * modes, modes) = group.driverWeights[i] * strengths.col (i).asDiagonal() * velocity;
+
+    for (std::size_t b = 0; b < poleFunctions.size(); ++b)
+        result.middleCols ((drivers + static_cast<Eigen::Index> (b)) * modes, modes) =
+            part (state.reduced.gram, ModalFunction::velocity, poleFunctions[b]).cwiseProduct (weighted)
+            * unitsOf (state, poleFunctions[b]).asDiagonal();
+
+    return result;
+}
+
+/** F: unknowns with each other for unit shapes; lower block triangle of N_m (N_b + 3) squared. */
+Eigen::MatrixXd unknownMatrix (const FitState& state, const PointGroup& group)
+{
+    const auto modes = state.modes(), drivers = state.drivers();
+    const auto& gram = state.reduced.gram;
+    const auto& c = group.driverWeights;
+    const Eigen::MatrixXd weighted = state.strengths * c.asDiagonal() * state.strengths.transpose();
+    const auto velocity = part (gram, ModalFunction::velocity, ModalFunction::velocity);
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero (modes * (drivers + 3), modes * (drivers + 3));
+
+    for (Eigen::Index i = 0; i < drivers; ++i)
+        result.block (i * modes, i * modes, modes, modes) = c[i] * velocity;
+
+    for (std::size_t b = 0; b < poleFunctions.size(); ++b)
+    {
+        const auto row = (drivers + static_cast<Eigen::Index> (b)) * modes;
+        const auto units = unitsOf (state, poleFunctions[b]);
+        const auto withVelocity = part (gram, poleFunctions[b], ModalFunction::velocity);
+
+        for (Eigen::Index i = 0; i < drivers; ++i)
+            result.block (row, i * modes, modes, modes) =
+                (units.cwiseProduct (state.strengths.col (i)) * c[i]).asDiagonal() * withVelocity;
+
+        for (std::size_t a = 0; a <= b; ++a)
+            result.block (row, (drivers + static_cast<Eigen::Index> (a)) * modes, modes, modes) =
+                units.asDiagonal() * part (gram, poleFunctions[b], poleFunctions[a]).cwiseProduct (weighted)
+                * unitsOf (state, poleFunctions[a]).asDiagonal();
+    }
+
+    return result;
+}
+
+Eigen::MatrixXd shapesOf (const FitState& state, const PointGroup& group)
+{
+    return state.shapes (group.points, Eigen::all);
+}
+
+/** Every mode's own delay becomes the common one: their rows and columns are added. */
+Eigen::MatrixXd withCommonDelay (const Eigen::MatrixXd& lower, Eigen::Index modes)
+{
+    const auto others = lower.rows() - modes;
+    Eigen::MatrixXd result (others + 1, others + 1);
+    result.topLeftCorner (others, others) = lower.topLeftCorner (others, others);
+    result.col (others).setZero();
+    result.row (others).head (others) = lower.bottomLeftCorner (modes, others).colwise().sum();
+    result (others, others) = lower.bottomRightCorner (modes, modes).sum();
+    return result;
+}
+
+void addGradient (Eigen::VectorXd& gradient, const FitState& state, const Eigen::MatrixXd& errors)
+{
+    const auto modes = state.modes(), drivers = state.drivers(), points = state.shapes.rows();
+    const auto velocity = rowsOf (errors, ModalFunction::velocity);
+
+    for (Eigen::Index i = 0; i < drivers; ++i)
+    {
+        const auto columns = Eigen::seqN (i * points, points);
+        const Eigen::MatrixXd weighted = state.columnWeights (columns).asDiagonal() * state.shapes;
+        gradient.segment (i * modes, modes) +=
+            velocity (Eigen::all, columns).cwiseProduct (weighted.transpose()).rowwise().sum();
+
+        for (std::size_t b = 0; b < poleFunctions.size(); ++b)
+        {
+            const Eigen::VectorXd sums = rowsOf (errors, poleFunctions[b]) (Eigen::all, columns)
+                                             .cwiseProduct (weighted.transpose())
+                                             .rowwise()
+                                             .sum();
+            gradient.segment ((drivers + static_cast<Eigen::Index> (b)) * modes, modes) +=
+                sums.cwiseProduct (state.strengths.col (i)).cwiseProduct (unitsOf (state, poleFunctions[b]));
+        }
+    }
+}
+} // namespace
+
+std::vector<PointGroup> groupPoints (const Eigen::VectorXd& columnWeights, Eigen::Index points, Eigen::Index drivers)
+{
+    std::vector<PointGroup> groups;
+    std::vector<std::vector<double>> weights;
+
+    for (Eigen::Index p = 0; p < points; ++p)
+    {
+        const Eigen::VectorXd ofPoint = columnWeights (Eigen::seqN (p, drivers, points));
+        const auto largest = ofPoint.maxCoeff();
+
+        if (largest <= 0)
+            continue;
+
+        const auto same = [&] (const PointGroup& group)
+        { return (group.driverWeights - ofPoint / largest).cwiseAbs().maxCoeff() < 1e-9; };
+        auto group = std::find_if (groups.begin(), groups.end(), same);
+
+        if (group == groups.end())
+        {
+            groups.push_back ({ ofPoint / largest, {}, {} });
+            weights.emplace_back();
+            group = groups.end() - 1;
+        }
+
+        group->points.push_back (p);
+        weights[static_cast<std::size_t> (group - groups.begin())].push_back (largest);
+    }
+
+    for (std::size_t g = 0; g < groups.size(); ++g)
+        groups[g].pointWeights =
+            Eigen::Map<const Eigen::VectorXd> (weights[g].data(), static_cast<Eigen::Index> (weights[g].size()));
+
+    return groups;
+}
+
+Eigen::MatrixXd bestShapes (const FitState& state, double ridge)
+{
+    const auto points = state.columnWeights.size() / state.drivers();
+    const auto data = rowsOf (state.reduced.data, ModalFunction::velocity);
+    Eigen::MatrixXd shapes = Eigen::MatrixXd::Zero (points, state.modes());
+
+    for (const auto& group : state.groups)
+    {
+        Eigen::MatrixXd right = Eigen::MatrixXd::Zero (state.modes(), static_cast<Eigen::Index> (group.points.size()));
+
+        for (Eigen::Index i = 0; i < state.drivers(); ++i)
+            for (std::size_t n = 0; n < group.points.size(); ++n)
+                right.col (static_cast<Eigen::Index> (n)) +=
+                    group.driverWeights[i]
+                    * state.strengths.col (i).cwiseProduct (data.col (i * points + group.points[n]));
+
+        shapes (group.points, Eigen::all) = shapeMatrix (state, group, ridge).ldlt().solve (right).transpose();
+    }
+
+    return shapes;
+}
+
+Eigen::MatrixXd amplitudes (const FitState& state)
+{
+    const auto points = state.shapes.rows();
+    Eigen::MatrixXd result (state.modes(), points * state.drivers());
+
+    for (Eigen::Index i = 0; i < state.drivers(); ++i)
+        result.middleCols (i * points, points) = state.strengths.col (i).asDiagonal() * state.shapes.transpose();
+
+    return result;
+}
+
+Eigen::MatrixXd residualCoefficients (const FitState& state)
+{
+    Eigen::MatrixXd ofAll = Eigen::MatrixXd::Zero (functionsOfMode * state.modes(), state.columnWeights.size());
+    ofAll (Eigen::seqN (0, state.modes(), Eigen::fix<functionsOfMode>), Eigen::all) = amplitudes (state);
+    return powerCoefficients (state.basis, state.products, ofAll);
+}
+
+NormalEquations normalEquations (const FitState& state, double ridge)
+{
+    const auto modes = state.modes(), blocks = state.drivers() + 3;
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero (modes * blocks, modes * blocks);
+
+    for (const auto& group : state.groups)
+    {
+        const auto shapes = shapesOf (state, group);
+        const Eigen::MatrixXd products = shapes.transpose() * group.pointWeights.asDiagonal() * shapes;
+        Eigen::MatrixXd perUnit = unknownMatrix (state, group), factor = shapeMatrix (state, group, ridge);
+        factorLower (factor);
+        Eigen::MatrixXd whitened = couplingMatrix (state, group);
+        solveLower (factor, whitened);
+        addGram (perUnit, -1, whitened.transpose());
+
+        for (Eigen::Index a = 0; a < blocks; ++a)
+            for (Eigen::Index b = 0; b <= a; ++b)
+                sum.block (a * modes, b * modes, modes, modes) +=
+                    perUnit.block (a * modes, b * modes, modes, modes).cwiseProduct (products);
+    }
+
+    // Blocks on the diagonal were added in their lower triangles only.
+    Eigen::MatrixXd whole = sum.selfadjointView<Eigen::Lower>();
+    NormalEquations result;
+    result.matrix = withCommonDelay (whole, modes);
+
+    const auto given = amplitudes (state);
+    const auto data = rowsOf (state.reduced.data, ModalFunction::velocity);
+    Eigen::MatrixXd errors = state.reduced.data;
+    const Eigen::MatrixXd toVelocity =
+        state.reduced.gram (Eigen::all, Eigen::seqN (0, modes, Eigen::fix<functionsOfMode>));
+    addProduct (errors, -1, toVelocity, given);
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero (modes * blocks);
+    addGradient (gradient, state, errors);
+    result.gradient.resize (state.unknowns());
+    result.gradient << gradient.head (state.unknowns() - 1), gradient.tail (modes).sum();
+    const Eigen::VectorXd costs =
+        state.reduced.energies
+        - (given.cwiseProduct (data + rowsOf (errors, ModalFunction::velocity))).colwise().sum().transpose();
+    result.cost = std::max (0.0, costs.dot (state.columnWeights));
+    return result;
+}
+
+ShapeCoupling shapeCoupling (const FitState& state, const PointGroup& group, double ridge)
+{
+    const Eigen::LDLT<Eigen::MatrixXd> factor (shapeMatrix (state, group, ridge));
+    const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity (state.modes(), state.modes());
+    return { factor.solve (couplingMatrix (state, group)), factor.solve (identity).diagonal() };
+}
+} // namespace antinode

@@ -1,0 +1,163 @@
+#include "NormalModeFit.h"
+
+#include "NormalEquations.h"
+
+#include <antinode_model/DenseKernels.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+constexpr int mostIterations = 25;
+constexpr double gaugeWeight = 1; // of the mean diagonal: fixes lengths that the data leave free.
+
+FitState stateAt (const PreparedResponses& data, const NormalModes& modes, double ridge)
+{
+    FitState state;
+    state.basis = basisOf (modes.angularFrequencies, modes.dampingRatios, data);
+    state.products = modalProducts (state.basis, data, modes.delay);
+    state.reduced = withoutPowers (state.basis, state.products);
+    state.groups = groupPoints (data.columnWeights, data.points(), data.drivers());
+    state.columnWeights = data.columnWeights;
+    state.strengths = modes.angularFrequencies.cwiseInverse().asDiagonal() * modes.participation;
+    state.shapes = bestShapes (state, ridge);
+    return state;
+}
+
+/** Only products of shape and participation are seen: the length of each mode's participation is held. */
+void holdLengths (Eigen::MatrixXd& matrix, const FitState& state)
+{
+    for (Eigen::Index k = 0; k < state.modes(); ++k)
+    {
+        const Eigen::VectorXd direction = state.strengths.row (k).normalized();
+        double weight = 0;
+
+        for (Eigen::Index i = 0; i < state.drivers(); ++i)
+            weight += gaugeWeight * matrix (state.unknown (k, i), state.unknown (k, i));
+
+        for (Eigen::Index i = 0; i < state.drivers(); ++i)
+            for (Eigen::Index j = 0; j <= i; ++j)
+                matrix (state.unknown (k, i), state.unknown (k, j)) += weight * direction[i] * direction[j];
+    }
+}
+
+void holdDelay (NormalEquations& equations)
+{
+    const auto last = equations.matrix.rows() - 1;
+    equations.matrix.row (last).setZero();
+    equations.matrix (last, last) = 1;
+    equations.gradient[last] = 0;
+}
+
+Eigen::VectorXd solveDamped (Eigen::MatrixXd matrix, const Eigen::VectorXd& right, double damping)
+{
+    const Eigen::VectorXd scale = matrix.diagonal().cwiseMax (1e-300).cwiseSqrt().cwiseInverse();
+    matrix = scale.asDiagonal() * matrix * scale.asDiagonal();
+    matrix.diagonal().array() += std::max (damping, 1e-14);
+    Eigen::MatrixXd solution = scale.cwiseProduct (right);
+
+    if (! factorLower (matrix))
+        return Eigen::VectorXd::Zero (right.size());
+
+    solveLower (matrix, solution);
+    solveLowerTransposed (matrix, solution);
+    return scale.cwiseProduct (solution.col (0));
+}
+
+/** Modes after a step; no pole moves further than a half width at a time. */
+NormalModes stepped (const NormalModes& modes, const FitState& state, const Eigen::VectorXd& step)
+{
+    auto result = modes;
+
+    for (Eigen::Index k = 0; k < modes.modes(); ++k)
+    {
+        const auto resonance = modes.angularFrequencies[k];
+
+        for (Eigen::Index i = 0; i < state.drivers(); ++i)
+            result.participation (k, i) += resonance * step[state.unknown (k, i)];
+
+        result.angularFrequencies[k] +=
+            modes.dampingRatios[k] * resonance * std::clamp (step[state.unknown (k, state.drivers())], -1.0, 1.0);
+        result.dampingRatios[k] = std::clamp (
+            modes.dampingRatios[k] * std::exp (std::clamp (step[state.unknown (k, state.drivers() + 1)], -0.7, 0.7)),
+            1e-9, 0.999);
+    }
+
+    result.delay += step[state.unknowns() - 1] * state.delayUnit();
+    return result;
+}
+
+} // namespace
+
+void holdWhatIsNotSeen (NormalEquations& equations, const FitState& state, bool delayIsKnown)
+{
+    holdLengths (equations.matrix, state);
+
+    if (delayIsKnown)
+        holdDelay (equations);
+}
+
+NormalModeFit fitNormalModes (const PreparedResponses& data, const NormalModeStart& start, double ridge,
+                              double precision)
+{
+    NormalModes modes { start.angularFrequencies, start.dampingRatios, {}, start.participation, start.delay };
+    auto state = stateAt (data, modes, ridge);
+    auto equations = normalEquations (state, ridge);
+    const auto values = 2 * static_cast<double> (data.lines() * (data.columnWeights.array() > 0).count());
+    const auto energy = state.reduced.energies.dot (data.columnWeights);
+    double damping = 1e-4;
+    int iteration = 0;
+
+    for (; iteration < mostIterations; ++iteration)
+    {
+        auto held = equations;
+        holdWhatIsNotSeen (held, state, start.delayIsKnown);
+        const auto step = solveDamped (held.matrix, held.gradient, damping);
+        const auto expected = step.dot (held.gradient);
+
+        // Nor is what rounding hides worth a step.
+        if (expected <= precision * equations.cost / values || expected < 1e-20 * energy)
+            break;
+
+        auto nextModes = stepped (modes, state, step);
+        auto nextState = stateAt (data, nextModes, ridge);
+        auto next = normalEquations (nextState, ridge);
+
+        if (next.cost > equations.cost * (1 + 1e-9) + 1e-14 * energy)
+        {
+            damping = std::max (damping, 1e-6) * 10;
+
+            if (damping > 1e6)
+                break;
+
+            continue;
+        }
+
+        damping = damping < 1e-9 ? 0 : damping / 10;
+        modes = std::move (nextModes);
+        state = std::move (nextState);
+        equations = std::move (next);
+    }
+
+    modes.shapes = state.shapes;
+    return { std::move (modes), std::move (state), equations.cost, iteration };
+}
+Eigen::MatrixXd strongestParticipation (const Eigen::MatrixXd& residues, const PreparedResponses& data)
+{
+    const auto points = data.points(), drivers = data.drivers();
+    Eigen::MatrixXd result (residues.rows(), drivers);
+
+    for (Eigen::Index k = 0; k < residues.rows(); ++k)
+    {
+        const Eigen::RowVectorXd weighted = residues.row (k).cwiseProduct (data.columnWeights.cwiseSqrt().transpose());
+        const Eigen::MatrixXd table = weighted.reshaped (points, drivers);
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen (table.transpose() * table);
+        result.row (k) = eigen.eigenvectors().rightCols (1).transpose();
+    }
+
+    return result;
+}
+} // namespace antinode

@@ -1,0 +1,131 @@
+#include "PoleSearch.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <numbers>
+#include <thread>
+
+namespace antinode
+{
+namespace
+{
+constexpr Eigen::Index mostOutputs = 24, mostReferences = 4;
+constexpr double leastPresence = 0.4;
+/** Where the user picks, also poles that are seen rarely are candidates. */
+constexpr double presenceForPicks = 0.15;
+
+double frequencyOf (std::complex<double> pole)
+{
+    return std::abs (pole) / (2 * std::numbers::pi);
+}
+
+/** Enough for all modes of a band and its noise; no more unknowns than lines bear. */
+int highestOrder (const CompressedBand& band, const IdentificationOptions& options)
+{
+    const auto bearable = static_cast<int> (band.lines() / 4);
+
+    if (options.maximumOrder > 0)
+        return std::min (options.maximumOrder, bearable);
+
+    return std::max (std::min (18, bearable), 1);
+}
+
+struct BandPoles
+{
+    std::vector<OrderPoles> orders;
+    std::vector<PoleCluster> clusters;
+};
+
+BandPoles searchBand (const PreparedResponses& data, const SearchBand& band, const IdentificationOptions& options)
+{
+    const auto compressed = compress (data, band.firstLine, band.lines, mostOutputs, mostReferences);
+    const auto highest = highestOrder (compressed, options);
+    BandPoles result;
+    result.orders = polynomialPoles (compressed, std::min (options.minimumOrder, highest), highest, options.ridge);
+    const auto isWithin = [&band] (const PoleCluster& cluster)
+    { return std::abs (cluster.pole) >= band.minimum && std::abs (cluster.pole) < band.maximum; };
+    // A resonance wider than the band cannot be told from what lies outside of it.
+    const auto isBroad = [&band] (const PoleCluster& cluster)
+    {
+        return -cluster.pole.real() > (band.maximum - band.minimum) / 2
+               || cluster.pole.real() < -0.7 * std::abs (cluster.pole);
+    };
+
+    for (auto& cluster : clusterPoles (result.orders, options.selected.empty() ? leastPresence : presenceForPicks))
+        if (isWithin (cluster) && ! isBroad (cluster))
+            result.clusters.push_back (cluster);
+
+    return result;
+}
+
+/** Runs a function of an index for all indices on several threads; the first exception is handed on. */
+template <typename Function>
+void forAll (std::size_t count, const Function& function)
+{
+    std::atomic<std::size_t> next { 0 };
+    std::vector<std::exception_ptr> failures (count);
+    const auto work = [&]
+    {
+        for (auto n = next++; n < count; n = next++)
+        {
+            try
+            {
+                function (n);
+            }
+            catch (...)
+            {
+                failures[n] = std::current_exception();
+            }
+        }
+    };
+    std::vector<std::thread> threads;
+
+    for (unsigned t = 1; t < std::min<std::size_t> (count, std::thread::hardware_concurrency()); ++t)
+        threads.emplace_back (work);
+
+    work();
+
+    for (auto& thread : threads)
+        thread.join();
+
+    for (const auto& failure : failures)
+        if (failure)
+            std::rethrow_exception (failure);
+}
+
+void append (std::vector<StabilisationPoint>& points, const BandPoles& found, const SearchBand& band)
+{
+    for (const auto& order : found.orders)
+        for (const auto pole : order.poles)
+        {
+            if (std::abs (pole) < band.minimum || std::abs (pole) >= band.maximum)
+                continue;
+
+            const auto isNear = [pole] (const PoleCluster& cluster)
+            { return std::abs (cluster.pole - pole) < -0.35 * cluster.pole.real(); };
+            points.push_back ({ order.order, frequencyOf (pole), -pole.real() / std::abs (pole),
+                                std::any_of (found.clusters.begin(), found.clusters.end(), isNear) });
+        }
+}
+} // namespace
+
+FoundPoles searchPoles (const PreparedResponses& data, const IdentificationOptions& options)
+{
+    const auto bands = searchBands (data, options.bands);
+    std::vector<BandPoles> ofBands (bands.size());
+    forAll (bands.size(), [&] (std::size_t n) { ofBands[n] = searchBand (data, bands[n], options); });
+    FoundPoles result;
+
+    for (std::size_t n = 0; n < bands.size(); ++n)
+    {
+        append (result.stabilisation, ofBands[n], bands[n]);
+        result.clusters.insert (result.clusters.end(), ofBands[n].clusters.begin(), ofBands[n].clusters.end());
+    }
+
+    std::stable_sort (result.clusters.begin(), result.clusters.end(),
+                      [] (const auto& a, const auto& b) { return std::abs (a.pole) < std::abs (b.pole); });
+    return result;
+}
+} // namespace antinode

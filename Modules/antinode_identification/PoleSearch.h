@@ -1,0 +1,20 @@
+#pragma once
+
+#include "Identification.h"
+#include "PoleClusters.h"
+#include "SearchBands.h"
+
+namespace antinode
+{
+/** Poles found in all bands, and all that were looked at. */
+struct FoundPoles
+{
+    std::vector<PoleCluster> clusters; ///< Ascending in frequency.
+    std::vector<StabilisationPoint> stabilisation;
+};
+
+/** Seeks poles band by band, on as many threads as there are processors; the result does not depend on how many.
+    @throws InputError  when bands that were asked for hold too few lines
+    [worker] Docs/Theory.md, sections 8.2 and 8.3. */
+FoundPoles searchPoles (const PreparedResponses&, const IdentificationOptions&);
+} // namespace antinode

@@ -1,0 +1,185 @@
+#include "PolynomialPoles.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace antinode
+{
+namespace
+{
+using Matrix = Eigen::MatrixXcd;
+
+/** What share of the unit circle a band covers: on all of it its two ends would be one. */
+constexpr double circleShare = 0.9;
+
+double secondsOfBasis (const CompressedBand& band)
+{
+    return 2 * std::numbers::pi * circleShare / (band.omega[band.lines() - 1] - band.omega[0]);
+}
+
+/** Sums over the lines for all differences of powers of z = exp ((s - i omega_0) T): they make every normal equation. */
+struct LagSums
+{
+    Eigen::VectorXcd basis;         ///< Of z^lag, lag 0 to order.
+    std::vector<Matrix> numerators; ///< Of z^lag H, lag -order to order: references x outputs.
+    std::vector<Matrix>
+        denominators; ///< Of z^lag conj (H) H', lag 0 to order: references x references, summed over outputs.
+};
+
+LagSums sumOverLines (const CompressedBand& band, Eigen::Index order)
+{
+    const auto lines = band.lines(), references = band.references(), outputs = band.outputs();
+    const auto seconds = secondsOfBasis (band);
+    const Eigen::ArrayXd angles = (band.omega.array() - band.omega[0]) * seconds;
+    Matrix powers (lines, 2 * order + 1);
+
+    for (Eigen::Index f = 0; f < lines; ++f)
+    {
+        const auto step = std::polar (1.0, angles[f]);
+        powers (f, order) = 1;
+
+        for (Eigen::Index lag = 1; lag <= order; ++lag)
+        {
+            powers (f, order + lag) = powers (f, order + lag - 1) * step;
+            powers (f, order - lag) = std::conj (powers (f, order + lag));
+        }
+    }
+
+    LagSums sums;
+    sums.basis = powers.rightCols (order + 1).colwise().sum().transpose();
+    sums.numerators.assign (static_cast<std::size_t> (2 * order + 1), Matrix (references, outputs));
+    sums.denominators.assign (static_cast<std::size_t> (order + 1), Matrix (references, references));
+
+    for (Eigen::Index i = 0; i < references; ++i)
+    {
+        const auto& values = band.values[static_cast<std::size_t> (i)];
+        const Matrix products = powers.transpose() * values;
+
+        for (Eigen::Index lag = 0; lag <= 2 * order; ++lag)
+            sums.numerators[static_cast<std::size_t> (lag)].row (i) = products.row (lag);
+
+        for (Eigen::Index j = 0; j < references; ++j)
+        {
+            const Eigen::VectorXcd between =
+                values.conjugate().cwiseProduct (band.values[static_cast<std::size_t> (j)]).rowwise().sum();
+            const Eigen::VectorXcd sum = powers.rightCols (order + 1).transpose() * between;
+
+            for (Eigen::Index lag = 0; lag <= order; ++lag)
+                sums.denominators[static_cast<std::size_t> (lag)](i, j) = sum[lag];
+        }
+    }
+
+    return sums;
+}
+
+Matrix toeplitzOfBasis (const LagSums& sums, Eigen::Index size)
+{
+    Matrix result (size, size);
+
+    for (Eigen::Index j = 0; j < size; ++j)
+        for (Eigen::Index k = 0; k < size; ++k)
+            result (j, k) = k >= j ? sums.basis[k - j] : std::conj (sums.basis[j - k]);
+
+    return result;
+}
+
+/** Normal equations of the denominator's coefficients, numerators eliminated: (order + 1) blocks of references. */
+Matrix normalEquations (const LagSums& sums, Eigen::Index order, Eigen::Index maximum)
+{
+    const auto references = sums.denominators.front().rows(), outputs = sums.numerators.front().cols();
+    const auto size = order + 1;
+    Matrix result (size * references, size * references);
+
+    for (Eigen::Index j = 0; j < size; ++j)
+        for (Eigen::Index k = j; k < size; ++k)
+        {
+            const auto& sum = sums.denominators[static_cast<std::size_t> (k - j)];
+            result.block (j * references, k * references, references, references) = sum;
+            result.block (k * references, j * references, references, references) = sum.adjoint();
+        }
+
+    // All outputs side by side: rows are powers of the numerator, columns the denominator's coefficients of one output.
+    const Eigen::LLT<Matrix> factor (toeplitzOfBasis (sums, size));
+    Matrix between (size, size * references);
+
+    for (Eigen::Index o = 0; o < outputs; ++o)
+    {
+        for (Eigen::Index j = 0; j < size; ++j)
+            for (Eigen::Index k = 0; k < size; ++k)
+                between.block (j, k * references, 1, references) =
+                    sums.numerators[static_cast<std::size_t> (k - j + maximum)].col (o).transpose();
+
+        factor.matrixL().solveInPlace (between);
+        result.selfadjointView<Eigen::Lower>().rankUpdate (between.adjoint(), -1);
+    }
+
+    return result.selfadjointView<Eigen::Lower>();
+}
+
+/** The coefficients of z^1 to z^order, that of z^0 being the unit matrix, as blocks of rows. */
+Matrix coefficients (Matrix normal, Eigen::Index references, double ridge)
+{
+    const auto unknowns = normal.rows() - references;
+    normal.diagonal().array() += ridge * normal.diagonal().real().mean();
+    return -normal.bottomRightCorner (unknowns, unknowns).ldlt().solve (normal.bottomLeftCorner (unknowns, references));
+}
+
+/** Solutions of l' (w^n + w^(n-1) A_1 + ... + A_n) = 0, w = 1 / z, by the companion matrix. */
+OrderPoles polesOf (const Matrix& blocks, Eigen::Index references, const CompressedBand& band)
+{
+    const auto size = blocks.rows(), order = size / references;
+    Matrix companion = Matrix::Zero (size, size);
+
+    for (Eigen::Index j = 0; j < order; ++j)
+        companion.block (0, j * references, references, references) =
+            -blocks.middleRows (j * references, references).transpose();
+
+    companion.bottomLeftCorner (size - references, size - references).setIdentity();
+    const Eigen::ComplexEigenSolver<Matrix> eigen (companion);
+    const auto seconds = secondsOfBasis (band);
+    OrderPoles result { static_cast<int> (order), Eigen::VectorXcd (size), Matrix (size, references) };
+    Eigen::Index count = 0;
+
+    if (eigen.info() != Eigen::Success)
+        return { static_cast<int> (order), {}, Matrix (0, references) };
+
+    for (Eigen::Index n = 0; n < size; ++n)
+    {
+        const auto w = eigen.eigenvalues()[n];
+
+        if (std::abs (w) <= 1) // unstable, or exactly 0
+            continue;
+
+        // The lines lie at angles from 0 to 0.9 of a turn: what is left of the turn is split between both sides.
+        auto angle = -std::arg (w);
+        angle += angle < -std::numbers::pi * (1 - circleShare) ? 2 * std::numbers::pi : 0;
+        const std::complex<double> pole (-std::log (std::abs (w)) / seconds, band.omega[0] + angle / seconds);
+
+        if (! std::isfinite (pole.real()) || ! std::isfinite (pole.imag()) || pole.imag() <= 0)
+            continue;
+
+        result.poles[count] = pole;
+        result.participation.row (count) = eigen.eigenvectors().col (n).head (references).normalized().transpose();
+        ++count;
+    }
+
+    result.poles.conservativeResize (count);
+    result.participation.conservativeResize (count, references);
+    return result;
+}
+} // namespace
+
+std::vector<OrderPoles> polynomialPoles (const CompressedBand& band, int minimumOrder, int maximumOrder, double ridge)
+{
+    const auto sums = sumOverLines (band, maximumOrder);
+    std::vector<OrderPoles> result;
+
+    for (auto order = minimumOrder; order <= maximumOrder; ++order)
+    {
+        const auto normal = normalEquations (sums, order, maximumOrder);
+        result.push_back (polesOf (coefficients (normal, band.references(), ridge), band.references(), band));
+    }
+
+    return result;
+}
+} // namespace antinode

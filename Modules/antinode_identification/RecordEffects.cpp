@@ -1,0 +1,56 @@
+#include "RecordEffects.h"
+
+#include <antinode_model/InputError.h>
+
+#include <cmath>
+#include <complex>
+
+namespace antinode
+{
+namespace
+{
+void restoreResidues (IdentifiedModes& modes, Eigen::Index mode, double length)
+{
+    constexpr double doubtful = 0.01;
+    const auto omega = modes.angularFrequencies[mode], ratio = modes.dampingRatios[mode];
+    const std::complex<double> pole (-ratio * omega, omega * std::sqrt (1 - ratio * ratio));
+    const auto cut = std::exp (pole * length);
+    modes.participation.row (mode) /= (1.0 - cut).real();
+
+    if (modes.complexParticipation.size() > 0)
+        modes.complexParticipation.row (mode) /= 1.0 - cut;
+
+    if (std::abs (cut) > doubtful && static_cast<std::size_t> (mode) < modes.quality.size())
+        modes.quality[static_cast<std::size_t> (mode)].doubts.emplace_back (
+            "its impulse response is cut off before it has decayed to a hundredth: take longer records");
+}
+
+void removeWindow (IdentifiedModes& modes, Eigen::Index mode, double windowDecay)
+{
+    auto& omega = modes.angularFrequencies[mode];
+    auto& ratio = modes.dampingRatios[mode];
+    const auto damped = omega * std::sqrt (1 - ratio * ratio), decay = ratio * omega - windowDecay;
+
+    if (! (decay > 0))
+        throw InputError ("exponential window", "its decay rate is larger than the decay rate of mode " + std::to_string (mode + 1) + ", "
+                                                + std::to_string (ratio * omega) + " 1/s with the window");
+
+    omega = std::hypot (damped, decay);
+    ratio = decay / omega;
+}
+} // namespace
+
+IdentifiedModes withoutRecordEffects (IdentifiedModes modes, const RecordEffects& effects)
+{
+    for (Eigen::Index mode = 0; mode < modes.modes(); ++mode)
+    {
+        if (effects.length > 0)
+            restoreResidues (modes, mode, effects.length);
+
+        if (effects.windowDecay > 0)
+            removeWindow (modes, mode, effects.windowDecay);
+    }
+
+    return modes;
+}
+} // namespace antinode

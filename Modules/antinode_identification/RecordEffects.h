@@ -1,0 +1,21 @@
+#pragma once
+
+#include "IdentifiedModes.h"
+
+namespace antinode
+{
+/** How impulse responses were recorded, of which responses are the Fourier transform. */
+struct RecordEffects
+{
+    double length = 0;      ///< s: T, where the record is cut off; 0: it is not.
+    double windowDecay = 0; ///< 1/s: of an exponential window e^{-at} that was laid over it; 0: there was none.
+};
+
+/** Modes without what record and window did to them: a record cut off at T multiplies the residues of a pole s by 1 - e^{sT} on the lines
+    k / T, so participations are divided by its real part (a mode is real); a window adds its decay rate to all others,
+    so it is subtracted, the damped frequency staying.
+    Modes of which more than a hundredth is cut off are said to be doubtful.
+    @throws InputError  when a mode would not be damped without the window
+    [worker] Docs/Theory.md, section 8.1. */
+IdentifiedModes withoutRecordEffects (IdentifiedModes, const RecordEffects&);
+} // namespace antinode

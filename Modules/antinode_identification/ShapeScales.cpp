@@ -1,0 +1,121 @@
+#include "ShapeScales.h"
+
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+bool hasDrivingPoint (const IdentifiedModes& modes)
+{
+    if (modes.drive != DriveQuantity::force)
+        return false;
+
+    for (const auto& driver : modes.drivers)
+        if (driver.point && modes.shapes.row (*driver.point).allFinite())
+            return true;
+
+    return false;
+}
+
+/** By how much a shape is to be multiplied so that alpha = phi at the driving points, by least squares, squared; negative where the
+    signs contradict each other. */
+double squareByDrivingPoints (const IdentifiedModes& modes, Eigen::Index mode)
+{
+    double between = 0, shapes = 0;
+
+    for (std::size_t i = 0; i < modes.drivers.size(); ++i)
+        if (const auto point = modes.drivers[i].point; point && std::isfinite (modes.shapes (*point, mode)))
+        {
+            const auto shape = modes.shapes (*point, mode);
+            between += shape * modes.participation (mode, static_cast<Eigen::Index> (i));
+            shapes += shape * shape;
+        }
+
+    return shapes > 0 ? between / shapes : 0;
+}
+
+double modalMass (const IdentifiedModes& modes, const Eigen::VectorXd& masses, Eigen::Index mode)
+{
+    double sum = 0, count = 0;
+
+    for (Eigen::Index p = 0; p < modes.shapes.rows(); ++p)
+        if (const auto shape = modes.shapes (p, mode); std::isfinite (shape))
+        {
+            sum += shape * shape * (masses.size() > 0 ? masses[p] : 1);
+            count += 1;
+        }
+
+    return masses.size() > 0 ? sum : sum / count;
+}
+
+void scaleMode (IdentifiedModes& modes, Eigen::Index mode, double factor)
+{
+    modes.shapes.col (mode) *= factor;
+    modes.participation.row (mode) /= factor;
+    modes.deviations.shapes.col (mode) *= std::abs (factor);
+    modes.deviations.participation.row (mode) /= std::abs (factor);
+
+    if (modes.complexShapes.size() > 0)
+    {
+        modes.complexShapes.col (mode) *= factor;
+        modes.complexParticipation.row (mode) /= factor;
+    }
+}
+
+double signOfLargest (const Eigen::VectorXd& shape)
+{
+    double largest = 0;
+
+    for (const auto value : shape)
+        if (std::isfinite (value) && std::abs (value) > std::abs (largest))
+            largest = value;
+
+    return largest < 0 ? -1 : 1;
+}
+
+void explain (IdentifiedModes& modes, const Eigen::VectorXd& masses)
+{
+    if (hasDrivingPoint (modes))
+    {
+        modes.scaling = ShapeScaling::drivingPoint;
+        modes.scalingReason = "shapes have modal mass 1 by the driving point: there shape and participation are equal";
+    }
+    else if (masses.size() > 0)
+    {
+        modes.scaling = ShapeScaling::knownMass;
+        modes.scalingReason = "shapes have modal mass 1 with the masses that are given for the points";
+    }
+    else
+    {
+        modes.scaling = ShapeScaling::convention;
+        modes.scalingReason =
+            "neither a driving point nor masses are known: shapes are scaled as if the points stood for "
+            "1 kg in all, evenly; products of shape and participation are right, each of them is not";
+    }
+}
+} // namespace
+
+void scaleShapes (IdentifiedModes& modes, const Eigen::VectorXd& masses)
+{
+    explain (modes, masses);
+
+    for (Eigen::Index k = 0; k < modes.modes(); ++k)
+    {
+        auto square = 1 / modalMass (modes, masses, k);
+
+        if (modes.scaling == ShapeScaling::drivingPoint)
+        {
+            const auto byPoint = squareByDrivingPoints (modes, k);
+
+            if (byPoint > 0)
+                square = byPoint;
+            else
+                modes.quality[static_cast<std::size_t> (k)].doubts.emplace_back (
+                    "its response at the driving point has the wrong sign, so that its size is not known");
+        }
+
+        scaleMode (modes, k, std::sqrt (square) * signOfLargest (modes.shapes.col (k)));
+    }
+}
+} // namespace antinode

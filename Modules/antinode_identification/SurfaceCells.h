@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace antinode
+{
+/** The share of a line that each point stands for: half the distances to its neighbours. @param x N, ascending, m @return N, m [worker] */
+Eigen::VectorXd lineCells (const Eigen::VectorXd& x);
+
+/** The area of each point's Voronoi cell, cut off at the rectangle around all points.
+    @param points  N x 2, m @return N, m^2; 0 is possible for points on the rim of a few only
+    [worker] */
+Eigen::VectorXd voronoiCells (const Eigen::MatrixX2d& points);
+} // namespace antinode

@@ -1,0 +1,81 @@
+#include "IdentifiedModes.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace antinode
+{
+namespace
+{
+using Complex = std::complex<double>;
+
+/** One mode with residue r per unit of shape times participation: r / (i omega - s) + conj (r) / (i omega - conj (s)) for a complex
+    product c is its real part times the first function less its imaginary part times the second. */
+Eigen::MatrixXcd functionsOfResidue (double resonance, double damping, const Eigen::VectorXd& omega)
+{
+    const Complex pole (-damping * resonance, resonance * std::sqrt (1 - damping * damping));
+    const auto residue = pole / Complex (0, 2 * pole.imag());
+    Eigen::MatrixXcd result (omega.size(), 2);
+
+    for (Eigen::Index f = 0; f < omega.size(); ++f)
+    {
+        const Complex iOmega (0, omega[f]);
+        const auto first = residue / (iOmega - pole), second = std::conj (residue) / (iOmega - std::conj (pole));
+        result (f, 0) = first + second;
+        result (f, 1) = Complex (0, 1) * (first - second);
+    }
+
+    return result;
+}
+
+/** Products of shape and participation that enter: N_m x N_p of one driver. */
+Eigen::MatrixXcd productsOf (const IdentifiedModes& modes, Eigen::Index driver)
+{
+    if (modes.complexShapes.size() > 0)
+        return modes.complexParticipation.col (driver).asDiagonal() * modes.complexShapes.transpose();
+
+    return (modes.participation.col (driver).asDiagonal() * modes.shapes.transpose()).cast<Complex>();
+}
+
+void addResidualTerms (Eigen::MatrixXcd& values, const IdentifiedModes& modes, Eigen::Index driver,
+                       const Eigen::VectorXd& omega)
+{
+    for (const auto& term : modes.residuals)
+        for (Eigen::Index f = 0; f < omega.size(); ++f)
+            if (omega[f] > 0 || term.power >= 0)
+                values.row (f) += std::pow (Complex (0, omega[f]), term.power)
+                                  * term.coefficients.col (driver).transpose().cast<Complex>();
+}
+} // namespace
+
+FrequencyResponses synthesise (const IdentifiedModes& modes, const Eigen::VectorXd& frequencies)
+{
+    const Eigen::VectorXd omega = 2 * std::numbers::pi * frequencies;
+    Eigen::MatrixXcd real (omega.size(), modes.modes()), imaginary = real;
+
+    for (Eigen::Index k = 0; k < modes.modes(); ++k)
+    {
+        const auto functions = functionsOfResidue (modes.angularFrequencies[k], modes.dampingRatios[k], omega);
+        real.col (k) = functions.col (0);
+        imaginary.col (k) = functions.col (1);
+    }
+
+    FrequencyResponses responses { frequencies, modes.drive, modes.drivers, modes.points, {}, {} };
+    const Eigen::ArrayXcd delays = (omega.array() * Complex (0, -modes.delay)).exp();
+
+    for (Eigen::Index i = 0; i < static_cast<Eigen::Index> (modes.drivers.size()); ++i)
+    {
+        const auto products = productsOf (modes, i);
+        Eigen::MatrixXcd values = real * products.real().cast<Complex>();
+
+        if (modes.complexShapes.size() > 0)
+            values += imaginary * products.imag().cast<Complex>();
+
+        addResidualTerms (values, modes, i, omega);
+        values.array().colwise() *= delays;
+        responses.values.push_back (std::move (values));
+    }
+
+    return responses;
+}
+} // namespace antinode

@@ -1,0 +1,73 @@
+#include "Latency.h"
+
+#include "Fourier.h"
+
+#include <antinode_model/InputError.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <string>
+
+namespace antinode
+{
+namespace
+{
+constexpr double leastCorrelation = 0.5;
+
+/** Recording times conjugate signal: its phase falls by 2 pi f times the lag. */
+Eigen::VectorXcd crossSpectrum (const Excitation& excitation, const Eigen::VectorXd& sync, Eigen::Index length)
+{
+    return spectrumOf (sync, length).cwiseProduct (spectrumOf (excitation.signal, length).conjugate());
+}
+
+/** The part of a sample, -1/2 to 1/2 and a little beyond, by which the largest correlation's lag is too small. */
+double restOfLag (const Eigen::VectorXcd& cross, Eigen::Index lag, Eigen::Index length)
+{
+    double numerator = 0, denominator = 0;
+    const auto turn = 2 * std::numbers::pi / static_cast<double> (length);
+    const auto sign = cross.dot (Eigen::VectorXcd::NullaryExpr (
+        cross.size(), [&] (Eigen::Index k)
+        { return std::polar (std::abs (cross[k]), -turn * static_cast<double> (k * lag % length)); }));
+    const auto polarity = sign.real() < 0 ? -1.0 : 1.0;
+
+    for (Eigen::Index k = 1; k < cross.size(); ++k)
+    {
+        const auto frequency = turn * static_cast<double> (k); // rad a sample
+        const auto turnedBack = polarity * cross[k] * std::polar (1.0, turn * static_cast<double> (k * lag % length));
+        const auto weight = std::abs (cross[k]);
+        numerator -= weight * frequency * std::arg (turnedBack);
+        denominator += weight * frequency * frequency;
+    }
+
+    return numerator / denominator;
+}
+} // namespace
+
+double latencyOf (const Excitation& excitation, const Eigen::VectorXd& sync)
+{
+    const auto samples = excitation.signal.size();
+    const auto latest = sync.size() - samples;
+
+    if (latest < 0)
+        throw InputError ("sync channel", "has " + std::to_string (sync.size()) + " samples, a turn has at least "
+                                              + std::to_string (samples));
+
+    // Long enough for lags from -latest to latest not to fold onto each other.
+    const auto length = quickLength (static_cast<double> (sync.size() + latest + 1));
+    const auto cross = crossSpectrum (excitation, sync, length);
+    const auto correlation = signalOf (cross, length);
+    Eigen::Index lag = 0;
+    const auto largest = correlation.head (latest + 1).cwiseAbs().maxCoeff (&lag);
+    const auto power = excitation.signal.norm() * sync.segment (lag, samples).norm();
+
+    if (! (largest > leastCorrelation * power))
+        throw InputError (
+            "sync channel",
+            "does not hold the excitation's signal: is the last output wired to this input, and is the "
+            "recording late by less than "
+                + std::to_string (latest * 1000 / static_cast<Eigen::Index> (excitation.settings.sampleRate)) + " ms?");
+
+    return std::max (0.0, static_cast<double> (lag) + restOfLag (cross, lag, length));
+}
+} // namespace antinode

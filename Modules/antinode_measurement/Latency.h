@@ -1,0 +1,14 @@
+#pragma once
+
+#include "Excitation.h"
+
+namespace antinode
+{
+/** How many samples late a recording of the sync channel is, to a hundredth of a sample and better: the lag of the largest
+    correlation, then the slope of the cross-spectrum's phase, every line weighted by its power and its frequency's square.
+    @param sync  a turn's recording of the sync channel, any gain or sign but 0
+    @return      samples, at least 0
+    @throws InputError  where the excitation is not in it, or so late that its end is missing
+    [worker] Docs/Theory.md, section 8.8. */
+double latencyOf (const Excitation&, const Eigen::VectorXd& sync);
+} // namespace antinode

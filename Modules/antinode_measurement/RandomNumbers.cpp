@@ -1,0 +1,29 @@
+#include "RandomNumbers.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace antinode
+{
+double RandomNumbers::uniform()
+{
+    return static_cast<double> (engine() >> 11) * 0x1p-53;
+}
+
+Eigen::VectorXd RandomNumbers::normal (Eigen::Index count)
+{
+    Eigen::VectorXd numbers (count);
+
+    for (Eigen::Index i = 0; i < count; i += 2)
+    {
+        const auto radius = std::sqrt (-2 * std::log (1 - uniform()));
+        const auto angle = 2 * std::numbers::pi * uniform();
+        numbers[i] = radius * std::cos (angle);
+
+        if (i + 1 < count)
+            numbers[i + 1] = radius * std::sin (angle);
+    }
+
+    return numbers;
+}
+} // namespace antinode

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <random>
+
+namespace antinode
+{
+/** Numbers that look random and are the same on every computer: the standard's distributions are not. */
+class RandomNumbers
+{
+public:
+    explicit RandomNumbers (std::uint64_t seed) : engine (seed) {}
+
+    /** Evenly distributed, at least 0 and less than 1. [any] */
+    double uniform();
+
+    /** So many numbers of the normal distribution with mean 0 and deviation 1, by Box and Muller. [worker] */
+    Eigen::VectorXd normal (Eigen::Index count);
+
+private:
+    std::mt19937_64 engine;
+};
+} // namespace antinode

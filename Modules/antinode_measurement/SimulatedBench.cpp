@@ -1,0 +1,192 @@
+#include "SimulatedBench.h"
+
+#include "Fourier.h"
+#include "RandomNumbers.h"
+
+#include <antinode_model/DenseKernels.h>
+#include <antinode_model/InputError.h>
+#include <antinode_model/ModalRecursion.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace antinode
+{
+namespace
+{
+constexpr double restShare = 1e-8;  // of the slowest mode's motion, when a response counts as over
+constexpr double longestRest = 10;  // s
+constexpr double silentLine = 1e-9; // of the strongest line: others are left out
+constexpr Eigen::Index linesAtOnce = 2048;
+
+/** How long a transform must be for the response to end before it begins again. */
+Eigen::Index transformLength (const ModalModel& model, Eigen::Index samples, const SimulatedBenchSettings& settings)
+{
+    const auto rest = std::min (longestRest, -std::log (restShare) / decayRates (model).minCoeff());
+    return quickLength (static_cast<double> (samples) + (rest + settings.delay) * settings.sampleRate);
+}
+
+/** The cubed voltage at twice the rate: what it has above the band would fold back into it. */
+Eigen::VectorXcd drivenSpectrum (const Eigen::VectorXd& voltage, Eigen::Index length, double cubic)
+{
+    const auto spectrum = spectrumOf (voltage, length);
+
+    if (cubic == 0)
+        return spectrum;
+
+    Eigen::VectorXcd wide = Eigen::VectorXcd::Zero (length + 1);
+    wide.head (spectrum.size()) = 2 * spectrum;
+    const auto between = signalOf (wide, 2 * length);
+    const auto largest = between.cwiseAbs().maxCoeff();
+    const Eigen::VectorXd driven = between.array() * (1 + cubic * (between.array() / largest).square());
+    return spectrumOf (driven).head (spectrum.size()) / 2;
+}
+
+/** Sensors' velocities on lines first .. first + count - 1 under modal forces: shapes times i omega psi / (omega_k^2 - omega^2 + 2 i xi omega_k omega). */
+Eigen::MatrixXcd velocityLines (const ModalModel& model, const Eigen::MatrixXd& shapes, const Eigen::VectorXd& omegas,
+                                const Eigen::MatrixXcd& forces)
+{
+    Eigen::MatrixXd real (model.modes(), omegas.size()), imaginary (model.modes(), omegas.size());
+
+    for (Eigen::Index f = 0; f < omegas.size(); ++f)
+        for (Eigen::Index k = 0; k < model.modes(); ++k)
+        {
+            const auto omega = omegas[f], own = model.angularFrequencies[k];
+            const std::complex<double> impedance (own * own - omega * omega, 2 * model.dampingRatios[k] * own * omega);
+            const auto velocity = std::complex<double> (0, omega) * forces (k, f) / impedance;
+            real (k, f) = velocity.real();
+            imaginary (k, f) = velocity.imag();
+        }
+
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero (shapes.rows(), 2 * omegas.size());
+    addProduct (sums.leftCols (omegas.size()), 1, shapes, real);
+    addProduct (sums.rightCols (omegas.size()), 1, shapes, imaginary);
+    Eigen::MatrixXcd result (shapes.rows(), omegas.size());
+    result.real() = sums.leftCols (omegas.size());
+    result.imag() = sums.rightCols (omegas.size());
+    return result;
+}
+
+/** Spectra of all ceramics that play: lines x as many. */
+struct Drives
+{
+    Eigen::MatrixXcd spectra;
+    std::vector<Eigen::Index> ceramics;
+};
+
+Drives drivesOf (const Eigen::MatrixXd& voltages, Eigen::Index length, double cubic)
+{
+    Drives drives;
+
+    for (Eigen::Index i = 0; i < voltages.rows(); ++i)
+        if ((voltages.row (i).array() != 0).any())
+            drives.ceramics.push_back (i);
+
+    drives.spectra.resize (length / 2 + 1, static_cast<Eigen::Index> (drives.ceramics.size()));
+
+    for (Eigen::Index column = 0; column < drives.spectra.cols(); ++column)
+        drives.spectra.col (column) =
+            drivenSpectrum (voltages.row (drives.ceramics[static_cast<std::size_t> (column)]), length, cubic);
+
+    return drives;
+}
+
+/** The lines on which something plays. */
+std::vector<Eigen::Index> soundingLines (const Eigen::MatrixXcd& spectra)
+{
+    const Eigen::ArrayXd power = spectra.rowwise().squaredNorm().array();
+    const auto least = power.maxCoeff() * silentLine * silentLine;
+    std::vector<Eigen::Index> lines;
+
+    for (Eigen::Index k = 1; k < power.size(); ++k)
+        if (power[k] > least)
+            lines.push_back (k);
+
+    return lines;
+}
+
+/** Spectra of the sensors' velocities: lines x N. */
+Eigen::MatrixXcd sensorSpectra (const ModalModel& model, const Eigen::MatrixXd& shapes, const Drives& drives,
+                                Eigen::Index length, const SimulatedBenchSettings& settings)
+{
+    const auto lines = soundingLines (drives.spectra);
+    const Eigen::MatrixXd participation = model.participation (Eigen::all, drives.ceramics);
+    const auto perLine = 2 * std::numbers::pi * settings.sampleRate / static_cast<double> (length);
+    Eigen::MatrixXcd spectra = Eigen::MatrixXcd::Zero (length / 2 + 1, shapes.rows());
+
+    for (std::size_t first = 0; first < lines.size(); first += static_cast<std::size_t> (linesAtOnce))
+    {
+        const auto last = std::min (lines.size(), first + static_cast<std::size_t> (linesAtOnce));
+        const std::vector<Eigen::Index> some (lines.begin() + static_cast<std::ptrdiff_t> (first),
+                                              lines.begin() + static_cast<std::ptrdiff_t> (last));
+        const Eigen::VectorXd omegas = Eigen::Map<const Eigen::Matrix<Eigen::Index, Eigen::Dynamic, 1>> (
+                                           some.data(), static_cast<Eigen::Index> (some.size()))
+                                           .cast<double>()
+                                       * perLine;
+        const Eigen::MatrixXcd forces = participation * drives.spectra (some, Eigen::all).transpose();
+        spectra (some, Eigen::all) = velocityLines (model, shapes, omegas, forces).transpose();
+    }
+
+    return spectra;
+}
+
+Eigen::VectorXd delayed (Eigen::VectorXcd spectrum, Eigen::Index length, double samples)
+{
+    const auto turn = 2 * std::numbers::pi * samples / static_cast<double> (length);
+
+    for (Eigen::Index k = 0; k < spectrum.size(); ++k)
+        spectrum[k] *= std::polar (1.0, -turn * static_cast<double> (k));
+
+    return signalOf (spectrum, length);
+}
+
+void requireUsable (const ModalModel& model, const Eigen::MatrixXd& voltages, const Eigen::VectorXd& sync,
+                    const SimulatedBenchSettings& settings)
+{
+    const auto isUsable = [] (double value, double least, double most) { return value >= least && value <= most; };
+
+    if (model.modes() == 0 || voltages.rows() != model.actuators() || sync.size() != voltages.cols()
+        || sync.size() == 0)
+        throw InputError ("simulated bench", "needs a device with modes, and voltages of all its ceramics");
+
+    if (! voltages.allFinite() || ! sync.allFinite())
+        throw InputError ("simulated bench", "has a voltage that is not finite");
+
+    if (! isUsable (settings.signalToNoise, -20, 300))
+        throw InputError ("simulated bench", "its signal-to-noise ratio is out of range, allowed is -20 to 300 dB");
+
+    if (! isUsable (settings.delay, 0, 0.2))
+        throw InputError ("simulated bench", "its delay is out of range, allowed is 0 to 200 ms");
+
+    if (! isUsable (settings.cubic, -0.2, 0.2))
+        throw InputError ("simulated bench", "its cubic share is out of range, allowed is -0.2 to 0.2");
+}
+} // namespace
+
+TurnRecording simulateBench (const ModalModel& model, const Eigen::MatrixXd& shapes, const Eigen::MatrixXd& voltages,
+                             const Eigen::VectorXd& sync, const SimulatedBenchSettings& settings)
+{
+    requirePlayable (model, shapes);
+    requireUsable (model, voltages, sync, settings);
+    const auto samples = voltages.cols();
+    const auto length = transformLength (model, samples, settings);
+    const auto late = settings.delay * settings.sampleRate;
+    const auto spectra = sensorSpectra (model, shapes, drivesOf (voltages, length, settings.cubic), length, settings);
+    const auto noiseShare = std::pow (10.0, -settings.signalToNoise / 20);
+    RandomNumbers random (settings.seed);
+    TurnRecording recording;
+    recording.sensors.resize (shapes.rows(), samples);
+    recording.sync = delayed (spectrumOf (sync, length), length, late).head (samples);
+
+    for (Eigen::Index sensor = 0; sensor < shapes.rows(); ++sensor)
+    {
+        const Eigen::VectorXd clean = delayed (spectra.col (sensor), length, late).head (samples);
+        const auto deviation = noiseShare * clean.norm() / std::sqrt (static_cast<double> (samples));
+        recording.sensors.row (sensor) = (clean + deviation * random.normal (samples)).transpose();
+    }
+
+    return recording;
+}
+} // namespace antinode

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "TurnAnalysis.h"
+
+#include <antinode_identification/FrequencyResponses.h>
+
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** What all turns of all points gave. N_f lines, N_p points, N_b ceramics; not a number where nothing was measured yet. */
+struct SurfaceMeasurement
+{
+    FrequencyResponses responses;
+    std::vector<Eigen::MatrixXd> coherence; ///< N_b of N_f x N_p.
+    std::vector<std::vector<NonlinearDistortion>>
+        distortion;            ///< N_b of N_p; of all 0 where the excitation does not show it.
+    Eigen::MatrixXd latencies; ///< N_b x N_p: samples.
+};
+
+/** A measurement in which nothing was measured yet.
+    @param ceramics  N_b names
+    @param points    N_p x 2, m
+    [worker] */
+SurfaceMeasurement unmeasured (const Excitation&, const std::vector<std::string>& ceramics,
+                               const Eigen::MatrixX2d& points);
+
+/** Puts a ceramic's turn, measured by as many sensors as stand at the points from a first one on, in its place. [worker] */
+void place (SurfaceMeasurement&, Eigen::Index ceramic, Eigen::Index firstPoint, const TurnResponses&);
+
+/** What the user should know of how good a measurement is, in plain words: points and ceramics that hardly answer, latencies that
+    wander, distortion; a list that is empty where all is well. [worker] Docs/Theory.md, section 8.8. */
+std::vector<std::string> doubtsOf (const SurfaceMeasurement&);
+
+/** The mean coherence over the lines, weighted by the responses' power: N_p x N_b, not a number where it is not known. [worker] */
+Eigen::MatrixXd meanCoherence (const SurfaceMeasurement&);
+} // namespace antinode

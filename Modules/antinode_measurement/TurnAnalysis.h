@@ -1,0 +1,32 @@
+#pragma once
+
+#include "EstimatedResponses.h"
+#include "Excitation.h"
+#include "TurnRecording.h"
+#include "WelchEstimate.h"
+
+namespace antinode
+{
+/** How turns are analysed. */
+struct TurnAnalysisSettings
+{
+    ResponseEstimator estimator = ResponseEstimator::h1; ///< Of noise.
+    double latency = 0; ///< Samples by which sensors are late where no sync channel tells, at least 0.
+};
+
+/** One ceramic's responses and how late its recording was. */
+struct TurnResponses
+{
+    EstimatedResponses responses; ///< (m/s)/V on the excitation's lines.
+    double latency = 0;           ///< Samples, taken out of the responses.
+};
+
+/** Responses from a turn: finds its latency, cuts out what is to be measured, estimates as the excitation wants it, and turns the
+    phases back by what the cut left of the latency.
+
+    With a measured reference the responses relate to it; the latency, which both share, then serves only to cut.
+    @throws InputError  where the recording is too short, holds numbers that are not finite, or not the excitation
+    [worker] Docs/Theory.md, section 8.8. */
+TurnResponses analyseTurn (const Excitation&, Eigen::Index ceramic, const TurnRecording&,
+                           const TurnAnalysisSettings& = {});
+} // namespace antinode

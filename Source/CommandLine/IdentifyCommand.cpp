@@ -1,0 +1,162 @@
+#include "Commands.h"
+#include "IdentificationReport.h"
+#include "IdentificationTables.h"
+#include "IdentifyOptions.h"
+#include "Inputs.h"
+#include "Progress.h"
+
+#include <antinode_files/DeviceFile.h>
+#include <antinode_files/IdentifiedDevice.h>
+#include <antinode_files/OutputFolder.h>
+#include <antinode_files/UniversalFile.h>
+#include <antinode_files/UniversalModes.h>
+#include <antinode_identification/IdentifiedModel.h>
+#include <antinode_model/InputError.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace antinode
+{
+namespace
+{
+Measurement readFiles (const IdentifyOptions& options)
+{
+    const auto said = measurementOptionsOf (options);
+    std::vector<MeasurementFile> files;
+
+    for (const auto& file : options.files)
+        files.push_back (readMeasurement (file, csvFormOf (options)));
+
+    return mergedResponses (files, said);
+}
+
+/** The device that the modes make. Forces become voltages that are as large in V as they are in N: a device knows no other drive. */
+ModalModel deviceOf (IdentifiedModes modes, const IdentifyOptions& options, const Eigen::VectorXd& masses,
+                     const std::optional<ModalModel>& computed, std::vector<std::string>& remarks)
+{
+    if (modes.drive == DriveQuantity::force)
+        remarks.emplace_back ("Forces drive the surface: in the device 1 V stands for 1 N.");
+
+    modes.drive = DriveQuantity::voltage;
+    MappedSurface surface;
+    surface.name = options.name;
+    surface.masses = masses;
+    surface.voltageLimit = options.voltageLimit;
+    surface.fullScaleVoltage = options.fullScaleVoltage;
+
+    if (computed && computed->ceramics.size() == modes.drivers.size())
+        surface.ceramics = computed->ceramics;
+
+    return toModalModel (modes, surface);
+}
+
+IdentificationResult identifyFiles (const IdentifyOptions& options)
+{
+    Progress progress (options.isQuiet);
+    progress.show ("Reading", 0);
+    auto measurement = readFiles (options);
+    const auto search = identificationOptionsOf (options, measurement.responses.points.rows());
+    IdentificationResult result;
+
+    if (! options.against.empty())
+        result.computed = solveDevice (loadDevice (options.against, {}), std::nullopt, options.usesCache);
+
+    progress.show ("Identifying", 0.1);
+    result.modes = withoutRecordEffects (identify (measurement.responses, search),
+                                         { measurement.recordLength, options.windowDecay });
+    result.remarks = std::move (measurement.remarks);
+    result.model = deviceOf (result.modes, options, search.pointMasses, result.computed, result.remarks);
+
+    if (result.computed)
+        result.comparison = compareModes (result.modes, *result.computed);
+
+    result.measured = std::move (measurement.responses);
+    result.pointNames = std::move (measurement.pointNames);
+    return result;
+}
+
+std::string descriptionOf (const IdentificationResult& result)
+{
+    return "Identified from " + std::to_string (result.measured.points.rows()) + " points and "
+           + std::to_string (result.measured.drivers.size()) + " drivers, "
+           + fixedText (result.modes.minimumFrequency, 1) + " to " + fixedText (result.modes.maximumFrequency, 1)
+           + " Hz, reconstruction error " + fixedText (result.modes.reconstructionError, 1) + " dB";
+}
+
+std::string reportName (const IdentifyOptions& options)
+{
+    if (! options.reportFile.empty())
+        return options.reportFile;
+
+    return std::filesystem::path (options.deviceFile.empty() ? options.name : options.deviceFile)
+        .replace_extension (".html")
+        .string();
+}
+
+/** All are computed before the first is written. */
+void writeFiles (const IdentificationResult& result, const IdentifyOptions& options, bool hasReport)
+{
+    std::vector<std::pair<std::string, std::string>> files;
+
+    if (hasReport)
+        files.emplace_back (reportName (options), renderReport (identificationReport (result)));
+
+    if (! options.universalFile.empty())
+        files.emplace_back (options.universalFile, encodeUniversalFile (modeSets (result.model)));
+
+    if (! options.transferFile.empty())
+        files.emplace_back (options.transferFile,
+                            modalDeviceToJson (transferred (*result.computed, result.modes, *result.comparison),
+                                               "Computed, with measured frequencies and damping ratios")
+                                    .dump (2)
+                                + "\n");
+
+    if (! options.deviceFile.empty())
+        files.emplace_back (options.deviceFile,
+                            identifiedDeviceToJson (result.model, result.modes, descriptionOf (result)).dump (2)
+                                + "\n");
+
+    for (const auto& [name, content] : files)
+        writeWholeFile (name, content);
+}
+
+void print (const IdentificationResult& result)
+{
+    const auto& modes = result.modes;
+    std::printf ("%s: %td modes from %.1f to %.1f Hz, reconstruction error %.1f dB, delay %.3f us\n%s",
+                 result.model.name.c_str(), modes.modes(), modes.minimumFrequency, modes.maximumFrequency,
+                 modes.reconstructionError, 1e6 * modes.delay, tableText (modeTable (result)).c_str());
+
+    if (result.comparison)
+        std::printf ("\n%s", tableText (pairTable (result)).c_str());
+
+    for (const auto& doubt : doubtsOf (result))
+        std::printf ("Doubtful: %s\n", doubt.c_str());
+}
+
+void runIdentify (const IdentifyOptions& options, bool hasReport)
+{
+    if (! options.transferFile.empty() && options.against.empty())
+        throw InputError ("--transfer", "needs a computed device, allowed is with --against DEVICE");
+
+    const auto result = identifyFiles (options);
+    writeFiles (result, options, hasReport);
+
+    if (! options.isQuiet)
+        print (result);
+}
+} // namespace
+
+void addIdentifyCommand (CLI::App& app)
+{
+    auto* command =
+        app.add_subcommand ("identify", "Finds the modes in measured frequency responses; writes a device file");
+    auto options = std::make_shared<IdentifyOptions>();
+    addIdentifyOptions (*command, *options);
+    command->callback ([options, command] { runIdentify (*options, command->count ("--report") > 0); });
+}
+} // namespace antinode

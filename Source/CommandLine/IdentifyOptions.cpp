@@ -1,0 +1,233 @@
+#include "IdentifyOptions.h"
+
+#include "CommonOptions.h"
+
+#include <antinode_files/MessageText.h>
+#include <antinode_files/PointsFile.h>
+#include <antinode_model/InputError.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace antinode
+{
+namespace
+{
+/** "300:4000" as two numbers, the first the smaller. */
+FrequencyBand rangeOf (const std::string& option, const std::string& text)
+{
+    FrequencyBand range;
+    const auto colon = text.find (':');
+    const auto* const end = text.data() + text.size();
+    const auto first = std::from_chars (text.data(), end, range.minimum);
+    const auto second =
+        colon == std::string::npos ? first : std::from_chars (text.data() + colon + 1, end, range.maximum);
+
+    if (first.ec != std::errc {} || second.ec != std::errc {} || first.ptr != text.data() + colon || second.ptr != end
+        || ! (range.minimum >= 0 && range.minimum < range.maximum))
+        throw InputError (option,
+                          "is " + inQuotes (text) + ", allowed are two numbers as 300:4000, the first the smaller");
+
+    return range;
+}
+
+void addInputOptions (CLI::App& command, IdentifyOptions& options)
+{
+    command
+        .add_option ("--format", options.form, "What pairs of columns of a table hold, where headings do not say it")
+        ->check (CLI::IsMember ({ "real-imag", "magnitude-deg", "magnitude-rad", "dB-deg", "dB-rad" }));
+    command.add_option ("--quantity", options.quantity, "What was measured, instead of what the files say")
+        ->check (CLI::IsMember ({ "displacement", "velocity", "acceleration" }));
+    command.add_option ("--response-unit", options.responseUnit, "Its unit, as m/s, um, g or (mm/s)/V");
+    command.add_option ("--drive", options.drive, "What drives, instead of what the files say")
+        ->check (CLI::IsMember ({ "voltage", "force" }));
+    command.add_option ("--drive-unit", options.driveUnit, "Its unit, as V, mV or N");
+    command.add_option ("--points", options.pointsFile,
+                        "Places of the points: a CSV of x and y in mm, in the order of the points");
+    command.add_option ("--drivers", options.drivers, "Names of the drivers in the order of the ceramics")
+        ->delimiter (',');
+    command
+        .add_option ("--window-decay", options.windowDecay,
+                     "Decay rate of an exponential window over impulse responses, 1/s")
+        ->check (CLI::NonNegativeNumber);
+}
+
+void addSearchOptions (CLI::App& command, IdentifyOptions& options)
+{
+    command
+        .add_option ("--band", options.bands,
+                     "Lines from and to, in Hz, as 300:4000; several: modes are sought in each on its own")
+        ->allow_extra_args (false)
+        ->type_name ("MIN:MAX");
+    command.add_option ("--orders", options.orders, "Orders of the polynomials, as 3:18; without it chosen")
+        ->type_name ("MIN:MAX");
+    command.add_option ("--select", options.selected, "Keeps only the modes nearest to these frequencies, Hz")
+        ->delimiter (',');
+    command.add_option ("--reject", options.rejected, "Leaves out the modes nearest to these frequencies, Hz")
+        ->delimiter (',');
+    command.add_option ("--delay-us", options.delay, "The common delay, where it is known; without it found");
+    command
+        .add_option ("--mass-kg", options.mass,
+                     "Mass of what the points stand for, evenly: gives the shapes their size")
+        ->check (CLI::PositiveNumber);
+    command.add_flag ("--complex", options.isComplex, "Complex modes beside the real ones");
+    command.add_flag ("--peaks", options.usesPeaks,
+                      "Peaks and their half-power widths, as the paper did it, for comparison");
+    command.add_flag ("--gram-schmidt", options.isGramSchmidt,
+                      "Makes the shapes orthogonal as the paper did; spoils those of a part");
+}
+
+void addOutputOptions (CLI::App& command, IdentifyOptions& options)
+{
+    command.add_option ("--out", options.deviceFile, "The device file to write")->type_name ("DEVICE.json");
+    command
+        .add_option ("--report", options.reportFile,
+                     "Writes a report with pictures; without a name that of the device file")
+        ->expected (0, 1)
+        ->type_name ("FILE.html");
+    command.add_option ("--uff", options.universalFile, "Writes frequencies and shapes as a Universal File")
+        ->type_name ("FILE");
+    command
+        .add_option ("--against", options.against, "Compares with a computed device: an embedded name or a .json file")
+        ->type_name ("DEVICE");
+    command
+        .add_option ("--transfer", options.transferFile,
+                     "Writes that device with the measured frequencies and damping ratios")
+        ->type_name ("DEVICE.json");
+    command.add_option ("--name", options.name, "The name of the device")->capture_default_str();
+    command.add_option ("--voltage-limit", options.voltageLimit, "Limit of every ceramic, V")
+        ->check (CLI::PositiveNumber)
+        ->capture_default_str();
+    command.add_option ("--full-scale", options.fullScaleVoltage, "Volts that a sample of 1 stands for")
+        ->check (CLI::PositiveNumber)
+        ->capture_default_str();
+    addCacheFlag (command, options.usesCache);
+    command.add_flag ("--quiet", options.isQuiet, "Prints errors only");
+}
+
+std::optional<ResponseUnit> responseOf (const IdentifyOptions& options)
+{
+    if (options.quantity.empty() && options.responseUnit.empty())
+        return std::nullopt;
+
+    auto unit =
+        options.responseUnit.empty() ? ResponseUnit {} : responseUnit (options.responseUnit).value_or (ResponseUnit {});
+
+    if (! options.responseUnit.empty() && ! unit.quantity)
+        throw InputError ("--response-unit",
+                          "is " + inQuotes (options.responseUnit) + ", allowed are units as m/s, um, g or (mm/s)/V");
+
+    if (options.quantity.empty())
+        return unit;
+
+    const auto said = quantityWord (options.quantity)->quantity;
+
+    if (unit.quantity && unit.quantity != said)
+        throw InputError ("--response-unit",
+                          "is " + inQuotes (options.responseUnit) + ", which is no unit of " + options.quantity);
+
+    unit.quantity = said;
+    return unit;
+}
+
+std::optional<ResponseUnit> driveOf (const IdentifyOptions& options)
+{
+    if (options.drive.empty() && options.driveUnit.empty())
+        return std::nullopt;
+
+    const auto text =
+        options.driveUnit.empty() ? std::string (options.drive == "force" ? "N" : "V") : options.driveUnit;
+    const auto unit = driveUnit (text);
+
+    if (! unit || (! options.drive.empty() && (unit->drive == DriveQuantity::force) != (options.drive == "force")))
+        throw InputError ("--drive-unit", "is " + inQuotes (text) + ", allowed are units of the drive as V, mV or N");
+
+    return unit;
+}
+} // namespace
+
+void addIdentifyOptions (CLI::App& command, IdentifyOptions& options)
+{
+    command
+        .add_option ("files", options.files,
+                     "Universal files, MATLAB files, tables of text, WAV files of impulse responses")
+        ->required()
+        ->type_name ("FILES");
+    addOutputOptions (command, options);
+    addSearchOptions (command, options);
+    addInputOptions (command, options);
+}
+
+CsvForm csvFormOf (const IdentifyOptions& options)
+{
+    return options.form == "real-imag"       ? CsvForm::realImaginary
+           : options.form == "magnitude-deg" ? CsvForm::magnitudeDegrees
+           : options.form == "magnitude-rad" ? CsvForm::magnitudeRadians
+           : options.form == "dB-deg"        ? CsvForm::decibelDegrees
+           : options.form == "dB-rad"        ? CsvForm::decibelRadians
+                                             : CsvForm::byHeadings;
+}
+
+MeasurementOptions measurementOptionsOf (const IdentifyOptions& options)
+{
+    MeasurementOptions measurement;
+    measurement.response = responseOf (options);
+    measurement.drive = driveOf (options);
+    measurement.drivers = options.drivers;
+
+    if (! options.pointsFile.empty())
+    {
+        const auto points = readPointsFile (options.pointsFile);
+
+        for (Eigen::Index p = 0; p < points.rows(); ++p)
+            measurement.places.emplace (std::to_string (p + 1), points.row (p).transpose());
+    }
+
+    return measurement;
+}
+
+IdentificationOptions identificationOptionsOf (const IdentifyOptions& options, Eigen::Index points)
+{
+    constexpr double micro = 1e-6;
+    constexpr double largestOrder = 500;
+    IdentificationOptions search;
+    search.method = options.usesPeaks ? IdentificationMethod::peakPicking : IdentificationMethod::maximumLikelihood;
+    search.complexModes = options.isComplex;
+    search.gramSchmidt = options.isGramSchmidt;
+    search.selected = options.selected;
+    search.rejected = options.rejected;
+
+    for (const auto& text : options.bands)
+        search.bands.push_back (rangeOf ("--band", text));
+
+    if (! search.bands.empty())
+    {
+        const auto lower = [] (const auto& a, const auto& b) { return a.minimum < b.minimum; };
+        const auto upper = [] (const auto& a, const auto& b) { return a.maximum < b.maximum; };
+        search.minimumFrequency = std::min_element (search.bands.begin(), search.bands.end(), lower)->minimum;
+        search.maximumFrequency = std::max_element (search.bands.begin(), search.bands.end(), upper)->maximum;
+    }
+
+    if (search.bands.size() == 1) // Where poles are sought within it is chosen.
+        search.bands.clear();
+
+    if (! options.orders.empty())
+    {
+        const auto orders = rangeOf ("--orders", options.orders);
+
+        if (orders.minimum < 1 || orders.maximum > largestOrder)
+            throw InputError ("--orders", "is " + inQuotes (options.orders) + ", allowed are 1 to 500");
+
+        search.minimumOrder = static_cast<int> (orders.minimum);
+        search.maximumOrder = static_cast<int> (orders.maximum);
+    }
+
+    if (options.delay)
+        search.delay = micro * *options.delay;
+
+    if (options.mass)
+        search.pointMasses = Eigen::VectorXd::Constant (points, *options.mass / static_cast<double> (points));
+
+    return search;
+}
+} // namespace antinode

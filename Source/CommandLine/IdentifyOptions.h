@@ -1,0 +1,44 @@
+#pragma once
+
+#include <antinode_files/MeasurementReader.h>
+#include <antinode_identification/Identification.h>
+#include <antinode_identification/RecordEffects.h>
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** What `antinode identify` is told. */
+struct IdentifyOptions
+{
+    std::vector<std::string> files;
+    std::string name = "identified";
+    std::string deviceFile, reportFile, universalFile, transferFile; ///< Not written where empty.
+    std::string against;                                             ///< A computed device; none where empty.
+    std::vector<std::string> bands;                                  ///< "300:4000"
+    std::string orders;                                              ///< "3:18"
+    bool isComplex = false, isGramSchmidt = false, usesPeaks = false, usesCache = true, isQuiet = false;
+    std::vector<double> selected, rejected; ///< Hz
+    std::optional<double> delay;            ///< us
+    std::string form, quantity, responseUnit, drive, driveUnit, pointsFile;
+    std::vector<std::string> drivers;
+    std::optional<double> mass; ///< kg
+    double windowDecay = 0;     ///< 1/s
+    double voltageLimit = 150, fullScaleVoltage = 150;
+};
+
+/** Adds them to the sub-command. The struct must live as long as the app. */
+void addIdentifyOptions (CLI::App&, IdentifyOptions&);
+
+/** The form of tables without headings. @throws InputError  for an unknown word [any] */
+CsvForm csvFormOf (const IdentifyOptions&);
+
+/** What is said of responses: units, drivers, places from a file. @throws InputError  for what cannot be read [worker] */
+MeasurementOptions measurementOptionsOf (const IdentifyOptions&);
+
+/** How modes are sought in responses of so many points. @throws InputError  for what is no range [any] */
+IdentificationOptions identificationOptionsOf (const IdentifyOptions&, Eigen::Index points);
+} // namespace antinode

@@ -1,0 +1,175 @@
+#include "Support/RunProgram.h"
+
+#include <antinode_files/UniversalFile.h>
+#include <antinode_files/UniversalResponses.h>
+#include <antinode_identification/IdentifiedModes.h>
+
+#include <nlohmann/json.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <fstream>
+#include <numbers>
+#include <random>
+
+using namespace antinode;
+using namespace antinode::test;
+
+namespace
+{
+constexpr int modeCount = 3, pointCount = 12;
+
+double frequencyOf (int mode)
+{
+    return 100.0 * (mode + 1) * (mode + 1);
+}
+
+/** Three modes of a simply supported beam at twelve points from two ceramics, 10.7 us late, noise 60 dB below the mean. */
+FrequencyResponses measuredBeam()
+{
+    IdentifiedModes modes;
+    modes.drivers = { { "left", {} }, { "right", {} } };
+    modes.points = Eigen::MatrixX2d::Zero (pointCount, 2);
+    modes.points.col (0) = 0.2 * (Eigen::ArrayXd::LinSpaced (pointCount, 0.5, pointCount - 0.5) / pointCount - 0.5);
+    modes.angularFrequencies.resize (modeCount);
+    modes.dampingRatios = Eigen::VectorXd::Constant (modeCount, 0.006);
+    modes.shapes.resize (pointCount, modeCount);
+    modes.participation.resize (modeCount, 2);
+    modes.delay = 10.7e-6;
+
+    for (int k = 0; k < modeCount; ++k)
+    {
+        const auto wave = (k + 1) * std::numbers::pi;
+        modes.angularFrequencies[k] = 2 * std::numbers::pi * frequencyOf (k);
+        modes.shapes.col (k) = 6 * (wave * (modes.points.col (0).array() / 0.2 + 0.5)).sin();
+        modes.participation.row (k) << 0.01 * std::sin (0.15 * wave), 0.01 * std::sin (0.72 * wave);
+    }
+
+    auto responses = synthesise (modes, Eigen::VectorXd::LinSpaced (1200, 1, 1200));
+    std::mt19937_64 random (7);
+    std::normal_distribution<double> normal;
+    const auto scale = 1e-3 * std::sqrt (responses.values[0].cwiseAbs2().mean() / 2);
+
+    for (auto& values : responses.values)
+        for (auto& value : values.reshaped())
+            value += std::complex<double> (scale * normal (random), scale * normal (random));
+
+    return responses;
+}
+
+void write (const std::filesystem::path& path, const std::string& content)
+{
+    std::ofstream (path, std::ios::binary) << content;
+}
+
+nlohmann::json jsonOf (const std::filesystem::path& path)
+{
+    return nlohmann::json::parse (contentOf (path));
+}
+} // namespace
+
+TEST_CASE ("identify makes a device of a universal file that other commands take", "[command line][identify]")
+{
+    const TemporaryFolder folder;
+    const auto path = [&] (const std::string& name) { return (folder.path() / name).string(); };
+    write (path ("frf.uff"), encodeUniversalFile (responseSets (measuredBeam())));
+    const auto run = runProgram (
+        { "identify", path ("frf.uff"), "--out", path ("beam.json"), "--uff", path ("beam.uff"), "--report" });
+    INFO (run.errors);
+    REQUIRE (run.exitCode == 0);
+    CHECK (run.output.find ("3 modes") != std::string::npos);
+
+    const auto device = jsonOf (path ("beam.json"));
+    REQUIRE (device["modes"].size() == modeCount);
+    CHECK (device["delay_s"].get<double>() == Approx (10.7e-6).margin (1e-8));
+    CHECK (device["ceramics"][1]["name"] == "right");
+    CHECK (device["points_mm"].size() == pointCount);
+
+    for (int k = 0; k < modeCount; ++k)
+    {
+        const auto& mode = device["modes"][static_cast<std::size_t> (k)];
+        const auto deviation = mode["frequency_standard_deviation_Hz"].get<double>();
+        CHECK (deviation > 0);
+        CHECK (std::abs (mode["frequency_Hz"].get<double>() - frequencyOf (k))
+               < 6 * deviation); // Beyond it once in 5e8.
+        CHECK (mode["damping_ratio"].get<double>() == Approx (0.006).epsilon (1e-3));
+        CHECK (mode["participation_standard_deviation_per_V"].size() == 2);
+        // The product at the first point is what no convention changes.
+        CHECK (mode["shape"][0].get<double>() * mode["participation_per_V"][0].get<double>()
+               == Approx (6 * std::sin ((k + 1) * std::numbers::pi * 0.5 / pointCount) * 0.01
+                          * std::sin (0.15 * (k + 1) * std::numbers::pi))
+                      .epsilon (1e-2));
+    }
+
+    CHECK (contentOf (path ("beam.html")).find ("Stabilisation diagram") != std::string::npos);
+    CHECK (readUniversalFile (contentOf (path ("beam.uff")), "beam.uff").size() >= 4 + modeCount);
+    CHECK (runProgram ({ "modes", path ("beam.json") }).exitCode == 0);
+
+    const auto again = runProgram (
+        { "identify", path ("frf.uff"), "--against", path ("beam.json"), "--transfer", path ("tuned.json") });
+    CHECK (again.exitCode == 0);
+    CHECK (again.output.find ("identified (Hz)") != std::string::npos);
+    CHECK (jsonOf (path ("tuned.json"))["modes"].size() == modeCount);
+}
+
+TEST_CASE ("A hammer's responses become a device of newtons, with a word about it", "[command line][identify]")
+{
+    const TemporaryFolder folder;
+    const auto path = [&] (const std::string& name) { return (folder.path() / name).string(); };
+    const auto responses = measuredBeam();
+    std::string table = "# accelerance (m/s^2)/N\nfrequency_Hz";
+
+    for (int p = 0; p < pointCount; ++p)
+        table += ",P" + std::to_string (p + 1) + " real,P" + std::to_string (p + 1) + " imag";
+
+    for (Eigen::Index f = 0; f < responses.frequencies.size(); ++f)
+    {
+        table += "\n" + std::to_string (responses.frequencies[f]);
+
+        for (int p = 0; p < pointCount; ++p)
+        {
+            const auto acceleration = 1e3 * responses.values[0](f, p)
+                                      * std::complex<double> (0, 2 * std::numbers::pi * responses.frequencies[f]);
+            table += "," + std::to_string (acceleration.real()) + "," + std::to_string (acceleration.imag());
+        }
+    }
+
+    write (path ("hammer.csv"), table + "\n");
+    const auto run =
+        runProgram ({ "identify", path ("hammer.csv"), "--out", path ("hammer.json"), "--select", "100,400" });
+    INFO (run.errors);
+    REQUIRE (run.exitCode == 0);
+    CHECK (run.output.find ("in the device 1 V stands for 1 N") != std::string::npos);
+    const auto modes = jsonOf (path ("hammer.json"))["modes"];
+    REQUIRE (modes.size() == 2);
+    CHECK (modes[0]["frequency_Hz"].get<double>() == Approx (frequencyOf (0)).epsilon (1e-4));
+}
+
+TEST_CASE ("identify refuses in one line and writes nothing", "[command line][identify]")
+{
+    const TemporaryFolder folder;
+    const auto path = [&] (const std::string& name) { return (folder.path() / name).string(); };
+    write (path ("frf.csv"), "1,1,0\n2,1,0\n3,1,0\n");
+    const auto refusal = [&] (std::vector<std::string> arguments)
+    {
+        arguments.insert (arguments.begin(), { "identify", path ("frf.csv"), "--out", path ("out.json"), "--report" });
+        const auto run = runProgram (arguments);
+        CHECK (run.exitCode == 1);
+        CHECK (std::count (run.errors.begin(), run.errors.end(), '\n') == 1);
+        CHECK_FALSE (std::filesystem::exists (path ("out.json")));
+        CHECK_FALSE (std::filesystem::exists (path ("out.html")));
+        return run.errors;
+    };
+    CHECK (refusal ({ "--transfer", path ("t.json") })
+           == "antinode: --transfer: needs a computed device, allowed is with --against DEVICE\n");
+    CHECK (refusal ({ "--band", "300" })
+           == "antinode: --band: is '300', allowed are two numbers as 300:4000, the first the smaller\n");
+    CHECK (refusal ({ "--response-unit", "Pa" })
+           == "antinode: --response-unit: is 'Pa', allowed are units as m/s, um, g or (mm/s)/V\n");
+    CHECK (refusal ({ "--quantity", "velocity", "--response-unit", "g" })
+           == "antinode: --response-unit: is 'g', which is no unit of velocity\n");
+    CHECK (refusal ({ "--drive", "force", "--drive-unit", "V" })
+           == "antinode: --drive-unit: is 'V', allowed are units of the drive as V, mV or N\n");
+    CHECK (runProgram ({ "identify", path ("missing.uff") }).errors
+           == "antinode: " + path ("missing.uff") + ": cannot be read\n");
+}

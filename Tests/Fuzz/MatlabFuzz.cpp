@@ -1,0 +1,10 @@
+#include "Fuzz.h"
+
+#include <antinode_files/MatlabResponses.h>
+
+/** MATLAB files. */
+void antinode::test::fuzz (std::string_view bytes)
+{
+    const auto measurement = mergedResponses ({ measurementFromMatlab (readMatlabFile (bytes, "file"), "file") }, {});
+    validate (measurement.responses);
+}
