@@ -5,6 +5,7 @@
 #include "FitErrors.h"
 #include "ModeAssessment.h"
 #include "ModeSelection.h"
+#include "Orthogonalisation.h"
 #include "PeakPicking.h"
 #include "PoleSearch.h"
 #include "ShapeScales.h"
@@ -210,16 +211,9 @@ IdentifiedModes described (const NormalModeFit& fit, const FreeResidues& residue
                                  : "hold modes that grow instead of decaying: they seem to be complex conjugates, "
                                    "allowed is the convention exp (+i omega t)");
 }
-} // namespace
 
-IdentifiedModes identify (const FrequencyResponses& responses, const IdentificationOptions& options)
+IdentifiedModes fitModes (const FrequencyResponses& responses, const IdentificationOptions& options)
 {
-    validate (responses);
-    checkOptions (responses, options);
-
-    if (options.method == IdentificationMethod::peakPicking)
-        return pickPeaks (responses, options);
-
     auto data =
         weighted (prepare (responses, options.minimumFrequency, options.maximumFrequency), options.pointWeights);
     auto found = searchPoles (data, options);
@@ -248,6 +242,21 @@ IdentifiedModes identify (const FrequencyResponses& responses, const Identificat
 
     auto result = described (fit, residues, data, clusters, options);
     result.stabilisation = std::move (found.stabilisation);
+    return result;
+}
+} // namespace
+
+IdentifiedModes identify (const FrequencyResponses& responses, const IdentificationOptions& options)
+{
+    validate (responses);
+    checkOptions (responses, options);
+
+    auto result = options.method == IdentificationMethod::peakPicking ? pickPeaks (responses, options)
+                                                                      : fitModes (responses, options);
+
+    if (options.gramSchmidt)
+        orthogonalise (result, options.pointMasses);
+
     return result;
 }
 } // namespace antinode

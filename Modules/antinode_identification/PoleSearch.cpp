@@ -11,7 +11,7 @@ namespace antinode
 {
 namespace
 {
-constexpr Eigen::Index mostOutputs = 24, mostReferences = 4;
+constexpr Eigen::Index mostOutputs = 24, mostReferences = 8;
 constexpr double leastPresence = 0.4;
 /** Where the user picks, also poles that are seen rarely are candidates. */
 constexpr double presenceForPicks = 0.15;
@@ -21,15 +21,12 @@ double frequencyOf (std::complex<double> pole)
     return std::abs (pole) / (2 * std::numbers::pi);
 }
 
-/** Enough for all modes of a band and its noise; no more unknowns than lines bear. */
+/** Enough for all modes of a band and its noise: to 96 poles with many references, 18 to 72 with few. No more unknowns than lines bear. */
 int highestOrder (const CompressedBand& band, const IdentificationOptions& options)
 {
-    const auto bearable = static_cast<int> (band.lines() / 4);
-
-    if (options.maximumOrder > 0)
-        return std::min (options.maximumOrder, bearable);
-
-    return std::max (std::min (18, bearable), 1);
+    const auto bearable = std::max (1, static_cast<int> (band.lines() / 4));
+    const auto chosen = band.references() > 4 ? 12 : 18;
+    return std::min (options.maximumOrder > 0 ? options.maximumOrder : chosen, bearable);
 }
 
 struct BandPoles

@@ -145,3 +145,33 @@ TEST_CASE ("Complex modes of a structure that has some are found", "[identificat
     const auto synthesised = synthesise (modes, responses.frequencies);
     CHECK ((synthesised.values[0] - responses.values[0]).norm() < 2e-3 * responses.values[0].norm());
 }
+
+TEST_CASE ("Shapes made orthogonal are so, and those of a partly mapped beam are spoilt by it", "[identification]")
+{
+    auto responses = hammered();
+    const Eigen::Index mapped = 10;
+    responses.points = responses.points.topRows (mapped).eval();
+
+    for (auto& values : responses.values)
+        values = values.leftCols (mapped).eval();
+
+    IdentificationOptions options;
+    const auto raw = identify (responses, options);
+    options.gramSchmidt = true;
+    const auto orthogonal = identify (responses, options);
+    REQUIRE (orthogonal.modes() == 4);
+    const Eigen::MatrixXd gram = orthogonal.shapes.transpose() * orthogonal.shapes;
+
+    for (Eigen::Index k = 0; k < 4; ++k)
+        for (Eigen::Index l = 0; l < k; ++l)
+            CHECK (gram (k, l) == Approx (0).margin (1e-9 * gram (k, k)));
+
+    const Eigen::MatrixXd truth = hammeredBeam().shapes.topRows (mapped);
+    const auto assurance = [&truth] (const IdentifiedModes& modes, Eigen::Index k)
+    {
+        const auto cosine = modes.shapes.col (k).normalized().dot (truth.col (k).normalized());
+        return cosine * cosine;
+    };
+    CHECK (1 - assurance (raw, 3) < 1e-5);
+    CHECK (1 - assurance (orthogonal, 3) > 1e-3);
+}
