@@ -19,8 +19,14 @@ namespace antinode
 {
 namespace
 {
-/** A fit ends where a step is worth so many squared standard deviations: the first one only has to show the noise. */
-constexpr double coarse = 1e-2, fine = 1e-6;
+/** When a fit ends: where a step is worth so many squared standard deviations, or after so many steps. */
+struct Patience
+{
+    double precision = 0;
+    int iterations = 0;
+};
+constexpr Patience coarse { 1e-2, 6 }; // only has to show the noise, and which modes stand out of it
+constexpr Patience fine { 1e-6, 25 };
 
 void checkOptions (const FrequencyResponses& responses, const IdentificationOptions& options)
 {
@@ -101,11 +107,11 @@ double varianceOf (const NormalModeFit& fit, const PreparedResponses& data)
 
 /** Fits, takes out what does not stand out of the noise, and fits again, until all do. */
 NormalModeFit fitWhatStandsOut (const PreparedResponses& data, NormalModeStart start,
-                                std::vector<PoleCluster>& clusters, double precision, double ridge)
+                                std::vector<PoleCluster>& clusters, const Patience& patience, double ridge)
 {
     while (true)
     {
-        auto fit = fitNormalModes (data, start, ridge, precision);
+        auto fit = fitNormalModes (data, start, ridge, patience.precision, patience.iterations);
         const auto kept = standOut (fit.state, varianceOf (fit, data), ridge);
 
         // Modes that passed each other while they were fitted are put in order once more.
