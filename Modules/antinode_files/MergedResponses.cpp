@@ -1,6 +1,8 @@
 #include "MeasuredResponse.h"
 #include "MessageText.h"
 #include "NaturalOrder.h"
+#include "PlacedPoints.h"
+#include "ResponseNames.h"
 
 #include <antinode_model/InputError.h>
 
@@ -15,55 +17,6 @@ namespace antinode
 namespace
 {
 using Responses = std::vector<MeasuredResponse>;
-
-/** Whether two responses of a list have this name empty and the other the same. */
-bool collides (const Responses& responses, std::string MeasuredResponse::*name, std::string MeasuredResponse::*other)
-{
-    std::set<std::string> seen;
-    return std::any_of (responses.begin(), responses.end(),
-                        [&] (const auto& response)
-                        { return (response.*name).empty() && ! seen.insert (response.*other).second; });
-}
-
-/** Points without names are numbered within their file where it has several for a driver. */
-void numberColumns (Responses& responses)
-{
-    std::map<std::string, int> counts, numbers;
-
-    for (const auto& response : responses)
-        counts[response.driver] += response.point.empty() ? 1 : 0;
-
-    for (auto& response : responses)
-        if (response.point.empty() && counts[response.driver] > 1)
-            response.point = std::to_string (++numbers[response.driver]);
-}
-
-/** All responses with names: what no file names is numbered by the files where these differ in nothing else, else it is 1. */
-Responses named (const std::vector<MeasurementFile>& files)
-{
-    Responses all;
-    std::vector<std::size_t> fileNumbers;
-
-    for (std::size_t f = 0; f < files.size(); ++f)
-    {
-        auto responses = files[f].responses;
-        numberColumns (responses);
-        fileNumbers.resize (fileNumbers.size() + responses.size(), f + 1);
-        std::move (responses.begin(), responses.end(), std::back_inserter (all));
-    }
-
-    const auto fill = [&] (std::string MeasuredResponse::*name, std::string MeasuredResponse::*other)
-    {
-        const auto byFile = collides (all, name, other);
-
-        for (std::size_t i = 0; i < all.size(); ++i)
-            if ((all[i].*name).empty())
-                all[i].*name = byFile ? std::to_string (fileNumbers[i]) : "1";
-    };
-    fill (&MeasuredResponse::point, &MeasuredResponse::driver);
-    fill (&MeasuredResponse::driver, &MeasuredResponse::point);
-    return all;
-}
 
 /** What the numbers of a response mean, with what the user says. */
 ResponseUnit unitOf (const MeasuredResponse& response, const MeasurementOptions& options)
@@ -219,54 +172,6 @@ void fillTable (const Responses& responses, const MeasurementOptions& options, c
     }
 }
 
-/** The place of a name, or else of the number at its end: files of places often only number them. */
-PointPlaces::const_iterator placeOf (const std::string& name, const PointPlaces& places)
-{
-    const auto found = places.find (name);
-    return found != places.end() ? found : places.find (name.substr (name.find_last_not_of ("0123456789") + 1));
-}
-
-/** Whether two points lie in one place, as where a geometry was never filled in. */
-bool coincide (const Eigen::MatrixX2d& points)
-{
-    std::set<std::pair<double, double>> seen;
-    return std::any_of (points.rowwise().begin(), points.rowwise().end(),
-                        [&] (const auto& point) { return ! seen.emplace (point[0], point[1]).second; });
-}
-
-void placePoints (const std::vector<MeasurementFile>& files, const MeasurementOptions& options,
-                  Measurement& measurement)
-{
-    constexpr double apart = 1e-3;
-    auto places = options.places;
-    auto& points = measurement.responses.points;
-    const auto& names = measurement.pointNames;
-
-    for (const auto& file : files)
-        places.insert (file.places.begin(), file.places.end());
-
-    points = Eigen::MatrixX2d::Zero (static_cast<Eigen::Index> (names.size()), 2);
-    measurement.hasPlaces = true;
-
-    for (std::size_t p = 0; p < names.size(); ++p)
-        if (const auto place = placeOf (names[p], places); place != places.end())
-            points.row (static_cast<Eigen::Index> (p)) = place->second.transpose();
-        else if (! options.places.empty())
-            throw InputError ("--points", "has no place for the point " + inQuotes (names[p]) + " of the files");
-        else
-            measurement.hasPlaces = false;
-
-    if (! measurement.hasPlaces || coincide (points))
-    {
-        measurement.hasPlaces = false;
-        points.col (1).setZero();
-        points.col (0) = apart * Eigen::VectorXd::LinSpaced (points.rows(), 0, static_cast<double> (points.rows() - 1));
-        measurement.remarks.emplace_back ("No file says where each point is: they are placed 1 mm apart on a line.");
-    }
-    else if (points.rows() > 1 && (points.col (0).array() == points (0, 0)).all()) // A line lies along x.
-        points.col (0).swap (points.col (1));
-}
-
 std::vector<std::string> driverNames (const Responses& responses, const MeasurementOptions& options)
 {
     auto names = namesOf (responses, &MeasuredResponse::driver);
@@ -285,7 +190,7 @@ std::vector<std::string> driverNames (const Responses& responses, const Measurem
 Measurement mergedResponses (const std::vector<MeasurementFile>& files, const MeasurementOptions& options)
 {
     Measurement measurement;
-    auto responses = named (files);
+    auto responses = namedResponses (files);
 
     if (responses.empty())
         throw InputError ("the files", "have no frequency response");
