@@ -164,12 +164,11 @@ void blankUnmeasured (Eigen::MatrixXd& shapes, const PreparedResponses& data)
             shapes.row (p).setConstant (std::numeric_limits<double>::quiet_NaN());
 }
 
-IdentifiedModes described (const NormalModeFit& fit, const PreparedResponses& data, const FitErrors& errors,
+IdentifiedModes described (const NormalModeFit& fit, const FreeResidues& residues, PreparedResponses& data,
                            const std::vector<PoleCluster>& clusters, const IdentificationOptions& options)
 {
     IdentifiedModes result;
     describeData (result, data);
-    describeErrors (result, data, errors);
     const auto& modes = fit.modes;
     result.angularFrequencies = modes.angularFrequencies;
     result.dampingRatios = modes.dampingRatios;
@@ -180,8 +179,7 @@ IdentifiedModes described (const NormalModeFit& fit, const PreparedResponses& da
     const auto variance = varianceOf (fit, data);
     result.deviations = deviationsOf (fit.state, variance, options.delay.has_value(), options.ridge);
     result.residuals = residualTerms (fit.state, data.points(), data.drivers());
-    const auto residues = complexResidues (fit.state.basis, fit.state.products, options.ridge);
-    result.quality = assessResidues (residues, data);
+    result.quality = assessResidues (residues.residues, data);
     const auto strengths = signalToNoise (fit.state, variance, options.ridge);
 
     for (std::size_t k = 0; k < result.quality.size(); ++k)
@@ -190,9 +188,9 @@ IdentifiedModes described (const NormalModeFit& fit, const PreparedResponses& da
         result.quality[k].signalToNoise = strengths[static_cast<Eigen::Index> (k)];
     }
 
-    if (options.complexModes)
-        addComplexModes (result, fit.state, residues, data);
-
+    const auto coefficients =
+        options.complexModes ? addComplexModes (result, residues, data) : coefficientsOf (fit.state);
+    describeErrors (result, data, fitErrors (data, residues.basis, coefficients, modes.delay));
     scaleShapes (result, options.pointMasses);
     addDoubts (result);
     return result;
@@ -230,14 +228,25 @@ IdentifiedModes identify (const FrequencyResponses& responses, const Identificat
     if (clusters.empty())
         throwNoModes (responses, options);
 
-    const auto start = startFrom (data, clusters, options);
-    auto fit = fitWhatStandsOut (data, start, clusters, coarse, options.ridge);
+    const auto delayIsKnown = options.delay.has_value();
+    auto fit = fitWhatStandsOut (data, startFrom (data, clusters, options), clusters, coarse, options.ridge);
 
     if (options.pointWeights.size() == 0)
-        weighByErrors (data, fitErrors (data, fit));
+        weighByErrors (data, fitErrors (data, fit.state.basis, coefficientsOf (fit.state), fit.modes.delay));
 
-    fit = fitWhatStandsOut (data, continued (fit.modes, options.delay.has_value()), clusters, fine, options.ridge);
-    auto result = described (fit, data, fitErrors (data, fit), clusters, options);
+    fit = fitWhatStandsOut (data, continued (fit.modes, delayIsKnown), clusters, fine, options.ridge);
+    auto residues = freeResidues (fit.state, options.ridge);
+
+    if (options.complexModes)
+    {
+        residues = fitFreeResidues (data, fit.modes, options.ridge);
+        // The best real modes with the poles of the complex ones.
+        fit.modes.angularFrequencies = residues.basis.angularFrequencies;
+        fit.modes.dampingRatios = residues.basis.dampingRatios;
+        fit = fitNormalModes (data, continued (fit.modes, delayIsKnown), options.ridge, fine.precision, 0);
+    }
+
+    auto result = described (fit, residues, data, clusters, options);
     result.stabilisation = std::move (found.stabilisation);
     return result;
 }
