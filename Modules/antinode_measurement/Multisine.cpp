@@ -13,8 +13,9 @@ namespace antinode
 {
 namespace
 {
-constexpr int clippings = 60;
-constexpr double firstClip = 0.80, lastClip = 0.95; // of the peak
+constexpr int clippings = 40;
+constexpr double firstClip = 0.7, lastClip = 0.9; // of the peak
+constexpr Eigen::Index oversampling = 2;          // Clipped samples alone leave the peaks between them.
 
 Eigen::VectorXcd schroederSpectrum (const std::vector<Eigen::Index>& lines, Eigen::Index length)
 {
@@ -31,11 +32,20 @@ Eigen::VectorXcd schroederSpectrum (const std::vector<Eigen::Index>& lines, Eige
     return spectrum;
 }
 
-/** The same lines with equal amplitudes and the phases of another signal. */
-Eigen::VectorXcd withPhasesOf (const Eigen::VectorXd& signal, const std::vector<Eigen::Index>& lines)
+/** The waveform between the samples, too: oversampled. */
+Eigen::VectorXd waveformOf (const Eigen::VectorXcd& spectrum, Eigen::Index length)
 {
-    const auto phases = spectrumOf (signal);
-    Eigen::VectorXcd spectrum = Eigen::VectorXcd::Zero (phases.size());
+    Eigen::VectorXcd wide = Eigen::VectorXcd::Zero (oversampling * length / 2 + 1);
+    wide.head (spectrum.size()) = spectrum;
+    return signalOf (wide, oversampling * length);
+}
+
+/** The same lines with equal amplitudes and the phases of a waveform. */
+Eigen::VectorXcd withPhasesOf (const Eigen::VectorXd& waveform, const std::vector<Eigen::Index>& lines,
+                               Eigen::Index count)
+{
+    const auto phases = spectrumOf (waveform);
+    Eigen::VectorXcd spectrum = Eigen::VectorXcd::Zero (count);
 
     for (const auto line : lines)
         spectrum[line] = std::polar (1.0, std::arg (phases[line]));
@@ -78,20 +88,27 @@ std::vector<Eigen::Index> oddRandomLines (Eigen::Index lowest, Eigen::Index high
 
 Eigen::VectorXd multisinePeriod (const std::vector<Eigen::Index>& lines, Eigen::Index length)
 {
-    auto signal = signalOf (schroederSpectrum (lines, length), length);
-    Eigen::VectorXd best = signal;
+    auto spectrum = schroederSpectrum (lines, length);
+    auto best = spectrum;
+    auto waveform = waveformOf (spectrum, length);
+    auto lowest = waveform.cwiseAbs().maxCoeff();
 
     for (int i = 0; i < clippings; ++i)
     {
         const auto share = firstClip + (lastClip - firstClip) * i / (clippings - 1);
-        const auto clip = share * signal.cwiseAbs().maxCoeff();
-        signal = signalOf (withPhasesOf (signal.cwiseMax (-clip).cwiseMin (clip), lines), length);
+        const auto clip = share * waveform.cwiseAbs().maxCoeff();
+        spectrum = withPhasesOf (waveform.cwiseMax (-clip).cwiseMin (clip), lines, spectrum.size());
+        waveform = waveformOf (spectrum, length);
 
         // All have the same effective value, so the lowest peak has the lowest crest factor.
-        if (signal.cwiseAbs().maxCoeff() < best.cwiseAbs().maxCoeff())
-            best = signal;
+        if (const auto peak = waveform.cwiseAbs().maxCoeff(); peak < lowest)
+        {
+            lowest = peak;
+            best = spectrum;
+        }
     }
 
-    return best / best.cwiseAbs().maxCoeff();
+    const auto signal = signalOf (best, length);
+    return signal / signal.cwiseAbs().maxCoeff();
 }
 } // namespace antinode

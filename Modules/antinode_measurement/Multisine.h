@@ -17,9 +17,9 @@ std::vector<Eigen::Index> oddRandomLines (Eigen::Index lowest, Eigen::Index high
 
 /** One period of a sum of sines, equally strong on the given lines and nothing elsewhere; its largest sample is 1.
 
-    Begins with Schroeder's phases -pi n (n - 1) / N (IEEE Trans. Inf. Theory 16, 1970), whose crest factor is about 1.7, and then clips
-    the signal and keeps the phases of what comes out, again and again (van der Ouderaa, Schoukens and Renneboog, IEEE Trans. Instrum.
-    Meas. 37, 1988): 1.2 to 1.45.
+    Begins with Schroeder's phases -pi n (n - 1) / N (IEEE Trans. Inf. Theory 16, 1970), whose crest factor is 1.7, with the peaks
+    between samples 1.9, and then clips the waveform and keeps the phases of what comes out, again and again (van der Ouderaa, Schoukens and Renneboog, IEEE Trans. Instrum.
+    Meas. 37, 1988): 1.6 and less.
     @param length  samples, more than twice the highest line
     [worker] Docs/Theory.md, section 8.7. */
 Eigen::VectorXd multisinePeriod (const std::vector<Eigen::Index>& lines, Eigen::Index length);

@@ -36,6 +36,10 @@ int runCommandLine (int argumentCount, const char* const* arguments)
     addDesignCommand (app);
     addRenderCommand (app);
     addPaperCommand (app);
+    addExciteCommand (app);
+    addMeasureCommand (app);
+    addFrfCommand (app);
+    addRetuneCommand (app);
     addVersionCommand (app);
 
     try

@@ -12,5 +12,9 @@ void addIdentifyCommand (CLI::App&);
 void addDesignCommand (CLI::App&);
 void addRenderCommand (CLI::App&);
 void addPaperCommand (CLI::App&);
+void addExciteCommand (CLI::App&);
+void addMeasureCommand (CLI::App&);
+void addFrfCommand (CLI::App&);
+void addRetuneCommand (CLI::App&);
 void addVersionCommand (CLI::App&);
 } // namespace antinode

@@ -2,10 +2,10 @@
 
 #include "ApplyOptions.h"
 #include "HeadlessRun.h"
-#include "Interruption.h"
-#include "QuietLibraries.h"
 #include "WindowRun.h"
 
+#include <antinode_audio/Interruption.h>
+#include <antinode_audio/QuietLibraries.h>
 #include <antinode_model/InputError.h>
 
 #include <cstdio>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "AudioChoice.h"
 #include "OutputRouting.h"
 
+#include <antinode_audio/AudioChoice.h>
 #include <antinode_session/SessionState.h>
 #include <antinode_touch/TouchPorts.h>
 

@@ -1,8 +1,8 @@
 #include "WindowRun.h"
 
-#include "Interruption.h"
 #include "MainWindow.h"
 
+#include <antinode_audio/Interruption.h>
 #include <antinode_model/InputError.h>
 
 namespace antinode

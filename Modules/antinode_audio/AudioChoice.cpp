@@ -1,7 +1,5 @@
 #include "AudioChoice.h"
 
-#include "OutputRouting.h"
-
 #include <antinode_model/InputError.h>
 
 #include <algorithm>
@@ -66,6 +64,17 @@ std::string chosenDevice (juce::AudioDeviceManager& manager, const AudioChoice& 
     return choice.device;
 }
 
+/** The inputs of the same name, else the first ones there are. */
+juce::String inputDevice (juce::AudioIODeviceType& type, const juce::String& device)
+{
+    const auto names = type.getDeviceNames (true);
+
+    if (names.isEmpty())
+        throw InputError (type.getTypeName().toStdString(), "has no inputs on this computer");
+
+    return names.contains (device) ? device : names[0];
+}
+
 juce::AudioDeviceManager::AudioDeviceSetup setupOf (const AudioChoice& choice, const std::string& device)
 {
     juce::AudioDeviceManager::AudioDeviceSetup setup;
@@ -78,8 +87,11 @@ juce::AudioDeviceManager::AudioDeviceSetup setupOf (const AudioChoice& choice, c
     for (const auto output : choice.outputs)
         setup.outputChannels.setBit (output);
 
+    for (const auto input : choice.inputs)
+        setup.inputChannels.setBit (input);
+
     if (choice.outputs.empty())
-        setup.outputChannels.setRange (0, OutputRouting::mostOutputs, true);
+        setup.outputChannels.setRange (0, mostDeviceOutputs, true);
 
     return setup;
 }
@@ -91,7 +103,7 @@ void checkOpened (const juce::AudioIODevice& device, const AudioChoice& choice)
     const auto name = opened.getTypeName().toStdString() + " device '" + opened.getName().toStdString() + "'";
     const auto rate = opened.getCurrentSampleRate();
     const auto block = opened.getCurrentBufferSizeSamples();
-    const auto channels = opened.getOutputChannelNames().size();
+    const auto channels = opened.getOutputChannelNames().size(), inputs = opened.getInputChannelNames().size();
 
     if (choice.sampleRate > 0 && std::abs (rate - choice.sampleRate) > 0.5)
         throw InputError (name, "plays at " + std::to_string (std::lround (rate)) + " Hz, not at "
@@ -105,6 +117,11 @@ void checkOpened (const juce::AudioIODevice& device, const AudioChoice& choice)
         if (output >= channels)
             throw InputError (name, "has " + std::to_string (channels) + " output channels, so none numbered "
                                         + std::to_string (output + 1));
+
+    for (const auto input : choice.inputs)
+        if (input >= inputs)
+            throw InputError (name, "has " + std::to_string (inputs) + " input channels, so none numbered "
+                                        + std::to_string (input + 1));
 }
 } // namespace
 
@@ -132,11 +149,16 @@ std::vector<std::string> outputDevices (juce::AudioDeviceManager& manager, const
 
 void openAudio (juce::AudioDeviceManager& manager, const AudioChoice& choice)
 {
-    const auto type = deviceType (manager, choice.type.empty() ? firstType (manager) : choice.type).getTypeName();
+    auto& found = deviceType (manager, choice.type.empty() ? firstType (manager) : choice.type);
+    const auto type = found.getTypeName();
     const auto device = chosenDevice (manager, choice, type.toStdString());
     manager.setCurrentAudioDeviceType (type, true);
+    auto setup = setupOf (choice, device);
 
-    if (const auto failure = manager.setAudioDeviceSetup (setupOf (choice, device), true); failure.isNotEmpty())
+    if (! choice.inputs.empty())
+        setup.inputDeviceName = inputDevice (found, setup.outputDeviceName);
+
+    if (const auto failure = manager.setAudioDeviceSetup (setup, true); failure.isNotEmpty())
         throw InputError (type.toStdString() + " device '" + device + "'",
                           "cannot be opened: " + failure.toLowerCase().toStdString());
 

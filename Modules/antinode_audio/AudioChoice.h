@@ -10,11 +10,12 @@ namespace antinode
 /** Which audio device, and how. What is empty or 0 is left to the device. */
 struct AudioChoice
 {
-    std::string type;         ///< "ALSA" or "JACK"
-    std::string device;       ///< Of the type, as it is listed.
-    double sampleRate = 0;    ///< Hz
-    int blockSize = 0;        ///< Samples.
-    std::vector<int> outputs; ///< Channels that are opened, counted from 0; empty: all.
+    std::string type;           ///< "ALSA" or "JACK"
+    std::string device;         ///< Of the type, as it is listed.
+    double sampleRate = 0;      ///< Hz
+    int blockSize = 0;          ///< Samples.
+    std::vector<int> outputs;   ///< Channels that are opened, counted from 0; empty: all.
+    std::vector<int> inputs {}; ///< Channels that are opened, counted from 0; empty: none.
 
     bool operator== (const AudioChoice&) const = default;
 };
@@ -25,7 +26,10 @@ std::vector<std::string> outputDevices (juce::AudioDeviceManager&, const std::st
 /** The names of all types. [message thread] */
 std::vector<std::string> deviceTypes (juce::AudioDeviceManager&);
 
-/** Opens what was chosen, outputs only.
+/** How many outputs of a device are opened at most. */
+constexpr int mostDeviceOutputs = 128;
+
+/** Opens what was chosen.
     @throws InputError  where there is none, or it does not open, or not with that rate, block or so many channels; then it is closed
     [message thread] */
 void openAudio (juce::AudioDeviceManager&, const AudioChoice&);

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <antinode_measurement/Excitation.h>
+#include <antinode_measurement/TurnRecording.h>
+
+namespace antinode
+{
+/** Something that plays a ceramic's turn and records what sensors see of it. */
+class Bench
+{
+public:
+    Bench() = default;
+    virtual ~Bench() = default;
+    Bench (const Bench&) = delete;
+    Bench& operator= (const Bench&) = delete;
+
+    /** How many points are recorded at once. */
+    virtual Eigen::Index sensors() const = 0;
+
+    /** The velocity beyond which a sensor's input clips, m/s. */
+    virtual double velocityOfFullScale() const = 0;
+
+    /** Plays a turn while the sensors stand at consecutive points.
+        @return  as many sensors as points, and the sync channel where it is recorded
+        @throws InputError  where it cannot be played
+        [worker] takes as long as the turn on a real bench */
+    virtual TurnRecording play (const Excitation&, Eigen::Index ceramic, Eigen::Index firstPoint,
+                                Eigen::Index points) = 0;
+};
+} // namespace antinode

@@ -1,0 +1,148 @@
+#include "ExcitationOptions.h"
+
+#include "CommonOptions.h"
+#include "Inputs.h"
+
+#include <antinode_files/JsonText.h>
+#include <antinode_files/WaveFile.h>
+#include <antinode_files/WaveReader.h>
+#include <antinode_model/InputError.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+constexpr const char* signalFile = "signal.wav";
+constexpr double linesPerWidth = 4, leastResolution = 0.1, mostResolution = 10; // Hz
+constexpr double restOfSettling = 1e-5;
+constexpr double highestByDefault = 20000; // Hz
+constexpr double levelShare = 0.2;
+
+ExcitationSignal signalNamed (const std::string& name)
+{
+    return name == "sweep"   ? ExcitationSignal::sweep
+           : name == "noise" ? ExcitationSignal::noise
+                             : ExcitationSignal::multisine;
+}
+
+Eigen::VectorXd levelsOf (const ExcitationOptions& options, const Eigen::VectorXd& limits)
+{
+    const auto given = static_cast<Eigen::Index> (options.levels.size());
+
+    if (given == 0)
+        return levelShare * limits;
+
+    if (given == 1)
+        return Eigen::VectorXd::Constant (limits.size(), options.levels.front());
+
+    if (given != limits.size())
+        throw InputError ("--level", "is given " + std::to_string (given)
+                                         + " times, allowed is once, or once for each of the "
+                                         + std::to_string (limits.size()) + " ceramics");
+
+    return Eigen::Map<const Eigen::VectorXd> (options.levels.data(), given);
+}
+
+/** Where the options do not say, what the modes need. */
+void chooseForModes (ExcitationSettings& settings, const ModalModel& model, const ExcitationOptions& options)
+{
+    constexpr double rateShare = 0.45, beyond = 1.1;
+    const Eigen::ArrayXd decay = decayRates (model).array();
+    settings.lowestFrequency = options.lowest.value_or (std::max (1.0, model.frequencyHz (0) / 2));
+    settings.highestFrequency = options.highest.value_or (
+        std::min ({ highestByDefault, rateShare * options.rate, beyond * model.frequencyHz (model.modes() - 1) }));
+    settings.resolution = options.resolution.value_or (
+        std::clamp (decay.minCoeff() / (M_PI * linesPerWidth), leastResolution, mostResolution));
+    const auto settlingTime = -std::log (restOfSettling) / decay.minCoeff();
+    settings.settlingPeriods =
+        options.settling.value_or (std::max (1, static_cast<int> (std::ceil (settlingTime * settings.resolution))));
+}
+} // namespace
+
+void addExcitationOptions (CLI::App& command, ExcitationOptions& options)
+{
+    command.add_option ("--device", options.device, "Device: an embedded name or a .json file")->required();
+    command
+        .add_option ("--set", options.assignments, "Overrides a key, for example device.thickness_mm=1.5 (repeatable)")
+        ->allow_extra_args (false)
+        ->type_name ("KEY=VALUE");
+    addCacheFlag (command, options.usesCache);
+    command.add_option ("--signal", options.signal, "What the ceramics play one after the other")
+        ->check (CLI::IsMember ({ "multisine", "sweep", "noise" }))
+        ->capture_default_str();
+    command.add_option ("--rate", options.rate, "Sample rate, Hz")->capture_default_str();
+    command.add_option ("--lowest", options.lowest, "Where the band begins, Hz; else at half the lowest mode");
+    command.add_option ("--highest", options.highest, "Where the band ends, Hz; else at 20 kHz or the highest mode");
+    command.add_option ("--resolution", options.resolution,
+                        "How far apart lines are at most, Hz; else a quarter of the narrowest mode's width");
+    command.add_option ("--periods", options.periods, "Periods that are measured")->capture_default_str();
+    command.add_option ("--settling", options.settling, "Periods before them; else until the slowest mode has settled");
+    command.add_option ("--sweep-duration", options.sweepDuration, "How long a sweep lasts, s")->capture_default_str();
+    command.add_flag ("--odd", options.hasOddLines, "Multisine of odd lines with gaps, which shows distortion");
+    command.add_option ("--seed", options.seed, "Of noise and gaps")
+        ->check (CLI::Range (0, 2000000000))
+        ->capture_default_str();
+    command
+        .add_option (
+            "--level", options.levels,
+            "Peak voltage of all ceramics, V, or of each in their order; else a fifth of their limits (repeatable)")
+        ->allow_extra_args (false);
+}
+
+ModalModel excitedDevice (const ExcitationOptions& options)
+{
+    checkAssignments (options.assignments);
+    auto model = solveDevice (loadDevice (options.device, options.assignments), {}, options.usesCache);
+
+    if (model.actuators() == 0 || model.modes() == 0)
+        throw InputError ("device '" + model.name + "'", "has no ceramics or no modes: nothing can be excited");
+
+    return model;
+}
+
+ExcitationSheet excitationFor (const ModalModel& model, const ExcitationOptions& options)
+{
+    ExcitationSheet sheet;
+    sheet.device = model.name;
+    sheet.fullScaleVoltage = model.fullScaleVoltage;
+    sheet.voltageLimits.resize (model.actuators());
+
+    for (Eigen::Index i = 0; i < model.actuators(); ++i)
+    {
+        const auto& ceramic = model.ceramics[static_cast<std::size_t> (i)];
+        sheet.ceramics.push_back (ceramic.name);
+        // No output gives more than full scale.
+        sheet.voltageLimits[i] = std::min (ceramic.voltageLimit, model.fullScaleVoltage);
+    }
+
+    ExcitationSettings settings;
+    settings.signal = signalNamed (options.signal);
+    settings.sampleRate = options.rate;
+    settings.periods = options.periods;
+    settings.sweepDuration = options.sweepDuration;
+    settings.hasOddGrid = options.hasOddLines;
+    settings.seed = static_cast<std::uint64_t> (options.seed);
+    settings.levels = levelsOf (options, sheet.voltageLimits);
+    chooseForModes (settings, model, options);
+    sheet.excitation = makeExcitation (settings, sheet.voltageLimits);
+    return sheet;
+}
+
+void writeSheet (OutputFolder& folder, const ExcitationSheet& sheet)
+{
+    folder.write (signalFile,
+                  encodeWave (sheet.excitation.signal.transpose(), 1, sheet.excitation.settings.sampleRate));
+    folder.write ("excitation.json", excitationToJson (sheet, signalFile).dump (2) + "\n");
+}
+
+ExcitationSheet readSheet (const std::filesystem::path& path)
+{
+    const auto source = path.string();
+    const auto document = readJsonFile (path);
+    const auto signal = readWaveFile (path.parent_path() / signalFileOf (document, source));
+    return readExcitation (document, source, signal.samples.row (0));
+}
+} // namespace antinode

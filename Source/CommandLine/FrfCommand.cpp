@@ -1,0 +1,231 @@
+#include "Commands.h"
+#include "ExcitationOptions.h"
+#include "MeasurementReport.h"
+#include "SensorOptions.h"
+
+#include <antinode_files/PointsFile.h>
+#include <antinode_files/UniversalFile.h>
+#include <antinode_files/UniversalResponses.h>
+#include <antinode_files/WaveReader.h>
+#include <antinode_model/InputError.h>
+
+#include <cstdio>
+#include <memory>
+
+namespace antinode
+{
+namespace
+{
+struct FrfOptions
+{
+    std::string sheet, pointsFile, outputFile, reportFolder;
+    std::vector<std::string> recordings;
+    SensorOptions sensor;
+    int syncChannel = -1;          // counted from 1; 0: none, -1: the last one
+    int referenceChannel = 0;      // counted from 1; 0: none
+    double referenceFullScale = 1; // V
+    double latency = 0;            // ms
+    std::string estimator = "h1";
+};
+
+/** Which channel of a recording serves what, counted from 0; -1: none. */
+struct ChannelRoles
+{
+    Eigen::Index sync = -1, reference = -1;
+    std::vector<Eigen::Index> sensors;
+};
+
+ChannelRoles rolesOf (const FrfOptions& options, Eigen::Index channels, const std::string& file)
+{
+    ChannelRoles roles;
+    roles.sync = options.syncChannel < 0 ? channels - 1 : options.syncChannel - 1;
+    roles.reference = options.referenceChannel - 1;
+
+    for (Eigen::Index channel = 0; channel < channels; ++channel)
+        if (channel != roles.sync && channel != roles.reference)
+            roles.sensors.push_back (channel);
+
+    if (roles.sync >= channels || roles.reference >= channels || (roles.sync == roles.reference && roles.sync >= 0)
+        || roles.sensors.empty())
+        throw InputError (file, "has " + std::to_string (channels)
+                                    + " channels, which are not a sensor, the sync channel and the reference that the "
+                                      "options name; --sync-channel 0 "
+                                      "says that there is none");
+
+    return roles;
+}
+
+/** The sample of a recording on which the first turn begins, or a little before: the sync channel sounds from there on. */
+Eigen::Index beginningOf (const Eigen::VectorXd& sync, double sampleRate, const std::string& file)
+{
+    constexpr double threshold = 0.05, leadTime = 0.02;
+    const auto least = threshold * sync.cwiseAbs().maxCoeff();
+
+    if (! (least > 0))
+        throw InputError (file,
+                          "is silent on its sync channel; --sync-channel says which one it is, 0 that there is none");
+
+    Eigen::Index first = 0;
+
+    while (std::abs (sync[first]) < least)
+        ++first;
+
+    return std::max<Eigen::Index> (0, first - static_cast<Eigen::Index> (leadTime * sampleRate));
+}
+
+/** Where a recording's channels and turns are. */
+struct PlacedRecording
+{
+    WaveSamples wave;
+    ChannelRoles roles;
+    Eigen::Index first = 0;
+    std::string file;
+};
+
+PlacedRecording placed (const FrfOptions& options, const ExcitationSheet& sheet, const std::string& file)
+{
+    PlacedRecording recording { readWaveFile (file), {}, 0, file };
+    const auto rate = sheet.excitation.settings.sampleRate;
+
+    if (recording.wave.sampleRate != rate)
+        throw InputError (file, "has a sample rate of " + std::to_string (std::lround (recording.wave.sampleRate))
+                                    + " Hz, the excitation has " + std::to_string (std::lround (rate)) + " Hz");
+
+    recording.roles = rolesOf (options, recording.wave.samples.rows(), file);
+
+    if (recording.roles.sync >= 0)
+        recording.first = beginningOf (recording.wave.samples.row (recording.roles.sync), rate, file);
+
+    return recording;
+}
+
+TurnRecording turnOf (const PlacedRecording& recording, const FrfOptions& options, const Excitation& excitation,
+                      Eigen::Index ceramic)
+{
+    const auto& samples = recording.wave.samples;
+    const auto first = recording.first + ceramic * excitation.turn;
+    const auto count = std::min (excitation.turn, samples.cols() - first);
+
+    if (count < excitation.signal.size())
+        throw InputError (recording.file, "ends before ceramic " + std::to_string (ceramic + 1) + " of "
+                                              + std::to_string (excitation.ceramics()) + " has had its turn");
+
+    TurnRecording turn;
+    turn.sensors = samples (recording.roles.sensors, Eigen::seqN (first, count)) * options.sensor.velocityOfFullScale();
+
+    if (recording.roles.sync >= 0)
+        turn.sync = samples.row (recording.roles.sync).segment (first, count);
+
+    if (recording.roles.reference >= 0)
+        turn.reference = samples.row (recording.roles.reference).segment (first, count) * options.referenceFullScale;
+
+    return turn;
+}
+
+void analyse (SurfaceMeasurement& measurement, const PlacedRecording& recording, const FrfOptions& options,
+              const Excitation& excitation, Eigen::Index firstPoint)
+{
+    TurnAnalysisSettings settings;
+    settings.latency = options.latency / 1000 * excitation.settings.sampleRate;
+    settings.estimator = options.estimator == "h2"   ? ResponseEstimator::h2
+                         : options.estimator == "hv" ? ResponseEstimator::hv
+                                                     : ResponseEstimator::h1;
+
+    for (Eigen::Index ceramic = 0; ceramic < excitation.ceramics(); ++ceramic)
+        try
+        {
+            place (measurement, ceramic, firstPoint,
+                   analyseTurn (excitation, ceramic, turnOf (recording, options, excitation, ceramic), settings));
+        }
+        catch (const InputError& error)
+        {
+            throw InputError (recording.file + ": ceramic " + std::to_string (ceramic + 1), error.what());
+        }
+}
+
+/** The places of the options' file, or a millimetre apart on a line. */
+Eigen::MatrixX2d placesOf (const FrfOptions& options, Eigen::Index sensors)
+{
+    if (options.pointsFile.empty())
+    {
+        Eigen::MatrixX2d places = Eigen::MatrixX2d::Zero (sensors, 2);
+        places.col (0) = Eigen::VectorXd::LinSpaced (sensors, 0, 1e-3 * static_cast<double> (sensors - 1));
+        return places;
+    }
+
+    auto places = readPointsFile (options.pointsFile);
+
+    if (places.rows() != sensors)
+        throw InputError (options.pointsFile, "has " + std::to_string (places.rows()) + " points, the recordings have "
+                                                  + std::to_string (sensors));
+
+    return places;
+}
+
+void estimateResponses (const FrfOptions& options)
+{
+    const auto sheet = readSheet (options.sheet);
+    std::vector<Eigen::Index> counts;
+    Eigen::Index sensors = 0;
+
+    // Which point is whose is known only when all files' channels are counted; they are too large to be kept.
+    for (const auto& file : options.recordings)
+    {
+        counts.push_back (
+            static_cast<Eigen::Index> (rolesOf (options, readWaveFile (file).samples.rows(), file).sensors.size()));
+        sensors += counts.back();
+    }
+
+    auto measurement = unmeasured (sheet.excitation, sheet.ceramics, placesOf (options, sensors));
+    Eigen::Index first = 0;
+
+    for (std::size_t i = 0; i < counts.size(); first += counts[i++])
+        analyse (measurement, placed (options, sheet, options.recordings[i]), options, sheet.excitation, first);
+
+    if (! options.reportFolder.empty())
+        writeMeasurementReport (options.reportFolder, measurement, sheet);
+
+    writeWholeFile (options.outputFile, encodeUniversalFile (responseSets (measurement.responses)));
+    printMeasurement (measurement, sheet);
+}
+} // namespace
+
+void addFrfCommand (CLI::App& app)
+{
+    auto* command =
+        app.add_subcommand ("frf", "Turns recordings that were made under an excitation into frequency responses");
+    auto options = std::make_shared<FrfOptions>();
+    command->add_option ("sheet", options->sheet, "The excitation's sheet: excitation.json")->required();
+    command
+        ->add_option ("recordings", options->recordings,
+                      "WAV files, each of one or more points, in the order of the points")
+        ->required();
+    command->add_option ("--out", options->outputFile, "Universal file for the responses")
+        ->required()
+        ->type_name ("FILE");
+    command
+        ->add_option ("--points", options->pointsFile,
+                      "CSV of the points, x and y in mm; else they are 1 mm apart on a line")
+        ->type_name ("FILE");
+    addSensorOptions (*command, options->sensor)->required();
+    command->add_option ("--sync-channel", options->syncChannel,
+                         "Channel that recorded the sync output, counted from 1, 0: none; else the last one");
+    command
+        ->add_option ("--reference-channel", options->referenceChannel,
+                      "Channel that recorded the amplifiers' voltage, counted from 1")
+        ->check (CLI::Range (1, 16383));
+    command
+        ->add_option ("--reference-full-scale", options->referenceFullScale,
+                      "Voltage at the ceramics, V, that a reference sample of 1 stands for")
+        ->capture_default_str();
+    command->add_option ("--latency-ms", options->latency, "How late sensors are where there is no sync channel, ms")
+        ->check (CLI::Range (0.0, 200.0))
+        ->capture_default_str();
+    command->add_option ("--estimator", options->estimator, "Of noise: h1, h2 or their mean hv")
+        ->check (CLI::IsMember ({ "h1", "h2", "hv" }))
+        ->capture_default_str();
+    command->add_option ("--report", options->reportFolder, "Writes a report with pictures into a folder")
+        ->type_name ("DIR");
+    command->callback ([options] { estimateResponses (*options); });
+}
+} // namespace antinode

@@ -1,0 +1,158 @@
+#include "AudioBench.h"
+#include "Commands.h"
+#include "ExcitationOptions.h"
+#include "MeasurementReport.h"
+#include "Measuring.h"
+#include "SensorOptions.h"
+#include "SimulatedBenchPlayer.h"
+
+#include <antinode_audio/Interruption.h>
+#include <antinode_files/PointsFile.h>
+#include <antinode_files/UniversalFile.h>
+#include <antinode_files/UniversalResponses.h>
+#include <antinode_model/InputError.h>
+
+#include <memory>
+
+namespace antinode
+{
+namespace
+{
+struct MeasureOptions
+{
+    ExcitationOptions excitation;
+    std::string pointsFile, folder;
+    bool isSimulated = false, asksNothing = false;
+    AudioChoice audio;
+    std::vector<int> sensorInputs { 1 }; // counted from 1
+    int syncInput = 2;                   // 0: none
+    int syncOutput = 0;                  // 0: the one after the ceramics
+    SensorOptions sensor;
+    double latency = 0; // ms
+    std::string simulatedDevice;
+    SimulatedBenchSettings simulation;
+    double simulatedDelay = 1.234567; // ms
+    double simulatedCubic = 0;        // %
+};
+
+std::unique_ptr<Bench> simulatedBench (const MeasureOptions& options, const ModalModel& model,
+                                       const Eigen::MatrixX2d& points)
+{
+    auto settings = options.simulation;
+    settings.delay = options.simulatedDelay / 1000;
+    settings.cubic = options.simulatedCubic / 100;
+
+    if (options.simulatedDevice.empty())
+        return std::make_unique<SimulatedBenchPlayer> (model, points, settings);
+
+    auto other = options.excitation;
+    other.device = options.simulatedDevice;
+    other.assignments.clear();
+    return std::make_unique<SimulatedBenchPlayer> (excitedDevice (other), points, settings);
+}
+
+std::unique_ptr<Bench> audioBench (const MeasureOptions& options, const ModalModel& model)
+{
+    if (! (options.sensor.sensitivity > 0))
+        throw InputError ("--sensitivity_mm_s_per_V", "is missing: how many mm/s make the sensor give a volt?");
+
+    BenchChannels channels;
+    channels.syncInput = options.syncInput - 1;
+    channels.syncOutput = options.syncOutput > 0 ? options.syncOutput - 1 : static_cast<int> (model.actuators());
+
+    for (const auto input : options.sensorInputs)
+        channels.sensors.push_back (input - 1);
+
+    auto choice = options.audio;
+    choice.sampleRate = options.excitation.rate;
+    return std::make_unique<AudioBench> (choice, channels, model.actuators(), model.fullScaleVoltage,
+                                         options.sensor.velocityOfFullScale());
+}
+
+void measure (const MeasureOptions& options)
+{
+    catchInterruptions();
+    const auto model = excitedDevice (options.excitation);
+    const auto sheet = excitationFor (model, options.excitation);
+    const auto points = readPointsFile (options.pointsFile);
+    const auto bench = options.isSimulated ? simulatedBench (options, model, points) : audioBench (options, model);
+    const MeasurementFolder folder (options.folder, sheet, points);
+    TurnAnalysisSettings analysis;
+    analysis.latency = options.latency / 1000 * options.excitation.rate;
+    const auto measurement = measurePoints (*bench, sheet, points, folder,
+                                            PointGuide (options.isSimulated || options.asksNothing), analysis);
+
+    OutputFolder output (options.folder);
+    output.write ("responses.uff", encodeUniversalFile (responseSets (measurement.responses)));
+    output.write ("report.html", renderReport (measurementReport (measurement, sheet)));
+    output.commit();
+    printMeasurement (measurement, sheet);
+    std::printf ("Responses and pictures: %s/responses.uff, report.html\n", options.folder.c_str());
+}
+
+void addAudioOptions (CLI::App& command, MeasureOptions& options)
+{
+    constexpr int longestBlock = 1 << 16, mostChannels = mostDeviceOutputs;
+    command.add_option ("--backend", options.audio.type, "Type of the audio device: ALSA or JACK");
+    command.add_option ("--audio-device", options.audio.device,
+                        "Audio device, as antinode-standalone --list-devices names it");
+    command.add_option ("--block", options.audio.blockSize, "Block size, samples")
+        ->check (CLI::Range (1, longestBlock));
+    command
+        .add_option ("--sensor-input", options.sensorInputs,
+                     "Input of the sensor, counted from 1 (repeatable: several sensors at points in a row)")
+        ->allow_extra_args (false)
+        ->check (CLI::Range (1, mostChannels))
+        ->default_str ("1");
+    command.add_option ("--sync-input", options.syncInput, "Input to which the sync output is looped back, 0: none")
+        ->check (CLI::Range (0, mostChannels))
+        ->capture_default_str();
+    command.add_option ("--sync-output", options.syncOutput, "The sync output; else the one after the ceramics")
+        ->check (CLI::Range (1, mostChannels));
+    command.add_option ("--latency-ms", options.latency, "How late sensors are where nothing is looped back, ms")
+        ->check (CLI::Range (0.0, 200.0))
+        ->capture_default_str();
+    addSensorOptions (command, options.sensor);
+}
+
+void addSimulationOptions (CLI::App& command, MeasureOptions& options)
+{
+    auto* const simulate =
+        command.add_flag ("--simulate", options.isSimulated,
+                          "Measures on a bench that is not there: the device's modes, noise and delay");
+    command
+        .add_option ("--simulated-device", options.simulatedDevice, "The device on that bench, where it is another one")
+        ->needs (simulate);
+    command.add_option ("--snr", options.simulation.signalToNoise, "Its signal over its noise, dB")
+        ->check (CLI::Range (-20.0, 300.0))
+        ->needs (simulate)
+        ->capture_default_str();
+    command.add_option ("--delay-ms", options.simulatedDelay, "Its latency, ms")
+        ->check (CLI::Range (0.0, 200.0))
+        ->needs (simulate)
+        ->capture_default_str();
+    command.add_option ("--cubic-percent", options.simulatedCubic, "Its cubic nonlinearity at full level, %")
+        ->check (CLI::Range (-20.0, 20.0))
+        ->needs (simulate)
+        ->capture_default_str();
+}
+} // namespace
+
+void addMeasureCommand (CLI::App& app)
+{
+    auto* command = app.add_subcommand ("measure", "Plays, records and turns into frequency responses, point by point");
+    auto options = std::make_shared<MeasureOptions>();
+    addExcitationOptions (*command, options->excitation);
+    command->add_option ("--points", options->pointsFile, "CSV of the points, x and y in mm")
+        ->required()
+        ->type_name ("FILE");
+    command
+        ->add_option ("--out", options->folder, "Folder of the measurement; one that was interrupted is gone on with")
+        ->required()
+        ->type_name ("DIR");
+    command->add_flag ("--no-questions", options->asksNothing, "Measures all points as they come");
+    addAudioOptions (*command, *options);
+    addSimulationOptions (*command, *options);
+    command->callback ([options] { measure (*options); });
+}
+} // namespace antinode

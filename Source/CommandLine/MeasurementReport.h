@@ -1,0 +1,19 @@
+#pragma once
+
+#include <antinode_files/ExcitationFile.h>
+#include <antinode_measurement/SurfaceMeasurement.h>
+#include <antinode_views/Report.h>
+
+#include <string>
+
+namespace antinode
+{
+/** What a measurement gave, with pictures. [worker] */
+ReportPage measurementReport (const SurfaceMeasurement&, const ExcitationSheet&);
+
+/** The same as report.html in a folder. @throws InputError  where it cannot be written [worker] */
+void writeMeasurementReport (const std::string& folder, const SurfaceMeasurement&, const ExcitationSheet&);
+
+/** The same in a few lines on the terminal. */
+void printMeasurement (const SurfaceMeasurement&, const ExcitationSheet&);
+} // namespace antinode

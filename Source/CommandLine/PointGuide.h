@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <string>
+
+namespace antinode
+{
+/** What a user wants at a point. */
+enum class PointAnswer
+{
+    measure,
+    skip,
+    again, ///< The one before.
+    end
+};
+
+/** Leads a user with a scanning sensor from point to point, by lines on the terminal. */
+class PointGuide
+{
+public:
+    /** @param asksNothing  everything is measured as it comes */
+    explicit PointGuide (bool asksNothing) : silent (asksNothing) {}
+
+    /** Asks for the sensors to be put at consecutive points, and waits for an answer that it understands; the end of the input
+        means the end.
+        @param places     N_p x 2, m
+        [worker] */
+    PointAnswer ask (const Eigen::MatrixX2d& places, Eigen::Index first, Eigen::Index count) const;
+
+    /** Whether nobody is asked. */
+    bool isSilent() const { return silent; }
+
+    /** Says how a measurement went, in a line. */
+    void tell (const std::string& sentence) const;
+
+private:
+    bool silent;
+};
+} // namespace antinode

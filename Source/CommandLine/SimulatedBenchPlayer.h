@@ -1,0 +1,26 @@
+#pragma once
+
+#include "Bench.h"
+
+#include <antinode_measurement/SimulatedBench.h>
+#include <antinode_model/ModalModel.h>
+
+namespace antinode
+{
+/** The bench that is not there, with a sensor at each of several points at once. */
+class SimulatedBenchPlayer : public Bench
+{
+public:
+    /** @param points  N_p x 2, m. @throws InputError  where one lies outside the surface [worker] */
+    SimulatedBenchPlayer (ModalModel, const Eigen::MatrixX2d& points, SimulatedBenchSettings);
+
+    Eigen::Index sensors() const override;
+    double velocityOfFullScale() const override;
+    TurnRecording play (const Excitation&, Eigen::Index ceramic, Eigen::Index firstPoint, Eigen::Index points) override;
+
+private:
+    ModalModel model;
+    Eigen::MatrixXd shapes; ///< N_p x N_m
+    SimulatedBenchSettings settings;
+};
+} // namespace antinode
