@@ -96,6 +96,7 @@ Eigen::VectorXcd velocityFactors (const ResponseUnit& unit, const Eigen::VectorX
     return Eigen::VectorXcd::Constant (frequencies.size(), unit.factor);
 }
 
+/** Names in the order in which they come. */
 std::vector<std::string> namesOf (const Responses& responses, std::string MeasuredResponse::*name)
 {
     std::vector<std::string> names;
@@ -105,12 +106,19 @@ std::vector<std::string> namesOf (const Responses& responses, std::string Measur
         if (seen.insert (response.*name).second)
             names.push_back (response.*name);
 
-    return inNaturalOrder (std::move (names));
+    return names;
 }
 
-Eigen::Index indexOf (const std::vector<std::string>& names, const std::string& name)
+using Indices = std::map<std::string, Eigen::Index>;
+
+Indices indicesOf (const std::vector<std::string>& names)
 {
-    return std::find (names.begin(), names.end(), name) - names.begin();
+    Indices indices;
+
+    for (const auto& name : names)
+        indices.emplace (name, static_cast<Eigen::Index> (indices.size()));
+
+    return indices;
 }
 
 /** Where forces act at more points than are measured, measured and driven points change places: H_pq = H_qp. */
@@ -152,6 +160,7 @@ void fillTable (const Responses& responses, const MeasurementOptions& options, c
     const auto empty = std::complex<double> (std::numeric_limits<double>::quiet_NaN(), 0);
     table.values.assign (drivers.size(),
                          Eigen::MatrixXcd::Constant (lines - skipped, static_cast<Eigen::Index> (points), empty));
+    const auto pointIndices = indicesOf (measurement.pointNames), driverIndices = indicesOf (drivers);
     std::set<std::pair<std::string, std::string>> seen;
 
     for (const auto& response : responses)
@@ -165,25 +174,51 @@ void fillTable (const Responses& responses, const MeasurementOptions& options, c
             continue;
         }
 
-        table.values[static_cast<std::size_t> (indexOf (drivers, response.driver))].col (
-            indexOf (measurement.pointNames, response.point)) =
-            response.values.tail (lines - skipped)
-                .cwiseProduct (velocityFactors (unitOf (response, options), table.frequencies));
+        table.values[static_cast<std::size_t> (driverIndices.at (response.driver))].col (pointIndices.at (
+            response.point)) = response.values.tail (lines - skipped)
+                                   .cwiseProduct (velocityFactors (unitOf (response, options), table.frequencies));
     }
 }
 
+/** The drivers in the order of the options; or of the first file, which is that of the channels, where it has all; or of their numbers. */
 std::vector<std::string> driverNames (const Responses& responses, const MeasurementOptions& options)
 {
     auto names = namesOf (responses, &MeasuredResponse::driver);
+    std::set<std::string> ofFirstFile;
+
+    for (const auto& response : responses)
+        if (response.source == responses.front().source)
+            ofFirstFile.insert (response.driver);
 
     if (options.drivers.empty())
-        return names;
+        return ofFirstFile.size() == names.size() ? names : inNaturalOrder (std::move (names));
 
     for (const auto& name : names)
-        if (indexOf (options.drivers, name) == static_cast<Eigen::Index> (options.drivers.size()))
+        if (std::find (options.drivers.begin(), options.drivers.end(), name) == options.drivers.end())
             throw InputError ("--drivers", "lacks the driver " + inQuotes (name) + " of the files");
 
     return options.drivers;
+}
+
+/** Drivers with the points at which their forces act. */
+std::vector<Driver> driversOf (const Responses& responses, const std::vector<std::string>& names,
+                               const Measurement& measurement)
+{
+    const auto isForce = measurement.responses.drive == DriveQuantity::force;
+    const auto pointIndices = isForce ? indicesOf (measurement.pointNames) : Indices {};
+    std::map<std::string, std::string> places;
+    std::vector<Driver> drivers;
+
+    for (const auto& response : responses)
+        places.emplace (response.driver, response.driverPoint);
+
+    for (const auto& name : names)
+    {
+        const auto point = pointIndices.find (places[name]);
+        drivers.push_back ({ name, point != pointIndices.end() ? std::optional (point->second) : std::nullopt });
+    }
+
+    return drivers;
 }
 } // namespace
 
@@ -206,25 +241,13 @@ Measurement mergedResponses (const std::vector<MeasurementFile>& files, const Me
     auto& table = measurement.responses;
     table.drive = commonDrive (responses, options);
     exchangeByReciprocity (responses, table.drive, measurement.remarks);
-    measurement.pointNames = namesOf (responses, &MeasuredResponse::point);
+    measurement.pointNames = inNaturalOrder (namesOf (responses, &MeasuredResponse::point));
     const auto drivers = driverNames (responses, options);
     fillTable (responses, options, drivers, measurement);
     placePoints (files, options, measurement);
     measurement.recordLength = responses.front().recordLength;
 
-    for (const auto& name : drivers)
-    {
-        const auto first = std::find_if (responses.begin(), responses.end(),
-                                         [&] (const auto& response) { return response.driver == name; });
-        Driver driver { name, std::nullopt };
-
-        if (first != responses.end() && table.drive == DriveQuantity::force)
-            if (const auto point = indexOf (measurement.pointNames, first->driverPoint); point < table.points.rows())
-                driver.point = point;
-
-        table.drivers.push_back (std::move (driver));
-    }
-
+    table.drivers = driversOf (responses, drivers, measurement);
     validate (table);
     return measurement;
 }
