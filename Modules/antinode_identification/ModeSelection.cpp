@@ -12,7 +12,7 @@ namespace antinode
 {
 namespace
 {
-constexpr double mostDamping = 0.3;
+constexpr double mostDamping = 0.15;
 
 double frequencyOf (const PoleCluster& cluster)
 {
