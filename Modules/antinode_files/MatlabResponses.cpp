@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <functional>
 #include <numbers>
 
 namespace antinode
@@ -67,25 +68,38 @@ std::string inventory (const Variables& variables)
     return variables.empty() ? "nothing that can be read" : text + (variables.size() > most ? " and more" : "");
 }
 
+bool hasSize (const MatlabVariable& variable, std::size_t size)
+{
+    return std::find (variable.sizes.begin(), variable.sizes.end(), size) != variable.sizes.end();
+}
+
+/** Whether a vector could be the frequencies of a complex array, whatever it is called. */
+bool couldBeFrequencies (const MatlabVariable& variable, const Variables& variables)
+{
+    const auto fits = [&] (const auto& each)
+    { return ! each.imaginary.empty() && hasSize (each, variable.real.size()); };
+    return isVector (variable) && variable.real.front() >= 0
+           && std::adjacent_find (variable.real.begin(), variable.real.end(), std::greater_equal<>())
+                  == variable.real.end()
+           && std::any_of (variables.begin(), variables.end(), fits);
+}
+
 const MatlabVariable& frequencyVariable (const Variables& variables, const std::string& source)
 {
-    const auto found =
-        std::find_if (variables.begin(), variables.end(),
-                      [] (const auto& each)
-                      { return isVector (each) && (isOneOf (each, frequencyNames) || isOneOf (each, angularNames)); });
+    const auto isNamed = [] (const auto& each)
+    { return isVector (each) && (isOneOf (each, frequencyNames) || isOneOf (each, angularNames)); };
+    const auto couldBe = [&] (const auto& each) { return couldBeFrequencies (each, variables); };
 
-    if (found == variables.end())
+    if (const auto named = std::find_if (variables.begin(), variables.end(), isNamed); named != variables.end())
+        return *named;
+
+    if (std::count_if (variables.begin(), variables.end(), couldBe) != 1)
         throw InputError (source, "has no vector of frequencies, allowed is one of the name "
                                       + listed ({ frequencyNames.begin(), frequencyNames.end() }) + " or "
                                       + listed ({ angularNames.begin(), angularNames.end() }) + "; it has "
                                       + inventory (variables));
 
-    return *found;
-}
-
-bool hasSize (const MatlabVariable& variable, std::size_t size)
-{
-    return std::find (variable.sizes.begin(), variable.sizes.end(), size) != variable.sizes.end();
+    return *std::find_if (variables.begin(), variables.end(), couldBe);
 }
 
 const MatlabVariable& responseVariable (const Variables& variables, std::size_t lines, const std::string& source)

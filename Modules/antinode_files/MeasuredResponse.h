@@ -52,7 +52,7 @@ struct Measurement
 
 /** Puts the responses of several files together: converted to velocity per volt or newton (velocity where no file and no option says
     what it is, per volt), points and drivers numbered where they have no names, lines at 0 Hz left out. Points that are
-    named by numbers stand in their order. Where forces act at many points and few are measured, points and drivers change places,
+    named by numbers stand in their order, drivers as in the first file where it has all of them, which is that of the channels. Where forces act at many points and few are measured, points and drivers change places,
     which reciprocity allows.
     @throws InputError  when frequencies, units or drives of two files do not fit together, or none has a response
     [worker] Docs/Theory.md, section 8.1. */

@@ -1,6 +1,8 @@
 #include "MeasuredResponse.h"
 #include "MessageText.h"
 #include "NaturalOrder.h"
+#include "PlacedPoints.h"
+#include "ResponseNames.h"
 
 #include <antinode_model/InputError.h>
 
@@ -15,55 +17,6 @@ namespace antinode
 namespace
 {
 using Responses = std::vector<MeasuredResponse>;
-
-/** Whether two responses of a list have this name empty and the other the same. */
-bool collides (const Responses& responses, std::string MeasuredResponse::*name, std::string MeasuredResponse::*other)
-{
-    std::set<std::string> seen;
-    return std::any_of (responses.begin(), responses.end(),
-                        [&] (const auto& response)
-                        { return (response.*name).empty() && ! seen.insert (response.*other).second; });
-}
-
-/** Points without names are numbered within their file where it has several for a driver. */
-void numberColumns (Responses& responses)
-{
-    std::map<std::string, int> counts, numbers;
-
-    for (const auto& response : responses)
-        counts[response.driver] += response.point.empty() ? 1 : 0;
-
-    for (auto& response : responses)
-        if (response.point.empty() && counts[response.driver] > 1)
-            response.point = std::to_string (++numbers[response.driver]);
-}
-
-/** All responses with names: what no file names is numbered by the files where these differ in nothing else, else it is 1. */
-Responses named (const std::vector<MeasurementFile>& files)
-{
-    Responses all;
-    std::vector<std::size_t> fileNumbers;
-
-    for (std::size_t f = 0; f < files.size(); ++f)
-    {
-        auto responses = files[f].responses;
-        numberColumns (responses);
-        fileNumbers.resize (fileNumbers.size() + responses.size(), f + 1);
-        std::move (responses.begin(), responses.end(), std::back_inserter (all));
-    }
-
-    const auto fill = [&] (std::string MeasuredResponse::*name, std::string MeasuredResponse::*other)
-    {
-        const auto byFile = collides (all, name, other);
-
-        for (std::size_t i = 0; i < all.size(); ++i)
-            if ((all[i].*name).empty())
-                all[i].*name = byFile ? std::to_string (fileNumbers[i]) : "1";
-    };
-    fill (&MeasuredResponse::point, &MeasuredResponse::driver);
-    fill (&MeasuredResponse::driver, &MeasuredResponse::point);
-    return all;
-}
 
 /** What the numbers of a response mean, with what the user says. */
 ResponseUnit unitOf (const MeasuredResponse& response, const MeasurementOptions& options)
@@ -143,6 +96,7 @@ Eigen::VectorXcd velocityFactors (const ResponseUnit& unit, const Eigen::VectorX
     return Eigen::VectorXcd::Constant (frequencies.size(), unit.factor);
 }
 
+/** Names in the order in which they come. */
 std::vector<std::string> namesOf (const Responses& responses, std::string MeasuredResponse::*name)
 {
     std::vector<std::string> names;
@@ -152,12 +106,19 @@ std::vector<std::string> namesOf (const Responses& responses, std::string Measur
         if (seen.insert (response.*name).second)
             names.push_back (response.*name);
 
-    return inNaturalOrder (std::move (names));
+    return names;
 }
 
-Eigen::Index indexOf (const std::vector<std::string>& names, const std::string& name)
+using Indices = std::map<std::string, Eigen::Index>;
+
+Indices indicesOf (const std::vector<std::string>& names)
 {
-    return std::find (names.begin(), names.end(), name) - names.begin();
+    Indices indices;
+
+    for (const auto& name : names)
+        indices.emplace (name, static_cast<Eigen::Index> (indices.size()));
+
+    return indices;
 }
 
 /** Where forces act at more points than are measured, measured and driven points change places: H_pq = H_qp. */
@@ -199,6 +160,7 @@ void fillTable (const Responses& responses, const MeasurementOptions& options, c
     const auto empty = std::complex<double> (std::numeric_limits<double>::quiet_NaN(), 0);
     table.values.assign (drivers.size(),
                          Eigen::MatrixXcd::Constant (lines - skipped, static_cast<Eigen::Index> (points), empty));
+    const auto pointIndices = indicesOf (measurement.pointNames), driverIndices = indicesOf (drivers);
     std::set<std::pair<std::string, std::string>> seen;
 
     for (const auto& response : responses)
@@ -212,67 +174,58 @@ void fillTable (const Responses& responses, const MeasurementOptions& options, c
             continue;
         }
 
-        table.values[static_cast<std::size_t> (indexOf (drivers, response.driver))].col (
-            indexOf (measurement.pointNames, response.point)) =
-            response.values.tail (lines - skipped)
-                .cwiseProduct (velocityFactors (unitOf (response, options), table.frequencies));
+        table.values[static_cast<std::size_t> (driverIndices.at (response.driver))].col (pointIndices.at (
+            response.point)) = response.values.tail (lines - skipped)
+                                   .cwiseProduct (velocityFactors (unitOf (response, options), table.frequencies));
     }
 }
 
-/** The place of a name, or else of the number at its end: files of places often only number them. */
-PointPlaces::const_iterator placeOf (const std::string& name, const PointPlaces& places)
-{
-    const auto found = places.find (name);
-    return found != places.end() ? found : places.find (name.substr (name.find_last_not_of ("0123456789") + 1));
-}
-
-void placePoints (const std::vector<MeasurementFile>& files, const MeasurementOptions& options,
-                  Measurement& measurement)
-{
-    constexpr double apart = 1e-3;
-    auto places = options.places;
-    auto& points = measurement.responses.points;
-
-    for (const auto& file : files)
-        places.insert (file.places.begin(), file.places.end());
-
-    const auto& names = measurement.pointNames;
-    points.resize (static_cast<Eigen::Index> (names.size()), 2);
-    const auto unplaced = std::find_if (names.begin(), names.end(),
-                                        [&] (const auto& name) { return placeOf (name, places) == places.end(); });
-    measurement.hasPlaces = unplaced == names.end();
-
-    if (! measurement.hasPlaces && ! options.places.empty())
-        throw InputError ("--points", "has no place for the point " + inQuotes (*unplaced) + " of the files");
-
-    for (std::size_t p = 0; p < names.size(); ++p)
-        points.row (static_cast<Eigen::Index> (p)) = measurement.hasPlaces
-                                                         ? placeOf (names[p], places)->second.transpose()
-                                                         : Eigen::RowVector2d (apart * static_cast<double> (p), 0);
-
-    if (! measurement.hasPlaces)
-        measurement.remarks.emplace_back ("No file says where all points are: they are placed 1 mm apart on a line.");
-}
-
+/** The drivers in the order of the options; or of the first file, which is that of the channels, where it has all; or of their numbers. */
 std::vector<std::string> driverNames (const Responses& responses, const MeasurementOptions& options)
 {
     auto names = namesOf (responses, &MeasuredResponse::driver);
+    std::set<std::string> ofFirstFile;
+
+    for (const auto& response : responses)
+        if (response.source == responses.front().source)
+            ofFirstFile.insert (response.driver);
 
     if (options.drivers.empty())
-        return names;
+        return ofFirstFile.size() == names.size() ? names : inNaturalOrder (std::move (names));
 
     for (const auto& name : names)
-        if (indexOf (options.drivers, name) == static_cast<Eigen::Index> (options.drivers.size()))
+        if (std::find (options.drivers.begin(), options.drivers.end(), name) == options.drivers.end())
             throw InputError ("--drivers", "lacks the driver " + inQuotes (name) + " of the files");
 
     return options.drivers;
+}
+
+/** Drivers with the points at which their forces act. */
+std::vector<Driver> driversOf (const Responses& responses, const std::vector<std::string>& names,
+                               const Measurement& measurement)
+{
+    const auto isForce = measurement.responses.drive == DriveQuantity::force;
+    const auto pointIndices = isForce ? indicesOf (measurement.pointNames) : Indices {};
+    std::map<std::string, std::string> places;
+    std::vector<Driver> drivers;
+
+    for (const auto& response : responses)
+        places.emplace (response.driver, response.driverPoint);
+
+    for (const auto& name : names)
+    {
+        const auto point = pointIndices.find (places[name]);
+        drivers.push_back ({ name, point != pointIndices.end() ? std::optional (point->second) : std::nullopt });
+    }
+
+    return drivers;
 }
 } // namespace
 
 Measurement mergedResponses (const std::vector<MeasurementFile>& files, const MeasurementOptions& options)
 {
     Measurement measurement;
-    auto responses = named (files);
+    auto responses = namedResponses (files);
 
     if (responses.empty())
         throw InputError ("the files", "have no frequency response");
@@ -288,25 +241,13 @@ Measurement mergedResponses (const std::vector<MeasurementFile>& files, const Me
     auto& table = measurement.responses;
     table.drive = commonDrive (responses, options);
     exchangeByReciprocity (responses, table.drive, measurement.remarks);
-    measurement.pointNames = namesOf (responses, &MeasuredResponse::point);
+    measurement.pointNames = inNaturalOrder (namesOf (responses, &MeasuredResponse::point));
     const auto drivers = driverNames (responses, options);
     fillTable (responses, options, drivers, measurement);
     placePoints (files, options, measurement);
     measurement.recordLength = responses.front().recordLength;
 
-    for (const auto& name : drivers)
-    {
-        const auto first = std::find_if (responses.begin(), responses.end(),
-                                         [&] (const auto& response) { return response.driver == name; });
-        Driver driver { name, std::nullopt };
-
-        if (first != responses.end() && table.drive == DriveQuantity::force)
-            if (const auto point = indexOf (measurement.pointNames, first->driverPoint); point < table.points.rows())
-                driver.point = point;
-
-        table.drivers.push_back (std::move (driver));
-    }
-
+    table.drivers = driversOf (responses, drivers, measurement);
     validate (table);
     return measurement;
 }

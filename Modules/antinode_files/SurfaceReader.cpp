@@ -17,7 +17,7 @@ constexpr NumberRange anyExact { -1e12, 1e12 };
 
 void readPoints (const JsonValue& list, const std::optional<JsonObject>& exact, Surface& surface)
 {
-    const auto points = list.items (2, ranges::maximumPoints);
+    const auto points = list.items (1, ranges::maximumPoints);
     const auto exactPoints =
         exact ? exact->required ("points_m").items (points.size(), points.size()) : std::vector<JsonValue> {};
     surface.points.resize (static_cast<Eigen::Index> (points.size()), 2);
@@ -66,7 +66,7 @@ std::vector<Eigen::Index> orderAlong (const JsonValue& list, const Eigen::Vector
 Eigen::VectorXd lineShares (const Eigen::VectorXd& x)
 {
     const auto n = x.size();
-    Eigen::VectorXd shares = Eigen::VectorXd::Zero (n);
+    Eigen::VectorXd shares = Eigen::VectorXd::Constant (n, n == 1 ? 1 : 0);
     const Eigen::VectorXd halves = (x.tail (n - 1) - x.head (n - 1)) / 2;
     shares.head (n - 1) += halves;
     shares.tail (n - 1) += halves;

@@ -16,9 +16,8 @@ UniversalHeader readHeaderSet (UniversalRecords& records)
     {
         const auto record = records.record();
         const auto blanks = std::min (record.find_first_not_of (' '), record.size());
-        const auto text = trimmedText (record.substr (blanks));
-        // Blanks before text are columns of dates, but for what would then close the set.
-        header.lines.push_back (text == "-1" ? text : std::string (blanks, ' ') + text);
+        header.lines.push_back (std::string (blanks, ' ')
+                                + trimmedText (record.substr (blanks))); // Blanks are columns of dates.
     }
 
     return header;

@@ -106,6 +106,7 @@ std::string plainText (std::string_view text, std::size_t length)
 
 std::string textRecord (std::string_view text)
 {
-    return plainText (text) + '\n';
+    const auto plain = plainText (text);
+    return (plain == "    -1" ? "-1" : plain) + '\n'; // In these columns it would close the set.
 }
 } // namespace antinode

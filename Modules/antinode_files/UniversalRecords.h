@@ -1,21 +1,15 @@
 #pragma once
 
+#include "UniversalNumbers.h"
+
 #include <cstdint>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace antinode
 {
-/** Widths of a record's columns, which repeat to its end. */
-using ColumnWidths = std::initializer_list<std::size_t>;
-
-/** The records (lines) of a universal data set, read one after the other. The text must outlive it. [worker]
-
-    Numbers stand in columns of Fortran formats, but not every program keeps to them. So a record is read by its columns where every
-    one holds a number, and else number by number: an exponent may begin with E or D or have no letter, and no blank need stand between
-    numbers. */
+/** The records (lines) of a universal data set, read one after the other. The text must outlive it. [worker] */
 class UniversalRecords
 {
 public:
@@ -56,9 +50,6 @@ private:
     std::string source;
     std::size_t position = 0, line;
 };
-
-/** Numbers of one record. @return  false when it has other things [any] */
-bool appendNumbersOf (std::string_view record, ColumnWidths, std::vector<double>&);
 
 /** Text of unknown encoding as UTF-8, without the blanks around it: what is not UTF-8 is Latin-1. [any] */
 std::string trimmedText (std::string_view);

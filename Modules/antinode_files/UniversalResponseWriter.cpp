@@ -1,6 +1,9 @@
+#include "UniversalRecordText.h"
 #include "UniversalResponses.h"
 
 #include <antinode_model/InputError.h>
+
+#include <set>
 
 namespace antinode
 {
@@ -63,10 +66,24 @@ UniversalFunction commonFunction (const FrequencyResponses& responses, const std
     return function;
 }
 
-UniversalPlace placeOf (const Driver& driver)
+/** Names of drivers as ten columns hold them; D1, D2 ... where they would no longer differ. */
+std::vector<std::string> entitiesOf (const std::vector<Driver>& drivers)
 {
-    return driver.point ? UniversalPlace { driver.name, *driver.point + 1, alongZ }
-                        : UniversalPlace { driver.name, 0, 0 };
+    constexpr std::size_t width = 10;
+    std::vector<std::string> entities;
+    std::set<std::string> different;
+
+    for (const auto& driver : drivers)
+    {
+        entities.push_back (plainText (driver.name, width));
+        different.insert (entities.back() == "NONE" ? "" : entities.back());
+    }
+
+    if (different.size() < drivers.size() || different.contains (""))
+        for (std::size_t i = 0; i < entities.size(); ++i)
+            entities[i] = "D" + std::to_string (i + 1);
+
+    return entities;
 }
 } // namespace
 
@@ -80,6 +97,7 @@ std::vector<UniversalSet> responseSets (const FrequencyResponses& responses)
     UniversalUnits units { 1, "SI: Meter (newton)", 2, 1, 1, 1, 273.14999999999998 };
     std::vector<UniversalSet> sets { units, nodesOf (responses.points) };
     const auto common = commonFunction (responses, lines);
+    const auto entities = entitiesOf (responses.drivers);
 
     for (std::size_t i = 0; i < responses.values.size(); ++i)
         for (Eigen::Index p = 0; p < responses.points.rows(); ++p)
@@ -87,7 +105,9 @@ std::vector<UniversalSet> responseSets (const FrequencyResponses& responses)
             auto function = common;
             function.identification = static_cast<UniversalLabel> (sets.size());
             function.response = { "NONE", p + 1, alongZ };
-            function.reference = placeOf (responses.drivers[i]);
+            const auto& driver = responses.drivers[i];
+            function.reference = driver.point ? UniversalPlace { entities[i], *driver.point + 1, alongZ }
+                                              : UniversalPlace { entities[i], 0, 0 };
             function.values = responses.values[i].col (p) (lines);
 
             if (function.values.array().isFinite().all())

@@ -15,7 +15,7 @@ namespace antinode
 MeasurementFile measurementOf (const std::vector<UniversalSet>&, const std::string& source);
 
 /** Frequency responses as universal data sets in double precision: header, SI units, nodes from 1, and a 58b a point and driver: the
-    driver is the reference, its point as node or its name (ten characters) as entity. Lines at which one is not finite are left out for
+    driver is the reference, its point as node or its name as entity (ten characters; D1, D2 ... where they would not differ). Lines at which one is not finite are left out for
     all, responses without a finite line altogether.
     @throws InputError  when no line is finite
     [worker] */

@@ -1,5 +1,7 @@
 #include "ComplexModes.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace antinode
@@ -24,51 +26,166 @@ void splitResidues (IdentifiedModes& modes, Eigen::Index mode, const Eigen::Matr
 }
 
 /** Coefficients of the modes' functions: velocity and delay; together with a constant they are any complex residue. */
-Eigen::MatrixXd functionAmplitudes (const IdentifiedModes& modes, const FitState& state)
+Eigen::MatrixXd functionAmplitudes (const IdentifiedModes& modes, const ModalBasis& basis)
 {
     const auto points = modes.complexShapes.rows(), drivers = modes.complexParticipation.cols();
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero (functionsOfMode * state.modes(), points * drivers);
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero (basis.modalColumns(), points * drivers);
 
-    for (Eigen::Index k = 0; k < state.modes(); ++k)
+    for (Eigen::Index k = 0; k < basis.modes(); ++k)
     {
-        const auto resonance = state.basis.angularFrequencies[k], damping = state.basis.dampingRatios[k];
+        const auto resonance = basis.angularFrequencies[k], damping = basis.dampingRatios[k];
         const Eigen::MatrixXcd products = modes.complexShapes.col (k) * modes.complexParticipation.row (k);
         const Eigen::RowVectorXcd flat = products.reshaped().transpose();
-        const auto ofDelay = state.basis.column (k, ModalFunction::delay);
+        const auto ofDelay = basis.column (k, ModalFunction::delay);
         result.row (ofDelay) = -flat.imag() / (resonance * std::sqrt (1 - damping * damping));
-        result.row (state.basis.column (k, ModalFunction::velocity)) =
+        result.row (basis.column (k, ModalFunction::velocity)) =
             flat.real() / resonance - damping * result.row (ofDelay);
     }
 
     return result;
 }
+
+using Indices = std::vector<Eigen::Index>;
+constexpr std::array values { ModalFunction::velocity, ModalFunction::delay };
+/** By the unknown, frequency or damping, and the function of which they are derivatives. */
+constexpr std::array<std::array<ModalFunction, 2>, 2> derivatives {
+    { { ModalFunction::frequency, ModalFunction::delayFrequency },
+      { ModalFunction::damping, ModalFunction::delayDamping } }
+};
+
+void appendColumns (Indices& to, const ModalBasis& basis, ModalFunction function)
+{
+    for (Eigen::Index k = 0; k < basis.modes(); ++k)
+        to.push_back (basis.column (k, function));
+}
+
+/** Equations of all poles: frequencies in half widths, then dampings relative to themselves. */
+struct PoleEquations
+{
+    Eigen::MatrixXd matrix;
+    Eigen::VectorXd gradient;
+    double cost = 0;
+};
+
+PoleEquations poleEquations (const ModalBasis& basis, const ModalProducts& products,
+                             const Eigen::VectorXd& columnWeights, double ridge)
+{
+    const auto reduced = withoutPowers (basis, products);
+    const auto modes = basis.modes();
+    Indices linear, nonlinear;
+
+    for (const auto function : values)
+        appendColumns (linear, basis, function);
+
+    for (const auto& ofUnknown : derivatives)
+        for (const auto function : ofUnknown)
+            appendColumns (nonlinear, basis, function);
+
+    const auto between = Eigen::MatrixXd (reduced.gram (linear, nonlinear));
+    const auto data = Eigen::MatrixXd (reduced.data (linear, Eigen::all));
+    const auto coefficients = solveEven (reduced.gram (linear, linear), data, ridge);
+    const Eigen::MatrixXd gram = reduced.gram (nonlinear, nonlinear)
+                                 - between.transpose() * solveEven (reduced.gram (linear, linear), between, ridge);
+    const Eigen::MatrixXd errors = reduced.data (nonlinear, Eigen::all) - between.transpose() * coefficients;
+    const Eigen::MatrixXd weighted = coefficients * columnWeights.asDiagonal();
+    const Eigen::MatrixXd pairs = weighted * coefficients.transpose();
+    PoleEquations result {
+        Eigen::MatrixXd::Zero (2 * modes, 2 * modes), Eigen::VectorXd::Zero (2 * modes),
+        (reduced.energies - data.cwiseProduct (coefficients).colwise().sum().transpose()).dot (columnWeights)
+    };
+
+    // The coefficients of the functions that an unknown changes multiply what it changes of them.
+    for (Eigen::Index a = 0; a < 2; ++a)
+        for (Eigen::Index u = 0; u < 2; ++u)
+        {
+            result.gradient.segment (a * modes, modes) += errors.middleRows ((2 * a + u) * modes, modes)
+                                                              .cwiseProduct (weighted.middleRows (u * modes, modes))
+                                                              .rowwise()
+                                                              .sum();
+
+            for (Eigen::Index b = 0; b < 2; ++b)
+                for (Eigen::Index v = 0; v < 2; ++v)
+                    result.matrix.block (a * modes, b * modes, modes, modes) +=
+                        gram.block ((2 * a + u) * modes, (2 * b + v) * modes, modes, modes)
+                            .cwiseProduct (pairs.block (u * modes, v * modes, modes, modes));
+        }
+
+    return result;
+}
+
+ModalBasis stepped (ModalBasis basis, const Eigen::VectorXd& step)
+{
+    for (Eigen::Index k = 0; k < basis.modes(); ++k)
+    {
+        basis.angularFrequencies[k] *= 1 + basis.dampingRatios[k] * std::clamp (step[k], -1.0, 1.0);
+        basis.dampingRatios[k] = std::clamp (
+            basis.dampingRatios[k] * std::exp (std::clamp (step[basis.modes() + k], -0.7, 0.7)), 1e-9, 0.999);
+    }
+
+    return basis;
+}
 } // namespace
 
-void addComplexModes (IdentifiedModes& modes, const FitState& state, const Eigen::MatrixXcd& residues,
-                      const PreparedResponses& data)
+FreeResidues fitFreeResidues (const PreparedResponses& data, const NormalModes& start, double ridge)
+{
+    constexpr int mostIterations = 12;
+    constexpr double leastGain = 1e-9; // relative, of the cost
+    auto basis = basisOf (start.angularFrequencies, start.dampingRatios, data);
+    basis.functions = functionsOfComplexMode;
+    auto products = modalProducts (basis, data, start.delay);
+    auto equations = poleEquations (basis, products, data.columnWeights, ridge);
+
+    for (int iteration = 0; iteration < mostIterations; ++iteration)
+    {
+        const auto next = stepped (basis, solveEven (equations.matrix, equations.gradient, 1e-9));
+        auto nextProducts = modalProducts (next, data, start.delay);
+        auto nextEquations = poleEquations (next, nextProducts, data.columnWeights, ridge);
+
+        if (nextEquations.cost > equations.cost * (1 - leastGain))
+            break;
+
+        basis = next;
+        products = std::move (nextProducts);
+        equations = std::move (nextEquations);
+    }
+
+    auto residues = complexResidues (basis, products, ridge);
+    return { std::move (basis), std::move (products), std::move (residues) };
+}
+
+FreeResidues freeResidues (const FitState& state, double ridge)
+{
+    return { state.basis, state.products, complexResidues (state.basis, state.products, ridge) };
+}
+
+Eigen::MatrixXd addComplexModes (IdentifiedModes& modes, const FreeResidues& fit, const PreparedResponses& data)
 {
     const auto points = data.points(), drivers = data.drivers();
-    modes.complexShapes.resize (points, state.modes());
-    modes.complexParticipation.resize (state.modes(), drivers);
+    const auto& basis = fit.basis;
+    modes.complexShapes.resize (points, basis.modes());
+    modes.complexParticipation.resize (basis.modes(), drivers);
 
-    for (Eigen::Index k = 0; k < state.modes(); ++k)
-        splitResidues (modes, k, residues.row (k).reshaped (points, drivers));
+    for (Eigen::Index k = 0; k < basis.modes(); ++k)
+        splitResidues (modes, k, fit.residues.row (k).reshaped (points, drivers));
 
-    const auto amplitudesOfAll = functionAmplitudes (modes, state);
-    auto coefficients = powerCoefficients (state.basis, state.products, amplitudesOfAll);
+    const auto amplitudes = functionAmplitudes (modes, basis);
+    Eigen::MatrixXd coefficients (basis.size(), data.columns());
+    coefficients << amplitudes, powerCoefficients (basis, fit.products, amplitudes);
     modes.residuals.clear();
 
-    for (std::size_t n = 0; n < state.basis.powers.size(); ++n)
+    for (std::size_t n = 0; n < basis.powers.size(); ++n)
     {
-        const auto power = state.basis.powers[n];
-        auto row = coefficients.row (static_cast<Eigen::Index> (n));
+        const auto power = basis.powers[n];
+        Eigen::RowVectorXd row = coefficients.row (basis.modalColumns() + static_cast<Eigen::Index> (n));
 
         // omega^2 / D tends to -1, residues alone to 0: the constant makes up for it.
         if (power == 0)
-            for (Eigen::Index k = 0; k < state.modes(); ++k)
-                row -= amplitudesOfAll.row (state.basis.column (k, ModalFunction::delay));
+            for (Eigen::Index k = 0; k < basis.modes(); ++k)
+                row -= amplitudes.row (basis.column (k, ModalFunction::delay));
 
-        modes.residuals.push_back ({ power, row.reshaped (points, drivers) / std::pow (state.basis.scale, power) });
+        modes.residuals.push_back ({ power, row.reshaped (points, drivers) / std::pow (basis.scale, power) });
     }
+
+    return coefficients;
 }
 } // namespace antinode

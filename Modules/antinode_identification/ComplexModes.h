@@ -5,9 +5,26 @@
 
 namespace antinode
 {
-/** Puts complex shapes and participations beside the real ones: the strongest product of free complex residues. Residual terms become
-    those that belong to them.
-    @param residues  N_m x C: phi alpha, complex, without delay
+/** Modes whose residues are free: any complex number for each point and driver, by least squares; only the poles are common. */
+struct FreeResidues
+{
+    ModalBasis basis; ///< With the fitted poles.
+    ModalProducts products;
+    Eigen::MatrixXcd residues; ///< N_m x C: phi alpha, complex.
+};
+
+/** Fits the poles by Gauss and Newton's method, residues and powers eliminated (variable projection). What structures whose damping is not
+    proportional need; where modes are real it knows less than the fit of normal modes.
+    @param start  its poles, and the delay that is taken out of the data
+    [worker] Docs/Theory.md, section 8.4; Golub and Pereyra, SIAM Journal on Numerical Analysis 10 (1973) 413. */
+FreeResidues fitFreeResidues (const PreparedResponses&, const NormalModes& start, double ridge);
+
+/** The same for the poles of real modes as they are. [worker] */
+FreeResidues freeResidues (const FitState&, double ridge);
+
+/** Puts complex shapes and participations beside the real ones: the strongest product of the free residues of each mode. Residual terms
+    become those that belong to them.
+    @return  coefficients of all functions of the basis for these modes, functions x C
     [worker] Docs/Theory.md, section 8.4. */
-void addComplexModes (IdentifiedModes&, const FitState&, const Eigen::MatrixXcd& residues, const PreparedResponses&);
+Eigen::MatrixXd addComplexModes (IdentifiedModes&, const FreeResidues&, const PreparedResponses&);
 } // namespace antinode

@@ -9,6 +9,8 @@ namespace antinode
 {
 namespace
 {
+constexpr Eigen::Index fewestReferences = 4;
+
 /** The strongest eigenvectors of a Gram matrix of which the lower triangle is given. */
 Eigen::MatrixXd strongest (Eigen::MatrixXd gram, Eigen::Index count)
 {
@@ -50,6 +52,24 @@ Eigen::MatrixXd gramOfDrivers (const std::vector<Eigen::MatrixXcd>& values)
 
     return gram;
 }
+
+/** Outputs in the place of references, by reciprocity of the poles: shapes then tell modes apart that few drivers cannot. */
+CompressedBand exchanged (CompressedBand band, const std::vector<Eigen::MatrixXcd>& projected, Eigen::Index references)
+{
+    const auto drivers = static_cast<Eigen::Index> (projected.size());
+
+    for (Eigen::Index r = 0; r < std::min (references, projected.front().cols()); ++r)
+    {
+        Eigen::MatrixXcd values (band.lines(), drivers);
+
+        for (Eigen::Index i = 0; i < drivers; ++i)
+            values.col (i) = projected[static_cast<std::size_t> (i)].col (r);
+
+        band.values.push_back (std::move (values));
+    }
+
+    return band;
+}
 } // namespace
 
 CompressedBand compress (const PreparedResponses& data, Eigen::Index first, Eigen::Index count, Eigen::Index outputs,
@@ -78,6 +98,9 @@ CompressedBand compress (const PreparedResponses& data, Eigen::Index first, Eige
 
     CompressedBand band;
     band.omega = data.omega.segment (first, count);
+
+    if (drivers < fewestReferences && directions.cols() > drivers)
+        return exchanged (std::move (band), projected, references);
 
     if (drivers <= references)
     {

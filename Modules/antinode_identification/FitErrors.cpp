@@ -11,16 +11,6 @@ namespace antinode
 {
 namespace
 {
-/** Coefficients of all functions of the basis: the modes' amplitudes, and those of the powers. */
-Eigen::MatrixXd coefficientsOf (const FitState& state)
-{
-    const auto& basis = state.basis;
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero (basis.size(), state.columnWeights.size());
-    result (Eigen::seqN (0, basis.modes(), Eigen::fix<functionsOfMode>), Eigen::all) = amplitudes (state);
-    result.bottomRows (static_cast<Eigen::Index> (basis.powers.size())) = residualCoefficients (state);
-    return result;
-}
-
 /** What the coefficients give on the lines of a segment whose weights are 1; of functions that are 0 nothing is computed. */
 DataBlock synthesised (const LineSegment& segment, const Eigen::MatrixXd& coefficients, Eigen::Index lines)
 {
@@ -106,9 +96,18 @@ Eigen::VectorXd energiesOf (const Eigen::MatrixXd& real, const Eigen::MatrixXd& 
 }
 } // namespace
 
-FitErrors fitErrors (PreparedResponses& data, const NormalModeFit& fit)
+Eigen::MatrixXd coefficientsOf (const FitState& state)
 {
-    const auto coefficients = coefficientsOf (fit.state);
+    const auto& basis = state.basis;
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero (basis.size(), state.columnWeights.size());
+    result (Eigen::seqN (0, basis.modes(), Eigen::fix<functionsOfRealMode>), Eigen::all) = amplitudes (state);
+    result.bottomRows (static_cast<Eigen::Index> (basis.powers.size())) = residualCoefficients (state);
+    return result;
+}
+
+FitErrors fitErrors (PreparedResponses& data, const ModalBasis& basis, const Eigen::MatrixXd& coefficients,
+                     double delay)
+{
     // Spans of lines: enough of them to follow the noise's colour, enough lines in each for its variance.
     const auto perSpan = std::clamp<Eigen::Index> (data.lines() / 24, 16, linesOfSegment);
     const auto spans = std::max<Eigen::Index> (1, data.lines() / perSpan);
@@ -119,10 +118,9 @@ FitErrors fitErrors (PreparedResponses& data, const NormalModeFit& fit)
     {
         const auto first = s * data.lines() / spans, count = (s + 1) * data.lines() / spans - first;
         const Eigen::VectorXd omega = data.omega.segment (first, count);
-        const auto given =
-            synthesised (lineSegment (fit.state.basis, omega, Eigen::VectorXd::Ones (count)), coefficients, count);
-        fillMissing (data, first, count, fit.modes.delay, given);
-        auto error = dataBlock (data, first, advances (data, first, count, fit.modes.delay));
+        const auto given = synthesised (lineSegment (basis, omega, Eigen::VectorXd::Ones (count)), coefficients, count);
+        fillMissing (data, first, count, delay, given);
+        auto error = dataBlock (data, first, advances (data, first, count, delay));
         errors.dataEnergies += energiesOf (error.real, error.imaginary);
         error.real -= given.real;
         error.imaginary -= given.imaginary;

@@ -15,9 +15,13 @@ struct FitErrors
     Eigen::VectorXd dataEnergies; ///< C: sum of |data|^2.
 };
 
-/** Data less the fit, everywhere; single missing values are replaced by what the fit gives there.
+/** Coefficients of all functions of a basis: what a fit of real modes gives, functions x C. [worker] */
+Eigen::MatrixXd coefficientsOf (const FitState&);
+
+/** Data less a fit, everywhere; single missing values are replaced by what the fit gives there.
+    @param coefficients  functions x C
     [worker] Docs/Theory.md, section 8.5. */
-FitErrors fitErrors (PreparedResponses&, const NormalModeFit&);
+FitErrors fitErrors (PreparedResponses&, const ModalBasis&, const Eigen::MatrixXd& coefficients, double delay);
 
 /** Weights 1 / variance from what a fit leaves: a product of one for each line, point and driver. Where variances were given they stay, as
     far as the errors bear them out.

@@ -5,6 +5,7 @@
 #include "FitErrors.h"
 #include "ModeAssessment.h"
 #include "ModeSelection.h"
+#include "Orthogonalisation.h"
 #include "PeakPicking.h"
 #include "PoleSearch.h"
 #include "ShapeScales.h"
@@ -19,8 +20,14 @@ namespace antinode
 {
 namespace
 {
-/** A fit ends where a step is worth so many squared standard deviations: the first one only has to show the noise. */
-constexpr double coarse = 1e-2, fine = 1e-6;
+/** When a fit ends: where a step is worth so many squared standard deviations, or after so many steps. */
+struct Patience
+{
+    double precision = 0;
+    int iterations = 0;
+};
+constexpr Patience coarse { 1e-2, 6 }; // only has to show the noise, and which modes stand out of it
+constexpr Patience fine { 1e-6, 25 };
 
 void checkOptions (const FrequencyResponses& responses, const IdentificationOptions& options)
 {
@@ -101,11 +108,11 @@ double varianceOf (const NormalModeFit& fit, const PreparedResponses& data)
 
 /** Fits, takes out what does not stand out of the noise, and fits again, until all do. */
 NormalModeFit fitWhatStandsOut (const PreparedResponses& data, NormalModeStart start,
-                                std::vector<PoleCluster>& clusters, double precision, double ridge)
+                                std::vector<PoleCluster>& clusters, const Patience& patience, double ridge)
 {
     while (true)
     {
-        auto fit = fitNormalModes (data, start, ridge, precision);
+        auto fit = fitNormalModes (data, start, ridge, patience.precision, patience.iterations);
         const auto kept = standOut (fit.state, varianceOf (fit, data), ridge);
 
         // Modes that passed each other while they were fitted are put in order once more.
@@ -158,12 +165,11 @@ void blankUnmeasured (Eigen::MatrixXd& shapes, const PreparedResponses& data)
             shapes.row (p).setConstant (std::numeric_limits<double>::quiet_NaN());
 }
 
-IdentifiedModes described (const NormalModeFit& fit, const PreparedResponses& data, const FitErrors& errors,
+IdentifiedModes described (const NormalModeFit& fit, const FreeResidues& residues, PreparedResponses& data,
                            const std::vector<PoleCluster>& clusters, const IdentificationOptions& options)
 {
     IdentifiedModes result;
     describeData (result, data);
-    describeErrors (result, data, errors);
     const auto& modes = fit.modes;
     result.angularFrequencies = modes.angularFrequencies;
     result.dampingRatios = modes.dampingRatios;
@@ -174,8 +180,7 @@ IdentifiedModes described (const NormalModeFit& fit, const PreparedResponses& da
     const auto variance = varianceOf (fit, data);
     result.deviations = deviationsOf (fit.state, variance, options.delay.has_value(), options.ridge);
     result.residuals = residualTerms (fit.state, data.points(), data.drivers());
-    const auto residues = complexResidues (fit.state.basis, fit.state.products, options.ridge);
-    result.quality = assessResidues (residues, data);
+    result.quality = assessResidues (residues.residues, data);
     const auto strengths = signalToNoise (fit.state, variance, options.ridge);
 
     for (std::size_t k = 0; k < result.quality.size(); ++k)
@@ -184,9 +189,9 @@ IdentifiedModes described (const NormalModeFit& fit, const PreparedResponses& da
         result.quality[k].signalToNoise = strengths[static_cast<Eigen::Index> (k)];
     }
 
-    if (options.complexModes)
-        addComplexModes (result, fit.state, residues, data);
-
+    const auto coefficients =
+        options.complexModes ? addComplexModes (result, residues, data) : coefficientsOf (fit.state);
+    describeErrors (result, data, fitErrors (data, residues.basis, coefficients, modes.delay));
     scaleShapes (result, options.pointMasses);
     addDoubts (result);
     return result;
@@ -206,16 +211,9 @@ IdentifiedModes described (const NormalModeFit& fit, const PreparedResponses& da
                                  : "hold modes that grow instead of decaying: they seem to be complex conjugates, "
                                    "allowed is the convention exp (+i omega t)");
 }
-} // namespace
 
-IdentifiedModes identify (const FrequencyResponses& responses, const IdentificationOptions& options)
+IdentifiedModes fitModes (const FrequencyResponses& responses, const IdentificationOptions& options)
 {
-    validate (responses);
-    checkOptions (responses, options);
-
-    if (options.method == IdentificationMethod::peakPicking)
-        return pickPeaks (responses, options);
-
     auto data =
         weighted (prepare (responses, options.minimumFrequency, options.maximumFrequency), options.pointWeights);
     auto found = searchPoles (data, options);
@@ -224,15 +222,41 @@ IdentifiedModes identify (const FrequencyResponses& responses, const Identificat
     if (clusters.empty())
         throwNoModes (responses, options);
 
-    const auto start = startFrom (data, clusters, options);
-    auto fit = fitWhatStandsOut (data, start, clusters, coarse, options.ridge);
+    const auto delayIsKnown = options.delay.has_value();
+    auto fit = fitWhatStandsOut (data, startFrom (data, clusters, options), clusters, coarse, options.ridge);
 
     if (options.pointWeights.size() == 0)
-        weighByErrors (data, fitErrors (data, fit));
+        weighByErrors (data, fitErrors (data, fit.state.basis, coefficientsOf (fit.state), fit.modes.delay));
 
-    fit = fitWhatStandsOut (data, continued (fit.modes, options.delay.has_value()), clusters, fine, options.ridge);
-    auto result = described (fit, data, fitErrors (data, fit), clusters, options);
+    fit = fitWhatStandsOut (data, continued (fit.modes, delayIsKnown), clusters, fine, options.ridge);
+    auto residues = freeResidues (fit.state, options.ridge);
+
+    if (options.complexModes)
+    {
+        residues = fitFreeResidues (data, fit.modes, options.ridge);
+        // The best real modes with the poles of the complex ones.
+        fit.modes.angularFrequencies = residues.basis.angularFrequencies;
+        fit.modes.dampingRatios = residues.basis.dampingRatios;
+        fit = fitNormalModes (data, continued (fit.modes, delayIsKnown), options.ridge, fine.precision, 0);
+    }
+
+    auto result = described (fit, residues, data, clusters, options);
     result.stabilisation = std::move (found.stabilisation);
+    return result;
+}
+} // namespace
+
+IdentifiedModes identify (const FrequencyResponses& responses, const IdentificationOptions& options)
+{
+    validate (responses);
+    checkOptions (responses, options);
+
+    auto result = options.method == IdentificationMethod::peakPicking ? pickPeaks (responses, options)
+                                                                      : fitModes (responses, options);
+
+    if (options.gramSchmidt)
+        orthogonalise (result, options.pointMasses);
+
     return result;
 }
 } // namespace antinode

@@ -59,20 +59,20 @@ LineSegment lineSegment (const ModalBasis& basis, const Eigen::VectorXd& omega, 
         const auto isFar = omega.size() >= 4 * nodes && std::abs (basis.angularFrequencies[k] - centre) > 3 * halfWidth
                            && centre > 2 * halfWidth;
         (isFar ? farModes : nearModes).push_back (k);
-        appendColumns (isFar ? segment.far : segment.near, functionsOfMode * k, functionsOfMode);
+        appendColumns (isFar ? segment.far : segment.near, basis.functions * k, basis.functions);
     }
 
     const auto powers = static_cast<Eigen::Index> (basis.powers.size());
-    appendColumns (segment.near, functionsOfMode * basis.modes(), powers);
+    appendColumns (segment.near, basis.modalColumns(), powers);
     Eigen::MatrixXcd near (omega.size(), static_cast<Eigen::Index> (segment.near.size()));
     Eigen::MatrixXcd far (nodes, static_cast<Eigen::Index> (segment.far.size()));
 
     for (std::size_t n = 0; n < nearModes.size(); ++n)
-        near.middleCols (functionsOfMode * static_cast<Eigen::Index> (n), functionsOfMode) =
+        near.middleCols (basis.functions * static_cast<Eigen::Index> (n), basis.functions) =
             functionsOf (basis, nearModes[n], omega);
 
     for (std::size_t n = 0; n < farModes.size(); ++n)
-        far.middleCols (functionsOfMode * static_cast<Eigen::Index> (n), functionsOfMode) =
+        far.middleCols (basis.functions * static_cast<Eigen::Index> (n), basis.functions) =
             functionsOf (basis, farModes[n], nodesAt);
 
     near.rightCols (powers) = powersOf (basis, omega);

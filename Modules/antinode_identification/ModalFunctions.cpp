@@ -8,7 +8,7 @@ Eigen::MatrixXcd functionsOf (const ModalBasis& basis, Eigen::Index mode, const 
 {
     using std::complex;
     const auto resonance = basis.angularFrequencies[mode], damping = basis.dampingRatios[mode];
-    Eigen::MatrixXcd result (omega.size(), functionsOfMode);
+    Eigen::MatrixXcd result (omega.size(), basis.functions);
 
     for (Eigen::Index f = 0; f < omega.size(); ++f)
     {
@@ -21,6 +21,9 @@ Eigen::MatrixXcd functionsOf (const ModalBasis& basis, Eigen::Index mode, const 
         result (f, 1) = byDenominator * complex<double> (2 * resonance, 2 * damping * omega[f]) * damping * resonance;
         result (f, 2) = byDenominator * complex<double> (0, 2 * resonance * omega[f]) * damping;
         result (f, 3) = -velocity * g / resonance;
+
+        for (Eigen::Index derivative = 1; derivative + 3 < basis.functions; ++derivative)
+            result (f, derivative + 3) = -velocity * result (f, derivative) / resonance;
     }
 
     return result;

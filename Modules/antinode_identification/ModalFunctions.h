@@ -7,34 +7,39 @@
 namespace antinode
 {
 /** What a mode of given pole may contribute, as functions of frequency: itself, and how it changes with what it depends on.
-    Mode k has columns functionsOfMode k to functionsOfMode k + 3 in this order; powers of i omega follow after all modes. */
+    Mode k has the columns from functions k on, in this order; powers of i omega follow after all modes. */
 enum class ModalFunction
 {
-    velocity,  ///< g = i omega / D, D = omega_k^2 - omega^2 + 2 i xi omega_k omega; times omega_k.
-    frequency, ///< dg/domega_k xi omega_k, times omega_k: a shift by the half width.
-    damping,   ///< dg/dxi xi, times omega_k: a relative change of the damping.
-    delay      ///< -i omega g = omega^2 / D: a delay, behind unit mode.
+    velocity,       ///< g = i omega / D, D = omega_k^2 - omega^2 + 2 i xi omega_k omega; times omega_k.
+    frequency,      ///< dg/domega_k xi omega_k, times omega_k: a shift by the half width.
+    damping,        ///< dg/dxi xi, times omega_k: a relative change of the damping.
+    delay,          ///< -i omega g = omega^2 / D: a delay, behind unit mode.
+    delayFrequency, ///< As frequency and damping, of the function delay: only where residues are complex.
+    delayDamping
 };
 
-constexpr Eigen::Index functionsOfMode = 4;
+/** How many of them a fit has: real residues need four, complex ones all. */
+constexpr Eigen::Index functionsOfRealMode = 4, functionsOfComplexMode = 6;
 
 /** Poles and powers that a fit is made of. N_m modes. */
 struct ModalBasis
 {
-    Eigen::VectorXd angularFrequencies; ///< N_m: rad/s
-    Eigen::VectorXd dampingRatios;      ///< N_m
-    std::vector<int> powers;            ///< Of i omega / scale.
-    double scale = 1;                   ///< rad/s: keeps powers near 1.
+    Eigen::VectorXd angularFrequencies;           ///< N_m: rad/s
+    Eigen::VectorXd dampingRatios;                ///< N_m
+    std::vector<int> powers;                      ///< Of i omega / scale.
+    double scale = 1;                             ///< rad/s: keeps powers near 1.
+    Eigen::Index functions = functionsOfRealMode; ///< Of each mode.
 
     Eigen::Index modes() const { return angularFrequencies.size(); }
-    Eigen::Index size() const { return functionsOfMode * modes() + static_cast<Eigen::Index> (powers.size()); }
+    Eigen::Index modalColumns() const { return functions * modes(); }
+    Eigen::Index size() const { return modalColumns() + static_cast<Eigen::Index> (powers.size()); }
     Eigen::Index column (Eigen::Index mode, ModalFunction function) const
     {
-        return functionsOfMode * mode + static_cast<Eigen::Index> (function);
+        return functions * mode + static_cast<Eigen::Index> (function);
     }
 };
 
-/** The four functions of one mode. @param omega N lines, rad/s @return N x 4 [any] Docs/Theory.md, section 8.4. */
+/** The functions of one mode. @param omega N lines, rad/s @return N x functions [any] Docs/Theory.md, section 8.4. */
 Eigen::MatrixXcd functionsOf (const ModalBasis&, Eigen::Index mode, const Eigen::VectorXd& omega);
 
 /** The powers of i omega / scale. @param omega N lines, rad/s, above 0 @return N x powers [any] */

@@ -12,7 +12,7 @@ namespace antinode
 {
 namespace
 {
-constexpr double mostDamping = 0.3;
+constexpr double mostDamping = 0.15;
 
 double frequencyOf (const PoleCluster& cluster)
 {
@@ -38,6 +38,24 @@ std::size_t nearest (const std::vector<PoleCluster>& clusters, double frequency)
     }
 
     return best;
+}
+
+double assurance (const Eigen::VectorXd& one, const Eigen::VectorXd& other)
+{
+    return std::pow (one.dot (other), 2) / std::max (one.squaredNorm() * other.squaredNorm(), 1e-300);
+}
+
+/** Whether two modes are one that was split: poles within half a half width, and one product of shape and participation. Two modes of
+    one frequency differ in either. */
+bool areTwins (const FitState& state, Eigen::Index k, Eigen::Index l)
+{
+    const auto& omega = state.basis.angularFrequencies;
+    const auto& damping = state.basis.dampingRatios;
+    const auto halfWidth = std::min (damping[k] * omega[k], damping[l] * omega[l]);
+    return std::hypot (omega[k] - omega[l], damping[k] * omega[k] - damping[l] * omega[l]) < halfWidth / 2
+           && assurance (state.shapes.col (k), state.shapes.col (l))
+                      * assurance (state.strengths.row (k), state.strengths.row (l))
+                  > 0.5;
 }
 } // namespace
 
@@ -77,7 +95,8 @@ std::vector<Eigen::Index> standOut (const FitState& state, double variance, doub
     {
         // Of two that stand for one mode each looks superfluous beside the other: only the weaker goes.
         const auto isWeaker = k + 1 == state.modes() || ratios[k] <= ratios[k + 1] || ratios[k + 1] >= least;
-        lastFell = isMisfit (k) || (ratios[k] < least && isWeaker && ! lastFell);
+        const auto isSplit = k + 1 < state.modes() && areTwins (state, k, k + 1);
+        lastFell = isMisfit (k) || isSplit || (ratios[k] < least && isWeaker && ! lastFell);
 
         if (! lastFell)
             kept.push_back (k);

@@ -14,16 +14,17 @@ constexpr std::array poleFunctions { ModalFunction::frequency, ModalFunction::da
 /** The part of a matrix over all functions that belongs to one kind in rows and one in columns: N_m x N_m. */
 Eigen::MatrixXd part (const Eigen::MatrixXd& gram, ModalFunction row, ModalFunction column)
 {
-    const auto modes = gram.rows() / functionsOfMode;
+    const auto modes = gram.rows() / functionsOfRealMode;
     const auto every = [modes] (ModalFunction function)
-    { return Eigen::seqN (static_cast<Eigen::Index> (function), modes, Eigen::fix<functionsOfMode>); };
+    { return Eigen::seqN (static_cast<Eigen::Index> (function), modes, Eigen::fix<functionsOfRealMode>); };
     return gram (every (row), every (column));
 }
 
 Eigen::MatrixXd rowsOf (const Eigen::MatrixXd& data, ModalFunction function)
 {
-    const auto modes = data.rows() / functionsOfMode;
-    return data (Eigen::seqN (static_cast<Eigen::Index> (function), modes, Eigen::fix<functionsOfMode>), Eigen::all);
+    const auto modes = data.rows() / functionsOfRealMode;
+    return data (Eigen::seqN (static_cast<Eigen::Index> (function), modes, Eigen::fix<functionsOfRealMode>),
+                 Eigen::all);
 }
 
 /** How much of a function one unit of an unknown stands for, a mode: unit modes delayed by the delay's unit. */
@@ -208,8 +209,8 @@ Eigen::MatrixXd amplitudes (const FitState& state)
 
 Eigen::MatrixXd residualCoefficients (const FitState& state)
 {
-    Eigen::MatrixXd ofAll = Eigen::MatrixXd::Zero (functionsOfMode * state.modes(), state.columnWeights.size());
-    ofAll (Eigen::seqN (0, state.modes(), Eigen::fix<functionsOfMode>), Eigen::all) = amplitudes (state);
+    Eigen::MatrixXd ofAll = Eigen::MatrixXd::Zero (functionsOfRealMode * state.modes(), state.columnWeights.size());
+    ofAll (Eigen::seqN (0, state.modes(), Eigen::fix<functionsOfRealMode>), Eigen::all) = amplitudes (state);
     return powerCoefficients (state.basis, state.products, ofAll);
 }
 
@@ -243,7 +244,7 @@ NormalEquations normalEquations (const FitState& state, double ridge)
     const auto data = rowsOf (state.reduced.data, ModalFunction::velocity);
     Eigen::MatrixXd errors = state.reduced.data;
     const Eigen::MatrixXd toVelocity =
-        state.reduced.gram (Eigen::all, Eigen::seqN (0, modes, Eigen::fix<functionsOfMode>));
+        state.reduced.gram (Eigen::all, Eigen::seqN (0, modes, Eigen::fix<functionsOfRealMode>));
     addProduct (errors, -1, toVelocity, given);
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero (modes * blocks);
     addGradient (gradient, state, errors);

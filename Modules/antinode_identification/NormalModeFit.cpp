@@ -11,7 +11,6 @@ namespace antinode
 {
 namespace
 {
-constexpr int mostIterations = 25;
 constexpr double gaugeWeight = 1; // of the mean diagonal: fixes lengths that the data leave free.
 
 FitState stateAt (const PreparedResponses& data, const NormalModes& modes, double ridge)
@@ -101,7 +100,7 @@ void holdWhatIsNotSeen (NormalEquations& equations, const FitState& state, bool 
 }
 
 NormalModeFit fitNormalModes (const PreparedResponses& data, const NormalModeStart& start, double ridge,
-                              double precision)
+                              double precision, int most)
 {
     NormalModes modes { start.angularFrequencies, start.dampingRatios, {}, start.participation, start.delay };
     auto state = stateAt (data, modes, ridge);
@@ -111,7 +110,7 @@ NormalModeFit fitNormalModes (const PreparedResponses& data, const NormalModeSta
     double damping = 1e-4;
     int iteration = 0;
 
-    for (; iteration < mostIterations; ++iteration)
+    for (; iteration < most; ++iteration)
     {
         auto held = equations;
         holdWhatIsNotSeen (held, state, start.delayIsKnown);

@@ -26,8 +26,10 @@ struct NormalModeStart
     are eliminated in each step (variable projection), so that only sums over frequencies and points remain.
     @param ridge      relative, on the diagonal of the normal equations
     @param precision  it ends where a step would be worth less than this many squared standard deviations
+    @param most       iterations
     [worker] Docs/Theory.md, section 8.4. */
-NormalModeFit fitNormalModes (const PreparedResponses&, const NormalModeStart&, double ridge, double precision);
+NormalModeFit fitNormalModes (const PreparedResponses&, const NormalModeStart&, double ridge, double precision,
+                              int most);
 
 /** Makes equations regular: fixes the lengths of participations, which the data leave free, and the delay where it is known.
     [worker] Docs/Theory.md, section 8.4. */

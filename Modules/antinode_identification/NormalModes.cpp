@@ -10,10 +10,10 @@ using Indices = std::vector<Eigen::Index>;
 
 auto columnsOfPowers (const ModalBasis& basis)
 {
-    return Eigen::seq (functionsOfMode * basis.modes(), basis.size() - 1);
+    return Eigen::seq (basis.modalColumns(), basis.size() - 1);
 }
+} // namespace
 
-/** x of a x = b for a symmetric positive matrix, made even on its diagonal first. */
 Eigen::MatrixXd solveEven (const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double ridge)
 {
     const Eigen::VectorXd scale = a.diagonal().cwiseMax (1e-300).cwiseSqrt().cwiseInverse();
@@ -21,7 +21,6 @@ Eigen::MatrixXd solveEven (const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, d
     even.diagonal().array() += ridge;
     return scale.asDiagonal() * even.ldlt().solve (scale.asDiagonal() * b);
 }
-} // namespace
 
 ModalBasis basisOf (const Eigen::VectorXd& angularFrequencies, const Eigen::VectorXd& dampingRatios,
                     const PreparedResponses& data)
@@ -32,7 +31,7 @@ ModalBasis basisOf (const Eigen::VectorXd& angularFrequencies, const Eigen::Vect
 
 ModalProducts withoutPowers (const ModalBasis& basis, const ModalProducts& products)
 {
-    const auto kept = Eigen::seqN (0, functionsOfMode * basis.modes());
+    const auto kept = Eigen::seqN (0, basis.modalColumns());
     const auto taken = columnsOfPowers (basis);
     const Eigen::MatrixXd between = products.gram (taken, kept), data = products.data (taken, Eigen::all);
     Eigen::MatrixXd both (between.rows(), between.cols() + data.cols());
@@ -71,7 +70,7 @@ Eigen::MatrixXd powerCoefficients (const ModalBasis& basis, const ModalProducts&
                                    const Eigen::MatrixXd& amplitudes)
 {
     const auto taken = columnsOfPowers (basis);
-    const Eigen::MatrixXd toModes = products.gram (taken, Eigen::seqN (0, functionsOfMode * basis.modes()));
+    const Eigen::MatrixXd toModes = products.gram (taken, Eigen::seqN (0, basis.modalColumns()));
     return solveEven (products.gram (taken, taken), products.data (taken, Eigen::all) - toModes * amplitudes, 1e-13);
 }
 

@@ -20,6 +20,9 @@ struct NormalModes
 ModalBasis basisOf (const Eigen::VectorXd& angularFrequencies, const Eigen::VectorXd& dampingRatios,
                     const PreparedResponses&);
 
+/** x of a x = b for a symmetric positive matrix, made even on its diagonal first. @param ridge on that diagonal [worker] */
+Eigen::MatrixXd solveEven (const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double ridge);
+
 /** Products with the powers fitted and taken out of data and functions; what is left are the functions of the modes.
     [worker] Docs/Theory.md, section 8.4. */
 ModalProducts withoutPowers (const ModalBasis&, const ModalProducts&);

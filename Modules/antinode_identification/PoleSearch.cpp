@@ -11,7 +11,7 @@ namespace antinode
 {
 namespace
 {
-constexpr Eigen::Index mostOutputs = 24, mostReferences = 4;
+constexpr Eigen::Index mostOutputs = 24, mostReferences = 8;
 constexpr double leastPresence = 0.4;
 /** Where the user picks, also poles that are seen rarely are candidates. */
 constexpr double presenceForPicks = 0.15;
@@ -21,15 +21,12 @@ double frequencyOf (std::complex<double> pole)
     return std::abs (pole) / (2 * std::numbers::pi);
 }
 
-/** Enough for all modes of a band and its noise; no more unknowns than lines bear. */
+/** Enough for all modes of a band and its noise: to 96 poles with many references, 18 to 72 with few. No more unknowns than lines bear. */
 int highestOrder (const CompressedBand& band, const IdentificationOptions& options)
 {
-    const auto bearable = static_cast<int> (band.lines() / 4);
-
-    if (options.maximumOrder > 0)
-        return std::min (options.maximumOrder, bearable);
-
-    return std::max (std::min (18, bearable), 1);
+    const auto bearable = std::max (1, static_cast<int> (band.lines() / 4));
+    const auto chosen = band.references() > 4 ? 12 : 18;
+    return std::min (options.maximumOrder > 0 ? options.maximumOrder : chosen, bearable);
 }
 
 struct BandPoles
@@ -44,8 +41,13 @@ BandPoles searchBand (const PreparedResponses& data, const SearchBand& band, con
     const auto highest = highestOrder (compressed, options);
     BandPoles result;
     result.orders = polynomialPoles (compressed, std::min (options.minimumOrder, highest), highest, options.ridge);
-    const auto isWithin = [&band] (const PoleCluster& cluster)
-    { return std::abs (cluster.pole) >= band.minimum && std::abs (cluster.pole) < band.maximum; };
+    // A mode at the edge of two bands may seem to lie in either, or in none: somewhat beyond the edge it counts for now.
+    const auto isWithin = [&] (const PoleCluster& cluster)
+    {
+        const auto frequency = std::abs (cluster.pole), margin = -0.2 * cluster.pole.real();
+        return frequency >= std::max (band.minimum - margin, data.omega[0])
+               && frequency < std::min (band.maximum + margin, data.omega[data.lines() - 1]);
+    };
     // A resonance wider than the band cannot be told from what lies outside of it.
     const auto isBroad = [&band] (const PoleCluster& cluster)
     {
@@ -109,6 +111,43 @@ void append (std::vector<StabilisationPoint>& points, const BandPoles& found, co
                                 std::any_of (found.clusters.begin(), found.clusters.end(), isNear) });
         }
 }
+
+/** Of poles that two bands found at their common edge, those that were found at more orders. Ascending in frequency. */
+std::vector<PoleCluster> withoutRepetitions (const std::vector<BandPoles>& ofBands)
+{
+    struct Entry
+    {
+        PoleCluster cluster;
+        std::size_t band = 0;
+    };
+    std::vector<Entry> entries;
+
+    for (std::size_t n = 0; n < ofBands.size(); ++n)
+        for (const auto& cluster : ofBands[n].clusters)
+            entries.push_back ({ cluster, n });
+
+    std::stable_sort (entries.begin(), entries.end(),
+                      [] (const auto& a, const auto& b)
+                      { return std::abs (a.cluster.pole) < std::abs (b.cluster.pole); });
+    std::vector<PoleCluster> result;
+
+    for (const auto& entry : entries)
+    {
+        const auto isBetter = [&entry] (const Entry& other)
+        {
+            const auto reach = -0.35 * std::max (entry.cluster.pole.real(), other.cluster.pole.real());
+            const auto isSame = other.band != entry.band && std::abs (other.cluster.pole - entry.cluster.pole) < reach;
+            return isSame
+                   && (other.cluster.presence > entry.cluster.presence
+                       || (other.cluster.presence == entry.cluster.presence && other.band < entry.band));
+        };
+
+        if (std::none_of (entries.begin(), entries.end(), isBetter))
+            result.push_back (entry.cluster);
+    }
+
+    return result;
+}
 } // namespace
 
 FoundPoles searchPoles (const PreparedResponses& data, const IdentificationOptions& options)
@@ -119,13 +158,9 @@ FoundPoles searchPoles (const PreparedResponses& data, const IdentificationOptio
     FoundPoles result;
 
     for (std::size_t n = 0; n < bands.size(); ++n)
-    {
         append (result.stabilisation, ofBands[n], bands[n]);
-        result.clusters.insert (result.clusters.end(), ofBands[n].clusters.begin(), ofBands[n].clusters.end());
-    }
 
-    std::stable_sort (result.clusters.begin(), result.clusters.end(),
-                      [] (const auto& a, const auto& b) { return std::abs (a.pole) < std::abs (b.pole); });
+    result.clusters = withoutRepetitions (ofBands);
     return result;
 }
 } // namespace antinode

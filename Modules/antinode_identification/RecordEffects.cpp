@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 namespace antinode
 {
@@ -32,13 +33,30 @@ void removeWindow (IdentifiedModes& modes, Eigen::Index mode, double windowDecay
     const auto damped = omega * std::sqrt (1 - ratio * ratio), decay = ratio * omega - windowDecay;
 
     if (! (decay > 0))
-        throw InputError ("exponential window", "its decay rate is larger than the decay rate of mode " + std::to_string (mode + 1) + ", "
-                                                + std::to_string (ratio * omega) + " 1/s with the window");
+        throw InputError ("exponential window", "its decay rate is larger than the decay rate of mode "
+                                                    + std::to_string (mode + 1) + ", " + std::to_string (ratio * omega)
+                                                    + " 1/s with the window");
 
     omega = std::hypot (damped, decay);
     ratio = decay / omega;
 }
 } // namespace
+
+FrequencyResponses withModalNumerators (FrequencyResponses responses, const RecordEffects& effects)
+{
+    const Eigen::ArrayXcd derivative = std::complex<double> (0, 2 * std::numbers::pi) * responses.frequencies.array();
+    const Eigen::ArrayXcd factors = effects.windowDecay > 0
+                                        ? Eigen::ArrayXcd (derivative / (derivative + effects.windowDecay))
+                                        : Eigen::ArrayXcd::Ones (derivative.size());
+
+    for (auto& values : responses.values)
+        values.array().colwise() *= factors;
+
+    for (auto& variances : responses.variances)
+        variances.array().colwise() *= factors.abs2();
+
+    return responses;
+}
 
 IdentifiedModes withoutRecordEffects (IdentifiedModes modes, const RecordEffects& effects)
 {

@@ -49,6 +49,9 @@ Eigen::VectorXd lineCells (const Eigen::VectorXd& x)
     const auto points = x.size();
     Eigen::VectorXd result = Eigen::VectorXd::Zero (points);
 
+    if (points == 1)
+        return Eigen::VectorXd::Ones (1);
+
     for (Eigen::Index p = 0; p + 1 < points; ++p)
     {
         const auto half = (x[p + 1] - x[p]) / 2;

@@ -4,7 +4,8 @@
 
 namespace antinode
 {
-/** The share of a line that each point stands for: half the distances to its neighbours. @param x N, ascending, m @return N, m [worker] */
+/** The share of a line that each point stands for: half the distances to its neighbours; 1 of a point that
+    is alone. @param x N, ascending, m @return N, m [worker] */
 Eigen::VectorXd lineCells (const Eigen::VectorXd& x);
 
 /** The area of each point's Voronoi cell, cut off at the rectangle around all points.

@@ -36,7 +36,7 @@ inline constexpr double syncLevel = 0.5;
 /** An excitation as the settings ask for it.
     @param voltageLimits  N_b: what no sample, nor the waveform between samples, exceeds, V
     @throws InputError    naming the first setting that is not usable, and what is
-    [worker] Docs/Theory.md, section 8.7. */
+    [worker] Docs/Theory.md, section 8.8. */
 Excitation makeExcitation (const ExcitationSettings&, const Eigen::VectorXd& voltageLimits);
 
 /** An excitation as it was made before, with the signal that was played.

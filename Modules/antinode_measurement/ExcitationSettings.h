@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** What a ceramic is excited with. Docs/Theory.md, section 8.7. */
+/** What a ceramic is excited with. Docs/Theory.md, section 8.8. */
 enum class ExcitationSignal
 {
     multisine, ///< Periodic: all lines of the band at once, no leakage.

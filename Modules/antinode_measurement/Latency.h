@@ -9,6 +9,6 @@ namespace antinode
     @param sync  a turn's recording of the sync channel, any gain or sign but 0
     @return      samples, at least 0
     @throws InputError  where the excitation is not in it, or so late that its end is missing
-    [worker] Docs/Theory.md, section 8.8. */
+    [worker] Docs/Theory.md, section 8.9. */
 double latencyOf (const Excitation&, const Eigen::VectorXd& sync);
 } // namespace antinode

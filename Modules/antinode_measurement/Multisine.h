@@ -21,6 +21,6 @@ std::vector<Eigen::Index> oddRandomLines (Eigen::Index lowest, Eigen::Index high
     between samples 1.9, and then clips the waveform and keeps the phases of what comes out, again and again (van der Ouderaa, Schoukens and Renneboog, IEEE Trans. Instrum.
     Meas. 37, 1988): 1.6 and less.
     @param length  samples, more than twice the highest line
-    [worker] Docs/Theory.md, section 8.7. */
+    [worker] Docs/Theory.md, section 8.8. */
 Eigen::VectorXd multisinePeriod (const std::vector<Eigen::Index>& lines, Eigen::Index length);
 } // namespace antinode

@@ -23,6 +23,6 @@ struct PeriodicLines
     @param input    whole periods
     @param outputs  N x as many samples
     @throws InputError  where the length is no whole number of periods, or the input has nothing on a line
-    [worker] Pintelon and Schoukens, System Identification, 2012, section 2.5; Docs/Theory.md, section 8.8. */
+    [worker] Pintelon and Schoukens, System Identification, 2012, section 2.5; Docs/Theory.md, section 8.9. */
 EstimatedResponses averagePeriods (const PeriodicLines&, const Eigen::VectorXd& input, const Eigen::MatrixXd& outputs);
 } // namespace antinode

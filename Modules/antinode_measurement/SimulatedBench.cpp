@@ -31,7 +31,7 @@ Eigen::Index transformLength (const ModalModel& model, Eigen::Index samples, con
 /** The cubed voltage at twice the rate: what it has above the band would fold back into it. */
 Eigen::VectorXcd drivenSpectrum (const Eigen::VectorXd& voltage, Eigen::Index length, double cubic)
 {
-    const auto spectrum = spectrumOf (voltage, length);
+    auto spectrum = spectrumOf (voltage, length);
 
     if (cubic == 0)
         return spectrum;

@@ -27,7 +27,7 @@ struct SimulatedBenchSettings
     @param sync      N_s: what the sync channel plays; it returns delayed and otherwise as it is
     @return          N_s samples of every channel; no reference
     @throws InputError  where sizes do not agree or a number is not usable
-    [worker] Docs/Theory.md, section 8.9. */
+    [worker] Docs/Theory.md, section 8.10. */
 TurnRecording simulateBench (const ModalModel&, const Eigen::MatrixXd& shapes, const Eigen::MatrixXd& voltages,
                              const Eigen::VectorXd& sync, const SimulatedBenchSettings&);
 } // namespace antinode

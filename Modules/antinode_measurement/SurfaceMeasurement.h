@@ -30,7 +30,7 @@ SurfaceMeasurement unmeasured (const Excitation&, const std::vector<std::string>
 void place (SurfaceMeasurement&, Eigen::Index ceramic, Eigen::Index firstPoint, const TurnResponses&);
 
 /** What the user should know of how good a measurement is, in plain words: points and ceramics that hardly answer, latencies that
-    wander, distortion; a list that is empty where all is well. [worker] Docs/Theory.md, section 8.8. */
+    wander, distortion; a list that is empty where all is well. [worker] Docs/Theory.md, section 8.9. */
 std::vector<std::string> doubtsOf (const SurfaceMeasurement&);
 
 /** The mean coherence over the lines, weighted by the responses' power: N_p x N_b, not a number where it is not known. [worker] */

@@ -18,6 +18,6 @@ struct Sweep
 /** A sweep through a band.
     @param duration  s, about: f_1 L is rounded
     @return          samples between -1 and 1
-    [worker] Docs/Theory.md, section 8.7. */
+    [worker] Docs/Theory.md, section 8.8. */
 Sweep makeSweep (double lowestFrequency, double highestFrequency, double duration, double sampleRate);
 } // namespace antinode

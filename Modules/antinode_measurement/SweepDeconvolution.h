@@ -24,6 +24,6 @@ struct RepeatedSweep
     @param input    whole blocks, as they were played or recorded
     @param outputs  N x as many samples
     @throws InputError  where lengths do not agree or the input has nothing within the band
-    [worker] Farina, AES 108, 2000; Novak, Lotton and Simon, J. Audio Eng. Soc. 63, 2015; Docs/Theory.md, section 8.8. */
+    [worker] Farina, AES 108, 2000; Novak, Lotton and Simon, J. Audio Eng. Soc. 63, 2015; Docs/Theory.md, section 8.9. */
 EstimatedResponses deconvolveSweep (const RepeatedSweep&, const Eigen::VectorXd& input, const Eigen::MatrixXd& outputs);
 } // namespace antinode

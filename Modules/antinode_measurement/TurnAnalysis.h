@@ -26,7 +26,7 @@ struct TurnResponses
 
     With a measured reference the responses relate to it; the latency, which both share, then serves only to cut.
     @throws InputError  where the recording is too short, holds numbers that are not finite, or not the excitation
-    [worker] Docs/Theory.md, section 8.8. */
+    [worker] Docs/Theory.md, section 8.9. */
 TurnResponses analyseTurn (const Excitation&, Eigen::Index ceramic, const TurnRecording&,
                            const TurnAnalysisSettings& = {});
 } // namespace antinode

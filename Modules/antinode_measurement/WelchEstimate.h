@@ -23,7 +23,7 @@ enum class ResponseEstimator
     @param input, outputs  as many samples each; outputs N x samples
     @throws InputError  where there are fewer samples than a block, or the input has nothing on a line
     [worker] Welch, IEEE Trans. Audio Electroacoust. 15, 1967; Bendat and Piersol, Random Data, 2010, section 9.1; Docs/Theory.md,
-    section 8.8. */
+    section 8.9. */
 EstimatedResponses estimateByWelch (Eigen::Index block, const std::vector<Eigen::Index>& lines, ResponseEstimator,
                                     const Eigen::VectorXd& input, const Eigen::MatrixXd& outputs);
 } // namespace antinode

@@ -83,16 +83,24 @@ HeatMap signalToNoiseChart (const SurfaceMeasurement& measurement)
 {
     HeatMap chart;
     const auto coherence = meanCoherence (measurement);
-    const auto points = static_cast<double> (coherence.rows()), ceramics = static_cast<double> (coherence.cols());
     chart.xLabel = "point";
     chart.yLabel = "ceramic";
     chart.valueLabel = "signal to noise (dB)";
-    chart.x = { 0.5, points + 0.5 };
-    chart.y = { 0.5, ceramics + 0.5 };
     constexpr double best = 1 - 1e-12;
     const Eigen::ArrayXXd known = coherence.transpose().array().min (best).max (1e-12);
     chart.values = coherence.transpose().array().isFinite().select (10 * (known / (1 - known)).log10(),
                                                                     coherence.transpose().array());
+
+    constexpr double usual = 40; // dB: less of a range would make a picture of differences that do not matter
+    const auto largest = chart.values.array().isFinite().select (chart.values.array(), 0.0).maxCoeff();
+    chart.valueRange = AxisRange { 0, std::max (usual, largest) };
+
+    for (Eigen::Index p = 0; p < coherence.rows(); ++p)
+        chart.columnNames.push_back (std::to_string (p + 1));
+
+    for (const auto& driver : measurement.responses.drivers)
+        chart.rowNames.push_back (driver.name);
+
     return chart;
 }
 } // namespace antinode

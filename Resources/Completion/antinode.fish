@@ -20,7 +20,7 @@ function __antinode_words
     if test -n "$choices"
         string split , $choices
     else if string match -q -- '-*' $word
-        string replace -rf -- '^ +(-[^ ]*).*' '$1' $help | string split , | string match -ra -- '^--[a-z-]+'
+        string replace -rf -- '^ +(-[^ ]*).*' '$1' $help | string split , | string match -ra -- '^--[a-zA-Z_-]+'
     else if test "$before" = --focus -a -n "$standalone"
         set kind focus
     else if contains -- $before --instrument --plate --show; or test "$before" = --device -a -n "$command"

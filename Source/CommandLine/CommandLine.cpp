@@ -39,6 +39,7 @@ int runCommandLine (int argumentCount, const char* const* arguments)
     addExciteCommand (app);
     addMeasureCommand (app);
     addFrfCommand (app);
+    addRetuneCommand (app);
     addVersionCommand (app);
 
     try

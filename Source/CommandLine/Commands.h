@@ -15,5 +15,6 @@ void addPaperCommand (CLI::App&);
 void addExciteCommand (CLI::App&);
 void addMeasureCommand (CLI::App&);
 void addFrfCommand (CLI::App&);
+void addRetuneCommand (CLI::App&);
 void addVersionCommand (CLI::App&);
 } // namespace antinode

@@ -215,10 +215,10 @@ void addFrfCommand (CLI::App& app)
                       "Channel that recorded the amplifiers' voltage, counted from 1")
         ->check (CLI::Range (1, 16383));
     command
-        ->add_option ("--reference_full_scale_V", options->referenceFullScale,
-                      "Voltage at the ceramics that a reference sample of 1 stands for")
+        ->add_option ("--reference-full-scale", options->referenceFullScale,
+                      "Voltage at the ceramics, V, that a reference sample of 1 stands for")
         ->capture_default_str();
-    command->add_option ("--latency_ms", options->latency, "How late sensors are where there is no sync channel")
+    command->add_option ("--latency-ms", options->latency, "How late sensors are where there is no sync channel, ms")
         ->check (CLI::Range (0.0, 200.0))
         ->capture_default_str();
     command->add_option ("--estimator", options->estimator, "Of noise: h1, h2 or their mean hv")

@@ -17,10 +17,10 @@ constexpr const char* plusMinus = " \xC2\xB1 ";
 std::string withDeviation (double value, double deviation, int fewest)
 {
     constexpr int most = 9;
-    const auto decimals = deviation > 0 && std::isfinite (deviation)
-                              ? std::clamp (1 - static_cast<int> (std::floor (std::log10 (deviation))), fewest, most)
-                              : fewest;
-    return fixedText (value, decimals) + (deviation > 0 ? plusMinus + fixedText (deviation, decimals) : "");
+    const auto isKnown = deviation > 0 && std::isfinite (deviation);
+    const auto decimals =
+        isKnown ? std::clamp (1 - static_cast<int> (std::floor (std::log10 (deviation))), fewest, most) : fewest;
+    return fixedText (value, decimals) + (isKnown ? plusMinus + fixedText (deviation, decimals) : "");
 }
 
 double entryOf (const Eigen::VectorXd& values, Eigen::Index index)

@@ -51,7 +51,12 @@ ModalModel deviceOf (IdentifiedModes modes, const IdentifyOptions& options, cons
     if (computed && computed->ceramics.size() == modes.drivers.size())
         surface.ceramics = computed->ceramics;
 
-    return toModalModel (modes, surface);
+    auto model = toModalModel (modes, surface);
+
+    if (! model.frequencyErrors.allFinite()) // Of no use to who reads the device.
+        model.frequencyErrors.resize (0);
+
+    return model;
 }
 
 IdentificationResult identifyFiles (const IdentifyOptions& options)
@@ -66,8 +71,9 @@ IdentificationResult identifyFiles (const IdentifyOptions& options)
         result.computed = solveDevice (loadDevice (options.against, {}), std::nullopt, options.usesCache);
 
     progress.show ("Identifying", 0.1);
-    result.modes = withoutRecordEffects (identify (measurement.responses, search),
-                                         { measurement.recordLength, options.windowDecay });
+    const RecordEffects effects { measurement.recordLength, options.windowDecay };
+    measurement.responses = withModalNumerators (std::move (measurement.responses), effects);
+    result.modes = withoutRecordEffects (identify (measurement.responses, search), effects);
     result.remarks = std::move (measurement.remarks);
     result.model = deviceOf (result.modes, options, search.pointMasses, result.computed, result.remarks);
 

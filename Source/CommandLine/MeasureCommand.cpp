@@ -109,7 +109,7 @@ void addAudioOptions (CLI::App& command, MeasureOptions& options)
         ->capture_default_str();
     command.add_option ("--sync-output", options.syncOutput, "The sync output; else the one after the ceramics")
         ->check (CLI::Range (1, mostChannels));
-    command.add_option ("--latency_ms", options.latency, "How late sensors are where nothing is looped back")
+    command.add_option ("--latency-ms", options.latency, "How late sensors are where nothing is looped back, ms")
         ->check (CLI::Range (0.0, 200.0))
         ->capture_default_str();
     addSensorOptions (command, options.sensor);
@@ -123,15 +123,15 @@ void addSimulationOptions (CLI::App& command, MeasureOptions& options)
     command
         .add_option ("--simulated-device", options.simulatedDevice, "The device on that bench, where it is another one")
         ->needs (simulate);
-    command.add_option ("--snr_dB", options.simulation.signalToNoise, "Its signal over its noise")
+    command.add_option ("--snr", options.simulation.signalToNoise, "Its signal over its noise, dB")
         ->check (CLI::Range (-20.0, 300.0))
         ->needs (simulate)
         ->capture_default_str();
-    command.add_option ("--delay_ms", options.simulatedDelay, "Its latency")
+    command.add_option ("--delay-ms", options.simulatedDelay, "Its latency, ms")
         ->check (CLI::Range (0.0, 200.0))
         ->needs (simulate)
         ->capture_default_str();
-    command.add_option ("--cubic_percent", options.simulatedCubic, "Its cubic nonlinearity at full level")
+    command.add_option ("--cubic-percent", options.simulatedCubic, "Its cubic nonlinearity at full level, %")
         ->check (CLI::Range (-20.0, 20.0))
         ->needs (simulate)
         ->capture_default_str();

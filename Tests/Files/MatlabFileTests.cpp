@@ -22,7 +22,7 @@ struct Sizes
 };
 
 /** A file as libmatio writes it: f, H counting 0, 1, 2 ... with its negative as imaginary part, unit. */
-std::string writtenBy (mat_ft version, matio_compression compression, Sizes sizes)
+std::string writtenBy (mat_ft version, matio_compression compression, Sizes sizes, const char* abscissa = "f")
 {
     const TemporaryFolder folder;
     const auto path = (folder.path() / "a.mat").string();
@@ -46,7 +46,7 @@ std::string writtenBy (mat_ft version, matio_compression compression, Sizes size
     std::string unit = "(mm/s)/V";
     std::array<std::size_t, 2> unitSizes { 1, unit.size() };
     write (Mat_VarCreate ("unit", MAT_C_CHAR, MAT_T_UTF8, 2, unitSizes.data(), unit.data(), 0));
-    write (Mat_VarCreate ("f", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, sizes.frequencies.data(), frequencies.data(), 0));
+    write (Mat_VarCreate (abscissa, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, sizes.frequencies.data(), frequencies.data(), 0));
     write (Mat_VarCreate ("H", MAT_C_DOUBLE, MAT_T_DOUBLE, static_cast<int> (sizes.responses.size()),
                           sizes.responses.data(), &parts, MAT_F_COMPLEX));
     Mat_Close (file);
@@ -96,6 +96,8 @@ TEST_CASE ("Which size of an array counts lines, points and drivers, their numbe
         CHECK (measured.responses.values[1](4, 2).imag() == Approx (-expected));
     }
 
+    const auto renamed = writtenBy (MAT_FT_MAT5, MAT_COMPRESSION_NONE, { { 5, 1 }, { 5, 3, 2 } }, "axis");
+    CHECK (measurementOf (renamed).responses.frequencies[4] == 5);
     const auto single = measurementOf (writtenBy (MAT_FT_MAT5, MAT_COMPRESSION_NONE, { { 5, 1 }, { 5, 1 } }));
     CHECK (single.responses.values.size() == 1);
     CHECK (single.responses.points.rows() == 1);

@@ -117,6 +117,21 @@ TEST_CASE ("Responses written as a universal file come back to the bit", "[files
     }
 }
 
+TEST_CASE ("Drivers keep the order of their channels, and names that are too long for their field stay apart",
+           "[files][measurement]")
+{
+    auto responses = exampleResponses (DriveQuantity::voltage);
+    responses.drivers = { { "C2", {} }, { "C1", {} } };
+    const auto swapped = mergedResponses ({ measurementOf (responseSets (responses), "a") }, {});
+    CHECK (swapped.responses.drivers[0].name == "C2");
+    CHECK (swapped.responses.values == responses.values);
+
+    responses.drivers = { { "ceramic on the left", {} }, { "ceramic on the right", {} } };
+    const auto renamed = mergedResponses ({ measurementOf (responseSets (responses), "a") }, {});
+    CHECK (renamed.responses.drivers[1].name == "D2");
+    CHECK (renamed.responses.values == responses.values);
+}
+
 TEST_CASE ("A direction against an axis turns the sign, and factors of units divide lengths", "[files][measurement]")
 {
     auto sets = responseSets (exampleResponses (DriveQuantity::force));

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 using namespace antinode;
 
@@ -54,4 +55,29 @@ TEST_CASE ("An exponential window is taken out of the decay rates, the damped fr
                    withoutRecordEffects (twoModes(), { 0, 3.5 });
                })
                .starts_with ("exponential window: its decay rate is larger than the decay rate of mode 1"));
+}
+
+TEST_CASE ("Under an exponential window a mode is one of other damping once its numerator is put right",
+           "[identification]")
+{
+    constexpr double window = 2, omega = 600, ratio = 0.005;
+    FrequencyResponses responses;
+    responses.frequencies = Eigen::VectorXd::LinSpaced (50, 60, 130);
+    responses.values.resize (1, Eigen::MatrixXcd (50, 1));
+
+    for (Eigen::Index f = 0; f < 50; ++f) // e^{-at} h (t) has the transform H (i omega + a).
+    {
+        const std::complex<double> s (window, 2 * std::numbers::pi * responses.frequencies[f]);
+        responses.values[0](f, 0) = s / (s * s + 2 * ratio * omega * s + omega * omega);
+    }
+
+    const auto corrected = withModalNumerators (responses, { 0, window });
+    const auto decay = ratio * omega + window, squared = omega * omega * (1 - ratio * ratio) + decay * decay;
+
+    for (Eigen::Index f = 0; f < 50; ++f)
+    {
+        const std::complex<double> jw (0, 2 * std::numbers::pi * responses.frequencies[f]);
+        const auto expected = jw / (jw * jw + 2 * decay * jw + squared);
+        CHECK (std::abs (corrected.values[0](f, 0) - expected) < 1e-12 * std::abs (expected));
+    }
 }

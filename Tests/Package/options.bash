@@ -20,7 +20,7 @@ same()
 # The long options that --help describes, read otherwise than the completion reads them: by their column.
 described()
 {
-    grep -E '^ {2,}-' | cut -c 3-30 | grep -oE -- '(^|,)--[a-z-]+' | tr -d , | sort -u
+    grep -E '^ {2,}-' | cut -c 3-30 | grep -oE -- '(^|,)--[a-zA-Z_-]+' | tr -d , | sort -u
 }
 
 completed()
@@ -34,7 +34,7 @@ completed()
 # The options of a section of a man page, and --help, which stands at its beginning for all.
 in_manual()
 {
-    { echo --help; sed -n "$2" "$source/Docs/Man/$1.1" | sed 's/\\-/-/g' | grep -E '^\.B[IR]* -' | grep -oE -- '--[a-z-]+'; } | sort -u
+    { echo --help; sed -n "$2" "$source/Docs/Man/$1.1" | sed 's/\\-/-/g' | grep -E '^\.B[IR]* -' | grep -oE -- '--[a-zA-Z_-]+'; } | sort -u
 }
 
 program=$programs/antinode

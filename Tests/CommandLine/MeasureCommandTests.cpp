@@ -1,0 +1,208 @@
+#include "Support/RunProgram.h"
+
+#include <antinode_files/ExcitationFile.h>
+#include <antinode_files/JsonText.h>
+#include <antinode_files/MeasurementReader.h>
+#include <antinode_files/OutputFolder.h>
+#include <antinode_files/WaveFile.h>
+#include <antinode_files/WaveReader.h>
+#include <antinode_measurement/SimulatedBench.h>
+
+#include "CommandLine/Inputs.h"
+
+#include <catch2/catch.hpp>
+
+#include <numbers>
+
+using namespace antinode;
+using test::contentOf;
+using test::runProgram;
+
+namespace
+{
+/** Arguments of a short measurement of the embedded beam. */
+std::vector<std::string> shortly (std::vector<std::string> arguments)
+{
+    for (const auto* const each : { "--device", "beam", "--rate", "24000", "--highest", "8000", "--resolution", "4",
+                                    "--periods", "2", "--settling", "2" })
+        arguments.emplace_back (each);
+
+    return arguments;
+}
+
+/** What the closed form gives at a place for a ceramic. */
+Eigen::VectorXcd closedForm (const ModalModel& model, double x, Eigen::Index ceramic,
+                             const Eigen::VectorXd& frequencies)
+{
+    const auto shapes = shapesAt (model, x, 0);
+    Eigen::VectorXcd values = Eigen::VectorXcd::Zero (frequencies.size());
+
+    for (Eigen::Index f = 0; f < frequencies.size(); ++f)
+        for (Eigen::Index k = 0; k < model.modes(); ++k)
+        {
+            const std::complex<double> s (0, 2 * std::numbers::pi * frequencies[f]);
+            const auto own = model.angularFrequencies[k];
+            values[f] += shapes[k] * model.participation (k, ceramic) * s
+                         / (own * own + s * s + 2 * model.dampingRatios[k] * own * s);
+        }
+
+    return values;
+}
+
+/** The largest effective error of all responses of a file to the beam's closed form, over the response. */
+double worstError (const std::filesystem::path& file, const std::vector<double>& places)
+{
+    const auto beam = solveStructure (loadDevice ("beam", {}));
+    const auto responses = mergedResponses ({ readMeasurement (file, CsvForm::byHeadings) }, {}).responses;
+    REQUIRE (responses.values.size() == 6);
+    REQUIRE (responses.points.rows() == std::ssize (places));
+    double worst = 0;
+
+    for (Eigen::Index ceramic = 0; ceramic < 6; ++ceramic)
+        for (std::size_t p = 0; p < places.size(); ++p)
+        {
+            const auto right = closedForm (beam, places[p], ceramic, responses.frequencies);
+            const Eigen::VectorXcd error =
+                responses.values[static_cast<std::size_t> (ceramic)].col (static_cast<Eigen::Index> (p)) - right;
+            worst = std::max (worst, error.norm() / right.norm());
+        }
+
+    return worst;
+}
+
+/** A recorder that was started a while before the excitation: two sensors and the sync channel. */
+void recordOnBench (const std::filesystem::path& excitationFolder, const std::filesystem::path& file,
+                    const std::vector<double>& places)
+{
+    const auto beam = solveStructure (loadDevice ("beam", {}));
+    const auto played = readWaveFile (excitationFolder / "excitation.wav");
+    Eigen::MatrixXd shapes (std::ssize (places), beam.modes());
+
+    for (std::size_t p = 0; p < places.size(); ++p)
+        shapes.row (static_cast<Eigen::Index> (p)) = shapesAt (beam, places[p], 0);
+
+    SimulatedBenchSettings bench;
+    bench.sampleRate = played.sampleRate;
+    const auto recording = simulateBench (beam, shapes, played.samples.topRows (6) * beam.fullScaleVoltage,
+                                          played.samples.row (6).transpose(), bench);
+    constexpr Eigen::Index before = 7777;
+    Eigen::MatrixXd channels = Eigen::MatrixXd::Zero (shapes.rows() + 1, before + played.samples.cols());
+    channels.topRightCorner (shapes.rows(), played.samples.cols()) = recording.sensors;
+    channels.bottomRightCorner (1, played.samples.cols()) = recording.sync.transpose() * 0.3;
+    writeWholeFile (file, encodeWave (channels, 1, played.sampleRate));
+}
+} // namespace
+
+TEST_CASE ("What excite writes and a recorder records frf turns into the responses of the device", "[command line]")
+{
+    const TemporaryFolder folder;
+    const auto path = folder.path();
+    auto run = runProgram (shortly ({ "excite", "--level", "10", "--out", (path / "ex").string() }));
+    INFO (run.errors);
+    REQUIRE (run.exitCode == 0);
+    CHECK (run.output.find ("6 ceramics and a sync channel") != std::string::npos);
+    const auto played = readWaveFile (path / "ex" / "excitation.wav").samples;
+    CHECK (played.rows() == 7);
+    CHECK (played.topRows (6).cwiseAbs().maxCoeff() <= 10.0 / 150 * (1 + 1e-6));
+
+    recordOnBench (path / "ex", path / "a.wav", { -0.061, 0.033 });
+    run = runProgram ({ "frf", (path / "ex" / "excitation.json").string(), (path / "a.wav").string(), "--out",
+                        (path / "a.uff").string(), "--sensitivity_mm_s_per_V", "1000", "--report",
+                        (path / "report").string() });
+    INFO (run.errors);
+    REQUIRE (run.exitCode == 0);
+    CHECK (worstError (path / "a.uff", { -0.061, 0.033 }) < 0.01);
+    CHECK (contentOf (path / "report" / "report.html").find ("Signal to noise of each point") != std::string::npos);
+
+    run = runProgram ({ "frf", (path / "ex" / "excitation.json").string(), (path / "a.wav").string(), "--out",
+                        (path / "b.uff").string(), "--sensitivity_mm_s_per_V", "1000", "--sync-channel", "1" });
+    CHECK (run.exitCode == 1);
+    CHECK (run.errors.find ("sync channel: does not hold the excitation's signal") != std::string::npos);
+    CHECK_FALSE (std::filesystem::exists (path / "b.uff"));
+}
+
+TEST_CASE ("measure --simulate measures the device, keeps what is finished and goes on with the rest", "[command line]")
+{
+    const TemporaryFolder folder;
+    const auto out = folder.path() / "out";
+    writeWholeFile (folder.path() / "points.csv", "x_mm,y_mm\n-61,0\n33,0\n70,0\n");
+    const auto arguments = shortly ({ "measure", "--simulate", "--snr", "60", "--points",
+                                      (folder.path() / "points.csv").string(), "--out", out.string() });
+    auto run = runProgram (arguments);
+    INFO (run.errors);
+    REQUIRE (run.exitCode == 0);
+    CHECK (run.output.find ("level check: at most") != std::string::npos);
+    CHECK (worstError (out / "responses.uff", { -0.061, 0.033, 0.070 }) < 0.003);
+
+    const auto whole = contentOf (out / "responses.uff");
+    std::filesystem::remove (out / "responses.uff");
+    std::filesystem::remove (out / "point-0003.uff");
+    run = runProgram (arguments);
+    CHECK (run.exitCode == 0);
+    CHECK (run.output.find ("coherence") != std::string::npos);
+    CHECK (contentOf (out / "responses.uff").size() == whole.size());
+
+    auto others = arguments;
+    others.insert (others.end(), { "--level", "5" });
+    run = runProgram (others);
+    CHECK (run.exitCode == 1);
+    CHECK (run.errors.find ("holds a measurement with another excitation or other points") != std::string::npos);
+}
+
+TEST_CASE ("retune finds a drift from three points", "[command line]")
+{
+    const TemporaryFolder folder;
+    const auto out = folder.path() / "out";
+    writeWholeFile (folder.path() / "points.csv", "x_mm,y_mm\n-61,0\n33,0\n70,0\n");
+    // A modulus 1 % lower: frequencies fall by a little less than half a per cent, as ceramics stay.
+    auto drifted = loadDeviceDocument (
+        "beam", { "device.material={\"youngs_modulus_GPa\": 69.3, \"poisson_ratio\": 0.33, \"density_kg_m3\": 2700}" });
+    writeWholeFile (folder.path() / "drifted.json", drifted.dump());
+    auto run =
+        runProgram (shortly ({ "measure", "--simulate", "--simulated-device", (folder.path() / "drifted.json").string(),
+                               "--points", (folder.path() / "points.csv").string(), "--out", out.string() }));
+    INFO (run.errors);
+    REQUIRE (run.exitCode == 0);
+    run = runProgram (
+        { "retune", "beam", (out / "responses.uff").string(), "--out", (folder.path() / "retuned.json").string() });
+    INFO (run.errors);
+    REQUIRE (run.exitCode == 0);
+
+    const auto retuned = solveStructure (loadDevice ((folder.path() / "retuned.json").string(), {}));
+    const auto right = solveStructure (loadDevice ((folder.path() / "drifted.json").string(), {}));
+
+    for (Eigen::Index k = 0; k < 7; ++k) // Those in the band.
+        CHECK (retuned.frequencyHz (k) == Approx (right.frequencyHz (k)).epsilon (2e-5));
+}
+
+TEST_CASE ("Measurements that cannot begin say why in a line", "[command line]")
+{
+    const TemporaryFolder folder;
+    const auto points = (folder.path() / "points.csv").string(), out = (folder.path() / "out").string();
+    writeWholeFile (points, "x_mm,y_mm\n0,0\n");
+    const auto errorOf = [&] (std::vector<std::string> more)
+    {
+        auto arguments = shortly ({ "measure", "--points", points, "--out", out });
+        arguments.insert (arguments.end(), more.begin(), more.end());
+        const auto run = runProgram (arguments);
+        CHECK (run.exitCode == 1);
+        CHECK (std::count (run.errors.begin(), run.errors.end(), '\n') == 1);
+        return run.errors;
+    };
+    CHECK (errorOf ({}).find ("--sensitivity_mm_s_per_V: is missing") != std::string::npos);
+    CHECK (errorOf ({ "--simulate", "--level", "151" }).find ("allowed is more than 0 to its limit, 150 V")
+           != std::string::npos);
+    CHECK (errorOf ({ "--simulate", "--level", "5", "--level", "6" }).find ("once for each of the 6 ceramics")
+           != std::string::npos);
+    CHECK (errorOf ({ "--sensitivity_mm_s_per_V", "100", "--backend", "ASIO" }).find ("does not exist")
+           != std::string::npos);
+    CHECK (
+        errorOf ({ "--sensitivity_mm_s_per_V", "100", "--sync-input", "1" }).find ("input 1: is to serve two purposes")
+        != std::string::npos);
+    writeWholeFile (points, "x_mm,y_mm\n500,0\n");
+    CHECK_FALSE (errorOf ({ "--simulate" }).empty());
+    CHECK_FALSE (std::filesystem::exists (out));
+    CHECK (runProgram ({ "measure", "--device", "beam" }).exitCode == 2);
+    CHECK (runProgram ({ "frf" }).exitCode == 2);
+    CHECK (runProgram ({ "excite", "--device", "beam" }).exitCode == 2);
+}

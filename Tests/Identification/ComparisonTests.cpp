@@ -1,0 +1,195 @@
+#include "Support/MeasuredStructure.h"
+
+#include <antinode_identification/Comparison.h>
+#include <antinode_identification/Identification.h>
+#include <antinode_identification/IdentifiedModel.h>
+#include <antinode_identification/Retuning.h>
+#include <antinode_model/InputError.h>
+
+#include <catch2/catch.hpp>
+
+using namespace antinode;
+using namespace antinode::test;
+
+namespace
+{
+/** A beam of eight modes as a model of a device. */
+KnownStructure eightModes()
+{
+    auto beam = knownBeam (11, 40, 4);
+    beam.frequencies = beam.frequencies.head (8).eval();
+    beam.dampingRatios = beam.dampingRatios.head (8).eval();
+    beam.shapes = beam.shapes.leftCols (8).eval();
+    beam.participation = beam.participation.topRows (8).eval();
+    return beam;
+}
+
+ModalModel modelOf (const KnownStructure& structure)
+{
+    IdentifiedModes modes;
+    modes.points = structure.points;
+    modes.angularFrequencies = 2 * std::numbers::pi * structure.frequencies;
+    modes.dampingRatios = structure.dampingRatios;
+    modes.shapes = structure.shapes;
+    modes.participation = structure.participation;
+    modes.deviations.angularFrequencies = Eigen::VectorXd::Zero (structure.frequencies.size());
+
+    for (Eigen::Index i = 0; i < structure.participation.cols(); ++i)
+        modes.drivers.push_back ({ "C" + std::to_string (i + 1), {} });
+
+    MappedSurface surface;
+    surface.name = "beam";
+    surface.masses = structure.masses;
+    return toModalModel (modes, surface);
+}
+
+/** The same structure, warmer: softer, damped differently, one ceramic weaker. */
+KnownStructure drifted (KnownStructure structure)
+{
+    for (Eigen::Index k = 0; k < structure.frequencies.size(); ++k)
+    {
+        structure.frequencies[k] *= 0.97 - 0.001 * static_cast<double> (k % 3);
+        structure.dampingRatios[k] *= 1.3;
+    }
+
+    structure.participation.col (2) *= 0.8;
+    return structure;
+}
+
+/** Every so many points only. */
+KnownStructure thinned (KnownStructure structure, Eigen::Index step)
+{
+    const auto points = Eigen::seq (1, structure.points.rows() - 1, step);
+    structure.points = structure.points (points, Eigen::all).eval();
+    structure.shapes = structure.shapes (points, Eigen::all).eval();
+    structure.masses = structure.masses (points).eval();
+    return structure;
+}
+
+FrequencyResponses measured (const KnownStructure& structure)
+{
+    auto responses = idealResponses (structure, lines (200, 7000, 2));
+    addNoise (responses, 40, 6);
+    return responses;
+}
+} // namespace
+
+TEST_CASE ("The MAC of a shape with itself is 1, with one at a right angle 0, whatever its size", "[identification]")
+{
+    Eigen::MatrixXd one (3, 2), other (3, 2);
+    one << 1, 0, 2, 1, 2, -1;
+    other << -3, 4, -6, 0, -6, 4;
+    const auto assurance = modalAssurance (one, other, {});
+    CHECK (assurance (0, 0) == Approx (1));
+    CHECK (assurance (1, 0) == Approx (0).margin (1e-15));
+    // (0, 1, -1) and (4, 0, 4): cosine -4 / (sqrt 2 sqrt 32).
+    CHECK (assurance (1, 1) == Approx (0.25));
+}
+
+TEST_CASE ("Identified and computed modes are paired by shape, not by number", "[identification]")
+{
+    const auto structure = eightModes();
+    auto model = modelOf (structure);
+    // The computed device lacks a mode, and its frequencies are wrong by up to 6 %.
+    const std::vector<Eigen::Index> kept { 0, 1, 3, 4, 5, 6, 7 };
+    model.angularFrequencies = model.angularFrequencies (kept).eval() * 1.06;
+    model.dampingRatios = model.dampingRatios (kept).eval();
+    model.shapes = model.shapes (Eigen::all, kept).eval();
+    model.slopes = model.slopes (Eigen::all, kept).eval();
+    model.participation = model.participation (kept, Eigen::all).eval();
+    model.frequencyErrors.resize (0);
+    const auto identified = identify (measured (structure), {});
+    REQUIRE (identified.modes() == 8);
+    const auto comparison = compareModes (identified, model);
+    REQUIRE (comparison.pairs.size() == 7);
+
+    for (const auto& pair : comparison.pairs)
+    {
+        CHECK (pair.identified == kept[static_cast<std::size_t> (pair.computed)]);
+        CHECK (pair.assurance > 0.999);
+        CHECK (pair.relativeDifference == Approx (1 / 1.06 - 1).margin (1e-4));
+    }
+
+    const auto moved = transferred (model, identified, comparison);
+    CHECK ((moved.angularFrequencies / (2 * std::numbers::pi) - structure.frequencies (kept)).cwiseAbs().maxCoeff()
+           < 0.1);
+    CHECK ((moved.dampingRatios - structure.dampingRatios (kept)).cwiseAbs().maxCoeff() < 1e-4);
+}
+
+TEST_CASE ("Three points find a device again after a drift", "[identification]")
+{
+    const auto before = eightModes();
+    const auto after = drifted (before);
+    const auto retuned = retune (modelOf (before), measured (thinned (after, 15)), {});
+    CHECK (std::count (retuned.found.begin(), retuned.found.end(), true) == 8);
+    const Eigen::VectorXd frequencies = retuned.model.angularFrequencies / (2 * std::numbers::pi);
+    CHECK ((frequencies - after.frequencies).cwiseQuotient (after.frequencies).cwiseAbs().maxCoeff() < 20e-6);
+    CHECK ((retuned.model.dampingRatios.cwiseQuotient (after.dampingRatios).array() - 1).abs().maxCoeff() < 1e-2);
+    CHECK (retuned.participationScales[2] == Approx (0.8).epsilon (5e-3));
+    CHECK (retuned.participationScales[0] == Approx (1).epsilon (5e-3));
+    CHECK (retuned.frequencyChanges[0] == Approx (-0.03).margin (1e-4));
+}
+
+TEST_CASE ("Responses that do not fit a device do not retune it", "[identification]")
+{
+    const auto model = modelOf (eightModes());
+    auto responses = measured (thinned (eightModes(), 15));
+
+    SECTION ("another number of ceramics")
+    {
+        responses.drivers.pop_back();
+        responses.values.pop_back();
+        CHECK_THROWS_WITH (retune (model, responses, {}), Catch::Contains ("4 ceramics"));
+    }
+
+    SECTION ("hammer")
+    {
+        responses.drive = DriveQuantity::force;
+        CHECK_THROWS_WITH (retune (model, responses, {}), Catch::Contains ("per force"));
+    }
+
+    SECTION ("points elsewhere")
+    {
+        responses.points.col (0).array() += 1;
+        CHECK_THROWS_WITH (retune (model, responses, {}), Catch::Contains ("outside the surface"));
+    }
+}
+
+TEST_CASE ("An identified device has its points' shares of the surface as weights", "[identification]")
+{
+    const auto identified = identify (measured (eightModes()), {});
+    const auto model = toModalModel (identified, {});
+    CHECK (model.surface.kind == SurfaceKind::line);
+    CHECK (model.surface.areas.sum() == Approx (0.15));
+    CHECK (model.surface.areas[0] == Approx (model.surface.areas[1] / 2));
+    CHECK (model.slopes.rows() == 40);
+    CHECK (model.ceramics[3].name == "C4");
+    // Median shape of modal mass 1.
+    const Eigen::VectorXd modal = model.shapes.cwiseAbs2().transpose() * model.surface.masses;
+    CHECK (modal.minCoeff() > 0.9);
+    CHECK (modal.maxCoeff() < 1.1);
+}
+
+TEST_CASE ("On a grid of points the cells are those of the trapezoidal rule, on scattered ones they fill the rectangle",
+           "[identification]")
+{
+    IdentifiedModes modes;
+    modes.points.resize (6, 2);
+    modes.points << 0, 0, 1, 0, 2, 0, 0, 1, 1, 1, 2, 1;
+    modes.angularFrequencies.setConstant (1, 100);
+    modes.dampingRatios.setConstant (1, 0.01);
+    modes.shapes.setOnes (6, 1);
+    modes.participation.setOnes (1, 1);
+    modes.drivers = { { "C1", {} } };
+    modes.deviations.angularFrequencies.setZero (1);
+    const auto model = toModalModel (modes, {});
+    CHECK (model.surface.areas[0] == Approx (0.25));
+    CHECK (model.surface.areas[1] == Approx (0.5));
+    CHECK (model.surface.areas.sum() == Approx (2));
+
+    modes.points.row (4) << 1.3, 0.6;
+    CHECK (toModalModel (modes, {}).surface.areas.sum() == Approx (2));
+
+    modes.points.row (4) = modes.points.row (1);
+    CHECK_THROWS_WITH (toModalModel (modes, {}), Catch::Contains ("in one place"));
+}
