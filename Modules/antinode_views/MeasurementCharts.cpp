@@ -28,11 +28,10 @@ Eigen::VectorXd effectiveVelocity (const SurfaceMeasurement& measurement, std::s
 std::vector<std::size_t> shownCeramics (const SurfaceMeasurement& measurement)
 {
     std::vector<std::size_t> ceramics (measurement.responses.values.size());
-    std::vector<double> strengths;
+    std::vector<double> strengths (ceramics.size());
     std::iota (ceramics.begin(), ceramics.end(), 0);
-
-    for (const auto ceramic : ceramics)
-        strengths.push_back (effectiveVelocity (measurement, ceramic).norm());
+    std::transform (ceramics.begin(), ceramics.end(), strengths.begin(),
+                    [&] (auto ceramic) { return effectiveVelocity (measurement, ceramic).norm(); });
 
     if (ceramics.size() > mostCurves)
         std::stable_sort (ceramics.begin(), ceramics.end(),

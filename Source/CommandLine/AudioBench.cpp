@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numeric>
 #include <thread>
 #include <utility>
 
@@ -30,11 +31,8 @@ std::vector<int> distinct (std::vector<int> wanted, const std::string& kind)
 
 std::vector<int> outputsOf (const BenchChannels& channels, Eigen::Index ceramics)
 {
-    std::vector<int> outputs;
-
-    for (int i = 0; i < ceramics; ++i)
-        outputs.push_back (i);
-
+    std::vector<int> outputs (static_cast<std::size_t> (ceramics));
+    std::iota (outputs.begin(), outputs.end(), 0);
     outputs.push_back (channels.syncOutput);
     return distinct (outputs, "output");
 }
