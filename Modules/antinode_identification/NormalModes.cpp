@@ -95,9 +95,9 @@ double delayOf (const Eigen::VectorXd& angularFrequencies, const Eigen::MatrixXc
     // one must be clearly better than a short one.
     constexpr double longest = 3e-3, price = 0.4, longDelay = 2e-4;
     const auto step = 0.25 / angularFrequencies.maxCoeff();
-    const auto modes = static_cast<double> (squares.size());
+    const auto highest = squares.cwiseAbs().cwiseQuotient (energies.cwiseMax (1e-300)).sum();
     const auto priced = [&] (double delay)
-    { return score (delay) - price * modes * std::abs (delay) / (std::abs (delay) + longDelay); };
+    { return score (delay) - price * highest * std::abs (delay) / (std::abs (delay) + longDelay); };
     double best = 0, bestScore = priced (0);
 
     for (auto n = static_cast<long> (-longest / step); n <= static_cast<long> (longest / step); ++n)

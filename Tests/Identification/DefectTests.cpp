@@ -268,6 +268,31 @@ TEST_CASE ("A mode at the edge of two bands is found once", "[identification]")
     CHECK (result.falseOnes == 0);
 }
 
+TEST_CASE ("A delay as long as that of an audio interface is found", "[identification]")
+{
+    auto truth = knownBeam (6, 20, 3);
+    truth.delay = 0.6e-3;
+    auto responses = idealResponses (truth, lines (10, 12000, 4));
+    addNoise (responses, 40, 1);
+    const auto modes = identify (responses, {});
+    CHECK (modes.delay == Approx (truth.delay).margin (0.05e-6));
+    const auto result = score (modes, truth);
+    CHECK (result.found >= (truth.frequencies.array() < 11900).count());
+    CHECK (result.falseOnes == 0);
+}
+
+TEST_CASE ("A single input finds most modes of a plate by the shapes of its points", "[identification]")
+{
+    auto truth = knownPlate (5);
+    truth.participation = truth.participation.leftCols (1).eval();
+    auto responses = idealResponses (truth, lines (100, 6000, 2));
+    addNoise (responses, 40, 1);
+    const auto result = score (identify (responses, {}), truth);
+    // With the driver as the only reference it is half of them.
+    CHECK (result.found >= 0.8 * static_cast<double> ((truth.frequencies.array() < 6000).count()));
+    CHECK (result.falseOnes == 0);
+}
+
 TEST_CASE ("The same responses give the same modes to the bit", "[identification]")
 {
     const auto responses = smallMeasurement();

@@ -11,7 +11,7 @@ TEST_CASE ("Of 124 modes of a plate whose widths overlap at least 122 are found 
            "[identification]")
 {
     const auto truth = knownPlate (2);
-    auto responses = idealResponses (truth, lines (200, 30500, 2));
+    auto responses = idealResponses (truth, lines (200, 30500, 4));
     addNoise (responses, 40, 2);
     IdentificationOptions options;
     options.pointMasses = truth.masses;
