@@ -111,6 +111,7 @@ std::vector<Eigen::Index> standOut (const FitState& state, double variance, doub
 std::vector<PoleCluster> chosen (const std::vector<PoleCluster>& clusters, const std::vector<Eigen::Index>& indices)
 {
     std::vector<PoleCluster> result;
+    result.reserve (indices.size());
 
     for (const auto k : indices)
         result.push_back (clusters[static_cast<std::size_t> (k)]);

@@ -104,7 +104,9 @@ double delayOf (const Eigen::VectorXd& angularFrequencies, const Eigen::MatrixXc
         if (const auto delay = static_cast<double> (n) * step; priced (delay) > bestScore)
             bestScore = priced (best = delay);
 
-    for (auto width = step; width > 1e-6 * step; width /= 2)
+    auto width = step;
+
+    for (int halving = 0; halving < 20; ++halving, width /= 2)
         for (const auto delay : { best - width, best + width })
             if (score (delay) > score (best))
                 best = delay;
