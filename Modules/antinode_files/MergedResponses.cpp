@@ -96,6 +96,19 @@ Eigen::VectorXcd velocityFactors (const ResponseUnit& unit, const Eigen::VectorX
     return Eigen::VectorXcd::Constant (frequencies.size(), unit.factor);
 }
 
+/** How often what was measured is integrated to give velocities; 0 where responses differ in that. */
+int integrationsOf (const Responses& responses, const MeasurementOptions& options)
+{
+    const auto of = [&options] (const MeasuredResponse& response)
+    {
+        const auto quantity = unitOf (response, options).quantity.value_or (ResponseQuantity::velocity);
+        return quantity == ResponseQuantity::acceleration ? 1 : quantity == ResponseQuantity::displacement ? -1 : 0;
+    };
+    const auto first = of (responses.front());
+    const auto isSame = [&] (const MeasuredResponse& response) { return of (response) == first; };
+    return std::all_of (responses.begin(), responses.end(), isSame) ? first : 0;
+}
+
 /** Names in the order in which they come. */
 std::vector<std::string> namesOf (const Responses& responses, std::string MeasuredResponse::*name)
 {
@@ -240,6 +253,7 @@ Measurement mergedResponses (const std::vector<MeasurementFile>& files, const Me
     addUnitRemarks (responses, options, measurement.remarks);
     auto& table = measurement.responses;
     table.drive = commonDrive (responses, options);
+    table.integrations = integrationsOf (responses, options);
     exchangeByReciprocity (responses, table.drive, measurement.remarks);
     measurement.pointNames = inNaturalOrder (namesOf (responses, &MeasuredResponse::point));
     const auto drivers = driverNames (responses, options);

@@ -78,8 +78,9 @@ CompressedBand compress (const PreparedResponses& data, Eigen::Index first, Eige
     const auto points = data.points(), drivers = data.drivers();
     auto values = dataBlock (data, first, Eigen::VectorXcd::Ones (count));
     const Eigen::VectorXd roots = data.columnWeights.cwiseSqrt();
-    values.real *= roots.asDiagonal();
-    values.imaginary *= roots.asDiagonal();
+    const auto scale = data.lineScale.segment (first, count).asDiagonal();
+    values.real = scale * values.real * roots.asDiagonal();
+    values.imaginary = scale * values.imaginary * roots.asDiagonal();
 
     // Directions need no more than some thousand samples; the values themselves keep every line.
     const auto stride = std::max<Eigen::Index> (1, count * drivers / 8192);

@@ -44,19 +44,27 @@ double ownLengthVariance (const FitState& state, const std::vector<ShapeCoupling
     return sum / std::pow (state.shapes.col (mode).squaredNorm(), 2);
 }
 
+/** What the data do not tell apart is lifted until it can be factored: it is then known badly, all else as well as it is. */
 Eigen::MatrixXd inverse (Eigen::MatrixXd matrix)
 {
     const Eigen::VectorXd scale = matrix.diagonal().cwiseMax (1e-300).cwiseSqrt().cwiseInverse();
     matrix = scale.asDiagonal() * matrix * scale.asDiagonal();
-    matrix.diagonal().array() += 1e-14;
-    Eigen::MatrixXd result = Eigen::MatrixXd::Identity (matrix.rows(), matrix.cols());
 
-    if (! factorLower (matrix))
-        return result * std::numeric_limits<double>::infinity();
+    for (auto lift = 1e-14; lift < 1; lift *= 10)
+    {
+        Eigen::MatrixXd factor = matrix;
+        factor.diagonal().array() += lift;
 
-    solveLower (matrix, result);
-    solveLowerTransposed (matrix, result);
-    return scale.asDiagonal() * result * scale.asDiagonal();
+        if (! factorLower (factor))
+            continue;
+
+        Eigen::MatrixXd result = Eigen::MatrixXd::Identity (matrix.rows(), matrix.cols());
+        solveLower (factor, result);
+        solveLowerTransposed (factor, result);
+        return scale.asDiagonal() * result * scale.asDiagonal();
+    }
+
+    return matrix * std::numeric_limits<double>::infinity();
 }
 
 void addShapes (ModeDeviations& result, const FitState& state, const std::vector<ShapeCoupling>& couplings,

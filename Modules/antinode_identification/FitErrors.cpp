@@ -111,8 +111,13 @@ FitErrors fitErrors (PreparedResponses& data, const ModalBasis& basis, const Eig
     // Spans of lines: enough of them to follow the noise's colour, enough lines in each for its variance.
     const auto perSpan = std::clamp<Eigen::Index> (data.lines() / 24, 16, linesOfSegment);
     const auto spans = std::max<Eigen::Index> (1, data.lines() / perSpan);
-    FitErrors errors { Eigen::VectorXd (spans), Eigen::VectorXd (spans), Eigen::MatrixXd (spans, data.columns()),
-                       Eigen::MatrixXd (spans, data.columns()), Eigen::VectorXd::Zero (data.columns()) };
+    FitErrors errors { Eigen::VectorXd (spans),
+                       Eigen::VectorXd (spans),
+                       Eigen::MatrixXd (spans, data.columns()),
+                       Eigen::MatrixXd (spans, data.columns()),
+                       Eigen::VectorXd::Zero (data.columns()),
+                       Eigen::VectorXd::Zero (data.columns()),
+                       Eigen::VectorXd::Zero (data.columns()) };
 
     for (Eigen::Index s = 0; s < spans; ++s)
     {
@@ -121,9 +126,14 @@ FitErrors fitErrors (PreparedResponses& data, const ModalBasis& basis, const Eig
         const auto given = synthesised (lineSegment (basis, omega, Eigen::VectorXd::Ones (count)), coefficients, count);
         fillMissing (data, first, count, delay, given);
         auto error = dataBlock (data, first, advances (data, first, count, delay));
-        errors.dataEnergies += energiesOf (error.real, error.imaginary);
+        const auto scale = data.lineScale.segment (first, count).asDiagonal();
+        errors.velocityDataEnergies += energiesOf (error.real, error.imaginary);
+        errors.dataEnergies += energiesOf (scale * error.real, scale * error.imaginary);
         error.real -= given.real;
         error.imaginary -= given.imaginary;
+        errors.velocityEnergies += energiesOf (error.real, error.imaginary);
+        error.real = scale * error.real;
+        error.imaginary = scale * error.imaginary;
         errors.frequencies[s] = (omega[0] + omega[count - 1]) / 2;
         errors.lines[s] = static_cast<double> (count);
         errors.energies.row (s) = energiesOf (error.real, error.imaginary).transpose();
@@ -152,7 +162,8 @@ void weighByErrors (PreparedResponses& data, const FitErrors& errors)
             separate (variances.array().log().matrix(), Eigen::VectorXd::Ones (variances.rows()) * active.transpose());
         const Eigen::MatrixXd ofColumns = bySpan.columns.reshaped (data.points(), data.drivers());
         const auto byPoint = separate (ofColumns, active.reshaped (data.points(), data.drivers()));
-        data.lineWeights = (-interpolated (errors.frequencies, bySpan.rows, data.omega)).array().exp().matrix();
+        data.lineWeights = data.lineScale.array().square()
+                           * (-interpolated (errors.frequencies, bySpan.rows, data.omega)).array().exp();
 
         for (Eigen::Index c = 0; c < data.columns(); ++c)
             data.columnWeights[c] =

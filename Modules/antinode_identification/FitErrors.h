@@ -4,7 +4,8 @@
 
 namespace antinode
 {
-/** What a fit leaves of the data, summed over some tens to hundreds of lines at a time. S spans of lines, C columns. Without weights. */
+/** What a fit leaves of the data, summed over some tens to hundreds of lines at a time. S spans of lines, C columns. Of what was measured
+    (PreparedResponses::lineScale), without weights. */
 struct FitErrors
 {
     Eigen::VectorXd frequencies; ///< S: rad/s, the middle of each span.
@@ -12,7 +13,8 @@ struct FitErrors
     Eigen::MatrixXd energies;    ///< S x C: sum of |error|^2.
     Eigen::MatrixXd
         roughness; ///< S x C: half the sum of |error - error of the line before|^2: noise, but no smooth misfit.
-    Eigen::VectorXd dataEnergies; ///< C: sum of |data|^2.
+    Eigen::VectorXd dataEnergies;                           ///< C: sum of |data|^2.
+    Eigen::VectorXd velocityEnergies, velocityDataEnergies; ///< C: the sums over all lines, of velocities.
 };
 
 /** Coefficients of all functions of a basis: what a fit of real modes gives, functions x C. [worker] */

@@ -35,6 +35,8 @@ struct FrequencyResponses
     Eigen::MatrixX2d points;                ///< N_p x 2: x and y, m.
     std::vector<Eigen::MatrixXcd> values;   ///< N_b of N_f x N_p: (m/s)/V or (m/s)/N; not finite where not measured.
     std::vector<Eigen::MatrixXd> variances; ///< As values: E |error|^2 of each, the unit squared; empty where unknown.
+    /** How often what was measured was integrated to velocities: 1 accelerations, -1 displacements. Its noise is taken to be white. */
+    int integrations = 0;
 };
 
 /** Checks what all who read them rely on: sizes agree, frequencies ascend, drivers' points exist. Values may be not finite.

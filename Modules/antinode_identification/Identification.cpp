@@ -127,6 +127,22 @@ NormalModeFit fitWhatStandsOut (const PreparedResponses& data, NormalModeStart s
     }
 }
 
+/** The modes that are seen at most orders, or known well. What is neither is misfit of measured data more often than a mode. */
+std::vector<Eigen::Index> trustworthy (const NormalModeFit& fit, const PreparedResponses& data,
+                                       const std::vector<PoleCluster>& clusters, const IdentificationOptions& options)
+{
+    constexpr double often = 0.6, uncertain = 0.1;
+    const auto deviations = deviationsOf (fit.state, varianceOf (fit, data), options.delay.has_value(), options.ridge);
+    std::vector<Eigen::Index> kept;
+
+    for (Eigen::Index k = 0; k < fit.modes.modes(); ++k)
+        if (! options.selected.empty() || clusters[static_cast<std::size_t> (k)].presence >= often
+            || deviations.dampingRatios[k] <= uncertain * fit.modes.dampingRatios[k])
+            kept.push_back (k);
+
+    return kept;
+}
+
 std::vector<ResidualTerm> residualTerms (const FitState& state, Eigen::Index points, Eigen::Index drivers)
 {
     const auto coefficients = residualCoefficients (state);
@@ -154,7 +170,10 @@ void describeErrors (IdentifiedModes& result, const PreparedResponses& data, con
     const Eigen::VectorXd active = (data.columnWeights.array() > 0).cast<double>();
     const auto energy = errors.energies.colwise().sum().dot (active);
     result.noise = std::sqrt (energy / (active.sum() * static_cast<double> (data.lines())));
-    result.reconstructionError = 10 * std::log10 (std::max (energy / errors.dataEnergies.dot (active), 1e-32));
+    const auto decibels = [&active] (double left, const Eigen::VectorXd& all)
+    { return 10 * std::log10 (std::max (left / all.dot (active), 1e-32)); };
+    result.measuredReconstructionError = decibels (energy, errors.dataEnergies);
+    result.reconstructionError = decibels (errors.velocityEnergies.dot (active), errors.velocityDataEnergies);
 }
 
 /** Points at which nothing was measured have no shape. */
@@ -229,6 +248,14 @@ IdentifiedModes fitModes (const FrequencyResponses& responses, const Identificat
         weighByErrors (data, fitErrors (data, fit.state.basis, coefficientsOf (fit.state), fit.modes.delay));
 
     fit = fitWhatStandsOut (data, continued (fit.modes, delayIsKnown), clusters, fine, options.ridge);
+
+    if (const auto kept = trustworthy (fit, data, clusters, options); ! kept.empty() && kept.size() < clusters.size())
+    {
+        clusters = chosen (clusters, kept);
+        fit =
+            fitWhatStandsOut (data, continued (chosen (fit.modes, kept), delayIsKnown), clusters, fine, options.ridge);
+    }
+
     auto residues = freeResidues (fit.state, options.ridge);
 
     if (options.complexModes)

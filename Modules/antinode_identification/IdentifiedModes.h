@@ -74,8 +74,11 @@ struct IdentifiedModes
     std::vector<ResidualTerm> residuals;
     std::vector<StabilisationPoint> stabilisation;
     double minimumFrequency = 0, maximumFrequency = 0; ///< Hz: the lines that were used.
-    double reconstructionError = 0;  ///< RMS of measured minus synthesised over RMS of measured, dB, on those lines.
-    double noise = 0;                ///< RMS of the residual, (m/s)/V or (m/s)/N.
+    double reconstructionError =
+        0; ///< RMS of measured minus synthesised velocities over RMS of measured, dB, on those lines.
+    double measuredReconstructionError = 0; ///< The same of what was measured, accelerations or displacements.
+    double noise =
+        0; ///< RMS of the residual, (m/s)/V or (m/s)/N; at the geometric middle of the lines where it is not white.
     std::vector<std::string> doubts; ///< Of the whole, in plain words.
 
     Eigen::Index modes() const { return angularFrequencies.size(); }

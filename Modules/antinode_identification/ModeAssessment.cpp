@@ -10,6 +10,9 @@ namespace
 {
 std::string percent (double share)
 {
+    if (! std::isfinite (share))
+        return "an unknown part";
+
     return std::to_string (static_cast<int> (std::lround (100 * share))) + " %";
 }
 
@@ -110,9 +113,10 @@ void addDoubts (IdentifiedModes& modes)
     if (modes.drivers.size() == 1 && modes.points.rows() > 1)
         modes.doubts.emplace_back ("one driver alone misses modes that it cannot move");
 
-    if (modes.reconstructionError > -20)
+    const auto error = std::min (modes.reconstructionError, modes.measuredReconstructionError);
+
+    if (error > -20)
         modes.doubts.push_back ("the modes reconstruct the responses to "
-                                + std::to_string (static_cast<int> (std::lround (modes.reconstructionError)))
-                                + " dB only");
+                                + std::to_string (static_cast<int> (std::lround (error))) + " dB only");
 }
 } // namespace antinode

@@ -31,6 +31,7 @@ int highestOrder (const CompressedBand& band, const IdentificationOptions& optio
 
 struct BandPoles
 {
+    SearchBand band;
     std::vector<OrderPoles> orders;
     std::vector<PoleCluster> clusters;
 };
@@ -39,7 +40,7 @@ BandPoles searchBand (const PreparedResponses& data, const SearchBand& band, con
 {
     const auto compressed = compress (data, band.firstLine, band.lines, mostOutputs, mostReferences);
     const auto highest = highestOrder (compressed, options);
-    BandPoles result;
+    BandPoles result { band, {}, {} };
     result.orders = polynomialPoles (compressed, std::min (options.minimumOrder, highest), highest, options.ridge);
     // A mode at the edge of two bands may seem to lie in either, or in none: somewhat beyond the edge it counts for now.
     const auto isWithin = [&] (const PoleCluster& cluster)
@@ -58,6 +59,28 @@ BandPoles searchBand (const PreparedResponses& data, const SearchBand& band, con
     for (auto& cluster : clusterPoles (result.orders, options.selected.empty() ? leastPresence : presenceForPicks))
         if (isWithin (cluster) && ! isBroad (cluster))
             result.clusters.push_back (cluster);
+
+    return result;
+}
+
+/** In one piece, or in two where a chosen band holds so many modes that low orders cannot have them all. */
+std::vector<BandPoles> searchDensely (const PreparedResponses& data, const SearchBand& band,
+                                      const IdentificationOptions& options)
+{
+    constexpr std::size_t mostModes = 20;
+    std::vector<BandPoles> result { searchBand (data, band, options) };
+
+    if (! options.bands.empty() || result.front().clusters.size() <= mostModes)
+        return result;
+
+    const auto halves = halvesOf (data, band);
+
+    if (! halves.empty())
+        result.clear();
+
+    for (const auto& half : halves)
+        for (auto& part : searchDensely (data, half, options))
+            result.push_back (std::move (part));
 
     return result;
 }
@@ -97,8 +120,10 @@ void forAll (std::size_t count, const Function& function)
             std::rethrow_exception (failure);
 }
 
-void append (std::vector<StabilisationPoint>& points, const BandPoles& found, const SearchBand& band)
+void append (std::vector<StabilisationPoint>& points, const BandPoles& found)
 {
+    const auto& band = found.band;
+
     for (const auto& order : found.orders)
         for (const auto pole : order.poles)
         {
@@ -153,12 +178,17 @@ std::vector<PoleCluster> withoutRepetitions (const std::vector<BandPoles>& ofBan
 FoundPoles searchPoles (const PreparedResponses& data, const IdentificationOptions& options)
 {
     const auto bands = searchBands (data, options.bands);
-    std::vector<BandPoles> ofBands (bands.size());
-    forAll (bands.size(), [&] (std::size_t n) { ofBands[n] = searchBand (data, bands[n], options); });
+    std::vector<std::vector<BandPoles>> ofChosen (bands.size());
+    forAll (bands.size(), [&] (std::size_t n) { ofChosen[n] = searchDensely (data, bands[n], options); });
+    std::vector<BandPoles> ofBands;
+
+    for (auto& parts : ofChosen)
+        std::move (parts.begin(), parts.end(), std::back_inserter (ofBands));
+
     FoundPoles result;
 
-    for (std::size_t n = 0; n < bands.size(); ++n)
-        append (result.stabilisation, ofBands[n], bands[n]);
+    for (const auto& found : ofBands)
+        append (result.stabilisation, found);
 
     result.clusters = withoutRepetitions (ofBands);
     return result;

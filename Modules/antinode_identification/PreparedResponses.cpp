@@ -132,7 +132,11 @@ PreparedResponses prepare (const FrequencyResponses& responses, double minimumFr
     data.responses = &responses;
     data.firstLine = first;
     data.omega = 2 * std::numbers::pi * frequencies.segment (first, last - first);
-    data.lineWeights.setOnes (data.lines());
+    data.lineScale = (data.omega / std::sqrt (data.omega[0] * data.omega[data.lines() - 1]))
+                         .array()
+                         .pow (responses.integrations)
+                         .matrix();
+    data.lineWeights = data.lineScale.cwiseAbs2();
     data.columnWeights.setOnes (data.columns());
     findMissing (data);
 

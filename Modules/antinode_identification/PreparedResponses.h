@@ -18,9 +18,10 @@ struct PreparedResponses
 {
     const FrequencyResponses* responses = nullptr;
     Eigen::Index firstLine = 0;
-    Eigen::VectorXd omega;             ///< N: rad/s, above 0.
-    Eigen::VectorXd lineWeights;       ///< N
-    Eigen::VectorXd columnWeights;     ///< C: 0 where nothing was measured.
+    Eigen::VectorXd omega;         ///< N: rad/s, above 0.
+    Eigen::VectorXd lineScale;     ///< N: times this, values are what was measured, but for a factor; 1 for velocities.
+    Eigen::VectorXd lineWeights;   ///< N
+    Eigen::VectorXd columnWeights; ///< C: 0 where nothing was measured.
     std::vector<MissingValue> missing; ///< Ascending in line.
 
     Eigen::Index lines() const { return omega.size(); }
@@ -30,7 +31,8 @@ struct PreparedResponses
 };
 
 /** Chooses the lines between two frequencies. Columns without half of their values there have no weight; single missing values begin as
-    interpolated between their neighbours. Weights are all 1, or the reciprocals of given variances as far as these are products.
+    interpolated between their neighbours. Weights are those under which the noise of what was measured is
+    white, or the reciprocals of given variances as far as these are products.
     @throws InputError  when no line, or no column, has values
     [worker] */
 PreparedResponses prepare (const FrequencyResponses&, double minimumFrequency, double maximumFrequency);

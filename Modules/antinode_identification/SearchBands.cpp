@@ -66,4 +66,13 @@ std::vector<SearchBand> searchBands (const PreparedResponses& data, const std::v
 
     return bands;
 }
+
+std::vector<SearchBand> halvesOf (const PreparedResponses& data, const SearchBand& band)
+{
+    if (band.lines < 2 * fewestLines)
+        return {};
+
+    const auto middle = (band.minimum + band.maximum) / 2;
+    return { bandAround (data, band.minimum, middle), bandAround (data, middle, band.maximum) };
+}
 } // namespace antinode

@@ -17,4 +17,7 @@ struct SearchBand
     @throws InputError  when a band that was asked for holds less than 8 lines
     [worker] Docs/Theory.md, section 8.2. */
 std::vector<SearchBand> searchBands (const PreparedResponses&, const std::vector<FrequencyBand>& wanted);
+
+/** The two halves of a band, each with guards of its own; none where they would have too few lines. [any] */
+std::vector<SearchBand> halvesOf (const PreparedResponses&, const SearchBand&);
 } // namespace antinode

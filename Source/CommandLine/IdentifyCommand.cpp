@@ -85,12 +85,22 @@ IdentificationResult identifyFiles (const IdentifyOptions& options)
     return result;
 }
 
+/** In dB; where something else than velocities was measured of that as well. */
+std::string reconstructionError (const IdentificationResult& result)
+{
+    const auto& modes = result.modes;
+    const auto text = fixedText (modes.reconstructionError, 1) + " dB";
+    return result.measured.integrations == 0
+               ? text
+               : text + " (" + fixedText (modes.measuredReconstructionError, 1) + " dB of what was measured)";
+}
+
 std::string descriptionOf (const IdentificationResult& result)
 {
     return "Identified from " + std::to_string (result.measured.points.rows()) + " points and "
            + std::to_string (result.measured.drivers.size()) + " drivers, "
            + fixedText (result.modes.minimumFrequency, 1) + " to " + fixedText (result.modes.maximumFrequency, 1)
-           + " Hz, reconstruction error " + fixedText (result.modes.reconstructionError, 1) + " dB";
+           + " Hz, reconstruction error " + reconstructionError (result);
 }
 
 std::string reportName (const IdentifyOptions& options)
@@ -133,9 +143,9 @@ void writeFiles (const IdentificationResult& result, const IdentifyOptions& opti
 void print (const IdentificationResult& result)
 {
     const auto& modes = result.modes;
-    std::printf ("%s: %td modes from %.1f to %.1f Hz, reconstruction error %.1f dB, delay %.3f us\n%s",
+    std::printf ("%s: %td modes from %.1f to %.1f Hz, reconstruction error %s, delay %.3f us\n%s",
                  result.model.name.c_str(), modes.modes(), modes.minimumFrequency, modes.maximumFrequency,
-                 modes.reconstructionError, 1e6 * modes.delay, tableText (modeTable (result)).c_str());
+                 reconstructionError (result).c_str(), 1e6 * modes.delay, tableText (modeTable (result)).c_str());
 
     if (result.comparison)
         std::printf ("\n%s", tableText (pairTable (result)).c_str());

@@ -1,6 +1,5 @@
 #include "HeadlessRun.h"
 
-
 #include <antinode_audio/Interruption.h>
 #include <antinode_model/InputError.h>
 #include <antinode_session/DesignSentences.h>
