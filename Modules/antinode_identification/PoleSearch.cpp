@@ -67,7 +67,7 @@ BandPoles searchBand (const PreparedResponses& data, const SearchBand& band, con
 std::vector<BandPoles> searchDensely (const PreparedResponses& data, const SearchBand& band,
                                       const IdentificationOptions& options)
 {
-    constexpr std::size_t mostModes = 20;
+    constexpr std::size_t mostModes = 12;
     std::vector<BandPoles> result { searchBand (data, band, options) };
 
     if (! options.bands.empty() || result.front().clusters.size() <= mostModes)

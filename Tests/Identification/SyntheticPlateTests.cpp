@@ -42,3 +42,15 @@ TEST_CASE ("Modes above the measured range do not disturb those within it", "[id
     CHECK (result.falseOnes == 0);
     CHECK (quantile (result.frequency, 0.5) < 3e-6);
 }
+
+TEST_CASE ("A thin plate with sixty modes to a band shows them all", "[identification]")
+{
+    auto truth = knownPlate (2);
+    truth.frequencies /= 6;
+    auto responses = idealResponses (truth, lines (35, 5080, 1));
+    addNoise (responses, 40, 2);
+    const auto result = score (identify (responses, {}), truth);
+    CHECK (result.found >= 122);
+    CHECK (result.falseOnes == 0);
+    CHECK (quantile (result.frequency, 0.5) < 0.5e-6);
+}
