@@ -5,6 +5,7 @@
 #include <antinode_model/DenseKernels.h>
 
 #include <cmath>
+#include <limits>
 
 namespace antinode
 {
@@ -50,8 +51,11 @@ Eigen::MatrixXd inverse (Eigen::MatrixXd matrix)
     const Eigen::VectorXd scale = matrix.diagonal().cwiseMax (1e-300).cwiseSqrt().cwiseInverse();
     matrix = scale.asDiagonal() * matrix * scale.asDiagonal();
 
-    for (auto lift = 1e-14; lift < 1; lift *= 10)
+    for (auto lift = 1e-14;; lift *= 10)
     {
+        if (lift > 1)
+            return matrix * std::numeric_limits<double>::infinity();
+
         Eigen::MatrixXd factor = matrix;
         factor.diagonal().array() += lift;
 
@@ -63,8 +67,6 @@ Eigen::MatrixXd inverse (Eigen::MatrixXd matrix)
         solveLowerTransposed (factor, result);
         return scale.asDiagonal() * result * scale.asDiagonal();
     }
-
-    return matrix * std::numeric_limits<double>::infinity();
 }
 
 void addShapes (ModeDeviations& result, const FitState& state, const std::vector<ShapeCoupling>& couplings,
