@@ -39,9 +39,9 @@ Eigen::VectorXd levelsOf (const ExcitationOptions& options, const Eigen::VectorX
         return Eigen::VectorXd::Constant (limits.size(), options.levels.front());
 
     if (given != limits.size())
-        throw InputError ("--level", "is given " + std::to_string (given)
-                                         + " times, allowed is once, or once for each of the "
-                                         + std::to_string (limits.size()) + " ceramics");
+        throw InputError ("--level-v", "is given " + std::to_string (given)
+                                           + " times, allowed is once, or once for each of the "
+                                           + std::to_string (limits.size()) + " ceramics");
 
     return Eigen::Map<const Eigen::VectorXd> (options.levels.data(), given);
 }
@@ -74,20 +74,20 @@ void addExcitationOptions (CLI::App& command, ExcitationOptions& options)
         ->check (CLI::IsMember ({ "multisine", "sweep", "noise" }))
         ->capture_default_str();
     command.add_option ("--rate", options.rate, "Sample rate, Hz")->capture_default_str();
-    command.add_option ("--lowest", options.lowest, "Where the band begins, Hz; else at half the lowest mode");
-    command.add_option ("--highest", options.highest, "Where the band ends, Hz; else at 20 kHz or the highest mode");
-    command.add_option ("--resolution", options.resolution,
+    command.add_option ("--lowest-hz", options.lowest, "Where the band begins, Hz; else at half the lowest mode");
+    command.add_option ("--highest-hz", options.highest, "Where the band ends, Hz; else at 20 kHz or the highest mode");
+    command.add_option ("--resolution-hz", options.resolution,
                         "How far apart lines are at most, Hz; else a quarter of the narrowest mode's width");
     command.add_option ("--periods", options.periods, "Periods that are measured")->capture_default_str();
     command.add_option ("--settling", options.settling, "Periods before them; else until the slowest mode has settled");
-    command.add_option ("--sweep-duration", options.sweepDuration, "How long a sweep lasts, s")->capture_default_str();
+    command.add_option ("--sweep-s", options.sweepDuration, "How long a sweep lasts, s")->capture_default_str();
     command.add_flag ("--odd", options.hasOddLines, "Multisine of odd lines with gaps, which shows distortion");
     command.add_option ("--seed", options.seed, "Of noise and gaps")
         ->check (CLI::Range (0, 2000000000))
         ->capture_default_str();
     command
         .add_option (
-            "--level", options.levels,
+            "--level-v", options.levels,
             "Peak voltage of all ceramics, V, or of each in their order; else a fifth of their limits (repeatable)")
         ->allow_extra_args (false);
 }

@@ -95,10 +95,10 @@ void addOutputOptions (CLI::App& command, IdentifyOptions& options)
                      "Writes that device with the measured frequencies and damping ratios")
         ->type_name ("DEVICE.json");
     command.add_option ("--name", options.name, "The name of the device")->capture_default_str();
-    command.add_option ("--voltage-limit", options.voltageLimit, "Limit of every ceramic, V")
+    command.add_option ("--voltage-limit-v", options.voltageLimit, "Limit of every ceramic, V")
         ->check (CLI::PositiveNumber)
         ->capture_default_str();
-    command.add_option ("--full-scale", options.fullScaleVoltage, "Volts that a sample of 1 stands for")
+    command.add_option ("--full-scale-v", options.fullScaleVoltage, "Volts that a sample of 1 stands for")
         ->check (CLI::PositiveNumber)
         ->capture_default_str();
     addCacheFlag (command, options.usesCache);

@@ -54,7 +54,7 @@ std::unique_ptr<Bench> simulatedBench (const MeasureOptions& options, const Moda
 std::unique_ptr<Bench> audioBench (const MeasureOptions& options, const ModalModel& model)
 {
     if (! (options.sensor.sensitivity > 0))
-        throw InputError ("--sensitivity_mm_s_per_V", "is missing: how many mm/s make the sensor give a volt?");
+        throw InputError ("--sensitivity-mm-s-per-v", "is missing: how many mm/s make the sensor give a volt?");
 
     BenchChannels channels;
     channels.syncInput = options.syncInput - 1;
@@ -123,7 +123,7 @@ void addSimulationOptions (CLI::App& command, MeasureOptions& options)
     command
         .add_option ("--simulated-device", options.simulatedDevice, "The device on that bench, where it is another one")
         ->needs (simulate);
-    command.add_option ("--snr", options.simulation.signalToNoise, "Its signal over its noise, dB")
+    command.add_option ("--snr-db", options.simulation.signalToNoise, "Its signal over its noise, dB")
         ->check (CLI::Range (-20.0, 300.0))
         ->needs (simulate)
         ->capture_default_str();

@@ -80,7 +80,7 @@ void checkLevels (const Measuring& measuring, Eigen::Index first, Eigen::Index c
 
     if (std::isfinite (fullScale) && largest > clipping * fullScale)
         throw InputError ("sensor", formatted ("its input would be driven to %.0f %% of its full scale: take a lower "
-                                               "--level, or a larger range of the "
+                                               "--level-v, or a larger range of the "
                                                "sensor or the input",
                                                100 * largest / fullScale));
 

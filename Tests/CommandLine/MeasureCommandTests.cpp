@@ -23,8 +23,8 @@ namespace
 /** Arguments of a short measurement of the embedded beam. */
 std::vector<std::string> shortly (std::vector<std::string> arguments)
 {
-    for (const auto* const each : { "--device", "beam", "--rate", "24000", "--highest", "8000", "--resolution", "4",
-                                    "--periods", "2", "--settling", "2" })
+    for (const auto* const each : { "--device", "beam", "--rate", "24000", "--highest-hz", "8000", "--resolution-hz",
+                                    "4", "--periods", "2", "--settling", "2" })
         arguments.emplace_back (each);
 
     return arguments;
@@ -97,7 +97,7 @@ TEST_CASE ("What excite writes and a recorder records frf turns into the respons
 {
     const TemporaryFolder folder;
     const auto path = folder.path();
-    auto run = runProgram (shortly ({ "excite", "--level", "10", "--out", (path / "ex").string() }));
+    auto run = runProgram (shortly ({ "excite", "--level-v", "10", "--out", (path / "ex").string() }));
     INFO (run.errors);
     REQUIRE (run.exitCode == 0);
     CHECK (run.output.find ("6 ceramics and a sync channel") != std::string::npos);
@@ -107,7 +107,7 @@ TEST_CASE ("What excite writes and a recorder records frf turns into the respons
 
     recordOnBench (path / "ex", path / "a.wav", { -0.061, 0.033 });
     run = runProgram ({ "frf", (path / "ex" / "excitation.json").string(), (path / "a.wav").string(), "--out",
-                        (path / "a.uff").string(), "--sensitivity_mm_s_per_V", "1000", "--report",
+                        (path / "a.uff").string(), "--sensitivity-mm-s-per-v", "1000", "--report",
                         (path / "report").string() });
     INFO (run.errors);
     REQUIRE (run.exitCode == 0);
@@ -115,7 +115,7 @@ TEST_CASE ("What excite writes and a recorder records frf turns into the respons
     CHECK (contentOf (path / "report" / "report.html").find ("Signal to noise of each point") != std::string::npos);
 
     run = runProgram ({ "frf", (path / "ex" / "excitation.json").string(), (path / "a.wav").string(), "--out",
-                        (path / "b.uff").string(), "--sensitivity_mm_s_per_V", "1000", "--sync-channel", "1" });
+                        (path / "b.uff").string(), "--sensitivity-mm-s-per-v", "1000", "--sync-channel", "1" });
     CHECK (run.exitCode == 1);
     CHECK (run.errors.find ("sync channel: does not hold the excitation's signal") != std::string::npos);
     CHECK_FALSE (std::filesystem::exists (path / "b.uff"));
@@ -126,7 +126,7 @@ TEST_CASE ("measure --simulate measures the device, keeps what is finished and g
     const TemporaryFolder folder;
     const auto out = folder.path() / "out";
     writeWholeFile (folder.path() / "points.csv", "x_mm,y_mm\n-61,0\n33,0\n70,0\n");
-    const auto arguments = shortly ({ "measure", "--simulate", "--snr", "60", "--points",
+    const auto arguments = shortly ({ "measure", "--simulate", "--snr-db", "60", "--points",
                                       (folder.path() / "points.csv").string(), "--out", out.string() });
     auto run = runProgram (arguments);
     INFO (run.errors);
@@ -143,7 +143,7 @@ TEST_CASE ("measure --simulate measures the device, keeps what is finished and g
     CHECK (contentOf (out / "responses.uff").size() == whole.size());
 
     auto others = arguments;
-    others.insert (others.end(), { "--level", "5" });
+    others.insert (others.end(), { "--level-v", "5" });
     run = runProgram (others);
     CHECK (run.exitCode == 1);
     CHECK (run.errors.find ("holds a measurement with another excitation or other points") != std::string::npos);
@@ -189,15 +189,15 @@ TEST_CASE ("Measurements that cannot begin say why in a line", "[command line]")
         CHECK (std::count (run.errors.begin(), run.errors.end(), '\n') == 1);
         return run.errors;
     };
-    CHECK (errorOf ({}).find ("--sensitivity_mm_s_per_V: is missing") != std::string::npos);
-    CHECK (errorOf ({ "--simulate", "--level", "151" }).find ("allowed is more than 0 to its limit, 150 V")
+    CHECK (errorOf ({}).find ("--sensitivity-mm-s-per-v: is missing") != std::string::npos);
+    CHECK (errorOf ({ "--simulate", "--level-v", "151" }).find ("allowed is more than 0 to its limit, 150 V")
            != std::string::npos);
-    CHECK (errorOf ({ "--simulate", "--level", "5", "--level", "6" }).find ("once for each of the 6 ceramics")
+    CHECK (errorOf ({ "--simulate", "--level-v", "5", "--level-v", "6" }).find ("once for each of the 6 ceramics")
            != std::string::npos);
-    CHECK (errorOf ({ "--sensitivity_mm_s_per_V", "100", "--backend", "ASIO" }).find ("does not exist")
+    CHECK (errorOf ({ "--sensitivity-mm-s-per-v", "100", "--backend", "ASIO" }).find ("does not exist")
            != std::string::npos);
     CHECK (
-        errorOf ({ "--sensitivity_mm_s_per_V", "100", "--sync-input", "1" }).find ("input 1: is to serve two purposes")
+        errorOf ({ "--sensitivity-mm-s-per-v", "100", "--sync-input", "1" }).find ("input 1: is to serve two purposes")
         != std::string::npos);
     writeWholeFile (points, "x_mm,y_mm\n500,0\n");
     CHECK_FALSE (errorOf ({ "--simulate" }).empty());
