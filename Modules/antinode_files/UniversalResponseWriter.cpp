@@ -28,21 +28,25 @@ UniversalNodes nodesOf (const Eigen::MatrixX2d& points)
     return nodes;
 }
 
-/** The lines at which all responses that have any are finite. */
+/** The lines at which all responses that have any are finite; none where nothing was measured. */
 std::vector<Eigen::Index> finiteLines (const FrequencyResponses& responses)
 {
     Eigen::Array<bool, Eigen::Dynamic, 1> areFinite =
         Eigen::Array<bool, Eigen::Dynamic, 1>::Constant (responses.frequencies.size(), true);
+    auto isMeasured = false;
 
     for (const auto& values : responses.values)
         for (const auto& response : values.colwise())
             if (const auto finite = response.array().isFinite().eval(); finite.any())
+            {
                 areFinite = areFinite && finite;
+                isMeasured = true;
+            }
 
     std::vector<Eigen::Index> lines;
 
     for (Eigen::Index f = 0; f < areFinite.size(); ++f)
-        if (areFinite[f])
+        if (isMeasured && areFinite[f])
             lines.push_back (f);
 
     return lines;

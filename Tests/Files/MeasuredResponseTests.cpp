@@ -255,3 +255,16 @@ TEST_CASE ("An impulse response that is cut off has its residues times 1 - e^(sT
     CHECK (measured.responses.frequencies[line] == Approx (40.5));
     CHECK (std::abs (measured.responses.values[0](line, 0) - sum) < 1e-6); // Six digits of the samples.
 }
+
+TEST_CASE ("Responses of which nothing was measured are no universal file", "[files]")
+{
+    FrequencyResponses responses;
+    responses.frequencies = Eigen::Vector2d (10, 20);
+    responses.drivers = { { "C1", {} } };
+    responses.points = Eigen::RowVector2d (0, 0);
+    responses.values = { Eigen::MatrixXcd::Constant (2, 1, std::numeric_limits<double>::quiet_NaN()) };
+    CHECK_THROWS_WITH (responseSets (responses), Catch::Contains ("there is nothing to write"));
+
+    responses.values[0](1, 0) = 1;
+    CHECK_NOTHROW (responseSets (responses));
+}
