@@ -1,3 +1,4 @@
+#include "Support/ClosedFormResponse.h"
 #include "Support/RunProgram.h"
 
 #include <antinode_files/ExcitationFile.h>
@@ -11,8 +12,6 @@
 #include "CommandLine/Inputs.h"
 
 #include <catch2/catch.hpp>
-
-#include <numbers>
 
 using namespace antinode;
 using test::contentOf;
@@ -30,25 +29,6 @@ std::vector<std::string> shortly (std::vector<std::string> arguments)
     return arguments;
 }
 
-/** What the closed form gives at a place for a ceramic. */
-Eigen::VectorXcd closedForm (const ModalModel& model, double x, Eigen::Index ceramic,
-                             const Eigen::VectorXd& frequencies)
-{
-    const auto shapes = shapesAt (model, x, 0);
-    Eigen::VectorXcd values = Eigen::VectorXcd::Zero (frequencies.size());
-
-    for (Eigen::Index f = 0; f < frequencies.size(); ++f)
-        for (Eigen::Index k = 0; k < model.modes(); ++k)
-        {
-            const std::complex<double> s (0, 2 * std::numbers::pi * frequencies[f]);
-            const auto own = model.angularFrequencies[k];
-            values[f] += shapes[k] * model.participation (k, ceramic) * s
-                         / (own * own + s * s + 2 * model.dampingRatios[k] * own * s);
-        }
-
-    return values;
-}
-
 /** The largest effective error of all responses of a file to the beam's closed form, over the response. */
 double worstError (const std::filesystem::path& file, const std::vector<double>& places)
 {
@@ -61,7 +41,7 @@ double worstError (const std::filesystem::path& file, const std::vector<double>&
     for (Eigen::Index ceramic = 0; ceramic < 6; ++ceramic)
         for (std::size_t p = 0; p < places.size(); ++p)
         {
-            const auto right = closedForm (beam, places[p], ceramic, responses.frequencies);
+            const auto right = test::closedForm (beam, shapesAt (beam, places[p], 0), ceramic, responses.frequencies);
             const Eigen::VectorXcd error =
                 responses.values[static_cast<std::size_t> (ceramic)].col (static_cast<Eigen::Index> (p)) - right;
             worst = std::max (worst, error.norm() / right.norm());
