@@ -1,4 +1,4 @@
-#include "Focus/AllocationInstances.h"
+#include "Allocation/AllocationInstances.h"
 #include "ReferenceLoop.h"
 
 namespace antinode

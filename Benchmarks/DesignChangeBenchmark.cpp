@@ -1,10 +1,10 @@
-#include <benchmark/benchmark.h>
-
-#include <antinode_files/DeviceFile.h>
-#include <antinode_files/JsonText.h>
+#include <antinode_documents/DeviceFile.h>
 #include <antinode_focus/BankPlaces.h>
-#include <antinode_graph/DesignWorker.h>
 #include <antinode_resources.h>
+#include <antinode_session/DesignWorker.h>
+#include <antinode_text/JsonText.h>
+
+#include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <limits>

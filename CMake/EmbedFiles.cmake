@@ -25,7 +25,7 @@ function (antinode_embed_files target nameSpace)
     string (APPEND assembly "    .section .note.GNU-stack,\"\",%progbits\n")
     file (CONFIGURE OUTPUT ${directory}/data.S CONTENT "${assembly}" @ONLY)
     file (CONFIGURE OUTPUT ${directory}/files.cpp CONTENT
-"#include <antinode_model/EmbeddedFile.h>
+"#include <antinode_base/EmbeddedFile.h>
 extern \"C\"
 {
 ${declarations}}
@@ -42,7 +42,7 @@ ${entries}    };
 " @ONLY)
     file (CONFIGURE OUTPUT ${directory}/${target}.h CONTENT
 "#pragma once
-#include <antinode_model/EmbeddedFile.h>
+#include <antinode_base/EmbeddedFile.h>
 namespace ${nameSpace}
 {
 /** All files of this set, in the order of the build script. [any] */
@@ -52,5 +52,5 @@ std::span<const antinode::EmbeddedFile> files();
     add_library (${target} STATIC ${directory}/data.S ${directory}/files.cpp)
     set_source_files_properties (${directory}/data.S PROPERTIES OBJECT_DEPENDS "${inputs}")
     target_include_directories (${target} PUBLIC ${directory})
-    target_link_libraries (${target} PUBLIC antinode_model)
+    target_link_libraries (${target} PUBLIC antinode_base)
 endfunction()

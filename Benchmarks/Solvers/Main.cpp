@@ -1,6 +1,6 @@
 #include "AlglibPeer.h"
+#include "Allocation/AllocationInstances.h"
 #include "ClpPeer.h"
-#include "Focus/AllocationInstances.h"
 #include "IpoptPeer.h"
 #include "NloptPeer.h"
 #include "OwnTable.h"

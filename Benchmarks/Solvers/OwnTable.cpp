@@ -1,6 +1,6 @@
 #include "OwnTable.h"
 
-#include "Focus/AllocationInstances.h"
+#include "Allocation/AllocationInstances.h"
 #include "ReferenceLoop.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_focus/WhitenedAllocation.h>
+#include <antinode_allocation/WhitenedAllocation.h>
 
 #include <Eigen/Core>
 

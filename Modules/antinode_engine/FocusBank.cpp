@@ -1,6 +1,6 @@
 #include "FocusBank.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 #include <algorithm>
 #include <cmath>

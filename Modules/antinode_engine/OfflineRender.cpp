@@ -3,7 +3,7 @@
 #include "VoltageLimiter.h"
 #include "VoltageSynthesiser.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "VoltageLimiter.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,8 @@ namespace antinode
 {
 namespace
 {
-constexpr int piece = 256; // samples: few enough that all ceramics' stay in the cache between the check and the clamp
+constexpr int limiterPiece =
+    256; // samples: few enough that all ceramics' stay in the cache between the check and the clamp
 } // namespace
 
 VoltageLimiter::VoltageLimiter (Eigen::VectorXd voltageLimits)
@@ -56,9 +57,9 @@ void VoltageLimiter::limit (std::size_t ceramic, Sample* samples, int valid, int
 template <typename Sample>
 void VoltageLimiter::process (Sample* const* channels, int count)
 {
-    for (int done = 0; done < count; done += piece)
+    for (int done = 0; done < count; done += limiterPiece)
     {
-        const auto samples = std::min (piece, count - done);
+        const auto samples = std::min (limiterPiece, count - done);
         auto valid = muted ? 0 : samples;
 
         for (std::size_t i = 0; i < clamped.size(); ++i)
@@ -76,11 +77,11 @@ template void VoltageLimiter::process (float* const*, int);
 
 void VoltageLimiter::process (Eigen::Ref<Eigen::MatrixXd> voltages)
 {
-    Eigen::Matrix<double, 1, piece> row;
+    Eigen::Matrix<double, 1, limiterPiece> row;
 
-    for (Eigen::Index done = 0; done < voltages.cols(); done += piece)
+    for (Eigen::Index done = 0; done < voltages.cols(); done += limiterPiece)
     {
-        auto part = voltages.middleCols (done, std::min<Eigen::Index> (piece, voltages.cols() - done));
+        auto part = voltages.middleCols (done, std::min<Eigen::Index> (limiterPiece, voltages.cols() - done));
         const auto samples = static_cast<int> (part.cols());
         auto valid = muted ? 0 : samples;
 

@@ -1,10 +1,10 @@
 #include "Brake.h"
 
 #include "BrakeProblem.h"
-#include "DesignRemarks.h"
 #include "Transients.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace antinode
 namespace
 {
 constexpr double restOfDecay = 1e-3; // of the slowest mode's envelope at the end, where no duration is given
-constexpr double envelopeFolds = 4;  // by which brakes fall where no decay is given: as the drives rose
+constexpr double brakeFolds = 4;     // by which brakes fall where no decay is given: as the drives rose
 constexpr double longest = 1;        // s: what is chosen or lengthened ends there
 constexpr double sparedRatio = 1.02, leastLengthening = 1.05, mostLengthening = 2;
 
@@ -41,7 +41,7 @@ BrakeAttempt attemptAsAsked (const FocusDesign& design, const ModalModel& model)
                               + ", too short to release the drives and to begin and end a brake: allowed is at least "
                               + inWords (shortest * 1000));
 
-    return { duration, choice.brake, envelopeFolds };
+    return { duration, choice.brake, brakeFolds };
 }
 
 Allocation allocate (const BrakeProblem& problem, const ModalModel& model, const AllocationWatch& watch)

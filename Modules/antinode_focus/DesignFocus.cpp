@@ -4,10 +4,12 @@
 #include "DesignRemarks.h"
 #include "DesignedProgram.h"
 #include "FocusMoments.h"
-#include "LowerBound.h"
 #include "Prediction.h"
 #include "Projection.h"
 #include "Repetition.h"
+
+#include <antinode_allocation/LowerBound.h>
+#include <antinode_base/NumberText.h>
 
 #include <algorithm>
 #include <cmath>

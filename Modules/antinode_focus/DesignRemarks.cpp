@@ -2,6 +2,8 @@
 
 #include "DriveAllocation.h"
 
+#include <antinode_base/NumberText.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -136,14 +138,6 @@ void addSampleRemarks (FocusDesign& design)
         "comes near the same voltage.");
 }
 } // namespace
-
-std::string inWords (double value)
-{
-    std::array<char, 32> text {};
-    std::snprintf (text.data(), text.size(), std::abs (value) >= 1000 && std::abs (value) < 1e7 ? "%.0f" : "%.4g",
-                   value);
-    return text.data();
-}
 
 void addRemarks (FocusDesign& design, const ModalModel& model)
 {

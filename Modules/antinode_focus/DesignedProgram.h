@@ -1,7 +1,8 @@
 #pragma once
 
-#include "AllocationWatch.h"
 #include "DesignFocus.h"
+
+#include <antinode_allocation/AllocationWatch.h>
 
 namespace antinode
 {

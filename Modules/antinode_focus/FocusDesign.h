@@ -1,8 +1,8 @@
 #pragma once
 
-#include "Allocation.h"
 #include "FocusDescription.h"
 
+#include <antinode_allocation/Allocation.h>
 #include <antinode_model/ModalModel.h>
 #include <antinode_model/Oscillation.h>
 #include <antinode_model/Playback.h>

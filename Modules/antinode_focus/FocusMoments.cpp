@@ -1,10 +1,10 @@
 #include "FocusMoments.h"
 
-#include "DesignRemarks.h"
 #include "Projection.h"
 #include "TargetField.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 #include "FreeWaveform.h"
 
-#include "BoundedWaveform.h"
-#include "DesignRemarks.h"
 #include "DriveAllocation.h"
 #include "LimitError.h"
 #include "SampledPrediction.h"
 
-#include <antinode_model/KaiserSinc.h>
+#include <antinode_allocation/BoundedWaveform.h>
+#include <antinode_base/NumberText.h>
+#include <antinode_numerics/KaiserSinc.h>
 
 #include <algorithm>
 #include <chrono>

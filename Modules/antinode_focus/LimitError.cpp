@@ -1,7 +1,8 @@
 #include "LimitError.h"
 
-#include "DesignRemarks.h"
 #include "DriveAllocation.h"
+
+#include <antinode_base/NumberText.h>
 
 namespace antinode
 {

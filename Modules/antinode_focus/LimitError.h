@@ -1,9 +1,9 @@
 #pragma once
 
-#include "Allocation.h"
 #include "FocusDescription.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_allocation/Allocation.h>
+#include <antinode_base/InputError.h>
 
 namespace antinode
 {

@@ -1,6 +1,6 @@
 #include "Projection.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 #include <Eigen/Dense>
 

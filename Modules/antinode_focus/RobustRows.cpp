@@ -2,7 +2,7 @@
 
 #include "DetunedResponses.h"
 
-#include <antinode_model/DenseKernels.h>
+#include <antinode_numerics/DenseKernels.h>
 
 #include <Eigen/Cholesky>
 

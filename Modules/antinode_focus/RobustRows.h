@@ -1,9 +1,9 @@
 #pragma once
 
-#include "Allocation.h"
 #include "Robustness.h"
 #include "RowOrigin.h"
 
+#include <antinode_allocation/Allocation.h>
 #include <antinode_model/ModalModel.h>
 
 namespace antinode

@@ -2,9 +2,9 @@
 
 #include "Prediction.h"
 
-#include <antinode_model/GaussLegendre.h>
-#include <antinode_model/KaiserSinc.h>
 #include <antinode_model/ModalRecursion.h>
+#include <antinode_numerics/GaussLegendre.h>
+#include <antinode_numerics/KaiserSinc.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,9 @@
 #include "ToleranceCauses.h"
 
-#include "DesignRemarks.h"
 #include "Prediction.h"
 #include "StateRows.h"
+
+#include <antinode_base/NumberText.h>
 
 #include <algorithm>
 #include <array>

@@ -16,7 +16,7 @@ namespace
 {
 constexpr auto noLimit = 1e5; // V
 constexpr auto usableError = 0.05;
-constexpr std::array envelopeFolds { 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0 };
+constexpr std::array triedFolds { 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0 };
 constexpr std::array limitMultiples { 1.02, 1.1, 1.3, 1.6, 2.0, 0.0 };
 constexpr std::array methods { AllocationMethod::minimumNorm, AllocationMethod::paper, AllocationMethod::exact,
                                AllocationMethod::minimumPeak, AllocationMethod::dictionary };
@@ -86,7 +86,7 @@ std::vector<TradeoffPoint> plannedPoints()
     std::vector<TradeoffPoint> points;
 
     for (const auto method : methods)
-        for (const auto folds : envelopeFolds)
+        for (const auto folds : triedFolds)
         {
             TradeoffPoint point;
             point.method = method;

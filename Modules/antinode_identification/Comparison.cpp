@@ -10,7 +10,7 @@ namespace antinode
 {
 namespace
 {
-constexpr double leastAssurance = 0.5;
+constexpr double leastComparedAssurance = 0.5;
 /** What a relative difference of frequencies costs, in units of MAC: one of 10 % costs 0.2. */
 constexpr double priceOfDifference = 2;
 
@@ -58,7 +58,8 @@ ModeComparison compareModes (const IdentifiedModes& identified, const ModalModel
     const auto partners = assign (scores);
 
     for (Eigen::Index k = 0; k < scores.rows(); ++k)
-        if (const auto l = partners[static_cast<std::size_t> (k)]; l >= 0 && result.assurance (k, l) >= leastAssurance)
+        if (const auto l = partners[static_cast<std::size_t> (k)];
+            l >= 0 && result.assurance (k, l) >= leastComparedAssurance)
             result.pairs.push_back ({ k, l, result.assurance (k, l),
                                       identified.angularFrequencies[k] / computed.angularFrequencies[l] - 1 });
 

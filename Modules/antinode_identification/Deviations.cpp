@@ -2,7 +2,7 @@
 
 #include "NormalModeFit.h"
 
-#include <antinode_model/DenseKernels.h>
+#include <antinode_numerics/DenseKernels.h>
 
 #include <cmath>
 #include <limits>

@@ -10,7 +10,7 @@
 #include "PoleSearch.h"
 #include "ShapeScales.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 #include <algorithm>
 #include <cmath>

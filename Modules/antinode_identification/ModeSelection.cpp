@@ -2,7 +2,7 @@
 
 #include "ModeAssessment.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "NormalEquations.h"
 
-#include <antinode_model/DenseKernels.h>
+#include <antinode_numerics/DenseKernels.h>
 
 #include <algorithm>
 #include <array>

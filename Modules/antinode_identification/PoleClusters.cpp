@@ -1,5 +1,7 @@
 #include "PoleClusters.h"
 
+#include <antinode_numerics/Median.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -72,13 +74,6 @@ std::vector<std::size_t> clusterAround (const std::vector<Candidate>& candidates
 
     nearest.erase (std::remove (nearest.begin(), nearest.end(), candidates.size()), nearest.end());
     return nearest;
-}
-
-double median (std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t> (values.size() / 2);
-    std::nth_element (values.begin(), middle, values.end());
-    return *middle;
 }
 
 PoleCluster summary (const std::vector<Candidate>& candidates, const std::vector<std::size_t>& members,

@@ -1,6 +1,7 @@
 #include "PreparedResponses.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
+#include <antinode_numerics/Median.h>
 
 #include <algorithm>
 #include <cmath>
@@ -69,13 +70,6 @@ void findMissing (PreparedResponses& data)
 
     std::stable_sort (data.missing.begin(), data.missing.end(),
                       [] (const auto& a, const auto& b) { return a.line < b.line; });
-}
-
-double median (std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t> (values.size() / 2);
-    std::nth_element (values.begin(), middle, values.end());
-    return *middle;
 }
 
 /** Of lines or columns: the medians of the variances, each times a weight. A median, so that zeros and outliers do not rule. */

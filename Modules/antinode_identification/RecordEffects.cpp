@@ -1,6 +1,6 @@
 #include "RecordEffects.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 #include <cmath>
 #include <complex>

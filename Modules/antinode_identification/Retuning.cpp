@@ -4,7 +4,7 @@
 #include "Comparison.h"
 #include "FrequencyDrift.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace antinode
 {
 namespace
 {
-constexpr double leastAssurance = 0.7;
+constexpr double leastRetunedAssurance = 0.7;
 
 /** What all points and drivers see of each mode, one mode a column: products of shape and participation. */
 Eigen::MatrixXd signatures (const Eigen::MatrixXd& shapes, const Eigen::MatrixXd& participation)
@@ -51,7 +51,7 @@ std::vector<Eigen::Index> partnersOf (const IdentifiedModes& found, const ModalM
     auto partners = assign (scores);
 
     for (Eigen::Index k = 0; k < scores.rows(); ++k)
-        if (auto& l = partners[static_cast<std::size_t> (k)]; l >= 0 && assurance (k, l) < leastAssurance)
+        if (auto& l = partners[static_cast<std::size_t> (k)]; l >= 0 && assurance (k, l) < leastRetunedAssurance)
             l = -1;
 
     return partners;

@@ -1,11 +1,11 @@
 #include "Library.h"
 
-#include <antinode_resources.h>
+#include "ModeCache.h"
 
-#include <antinode_files/JsonText.h>
-#include <antinode_files/ModeCache.h>
-#include <antinode_files/OutputFolder.h>
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
+#include <antinode_resources.h>
+#include <antinode_text/JsonText.h>
+#include <antinode_text/OutputFolder.h>
 
 #include <algorithm>
 #include <cctype>

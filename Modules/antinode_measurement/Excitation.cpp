@@ -1,11 +1,11 @@
 #include "Excitation.h"
 
-#include "Fourier.h"
 #include "Multisine.h"
-#include "RandomNumbers.h"
 #include "Sweep.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
+#include <antinode_numerics/Fourier.h>
+#include <antinode_numerics/RandomNumbers.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,8 @@
 #include "Multisine.h"
 
-#include "Fourier.h"
-#include "RandomNumbers.h"
-
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
+#include <antinode_numerics/Fourier.h>
+#include <antinode_numerics/RandomNumbers.h>
 
 #include <cmath>
 #include <complex>

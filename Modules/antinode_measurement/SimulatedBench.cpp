@@ -1,11 +1,10 @@
 #include "SimulatedBench.h"
 
-#include "Fourier.h"
-#include "RandomNumbers.h"
-
-#include <antinode_model/DenseKernels.h>
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 #include <antinode_model/ModalRecursion.h>
+#include <antinode_numerics/DenseKernels.h>
+#include <antinode_numerics/Fourier.h>
+#include <antinode_numerics/RandomNumbers.h>
 
 #include <algorithm>
 #include <cmath>

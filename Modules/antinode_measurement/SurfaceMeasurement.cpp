@@ -1,5 +1,7 @@
 #include "SurfaceMeasurement.h"
 
+#include <antinode_base/NumberText.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -13,14 +15,6 @@ constexpr double leastCoherence = 0.9;
 constexpr double mostDistortion = 0.02;
 constexpr double mostWander = 0.1; // samples
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-
-template <typename... Values>
-std::string formatted (const char* format, Values... values)
-{
-    char text[200];
-    std::snprintf (text, sizeof text, format, values...);
-    return text;
-}
 
 std::string numbers (const std::vector<Eigen::Index>& places)
 {

@@ -1,8 +1,7 @@
 #include "SweepDeconvolution.h"
 
-#include "Fourier.h"
-
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
+#include <antinode_numerics/Fourier.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "PeriodAverage.h"
 #include "SweepDeconvolution.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 #include <cmath>
 #include <complex>

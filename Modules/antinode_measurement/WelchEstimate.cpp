@@ -1,8 +1,7 @@
 #include "WelchEstimate.h"
 
-#include "Fourier.h"
-
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
+#include <antinode_numerics/Fourier.h>
 
 #include <algorithm>
 #include <cmath>

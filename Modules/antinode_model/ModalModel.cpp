@@ -1,7 +1,8 @@
 #include "ModalModel.h"
 
-#include "InputError.h"
 #include "ShapeInterpolation.h"
+
+#include <antinode_base/InputError.h>
 
 #include <cmath>
 #include <numbers>

@@ -1,8 +1,8 @@
 #include "ModalRecursion.h"
 
-#include "GaussLegendre.h"
-#include "InputError.h"
-#include "KaiserSinc.h"
+#include <antinode_base/InputError.h>
+#include <antinode_numerics/GaussLegendre.h>
+#include <antinode_numerics/KaiserSinc.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "PlateGrid.h"
 
-#include "GaussLegendre.h"
+#include <antinode_numerics/GaussLegendre.h>
 
 #include <algorithm>
 

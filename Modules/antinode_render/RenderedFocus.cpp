@@ -1,9 +1,9 @@
 #include "RenderedFocus.h"
 
-#include <antinode_files/FocusWords.h>
-#include <antinode_focus/DesignRemarks.h>
+#include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
+#include <antinode_documents/FocusWords.h>
 #include <antinode_focus/TargetField.h>
-#include <antinode_model/InputError.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "DesignWorker.h"
 #include "LevelMeters.h"
 #include "PlaySettings.h"
 #include "ProbeTrace.h"
 
 #include <antinode_engine/PlanarBuffer.h>
-#include <antinode_graph/DesignWorker.h>
 #include <antinode_graph/StandardGraph.h>
 
 #include <cstdint>

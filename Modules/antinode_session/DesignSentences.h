@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_graph/DesignRequest.h>
+#include "DesignRequest.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #include "Documents.h"
 
-#include <antinode_files/DeviceFile.h>
-#include <antinode_files/FocusFile.h>
+#include <antinode_documents/DeviceFile.h>
+#include <antinode_documents/FocusFile.h>
 
 #include <nlohmann/json.hpp>
 

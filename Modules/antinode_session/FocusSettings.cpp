@@ -1,6 +1,6 @@
 #include "FocusSettings.h"
 
-#include <antinode_files/FocusWords.h>
+#include <antinode_documents/FocusWords.h>
 
 #include <algorithm>
 #include <cmath>

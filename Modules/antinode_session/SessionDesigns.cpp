@@ -1,9 +1,9 @@
 #include "FocusSettings.h"
 #include "Session.h"
 
+#include <antinode_base/InputError.h>
 #include <antinode_focus/BankPlaces.h>
 #include <antinode_focus/FocusMoments.h>
-#include <antinode_model/InputError.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "DesignRequest.h"
 #include "Documents.h"
 #include "PlaySettings.h"
 
-#include <antinode_graph/DesignRequest.h>
 #include <antinode_model/ModalModel.h>
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "SessionState.h"
 
-#include <antinode_files/JsonReader.h>
-#include <antinode_files/JsonText.h>
+#include <antinode_text/JsonReader.h>
+#include <antinode_text/JsonText.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "ElementChain.h"
-#include "Legendre.h"
+
+#include <antinode_numerics/Legendre.h>
 
 namespace antinode
 {

@@ -1,6 +1,6 @@
 #include "ChainModes.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

@@ -5,7 +5,7 @@
 #include "DescriptionChecks.h"
 #include "PlateSolution.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 #include <antinode_model/ShapeInterpolation.h>
 
 #include <algorithm>

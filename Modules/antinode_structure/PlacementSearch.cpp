@@ -1,6 +1,6 @@
 #include "PlacementSearch.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

@@ -2,7 +2,7 @@
 
 #include "ElementChain.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 #include <algorithm>
 #include <limits>

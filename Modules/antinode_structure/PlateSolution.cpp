@@ -4,9 +4,9 @@
 #include "PlateEnergy.h"
 #include "PlateWaves.h"
 
-#include <antinode_model/DenseKernels.h>
-#include <antinode_model/GaussLegendre.h>
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
+#include <antinode_numerics/DenseKernels.h>
+#include <antinode_numerics/GaussLegendre.h>
 
 #include <Eigen/Cholesky>
 
@@ -19,8 +19,8 @@ namespace antinode
 {
 namespace
 {
-constexpr int maximumModeCount = 500;
-constexpr int defaultModeCount = 100;
+constexpr int maximumPlateModes = 500;
+constexpr int defaultPlateModes = 100;
 
 /** Eigenvalues are in units of D / (m L^4) of the bare substrate and the longer side. */
 double eigenvalueUnit (const PlateDescription& plate, const PlateLayout& layout)
@@ -31,9 +31,9 @@ double eigenvalueUnit (const PlateDescription& plate, const PlateLayout& layout)
 
 void requireCount (int count)
 {
-    if (count < 1 || count > maximumModeCount)
+    if (count < 1 || count > maximumPlateModes)
         throw InputError ("device", "number of modes is " + std::to_string (count) + ", allowed is 1 to "
-                                        + std::to_string (maximumModeCount));
+                                        + std::to_string (maximumPlateModes));
 }
 
 /** Rigid motions that the edges allow: all three of a free plate, the rotation about a single supported edge, else none. */
@@ -74,10 +74,10 @@ int modesBelow (const PlateDescription& plate, const PlateLayout& layout, double
     const auto lowest = angularFrequencyAt (plate, expectedWaveNumber (plate, 2));
     const auto waveNumber = largestWaveNumberAt (plate, std::max (angularFrequency, lowest));
     const auto tooMany = "maximum frequency is " + std::to_string (frequency)
-                         + " Hz, allowed are positive ones with up to " + std::to_string (maximumModeCount)
+                         + " Hz, allowed are positive ones with up to " + std::to_string (maximumPlateModes)
                          + " modes below";
 
-    if (! (waveNumberAt (plate, angularFrequency) <= 2 * expectedWaveNumber (plate, maximumModeCount)))
+    if (! (waveNumberAt (plate, angularFrequency) <= 2 * expectedWaveNumber (plate, maximumPlateModes)))
         throw InputError ("device", tooMany);
 
     const auto problem = affordableProblem (plate, layout, waveNumber);
@@ -87,7 +87,7 @@ int modesBelow (const PlateDescription& plate, const PlateLayout& layout, double
     if (count < 1)
         throw InputError ("device", "has no mode up to its maximum frequency, allowed are higher ones");
 
-    if (count > maximumModeCount)
+    if (count > maximumPlateModes)
         throw InputError ("device", tooMany);
 
     return count;
@@ -100,8 +100,8 @@ int wantedCount (const PlateDescription& plate, const PlateLayout& layout, std::
     if (! given && plate.common.maximumFrequency)
         return modesBelow (plate, layout, *plate.common.maximumFrequency);
 
-    requireCount (given.value_or (defaultModeCount));
-    return given.value_or (defaultModeCount);
+    requireCount (given.value_or (defaultPlateModes));
+    return given.value_or (defaultPlateModes);
 }
 
 Eigen::MatrixXd innerProducts (const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)

@@ -1,8 +1,8 @@
 #include "PlateStatics.h"
 
-#include "PlateModel.h"
+#include "SolvedPlate.h"
 
-#include <antinode_model/DenseKernels.h>
+#include <antinode_numerics/DenseKernels.h>
 
 namespace antinode
 {

@@ -3,9 +3,9 @@
 #include "DescribedModel.h"
 #include "DescriptionChecks.h"
 #include "DeviceDescription.h"
-#include "PlateModel.h"
+#include "SolvedPlate.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 #include <algorithm>
 #include <limits>
@@ -17,8 +17,8 @@ namespace antinode
 namespace
 {
 constexpr int elementDegree = 8;      ///< What subdivided() divides for.
-constexpr int maximumModeCount = 200; ///< A beam of more has waves far shorter than thin-beam theory allows.
-constexpr int defaultModeCount = 40;
+constexpr int maximumBeamModes = 200; ///< A beam of more has waves far shorter than thin-beam theory allows.
+constexpr int defaultBeamModes = 40;
 
 /** Which modes of a description are wanted: so many, or all up to a frequency. */
 struct WantedModes
@@ -32,10 +32,10 @@ WantedModes modesUpTo (const ElementChain& chain, double frequency)
 {
     const auto limit = 2 * std::numbers::pi * frequency;
 
-    if (! (limit > 0 && halfWavesAt (chain, limit) <= maximumModeCount))
+    if (! (limit > 0 && halfWavesAt (chain, limit) <= maximumBeamModes))
         throw InputError ("device", "maximum frequency is " + std::to_string (frequency)
                                         + " Hz, allowed are positive ones with up to "
-                                        + std::to_string (maximumModeCount) + " modes below");
+                                        + std::to_string (maximumBeamModes) + " modes below");
 
     return { {}, limit, std::max (limit, angularFrequencyOfHalfWaves (chain, 2)) };
 }
@@ -48,11 +48,11 @@ WantedModes wantedModes (const ElementChain& chain, const StructureCommon& commo
         return modesUpTo (chain, *common.maximumFrequency);
 
     WantedModes wanted;
-    wanted.count = given.value_or (defaultModeCount);
+    wanted.count = given.value_or (defaultBeamModes);
 
-    if (*wanted.count < 1 || *wanted.count > maximumModeCount)
+    if (*wanted.count < 1 || *wanted.count > maximumBeamModes)
         throw InputError ("device", "number of modes is " + std::to_string (*wanted.count) + ", allowed is 1 to "
-                                        + std::to_string (maximumModeCount));
+                                        + std::to_string (maximumBeamModes));
 
     wanted.expected = angularFrequencyOfHalfWaves (chain, *wanted.count + 2);
     return wanted;

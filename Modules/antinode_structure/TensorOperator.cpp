@@ -1,7 +1,7 @@
 #include "TensorOperator.h"
 
-#include <antinode_model/DenseKernels.h>
-#include <antinode_model/GaussLegendre.h>
+#include <antinode_numerics/DenseKernels.h>
+#include <antinode_numerics/GaussLegendre.h>
 
 #include <algorithm>
 

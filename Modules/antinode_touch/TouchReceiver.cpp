@@ -1,6 +1,6 @@
 #include "TouchReceiver.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 #include <algorithm>
 #include <cerrno>

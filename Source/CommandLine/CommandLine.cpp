@@ -2,7 +2,7 @@
 
 #include "Commands.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 #include <cstdio>
 #include <exception>

@@ -1,9 +1,8 @@
 #include "CommonOptions.h"
 
-#include "Inputs.h"
-
+#include <antinode_base/InputError.h>
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_model/InputError.h>
+#include <antinode_library/Inputs.h>
 
 namespace antinode
 {

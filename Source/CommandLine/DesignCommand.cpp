@@ -2,14 +2,14 @@
 #include "CommonOptions.h"
 #include "DesignTolerances.h"
 #include "Progress.h"
-#include "ToleranceReport.h"
-#include "TradeoffReport.h"
 
-#include <antinode_files/DesignFile.h>
-#include <antinode_files/OutputFolder.h>
-#include <antinode_files/ToleranceFile.h>
+#include <antinode_base/NumberText.h>
+#include <antinode_documents/DesignFile.h>
+#include <antinode_documents/ToleranceFile.h>
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_focus/DesignRemarks.h>
+#include <antinode_reports/ToleranceReport.h>
+#include <antinode_reports/TradeoffReport.h>
+#include <antinode_text/OutputFolder.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 #include "DesignTolerances.h"
 
+#include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_focus/DesignRemarks.h>
-#include <antinode_model/InputError.h>
 
 #include <array>
 #include <cstdio>

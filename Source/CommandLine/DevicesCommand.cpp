@@ -1,6 +1,6 @@
 #include "Commands.h"
-#include "Inputs.h"
 
+#include <antinode_library/Inputs.h>
 #include <antinode_structure/Materials.h>
 
 #include <nlohmann/json.hpp>

@@ -1,12 +1,12 @@
 #include "ExcitationOptions.h"
 
 #include "CommonOptions.h"
-#include "Inputs.h"
 
-#include <antinode_files/JsonText.h>
-#include <antinode_files/WaveFile.h>
-#include <antinode_files/WaveReader.h>
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
+#include <antinode_library/Inputs.h>
+#include <antinode_text/JsonText.h>
+#include <antinode_text/WaveFile.h>
+#include <antinode_text/WaveReader.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,6 @@ namespace antinode
 {
 namespace
 {
-constexpr const char* signalFile = "signal.wav";
 constexpr double linesPerWidth = 4, leastResolution = 0.1, mostResolution = 10; // Hz
 constexpr double restOfSettling = 1e-5;
 constexpr double highestByDefault = 20000; // Hz
@@ -129,20 +128,5 @@ ExcitationSheet excitationFor (const ModalModel& model, const ExcitationOptions&
     chooseForModes (settings, model, options);
     sheet.excitation = makeExcitation (settings, sheet.voltageLimits);
     return sheet;
-}
-
-void writeSheet (OutputFolder& folder, const ExcitationSheet& sheet)
-{
-    folder.write (signalFile,
-                  encodeWave (sheet.excitation.signal.transpose(), 1, sheet.excitation.settings.sampleRate));
-    folder.write ("excitation.json", excitationToJson (sheet, signalFile).dump (2) + "\n");
-}
-
-ExcitationSheet readSheet (const std::filesystem::path& path)
-{
-    const auto source = path.string();
-    const auto document = readJsonFile (path);
-    const auto signal = readWaveFile (path.parent_path() / signalFileOf (document, source));
-    return readExcitation (document, source, signal.samples.row (0));
 }
 } // namespace antinode

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <antinode_files/ExcitationFile.h>
-#include <antinode_files/OutputFolder.h>
+#include <antinode_documents/ExcitationFolder.h>
 #include <antinode_model/ModalModel.h>
 
 #include <CLI/CLI.hpp>
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,10 +39,4 @@ ModalModel excitedDevice (const ExcitationOptions&);
     of the rate, four lines in the narrowest half-power width, settling until 1e-5 of the slowest mode is left, a fifth of the limits.
     @throws InputError  as makeExcitation, or where levels are not one or one a ceramic [worker] */
 ExcitationSheet excitationFor (const ModalModel&, const ExcitationOptions&);
-
-/** Writes the sheet and the signal of a turn into a folder, as excitation.json and signal.wav. @throws InputError [worker] */
-void writeSheet (OutputFolder&, const ExcitationSheet&);
-
-/** A sheet with the signal beside it. @throws InputError  for anything that cannot be read. [worker] */
-ExcitationSheet readSheet (const std::filesystem::path&);
 } // namespace antinode

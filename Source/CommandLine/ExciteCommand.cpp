@@ -1,8 +1,8 @@
 #include "Commands.h"
 #include "ExcitationOptions.h"
 
-#include <antinode_files/WaveFile.h>
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
+#include <antinode_text/WaveFile.h>
 
 #include <cmath>
 #include <cstdio>

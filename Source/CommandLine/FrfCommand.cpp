@@ -1,13 +1,13 @@
 #include "Commands.h"
 #include "ExcitationOptions.h"
-#include "MeasurementReport.h"
 #include "SensorOptions.h"
 
-#include <antinode_files/PointsFile.h>
-#include <antinode_files/UniversalFile.h>
-#include <antinode_files/UniversalResponses.h>
-#include <antinode_files/WaveReader.h>
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
+#include <antinode_reports/MeasurementReport.h>
+#include <antinode_responses/PointsFile.h>
+#include <antinode_responses/UniversalResponses.h>
+#include <antinode_text/WaveReader.h>
+#include <antinode_universal/UniversalFile.h>
 
 #include <cstdio>
 #include <memory>

@@ -1,17 +1,18 @@
 #include "Commands.h"
-#include "IdentificationReport.h"
-#include "IdentificationTables.h"
 #include "IdentifyOptions.h"
-#include "Inputs.h"
 #include "Progress.h"
 
-#include <antinode_files/DeviceFile.h>
-#include <antinode_files/IdentifiedDevice.h>
-#include <antinode_files/OutputFolder.h>
-#include <antinode_files/UniversalFile.h>
-#include <antinode_files/UniversalModes.h>
+#include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
+#include <antinode_documents/DeviceFile.h>
+#include <antinode_documents/IdentifiedDevice.h>
+#include <antinode_documents/UniversalModes.h>
 #include <antinode_identification/IdentifiedModel.h>
-#include <antinode_model/InputError.h>
+#include <antinode_library/Inputs.h>
+#include <antinode_reports/IdentificationReport.h>
+#include <antinode_reports/IdentificationTables.h>
+#include <antinode_text/OutputFolder.h>
+#include <antinode_universal/UniversalFile.h>
 
 #include <nlohmann/json.hpp>
 

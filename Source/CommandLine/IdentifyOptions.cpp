@@ -2,9 +2,9 @@
 
 #include "CommonOptions.h"
 
-#include <antinode_files/MessageText.h>
-#include <antinode_files/PointsFile.h>
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
+#include <antinode_base/MessageText.h>
+#include <antinode_responses/PointsFile.h>
 
 #include <algorithm>
 #include <charconv>

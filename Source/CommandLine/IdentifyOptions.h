@@ -1,8 +1,8 @@
 #pragma once
 
-#include <antinode_files/MeasurementReader.h>
 #include <antinode_identification/Identification.h>
 #include <antinode_identification/RecordEffects.h>
+#include <antinode_responses/MeasurementReader.h>
 
 #include <CLI/CLI.hpp>
 

@@ -1,16 +1,16 @@
-#include "AudioBench.h"
 #include "Commands.h"
 #include "ExcitationOptions.h"
-#include "MeasurementReport.h"
-#include "Measuring.h"
 #include "SensorOptions.h"
-#include "SimulatedBenchPlayer.h"
 
 #include <antinode_audio/Interruption.h>
-#include <antinode_files/PointsFile.h>
-#include <antinode_files/UniversalFile.h>
-#include <antinode_files/UniversalResponses.h>
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
+#include <antinode_bench/AudioBench.h>
+#include <antinode_bench/Measuring.h>
+#include <antinode_bench/SimulatedBenchPlayer.h>
+#include <antinode_reports/MeasurementReport.h>
+#include <antinode_responses/PointsFile.h>
+#include <antinode_responses/UniversalResponses.h>
+#include <antinode_universal/UniversalFile.h>
 
 #include <memory>
 

@@ -1,12 +1,12 @@
 #include "Commands.h"
 #include "CommonOptions.h"
-#include "Inputs.h"
-#include "ModesReport.h"
 
-#include <antinode_files/ModeTable.h>
-#include <antinode_files/OutputFolder.h>
-#include <antinode_files/UniversalFile.h>
-#include <antinode_files/UniversalModes.h>
+#include <antinode_documents/ModeTable.h>
+#include <antinode_documents/UniversalModes.h>
+#include <antinode_library/Inputs.h>
+#include <antinode_reports/ModesReport.h>
+#include <antinode_text/OutputFolder.h>
+#include <antinode_universal/UniversalFile.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,10 +1,11 @@
 #include "Commands.h"
-#include "Inputs.h"
-#include "PaperResults.h"
+#include "Progress.h"
 
-#include <antinode_files/OutputFolder.h>
-#include <antinode_views/Picture.h>
-#include <antinode_views/Theme.h>
+#include <antinode_charts/Picture.h>
+#include <antinode_charts/Theme.h>
+#include <antinode_library/Inputs.h>
+#include <antinode_paper/PaperResults.h>
+#include <antinode_text/OutputFolder.h>
 
 #include <nlohmann/json.hpp>
 
@@ -27,7 +28,8 @@ void reproduce (const PaperOptions& options)
 {
     Progress progress (options.isQuiet);
     const auto model = solveStructure (loadDevice ("staple", {}));
-    const auto cells = evaluatePaperCells (model, progress);
+    const auto cells =
+        evaluatePaperCells (model, [&] (const auto& what, double share) { progress.show (what, share); });
     const auto study = evaluateTwoModes (model);
     const auto figures = paperFigures (model, cells, study);
     const auto tables = paperTablesOf (cells, study);

@@ -1,12 +1,11 @@
 #include "Commands.h"
-#include "Inputs.h"
 #include "Progress.h"
 
-#include <antinode_files/DeviceFile.h>
-#include <antinode_files/OutputFolder.h>
-#include <antinode_focus/DesignRemarks.h>
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
+#include <antinode_documents/DeviceFile.h>
+#include <antinode_library/Inputs.h>
 #include <antinode_structure/Placing.h>
+#include <antinode_text/OutputFolder.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,13 +1,13 @@
 #include "Commands.h"
 #include "CommonOptions.h"
-#include "FocusReport.h"
 #include "Progress.h"
 #include "RenderFiles.h"
 
-#include <antinode_files/DesignFile.h>
-#include <antinode_files/OutputFolder.h>
-#include <antinode_focus/DesignRemarks.h>
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
+#include <antinode_documents/DesignFile.h>
+#include <antinode_reports/FocusReport.h>
+#include <antinode_text/OutputFolder.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #include "RenderFiles.h"
 
-#include <antinode_files/TfwFile.h>
-#include <antinode_files/WaveFile.h>
+#include <antinode_text/TfwFile.h>
+#include <antinode_text/WaveFile.h>
 
 #include <array>
 #include <cstdio>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <antinode_files/OutputFolder.h>
 #include <antinode_render/RenderedFocus.h>
+#include <antinode_text/OutputFolder.h>
 
 #include <string>
 

@@ -1,11 +1,11 @@
 #include "Commands.h"
 #include "CommonOptions.h"
-#include "Inputs.h"
 
-#include <antinode_files/DeviceFile.h>
-#include <antinode_files/MeasurementReader.h>
-#include <antinode_files/OutputFolder.h>
+#include <antinode_documents/DeviceFile.h>
 #include <antinode_identification/Retuning.h>
+#include <antinode_library/Inputs.h>
+#include <antinode_responses/MeasurementReader.h>
+#include <antinode_text/OutputFolder.h>
 
 #include <nlohmann/json.hpp>
 

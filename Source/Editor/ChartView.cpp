@@ -2,9 +2,9 @@
 
 #include "EditorLook.h"
 
-#include <antinode_views/BlankImage.h>
-#include <antinode_views/Drawing.h>
-#include <antinode_views/Lettering.h>
+#include <antinode_charts/BlankImage.h>
+#include <antinode_charts/Drawing.h>
+#include <antinode_charts/Lettering.h>
 
 namespace antinode
 {

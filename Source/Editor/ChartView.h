@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_views/Chart.h>
+#include <antinode_charts/Chart.h>
 
 #include <juce_gui_basics/juce_gui_basics.h>
 

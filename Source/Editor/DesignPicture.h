@@ -2,11 +2,11 @@
 
 #include "FieldFrames.h"
 
+#include <antinode_charts/Chart.h>
 #include <antinode_model/Playback.h>
-#include <antinode_render/FocusScores.h>
+#include <antinode_reports/FocusScores.h>
 #include <antinode_session/PlaySettings.h>
 #include <antinode_session/SessionSnapshot.h>
-#include <antinode_views/Chart.h>
 
 #include <memory>
 #include <string>

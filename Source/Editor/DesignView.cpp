@@ -1,9 +1,9 @@
 #include "DesignView.h"
 
+#include <antinode_charts/FocusCharts.h>
+#include <antinode_charts/PlateCharts.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_session/FocusSettings.h>
-#include <antinode_views/FocusCharts.h>
-#include <antinode_views/PlateCharts.h>
 
 #include <algorithm>
 #include <chrono>

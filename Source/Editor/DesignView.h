@@ -2,7 +2,7 @@
 
 #include "DesignPicture.h"
 
-#include <antinode_focus/AllocationWatch.h>
+#include <antinode_allocation/AllocationWatch.h>
 
 #include <atomic>
 #include <chrono>

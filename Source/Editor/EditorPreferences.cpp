@@ -1,10 +1,10 @@
 #include "EditorPreferences.h"
 
-#include <antinode_files/JsonReader.h>
-#include <antinode_files/JsonText.h>
-#include <antinode_files/OutputFolder.h>
+#include <antinode_base/InputError.h>
 #include <antinode_library/Library.h>
-#include <antinode_model/InputError.h>
+#include <antinode_text/JsonReader.h>
+#include <antinode_text/JsonText.h>
+#include <antinode_text/OutputFolder.h>
 
 #include <nlohmann/json.hpp>
 

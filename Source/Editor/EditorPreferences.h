@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_files/WordList.h>
+#include <antinode_base/WordList.h>
 
 namespace antinode
 {

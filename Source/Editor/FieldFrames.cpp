@@ -1,7 +1,7 @@
 #include "FieldFrames.h"
 
+#include <antinode_charts/FieldSampling.h>
 #include <antinode_focus/Prediction.h>
-#include <antinode_views/FieldSampling.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Plugin/AntinodeProcessor.h>
+#include <Processor/AntinodeProcessor.h>
 
 #include <functional>
 #include <set>

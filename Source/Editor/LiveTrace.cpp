@@ -2,9 +2,9 @@
 
 #include "EditorLook.h"
 
-#include <antinode_views/BlankImage.h>
-#include <antinode_views/Curve.h>
-#include <antinode_views/Lettering.h>
+#include <antinode_charts/BlankImage.h>
+#include <antinode_charts/Curve.h>
+#include <antinode_charts/Lettering.h>
 
 #include <algorithm>
 #include <cmath>

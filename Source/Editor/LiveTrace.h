@@ -1,7 +1,7 @@
 #pragma once
 
+#include <antinode_charts/PlotFrame.h>
 #include <antinode_session/ProbeTrace.h>
-#include <antinode_views/PlotFrame.h>
 
 #include <juce_gui_basics/juce_gui_basics.h>
 

@@ -2,7 +2,7 @@
 
 #include "ParameterControl.h"
 
-#include <Plugin/AntinodeProcessor.h>
+#include <Processor/AntinodeProcessor.h>
 
 #include <memory>
 #include <vector>

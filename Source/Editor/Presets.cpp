@@ -1,6 +1,6 @@
 #include "Presets.h"
 
-#include <antinode_files/FocusFile.h>
+#include <antinode_documents/FocusFile.h>
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "DesignPicture.h"
 
-#include <Plugin/AntinodeProcessor.h>
+#include <Processor/AntinodeProcessor.h>
 
 #include <memory>
 

@@ -1,13 +1,13 @@
 #include "SurfacePainter.h"
 
-#include <antinode_views/AnnotationDrawing.h>
-#include <antinode_views/ColourBar.h>
-#include <antinode_views/Curve.h>
-#include <antinode_views/DataRange.h>
-#include <antinode_views/Legend.h>
-#include <antinode_views/Lettering.h>
-#include <antinode_views/MapImage.h>
-#include <antinode_views/MapOverlays.h>
+#include <antinode_charts/AnnotationDrawing.h>
+#include <antinode_charts/ColourBar.h>
+#include <antinode_charts/Curve.h>
+#include <antinode_charts/DataRange.h>
+#include <antinode_charts/Legend.h>
+#include <antinode_charts/Lettering.h>
+#include <antinode_charts/MapImage.h>
+#include <antinode_charts/MapOverlays.h>
 
 #include <algorithm>
 #include <cmath>

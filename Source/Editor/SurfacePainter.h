@@ -3,7 +3,7 @@
 #include "DesignPicture.h"
 #include "Palette.h"
 
-#include <antinode_views/PlotFrame.h>
+#include <antinode_charts/PlotFrame.h>
 
 #include <juce_graphics/juce_graphics.h>
 

@@ -2,8 +2,8 @@
 
 #include "EditorLook.h"
 
+#include <antinode_charts/Lettering.h>
 #include <antinode_session/FocusSettings.h>
-#include <antinode_views/Lettering.h>
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 
 #include "SurfacePainter.h"
 
-#include <Plugin/AntinodeProcessor.h>
+#include <Processor/AntinodeProcessor.h>
 
 #include <functional>
 #include <memory>

@@ -2,7 +2,7 @@
 
 #include "EditorLook.h"
 
-#include <antinode_views/Lettering.h>
+#include <antinode_charts/Lettering.h>
 
 namespace antinode
 {

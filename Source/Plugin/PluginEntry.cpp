@@ -1,6 +1,5 @@
-#include "AntinodeProcessor.h"
-
 #include <Editor/InstallEditor.h>
+#include <Processor/AntinodeProcessor.h>
 
 #include <cstdlib>
 

@@ -1,7 +1,7 @@
 #include "ApplyOptions.h"
 
+#include <antinode_base/InputError.h>
 #include <antinode_library/Library.h>
-#include <antinode_model/InputError.h>
 
 #include <nlohmann/json.hpp>
 

@@ -4,7 +4,7 @@
 #include "MidiQueue.h"
 #include "OutputRouter.h"
 
-#include <Plugin/AntinodeProcessor.h>
+#include <Processor/AntinodeProcessor.h>
 
 #include <juce_audio_devices/juce_audio_devices.h>
 

@@ -1,8 +1,7 @@
 #include "AudioPanel.h"
 
 #include <Editor/EditorLook.h>
-
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 #include <algorithm>
 #include <numeric>

@@ -1,7 +1,7 @@
 #include "HeadlessRun.h"
 
 #include <antinode_audio/Interruption.h>
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 #include <antinode_session/DesignSentences.h>
 
 #include <algorithm>

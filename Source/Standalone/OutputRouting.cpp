@@ -1,6 +1,6 @@
 #include "OutputRouting.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 #include <cmath>
 #include <numeric>

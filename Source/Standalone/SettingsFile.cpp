@@ -1,7 +1,7 @@
 #include "SettingsFile.h"
 
+#include <antinode_base/InputError.h>
 #include <antinode_library/Library.h>
-#include <antinode_model/InputError.h>
 
 #include <fstream>
 #include <iterator>

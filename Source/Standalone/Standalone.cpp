@@ -6,7 +6,7 @@
 
 #include <antinode_audio/Interruption.h>
 #include <antinode_audio/QuietLibraries.h>
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 #include <cstdio>
 #include <exception>

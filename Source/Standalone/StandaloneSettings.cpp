@@ -1,8 +1,8 @@
 #include "StandaloneSettings.h"
 
 #include <Editor/EditorPreferences.h>
-#include <antinode_files/JsonReader.h>
-#include <antinode_files/JsonText.h>
+#include <antinode_text/JsonReader.h>
+#include <antinode_text/JsonText.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #include "TouchPanel.h"
 
 #include <Editor/EditorLook.h>
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 namespace antinode
 {

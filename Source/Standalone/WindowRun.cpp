@@ -3,7 +3,7 @@
 #include "MainWindow.h"
 
 #include <antinode_audio/Interruption.h>
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 namespace antinode
 {

@@ -1,15 +1,14 @@
 #include "Support/ClosedFormResponse.h"
 #include "Support/RunProgram.h"
 
-#include <antinode_files/ExcitationFile.h>
-#include <antinode_files/JsonText.h>
-#include <antinode_files/MeasurementReader.h>
-#include <antinode_files/OutputFolder.h>
-#include <antinode_files/WaveFile.h>
-#include <antinode_files/WaveReader.h>
+#include <antinode_documents/ExcitationFile.h>
+#include <antinode_library/Inputs.h>
 #include <antinode_measurement/SimulatedBench.h>
-
-#include "CommandLine/Inputs.h"
+#include <antinode_responses/MeasurementReader.h>
+#include <antinode_text/JsonText.h>
+#include <antinode_text/OutputFolder.h>
+#include <antinode_text/WaveFile.h>
+#include <antinode_text/WaveReader.h>
 
 #include <catch2/catch.hpp>
 

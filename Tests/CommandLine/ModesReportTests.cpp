@@ -1,6 +1,6 @@
 #include "Support/SinePlate.h"
 
-#include <CommandLine/ModesReport.h>
+#include <antinode_reports/ModesReport.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 #include "Support/SinePlate.h"
 
-#include <CommandLine/FocusReport.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_reports/FocusReport.h>
 
 #include <catch2/catch.hpp>
 

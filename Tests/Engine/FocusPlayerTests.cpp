@@ -1,7 +1,7 @@
-#include "AllocationCount.h"
 #include "PlayerFixtures.h"
+#include "Support/AllocationCount.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 #include <catch2/catch.hpp>
 

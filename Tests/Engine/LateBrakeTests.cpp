@@ -1,11 +1,11 @@
-#include "AllocationCount.h"
 #include "PlayerFixtures.h"
-
-#include <Support/SineBeam.h>
+#include "Support/AllocationCount.h"
 
 #include <antinode_engine/PlateModel.h>
 #include <antinode_focus/BrakeDrives.h>
 #include <antinode_focus/Prediction.h>
+
+#include <Support/SineBeam.h>
 
 #include <Eigen/LU>
 #include <catch2/catch.hpp>

@@ -1,8 +1,8 @@
 #include "EngineFixtures.h"
 
+#include <antinode_base/InputError.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_engine/VoltageSynthesiser.h>
-#include <antinode_model/InputError.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
-#include "AllocationCount.h"
 #include "EngineFixtures.h"
+#include "Support/AllocationCount.h"
 
+#include <antinode_base/InputError.h>
 #include <antinode_engine/PlateModel.h>
-#include <antinode_model/InputError.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,9 +1,10 @@
 #include "EngineFixtures.h"
 
-#include <Support/AdaptiveOde.h>
 #include <antinode_engine/PlateModel.h>
-#include <antinode_model/GaussLegendre.h>
-#include <antinode_model/KaiserSinc.h>
+#include <antinode_numerics/GaussLegendre.h>
+#include <antinode_numerics/KaiserSinc.h>
+
+#include <Support/AdaptiveOde.h>
 
 #include <catch2/catch.hpp>
 

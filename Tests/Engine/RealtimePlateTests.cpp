@@ -1,9 +1,9 @@
-#include "AllocationCount.h"
 #include "EngineFixtures.h"
+#include "Support/AllocationCount.h"
 
+#include <antinode_base/InputError.h>
 #include <antinode_engine/PlateModel.h>
 #include <antinode_engine/RealtimePlate.h>
-#include <antinode_model/InputError.h>
 
 #include <catch2/catch.hpp>
 #include <hwy/targets.h>

@@ -1,5 +1,6 @@
+#include <antinode_numerics/GaussLegendre.h>
+
 #include <Support/AdaptiveOde.h>
-#include <antinode_model/GaussLegendre.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
-#include "AllocationCount.h"
 #include "EngineFixtures.h"
+#include "Support/AllocationCount.h"
 
 #include <antinode_engine/VoltageSynthesiser.h>
 

@@ -1,7 +1,7 @@
 #include "EngineFixtures.h"
 
+#include <antinode_base/InputError.h>
 #include <antinode_engine/VoltageLimiter.h>
-#include <antinode_model/InputError.h>
 
 #include <catch2/catch.hpp>
 #include <hwy/targets.h>

@@ -1,8 +1,8 @@
 #include "Support/SineBeam.h"
 
+#include <antinode_allocation/BoundedWaveform.h>
 #include <antinode_engine/FocusBank.h>
 #include <antinode_engine/OfflineRender.h>
-#include <antinode_focus/BoundedWaveform.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/Prediction.h>
 #include <antinode_focus/SampledPrediction.h>

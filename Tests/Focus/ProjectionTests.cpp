@@ -1,8 +1,8 @@
 #include "Support/SinePlate.h"
 
+#include <antinode_base/InputError.h>
 #include <antinode_focus/Projection.h>
 #include <antinode_focus/TargetField.h>
-#include <antinode_model/InputError.h>
 
 #include <catch2/catch.hpp>
 

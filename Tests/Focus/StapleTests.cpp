@@ -1,11 +1,11 @@
 #include "antinode_resources.h"
 
+#include <antinode_documents/DeviceFile.h>
+#include <antinode_documents/FocusFile.h>
 #include <antinode_engine/OfflineRender.h>
-#include <antinode_files/DeviceFile.h>
-#include <antinode_files/FocusFile.h>
-#include <antinode_files/JsonText.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/FocusScore.h>
+#include <antinode_text/JsonText.h>
 
 #include <catch2/catch.hpp>
 

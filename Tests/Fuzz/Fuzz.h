@@ -2,7 +2,7 @@
 
 #include "Support/ErrorText.h"
 
-#include <antinode_files/MeasuredResponse.h>
+#include <antinode_responses/MeasuredResponse.h>
 
 #include <cstdlib>
 #include <string_view>

@@ -1,6 +1,6 @@
 #include "Fuzz.h"
 
-#include <antinode_files/MatlabResponses.h>
+#include <antinode_responses/MatlabResponses.h>
 
 /** MATLAB files. */
 void antinode::test::fuzz (std::string_view bytes)

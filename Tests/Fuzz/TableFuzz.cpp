@@ -1,6 +1,6 @@
 #include "Fuzz.h"
 
-#include <antinode_files/CsvResponses.h>
+#include <antinode_responses/CsvResponses.h>
 
 /** Tables of text. */
 void antinode::test::fuzz (std::string_view bytes)

@@ -1,12 +1,12 @@
-#include <Support/SineBeam.h>
-
+#include <antinode_base/InputError.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_graph/AllocationNode.h>
 #include <antinode_graph/ForceNode.h>
 #include <antinode_graph/NodeGraph.h>
 #include <antinode_graph/NodeProcessor.h>
 #include <antinode_graph/PlayerNode.h>
-#include <antinode_model/InputError.h>
+
+#include <Support/SineBeam.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Plugin/PlayedProcessor.h>
+#include "Processor/PlayedProcessor.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,6 @@
 #include "HostReference.h"
 #include "JuceHost.h"
-
-#include <Engine/AllocationCount.h>
+#include "Support/AllocationCount.h"
 
 #include <catch2/catch.hpp>
 

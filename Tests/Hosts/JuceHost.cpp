@@ -1,6 +1,6 @@
 #include "JuceHost.h"
 
-#include <Plugin/VST3Channels.h>
+#include <Processor/VST3Channels.h>
 
 #include <atomic>
 #include <cstdlib>

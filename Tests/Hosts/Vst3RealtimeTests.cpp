@@ -1,6 +1,6 @@
+#include "Support/AllocationCount.h"
 #include "Vst3BareBlock.h"
 
-#include <Engine/AllocationCount.h>
 #include <Support/SyscallTrap.h>
 
 #include <catch2/catch.hpp>

@@ -1,10 +1,10 @@
 #include "Support/MeasuredStructure.h"
 
+#include <antinode_base/InputError.h>
 #include <antinode_identification/Comparison.h>
 #include <antinode_identification/Identification.h>
 #include <antinode_identification/IdentifiedModel.h>
 #include <antinode_identification/Retuning.h>
-#include <antinode_model/InputError.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 #include "Support/IdentificationScore.h"
 
+#include <antinode_base/InputError.h>
 #include <antinode_identification/Identification.h>
-#include <antinode_model/InputError.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
+#include <antinode_base/InputError.h>
 #include <antinode_identification/FrequencyResponses.h>
-#include <antinode_model/InputError.h>
 
 #include <catch2/catch.hpp>
 

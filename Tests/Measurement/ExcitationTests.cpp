@@ -1,7 +1,7 @@
 #include "MeasuredBeam.h"
 
-#include <antinode_measurement/Fourier.h>
 #include <antinode_measurement/Multisine.h>
+#include <antinode_numerics/Fourier.h>
 
 #include <Support/ErrorText.h>
 

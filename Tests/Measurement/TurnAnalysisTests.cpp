@@ -1,8 +1,8 @@
 #include "MeasuredBeam.h"
 
 #include <antinode_engine/PlateModel.h>
-#include <antinode_measurement/RandomNumbers.h>
 #include <antinode_measurement/TurnAnalysis.h>
+#include <antinode_numerics/RandomNumbers.h>
 
 #include <Support/ErrorText.h>
 

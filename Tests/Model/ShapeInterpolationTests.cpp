@@ -1,4 +1,4 @@
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 #include <antinode_model/ModalModel.h>
 #include <antinode_model/ShapeInterpolation.h>
 

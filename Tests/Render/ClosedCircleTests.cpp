@@ -1,4 +1,4 @@
-#include "CommandLine/Inputs.h"
+#include <antinode_library/Inputs.h>
 
 #include <Support/ClosedCircle.h>
 

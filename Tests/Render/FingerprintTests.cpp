@@ -1,8 +1,7 @@
-#include "CommandLine/Inputs.h"
-#include <antinode_render/RenderedFocus.h>
-
-#include <antinode_files/WaveFile.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_library/Inputs.h>
+#include <antinode_render/RenderedFocus.h>
+#include <antinode_text/WaveFile.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,6 @@
-#include "CommandLine/Inputs.h"
-#include <antinode_render/RenderedFocus.h>
-
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_library/Inputs.h>
+#include <antinode_render/RenderedFocus.h>
 
 #include <catch2/catch.hpp>
 

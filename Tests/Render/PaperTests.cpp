@@ -1,9 +1,8 @@
-#include "CommandLine/Inputs.h"
-#include "CommandLine/PaperCases.h"
-#include "CommandLine/PaperResults.h"
-#include "CommandLine/PaperTables.h"
-
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_library/Inputs.h>
+#include <antinode_paper/PaperCases.h>
+#include <antinode_paper/PaperResults.h>
+#include <antinode_paper/PaperTables.h>
 
 #include <nlohmann/json.hpp>
 

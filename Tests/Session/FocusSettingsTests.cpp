@@ -1,6 +1,6 @@
 #include "PlayedSession.h"
 
-#include <antinode_files/FocusFile.h>
+#include <antinode_documents/FocusFile.h>
 #include <antinode_session/FocusSettings.h>
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 #include "PlayedSession.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 #include <antinode_session/SessionState.h>
 
 #include <catch2/catch.hpp>

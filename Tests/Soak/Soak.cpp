@@ -1,11 +1,11 @@
+#include <antinode_focus/BankPlaces.h>
+#include <antinode_graph/LimiterNode.h>
+#include <antinode_graph/StandardGraph.h>
+#include <antinode_session/DesignWorker.h>
+
 #include <Support/AudioThreadGuards.h>
 
 #include <Support/SineBeam.h>
-
-#include <antinode_focus/BankPlaces.h>
-#include <antinode_graph/DesignWorker.h>
-#include <antinode_graph/LimiterNode.h>
-#include <antinode_graph/StandardGraph.h>
 
 #include <array>
 #include <atomic>

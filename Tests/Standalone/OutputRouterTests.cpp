@@ -1,6 +1,5 @@
 #include "RouterRig.h"
-
-#include "Engine/AllocationCount.h"
+#include "Support/AllocationCount.h"
 
 #include <Standalone/IdentifyTone.h>
 

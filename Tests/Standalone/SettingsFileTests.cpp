@@ -1,9 +1,8 @@
-#include <Standalone/SettingsFile.h>
-
 #include "Support/ErrorText.h"
 #include "Support/TemporaryFolder.h"
 
-#include <Plugin/AntinodeProcessor.h>
+#include <Processor/AntinodeProcessor.h>
+#include <Standalone/SettingsFile.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,7 @@
-#include <Standalone/TouchInput.h>
-
 #include "Touch/OscWriter.h"
 
-#include <Plugin/AntinodeProcessor.h>
+#include <Processor/AntinodeProcessor.h>
+#include <Standalone/TouchInput.h>
 
 #include <catch2/catch.hpp>
 

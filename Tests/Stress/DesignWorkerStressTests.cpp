@@ -1,9 +1,9 @@
-#include <Support/SineBeam.h>
-
 #include <antinode_focus/BankPlaces.h>
-#include <antinode_graph/DesignWorker.h>
 #include <antinode_graph/LimiterNode.h>
 #include <antinode_graph/StandardGraph.h>
+#include <antinode_session/DesignWorker.h>
+
+#include <Support/SineBeam.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 #include "StructureExamples.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 #include <antinode_structure/Capacitance.h>
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 #include "PlateExamples.h"
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 #include <antinode_structure/Controllability.h>
 #include <antinode_structure/Placing.h>
 

@@ -1,6 +1,6 @@
 #include "PlateExamples.h"
 
-#include <antinode_structure/PlateModel.h>
+#include <antinode_structure/SolvedPlate.h>
 
 using namespace antinode;
 using namespace antinode::examples;

@@ -1,7 +1,7 @@
 #include "PlateExamples.h"
 
-#include <antinode_structure/PlateModel.h>
 #include <antinode_structure/PlateStatics.h>
+#include <antinode_structure/SolvedPlate.h>
 
 using namespace antinode;
 using namespace antinode::examples;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <Engine/AllocationCount.h>
+#include "AllocationCount.h"
+
 #include <Support/RealtimeScope.h>
 #include <Support/SyscallTrap.h>
 

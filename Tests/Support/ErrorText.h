@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_model/InputError.h>
+#include <antinode_base/InputError.h>
 
 #include <string>
 

@@ -1,0 +1,4 @@
+// Precompiled for the command line.
+#include "Documents.h"
+
+#include <CLI/CLI.hpp>

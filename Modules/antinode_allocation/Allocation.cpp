@@ -1,0 +1,154 @@
+#include "Allocation.h"
+
+#include "AllocationActiveSet.h"
+#include "AllocationCertificate.h"
+#include "AllocationInput.h"
+#include "LimitedAllocation.h"
+#include "RowSystem.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_numerics/DenseKernels.h>
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+namespace antinode
+{
+namespace
+{
+/** A peak ratio below which the limits leave so much room that the exact least one need not be known. */
+constexpr auto easyRatio = 0.97;
+
+/** Gaps beyond this are no solution; where the active set leaves one, the interior point looks anew. */
+constexpr auto largestGap = 1e-6;
+
+/** What the limits must have to spare for the least norm within them to be looked for. */
+constexpr auto leastRoom = 1e-6;
+
+double secondsSince (std::chrono::steady_clock::time_point begin)
+{
+    return std::chrono::duration<double> (std::chrono::steady_clock::now() - begin).count();
+}
+
+Allocation nothing (const AllocationProblem& problem)
+{
+    Allocation allocation;
+    allocation.matrix = Eigen::MatrixXd::Zero (problem.voltageLimits.size(), problem.waveforms.rows());
+    return allocation;
+}
+
+void addEffort (AllocationCertificate& certificate, const AllocationEffort& effort)
+{
+    certificate.iterations += effort.iterations;
+    certificate.rounds += effort.rounds;
+}
+
+/** The largest error of a hard row, from the matrix itself. */
+double rowResidual (const AllocationProblem& problem, const Eigen::MatrixXd& matrix)
+{
+    const Eigen::VectorXd values =
+        problem.participation.cwiseProduct (problem.rows * matrix.transpose()).rowwise().sum();
+    return (values - problem.wanted).cwiseAbs().maxCoeff() / problem.wanted.cwiseAbs().maxCoeff();
+}
+
+void checkSolved (double gap)
+{
+    if (! (std::abs (gap) <= largestGap))
+        throw InputError ("allocation",
+                          "cannot be solved accurately because drives or rows are almost combinations of others: "
+                          "control fewer modes, or let their growths differ more");
+}
+
+/** The shares by the active set, with status, bound and effort of the certificate. */
+std::optional<Eigen::MatrixXd> activeShares (const WhitenedAllocation& whitened, const RowSystem& rows,
+                                             const Eigen::MatrixXd& unlimited, AllocationCertificate& certificate,
+                                             const AllocationWatch& watch)
+{
+    const auto result = activeSetShares (whitened, rows, 1, unlimited, watch);
+
+    if (! result || ! (result->gap() <= largestGap))
+        return {};
+
+    certificate.status = AllocationStatus::optimal;
+    certificate.bound = result->bound;
+    addEffort (certificate, result->effort);
+    return result->shares;
+}
+
+/** The shares by interior points, with status, bound and effort of the certificate. */
+Eigen::MatrixXd limitedShares (const WhitenedAllocation& whitened, const RowSystem& rows, AllocationGoal goal,
+                               double peakRoom, AllocationCertificate& certificate, const AllocationWatch& watch)
+{
+    const auto hardOnly = whitened.withoutGuards();
+    const auto isPeak = goal == AllocationGoal::peak;
+    const auto least = leastPeakShares (hardOnly, RowSystem (hardOnly), isPeak ? 0.0 : easyRatio, watch);
+
+    if (isPeak || least.value > easyRatio)
+        checkSolved (least.gap());
+
+    const auto isInfeasible = ! isPeak && least.value > 1 - leastRoom;
+    const auto ratio = isPeak || isInfeasible ? peakRoom * least.bound : 1.0;
+    const auto result = leastNormShares (whitened, rows, ratio, least.shares, watch);
+    certificate.status = isInfeasible ? AllocationStatus::infeasible : AllocationStatus::optimal;
+    certificate.leastPeakRatio = least.bound;
+    certificate.bound = result.bound;
+    addEffort (certificate, least.effort);
+    addEffort (certificate, result.effort);
+    return result.shares;
+}
+} // namespace
+
+Allocation solveAllocation (const AllocationProblem& problem, AllocationGoal goal, const AllocationWatch& watch)
+{
+    const auto begin = std::chrono::steady_clock::now();
+    validate (problem);
+    keepToOneThread();
+
+    if (problem.wanted.isZero (0))
+        return nothing (problem);
+
+    const auto whitened = whiten (problem);
+    const RowSystem rows (whitened);
+    auto shares = rows.leastNormShares();
+    Allocation allocation;
+    auto& certificate = allocation.certificate;
+
+    certificate.peakRatio = whitened.peakRatio (shares);
+
+    if (goal == AllocationGoal::peak || certificate.peakRatio > 1)
+    {
+        const auto active = goal == AllocationGoal::norm ? activeShares (whitened, rows, shares, certificate, watch)
+                                                         : std::optional<Eigen::MatrixXd>();
+        shares = active ? *active : limitedShares (whitened, rows, goal, problem.peakRoom, certificate, watch);
+        certificate.peakRatio = whitened.peakRatio (shares);
+    }
+    else
+        certificate.bound =
+            leastNormBound (whitened, rows, Eigen::MatrixXd::Zero (whitened.basis.rows(), shares.cols()), 1);
+
+    const auto voltsSquared = whitened.voltageUnit * whitened.voltageUnit;
+    certificate.bound *= voltsSquared;
+    certificate.objective = whitened.objective (shares) * voltsSquared;
+    certificate.peakVoltage =
+        whitened.voltages (shares).topRows (problem.waveforms.cols()).cwiseAbs().maxCoeff() * whitened.voltageUnit;
+    certificate.gap = (certificate.objective - certificate.bound) / certificate.objective;
+    checkSolved (certificate.gap);
+    allocation.matrix = whitened.matrix (shares);
+    certificate.rowResidual = rowResidual (problem, allocation.matrix);
+    certificate.milliseconds = 1000 * secondsSince (begin);
+    return allocation;
+}
+
+Eigen::MatrixXd minimumNormAllocation (const AllocationProblem& problem)
+{
+    validate (problem);
+    keepToOneThread();
+
+    if (problem.wanted.isZero (0))
+        return nothing (problem).matrix;
+
+    const auto whitened = whiten (problem);
+    return whitened.matrix (RowSystem (whitened).leastNormShares());
+}
+} // namespace antinode

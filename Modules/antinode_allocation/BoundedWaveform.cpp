@@ -1,0 +1,215 @@
+#include "BoundedWaveform.h"
+
+#include "WaveformDual.h"
+
+#include <antinode_numerics/DenseKernels.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+constexpr auto rowTolerance = 1e-12;     // aimed at
+constexpr auto acceptedResidual = 1e-10; // taken where rounding leaves no less
+constexpr auto mostWaveformSteps = 40;
+
+/** Where a solution stands. */
+struct DualPoint
+{
+    Eigen::VectorXd multipliers, slope; // slope of the dual: what the rows miss
+    Eigen::MatrixXd pulls;
+};
+
+DualPoint pointAt (const WaveformDual& dual, Eigen::VectorXd y, Eigen::MatrixXd pulls)
+{
+    const Eigen::VectorXd slope =
+        dual.wanted - dual.rowValues (dual.clipped (pulls)) - dual.compliance.cwiseProduct (y);
+    return { std::move (y), slope, std::move (pulls) };
+}
+
+/** The Newton step; the curvature is lifted until it can be factored and leads upwards. */
+Eigen::VectorXd newtonStep (const WaveformDual& dual, const DualPoint& point)
+{
+    const auto curvature = dual.curvature (point.pulls);
+
+    for (auto lift = 1e-13;; lift *= 100)
+    {
+        Eigen::MatrixXd factor = curvature;
+        factor.diagonal().array() += lift;
+
+        if (! factorLower (factor))
+            continue;
+
+        Eigen::MatrixXd step = point.slope;
+        solveLower (factor, step);
+        solveLowerTransposed (factor, step);
+
+        if (step.allFinite() && step.col (0).dot (point.slope) > 0)
+            return step;
+
+        if (lift > 1)
+            return point.slope;
+    }
+}
+
+/** The length at which the dual, concave along a line, is highest: doubled while it rises, then bisected. */
+double bestLength (const WaveformDual& dual, const DualPoint& point, const Eigen::VectorXd& step,
+                   const Eigen::MatrixXd& change)
+{
+    constexpr auto longest = 1024.0;
+    constexpr auto bisections = 12;
+    constexpr auto flat = 0.05; // of the slope at the start: as good as the highest
+    const auto slopeAt = [&] (double length)
+    {
+        const Eigen::MatrixXd pulls = point.pulls + length * change;
+        return dual.wanted.dot (step) - dual.clipped (pulls).cwiseProduct (change).sum()
+               - dual.compliance.cwiseProduct (point.multipliers + length * step).dot (step);
+    };
+    const auto enough = flat * point.slope.dot (step);
+    double low = 0, high = 1;
+    auto slope = slopeAt (high);
+
+    while (slope > enough && high < longest)
+    {
+        low = high;
+        high *= 2;
+        slope = slopeAt (high);
+    }
+
+    for (int i = 0; i < bisections && slope < -enough; ++i)
+    {
+        const auto middle = 0.5 * (low + high);
+        const auto between = slopeAt (middle);
+
+        if (between < -enough)
+            high = middle;
+        else if (between > enough)
+            low = middle;
+        else
+            return middle;
+    }
+
+    return slope < -enough ? 0.5 * (low + high) : high;
+}
+
+/** max |row error| / max |wanted| of the hard rows, as they were before they were scaled. */
+double worstHardRow (const WaveformDual& dual, const Eigen::VectorXd& slope)
+{
+    double worst = 0, largest = 0;
+
+    for (Eigen::Index k = 0; k < slope.size(); ++k)
+        if (dual.compliance[k] == 0 && dual.scale[k] > 0)
+        {
+            worst = std::max (worst, std::abs (slope[k]) / dual.scale[k]);
+            largest = std::max (largest, std::abs (dual.wanted[k]) / dual.scale[k]);
+        }
+
+    return largest > 0 ? worst / largest : worst;
+}
+
+/** What multipliers of the hard rows alone prove: wanted' y / sum_i limits (i) sum_n |pull|. */
+double peakBoundOf (const WaveformDual& dual, const Eigen::VectorXd& y, const Eigen::VectorXd& limits)
+{
+    const Eigen::VectorXd hard = (dual.compliance.array() == 0).select (y, 0.0);
+    const auto price = dual.pullsOf (hard).cwiseAbs().rowwise().sum().dot (limits);
+    return price > 0 ? std::max (0.0, dual.wanted.dot (hard) / price) : 0;
+}
+
+/** Where the dual is highest, or far enough on a way without end to prove that there is one. */
+struct DualSummit
+{
+    DualPoint point;
+    double residual = 0;
+    double peakBound = 0;
+    int iterations = 0;
+};
+
+DualSummit climb (const WaveformDual& dual, const Eigen::VectorXd& start)
+{
+    DualSummit summit;
+    summit.point = pointAt (dual, start, dual.pullsOf (start));
+    auto& point = summit.point;
+    const auto look = [&]
+    {
+        summit.residual = worstHardRow (dual, point.slope);
+        summit.peakBound = std::max (summit.peakBound, peakBoundOf (dual, point.multipliers, dual.limits));
+    };
+    const auto isOpen = [&]
+    { return summit.residual > rowTolerance || point.slope.norm() > rowTolerance * dual.wanted.norm(); };
+    look();
+
+    for (; isOpen() && summit.peakBound <= 1 && summit.iterations < mostWaveformSteps; ++summit.iterations)
+    {
+        const auto step = newtonStep (dual, point);
+        const auto change = dual.pullsOf (step);
+        const Eigen::VectorXd next = point.multipliers + bestLength (dual, point, step, change) * step;
+        point = pointAt (dual, next, dual.pullsOf (next));
+        look();
+    }
+
+    return summit;
+}
+
+/** The multipliers that would do without limits. */
+Eigen::VectorXd unlimitedMultipliers (const WaveformDual& dual)
+{
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero (dual.wanted.size());
+    return newtonStep (dual, { none, dual.wanted, dual.pullsOf (none) });
+}
+} // namespace
+
+BoundedWaveform solveBoundedWaveform (const BoundedWaveformProblem& problem)
+{
+    const WaveformDual dual (problem);
+    const auto summit = climb (dual, unlimitedMultipliers (dual));
+    const auto& point = summit.point;
+    BoundedWaveform result;
+    result.samples = dual.clipped (point.pulls);
+    result.multipliers = dual.scale.cwiseProduct (point.multipliers);
+    result.rowResidual = summit.residual;
+    result.isMet = summit.residual <= acceptedResidual;
+    result.bound = dual.value (point.multipliers, point.pulls);
+    result.objective = dual.objective (result.samples);
+    result.peakBound = summit.peakBound;
+    result.iterations = summit.iterations;
+    return result;
+}
+
+PeakBracket leastWaveformPeak (const BoundedWaveformProblem& problem, double tolerance)
+{
+    constexpr auto mostRounds = 40;
+    constexpr auto towardsLower = 0.7;
+    WaveformDual dual (problem);
+    auto multipliers = unlimitedMultipliers (dual);
+    PeakBracket bracket;
+    bracket.upper =
+        dual.pullsOf (multipliers).cwiseAbs().rowwise().maxCoeff().cwiseQuotient (problem.limits).maxCoeff();
+    bracket.lower = peakBoundOf (dual, multipliers, problem.limits);
+
+    for (int round = 0; round < mostRounds && bracket.upper > (1 + tolerance) * bracket.lower; ++round)
+    {
+        // Below the least peak the climb ends soon, with a better bound; above it the rows are met.
+        const auto between = std::pow (bracket.lower, towardsLower) * std::pow (bracket.upper, 1 - towardsLower);
+        const auto ratio = std::max (bracket.lower * (1 + tolerance / 2), between);
+        dual.limits = ratio * problem.limits;
+        const auto summit = climb (dual, multipliers);
+        const auto isBetter = ratio * summit.peakBound > bracket.lower;
+
+        if (summit.residual <= acceptedResidual)
+            bracket.upper = ratio;
+        else if (! isBetter)
+            break;
+
+        if (isBetter)
+        {
+            bracket.lower = ratio * summit.peakBound;
+            multipliers = summit.point.multipliers;
+        }
+    }
+
+    bracket.multipliers = dual.scale.cwiseProduct (multipliers);
+    return bracket;
+}
+} // namespace antinode

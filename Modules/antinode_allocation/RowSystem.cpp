@@ -1,0 +1,44 @@
+#include "RowSystem.h"
+
+#include <antinode_numerics/DenseKernels.h>
+
+namespace antinode
+{
+RowSystem::RowSystem (const WhitenedAllocation& problemToUse) : problem (problemToUse)
+{
+    Eigen::MatrixXd gram = problem.rowGram();
+    gram.diagonal() += problem.compliance;
+    factors.compute (gram);
+}
+
+Eigen::VectorXd RowSystem::multipliers (const Eigen::VectorXd& values) const
+{
+    return factors.solve (values);
+}
+
+Eigen::MatrixXd RowSystem::halfSolve (Eigen::MatrixXd right) const
+{
+    solveLower (factors.matrixLLT(), right);
+    return right;
+}
+
+Eigen::MatrixXd RowSystem::leastNormShares() const
+{
+    return withExactRows (problem.weightedRows (multipliers (problem.wanted)));
+}
+
+Eigen::MatrixXd RowSystem::withExactRows (Eigen::MatrixXd shares) const
+{
+    constexpr auto refinements = 2;
+
+    for (int i = 0; i < refinements; ++i)
+    {
+        Eigen::VectorXd change = Eigen::VectorXd::Zero (problem.wanted.size());
+        change.head (problem.hardRows) =
+            problem.hardGram.solve ((problem.wanted - problem.rowValues (shares)).head (problem.hardRows));
+        shares += problem.weightedRows (change);
+    }
+
+    return shares;
+}
+} // namespace antinode

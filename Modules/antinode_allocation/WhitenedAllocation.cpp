@@ -1,0 +1,257 @@
+#include "WhitenedAllocation.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_numerics/DenseKernels.h>
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+namespace
+{
+using Rows = std::vector<Eigen::Index>;
+
+bool areIndependent (const Eigen::HouseholderQR<Eigen::MatrixXd>& columns)
+{
+    constexpr auto dependence = 1e-5;
+    return columns.rows() >= columns.cols() && columns.matrixQR().diagonal().cwiseAbs().minCoeff() > dependence;
+}
+
+Eigen::MatrixXd inverseOf (const Eigen::MatrixXd& upperTriangle)
+{
+    const auto size = upperTriangle.rows();
+    return upperTriangle.triangularView<Eigen::Upper>().solve (Eigen::MatrixXd::Identity (size, size));
+}
+
+/** Basis and shares of the drives, orthonormalised twice. Where a drive depends on others each gets a tiny sample of its own, so that
+    no matrix lives from the cancellation of huge shares. */
+void whitenDrives (WhitenedAllocation& whitened, const Eigen::MatrixXd& waveforms)
+{
+    constexpr auto ownSample = 1e-4;
+    const auto drives = waveforms.rows();
+    Eigen::VectorXd lengths = waveforms.rowwise().norm();
+    lengths = (lengths.array() > 0).select (lengths, 1.0);
+    Eigen::MatrixXd columns = (lengths.cwiseInverse().asDiagonal() * waveforms).transpose();
+    Eigen::HouseholderQR<Eigen::MatrixXd> factors (columns);
+
+    if (! areIndependent (factors))
+    {
+        columns.conservativeResize (columns.rows() + drives, Eigen::NoChange);
+        columns.bottomRows (drives) = Eigen::MatrixXd::Identity (drives, drives) * ownSample;
+        factors.compute (columns);
+    }
+
+    const Eigen::MatrixXd triangle = factors.matrixQR().topRows (drives);
+    whitened.basis = std::move (columns);
+    whitened.voltageSamples = whitened.basis.rows();
+    triangle.triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight> (whitened.basis);
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero (drives, drives);
+    gram.selfadjointView<Eigen::Lower>().rankUpdate (whitened.basis.transpose());
+    const Eigen::LLT<Eigen::MatrixXd> rounding (gram);
+    rounding.matrixU().solveInPlace<Eigen::OnTheRight> (whitened.basis);
+    whitened.toShares = whitened.voltageUnit * lengths.cwiseInverse().asDiagonal() * inverseOf (triangle)
+                        * inverseOf (rounding.matrixU());
+}
+
+/** Puts the slopes below the voltages' samples. */
+void appendSlopes (WhitenedAllocation& whitened, const AllocationProblem& problem)
+{
+    if (problem.slopes.size() == 0)
+        return;
+
+    const auto first = whitened.voltageSamples + 1;
+    whitened.slopeWeights = problem.voltageLimits.cwiseQuotient (problem.slewLimits);
+    whitened.basis.conservativeResize (first + problem.slopes.cols(), Eigen::NoChange);
+    whitened.basis.row (first - 1).setZero();
+    whitened.basis.bottomRows (problem.slopes.cols()) =
+        problem.slopes.transpose() * whitened.toShares / whitened.voltageUnit;
+}
+
+/** Which rows some ceramic moves. */
+Rows movedRows (const Eigen::MatrixXd& participation, const Eigen::MatrixXd& rows)
+{
+    constexpr auto nothing = 1e-13;
+    Rows moved;
+
+    if (participation.size() == 0 || rows.size() == 0)
+        return moved;
+
+    const auto participationFloor = nothing * participation.cwiseAbs().maxCoeff();
+    const auto rowFloor = nothing * rows.cwiseAbs().maxCoeff();
+
+    for (Eigen::Index k = 0; k < rows.rows(); ++k)
+        if (participation.row (k).cwiseAbs().maxCoeff() > participationFloor
+            && rows.row (k).cwiseAbs().maxCoeff() > rowFloor)
+            moved.push_back (k);
+
+    return moved;
+}
+
+Rows movedHardRows (const AllocationProblem& problem)
+{
+    auto moved = movedRows (problem.participation, problem.rows);
+
+    for (Eigen::Index k = 0; k < problem.wanted.size(); ++k)
+        if (problem.wanted[k] != 0 && ! std::binary_search (moved.begin(), moved.end(), k))
+            throw InputError ("allocation",
+                              "no ceramic moves controlled mode row " + std::to_string (k + 1)
+                                  + " (counted from 1), leave that mode out or place a ceramic where it bends");
+
+    return moved;
+}
+
+/** Puts rows below those that are there, each scaled to a Gram entry of 1.
+    @return  the factors by which they were scaled */
+Eigen::VectorXd appendRows (WhitenedAllocation& whitened, const Eigen::MatrixXd& participation,
+                            const Eigen::MatrixXd& rows)
+{
+    const Eigen::MatrixXd responses = rows * whitened.toShares;
+    Eigen::VectorXd scale = responses.rowwise().norm().cwiseProduct (participation.rowwise().norm()).cwiseInverse();
+    const auto first = whitened.responses.rows();
+    whitened.responses.conservativeResize (first + rows.rows(), rows.cols());
+    whitened.responses.bottomRows (rows.rows()) = scale.asDiagonal() * responses;
+    whitened.participation.conservativeResize (first + rows.rows(), participation.cols());
+    whitened.participation.bottomRows (rows.rows()) = participation;
+    return scale;
+}
+
+/** Refuses rows that contradict or repeat those before them: the pivots of their Gram matrix are squared distances from the span of
+    those. The shift keeps the factoring from breaking down at the first such row. */
+void checkIndependentRows (const Eigen::MatrixXd& gram, const Rows& names)
+{
+    constexpr auto smallestDistance = 1e-6;
+    constexpr auto shift = 1e-13;
+    const auto count = gram.rows();
+    const Eigen::LLT<Eigen::MatrixXd> shifted (gram + shift * Eigen::MatrixXd::Identity (count, count));
+
+    for (Eigen::Index k = 0; k < count; ++k)
+        if (! (shifted.matrixLLT() (k, k) > smallestDistance))
+            throw InputError ("allocation",
+                              "controlled mode row " + std::to_string (names[static_cast<std::size_t> (k)] + 1)
+                                  + " (counted from 1) cannot be steered apart from the rows before it: too few "
+                                    "ceramics or drives, leave a mode out or place another ceramic");
+}
+
+/** Guards beyond a stiffness are as good as hard; the floor keeps the system solvable. */
+void appendGuards (WhitenedAllocation& whitened, const AllocationProblem& problem)
+{
+    constexpr auto leastCompliance = 1e-12;
+    const auto moved = movedRows (problem.guardParticipation, problem.guardRows);
+
+    if (moved.empty() || problem.guardWeight == 0)
+        return;
+
+    const auto leastEnergy = whitened.wanted.dot (whitened.hardGram.solve (whitened.wanted));
+    const auto stiffness = problem.guardWeight * leastEnergy / problem.wanted.squaredNorm();
+    const auto scale =
+        appendRows (whitened, problem.guardParticipation (moved, Eigen::all), problem.guardRows (moved, Eigen::all));
+    const auto count = static_cast<Eigen::Index> (moved.size());
+    whitened.wanted.conservativeResize (whitened.hardRows + count);
+    whitened.wanted.tail (count).setZero();
+    whitened.compliance.conservativeResize (whitened.hardRows + count);
+    whitened.compliance.tail (count) = (scale.array().square() / stiffness).max (leastCompliance);
+}
+} // namespace
+
+WhitenedAllocation WhitenedAllocation::withoutGuards() const
+{
+    auto hard = *this;
+    hard.responses.conservativeResize (hardRows, Eigen::NoChange);
+    hard.participation.conservativeResize (hardRows, Eigen::NoChange);
+    hard.wanted.conservativeResize (hardRows);
+    hard.compliance.conservativeResize (hardRows);
+    return hard;
+}
+
+Eigen::VectorXd WhitenedAllocation::rowValues (const Eigen::MatrixXd& shares) const
+{
+    return (responses * shares).cwiseProduct (participation).rowwise().sum();
+}
+
+Eigen::MatrixXd WhitenedAllocation::rowGram() const
+{
+    return (responses * responses.transpose()).cwiseProduct (participation * participation.transpose());
+}
+
+Eigen::MatrixXd WhitenedAllocation::weightedRows (const Eigen::VectorXd& multipliers) const
+{
+    return responses.transpose() * (multipliers.asDiagonal() * participation);
+}
+
+Eigen::VectorXd WhitenedAllocation::direction (Eigen::Index ceramic, Eigen::Index sample) const
+{
+    const auto weight = sample < voltageSamples ? 1 : slopeWeights[ceramic];
+    return weight * basis.row (sample).transpose();
+}
+
+Eigen::MatrixXd WhitenedAllocation::voltages (const Eigen::MatrixXd& shares) const
+{
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero (basis.rows(), shares.cols());
+    addProduct (all, 1, basis, shares);
+
+    if (slopeWeights.size() > 0)
+        all.bottomRows (basis.rows() - voltageSamples) *= slopeWeights.asDiagonal();
+
+    return all;
+}
+
+Eigen::MatrixXd WhitenedAllocation::pull (const Eigen::MatrixXd& sampleMultipliers) const
+{
+    const auto slopes = basis.rows() - voltageSamples;
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero (basis.cols(), sampleMultipliers.cols());
+    addTransposedLeft (sums, 1, basis.topRows (voltageSamples), sampleMultipliers.topRows (voltageSamples));
+
+    if (slopes > 0)
+        addTransposedLeft (sums, 1, basis.bottomRows (slopes),
+                           sampleMultipliers.bottomRows (slopes) * slopeWeights.asDiagonal());
+
+    return sums;
+}
+
+Eigen::MatrixXd WhitenedAllocation::balancing (const Eigen::MatrixXd& shares) const
+{
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero (basis.rows(), shares.cols());
+    addProduct (all.topRows (voltageSamples), 1, basis.topRows (voltageSamples), shares);
+    return all;
+}
+
+double WhitenedAllocation::peakRatio (const Eigen::MatrixXd& shares) const
+{
+    return voltages (shares).cwiseAbs().colwise().maxCoeff().transpose().cwiseQuotient (limits).maxCoeff();
+}
+
+double WhitenedAllocation::objective (const Eigen::MatrixXd& shares) const
+{
+    const auto guards = wanted.size() - hardRows;
+    const Eigen::ArrayXd errors = rowValues (shares).tail (guards);
+    return 0.5 * (shares.squaredNorm() + (errors.square() / compliance.tail (guards).array()).sum());
+}
+
+Eigen::MatrixXd WhitenedAllocation::matrix (const Eigen::MatrixXd& shares) const
+{
+    return (toShares * shares).transpose();
+}
+
+WhitenedAllocation whiten (const AllocationProblem& problem)
+{
+    const auto hard = movedHardRows (problem);
+    WhitenedAllocation whitened;
+    whitened.voltageUnit = problem.voltageLimits.maxCoeff();
+    whitened.limits = problem.voltageLimits / whitened.voltageUnit;
+    whitenDrives (whitened, problem.waveforms);
+    appendSlopes (whitened, problem);
+    const auto scale = appendRows (whitened, problem.participation (hard, Eigen::all), problem.rows (hard, Eigen::all));
+    whitened.hardRows = scale.size();
+    whitened.wanted = scale.cwiseProduct (problem.wanted (hard));
+    whitened.compliance = Eigen::VectorXd::Zero (scale.size());
+    const auto gram = whitened.rowGram();
+    checkIndependentRows (gram, hard);
+    whitened.hardGram.compute (gram);
+    appendGuards (whitened, problem);
+    return whitened;
+}
+} // namespace antinode

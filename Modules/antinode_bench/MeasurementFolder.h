@@ -1,0 +1,35 @@
+#pragma once
+
+#include <antinode_documents/ExcitationFile.h>
+#include <antinode_measurement/SurfaceMeasurement.h>
+
+#include <filesystem>
+#include <string>
+
+namespace antinode
+{
+/** A measurement on disk: its sheet, its points, and a file for each point that is finished. A measurement that was interrupted is
+    gone on with where it was left. */
+class MeasurementFolder
+{
+public:
+    /** Begins a measurement, or goes on with the one that is there.
+        @param points  N_p x 2, m
+        @throws InputError  where the folder holds another measurement or cannot be written [worker] */
+    MeasurementFolder (std::filesystem::path, const ExcitationSheet&, const Eigen::MatrixX2d& points);
+
+    /** Whether a point is finished. [worker] */
+    bool has (Eigen::Index point) const;
+
+    /** Keeps what was measured at a point. @throws InputError  where it cannot be written [worker] */
+    void keep (const SurfaceMeasurement&, Eigen::Index point) const;
+
+    /** Puts what is kept of a point back. @throws InputError  where it is not what keep wrote [worker] */
+    void restore (SurfaceMeasurement&, Eigen::Index point) const;
+
+private:
+    std::filesystem::path fileOf (Eigen::Index point) const;
+
+    std::filesystem::path folder;
+};
+} // namespace antinode

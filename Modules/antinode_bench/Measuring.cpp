@@ -1,0 +1,180 @@
+#include "Measuring.h"
+
+#include <antinode_audio/Interruption.h>
+#include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace antinode
+{
+namespace
+{
+constexpr double clipping = 0.999; // of full scale
+
+/** All that stays the same from point to point. */
+struct Measuring
+{
+    Bench& bench;
+    const ExcitationSheet& sheet;
+    const Eigen::MatrixX2d& points;
+    const PointGuide& guide;
+    const TurnAnalysisSettings& settings;
+};
+
+/** One turn. @throws InputError  also where somebody interrupts it: what was recorded is not whole then */
+TurnRecording playTurn (const Measuring& measuring, const Excitation& excitation, Eigen::Index ceramic,
+                        Eigen::Index first, Eigen::Index count)
+{
+    auto turn = measuring.bench.play (excitation, ceramic, first, count);
+
+    if (isInterrupted())
+        throw InputError ("measurement",
+                          "was interrupted: finished points are kept, the same command goes on with the others");
+
+    return turn;
+}
+
+/** A short excitation in the same band at a tenth of the levels. */
+Excitation quietExcitation (const ExcitationSheet& sheet)
+{
+    constexpr double coarse = 20, share = 0.1;
+    auto settings = sheet.excitation.settings;
+    settings.signal = ExcitationSignal::multisine;
+    settings.hasOddGrid = false;
+    settings.resolution =
+        std::min (std::max (coarse, settings.resolution), (settings.highestFrequency - settings.lowestFrequency) / 4);
+    settings.periods = settings.settlingPeriods = 1;
+    settings.levels *= share;
+    return makeExcitation (settings, sheet.voltageLimits);
+}
+
+/** Plays every ceramic softly, and says what full levels would do to the inputs. */
+void checkLevels (const Measuring& measuring, Eigen::Index first, Eigen::Index count)
+{
+    const auto quiet = quietExcitation (measuring.sheet);
+    const auto fullScale = measuring.bench.velocityOfFullScale();
+    double largest = 0, latency = measuring.settings.latency;
+
+    for (Eigen::Index ceramic = 0; ceramic < quiet.ceramics(); ++ceramic)
+    {
+        const auto turn = playTurn (measuring, quiet, ceramic, first, count);
+        latency = analyseTurn (quiet, ceramic, turn, measuring.settings).latency;
+        largest =
+            std::max (largest, turn.sensors.cwiseAbs().maxCoeff() * measuring.sheet.excitation.settings.levels[ceramic]
+                                   / quiet.settings.levels[ceramic]);
+    }
+
+    if (! (largest > 0))
+        throw InputError ("sensor", "its input hears nothing at all: is it wired to that input?");
+
+    if (std::isfinite (fullScale) && largest > clipping * fullScale)
+        throw InputError ("sensor", formatted ("its input would be driven to %.0f %% of its full scale: take a lower "
+                                               "--level-v, or a larger range of the "
+                                               "sensor or the input",
+                                               100 * largest / fullScale));
+
+    measuring.guide.tell (formatted (
+        "level check: at most %.3g mm/s at full level%s, latency %.2f samples", largest * 1000,
+        std::isfinite (fullScale) ? formatted (", %.1f %% of the input's full scale", 100 * largest / fullScale).c_str()
+                                  : "",
+        latency));
+}
+
+/** Gives all ceramics their turn. @return whether no input clipped */
+bool measureAt (const Measuring& measuring, SurfaceMeasurement& measurement, Eigen::Index first, Eigen::Index count)
+{
+    double largest = 0;
+
+    for (Eigen::Index ceramic = 0; ceramic < measuring.sheet.excitation.ceramics(); ++ceramic)
+    {
+        const auto turn = playTurn (measuring, measuring.sheet.excitation, ceramic, first, count);
+        largest = std::max (largest, turn.sensors.cwiseAbs().maxCoeff());
+        place (measurement, ceramic, first,
+               analyseTurn (measuring.sheet.excitation, ceramic, turn, measuring.settings));
+    }
+
+    const auto share = largest / measuring.bench.velocityOfFullScale();
+    const auto coherence = meanCoherence (measurement).middleRows (first, count).mean();
+    measuring.guide.tell (formatted ("  at most %.3g mm/s, coherence %.5f%s", largest * 1000, coherence,
+                                     share > clipping ? ", CLIPPED: not kept" : ""));
+    return ! (share > clipping);
+}
+
+[[noreturn]] void endForNow (const MeasurementFolder& folder, Eigen::Index points)
+{
+    Eigen::Index kept = 0;
+
+    for (Eigen::Index p = 0; p < points; ++p)
+        kept += folder.has (p) ? 1 : 0;
+
+    throw InputError (
+        "measurement",
+        formatted ("ended with %td of %td points kept: the same command goes on with the others", kept, points));
+}
+
+/** From a point on, those that are measured together. */
+Eigen::Index pointsTogether (const Bench& bench, const MeasurementFolder& folder, Eigen::Index first,
+                             Eigen::Index points)
+{
+    auto end = first + 1;
+
+    while (end < points && end - first < bench.sensors() && ! folder.has (end))
+        ++end;
+
+    return end - first;
+}
+} // namespace
+
+SurfaceMeasurement measurePoints (Bench& bench, const ExcitationSheet& sheet, const Eigen::MatrixX2d& points,
+                                  const MeasurementFolder& folder, const PointGuide& guide,
+                                  const TurnAnalysisSettings& settings)
+{
+    const Measuring measuring { bench, sheet, points, guide, settings };
+    auto measurement = unmeasured (sheet.excitation, sheet.ceramics, points);
+    Eigen::Index before = -1;
+    bool isChecked = false;
+
+    for (Eigen::Index first = 0, repeated = -1; first < points.rows();)
+    {
+        if (folder.has (first) && first != repeated)
+        {
+            folder.restore (measurement, first++);
+            continue;
+        }
+
+        const auto count = pointsTogether (bench, folder, first, points.rows());
+        const auto answer = guide.ask (points, first, count);
+
+        if (answer == PointAnswer::end)
+            endForNow (folder, points.rows());
+
+        if (answer == PointAnswer::again && before >= 0)
+            repeated = first = before;
+        else if (answer == PointAnswer::skip)
+            first += count;
+        else if (answer == PointAnswer::measure)
+        {
+            if (! std::exchange (isChecked, true))
+                checkLevels (measuring, first, count);
+
+            if (measureAt (measuring, measurement, first, count))
+            {
+                for (auto p = first; p < first + count; ++p)
+                    folder.keep (measurement, p);
+
+                before = first;
+                repeated = -1;
+                first += count;
+            }
+            else if (guide.isSilent())
+                endForNow (folder, points.rows());
+        }
+    }
+
+    return measurement;
+}
+} // namespace antinode

@@ -1,0 +1,43 @@
+#include "SimulatedBenchPlayer.h"
+
+#include <antinode_base/InputError.h>
+
+#include <limits>
+#include <utility>
+
+namespace antinode
+{
+SimulatedBenchPlayer::SimulatedBenchPlayer (ModalModel modelToMeasure, const Eigen::MatrixX2d& points,
+                                            SimulatedBenchSettings settingsToUse)
+    : model (std::move (modelToMeasure)), shapes (points.rows(), model.modes()), settings (settingsToUse)
+{
+    for (Eigen::Index p = 0; p < points.rows(); ++p)
+        shapes.row (p) = shapesAt (model, points (p, 0), points (p, 1));
+}
+
+Eigen::Index SimulatedBenchPlayer::sensors() const
+{
+    constexpr Eigen::Index most = 16; // What a recording of a long turn needs stays below some 100 MB.
+    return std::min (most, shapes.rows());
+}
+
+double SimulatedBenchPlayer::velocityOfFullScale() const
+{
+    return std::numeric_limits<double>::infinity();
+}
+
+TurnRecording SimulatedBenchPlayer::play (const Excitation& excitation, Eigen::Index ceramic, Eigen::Index firstPoint,
+                                          Eigen::Index points)
+{
+    if (ceramic >= model.actuators())
+        throw InputError ("device '" + model.name + "'", "has fewer ceramics than the measurement");
+
+    Eigen::MatrixXd played = playedTurn (excitation, ceramic, 1);
+    auto own = settings;
+    own.sampleRate = excitation.settings.sampleRate;
+    // No two turns have the same noise.
+    own.seed += static_cast<std::uint64_t> (ceramic + excitation.ceramics() * firstPoint);
+    return simulateBench (model, shapes.middleRows (firstPoint, points), played.topRows (model.actuators()),
+                          played.bottomRows (1).transpose(), own);
+}
+} // namespace antinode

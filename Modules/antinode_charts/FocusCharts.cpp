@@ -1,0 +1,206 @@
+#include "FocusCharts.h"
+
+#include "Spectrogram.h"
+
+#include <antinode_base/Prefixes.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+constexpr int shownGuardModes = 6; // of the uncontrolled modes above the controlled ones
+constexpr Eigen::Index mapColumns = 240, mapRows = 200;
+
+double focusTime (const Render& render)
+{
+    return static_cast<double> (render.focusSample) / render.sampleRate * milli;
+}
+
+std::string modeName (const ModalModel& model, int mode)
+{
+    return "mode " + std::to_string (mode + 1) + ", " + std::to_string (std::lround (model.frequencyHz (mode))) + " Hz";
+}
+
+Series fieldSeries (const Eigen::VectorXd& places, const std::string& name, const Eigen::VectorXd& field,
+                    LineStyle style, int colour)
+{
+    Series series;
+    series.name = name;
+    series.x = places * milli;
+    series.y = field * milli;
+    series.style = style;
+    series.colour = colour;
+    return series;
+}
+} // namespace
+
+LineChart profileChart (const Eigen::VectorXd& places, const Eigen::MatrixX3d& velocities)
+{
+    LineChart chart;
+    chart.xLabel = "place (mm)";
+    chart.yLabel = "velocity (mm/s)";
+    // What was reached mostly covers what could be carried: the dashes go on top.
+    chart.series = { fieldSeries (places, "wanted", velocities.col (0), LineStyle::dotted, series_colour::neutral),
+                     fieldSeries (places, "reached", velocities.col (2), LineStyle::solid, 0),
+                     fieldSeries (places, "carried by the controlled modes", velocities.col (1), LineStyle::dashed,
+                                  1) };
+    return chart;
+}
+
+LineChart fieldChart (const ModalModel& model, const Eigen::VectorXd& wanted, const Eigen::VectorXd& truncated,
+                      const Eigen::VectorXd& reached)
+{
+    Eigen::MatrixX3d velocities (model.points(), 3);
+    velocities << wanted, truncated, reached;
+    auto chart = profileChart (model.surface.points.col (0), velocities);
+
+    for (const auto& ceramic : model.ceramics)
+        chart.spans.push_back ({ ceramic.xMinimum * milli, ceramic.xMaximum * milli, ceramic.name });
+
+    return chart;
+}
+
+BarChart spectrumChart (const ModalModel& model, const FocusDesign& design, const Eigen::VectorXd& reached)
+{
+    const auto shown = std::min<Eigen::Index> (model.modes(), design.controlledModes.back() + 1 + shownGuardModes);
+    Eigen::VectorXd wanted = Eigen::VectorXd::Constant (shown, std::nan (""));
+    BarChart chart;
+
+    for (const auto mode : design.controlledModes)
+        wanted[mode] = design.target.modalVelocities[mode] * milli;
+
+    for (Eigen::Index k = 0; k < shown; ++k)
+        chart.categories.push_back (std::to_string (k + 1));
+
+    chart.xLabel = "mode";
+    chart.yLabel = "modal velocity (mm/s \xE2\x88\x9Akg)";
+    chart.series = { { "wanted (controlled modes)", wanted, 1 }, { "reached", reached.head (shown) * milli, 0 } };
+    return chart;
+}
+
+StackedTraces voltagesChart (const ModalModel& model, const VoltageProgram& program, const Render& render)
+{
+    StackedTraces traces;
+    traces.xLabel = "time (ms)";
+    traces.unit = "V";
+    traces.step = milli / render.sampleRate;
+    traces.values = render.voltages;
+    traces.limits = program.voltageLimits;
+    traces.markers = { { focusTime (render), "focus" } };
+
+    for (const auto& ceramic : model.ceramics)
+        traces.names.push_back (ceramic.name);
+
+    return traces;
+}
+
+LineChart probeChart (const Render& render, Eigen::Index probe, const std::string& name)
+{
+    const auto samples = render.probeVelocities.cols();
+    Series series;
+    series.name = name;
+    series.x = Eigen::VectorXd::LinSpaced (samples, 0, static_cast<double> (samples - 1) / render.sampleRate * milli);
+    series.y = render.probeVelocities.row (probe).transpose() * milli;
+
+    LineChart chart;
+    chart.xLabel = "time (ms)";
+    chart.yLabel = "velocity (mm/s)";
+    chart.series = { series };
+    chart.markers = { { focusTime (render), "focus" } };
+    chart.legend = LegendPlace::none;
+    return chart;
+}
+
+StackedTraces transientsChart (const ModalModel& model, const FocusDesign& design, const Render& render, int count)
+{
+    auto modes = design.controlledModes;
+    Eigen::VectorXd largest = Eigen::VectorXd::Zero (model.modes());
+
+    for (const auto mode : modes)
+        largest[mode] = model.shapes.col (mode).cwiseAbs().maxCoeff();
+
+    const auto strength = [&] (int mode) { return std::abs (design.target.modalVelocities[mode]) * largest[mode]; };
+    std::stable_sort (modes.begin(), modes.end(), [&] (int a, int b) { return strength (a) > strength (b); });
+    modes.resize (std::min (modes.size(), static_cast<std::size_t> (count)));
+    std::sort (modes.begin(), modes.end());
+
+    StackedTraces traces;
+    traces.xLabel = "time (ms)";
+    traces.unit = "mm/s";
+    traces.step = milli / render.sampleRate;
+    traces.values.resize (static_cast<Eigen::Index> (modes.size()), render.modalVelocities.cols());
+    traces.markers = { { focusTime (render), "focus" } };
+
+    for (std::size_t i = 0; i < modes.size(); ++i)
+    {
+        traces.values.row (static_cast<Eigen::Index> (i)) =
+            render.modalVelocities.row (modes[i]) * (largest[modes[i]] * milli);
+        traces.names.push_back (modeName (model, modes[i]));
+    }
+
+    return traces;
+}
+
+HeatMap spectrogramChart (const Render& render, Eigen::Index probe, double maximumFrequency)
+{
+    SpectrogramSettings settings;
+    settings.maximumFrequency = std::min (maximumFrequency, 0.5 * render.sampleRate);
+    const Eigen::VectorXd signal = render.probeVelocities.row (probe).transpose();
+    const auto result = spectrogram (signal, render.sampleRate, settings);
+
+    HeatMap map;
+    map.xLabel = "time (ms)";
+    map.yLabel = "frequency (kHz)";
+    map.valueLabel = "level (dB re largest)";
+    // Before the trigger there is silence, but after the last sample the plate goes on: windows that reach beyond it would show a cut.
+    const auto end = static_cast<double> (signal.size() - 1) / render.sampleRate;
+    const auto shown = (result.times.array() <= end - 0.5 * settings.windowDuration).count();
+    map.values = result.decibels.leftCols (std::max<Eigen::Index> (shown, 1));
+    map.x = { 0, result.times[std::max<Eigen::Index> (shown, 1) - 1] * milli };
+    map.y = { 0, result.frequencies[result.frequencies.size() - 1] / milli };
+    map.markers = { { focusTime (render), "focus" } };
+    return map;
+}
+
+HeatMap fieldOverTimeChart (const ModalModel& model, const FocusDesign& design, const Render& render, double span)
+{
+    Eigen::MatrixXd shapes (mapColumns, model.modes());
+    const auto& surface = model.surface;
+    const auto width = surface.xMaximum - surface.xMinimum;
+    const auto isPlate = surface.kind == SurfaceKind::plate;
+    const auto y = isPlate ? design.description.targets.front().y : 0.0;
+
+    for (Eigen::Index i = 0; i < mapColumns; ++i)
+        shapes.row (i) = shapesAt (model, surface.xMinimum + width * (static_cast<double> (i) + 0.5) / mapColumns, y);
+
+    Eigen::MatrixXd velocities (model.modes(), mapRows);
+
+    for (Eigen::Index j = 0; j < mapRows; ++j)
+    {
+        const auto offset =
+            std::lround (span * render.sampleRate * (2 * (static_cast<double> (j) + 0.5) / mapRows - 1));
+        const auto sample =
+            std::clamp<Eigen::Index> (render.focusSample + offset, 0, render.modalVelocities.cols() - 1);
+        velocities.col (j) = render.modalVelocities.col (sample);
+    }
+
+    HeatMap map;
+    map.xLabel = isPlate ? "x (mm)" : "place (mm)";
+    map.yLabel = "time from the focus (ms)";
+    map.valueLabel = "velocity (mm/s)";
+    map.values = (shapes * velocities).transpose() * milli;
+    map.x = { surface.xMinimum * milli, surface.xMaximum * milli };
+    map.y = { -span * milli, span * milli };
+    map.scale = ColourScale::diverging;
+
+    // Those that lie on the line.
+    for (const auto& target : design.description.targets)
+        if (! isPlate || target.y == y)
+            map.points.push_back ({ target.x * milli, 0, "focus" });
+
+    return map;
+}
+} // namespace antinode

@@ -1,0 +1,186 @@
+#include "DesignFile.h"
+
+#include "FileUnits.h"
+#include "FocusFile.h"
+#include "FocusWords.h"
+
+#include <antinode_text/EigenJson.h>
+
+#include <nlohmann/json.hpp>
+
+namespace antinode
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+Json conventions()
+{
+    return {
+        { "mode", "index into the device's flexible modes, the lowest is 0" },
+        { "time", "seconds from the trigger" },
+        { "oscillation", "value(t) = exp(growth_per_s tau) (in_phase sin(2 pi frequency_Hz tau) + quadrature cos(2 pi "
+                         "frequency_Hz tau)), "
+                         "tau = t - start_s, for start_s <= t < end_s, else 0" },
+        { "angular_frequency_rad_s", "2 pi frequency_Hz to the last bit" },
+        { "free_decay_per_s", "of a brake: the decay rate of its mode when it is left alone" },
+        { "counter_share",
+          "of a brake: real and imaginary part of the share of its effect on its mode that turns against it" },
+        { "allocation",
+          "one row a ceramic, one column an oscillation: U_i(t) = sum over c of allocation[i][c] value_c(t), in V" },
+        { "samples",
+          "of a free waveform: one row a ceramic, the first sample at first_time_s; added to what oscillations "
+          "and allocation give, where there are any" }
+    };
+}
+
+Json oscillationToJson (const Oscillation& oscillation)
+{
+    Json json { { "mode", oscillation.mode },
+                { "start_s", oscillation.start },
+                { "end_s", oscillation.end },
+                { "growth_per_s", oscillation.growth },
+                { "frequency_Hz", toHertz (oscillation.angularFrequency) },
+                { "angular_frequency_rad_s", oscillation.angularFrequency },
+                { "in_phase", oscillation.inPhase },
+                { "quadrature", oscillation.quadrature } };
+
+    if (oscillation.isBrake())
+    {
+        json["free_decay_per_s"] = oscillation.freeDecay;
+        json["counter_share"] = { oscillation.counterShare.real(), oscillation.counterShare.imag() };
+    }
+
+    return json;
+}
+
+Json playbackToJson (const Playback& playback)
+{
+    const auto isBandLimited = playback.reconstruction == Reconstruction::bandLimited;
+    return { { "reconstruction", isBandLimited ? "band_limited" : "zero_order_hold" },
+             { "sample_rate_Hz", playback.sampleRate } };
+}
+
+Json samplesToJson (const SampledVoltages& samples)
+{
+    auto json = playbackToJson (samples.playback);
+    json["first_time_s"] = samples.firstTime;
+    json["voltages_V"] = rowsOf (samples.values);
+    return json;
+}
+
+Json controlledModesToJson (const FocusDesign& design, const ModalModel& model)
+{
+    auto list = Json::array();
+
+    for (std::size_t i = 0; i < design.controlledModes.size(); ++i)
+    {
+        const auto k = design.controlledModes[i];
+        list.push_back ({ { "mode", k },
+                          { "frequency_Hz", model.frequencyHz (k) },
+                          { "damping_ratio", model.dampingRatios[k] },
+                          { "wanted_velocity_m_s_sqrt_kg", design.target.modalVelocities[k] },
+                          { "growth", design.growth.at (i) },
+                          { "cycles", design.cycles.at (i) } });
+    }
+
+    return list;
+}
+
+Json certificateToJson (const AllocationCertificate& certificate)
+{
+    return { { "status", wordFor (allocationStatusWords, certificate.status) },
+             { "iterations", certificate.iterations },
+             { "rounds", certificate.rounds },
+             { "objective", certificate.objective },
+             { "bound", certificate.bound },
+             { "gap", certificate.gap },
+             { "peak_ratio", certificate.peakRatio },
+             { "least_peak_ratio", certificate.leastPeakRatio },
+             { "row_residual", certificate.rowResidual },
+             { "time_ms", certificate.milliseconds } };
+}
+
+/** Of a train the foci after the first, whose field is the design's. */
+Json laterFociToJson (const FocusDesign& design)
+{
+    auto list = Json::array();
+
+    for (std::size_t i = 1; i < design.moments.size(); ++i)
+    {
+        const auto& moment = design.moments[i];
+        list.push_back ({ { "time_s", moment.time },
+                          { "captured", moment.captured },
+                          { "wanted_velocities_m_s_sqrt_kg", listOf (moment.wanted) },
+                          { "wanted_mm_s", listOf (moment.target.field * 1000) },
+                          { "truncated_mm_s", listOf (moment.truncatedField * 1000) } });
+    }
+
+    return list;
+}
+
+Json fieldToJson (const FocusDesign& design, const ModalModel& model)
+{
+    constexpr double millimetres = 1000;
+    return { { "x_mm", listOf (model.surface.points.col (0) * millimetres) },
+             { "y_mm", listOf (model.surface.points.col (1) * millimetres) },
+             { "wanted_mm_s", listOf (design.target.field * millimetres) },
+             { "truncated_mm_s", listOf (design.truncatedField * millimetres) } };
+}
+} // namespace
+
+nlohmann::ordered_json designToJson (const FocusDesign& design, const ModalModel& model)
+{
+    Json json { { "schema", "antinode.design/1" }, { "device", model.name }, { "conventions", conventions() } };
+    json["focus"] = focusToJson (design.description);
+    json["focus_time_s"] = design.program.focusTime;
+    json["captured"] = design.captured;
+    json["residue"] = design.residue;
+    json["controlled_modes"] = controlledModesToJson (design, model);
+
+    if (! design.program.samples || ! design.program.oscillations.empty())
+    {
+        json["oscillations"] = Json::array();
+
+        for (const auto& oscillation : design.program.oscillations)
+            json["oscillations"].push_back (oscillationToJson (oscillation));
+    }
+
+    json["ceramics"] = Json::array();
+
+    for (const auto& ceramic : model.ceramics)
+        json["ceramics"].push_back (ceramic.name);
+
+    json["voltage_limits_V"] = listOf (design.program.voltageLimits);
+
+    if (json.contains ("oscillations"))
+        json["allocation"] = rowsOf (design.program.allocation);
+
+    if (design.program.samples)
+    {
+        json["samples"] = samplesToJson (*design.program.samples);
+        json["intersample_peak_voltage_V"] = design.intersamplePeakVoltage;
+    }
+
+    json["certificate"] = certificateToJson (design.certificate);
+    json["least_peak_voltage_V"] = design.leastPeakVoltage;
+    json["reachable_peak_velocity_mm_s"] = toMillimetres (design.reachablePeakVelocity);
+    json["lower_bound_voltage_V"] = design.lowerBoundVoltage;
+
+    if (design.restTime)
+        json["rest_time_ms"] = toMilliseconds (*design.restTime);
+
+    if (design.shortestPeriod)
+        json["shortest_period_ms"] = toMilliseconds (*design.shortestPeriod);
+
+    json["playback"] = playbackToJson (design.playback);
+    json["choices"] = design.choices;
+    json["warnings"] = design.warnings;
+    json["field"] = fieldToJson (design, model);
+
+    if (design.moments.size() > 1)
+        json["later_foci"] = laterFociToJson (design);
+
+    return json;
+}
+} // namespace antinode

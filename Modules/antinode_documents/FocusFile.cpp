@@ -1,0 +1,253 @@
+#include "FocusFile.h"
+
+#include "FileUnits.h"
+#include "FocusWords.h"
+
+#include <antinode_base/MessageText.h>
+#include <antinode_text/JsonReader.h>
+#include <antinode_text/PhysicalRanges.h>
+
+namespace antinode
+{
+namespace
+{
+constexpr std::size_t maximumTargets = 64;
+constexpr std::size_t maximumProbes = 64;
+constexpr int maximumCycles = 1000000;
+constexpr NumberRange velocityMillimetresPerSecond { 1e-6, 1e7 };
+constexpr NumberRange captured { 0, 1, true };
+constexpr NumberRange growth { 0, 1000 };
+constexpr NumberRange brake { 1, 1000, true };
+constexpr NumberRange brakeMilliseconds { 1, 1000 };
+constexpr NumberRange guardWeight { 0, 1e12 };
+constexpr NumberRange robustWeight { 0, 1e9, true };
+constexpr NumberRange tukey { 0, 1 };
+
+std::optional<double> optionalNumber (const JsonObject& object, std::string_view key, const NumberRange& range)
+{
+    const auto given = object.optional (key);
+    return given ? std::optional (given->number (range)) : std::nullopt;
+}
+
+std::optional<double> optionalMilliseconds (const JsonObject& object, std::string_view key)
+{
+    const auto given = optionalNumber (object, key, ranges::timeMillisecond);
+    return given ? std::optional (fromMilliseconds (*given)) : std::nullopt;
+}
+
+Target readTarget (const JsonValue& value)
+{
+    const auto object = value.object (
+        { "shape", "profile", "x_mm", "y_mm", "width_mm", "width_y_mm", "peak_velocity_mm_s", "phase", "time_ms" });
+    Target target;
+    target.shape = object.required ("shape").choice (targetShapeWords);
+    target.x = fromMillimetres (object.required ("x_mm").number (ranges::positionMillimetre));
+    target.y = fromMillimetres (optionalNumber (object, "y_mm", ranges::positionMillimetre).value_or (0));
+    target.width = fromMillimetres (object.required ("width_mm").number (ranges::lengthMillimetre));
+    target.peakVelocity =
+        fromMillimetres (object.required ("peak_velocity_mm_s").number (velocityMillimetresPerSecond));
+
+    if (const auto phase = object.optional ("phase"))
+        target.phase = phase->sign();
+
+    target.time = optionalMilliseconds (object, "time_ms");
+
+    if (const auto profile = object.optional ("profile"))
+        target.profile = profile->choice (targetProfileWords);
+
+    if (const auto width = object.optional ("width_y_mm"))
+    {
+        if (target.profile == TargetProfile::radial)
+            width->fail ("is given for a radial target, which has one width; allowed is only with "
+                         "\"profile\": \"separable\"");
+
+        target.widthY = fromMillimetres (width->number (ranges::lengthMillimetre));
+    }
+
+    return target;
+}
+
+ModeChoice readModeChoice (const JsonValue& value)
+{
+    const auto object = value.object ({ "count", "choose", "captured", "maximum_frequency_Hz" });
+    const auto count = object.optional ("count");
+    const auto choose = object.optional ("choose");
+    ModeChoice modes;
+    modes.captured = optionalNumber (object, "captured", captured);
+    modes.maximumFrequency = optionalNumber (object, "maximum_frequency_Hz", ranges::frequencyHz);
+
+    if (count)
+        modes.count = count->integer (1, static_cast<int> (ranges::maximumModes));
+
+    if (modes.count.has_value() + modes.captured.has_value() + modes.maximumFrequency.has_value() > 1)
+        value.fail (
+            "has more than one of 'count', 'captured' and 'maximum_frequency_Hz', allowed is at most one of them");
+
+    if (choose && ! count)
+        choose->fail ("is given without 'count', allowed is only both together");
+
+    if (choose)
+        modes.order = choose->choice (modeOrderWords);
+
+    return modes;
+}
+
+std::vector<int> readCycles (const JsonValue& value)
+{
+    if (! value.isList())
+        return { value.integer (0, maximumCycles) };
+
+    std::vector<int> cycles;
+
+    for (const auto& item : value.items (1, ranges::maximumModes))
+        cycles.push_back (item.integer (0, maximumCycles));
+
+    return cycles;
+}
+
+TransientChoice readTransients (const JsonValue& value)
+{
+    const auto object =
+        value.object ({ "drive", "growth", "cycles", "maximum_duration_ms", "brake", "brake_duration_ms" });
+    TransientChoice transients;
+
+    if (const auto drive = object.optional ("drive"))
+        transients.drive = drive->choice (driveKindWords);
+
+    if (const auto given = object.optional ("growth"))
+        transients.growth = given->numberOrNumbers (ranges::maximumModes, growth);
+
+    if (const auto given = object.optional ("cycles"))
+        transients.cycles = readCycles (*given);
+
+    transients.maximumDuration = optionalMilliseconds (object, "maximum_duration_ms");
+    transients.brake = optionalNumber (object, "brake", brake);
+
+    if (const auto duration = optionalNumber (object, "brake_duration_ms", brakeMilliseconds))
+        transients.brakeDuration = fromMilliseconds (*duration);
+
+    return transients;
+}
+
+/** How many modes are guarded: none in the result for "all". */
+std::optional<int> readGuardModes (const JsonValue& value)
+{
+    if (value.isString())
+        return value.choice (WordList<std::optional<int>, 1> { { { "all", std::nullopt } } });
+
+    return value.integer (0, static_cast<int> (ranges::maximumModes));
+}
+
+/** Percentages as shares; what is not given is as usual. */
+Robustness readRobustness (const JsonValue& value)
+{
+    const auto object =
+        value.object ({ "frequency_percent", "damping_percent", "participation_percent", "drift_percent", "weight" });
+    Robustness robustness;
+    const auto read = [&] (const char* key, const NumberRange& range, double& share)
+    {
+        if (const auto given = object.optional (key))
+            share = fromPercent (given->number (range));
+    };
+    read ("frequency_percent", ranges::frequencySpreadPercent, robustness.spread.frequency);
+    read ("damping_percent", ranges::spreadPercent, robustness.spread.damping);
+    read ("participation_percent", ranges::spreadPercent, robustness.spread.participation);
+    read ("drift_percent", ranges::frequencySpreadPercent, robustness.spread.drift);
+    robustness.weight = optionalNumber (object, "weight", robustWeight).value_or (robustness.weight);
+    return robustness;
+}
+
+/** Whether displacements are to be 0. */
+bool readDisplacement (const JsonValue& value, AllocationMethod method, bool isRobust)
+{
+    const auto isZero = value.choice (WordList<bool, 2> { { { "free", false }, { "zero", true } } });
+
+    if (isZero && ! hasExactRows (method))
+        value.fail ("is 'zero' with a method that has no exact rows, allowed is that with 'exact', 'minimum_peak' and "
+                    "'dictionary'");
+
+    if (isZero && isRobust)
+        value.fail ("is 'zero' beside 'robust', allowed is one of them");
+
+    return isZero;
+}
+
+AllocationChoice readAllocation (const JsonValue& value)
+{
+    const auto object = value.object (
+        { "method", "voltage_limit_V", "guard_modes", "guard_weight", "window_ms", "displacement", "robust" });
+    AllocationChoice allocation;
+
+    if (const auto method = object.optional ("method"))
+        allocation.method = method->choice (allocationMethodWords);
+
+    if (const auto guards = object.optional ("guard_modes"))
+        allocation.guardModes = readGuardModes (*guards);
+
+    allocation.voltageLimit = optionalNumber (object, "voltage_limit_V", ranges::voltage);
+    allocation.guardWeight = optionalNumber (object, "guard_weight", guardWeight).value_or (allocation.guardWeight);
+    allocation.window = optionalMilliseconds (object, "window_ms");
+
+    if (const auto displacement = object.optional ("displacement"))
+        allocation.isUndisplaced =
+            readDisplacement (*displacement, allocation.method, object.optional ("robust").has_value());
+
+    if (const auto robust = object.optional ("robust"))
+    {
+        if (allocation.method != AllocationMethod::exact)
+            robust->fail ("is given with another method than 'exact', allowed is only with that");
+
+        allocation.robust = readRobustness (*robust);
+    }
+
+    return allocation;
+}
+
+std::vector<std::pair<double, double>> readProbes (const JsonValue& value)
+{
+    std::vector<std::pair<double, double>> probes;
+
+    for (const auto& item : value.items (0, maximumProbes))
+    {
+        const auto place = item.numbers (2, 2, ranges::positionMillimetre);
+        probes.emplace_back (fromMillimetres (place[0]), fromMillimetres (place[1]));
+    }
+
+    return probes;
+}
+} // namespace
+
+FocusDescription readFocus (const nlohmann::json& document, const std::string& source)
+{
+    const JsonValue value (document, source);
+    value.requireSchema ("antinode.focus/1");
+    const auto object = value.object ({ "schema", "name", "targets", "focus_time_ms", "modes", "transients",
+                                        "allocation", "edge_window", "probes_mm" });
+    FocusDescription focus;
+
+    for (const auto& target : object.required ("targets").items (1, maximumTargets))
+        focus.targets.push_back (readTarget (target));
+
+    focus.focusTime = fromMilliseconds (object.required ("focus_time_ms").number (ranges::timeMillisecond));
+
+    if (const auto name = object.optional ("name"))
+        focus.name = name->text (ranges::maximumNameBytes);
+
+    if (const auto modes = object.optional ("modes"))
+        focus.modes = readModeChoice (*modes);
+
+    if (const auto transients = object.optional ("transients"))
+        focus.transients = readTransients (*transients);
+
+    if (const auto allocation = object.optional ("allocation"))
+        focus.allocation = readAllocation (*allocation);
+
+    if (const auto window = object.optional ("edge_window"))
+        focus.edgeWindow = window->object ({ "tukey" }).required ("tukey").number (tukey);
+
+    if (const auto probes = object.optional ("probes_mm"))
+        focus.probes = readProbes (*probes);
+
+    return focus;
+}
+} // namespace antinode

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <antinode_allocation/Allocation.h>
+#include <antinode_base/WordList.h>
+#include <antinode_focus/FocusDescription.h>
+
+namespace antinode
+{
+/** The words of focus files, in both directions. */
+inline constexpr WordList<TargetShape, 3> targetShapeWords {
+    { { "sinc", TargetShape::sinc }, { "bump", TargetShape::bump }, { "gaussian", TargetShape::gaussian } }
+};
+
+inline constexpr WordList<TargetProfile, 2> targetProfileWords { { { "radial", TargetProfile::radial },
+                                                                   { "separable", TargetProfile::separable } } };
+
+inline constexpr WordList<ModeOrder, 2> modeOrderWords { { { "energy", ModeOrder::energy },
+                                                           { "frequency", ModeOrder::frequency } } };
+
+inline constexpr WordList<DriveKind, 2> driveKindWords { { { "offset_free", DriveKind::offsetFree },
+                                                           { "paper", DriveKind::paper } } };
+
+inline constexpr WordList<AllocationMethod, 7> allocationMethodWords {
+    { { "exact", AllocationMethod::exact },
+      { "paper", AllocationMethod::paper },
+      { "one_to_one", AllocationMethod::oneToOne },
+      { "minimum_norm", AllocationMethod::minimumNorm },
+      { "minimum_peak", AllocationMethod::minimumPeak },
+      { "dictionary", AllocationMethod::dictionary },
+      { "free_waveform", AllocationMethod::freeWaveform } }
+};
+
+inline constexpr WordList<AllocationStatus, 3> allocationStatusWords {
+    { { "unconstrained", AllocationStatus::unconstrained },
+      { "optimal", AllocationStatus::optimal },
+      { "infeasible", AllocationStatus::infeasible } }
+};
+} // namespace antinode

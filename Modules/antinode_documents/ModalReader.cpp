@@ -1,0 +1,231 @@
+#include "ModalReader.h"
+
+#include "DampingReader.h"
+#include "FileUnits.h"
+#include "LimitsReader.h"
+#include "SurfaceReader.h"
+
+#include <antinode_base/MessageText.h>
+#include <antinode_text/PhysicalRanges.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace antinode
+{
+namespace
+{
+constexpr NumberRange anyNumber { -1e12, 1e12 };
+constexpr NumberRange notNegative { 0, 1e12 };
+constexpr NumberRange ceramicSizeMillimetre { 0, 1e5 };
+constexpr double largestGramError = 0.02; ///< Beyond it the points do not stand for the whole body.
+
+Eigen::VectorXd readVector (const JsonValue& list, Eigen::Index size, const NumberRange& range)
+{
+    const auto count = static_cast<std::size_t> (size);
+    const auto numbers = list.numbers (count, count, range);
+    return Eigen::Map<const Eigen::VectorXd> (numbers.data(), size);
+}
+
+/** Whether an optional key is given. @throws InputError  when some modes have it and others do not */
+bool allHave (const std::vector<JsonObject>& modes, std::string_view key)
+{
+    const auto has = [&] (const auto& mode) { return mode.has (key); };
+    const auto lacking = std::find_if_not (modes.begin(), modes.end(), has);
+
+    if (lacking != modes.end() && std::any_of (modes.begin(), modes.end(), has))
+        lacking->fail ("has no " + inQuotes (key) + ", allowed is that all modes have it or none");
+
+    return lacking == modes.end();
+}
+
+std::vector<JsonObject> readModeList (const JsonObject& device)
+{
+    std::vector<JsonObject> modes;
+
+    for (const auto& mode : device.required ("modes").items (1, ranges::maximumModes))
+        modes.push_back (
+            mode.object ({ "frequency_Hz", "damping_ratio", "quality_factor", "participation_per_V", "shape", "slope",
+                           "frequency_error_relative", "frequency_standard_deviation_Hz",
+                           "damping_ratio_standard_deviation", "participation_standard_deviation_per_V" }));
+
+    return modes;
+}
+
+/** One mode. The model has its sizes already. */
+void readMode (const JsonObject& mode, const std::vector<Eigen::Index>& order, Eigen::Index k, ModalModel& model)
+{
+    const auto points = model.points();
+    model.angularFrequencies[k] = fromHertz (mode.required ("frequency_Hz").number (ranges::frequencyHz));
+    model.dampingRatios[k] = readDampingRatio (mode);
+    model.participation.row (k) = readVector (mode.required ("participation_per_V"), model.actuators(), anyNumber);
+    model.shapes.col (k) = readVector (mode.required ("shape"), points, anyNumber) (order);
+
+    if (model.slopes.rows() > 0)
+        model.slopes.col (k) = readVector (mode.required ("slope"), points, anyNumber) (order);
+
+    if (model.frequencyErrors.size() > 0)
+        model.frequencyErrors[k] = mode.required ("frequency_error_relative").number (notNegative);
+
+    for (const auto* const key : { "frequency_standard_deviation_Hz", "damping_ratio_standard_deviation" })
+        if (const auto deviation = mode.optional (key))
+            deviation->number (notNegative);
+
+    if (const auto deviations = mode.optional ("participation_standard_deviation_per_V"))
+        readVector (*deviations, model.actuators(), notNegative);
+}
+
+void readModes (const JsonObject& device, const std::vector<Eigen::Index>& order, ModalModel& model)
+{
+    const auto modes = readModeList (device);
+    const auto modeCount = static_cast<Eigen::Index> (modes.size());
+    const auto points = model.surface.points.rows();
+    const auto hasSlopes = allHave (modes, "slope");
+
+    if (hasSlopes && model.surface.kind == SurfaceKind::plate)
+        modes.front().required ("slope").fail (
+            "is given for a plate, allowed on a line only (all points with the same y)");
+
+    // The first mode says how many ceramics there are; the others must agree.
+    const auto ceramics = modes.front().required ("participation_per_V").items (0, ranges::maximumCeramics).size();
+    model.angularFrequencies.resize (modeCount);
+    model.dampingRatios.resize (modeCount);
+    model.shapes.resize (points, modeCount);
+    model.slopes.resize (hasSlopes ? points : 0, hasSlopes ? modeCount : 0);
+    model.participation.resize (modeCount, static_cast<Eigen::Index> (ceramics));
+    model.frequencyErrors.resize (allHave (modes, "frequency_error_relative") ? modeCount : 0);
+
+    for (Eigen::Index k = 0; k < modeCount; ++k)
+        readMode (modes[static_cast<std::size_t> (k)], order, k, model);
+}
+
+Ceramic readCeramic (const JsonValue& value, const VoltageLimits& limits)
+{
+    const auto object =
+        value.object ({ "name", "x_mm", "y_mm", "size_x_mm", "size_y_mm", "voltage_limit_V", "slew_limit_V_per_us" });
+    const auto x = object.required ("x_mm").number (ranges::positionMillimetre);
+    const auto y = object.required ("y_mm").number (ranges::positionMillimetre);
+    const auto name = object.optional ("name");
+    const auto ownLimit = object.optional ("voltage_limit_V");
+    const auto ownSlew = object.optional ("slew_limit_V_per_us");
+
+    Ceramic ceramic;
+    ceramic.name = name ? name->text (ranges::maximumNameBytes) : "";
+    ceramic.xMinimum = fromMillimetres (x);
+    ceramic.xMaximum = fromMillimetres (x + object.required ("size_x_mm").number (ceramicSizeMillimetre));
+    ceramic.yMinimum = fromMillimetres (y);
+    ceramic.yMaximum = fromMillimetres (y + object.required ("size_y_mm").number (ceramicSizeMillimetre));
+    ceramic.voltageLimit = ownLimit ? ownLimit->number ({ 0, limits.voltage }) : limits.voltage;
+    ceramic.slewLimit =
+        ownSlew ? fromVoltsPerMicrosecond (ownSlew->number (ranges::slewVoltsPerMicrosecond)) : limits.slew;
+    return ceramic;
+}
+
+/** The ceramics, of which a modal device may say nothing but their number and limit. */
+void readCeramics (const JsonObject& device, ModalModel& model)
+{
+    const auto limitsObject = device.required ("limits");
+    const auto limits = readLimits (limitsObject);
+
+    if (limits.current > 0)
+        limitsObject.fail (
+            "limits the current, which needs the ceramics' capacitance, and modes do not tell it; allowed "
+            "is 'slew_V_per_us', the current over the capacitance");
+
+    const auto count = static_cast<std::size_t> (model.actuators());
+    model.fullScaleVoltage = limits.fullScale;
+    model.ceramics.resize (count, { {}, 0, 0, 0, 0, limits.voltage, limits.slew });
+
+    if (const auto list = device.optional ("ceramics"))
+    {
+        const auto items = list->items (count, count);
+        std::transform (items.begin(), items.end(), model.ceramics.begin(),
+                        [&] (const auto& item) { return readCeramic (item, limits); });
+    }
+
+    for (std::size_t i = 0; i < count; ++i)
+        if (model.ceramics[i].name.empty())
+            model.ceramics[i].name = "C" + std::to_string (i + 1);
+}
+
+void refineFromExact (const JsonObject& exact, ModalModel& model)
+{
+    const auto modes = static_cast<std::size_t> (model.modes());
+    const auto frequencies = exact.required ("angular_frequencies_rad_s").items (modes, modes);
+    const auto extents = exact.required ("ceramic_extents_m").items (model.ceramics.size(), model.ceramics.size());
+
+    for (std::size_t k = 0; k < modes; ++k)
+    {
+        auto& frequency = model.angularFrequencies[static_cast<Eigen::Index> (k)];
+        frequency = refined (frequency, frequencies[k]);
+    }
+
+    for (std::size_t i = 0; i < extents.size(); ++i)
+    {
+        const auto extent = extents[i].items (4, 4);
+        auto& ceramic = model.ceramics[i];
+        ceramic.xMinimum = refined (ceramic.xMinimum, extent[0]);
+        ceramic.xMaximum = refined (ceramic.xMaximum, extent[1]);
+        ceramic.yMinimum = refined (ceramic.yMinimum, extent[2]);
+        ceramic.yMaximum = refined (ceramic.yMaximum, extent[3]);
+    }
+}
+
+void sortModes (ModalModel& model)
+{
+    std::vector<Eigen::Index> order (static_cast<std::size_t> (model.modes()));
+    std::iota (order.begin(), order.end(), Eigen::Index { 0 });
+    std::stable_sort (order.begin(), order.end(),
+                      [&] (auto a, auto b) { return model.angularFrequencies[a] < model.angularFrequencies[b]; });
+    model.angularFrequencies = model.angularFrequencies (order).eval();
+    model.dampingRatios = model.dampingRatios (order).eval();
+    model.shapes = model.shapes (Eigen::all, order).eval();
+    model.participation = model.participation (order, Eigen::all).eval();
+
+    if (model.slopes.size() > 0)
+        model.slopes = model.slopes (Eigen::all, order).eval();
+
+    if (model.frequencyErrors.size() > 0)
+        model.frequencyErrors = model.frequencyErrors (order).eval();
+}
+
+/** True when sum w phi_k phi_l is the identity: the points then stand for the whole body. */
+bool shapesAreOrthonormal (const ModalModel& model)
+{
+    const Eigen::MatrixXd gram = model.shapes.transpose() * model.surface.masses.asDiagonal() * model.shapes;
+    return (gram - Eigen::MatrixXd::Identity (model.modes(), model.modes())).cwiseAbs().maxCoeff() <= largestGramError;
+}
+} // namespace
+
+ModalModel readModalModel (const JsonValue& device)
+{
+    const auto body =
+        device.object ({ "schema", "name", "description", "kind", "modes", "points_mm", "weights_kg", "areas_m2",
+                         "ceramics", "limits", "delay_s", "covers_whole_body", "rigid_body_modes", "exact" });
+    std::optional<JsonObject> exact;
+
+    if (const auto given = body.optional ("exact"))
+        exact = given->object ({ "angular_frequencies_rad_s", "points_m", "extent_m", "ceramic_extents_m" });
+
+    ModalModel model;
+    const auto given = readSurface (body, exact);
+    model.surface = given.surface;
+    readModes (body, given.order, model);
+    readCeramics (body, model);
+
+    if (exact)
+        refineFromExact (*exact, model);
+
+    if (const auto delay = body.optional ("delay_s"))
+        delay->number ({ -1, 1 });
+
+    if (const auto rigid = body.optional ("rigid_body_modes"))
+        model.rigidBodyModes = rigid->integer (0, 6);
+
+    sortModes (model);
+    const auto covers = body.optional ("covers_whole_body");
+    model.coversWholeBody = covers ? covers->boolean() : shapesAreOrthonormal (model);
+    const auto needsSlopes = model.surface.kind == SurfaceKind::line && model.slopes.size() == 0;
+    return needsSlopes ? withSplineSlopes (std::move (model)) : model;
+}
+} // namespace antinode

@@ -1,0 +1,115 @@
+#include "DeviceFile.h"
+#include "FileUnits.h"
+
+#include <antinode_text/EigenJson.h>
+
+#include <algorithm>
+
+namespace antinode
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+double largestLimit (const ModalModel& model)
+{
+    double largest = 0;
+
+    for (const auto& ceramic : model.ceramics)
+        largest = std::max (largest, ceramic.voltageLimit);
+
+    return largest > 0 ? largest : model.fullScaleVoltage;
+}
+
+Json modesToJson (const ModalModel& model)
+{
+    auto modes = Json::array();
+
+    for (Eigen::Index k = 0; k < model.modes(); ++k)
+    {
+        Json mode;
+        mode["frequency_Hz"] = toHertz (model.angularFrequencies[k]);
+        mode["damping_ratio"] = model.dampingRatios[k];
+
+        if (model.frequencyErrors.size() > 0)
+            mode["frequency_error_relative"] = model.frequencyErrors[k];
+
+        mode["participation_per_V"] = listOf (model.participation.row (k));
+        mode["shape"] = listOf (model.shapes.col (k));
+
+        if (model.slopes.size() > 0)
+            mode["slope"] = listOf (model.slopes.col (k));
+
+        modes.push_back (std::move (mode));
+    }
+
+    return modes;
+}
+
+Json ceramicsToJson (const ModalModel& model)
+{
+    auto ceramics = Json::array();
+    const auto limit = largestLimit (model);
+
+    for (const auto& ceramic : model.ceramics)
+    {
+        const auto x = toMillimetres (ceramic.xMinimum), y = toMillimetres (ceramic.yMinimum);
+        Json item { { "name", ceramic.name },
+                    { "x_mm", x },
+                    { "y_mm", y },
+                    { "size_x_mm", toMillimetres (ceramic.xMaximum) - x },
+                    { "size_y_mm", toMillimetres (ceramic.yMaximum) - y } };
+
+        if (ceramic.voltageLimit != limit)
+            item["voltage_limit_V"] = ceramic.voltageLimit;
+
+        if (ceramic.slewLimit > 0)
+            item["slew_limit_V_per_us"] = toVoltsPerMicrosecond (ceramic.slewLimit);
+
+        ceramics.push_back (std::move (item));
+    }
+
+    return ceramics;
+}
+
+/** What the units of the other keys cannot express to the last bit. */
+Json exactToJson (const ModalModel& model)
+{
+    const auto& surface = model.surface;
+    auto extents = Json::array();
+
+    for (const auto& ceramic : model.ceramics)
+        extents.push_back ({ ceramic.xMinimum, ceramic.xMaximum, ceramic.yMinimum, ceramic.yMaximum });
+
+    return { { "angular_frequencies_rad_s", listOf (model.angularFrequencies) },
+             { "points_m", rowsOf (surface.points) },
+             { "extent_m", { surface.xMinimum, surface.xMaximum, surface.yMinimum, surface.yMaximum } },
+             { "ceramic_extents_m", std::move (extents) } };
+}
+} // namespace
+
+nlohmann::ordered_json modalDeviceToJson (const ModalModel& model, const std::string& description)
+{
+    Json device { { "schema", "antinode.device/1" }, { "name", model.name } };
+
+    if (! description.empty())
+        device["description"] = description;
+
+    auto points = Json::array();
+
+    for (Eigen::Index p = 0; p < model.points(); ++p)
+        points.push_back ({ toMillimetres (model.surface.points (p, 0)), toMillimetres (model.surface.points (p, 1)) });
+
+    device["kind"] = "modal";
+    device["limits"] = { { "voltage_V", largestLimit (model) }, { "full_scale_V", model.fullScaleVoltage } };
+    device["ceramics"] = ceramicsToJson (model);
+    device["rigid_body_modes"] = model.rigidBodyModes;
+    device["covers_whole_body"] = model.coversWholeBody;
+    device["modes"] = modesToJson (model);
+    device["points_mm"] = std::move (points);
+    device["weights_kg"] = listOf (model.surface.masses);
+    device["areas_m2"] = listOf (model.surface.areas);
+    device["exact"] = exactToJson (model);
+    return device;
+}
+} // namespace antinode

@@ -1,0 +1,117 @@
+#include "StructureReader.h"
+
+#include "CeramicReader.h"
+#include "DampingReader.h"
+#include "FileUnits.h"
+#include "LimitsReader.h"
+#include "MaterialReader.h"
+
+#include <antinode_text/PhysicalRanges.h>
+
+namespace antinode
+{
+namespace
+{
+constexpr WordList<EdgeCondition, 3> edgeWords { { { "clamped", EdgeCondition::clamped },
+                                                   { "simply_supported", EdgeCondition::simplySupported },
+                                                   { "free", EdgeCondition::free } } };
+
+constexpr WordList<EdgeCondition, 4> beamEndWords { { { "clamped", EdgeCondition::clamped },
+                                                      { "simply_supported", EdgeCondition::simplySupported },
+                                                      { "free", EdgeCondition::free },
+                                                      { "guided", EdgeCondition::guided } } };
+
+/** An object of a device whose kind adds these keys to those that all described devices share. */
+JsonObject readBody (const JsonValue& device, std::initializer_list<std::string_view> keysOfKind)
+{
+    std::vector<std::string_view> keys { "schema",       "name",     "description",   "kind",
+                                         "thickness_mm", "material", "damping_ratio", "quality_factor",
+                                         "ceramics",     "limits",   "modes" };
+    keys.insert (keys.end(), keysOfKind);
+    return device.object (keys);
+}
+
+double readLength (const JsonObject& body, std::string_view key)
+{
+    return body.required (key).number (ranges::lengthMillimetre);
+}
+
+/** Everything that is shared but the ceramics, whose place depends on the kind. */
+StructureCommon readCommon (const JsonObject& body)
+{
+    StructureCommon common;
+    common.thickness = fromMillimetres (readLength (body, "thickness_mm"));
+    common.material = readElasticMaterial (body.required ("material"));
+    common.dampingRatios = readDampingRatios (body);
+    const auto limits = readLimits (body.required ("limits"));
+    common.voltageLimit = limits.voltage;
+    common.slewLimit = limits.slew;
+    common.currentLimit = limits.current;
+    common.fullScaleVoltage = limits.fullScale;
+
+    if (const auto given = body.optional ("modes"))
+    {
+        const auto modes = given->object ({ "maximum_frequency_Hz", "count" });
+
+        if (const auto frequency = modes.optional ("maximum_frequency_Hz"))
+            common.maximumFrequency = frequency->number (ranges::frequencyHz);
+
+        if (const auto count = modes.optional ("count"))
+            common.modeCount = count->integer (1, static_cast<int> (ranges::maximumModes));
+    }
+
+    return common;
+}
+} // namespace
+
+BeamDescription readBeam (const JsonValue& device)
+{
+    const auto body = readBody (device, { "length_mm", "width_mm", "ends" });
+    const auto length = readLength (body, "length_mm");
+    const auto width = readLength (body, "width_mm");
+    const auto ends = body.required ("ends").object ({ "left", "right" });
+
+    BeamDescription beam;
+    beam.common = readCommon (body);
+    beam.common.ceramics = readCentredCeramics (body.required ("ceramics"), length, width);
+    beam.length = fromMillimetres (length);
+    beam.width = fromMillimetres (width);
+    beam.left = ends.required ("left").choice (beamEndWords);
+    beam.right = ends.required ("right").choice (beamEndWords);
+    return beam;
+}
+
+StapleDescription readStaple (const JsonValue& device)
+{
+    const auto body = readBody (device, { "top_length_mm", "leg_length_mm", "width_mm" });
+    const auto topLength = readLength (body, "top_length_mm");
+    const auto width = readLength (body, "width_mm");
+
+    StapleDescription staple;
+    staple.common = readCommon (body);
+    staple.common.ceramics = readCentredCeramics (body.required ("ceramics"), topLength, width);
+    staple.topLength = fromMillimetres (topLength);
+    staple.legLength = fromMillimetres (readLength (body, "leg_length_mm"));
+    staple.width = fromMillimetres (width);
+    return staple;
+}
+
+PlateDescription readPlate (const JsonValue& device)
+{
+    const auto body = readBody (device, { "length_x_mm", "length_y_mm", "edges" });
+    const auto lengthX = readLength (body, "length_x_mm");
+    const auto lengthY = readLength (body, "length_y_mm");
+    const auto edges = body.required ("edges").object ({ "left", "right", "bottom", "top" });
+
+    PlateDescription plate;
+    plate.common = readCommon (body);
+    plate.common.ceramics = readCornerCeramics (body.required ("ceramics"), lengthX, lengthY);
+    plate.lengthX = fromMillimetres (lengthX);
+    plate.lengthY = fromMillimetres (lengthY);
+    plate.left = edges.required ("left").choice (edgeWords);
+    plate.right = edges.required ("right").choice (edgeWords);
+    plate.bottom = edges.required ("bottom").choice (edgeWords);
+    plate.top = edges.required ("top").choice (edgeWords);
+    return plate;
+}
+} // namespace antinode

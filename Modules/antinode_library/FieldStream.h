@@ -1,0 +1,191 @@
+#pragma once
+
+#include <antinode_base/InputError.h>
+
+#include <Eigen/Core>
+
+#include <bit>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace antinode
+{
+static_assert (std::endian::native == std::endian::little, "numbers are streamed as they lie in memory");
+
+/** A struct of type T, const or not: what `fields` functions are written for. */
+template <typename Type, typename T>
+concept Struct = std::same_as<std::remove_const_t<Type>, T>;
+
+/** Appends values to bytes, little-endian: numbers raw, lengths before what has some, structs by their `fields` function.
+
+    A struct is streamed by `void fields (auto& stream, Struct<T> auto&)`, which takes it apart by a structured binding: a field
+    that is added to the struct and forgotten there does not compile.
+*/
+class FieldWriter
+{
+public:
+    /** [worker] */
+    template <typename... Fields>
+    void operator() (const Fields&... values)
+    {
+        (write (values), ...);
+    }
+
+    std::string bytes;
+
+private:
+    void raw (const void* data, std::size_t size) { bytes.append (static_cast<const char*> (data), size); }
+    void writeSize (std::uint64_t size) { raw (&size, sizeof (size)); }
+
+    template <typename Number>
+    requires std::is_arithmetic_v<Number> || std::is_enum_v<Number>
+    void write (const Number& number) { raw (&number, sizeof (number)); }
+
+    void write (const std::string& text)
+    {
+        writeSize (text.size());
+        raw (text.data(), text.size());
+    }
+
+    template <typename Number, int rows, int columns>
+    void write (const Eigen::Matrix<Number, rows, columns>& matrix)
+    {
+        writeSize (static_cast<std::uint64_t> (matrix.rows()));
+        writeSize (static_cast<std::uint64_t> (matrix.cols()));
+        raw (matrix.data(), static_cast<std::size_t> (matrix.size()) * sizeof (Number));
+    }
+
+    template <typename Value>
+    void write (const std::vector<Value>& values)
+    {
+        writeSize (values.size());
+
+        for (const auto& value : values)
+            write (value);
+    }
+
+    template <typename Value>
+    void write (const std::optional<Value>& value)
+    {
+        write (value.has_value());
+
+        if (value)
+            write (*value);
+    }
+
+    template <typename Value>
+    requires std::is_class_v<Value>
+    void write (const Value& value) { fields (*this, value); }
+};
+
+/** Reads what FieldWriter wrote, from bytes that nobody vouches for: nothing is allocated that the bytes do not hold. */
+class FieldReader
+{
+public:
+    explicit FieldReader (std::string_view bytesToRead) : rest (bytesToRead) {}
+
+    /** @throws InputError  when the bytes end too early, or a number is not finite or not of its kind [worker] */
+    template <typename... Fields>
+    void operator() (Fields&... values)
+    {
+        (read (values), ...);
+    }
+
+    bool isAtEnd() const { return rest.empty(); }
+
+private:
+    static void require (bool fulfilled)
+    {
+        if (! fulfilled)
+            throw InputError ("stored data", "are damaged");
+    }
+
+    void raw (void* data, std::size_t size)
+    {
+        require (size <= rest.size());
+
+        if (size > 0) // An empty matrix has no address to copy to.
+            std::memcpy (data, rest.data(), size);
+
+        rest.remove_prefix (size);
+    }
+
+    template <typename Number>
+    requires std::is_arithmetic_v<Number>
+    void read (Number& number)
+    {
+        raw (&number, sizeof (number));
+
+        if constexpr (std::is_floating_point_v<Number>)
+            require (std::isfinite (number));
+    }
+
+    void read (bool& value)
+    {
+        std::uint8_t byte = 0;
+        read (byte);
+        require (byte <= 1);
+        value = byte == 1;
+    }
+
+    void read (std::string& text)
+    {
+        std::uint64_t size = 0;
+        read (size);
+        require (size <= rest.size());
+        text = rest.substr (0, size);
+        rest.remove_prefix (size);
+    }
+
+    template <typename Number, int rowsWanted, int columnsWanted>
+    void read (Eigen::Matrix<Number, rowsWanted, columnsWanted>& matrix)
+    {
+        constexpr std::uint64_t most = std::uint64_t (1) << 31; // The product of two of them fits into 64 bits.
+        std::uint64_t rows = 0, columns = 0;
+        read (rows);
+        read (columns);
+        require (rows < most && columns < most && rows * columns <= rest.size() / sizeof (Number));
+        require (columnsWanted == Eigen::Dynamic || columns == static_cast<std::uint64_t> (columnsWanted));
+        matrix.resize (static_cast<Eigen::Index> (rows), static_cast<Eigen::Index> (columns));
+        raw (matrix.data(), rows * columns * sizeof (Number));
+
+        if constexpr (std::is_floating_point_v<Number>)
+            require (matrix.allFinite());
+    }
+
+    template <typename Value>
+    void read (std::vector<Value>& values)
+    {
+        std::uint64_t size = 0;
+        read (size);
+        values.clear();
+
+        while (values.size() < size) // Grows with what is there, not with what is claimed.
+            read (values.emplace_back());
+    }
+
+    template <typename Value>
+    void read (std::optional<Value>& value)
+    {
+        bool hasValue = false;
+        read (hasValue);
+        value.reset();
+
+        if (hasValue)
+            read (value.emplace());
+    }
+
+    template <typename Value>
+    requires std::is_class_v<Value>
+    void read (Value& value) { fields (*this, value); }
+
+    std::string_view rest;
+};
+} // namespace antinode

@@ -1,0 +1,50 @@
+#include "Inputs.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_documents/DeviceFile.h>
+#include <antinode_documents/FocusFile.h>
+#include <antinode_text/JsonText.h>
+
+namespace antinode
+{
+namespace
+{
+nlohmann::json loadAssigned (LibraryKind kind, const std::string& nameOrFile,
+                             const std::vector<std::string>& assignments)
+{
+    auto document = loadDocument (kind, nameOrFile);
+    const std::string prefix = kind == LibraryKind::device ? "device." : "focus.";
+
+    for (const auto& assignment : assignments)
+        if (assignment.starts_with (prefix))
+            applyAssignment (document, std::string_view (assignment).substr (prefix.size()));
+
+    return document;
+}
+} // namespace
+
+nlohmann::json loadDeviceDocument (const std::string& nameOrFile, const std::vector<std::string>& assignments)
+{
+    return loadAssigned (LibraryKind::device, nameOrFile, assignments);
+}
+
+DeviceDescription loadDevice (const std::string& nameOrFile, const std::vector<std::string>& assignments)
+{
+    return readDevice (loadDeviceDocument (nameOrFile, assignments), documentSource (LibraryKind::device, nameOrFile));
+}
+
+FocusDescription loadFocus (const std::string& nameOrFile, const std::vector<std::string>& assignments)
+{
+    return readFocus (loadAssigned (LibraryKind::focus, nameOrFile, assignments),
+                      documentSource (LibraryKind::focus, nameOrFile));
+}
+
+void checkAssignments (const std::vector<std::string>& assignments)
+{
+    for (const auto& assignment : assignments)
+        if (! assignment.starts_with ("device.") && ! assignment.starts_with ("focus."))
+            throw InputError ("--set " + assignment,
+                              "names no document: allowed is focus.KEY=VALUE or device.KEY=VALUE, "
+                              "for example focus.targets.0.x_mm=24");
+}
+} // namespace antinode

@@ -1,0 +1,217 @@
+#include "ModeCache.h"
+
+#include "ModeCacheEntry.h"
+#include "ModeCacheKey.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_text/OutputFolder.h>
+
+#include <xxhash.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <vector>
+
+namespace antinode
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+constexpr std::string_view cacheExtension = ".modes";
+constexpr std::string_view hexadecimal = "0123456789abcdef";
+
+/** The name of the file for a key. Two keys may share one in principle: the entry holds the whole key. */
+std::string nameFor (std::string_view key)
+{
+    XXH128_canonical_t hash;
+    XXH128_canonicalFromHash (&hash, XXH3_128bits (key.data(), key.size()));
+    std::string name;
+
+    for (const auto byte : hash.digest)
+    {
+        name += hexadecimal[byte / 16];
+        name += hexadecimal[byte % 16];
+    }
+
+    return name.append (cacheExtension);
+}
+
+bool isEntryName (const std::string& name)
+{
+    const auto digits = 2 * sizeof (XXH128_canonical_t);
+    return name.size() == digits + cacheExtension.size() && name.ends_with (cacheExtension)
+           && name.find_first_not_of (hexadecimal) == digits;
+}
+
+/** All bytes of a plain file that is not larger than it may be. */
+std::optional<std::string> bytesOf (const fs::path& path, std::uintmax_t maximumBytes)
+{
+    std::error_code error;
+
+    if (! fs::is_regular_file (path, error)) // A pipe, for one, would be waited for.
+        return {};
+
+    // The size of what was opened: under this name there may be another file by now.
+    std::ifstream file (path, std::ios::binary | std::ios::ate);
+    const auto end = file ? static_cast<std::streamoff> (file.tellg()) : -1;
+
+    if (end < 0 || static_cast<std::uintmax_t> (end) > maximumBytes)
+        return {};
+
+    std::string bytes (static_cast<std::size_t> (end), '\0');
+    file.seekg (0);
+    file.read (bytes.data(), end);
+    return file && file.gcount() == end ? std::optional (std::move (bytes)) : std::nullopt;
+}
+
+void makePrivateFolder (const fs::path& folder)
+{
+    if (fs::create_directories (folder))
+        fs::permissions (folder, fs::perms::owner_all);
+}
+
+struct StoredFile
+{
+    fs::file_time_type lastUse;
+    fs::path path;
+    std::uintmax_t size = 0;
+
+    bool operator<(const StoredFile& other) const
+    {
+        return lastUse != other.lastUse ? lastUse < other.lastUse : path < other.path;
+    }
+};
+
+std::vector<StoredFile> entriesIn (const fs::path& folder)
+{
+    std::vector<StoredFile> files;
+    std::error_code error;
+
+    for (fs::directory_iterator entry (folder, error), end; ! error && entry != end; entry.increment (error))
+    {
+        if (! isEntryName (entry->path().filename().string()))
+            continue;
+
+        std::error_code gone; // Another process may remove it at any time; a folder has no size.
+        const auto lastUse = entry->last_write_time (gone);
+
+        if (const auto size = gone ? 0 : entry->file_size (gone); ! gone)
+            files.push_back ({ lastUse, entry->path(), size });
+    }
+
+    return files;
+}
+} // namespace
+
+ModeCache::ModeCache (std::filesystem::path folderToUse, std::uintmax_t maximumBytesToUse)
+    : folder (std::move (folderToUse)), maximumBytes (maximumBytesToUse)
+{
+}
+
+std::optional<ModalModel> ModeCache::find (const DeviceDescription& device, std::optional<int> modeCount) const
+{
+    const auto key = modeCacheKey (device, modeCount);
+
+    if (! key)
+        return {};
+
+    try
+    {
+        const auto path = folder / nameFor (*key);
+        const auto bytes = bytesOf (path, maximumBytes);
+
+        if (! bytes)
+            return {};
+
+        auto model = decodeModeCacheEntry (*bytes, *key);
+        std::error_code ignored;
+        fs::last_write_time (path, fs::file_time_type::clock::now(), ignored);
+        return model;
+    }
+    catch (const std::exception&)
+    {
+        return {}; // Damaged, foreign, or too large for this machine: solved anew.
+    }
+}
+
+void ModeCache::store (const DeviceDescription& device, std::optional<int> modeCount, const ModalModel& model) const
+{
+    const auto key = modeCacheKey (device, modeCount);
+
+    if (! key)
+        return;
+
+    try
+    {
+        const auto bytes = encodeModeCacheEntry (*key, model);
+
+        if (bytes.size() > maximumBytes)
+            return;
+
+        makePrivateFolder (folder);
+        const auto name = nameFor (*key);
+        OutputFolder output (folder);
+        output.write (name, bytes);
+        fs::permissions (output.pathFor (name), fs::perms::owner_read | fs::perms::owner_write);
+        output.commit();
+        removeOldest();
+    }
+    catch (const std::exception&)
+    {
+        return; // The modes are there all the same; the next run solves them again.
+    }
+}
+
+void ModeCache::removeOldest() const
+{
+    auto files = entriesIn (folder);
+    std::sort (files.begin(), files.end());
+    std::uintmax_t total = 0;
+
+    for (const auto& file : files)
+        total += file.size;
+
+    for (const auto& file : files)
+    {
+        if (total <= maximumBytes)
+            return;
+
+        std::error_code ignored;
+        fs::remove (file.path, ignored);
+        total -= file.size;
+    }
+}
+
+std::optional<std::filesystem::path> userCacheFolder()
+{
+    // The XDG base directory specification: a path that is not absolute counts as not set.
+    const auto absoluteFrom = [] (const char* variable) -> std::optional<fs::path>
+    {
+        const auto* const value = std::getenv (variable);
+        return value != nullptr && fs::path (value).is_absolute() ? std::optional (fs::path (value)) : std::nullopt;
+    };
+
+    if (const auto cache = absoluteFrom ("XDG_CACHE_HOME"))
+        return *cache / "antinode" / "modes";
+
+    if (const auto home = absoluteFrom ("HOME"))
+        return *home / ".cache" / "antinode" / "modes";
+
+    return {};
+}
+
+ModalModel solveCached (const DeviceDescription& device, std::optional<int> modeCount, const ModeCache* cache)
+{
+    if (cache == nullptr)
+        return solveStructure (device, modeCount);
+
+    if (auto found = cache->find (device, modeCount))
+        return *std::move (found);
+
+    auto model = solveStructure (device, modeCount);
+    cache->store (device, modeCount, model);
+    return model;
+}
+} // namespace antinode

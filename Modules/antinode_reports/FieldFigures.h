@@ -1,0 +1,14 @@
+#pragma once
+
+#include "Report.h"
+
+#include <antinode_render/RenderedFocus.h>
+
+namespace antinode
+{
+/** Pictures of the field at the focus and around it: curves of a line; maps and cross sections of a plate. [worker] */
+std::vector<ReportFigure> fieldFigures (const RenderedFocus&);
+
+/** Of a train, a picture of the field at each focus after the first. [worker] */
+std::vector<ReportFigure> laterFieldFigures (const RenderedFocus&);
+} // namespace antinode

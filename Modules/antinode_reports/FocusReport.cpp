@@ -1,0 +1,158 @@
+#include "FocusReport.h"
+
+#include "FieldFigures.h"
+#include "FocusScores.h"
+
+#include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
+#include <antinode_charts/FocusCharts.h>
+#include <antinode_documents/FocusWords.h>
+#include <antinode_focus/DesignFocus.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace antinode
+{
+namespace
+{
+constexpr int shownTransients = 6;
+
+std::string placeOf (const RenderedFocus& focus, std::size_t probe)
+{
+    const auto [x, y] = focus.probes[probe];
+    const auto place = "x = " + inWords (x * milli) + " mm";
+    return focus.model.surface.kind == SurfaceKind::line ? place : place + ", y = " + inWords (y * milli) + " mm";
+}
+
+/** A little above the highest controlled mode. */
+double shownFrequency (const RenderedFocus& focus)
+{
+    return 1.3 * focus.model.frequencyHz (focus.design.controlledModes.back());
+}
+
+ReportSection fieldSection (const RenderedFocus& focus)
+{
+    const auto& design = focus.design;
+    ReportSection section;
+    section.heading = "The field at the focus";
+    section.figures = fieldFigures (focus);
+
+    for (auto& figure : laterFieldFigures (focus))
+        section.figures.push_back (std::move (figure));
+
+    section.figures.push_back (
+        { "Modal velocities at the focus. Modes without a wanted bar are not controlled: they are kept small.",
+          {},
+          spectrumChart (focus.model, design, focus.render.focusVelocities),
+          900,
+          340 });
+    return section;
+}
+
+ReportSection voltageSection (const RenderedFocus& focus)
+{
+    auto traces = voltagesChart (focus.model, focus.design.program, focus.render);
+    const auto height = comfortableHeight (traces);
+    ReportSection section;
+    section.heading = "The voltages";
+    section.figures.push_back (
+        { "Voltage of each ceramic; dashed lines are its limits, the number at the right is its peak.",
+          {},
+          std::move (traces),
+          900,
+          height });
+    return section;
+}
+
+ReportSection motionSection (const RenderedFocus& focus)
+{
+    auto transients = transientsChart (focus.model, focus.design, focus.render, shownTransients);
+    const auto height = comfortableHeight (transients);
+    ReportSection section;
+    section.heading = "The motion over time";
+
+    for (std::size_t i = 0; i < focus.probes.size(); ++i)
+    {
+        const auto place = placeOf (focus, i);
+        section.figures.push_back ({ "Velocity at the probe at " + place + ".",
+                                     {},
+                                     probeChart (focus.render, static_cast<Eigen::Index> (i), place),
+                                     900,
+                                     320 });
+    }
+
+    section.figures.push_back (
+        { "Transients of the strongest controlled modes: the largest velocity that each adds anywhere on the surface.",
+          {},
+          std::move (transients),
+          900,
+          height });
+
+    if (! focus.probes.empty())
+        section.figures.push_back ({ "Spectrogram of the velocity at the first probe.",
+                                     {},
+                                     spectrogramChart (focus.render, 0, shownFrequency (focus)),
+                                     900,
+                                     360 });
+
+    return section;
+}
+
+ReportTable modeTable (const RenderedFocus& focus)
+{
+    const auto& design = focus.design;
+    ReportTable table { "The controlled modes",
+                        { "mode", "frequency (Hz)", "Q", "wanted (mm/s \xE2\x88\x9Akg)", "reached", "growth",
+                          "cycles" },
+                        {} };
+
+    for (std::size_t i = 0; i < design.controlledModes.size(); ++i)
+    {
+        const auto mode = design.controlledModes[i];
+        table.rows.push_back ({ std::to_string (mode + 1), fixedText (focus.model.frequencyHz (mode), 1),
+                                fixedText (0.5 / focus.model.dampingRatios[mode], 0),
+                                fixedText (design.target.modalVelocities[mode] * milli, 4),
+                                fixedText (focus.render.focusVelocities[mode] * milli, 4), inWords (design.growth[i]),
+                                std::to_string (design.cycles[i]) });
+    }
+
+    return table;
+}
+
+ReportSection designSection (const RenderedFocus& focus)
+{
+    const auto& design = focus.design;
+    const auto& certificate = design.certificate;
+    ReportSection section;
+    section.heading = "The design";
+    section.paragraphs = design.choices;
+    section.paragraphs.push_back ("Solver: " + std::string (wordFor (allocationStatusWords, certificate.status))
+                                  + ", duality gap " + inWords (certificate.gap) + ", "
+                                  + std::to_string (certificate.iterations) + " iterations, "
+                                  + inWords (certificate.milliseconds) + " ms. The voltages as designed peak at "
+                                  + inWords (peakVoltage (design)) + " V.");
+    section.tables.push_back (modeTable (focus));
+    return section;
+}
+} // namespace
+
+ReportPage focusReport (const RenderedFocus& focus)
+{
+    ReportPage page;
+    const auto& design = focus.design;
+    page.title = design.description.name.empty() ? "Focus" : design.description.name;
+    page.subtitle = focus.model.name + ": " + std::to_string (focus.model.actuators()) + " ceramics, "
+                    + std::to_string (focus.model.modes()) + " modes simulated, focus at "
+                    + inWords (static_cast<double> (focus.render.focusSample) / focus.render.sampleRate * milli)
+                    + " ms, " + inWords (focus.render.sampleRate) + " Hz";
+    page.scores = focusScores (focus);
+    page.warnings = design.warnings;
+    page.sections = { fieldSection (focus), voltageSection (focus), motionSection (focus), designSection (focus) };
+    page.links = { { "summary.json", "summary.json" }, { "design.json", "design.json" }, { "probe.csv", "probe.csv" } };
+    page.footer = "Antinode " ANTINODE_VERSION ". The scores come from the plate model fed with the rendered samples.";
+    return page;
+}
+} // namespace antinode

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "Report.h"
+
+#include <antinode_render/RenderedFocus.h>
+
+namespace antinode
+{
+/** The report of one rendered focus: scores, warnings, field, spectrum, voltages, probe, transients, spectrogram, tables. [worker] */
+ReportPage focusReport (const RenderedFocus&);
+} // namespace antinode

@@ -1,0 +1,186 @@
+#include "IdentificationReport.h"
+
+#include "IdentificationTables.h"
+
+#include <antinode_base/NumberText.h>
+#include <antinode_charts/IdentificationCharts.h>
+#include <antinode_charts/ModeCharts.h>
+#include <antinode_charts/PlateCharts.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+constexpr int galleryCount = 48;
+constexpr std::size_t shownPairs = 6;
+
+/** A point and a driver. */
+struct Pair
+{
+    Eigen::Index point = 0, driver = 0;
+    double energy = 0;
+};
+
+double finiteEnergy (const Eigen::VectorXcd& values)
+{
+    const Eigen::ArrayXd squares = values.cwiseAbs2();
+    return squares.isFinite().select (squares, 0).sum();
+}
+
+/** For every driver in turn the points that move most, each point once. */
+std::vector<Pair> strongestPairs (const FrequencyResponses& measured)
+{
+    std::vector<Pair> pairs, chosen;
+
+    for (std::size_t i = 0; i < measured.values.size(); ++i)
+        for (Eigen::Index p = 0; p < measured.points.rows(); ++p)
+            if (const auto energy = finiteEnergy (measured.values[i].col (p)); energy > 0)
+                pairs.push_back ({ p, static_cast<Eigen::Index> (i), energy });
+
+    std::stable_sort (pairs.begin(), pairs.end(), [] (const auto& a, const auto& b) { return a.energy > b.energy; });
+
+    for (const auto isNewDriver : { true, false })
+        for (const auto& pair : pairs)
+        {
+            const auto same = [&] (const auto& other)
+            { return other.point == pair.point || (isNewDriver && other.driver == pair.driver); };
+
+            if (chosen.size() < shownPairs && std::none_of (chosen.begin(), chosen.end(), same))
+                chosen.push_back (pair);
+        }
+
+    return chosen;
+}
+
+ReportSection stabilisationSection (const IdentificationResult& result)
+{
+    ReportSection section;
+    section.heading = "How the modes were found";
+    section.paragraphs = {
+        "Polynomials of rising order are fitted to the responses. Poles that come again at most orders with the same "
+        "frequency, damping and participation are modes; those that stand alone are not."
+    };
+    section.figures.push_back ({ "Stabilisation diagram. Numbers above are those of the modes.",
+                                 {},
+                                 stabilisationChart (result.modes, result.measured),
+                                 reportFigureWidth,
+                                 420 });
+    return section;
+}
+
+ReportSection responseSection (const IdentificationResult& result)
+{
+    const auto synthesised = synthesise (result.modes, result.measured.frequencies);
+    ReportSection section;
+    section.heading = "What the modes explain";
+
+    for (const auto& pair : strongestPairs (result.measured))
+        section.figures.push_back ({ "Point " + result.pointNames[static_cast<std::size_t> (pair.point)] + ", driver "
+                                         + result.measured.drivers[static_cast<std::size_t> (pair.driver)].name + ".",
+                                     {},
+                                     responseChart (result.measured, synthesised, pair.point, pair.driver),
+                                     reportFigureWidth,
+                                     440 });
+
+    return section;
+}
+
+ReportSection shapeSection (const IdentificationResult& result)
+{
+    const auto& model = result.model;
+    ReportSection section;
+    section.heading = "The shapes";
+    section.paragraphs = { scalingInWords (result.modes) };
+
+    if (model.points() > 1)
+        section.figures.push_back ({ "Each scaled to its own largest value.",
+                                     {},
+                                     modeGallery (model, galleryCount),
+                                     reportFigureWidth,
+                                     comfortableGalleryHeight (model, galleryCount, reportFigureWidth) });
+
+    if (model.actuators() > 1)
+        section.figures.push_back (
+            { "Participation of each driver in each mode, relative to the driver that moves the mode most.",
+              {},
+              participationChart (model),
+              reportFigureWidth,
+              std::clamp (110 + 16 * static_cast<int> (model.actuators()), 240, 900) });
+
+    return section;
+}
+
+/** A matrix of modes with a colour bar at its side: cells are square. */
+ReportFigure assuranceFigure (const std::string& caption, HeatMap chart)
+{
+    constexpr int cell = 16, margin = 90, colourBar = 110, smallest = 280, largest = 760;
+    const auto side = std::clamp (margin + cell * static_cast<int> (chart.values.rows()), smallest, largest);
+    return { caption, {}, std::move (chart), std::min (side + colourBar, reportFigureWidth), side };
+}
+
+ReportSection assuranceSection (const IdentificationResult& result)
+{
+    const auto& shapes = result.model.shapes;
+    ReportSection section;
+    section.heading = "How well the points tell the shapes apart";
+    section.paragraphs = {
+        "Modal assurance criterion between the shapes: 1 where two look the same at the measured points. Off the "
+        "diagonal it is 0 for modes of a whole body that is mapped densely and evenly; where a part is mapped it need "
+        "not be."
+    };
+    section.figures.push_back (assuranceFigure ("MAC of the identified modes with each other.",
+                                                assuranceChart (modalAssurance (shapes, shapes, {}), "mode", "mode")));
+    return section;
+}
+
+ReportSection comparisonSection (const IdentificationResult& result)
+{
+    ReportSection section;
+    section.heading = "Beside " + result.computed->name;
+    section.paragraphs = { "Each identified mode with the computed mode that it is." };
+    section.figures.push_back (
+        assuranceFigure ("MAC of identified and computed modes at the measured points.",
+                         assuranceChart (result.comparison->assurance, "identified mode", "computed mode")));
+    section.tables.push_back (pairTable (result));
+    return section;
+}
+
+ReportSection numberSection (const IdentificationResult& result)
+{
+    ReportSection section;
+    section.heading = "The modes in numbers";
+    section.paragraphs = { "Behind a plus-minus sign: one standard deviation, from the noise in the responses. MPC is "
+                           "1 where all points move in phase; "
+                           "one shape: the share of a mode's energy that one shape times one participation explains." };
+    section.tables.push_back (modeTable (result));
+    return section;
+}
+} // namespace
+
+ReportPage identificationReport (const IdentificationResult& result)
+{
+    const auto& modes = result.modes;
+    ReportPage page;
+    page.title = result.model.name + ": identified modes";
+    page.subtitle = std::to_string (modes.modes()) + " modes from " + std::to_string (result.measured.points.rows())
+                    + " points and " + std::to_string (result.measured.drivers.size()) + " drivers, "
+                    + fixedText (modes.minimumFrequency, 1) + " to " + fixedText (modes.maximumFrequency, 1) + " Hz";
+    page.scores = { { "modes", std::to_string (modes.modes()), "found in this band" },
+                    { "reconstruction error", fixedText (modes.reconstructionError, 1) + " dB",
+                      "what of the measured responses the modes do not explain" },
+                    { "delay", fixedText (1e6 * modes.delay, 3) + " \xC2\xB5s", "common to all responses" } };
+    page.warnings = doubtsOf (result);
+    page.sections = { stabilisationSection (result), responseSection (result), shapeSection (result),
+                      assuranceSection (result) };
+
+    if (result.comparison)
+        page.sections.push_back (comparisonSection (result));
+
+    page.sections.push_back (numberSection (result));
+    page.footer = "Antinode " ANTINODE_VERSION;
+    return page;
+}
+} // namespace antinode

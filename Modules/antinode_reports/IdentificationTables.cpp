@@ -1,0 +1,138 @@
+#include "IdentificationTables.h"
+
+#include <antinode_base/NumberText.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace antinode
+{
+namespace
+{
+constexpr double percent = 100, partsPerMillion = 1e6;
+constexpr const char* plusMinus = " \xC2\xB1 ";
+
+/** Value and deviation with as many decimals as show two digits of the deviation. */
+std::string withDeviation (double value, double deviation, int fewest)
+{
+    constexpr int most = 9;
+    const auto isKnown = deviation > 0 && std::isfinite (deviation);
+    const auto decimals =
+        isKnown ? std::clamp (1 - static_cast<int> (std::floor (std::log10 (deviation))), fewest, most) : fewest;
+    return fixedText (value, decimals) + (isKnown ? plusMinus + fixedText (deviation, decimals) : "");
+}
+
+double entryOf (const Eigen::VectorXd& values, Eigen::Index index)
+{
+    return index < values.size() ? values[index] : 0;
+}
+
+/** Characters of UTF-8, each of which takes a column. */
+std::size_t columnsOf (const std::string& text)
+{
+    return static_cast<std::size_t> (
+        std::count_if (text.begin(), text.end(), [] (char byte) { return (byte & 0xc0) != 0x80; }));
+}
+} // namespace
+
+std::string scalingInWords (const IdentifiedModes& modes)
+{
+    const std::string size = modes.scaling == ShapeScaling::drivingPoint
+                                 ? "The size of the shapes follows from a driving point"
+                             : modes.scaling == ShapeScaling::knownMass
+                                 ? "The size of the shapes follows from the known mass"
+                                 : "The size of the shapes is a convention: only products of shape and "
+                                   "participation are known";
+    return size + (modes.scalingReason.empty() ? "." : " (" + modes.scalingReason + ").");
+}
+
+ReportTable modeTable (const IdentificationResult& result)
+{
+    const auto& modes = result.modes;
+    ReportTable table { "Modes",
+                        { "mode", "frequency (Hz)", "damping ratio (%)", "MPC", "one shape", "signal to noise (dB)" },
+                        {} };
+
+    for (Eigen::Index k = 0; k < modes.modes(); ++k)
+    {
+        const auto quality = static_cast<std::size_t> (k) < modes.quality.size()
+                                 ? modes.quality[static_cast<std::size_t> (k)]
+                                 : ModeQuality {};
+        const auto hertz = 1 / (2 * std::numbers::pi);
+        table.rows.push_back (
+            { std::to_string (k + 1),
+              withDeviation (hertz * modes.angularFrequencies[k],
+                             hertz * entryOf (modes.deviations.angularFrequencies, k), 2),
+              withDeviation (percent * modes.dampingRatios[k], percent * entryOf (modes.deviations.dampingRatios, k),
+                             3),
+              fixedText (quality.collinearity, 4), fixedText (quality.rankOne, 4),
+              quality.signalToNoise > 0 ? fixedText (20 * std::log10 (quality.signalToNoise), 1) : "" });
+    }
+
+    return table;
+}
+
+ReportTable pairTable (const IdentificationResult& result)
+{
+    const auto& computed = *result.computed;
+    ReportTable table { "Identified and computed modes",
+                        { "identified", "computed", "identified (Hz)", "computed (Hz)", "difference (ppm)", "MAC" },
+                        {} };
+
+    for (const auto& pair : result.comparison->pairs)
+        table.rows.push_back (
+            { std::to_string (pair.identified + 1), std::to_string (pair.computed + 1),
+              fixedText (result.modes.angularFrequencies[pair.identified] / (2 * std::numbers::pi), 3),
+              fixedText (computed.frequencyHz (pair.computed), 3),
+              fixedText (partsPerMillion * pair.relativeDifference, 1), fixedText (pair.assurance, 5) });
+
+    return table;
+}
+
+std::string tableText (const ReportTable& table)
+{
+    std::vector<std::size_t> widths;
+
+    for (std::size_t c = 0; c < table.header.size(); ++c)
+    {
+        widths.push_back (columnsOf (table.header[c]));
+
+        for (const auto& row : table.rows)
+            widths[c] = std::max (widths[c], columnsOf (row[c]));
+    }
+
+    std::string text;
+    const auto add = [&] (const std::vector<std::string>& row)
+    {
+        for (std::size_t c = 0; c < row.size(); ++c)
+            text += std::string (widths[c] - columnsOf (row[c]) + (c > 0 ? 2 : 0), ' ') + row[c];
+
+        text += '\n';
+    };
+    add (table.header);
+
+    for (const auto& row : table.rows)
+        add (row);
+
+    return text;
+}
+
+std::vector<std::string> doubtsOf (const IdentificationResult& result)
+{
+    auto doubts = result.remarks;
+    doubts.insert (doubts.end(), result.modes.doubts.begin(), result.modes.doubts.end());
+
+    for (std::size_t k = 0; k < result.modes.quality.size(); ++k)
+        for (const auto& doubt : result.modes.quality[k].doubts)
+            doubts.push_back ("Mode " + std::to_string (k + 1) + ": " + doubt);
+
+    for (const auto& warning : result.model.warnings)
+        if (std::find (doubts.begin(), doubts.end(), warning) == doubts.end())
+            doubts.push_back (warning);
+
+    return doubts;
+}
+} // namespace antinode

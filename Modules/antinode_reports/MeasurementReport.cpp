@@ -1,0 +1,168 @@
+#include "MeasurementReport.h"
+
+#include <antinode_base/NumberText.h>
+#include <antinode_charts/MeasurementCharts.h>
+#include <antinode_text/OutputFolder.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace antinode
+{
+namespace
+{
+constexpr int curveHeight = 360;
+constexpr int rowHeight = 16, aroundRows = 110, lowestTable = 200, highestTable = 900;
+
+/** The mean of what is known, or not a number. */
+double meanOfKnown (const Eigen::MatrixXd& values)
+{
+    const auto known = values.array().isFinite();
+    return known.select (values.array(), 0.0).sum() / static_cast<double> (known.count());
+}
+
+std::string coherenceText (const SurfaceMeasurement& measurement)
+{
+    const auto mean = meanOfKnown (meanCoherence (measurement));
+    return std::isfinite (mean) ? fixedText (mean, 5) : "not known";
+}
+
+std::vector<ReportScore> scoresOf (const SurfaceMeasurement& measurement, const ExcitationSheet& sheet)
+{
+    const auto& responses = measurement.responses;
+    std::vector<ReportScore> scores {
+        { "points", std::to_string (responses.points.rows()), "Places at which the surface's velocity was measured." },
+        { "ceramics", std::to_string (responses.drivers.size()), "Each played alone, one after the other." },
+        { "lines", std::to_string (responses.frequencies.size()),
+          "From " + fixedText (responses.frequencies[0], 1) + " to "
+              + fixedText (responses.frequencies[responses.frequencies.size() - 1], 1) + " Hz." },
+        { "coherence", coherenceText (measurement),
+          "Share of the velocity's power that comes from the voltage, in the mean; 1 is best." }
+    };
+
+    if (const auto latency = meanOfKnown (measurement.latencies); std::isfinite (latency))
+        scores.push_back ({ "latency", fixedText (latency / sheet.excitation.settings.sampleRate * 1000, 4) + " ms",
+                            "From outputs to inputs, taken out of the responses." });
+
+    return scores;
+}
+
+ReportSection responseSection (const SurfaceMeasurement& measurement)
+{
+    ReportSection section;
+    section.heading = "The responses";
+    section.figures.push_back (
+        { "Effective velocity of all points for a volt, a curve a ceramic. Peaks are modes; a ceramic without them "
+          "does not move the surface.",
+          {},
+          responseChart (measurement),
+          reportFigureWidth,
+          curveHeight });
+    section.figures.push_back ({ "Coherence in the mean over the points. It falls where the surface hardly moves, "
+                                 "between modes and where noise or "
+                                 "distortion is.",
+                                 {},
+                                 coherenceChart (measurement),
+                                 reportFigureWidth,
+                                 curveHeight });
+    return section;
+}
+
+ReportSection pointSection (const SurfaceMeasurement& measurement)
+{
+    const auto rows = static_cast<int> (measurement.responses.drivers.size());
+    ReportSection section;
+    section.heading = "Point by point";
+    section.figures.push_back ({ "Signal to noise of each point and ceramic, from the coherence. Points on the rim and "
+                                 "on nodal lines move less; a dark "
+                                 "column is a point to be measured again, a dark row a ceramic to be looked at.",
+                                 {},
+                                 signalToNoiseChart (measurement),
+                                 reportFigureWidth,
+                                 std::clamp (aroundRows + rowHeight * rows, lowestTable, highestTable) });
+    return section;
+}
+
+std::string percentText (double share)
+{
+    return fixedText (100 * share, 3);
+}
+
+ReportTable distortionTable (const SurfaceMeasurement& measurement)
+{
+    ReportTable table { "Distortion over the linear response, the point with most of it, in per cent",
+                        { "ceramic", "even", "odd", "2nd", "3rd", "4th", "5th" },
+                        {} };
+
+    for (std::size_t i = 0; i < measurement.distortion.size(); ++i)
+    {
+        std::array<double, 6> most {};
+
+        for (const auto& distortion : measurement.distortion[i])
+        {
+            most[0] = std::max (most[0], distortion.even);
+            most[1] = std::max (most[1], distortion.odd);
+
+            for (std::size_t m = 0; m < std::min<std::size_t> (4, distortion.harmonics.size()); ++m)
+                most[2 + m] = std::max (most[2 + m], distortion.harmonics[m]);
+        }
+
+        std::vector<std::string> row { measurement.responses.drivers[i].name };
+        std::transform (most.begin(), most.end(), std::back_inserter (row), percentText);
+        table.rows.push_back (std::move (row));
+    }
+
+    return table;
+}
+
+bool showsDistortion (const ExcitationSettings& settings)
+{
+    return settings.hasOddGrid || settings.signal == ExcitationSignal::sweep;
+}
+} // namespace
+
+ReportPage measurementReport (const SurfaceMeasurement& measurement, const ExcitationSheet& sheet)
+{
+    ReportPage page;
+    page.title = "Measurement of " + sheet.device;
+    page.subtitle = "Velocity of the surface for a volt at each ceramic";
+    page.scores = scoresOf (measurement, sheet);
+    page.warnings = doubtsOf (measurement);
+    page.sections = { responseSection (measurement), pointSection (measurement) };
+
+    if (showsDistortion (sheet.excitation.settings))
+        page.sections.push_back (
+            { "Linearity",
+              { "What is not linear has no place in modes: where it is large, measure at a lower level." },
+              {},
+              { distortionTable (measurement) } });
+
+    return page;
+}
+
+void writeMeasurementReport (const std::string& folderName, const SurfaceMeasurement& measurement,
+                             const ExcitationSheet& sheet)
+{
+    OutputFolder folder (folderName);
+    folder.write ("report.html", renderReport (measurementReport (measurement, sheet)));
+    folder.commit();
+}
+
+void printMeasurement (const SurfaceMeasurement& measurement, const ExcitationSheet& sheet)
+{
+    const auto& responses = measurement.responses;
+    std::printf ("%s: %td points, %zu ceramics, %td lines from %.6g to %.6g Hz\n", sheet.device.c_str(),
+                 responses.points.rows(), responses.drivers.size(), responses.frequencies.size(),
+                 responses.frequencies[0], responses.frequencies[responses.frequencies.size() - 1]);
+    std::printf ("  coherence      %s in the mean\n", coherenceText (measurement).c_str());
+
+    if (const auto latency = meanOfKnown (measurement.latencies); std::isfinite (latency))
+        std::printf ("  latency        %.3f samples, %.4f ms\n", latency,
+                     latency / sheet.excitation.settings.sampleRate * 1000);
+
+    for (const auto& doubt : doubtsOf (measurement))
+        std::printf ("  doubt: %s\n", doubt.c_str());
+}
+} // namespace antinode

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "Report.h"
+
+#include <antinode_model/ModalModel.h>
+
+namespace antinode
+{
+/** The report of a device's modes: the device from above, frequencies and ceramics in a table, pictures of the lowest shapes, who
+    drives what. [worker] */
+ReportPage modesReport (const ModalModel&);
+} // namespace antinode

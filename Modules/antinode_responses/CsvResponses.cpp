@@ -1,0 +1,248 @@
+#include "CsvResponses.h"
+
+#include "CsvHeading.h"
+#include "ImpulseSpectrum.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/MessageText.h>
+#include <antinode_text/CsvTable.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace antinode
+{
+namespace
+{
+constexpr double halfTurn = 180;
+
+/** The two columns of a response. */
+struct ColumnPair
+{
+    CsvHeading first, second;
+    Eigen::Index firstColumn = 0, secondColumn = 0; ///< The second is 0 as long as it is not found.
+};
+
+bool isFirst (CsvColumnKind kind)
+{
+    return kind == CsvColumnKind::real || kind == CsvColumnKind::magnitude || kind == CsvColumnKind::decibel;
+}
+
+bool belongTogether (CsvColumnKind first, CsvColumnKind second)
+{
+    return (first == CsvColumnKind::real) == (second == CsvColumnKind::imaginary);
+}
+
+/** What a form says of the two columns of a response. */
+void applyForm (CsvForm form, ColumnPair& pair)
+{
+    const auto isReal = form == CsvForm::byHeadings || form == CsvForm::realImaginary;
+    const auto isDecibel = form == CsvForm::decibelDegrees || form == CsvForm::decibelRadians;
+    pair.first.kind = isReal ? CsvColumnKind::real : isDecibel ? CsvColumnKind::decibel : CsvColumnKind::magnitude;
+    pair.second.kind = isReal ? CsvColumnKind::imaginary : CsvColumnKind::phase;
+    pair.second.isDegrees = form == CsvForm::magnitudeDegrees || form == CsvForm::decibelDegrees;
+    pair.second.isRadians = form == CsvForm::magnitudeRadians || form == CsvForm::decibelRadians;
+}
+
+/** Two columns after the other, where headings do not say what they are. */
+std::vector<ColumnPair> pairsByOrder (const std::vector<CsvHeading>& headings, CsvForm form, const std::string& source)
+{
+    std::vector<ColumnPair> pairs;
+
+    if (headings.size() % 2 == 0 || headings.size() < 3)
+        throw InputError (
+            source,
+            "has " + std::to_string (headings.size())
+                + " columns, allowed are one of frequencies and two for each response, or headings that say more");
+
+    for (std::size_t c = 1; c + 1 < headings.size(); c += 2)
+    {
+        ColumnPair pair { headings[c], headings[c + 1], static_cast<Eigen::Index> (c),
+                          static_cast<Eigen::Index> (c + 1) };
+        applyForm (form, pair);
+        pairs.push_back (pair);
+    }
+
+    return pairs;
+}
+
+std::vector<ColumnPair> pairsByHeadings (const std::vector<CsvHeading>& headings, const std::string& source)
+{
+    std::vector<ColumnPair> pairs;
+
+    for (std::size_t c = 1; c < headings.size(); ++c)
+    {
+        const auto& heading = headings[c];
+        const auto column = static_cast<Eigen::Index> (c);
+        const auto fail = [&] (const std::string& wrong)
+        { throw InputError (source, "column " + std::to_string (c + 1) + " " + wrong); };
+
+        if (heading.kind == CsvColumnKind::coherence)
+            continue;
+
+        if (heading.kind == CsvColumnKind::unknown)
+            fail ("does not say what it holds, allowed are real, imag, magnitude, dB, phase and coherence in its "
+                  "heading");
+
+        if (isFirst (heading.kind))
+        {
+            pairs.push_back ({ heading, {}, column, 0 });
+            continue;
+        }
+
+        const auto partner = std::find_if (pairs.begin(), pairs.end(),
+                                           [&] (const auto& pair)
+                                           {
+                                               return pair.secondColumn == 0 && pair.first.point == heading.point
+                                                      && pair.first.driver == heading.driver
+                                                      && belongTogether (pair.first.kind, heading.kind);
+                                           });
+
+        if (partner == pairs.end())
+            fail ("has no column before it with the other part of the same response");
+
+        partner->second = heading;
+        partner->secondColumn = column;
+    }
+
+    for (const auto& pair : pairs)
+        if (pair.secondColumn == 0)
+            throw InputError (source, "column " + std::to_string (pair.firstColumn + 1)
+                                          + " has no column with the other part of its response");
+
+    return pairs;
+}
+
+Eigen::VectorXcd valuesOf (const ColumnPair& pair, const CsvTable& table, MeasurementFile& file,
+                           const std::string& source)
+{
+    constexpr double decibelsADecade = 20;
+    const Eigen::ArrayXd first = table.numbers.col (pair.firstColumn), second = table.numbers.col (pair.secondColumn);
+    const auto unit = std::complex<double> (0, 1);
+
+    if (pair.first.kind == CsvColumnKind::real)
+        return first + unit * second;
+
+    auto isDegrees = pair.second.isDegrees;
+
+    if (! isDegrees && ! pair.second.isRadians)
+    {
+        isDegrees = second.isFinite().select (second, 0).abs().maxCoeff() > 2 * std::numbers::pi;
+        file.remarks.push_back (source + ": the unit of its phases is not told, they are taken as "
+                                + (isDegrees ? "degrees." : "radians."));
+    }
+
+    const Eigen::ArrayXd magnitude =
+        pair.first.kind == CsvColumnKind::decibel ? Eigen::ArrayXd (Eigen::pow (10.0, first / decibelsADecade)) : first;
+    const Eigen::ArrayXd phase = isDegrees ? Eigen::ArrayXd (second * std::numbers::pi / halfTurn) : second;
+    return magnitude * (unit * phase.cast<std::complex<double>>()).exp();
+}
+
+/** Hz or s per number of the first column. */
+double abscissaFactor (const std::vector<std::string>& words)
+{
+    const auto has = [&] (std::string_view word)
+    { return std::find (words.begin(), words.end(), word) != words.end(); };
+    return has ("khz") ? 1e3 : has ("rad") || has ("omega") ? 1 / (2 * std::numbers::pi) : has ("ms") ? 1e-3 : 1;
+}
+
+bool isTime (const std::vector<std::string>& words)
+{
+    return ! words.empty() && (words.front() == "time" || words.front() == "t");
+}
+
+std::vector<CsvHeading> headingsOf (const CsvTable& table)
+{
+    std::vector<CsvHeading> headings (static_cast<std::size_t> (table.numbers.cols()));
+
+    if (! table.headings.empty())
+        std::transform (table.headings.begin(), table.headings.end(), headings.begin(),
+                        [] (const auto& text) { return csvHeading (text); });
+
+    return headings;
+}
+
+std::optional<ResponseUnit> unitOf (const CsvTable& table)
+{
+    for (const auto& comment : table.comments)
+        if (const auto unit = unitInText (comment))
+            return unit;
+
+    return std::nullopt;
+}
+
+/** The interval of even samples. */
+double intervalOf (const Eigen::VectorXd& times, const std::string& source)
+{
+    constexpr double tolerance = 1e-3;
+    const auto count = times.size();
+    const auto interval = count > 1 ? (times[count - 1] - times[0]) / static_cast<double> (count - 1) : 0;
+
+    for (Eigen::Index n = 1; n < count; ++n)
+        if (! (interval > 0
+               && std::abs (times[n] - times[n - 1] - interval)
+                      < tolerance * interval + 1e-6 * times.cwiseAbs().maxCoeff()))
+            throw InputError (source, "has times that are not even, allowed are samples of one rate");
+
+    if (! (interval > 0))
+        throw InputError (source, "has less than two samples");
+
+    return interval;
+}
+
+void addImpulseResponses (const CsvTable& table, const std::vector<CsvHeading>& headings, const Eigen::VectorXd& times,
+                          MeasurementFile& file, MeasuredResponse common)
+{
+    const auto interval = intervalOf (times, common.source);
+
+    for (Eigen::Index c = 1; c < table.numbers.cols(); ++c)
+    {
+        const auto& heading = headings[static_cast<std::size_t> (c)];
+        const auto spectrum = impulseSpectrum (table.numbers.col (c), interval);
+        common.point = heading.point;
+        common.driver = heading.driver;
+        common.frequencies = spectrum.frequencies;
+        common.values = spectrum.values;
+        common.recordLength = spectrum.recordLength;
+        file.responses.push_back (common);
+    }
+
+    file.remarks.push_back (common.source + ": its first column is a time, the others are taken as impulse responses.");
+}
+} // namespace
+
+MeasurementFile measurementFromCsv (std::string_view text, const std::string& source, CsvForm form)
+{
+    const auto table = readCsvTable (text, source);
+    const auto headings = headingsOf (table);
+    const auto words = table.headings.empty() ? std::vector<std::string> {} : wordsOf (table.headings.front());
+    const Eigen::VectorXd abscissae = table.numbers.col (0) * abscissaFactor (words);
+    const auto unit = unitOf (table);
+    MeasurementFile file;
+    MeasuredResponse response;
+    response.source = source;
+    response.unit = unit.value_or (ResponseUnit {});
+    response.frequencies = abscissae;
+
+    if (isTime (words))
+    {
+        addImpulseResponses (table, headings, abscissae, file, response);
+        return file;
+    }
+
+    const auto isKnown = [] (const auto& heading) { return heading.kind != CsvColumnKind::unknown; };
+    const auto areTold = form == CsvForm::byHeadings && std::any_of (headings.begin() + 1, headings.end(), isKnown);
+
+    for (const auto& pair : areTold ? pairsByHeadings (headings, source) : pairsByOrder (headings, form, source))
+    {
+        response.point = pair.first.point;
+        response.driver = pair.first.driver;
+        response.unit = pair.first.unit.value_or (unit.value_or (ResponseUnit {}));
+        response.values = valuesOf (pair, table, file, source);
+        file.responses.push_back (response);
+    }
+
+    return file;
+}
+} // namespace antinode

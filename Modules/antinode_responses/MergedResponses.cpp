@@ -1,0 +1,268 @@
+#include "MeasuredResponse.h"
+#include "PlacedPoints.h"
+#include "ResponseNames.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/MessageText.h>
+#include <antinode_text/NaturalOrder.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+
+namespace antinode
+{
+namespace
+{
+using Responses = std::vector<MeasuredResponse>;
+
+/** What the numbers of a response mean, with what the user says. */
+ResponseUnit unitOf (const MeasuredResponse& response, const MeasurementOptions& options)
+{
+    auto unit = response.unit;
+
+    if (options.response)
+        unit = { options.response->quantity, options.response->factor,
+                 options.response->drive ? options.response->drive : unit.drive };
+
+    if (options.drive)
+        unit = { unit.quantity, unit.factor / options.drive->factor, options.drive->drive };
+
+    return unit;
+}
+
+void addUnitRemarks (const Responses& responses, const MeasurementOptions& options, std::vector<std::string>& remarks)
+{
+    const auto lacks = [&] (auto member)
+    {
+        return std::any_of (responses.begin(), responses.end(),
+                            [&] (const auto& response) { return ! (unitOf (response, options).*member).has_value(); });
+    };
+
+    if (lacks (&ResponseUnit::quantity))
+        remarks.emplace_back ("No file says what was measured: it is taken as velocity in m/s.");
+
+    if (lacks (&ResponseUnit::drive))
+        remarks.emplace_back ("No file says what drives the surface: it is taken as a voltage in V.");
+}
+
+DriveQuantity commonDrive (const Responses& responses, const MeasurementOptions& options)
+{
+    const auto driveOf = [&] (const auto& response)
+    { return unitOf (response, options).drive.value_or (DriveQuantity::voltage); };
+    const auto first = driveOf (responses.front());
+
+    for (const auto& response : responses)
+        if (driveOf (response) != first)
+            throw InputError (response.source, "is driven by another quantity than "
+                                                   + inQuotes (responses.front().source)
+                                                   + ", allowed are responses to voltages alone or to forces alone");
+
+    return first;
+}
+
+void requireSameFrequencies (const MeasuredResponse& first, const MeasuredResponse& other)
+{
+    constexpr double tolerance = 1e-4; // Of a line's width: files print frequencies with six digits.
+    const auto lines = first.frequencies.size();
+    const auto width = std::abs (first.frequencies[lines - 1] - first.frequencies[0]) / static_cast<double> (lines - 1);
+    const auto printed = 1e-5 * first.frequencies.cwiseAbs().maxCoeff();
+
+    if (other.frequencies.size() != lines
+        || (other.frequencies - first.frequencies).cwiseAbs().maxCoeff()
+               > std::max (tolerance * width, std::min (printed, 0.1 * width)))
+        throw InputError (other.source,
+                          "has other frequencies than " + inQuotes (first.source)
+                              + ", allowed are responses with the same lines: identify them one after the other");
+}
+
+/** m/s per number of this unit at each frequency. */
+Eigen::VectorXcd velocityFactors (const ResponseUnit& unit, const Eigen::VectorXd& frequencies)
+{
+    const Eigen::VectorXcd differentiation = std::complex<double> (0, 2 * std::numbers::pi) * frequencies;
+
+    switch (unit.quantity.value_or (ResponseQuantity::velocity))
+    {
+        case ResponseQuantity::displacement:
+            return unit.factor * differentiation;
+        case ResponseQuantity::acceleration:
+            return unit.factor * differentiation.cwiseInverse();
+        case ResponseQuantity::velocity:
+            break;
+    }
+
+    return Eigen::VectorXcd::Constant (frequencies.size(), unit.factor);
+}
+
+/** How often what was measured is integrated to give velocities; 0 where responses differ in that. */
+int integrationsOf (const Responses& responses, const MeasurementOptions& options)
+{
+    const auto of = [&options] (const MeasuredResponse& response)
+    {
+        const auto quantity = unitOf (response, options).quantity.value_or (ResponseQuantity::velocity);
+        return quantity == ResponseQuantity::acceleration ? 1 : quantity == ResponseQuantity::displacement ? -1 : 0;
+    };
+    const auto first = of (responses.front());
+    const auto isSame = [&] (const MeasuredResponse& response) { return of (response) == first; };
+    return std::all_of (responses.begin(), responses.end(), isSame) ? first : 0;
+}
+
+/** Names in the order in which they come. */
+std::vector<std::string> namesOf (const Responses& responses, std::string MeasuredResponse::*name)
+{
+    std::vector<std::string> names;
+    std::set<std::string> seen;
+
+    for (const auto& response : responses)
+        if (seen.insert (response.*name).second)
+            names.push_back (response.*name);
+
+    return names;
+}
+
+using Indices = std::map<std::string, Eigen::Index>;
+
+Indices indicesOf (const std::vector<std::string>& names)
+{
+    Indices indices;
+
+    for (const auto& name : names)
+        indices.emplace (name, static_cast<Eigen::Index> (indices.size()));
+
+    return indices;
+}
+
+/** Where forces act at more points than are measured, measured and driven points change places: H_pq = H_qp. */
+void exchangeByReciprocity (Responses& responses, DriveQuantity drive, std::vector<std::string>& remarks)
+{
+    const auto isKnown = [] (const auto& response) { return ! response.driverPoint.empty(); };
+
+    if (drive != DriveQuantity::force || ! std::all_of (responses.begin(), responses.end(), isKnown)
+        || namesOf (responses, &MeasuredResponse::driverPoint).size()
+               <= namesOf (responses, &MeasuredResponse::point).size())
+        return;
+
+    for (auto& response : responses)
+    {
+        std::swap (response.point, response.driverPoint);
+        response.driver = response.driverPoint;
+    }
+
+    remarks.emplace_back ("Forces act at more points than are measured: these change places, as reciprocity allows.");
+}
+
+void fillTable (const Responses& responses, const MeasurementOptions& options, const std::vector<std::string>& drivers,
+                Measurement& measurement)
+{
+    constexpr std::size_t fewest = 64,
+                          share = 8; // Of the table; one that is much emptier is a mistake, and takes memory.
+    auto& table = measurement.responses;
+    const auto lines = responses.front().frequencies.size();
+    const Eigen::Index skipped = responses.front().frequencies[0] <= 0 ? 1 : 0; // At 0 Hz nothing has a velocity.
+    const auto points = measurement.pointNames.size();
+
+    if (points * drivers.size() > fewest + share * responses.size())
+        throw InputError (responses.front().source, "and the other files have " + std::to_string (points)
+                                                        + " points and " + std::to_string (drivers.size())
+                                                        + " drivers, but only " + std::to_string (responses.size())
+                                                        + " responses of them");
+
+    table.frequencies = responses.front().frequencies.tail (lines - skipped);
+    const auto empty = std::complex<double> (std::numeric_limits<double>::quiet_NaN(), 0);
+    table.values.assign (drivers.size(),
+                         Eigen::MatrixXcd::Constant (lines - skipped, static_cast<Eigen::Index> (points), empty));
+    const auto pointIndices = indicesOf (measurement.pointNames), driverIndices = indicesOf (drivers);
+    std::set<std::pair<std::string, std::string>> seen;
+
+    for (const auto& response : responses)
+    {
+        requireSameFrequencies (responses.front(), response);
+
+        if (! seen.emplace (response.point, response.driver).second)
+        {
+            measurement.remarks.push_back (response.source + " has point " + inQuotes (response.point) + " and driver "
+                                           + inQuotes (response.driver) + " once more: the first is taken.");
+            continue;
+        }
+
+        table.values[static_cast<std::size_t> (driverIndices.at (response.driver))].col (pointIndices.at (
+            response.point)) = response.values.tail (lines - skipped)
+                                   .cwiseProduct (velocityFactors (unitOf (response, options), table.frequencies));
+    }
+}
+
+/** The drivers in the order of the options; or of the first file, which is that of the channels, where it has all; or of their numbers. */
+std::vector<std::string> driverNames (const Responses& responses, const MeasurementOptions& options)
+{
+    auto names = namesOf (responses, &MeasuredResponse::driver);
+    std::set<std::string> ofFirstFile;
+
+    for (const auto& response : responses)
+        if (response.source == responses.front().source)
+            ofFirstFile.insert (response.driver);
+
+    if (options.drivers.empty())
+        return ofFirstFile.size() == names.size() ? names : inNaturalOrder (std::move (names));
+
+    for (const auto& name : names)
+        if (std::find (options.drivers.begin(), options.drivers.end(), name) == options.drivers.end())
+            throw InputError ("--drivers", "lacks the driver " + inQuotes (name) + " of the files");
+
+    return options.drivers;
+}
+
+/** Drivers with the points at which their forces act. */
+std::vector<Driver> driversOf (const Responses& responses, const std::vector<std::string>& names,
+                               const Measurement& measurement)
+{
+    const auto isForce = measurement.responses.drive == DriveQuantity::force;
+    const auto pointIndices = isForce ? indicesOf (measurement.pointNames) : Indices {};
+    std::map<std::string, std::string> places;
+    std::vector<Driver> drivers;
+
+    for (const auto& response : responses)
+        places.emplace (response.driver, response.driverPoint);
+
+    for (const auto& name : names)
+    {
+        const auto point = pointIndices.find (places[name]);
+        drivers.push_back ({ name, point != pointIndices.end() ? std::optional (point->second) : std::nullopt });
+    }
+
+    return drivers;
+}
+} // namespace
+
+Measurement mergedResponses (const std::vector<MeasurementFile>& files, const MeasurementOptions& options)
+{
+    Measurement measurement;
+    auto responses = namedResponses (files);
+
+    if (responses.empty())
+        throw InputError ("the files", "have no frequency response");
+
+    for (const auto& response : responses)
+        if (response.frequencies.size() < 2 || response.values.size() != response.frequencies.size())
+            throw InputError (response.source, "has a response of less than two lines");
+
+    for (const auto& file : files)
+        measurement.remarks.insert (measurement.remarks.end(), file.remarks.begin(), file.remarks.end());
+
+    addUnitRemarks (responses, options, measurement.remarks);
+    auto& table = measurement.responses;
+    table.drive = commonDrive (responses, options);
+    table.integrations = integrationsOf (responses, options);
+    exchangeByReciprocity (responses, table.drive, measurement.remarks);
+    measurement.pointNames = inNaturalOrder (namesOf (responses, &MeasuredResponse::point));
+    const auto drivers = driverNames (responses, options);
+    fillTable (responses, options, drivers, measurement);
+    placePoints (files, options, measurement);
+    measurement.recordLength = responses.front().recordLength;
+
+    table.drivers = driversOf (responses, drivers, measurement);
+    validate (table);
+    return measurement;
+}
+} // namespace antinode

@@ -1,0 +1,96 @@
+#include "PointResponseFile.h"
+
+#include "UniversalResponses.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_universal/UniversalFile.h>
+
+namespace antinode
+{
+namespace
+{
+constexpr int frequencyResponseType = 4, coherenceFunction = 6, singleReal = 2;
+
+FrequencyResponses responsesOf (const FrequencyResponses& all, Eigen::Index point)
+{
+    FrequencyResponses one { all.frequencies, all.drive, all.drivers, all.points.row (point), {}, {} };
+
+    for (const auto& values : all.values)
+        one.values.emplace_back (values.col (point));
+
+    return one;
+}
+
+/** The coherence that belongs to a response. */
+UniversalFunction coherenceOf (UniversalFunction function, const Eigen::VectorXd& values)
+{
+    function.functionType = coherenceFunction;
+    function.ordinateType = singleReal;
+    function.lines[0] = "Coherence of velocity and drive";
+    function.ordinate = {};
+    function.denominator = {};
+    function.values = values.cast<std::complex<double>>();
+    return function;
+}
+
+std::vector<const UniversalFunction*> functionsOfType (const std::vector<UniversalSet>& sets, int type)
+{
+    std::vector<const UniversalFunction*> functions;
+
+    for (const auto& set : sets)
+        if (const auto* const function = std::get_if<UniversalFunction> (&set);
+            function != nullptr && function->functionType == type)
+            functions.push_back (function);
+
+    return functions;
+}
+} // namespace
+
+std::string encodePoint (const SurfaceMeasurement& measurement, Eigen::Index point)
+{
+    auto sets = responseSets (responsesOf (measurement.responses, point));
+    std::vector<UniversalSet> coherences;
+    std::size_t ceramic = 0;
+
+    for (auto& set : sets)
+    {
+        if (auto* const nodes = std::get_if<UniversalNodes> (&set))
+            nodes->labels.front() = point + 1;
+
+        if (auto* const function = std::get_if<UniversalFunction> (&set))
+        {
+            const Eigen::VectorXd coherence = measurement.coherence[ceramic++].col (point);
+            function->response.node = point + 1;
+
+            if (coherence.allFinite())
+                coherences.emplace_back (coherenceOf (*function, coherence));
+        }
+    }
+
+    sets.insert (sets.end(), coherences.begin(), coherences.end());
+    return encodeUniversalFile (sets);
+}
+
+void restorePoint (SurfaceMeasurement& measurement, Eigen::Index point, std::string_view bytes,
+                   const std::string& source)
+{
+    const auto sets = readUniversalFile (bytes, source);
+    const auto responses = functionsOfType (sets, frequencyResponseType),
+               coherences = functionsOfType (sets, coherenceFunction);
+    const auto lines = measurement.responses.frequencies.size();
+    const auto ceramics = measurement.responses.values.size();
+    const auto fits = [lines] (const auto* function) { return function->values.size() == lines; };
+
+    if (responses.size() != ceramics || ! std::all_of (responses.begin(), responses.end(), fits)
+        || ! std::all_of (coherences.begin(), coherences.end(), fits))
+        throw InputError (source, "belongs to another measurement: remove it, or measure into another folder");
+
+    for (std::size_t i = 0; i < ceramics; ++i)
+    {
+        measurement.responses.values[i].col (point) = responses[i]->values;
+
+        if (coherences.size() == ceramics)
+            measurement.coherence[i].col (point) = coherences[i]->values.real();
+    }
+}
+} // namespace antinode

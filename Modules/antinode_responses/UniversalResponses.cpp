@@ -1,0 +1,252 @@
+#include "UniversalResponses.h"
+
+#include "ImpulseSpectrum.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/MessageText.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace antinode
+{
+namespace
+{
+constexpr int timeRecord = 1, frequencyResponse = 4;
+
+using Functions = std::vector<const UniversalFunction*>;
+
+template <typename Set>
+std::vector<const Set*> setsOf (const std::vector<UniversalSet>& sets)
+{
+    std::vector<const Set*> found;
+
+    for (const auto& set : sets)
+        if (const auto* const one = std::get_if<Set> (&set))
+            found.push_back (one);
+
+    return found;
+}
+
+Functions functionsOf (const std::vector<UniversalSet>& sets, int type)
+{
+    auto functions = setsOf<UniversalFunction> (sets);
+    std::erase_if (functions, [&] (const auto* function)
+                   { return function->functionType != type || function->values.size() < 2; });
+    return functions;
+}
+
+bool isNamed (const std::string& entity)
+{
+    return ! entity.empty() && entity != "NONE";
+}
+
+/** How points are called: by their node; by entity and node where several entities number their own; by the entity alone where there is no
+    number. */
+class PlaceNames
+{
+public:
+    PlaceNames (const Functions& functions, UniversalPlace UniversalFunction::*member)
+    {
+        std::map<UniversalLabel, std::string> entities;
+
+        for (const auto* function : functions)
+        {
+            const auto& place = function->*member;
+            const auto [known, isNew] = entities.emplace (place.node, place.entity);
+            areAmbiguous = areAmbiguous || (! isNew && known->second != place.entity);
+        }
+    }
+
+    std::string of (const UniversalPlace& place) const
+    {
+        if (place.node == 0)
+            return isNamed (place.entity) ? place.entity : "";
+
+        const auto number = std::to_string (place.node);
+        return areAmbiguous && isNamed (place.entity) ? place.entity + ":" + number : number;
+    }
+
+private:
+    bool areAmbiguous = false;
+};
+
+/** The axis, 1 to 3, along which most responses are measured; 0 where none is told. */
+int commonAxis (const Functions& functions)
+{
+    std::map<int, int> counts;
+
+    for (const auto* function : functions)
+        ++counts[std::abs (function->response.direction)];
+
+    return std::max_element (counts.begin(), counts.end(),
+                             [] (const auto& a, const auto& b) { return a.second < b.second; })
+        ->first;
+}
+
+/** The factors by which the file's lengths and forces are divided. */
+UniversalUnits unitsOf (const std::vector<UniversalSet>& sets)
+{
+    const auto units = setsOf<UniversalUnits> (sets);
+    return units.empty() ? UniversalUnits {} : *units.front();
+}
+
+std::optional<ResponseUnit> unitOfCode (int quantity, const UniversalUnits& units)
+{
+    constexpr int displacement = 8, reaction = 9, velocity = 11, acceleration = 12, force = 13;
+
+    switch (quantity)
+    {
+        case displacement:
+            return ResponseUnit { ResponseQuantity::displacement, 1 / units.length, {} };
+        case velocity:
+            return ResponseUnit { ResponseQuantity::velocity, 1 / units.length, {} };
+        case acceleration:
+            return ResponseUnit { ResponseQuantity::acceleration, 1 / units.length, {} };
+        case reaction:
+        case force:
+            return ResponseUnit { {}, 1 / units.force, DriveQuantity::force };
+        default:
+            return std::nullopt;
+    }
+}
+
+/** What a function's numbers mean: by the units that its axes name, else by the codes of their quantities in the file's units. */
+ResponseUnit unitOf (const UniversalFunction& function, const UniversalUnits& units)
+{
+    auto motion = responseUnit (function.ordinate.unit);
+    auto drive = driveUnit (function.denominator.unit);
+
+    if (! motion)
+        motion = unitOfCode (function.ordinate.quantity, units);
+
+    if (! motion)
+        motion = quantityWord (function.ordinate.label);
+
+    if (! motion || motion->drive)
+        return motion.value_or (ResponseUnit {});
+
+    if (! drive)
+        drive = unitOfCode (function.denominator.quantity, units);
+
+    if (drive && drive->drive)
+        return { motion->quantity, motion->factor / drive->factor, drive->drive };
+
+    return *motion;
+}
+
+/** Hz of each value. */
+Eigen::VectorXd abscissaeOf (const UniversalFunction& function)
+{
+    const auto count = function.values.size();
+    return function.isEven ? Eigen::VectorXd (
+               function.first + function.step * Eigen::ArrayXd::LinSpaced (count, 0, static_cast<double> (count - 1)))
+                           : function.abscissae;
+}
+
+MeasuredResponse responseOf (const UniversalFunction& function, const UniversalUnits& units, const std::string& source)
+{
+    MeasuredResponse response;
+    response.source = source;
+    response.unit = unitOf (function, units);
+    const auto isAgainst = (function.response.direction < 0) != (function.reference.direction < 0);
+
+    if (function.functionType == timeRecord)
+    {
+        if (! function.isEven || ! (function.step > 0))
+            throw InputError (source, "has an impulse response without an even step of time, allowed is one above 0");
+
+        const auto spectrum = impulseSpectrum (function.values.real(), function.step);
+        response.frequencies = spectrum.frequencies;
+        response.values = spectrum.values;
+        response.recordLength = spectrum.recordLength;
+    }
+    else
+    {
+        response.frequencies = abscissaeOf (function);
+        response.values = function.values;
+    }
+
+    response.values *= isAgainst ? -1 : 1;
+    return response;
+}
+
+PointPlaces placesOf (const std::vector<UniversalSet>& sets, int normal, const UniversalUnits& units)
+{
+    const Eigen::Index across = normal == 1 ? 1 : 0, up = normal == 2 || normal == 1 ? 2 : 1;
+    PointPlaces places;
+
+    for (const auto* nodes : setsOf<UniversalNodes> (sets))
+        for (std::size_t n = 0; n < nodes->labels.size(); ++n)
+        {
+            const auto row = static_cast<Eigen::Index> (n);
+            places.emplace (std::to_string (nodes->labels[n]),
+                            Eigen::Vector2d (nodes->places (row, across), nodes->places (row, up)) / units.length);
+        }
+
+    return places;
+}
+
+/** Places for the points that responses have, where all of them have one. */
+PointPlaces usedPlaces (const PointPlaces& places, const std::vector<MeasuredResponse>& responses)
+{
+    PointPlaces used;
+
+    for (const auto& response : responses)
+        for (const auto& name : { response.point, response.driverPoint })
+            if (const auto place = places.find (name); place != places.end())
+                used.insert (*place);
+
+    const auto isPlaced = [&] (const auto& response) { return used.contains (response.point); };
+    return std::all_of (responses.begin(), responses.end(), isPlaced) ? used : PointPlaces {};
+}
+} // namespace
+
+MeasurementFile measurementOf (const std::vector<UniversalSet>& sets, const std::string& source)
+{
+    MeasurementFile file;
+    auto functions = functionsOf (sets, frequencyResponse);
+
+    if (functions.empty() && ! (functions = functionsOf (sets, timeRecord)).empty())
+        file.remarks.push_back (source + ": its time records are taken as impulse responses.");
+
+    if (functions.empty())
+        throw InputError (source,
+                          "has no frequency response (data set 58 of function type 4, or 1 for impulse responses)");
+
+    const auto axis = commonAxis (functions);
+    const auto others = std::erase_if (functions, [&] (const auto* function)
+                                       { return std::abs (function->response.direction) != axis; });
+
+    if (others > 0)
+        file.remarks.push_back (source + ": " + std::to_string (others)
+                                + " responses in other directions than most are left out.");
+
+    const auto units = unitsOf (sets);
+    const PlaceNames points (functions, &UniversalFunction::response),
+        drivers (functions, &UniversalFunction::reference);
+    std::map<std::string, std::set<int>> directions;
+
+    for (const auto* function : functions)
+        directions[drivers.of (function->reference)].insert (std::abs (function->reference.direction));
+
+    for (const auto* function : functions)
+    {
+        auto response = responseOf (*function, units, source);
+        response.point = points.of (function->response);
+        response.driver = drivers.of (function->reference);
+
+        if (std::abs (function->reference.direction) == axis && function->reference.node != 0)
+            response.driverPoint = response.driver;
+
+        if (directions[response.driver].size() > 1)
+            response.driver += ":" + std::to_string (std::abs (function->reference.direction));
+
+        file.responses.push_back (std::move (response));
+    }
+
+    file.places = usedPlaces (placesOf (sets, axis, units), file.responses);
+    return file;
+}
+} // namespace antinode

@@ -1,0 +1,199 @@
+#include "SolvedPlate.h"
+
+#include "DescribedModel.h"
+#include "DescriptionChecks.h"
+#include "ElementChain.h"
+#include "PlateWaves.h"
+
+#include <antinode_numerics/DenseKernels.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace antinode
+{
+namespace
+{
+/** How many places of Gauss and Legendre carry a wave of this phase over their segment. */
+int placesFor (double phase)
+{
+    constexpr double tolerance = 3e-5; // of the amplitude
+    double error = 1;
+    auto count = 0;
+
+    // The error of interpolation through n places is about (phase / 4)^n / n!.
+    while (error > tolerance || count < 3)
+        error *= phase / 4 / ++count;
+
+    return count;
+}
+
+GridAxis gridOf (const Eigen::VectorXd& lines, double unit, double waveNumber)
+{
+    const Eigen::VectorXd edges = lines * unit;
+    Eigen::VectorXi counts (edges.size() - 1);
+
+    for (Eigen::Index s = 0; s < counts.size(); ++s)
+        counts[s] = placesFor (waveNumber * (edges[s + 1] - edges[s]));
+
+    return gridAxis (edges, counts);
+}
+
+/** The mass per area in each segment of a grid, x by y. */
+Eigen::MatrixXd massPerArea (const PlateDescription& plate, const PlateLayout& layout)
+{
+    Eigen::MatrixXd masses = Eigen::MatrixXd::Constant (layout.linesX.size() - 1, layout.linesY.size() - 1,
+                                                        bareSection (plate.common).massPerArea);
+
+    for (std::size_t i = 0; i < layout.patches.size(); ++i)
+    {
+        const auto& patch = layout.patches[i];
+        masses.block (patch.left, patch.bottom, patch.right - patch.left, patch.top - patch.bottom)
+            .setConstant (ceramicSection (plate.common, plate.common.ceramics[i]).massPerArea);
+    }
+
+    return masses;
+}
+
+void weigh (Surface& surface, const Eigen::MatrixXd& masses)
+{
+    const auto& grid = surface.grid.value();
+    const auto countX = grid.x.places.size();
+    surface.masses = surface.areas;
+
+    for (Eigen::Index t = 0; t < masses.cols(); ++t)
+        for (auto j = grid.y.first[t]; j < grid.y.first[t + 1]; ++j)
+            for (Eigen::Index s = 0; s < masses.rows(); ++s)
+                surface.masses.segment (j * countX + grid.x.first[s], grid.x.first[s + 1] - grid.x.first[s]) *=
+                    masses (s, t);
+}
+
+/** The end of the run of modes from the given one on that have its frequency, to rounding. */
+Eigen::Index endOfCluster (const Eigen::VectorXd& frequencies, Eigen::Index first)
+{
+    constexpr double equal = 1e-8;
+    auto end = first + 1;
+
+    while (end < frequencies.size() && frequencies[end] - frequencies[end - 1] <= equal * frequencies[first])
+        ++end;
+
+    return end;
+}
+
+/** Turns modes of one frequency into those that a second moment of mass along x tells apart: any others would be as good, but these
+    do not depend on rounding. */
+void settleEqualFrequencies (ModalModel& model)
+{
+    const Eigen::VectorXd moment = model.surface.masses.cwiseProduct (model.surface.points.col (0).cwiseAbs2());
+
+    for (Eigen::Index first = 0, end = 0; first < model.modes(); first = end)
+    {
+        end = endOfCluster (model.angularFrequencies, first);
+        const auto count = end - first;
+
+        if (count == 1)
+            continue;
+
+        const Eigen::MatrixXd shapes = model.shapes.middleCols (first, count);
+        const auto turn = symmetricEigen (shapes.transpose() * moment.asDiagonal() * shapes).vectors;
+        model.shapes.middleCols (first, count) = shapes * turn;
+        model.participation.middleRows (first, count) =
+            (turn.transpose() * model.participation.middleRows (first, count)).eval();
+        model.angularFrequencies.segment (first, count)
+            .setConstant (model.angularFrequencies.segment (first, count).mean());
+    }
+}
+
+Eigen::MatrixXd participationOf (const PlateDescription& plate, const PlateSolution& solution)
+{
+    const auto& layout = solution.layout;
+    Eigen::MatrixXd participation (solution.coefficients.cols(), static_cast<Eigen::Index> (layout.patches.size()));
+
+    for (std::size_t i = 0; i < layout.patches.size(); ++i)
+    {
+        const auto& patch = layout.patches[i];
+        const auto section = ceramicSection (plate.common, plate.common.ceramics[i]);
+        const auto load =
+            rectangleLoad (solution.problem, section, layout.linesX[patch.left], layout.linesX[patch.right],
+                           layout.linesY[patch.bottom], layout.linesY[patch.top]);
+        participation.col (static_cast<Eigen::Index> (i)) = solution.coefficients.transpose() * load;
+    }
+
+    return participation;
+}
+
+/** Where ceramics lie out of line the splines have to be coarse. */
+void warnOfErrors (ModalModel& model)
+{
+    constexpr double tolerable = 5e-3;
+    const auto largest = model.frequencyErrors.maxCoeff();
+
+    if (largest <= tolerable)
+        return;
+
+    std::array<char, 200> text {};
+    std::snprintf (
+        text.data(), text.size(),
+        "Frequencies are estimated to be up to %.1f %% too high: fewer modes, or ceramics whose edges lie in "
+        "line, can be solved more finely.",
+        100 * largest);
+    model.warnings.emplace_back (text.data());
+}
+} // namespace
+
+Eigen::MatrixXd shapesOn (const PlateGrid& grid, const PlateProblem& problem, double unit,
+                          const Eigen::MatrixXd& coefficients)
+{
+    const auto splinesX = problem.x().at (grid.x.places / unit, 0);
+    const auto splinesY = problem.y().at (grid.y.places / unit, 0);
+    Eigen::MatrixXd shapes = Eigen::MatrixXd::Zero (splinesX.rows() * splinesY.rows(), coefficients.cols());
+    Eigen::MatrixXd half;
+
+    for (Eigen::Index k = 0; k < shapes.cols(); ++k)
+    {
+        half.setZero (splinesX.rows(), splinesY.cols());
+        addProduct (half, 1, splinesX, problem.coefficients (coefficients.col (k)));
+        addTransposedRight (Eigen::Map<Eigen::MatrixXd> (shapes.col (k).data(), splinesX.rows(), splinesY.rows()), 1,
+                            half, splinesY);
+    }
+
+    return shapes;
+}
+
+ModalModel modelOf (const PlateDescription& plate, const PlateSolution& solution)
+{
+    const auto& layout = solution.layout;
+    const PlateGrid grid { gridOf (layout.linesX, layout.unit, solution.waveNumber),
+                           gridOf (layout.linesY, layout.unit, solution.waveNumber) };
+    ModalModel model;
+    placeOnGrid (model.surface, grid);
+    weigh (model.surface, massPerArea (plate, layout));
+    model.surface.held = { isHeld (plate.left), isHeld (plate.right), isHeld (plate.bottom), isHeld (plate.top) };
+    model.angularFrequencies = solution.angularFrequencies;
+    model.frequencyErrors = solution.frequencyErrors;
+    model.rigidBodyModes = solution.rigidBodyModes;
+    model.unknowns = static_cast<int> (solution.problem.unknowns());
+    model.warnings = thicknessWarnings (plate, solution.angularFrequencies);
+    warnOfErrors (model);
+    model.participation = participationOf (plate, solution);
+
+    if (! model.participation.allFinite())
+        throwNumbersTooFarApart();
+
+    model.shapes = shapesOn (grid, solution.problem, layout.unit, solution.coefficients);
+    settleEqualFrequencies (model);
+    settleSigns (model);
+    return model;
+}
+
+ModalModel solvePlate (const std::string& name, const PlateDescription& plate, std::optional<int> modeCount)
+{
+    requireSolvable (plate);
+    auto model = modelOf (plate, solvePlateModes (plate, modeCount));
+    describe (model, name, plate.common);
+    validate (model);
+    return model;
+}
+} // namespace antinode

@@ -1,0 +1,129 @@
+#pragma once
+
+#include <antinode_base/WordList.h>
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace antinode
+{
+/** Which numbers are allowed, in the unit that the key names. */
+struct NumberRange
+{
+    double minimum = 0, maximum = 0;
+    bool aboveMinimum = false; ///< The minimum itself is not allowed.
+    bool belowMaximum = false; ///< The maximum itself is not allowed.
+
+    bool contains (double value) const;
+
+    /** "0 to 200", or "more than 0.5 to 1000". [any] */
+    std::string text() const;
+};
+
+class JsonObject;
+
+/** One value of a document that is being read, with its place for the errors. Every getter gives a value that is allowed, or
+    throws InputError: source, JSON pointer, what is wrong, what is allowed. The document must outlive it. [worker] */
+class JsonValue
+{
+public:
+    /** The root of a document. @param source  how errors name the document */
+    JsonValue (const nlohmann::json& document, const std::string& source);
+
+    bool isObject() const { return json->is_object(); }
+    bool isList() const { return json->is_array(); }
+    bool isString() const { return json->is_string(); }
+
+    /** True for text that is exactly this. */
+    bool isWord (std::string_view word) const { return *json == word; }
+
+    double number (const NumberRange&) const;
+    int integer (int minimum, int maximum) const;
+    bool boolean() const;
+
+    /** 1 or -1. */
+    int sign() const;
+
+    /** Text without control characters; line breaks only where they are allowed. */
+    std::string text (std::size_t maximumBytes, bool lineBreaksAllowed = false) const;
+
+    /** A list whose number of entries is within these bounds. */
+    std::vector<JsonValue> items (std::size_t minimum, std::size_t maximum) const;
+
+    /** A list of numbers. */
+    std::vector<double> numbers (std::size_t minimumCount, std::size_t maximumCount, const NumberRange&) const;
+
+    /** One number, as a list of one, or a list of numbers. */
+    std::vector<double> numberOrNumbers (std::size_t maximumCount, const NumberRange&) const;
+
+    /** The value that goes with one of these words. */
+    template <typename T, std::size_t count>
+    T choice (const WordList<T, count>& words) const
+    {
+        for (const auto& [word, value] : words)
+            if (isWord (word))
+                return value;
+
+        failChoice (wordsOf (words));
+    }
+
+    /** An object with no other keys than these. */
+    JsonObject object (std::vector<std::string_view> allowedKeys) const;
+
+    /** The entry of an object, where it has one. */
+    std::optional<JsonValue> find (std::string_view key) const;
+
+    /** The entry of an object. @throws InputError  when it is missing */
+    JsonValue required (std::string_view key) const;
+
+    /** Checks that the document is an object that says "schema": this one. */
+    void requireSchema (std::string_view schema) const;
+
+    /** Throws InputError with this value's place. */
+    [[noreturn]] void fail (const std::string& wrong) const;
+
+    /** What the value is, for a message: "is -7", "is a list". */
+    std::string description() const;
+
+private:
+    friend class JsonObject;
+
+    JsonValue (const nlohmann::json&, std::string source, std::string pointer);
+    JsonValue child (std::string_view key, const nlohmann::json&) const;
+    void requireCount (std::size_t minimum, std::size_t maximum) const;
+    [[noreturn]] void failChoice (const std::vector<std::string_view>& allowed) const;
+
+    const nlohmann::json* json;
+    std::string source;
+    std::string pointer;
+};
+
+/** An object that is being read: only keys that are known, all that are needed. [worker] */
+class JsonObject
+{
+public:
+    /** @throws InputError  when the value is no object or has a key that is not allowed */
+    JsonObject (JsonValue, std::vector<std::string_view> allowedKeys);
+
+    /** @throws InputError  when the key is missing */
+    JsonValue required (std::string_view key) const { return value.required (key); }
+
+    std::optional<JsonValue> optional (std::string_view key) const { return value.find (key); }
+
+    bool has (std::string_view key) const { return value.find (key).has_value(); }
+
+    /** The one of two keys that is given. @throws InputError  when none or both are */
+    std::pair<std::string_view, JsonValue> oneOf (std::string_view first, std::string_view second) const;
+
+    /** Throws InputError with this object's place. */
+    [[noreturn]] void fail (const std::string& wrong) const { value.fail (wrong); }
+
+private:
+    JsonValue value;
+};
+} // namespace antinode

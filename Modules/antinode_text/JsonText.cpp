@@ -1,0 +1,202 @@
+#include "JsonText.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/MessageText.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <vector>
+
+namespace antinode
+{
+namespace
+{
+using Json = nlohmann::json;
+
+constexpr std::size_t maximumDepth = 64;
+constexpr std::size_t maximumBytes = std::size_t { 64 } << 20;
+constexpr std::size_t longestName = 300; ///< Of a source in a message, in bytes.
+
+std::string lineAndColumn (std::string_view text, std::size_t position)
+{
+    const auto before = text.substr (0, position > 0 ? position - 1 : 0);
+    const auto line = 1 + std::count (before.begin(), before.end(), '\n');
+    const auto lastBreak = before.rfind ('\n');
+    const auto column = before.size() - (lastBreak == std::string_view::npos ? 0 : lastBreak + 1) + 1;
+    return "line " + std::to_string (line) + ", column " + std::to_string (column);
+}
+
+/** What the parser complains of, without its own name and place of the error and without the raw text that it read. */
+std::string reasonOf (const nlohmann::detail::exception& error)
+{
+    constexpr int numberOverflow = 406;
+    std::string reason = error.what();
+
+    if (error.id == numberOverflow)
+        return "has a number that is too large: " + printable (reason.substr (reason.find ('\'')))
+               + ", allowed is up to 1.7e308";
+
+    if (const auto place = reason.find ("column "); place != std::string::npos)
+        reason.erase (0, reason.find (": ", place) + 2);
+
+    if (const auto token = reason.find ("; last read: "); token != std::string::npos)
+        reason.erase (token, reason.find ("; expected", token) - token);
+
+    return "is not valid JSON: " + printable (reason, 160);
+}
+
+/** Builds the document from the parser's events and refuses what nlohmann's own builder lets pass: a key that is given twice
+    (it keeps the last) and nesting without end. */
+class StrictBuilder final : public nlohmann::json_sax<Json>
+{
+public:
+    StrictBuilder (std::string_view textToRead, const std::string& sourceOfText)
+        : text (textToRead), source (sourceOfText)
+    {
+    }
+
+    Json takeDocument() { return std::move (document); }
+
+    bool null() override { return add (nullptr); }
+    bool boolean (bool value) override { return add (value); }
+    bool number_integer (number_integer_t value) override { return add (value); }
+    bool number_unsigned (number_unsigned_t value) override { return add (value); }
+    bool number_float (number_float_t value, const string_t&) override { return add (value); }
+    bool string (string_t& value) override { return add (std::move (value)); }
+    bool binary (binary_t&) override { return false; }
+    bool start_object (std::size_t) override { return open (Json::object()); }
+    bool start_array (std::size_t) override { return open (Json::array()); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+
+    bool key (string_t& name) override
+    {
+        keys.back() = name;
+
+        if (containers.back()->contains (name))
+            throw InputError (source + ": " + printable (pointer(), longestName), "is given twice, allowed is once");
+
+        return true;
+    }
+
+    bool parse_error (std::size_t position, const std::string&, const nlohmann::detail::exception& error) override
+    {
+        throw InputError (source + ": " + lineAndColumn (text, position), reasonOf (error));
+    }
+
+private:
+    Json* add (Json&& value, Json*& place)
+    {
+        if (containers.empty())
+            place = &(document = std::move (value));
+        else if (containers.back()->is_array())
+            place = &containers.back()->emplace_back (std::move (value));
+        else
+            place = &((*containers.back())[keys.back()] = std::move (value));
+
+        return place;
+    }
+
+    bool add (Json&& value)
+    {
+        Json* place = nullptr;
+        return add (std::move (value), place) != nullptr;
+    }
+
+    bool open (Json&& container)
+    {
+        if (containers.size() == maximumDepth)
+            throw InputError (source, "is nested too deeply, allowed are " + std::to_string (maximumDepth) + " levels");
+
+        Json* place = nullptr;
+        containers.push_back (add (std::move (container), place));
+        keys.emplace_back();
+        return true;
+    }
+
+    bool close()
+    {
+        containers.pop_back();
+        keys.pop_back();
+        return true;
+    }
+
+    std::string pointer() const
+    {
+        Json::json_pointer result;
+
+        for (std::size_t i = 0; i < containers.size(); ++i)
+            result.push_back (containers[i]->is_array() ? std::to_string (containers[i]->size() - 1) : keys[i]);
+
+        return result.to_string();
+    }
+
+    std::string_view text;
+    const std::string& source;
+    Json document;
+    std::vector<Json*> containers; ///< The open ones, outermost first.
+    std::vector<std::string> keys; ///< The key last seen in each of them.
+};
+
+/** All bytes of a file, read in pieces: what the system says of a file's size is not to be relied on. */
+std::string readBytes (const std::filesystem::path& path, const std::string& source)
+{
+    errno = 0;
+    std::ifstream file (path, std::ios::binary);
+
+    if (! file)
+        throw InputError (source, std::string ("cannot be read: ") + std::strerror (errno));
+
+    std::string bytes;
+    std::vector<char> piece (std::size_t { 1 } << 16);
+
+    while (file && bytes.size() <= maximumBytes)
+    {
+        errno = 0;
+        file.read (piece.data(), static_cast<std::streamsize> (piece.size()));
+        bytes.append (piece.data(), static_cast<std::size_t> (file.gcount()));
+    }
+
+    if (file.bad())
+        throw InputError (source, std::string ("cannot be read: ") + std::strerror (errno));
+
+    if (bytes.size() > maximumBytes)
+        throw InputError (source, "is too large, allowed are " + std::to_string (maximumBytes >> 20) + " MiB");
+
+    return bytes;
+}
+} // namespace
+
+nlohmann::json parseJson (std::string_view text, const std::string& source)
+{
+    const auto name = printable (source, longestName);
+
+    if (text.find_first_not_of (" \t\r\n") == std::string_view::npos)
+        throw InputError (name, "is empty, allowed is a JSON document");
+
+    // The parser takes a NUL byte for the end of the text and would not look at what follows.
+    if (const auto nul = text.find ('\0'); nul != std::string_view::npos)
+        throw InputError (name + ": " + lineAndColumn (text, nul + 1), "has a NUL byte, allowed is UTF-8 text");
+
+    StrictBuilder builder (text, name);
+    nlohmann::json::sax_parse (text, &builder);
+    return builder.takeDocument();
+}
+
+nlohmann::json readJsonFile (const std::filesystem::path& path)
+{
+    const auto name = printable (path.string(), longestName);
+    std::error_code error;
+    const auto status = std::filesystem::status (path, error);
+
+    if (status.type() == std::filesystem::file_type::not_found)
+        throw InputError (name, "does not exist");
+
+    if (std::filesystem::is_directory (status))
+        throw InputError (name, "is a directory, allowed is a JSON file");
+
+    return parseJson (readBytes (path, name), name);
+}
+} // namespace antinode

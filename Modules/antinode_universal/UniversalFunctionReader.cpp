@@ -1,0 +1,179 @@
+#include "UniversalFunctionSet.h"
+#include "UniversalRecords.h"
+
+#include <antinode_base/MessageText.h>
+
+#include <bit>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+/** The part of a record in these columns. */
+std::string_view columns (std::string_view record, std::size_t first, std::size_t width)
+{
+    return first < record.size() ? record.substr (first, width) : std::string_view {};
+}
+
+/** A whole number in a column that leaves a blank before it; 0 where it is blank or something else, as for what nobody filled in. */
+UniversalLabel integerIn (std::string_view record, std::size_t first, std::size_t width)
+{
+    std::vector<double> numbers;
+    const auto isNumber = appendNumbersOf (columns (record, first, width), { width }, numbers) && numbers.size() == 1;
+    const auto isShort = isNumber && std::abs (numbers[0]) < std::pow (10.0, static_cast<double> (width) - 1);
+    return isShort ? static_cast<UniversalLabel> (numbers[0]) : 0;
+}
+
+int smallIntegerIn (std::string_view record, std::size_t first, std::size_t width)
+{
+    return static_cast<int> (integerIn (record, first, width));
+}
+
+UniversalPlace placeIn (std::string_view record, std::size_t first)
+{
+    return { trimmedText (columns (record, first, 11)), integerIn (record, first + 11, 10),
+             smallIntegerIn (record, first + 21, 4) };
+}
+
+void readPlaces (UniversalFunction& function, std::string_view record)
+{
+    function.functionType = smallIntegerIn (record, 0, 5);
+    function.identification = integerIn (record, 5, 10);
+    function.version = integerIn (record, 15, 5);
+    function.loadCase = integerIn (record, 20, 10);
+    function.response = placeIn (record, 30);
+    function.reference = placeIn (record, 55);
+}
+
+void readForm (UniversalFunction& function, UniversalRecords& records)
+{
+    const auto numbers = records.numbers ({ 10, 10, 10, 13, 13, 13 });
+
+    if (numbers.size() < 3)
+        records.fail ("tells " + std::to_string (numbers.size())
+                      + " numbers of the data's form, allowed are at least type, count and spacing");
+
+    if (numbers[0] != 2 && numbers[0] != 4 && numbers[0] != 5 && numbers[0] != 6)
+        records.fail ("has data of type " + numberText (numbers[0]) + ", allowed are 2, 4 (real), 5 and 6 (complex)");
+
+    if (! (numbers[1] >= 0 && numbers[1] <= 1e15 && numbers[1] == std::floor (numbers[1])))
+        records.fail ("has " + numberText (numbers[1]) + " values, allowed is a whole number of them");
+
+    if (numbers[2] != 0 && numbers[2] != 1)
+        records.fail ("has the spacing " + numberText (numbers[2]) + ", allowed are 0 (uneven) and 1 (even)");
+
+    function.ordinateType = static_cast<int> (numbers[0]);
+    function.statedCount = static_cast<UniversalLabel> (numbers[1]);
+    function.isEven = numbers[2] == 1;
+    function.first = numbers.size() > 3 ? numbers[3] : 0;
+    function.step = numbers.size() > 4 ? numbers[4] : 0;
+    function.z = numbers.size() > 5 ? numbers[5] : 0;
+}
+
+UniversalAxis axisIn (std::string_view record)
+{
+    constexpr std::size_t labels = 25, labelWidth = 21;
+    UniversalAxis axis;
+    axis.quantity = smallIntegerIn (record, 0, 10);
+
+    for (std::size_t i = 0; i < axis.exponents.size(); ++i)
+        axis.exponents[i] = smallIntegerIn (record, 10 + 5 * i, 5);
+
+    axis.label = trimmedText (columns (record, labels, labelWidth));
+    axis.unit = trimmedText (columns (record, labels + labelWidth, record.size())); // Some are longer than their field.
+    return axis;
+}
+
+/** Numbers of binary data, all of one precision; those of an uneven abscissa may be single ones beside double values. */
+std::vector<double> binaryNumbers (const UniversalSection& section, const UniversalFunction& function)
+{
+    const auto data = *section.data;
+    const auto count = static_cast<std::size_t> (function.statedCount);
+    const std::size_t values = function.isComplex() ? 2 : 1, period = values + (function.isEven ? 0 : 1);
+    const auto hasSingleAbscissa = ! function.isEven && function.isDouble() && data.size() < 8 * period * count
+                                   && data.size() / (8 * values + 4) >= count;
+    const auto width = [&] (std::size_t i) -> std::size_t
+    { return function.isDouble() && ! (hasSingleAbscissa && i % period == 0) ? 8 : 4; };
+    std::vector<double> numbers;
+    numbers.reserve (data.size() / 4);
+
+    for (std::size_t at = 0; at + width (numbers.size()) <= data.size();)
+    {
+        const auto bytes = width (numbers.size());
+        std::uint64_t bits = 0;
+
+        for (std::size_t i = 0; i < bytes; ++i)
+            bits |= static_cast<std::uint64_t> (static_cast<unsigned char> (data[at + i]))
+                    << 8 * (section.isBigEndian ? bytes - 1 - i : i);
+
+        numbers.push_back (bytes == 8 ? std::bit_cast<double> (bits)
+                                      : static_cast<double> (std::bit_cast<float> (static_cast<std::uint32_t> (bits))));
+        at += bytes;
+    }
+
+    return numbers;
+}
+
+std::vector<double> textNumbers (const UniversalFunction& function, UniversalRecords& records)
+{
+    std::vector<double> numbers;
+
+    while (! records.atEnd())
+        if (! function.isDouble())
+            records.appendNumbers ({ 13 }, numbers);
+        else if (function.isEven)
+            records.appendNumbers ({ 20 }, numbers);
+        else if (function.isComplex())
+            records.appendNumbers ({ 13, 20, 20 }, numbers);
+        else
+            records.appendNumbers ({ 13, 20 }, numbers);
+
+    return numbers;
+}
+
+/** Puts numbers where they belong: as many values as the header says, or as are there. */
+void distribute (const std::vector<double>& numbers, UniversalFunction& function)
+{
+    const std::size_t parts = function.isComplex() ? 2 : 1, offset = function.isEven ? 0 : 1, period = parts + offset;
+    const auto count = std::min (static_cast<std::size_t> (function.statedCount), numbers.size() / period);
+    function.values.resize (static_cast<Eigen::Index> (count));
+    function.abscissae.resize (static_cast<Eigen::Index> (function.isEven ? 0 : count));
+
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const auto at = i * period;
+        const auto index = static_cast<Eigen::Index> (i);
+        function.values[index] = { numbers[at + offset], parts == 2 ? numbers[at + offset + 1] : 0.0 };
+
+        if (! function.isEven)
+            function.abscissae[index] = numbers[at];
+    }
+}
+} // namespace
+
+UniversalFunction readFunctionSet (const UniversalSection& section, const std::string& source)
+{
+    UniversalRecords records (section.records, source, section.firstLine);
+    UniversalFunction function;
+
+    if (section.data)
+        function.encoding = section.isBigEndian ? UniversalEncoding::bigEndian : UniversalEncoding::littleEndian;
+
+    for (auto& line : function.lines)
+        line = records.textRecord();
+
+    readPlaces (function, records.record());
+    readForm (function, records);
+
+    for (auto* const axis : { &function.abscissa, &function.ordinate, &function.denominator, &function.zAxis })
+        *axis = axisIn (records.record());
+
+    distribute (section.data ? binaryNumbers (section, function) : textNumbers (function, records), function);
+
+    if (! function.values.allFinite() || ! function.abscissae.allFinite())
+        records.fail ("has data that are not finite");
+
+    return function;
+}
+} // namespace antinode

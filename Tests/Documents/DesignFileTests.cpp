@@ -1,0 +1,142 @@
+#include "Support/ErrorText.h"
+
+#include <antinode_documents/DesignFile.h>
+#include <antinode_documents/FocusFile.h>
+#include <antinode_text/JsonText.h>
+
+#include <catch2/catch.hpp>
+
+#include <numbers>
+#include <random>
+
+using namespace antinode;
+
+namespace
+{
+ModalModel smallModel()
+{
+    ModalModel model;
+    model.name = "small";
+    model.angularFrequencies = Eigen::Vector2d (2 * std::numbers::pi * 420, 6000);
+    model.dampingRatios = Eigen::Vector2d (0.003, 0.01);
+    model.surface.points = Eigen::MatrixX2d::Zero (3, 2);
+    model.surface.points.col (0) << -0.05, 0, 0.04;
+    model.shapes = Eigen::MatrixXd::Ones (3, 2);
+    model.ceramics = { { "C1", 0, 0, 0, 0, 150 }, { "C2", 0, 0, 0, 0, 100 } };
+    return model;
+}
+
+/** A design whose numbers use all bits of a double. */
+FocusDesign irregularDesign()
+{
+    std::mt19937 random (3);
+    std::uniform_real_distribution<double> number (-1, 1);
+    const auto next = [&] { return number (random); };
+
+    FocusDesign design;
+    design.description.name = "irregular";
+    design.description.targets = { { TargetShape::sinc, 0.024, 0, 0.025, 0.04, 1 } };
+    design.description.focusTime = 0.025;
+    design.target.field = Eigen::Vector3d (0, 0.04, 0.01);
+    design.target.modalVelocities = Eigen::Vector2d (0.002, -0.001);
+    design.truncatedField = Eigen::Vector3d (0.001, 0.039, 0.011);
+    design.controlledModes = { 1 };
+    design.growth = { 10 };
+    design.cycles = { 4 };
+    design.captured = 0.96;
+    design.certificate.status = AllocationStatus::optimal;
+    design.certificate.gap = 1e-9;
+    design.choices = { "growth 10: all modes rise together" };
+    design.warnings = { "a \"warning\"" };
+
+    auto& program = design.program;
+    program.focusTime = 0.025 + 1e-3 * next();
+    program.voltageLimits = Eigen::Vector2d (50, 100.0 / 3);
+
+    for (int c = 0; c < 40; ++c)
+        program.oscillations.push_back (
+            { c % 2, 0.01 + 0.005 * next(), 0.025, 1e3 * next(), 1e5 + 9e4 * next(), next(), next() });
+
+    program.oscillations.push_back ({ 1, 0, 0.025, 0, 0, 0, -2.5 });                                // A constant.
+    program.oscillations.push_back ({ 1, 0.026, 0.1, -2000.0 / 3, 1e5 / 7, 0.1, -2.5, 100.0 / 3 }); // A brake.
+    program.oscillations.back().counterShare = { 0.1 / 3, -0.2 / 7 };
+    program.allocation = Eigen::MatrixXd::NullaryExpr (2, 42, next);
+    return design;
+}
+
+std::string errorWith (std::string_view assignment)
+{
+    nlohmann::json document = designToJson (irregularDesign(), smallModel());
+    applyAssignment (document, assignment);
+    return errorText ([&] { readProgram (document, "design.json"); });
+}
+} // namespace
+
+TEST_CASE ("A program written in a design and read again is the same to the bit", "[files]")
+{
+    const auto program = irregularDesign().program;
+    const auto text = designToJson (irregularDesign(), smallModel()).dump (1);
+    const auto read = readProgram (parseJson (text, "design.json"), "design.json");
+    CHECK (read.focusTime == program.focusTime);
+    CHECK (read.voltageLimits == program.voltageLimits);
+    CHECK (read.allocation == program.allocation);
+    REQUIRE (read.oscillations.size() == program.oscillations.size());
+
+    for (std::size_t c = 0; c < read.oscillations.size(); ++c)
+    {
+        const auto& a = read.oscillations[c];
+        const auto& b = program.oscillations[c];
+        CHECK (a.mode == b.mode);
+        CHECK (std::tie (a.start, a.end, a.growth) == std::tie (b.start, b.end, b.growth));
+        CHECK (std::tie (a.angularFrequency, a.inPhase, a.quadrature)
+               == std::tie (b.angularFrequency, b.inPhase, b.quadrature));
+        CHECK (a.freeDecay == b.freeDecay);
+        CHECK (a.counterShare == b.counterShare);
+    }
+}
+
+TEST_CASE ("A design says what is played, in the units of its keys", "[files]")
+{
+    auto design = irregularDesign();
+    design.program.oscillations = { { 0, 0.01, 0.025, 80, 2 * std::numbers::pi * 420, 3, -4 } };
+    design.program.allocation = Eigen::Vector2d (0.5, -0.25);
+    const auto json = designToJson (design, smallModel());
+    CHECK (json["schema"] == "antinode.design/1");
+    CHECK (json["device"] == "small");
+    CHECK (json["oscillations"].dump()
+           == "[{\"mode\":0,\"start_s\":0.01,\"end_s\":0.025,\"growth_per_s\":80.0,\"frequency_Hz\":420.0,"
+              "\"angular_frequency_rad_s\":2638.9378290154264,\"in_phase\":3.0,\"quadrature\":-4.0}]");
+    CHECK (json["allocation"].dump() == "[[0.5],[-0.25]]");
+    CHECK (json["ceramics"].dump() == "[\"C1\",\"C2\"]");
+    CHECK (json["certificate"]["status"] == "optimal");
+    CHECK (json["controlled_modes"][0]["mode"] == 1);
+    CHECK (json["controlled_modes"][0]["cycles"] == 4);
+    CHECK (json["choices"] == design.choices);
+    CHECK (json["warnings"] == design.warnings);
+    CHECK (json["field"]["x_mm"].size() == 3);
+    CHECK (json["conventions"]["mode"].get<std::string>().find ("lowest is 0") != std::string::npos);
+}
+
+TEST_CASE ("The focus inside a design is a focus file of its own", "[files]")
+{
+    const auto json = parseJson (designToJson (irregularDesign(), smallModel()).dump(), "design.json");
+    const auto focus = readFocus (json["focus"], "design.json");
+    CHECK (focus.targets[0].x == 0.024);
+    CHECK (focus.focusTime == 0.025);
+}
+
+TEST_CASE ("Designs that cannot be played are refused", "[files]")
+{
+    CHECK (errorWith ("schema=antinode.design/2")
+           == "design.json: /schema: is the text 'antinode.design/2', allowed is 'antinode.design/1'");
+    CHECK (errorWith ("allocation.1=[1, 2]") == "design.json: /allocation/1: has 2 entries, allowed is a list of 42");
+    CHECK (errorWith ("allocation=[]") == "design.json: /allocation: has 0 entries, allowed is a list of 2");
+    CHECK (errorWith ("oscillations.3.mode=-1")
+           == "design.json: /oscillations/3/mode: is -1, allowed is a whole number from 0 to 4999");
+    CHECK (errorWith ("oscillations.40.end_s=-1")
+           == "design.json: /oscillations/40/end_s: is -1, allowed is 0 to 10000");
+    CHECK (errorWith ("oscillations.40.frequency_Hz=1")
+               .find ("design.json: /oscillations/40/angular_frequency_rad_s: is 0, ")
+           == 0);
+    CHECK (errorWith ("oscillations.0.gain=1").find ("design.json: /oscillations/0/gain: is not a key here") == 0);
+}

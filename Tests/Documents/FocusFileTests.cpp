@@ -1,0 +1,194 @@
+#include "Support/ErrorText.h"
+#include "Support/GoodFiles.h"
+
+#include <antinode_documents/FocusFile.h>
+#include <antinode_text/JsonText.h>
+
+#include <catch2/catch.hpp>
+
+using namespace antinode;
+
+namespace
+{
+nlohmann::json goodFocus (std::string_view name = "focus")
+{
+    for (const auto& file : goodFiles())
+        if (file.name == name)
+            return parseJson (file.text, "focus");
+
+    throw InputError ("focus", "is not among the good files");
+}
+
+FocusDescription focusWith (std::string_view assignment)
+{
+    auto document = goodFocus();
+    applyAssignment (document, assignment);
+    return readFocus (document, "my.json");
+}
+
+std::string errorWith (std::string_view assignment)
+{
+    return errorText ([&] { focusWith (assignment); });
+}
+} // namespace
+
+TEST_CASE ("A focus is read with all its keys, in SI units", "[files]")
+{
+    const auto focus = readFocus (goodFocus(), "my.json");
+    CHECK (focus.name == "two places");
+    REQUIRE (focus.targets.size() == 2);
+    CHECK (focus.targets[0].shape == TargetShape::sinc);
+    CHECK (focus.targets[0].x == -0.024);
+    CHECK (focus.targets[0].y == 0.003);
+    CHECK (focus.targets[0].width == 0.025);
+    CHECK (focus.targets[0].peakVelocity == 0.04);
+    CHECK (focus.targets[0].phase == -1);
+    CHECK (focus.targets[0].profile == TargetProfile::separable);
+    CHECK (focus.targets[0].widthY == 0.015);
+    CHECK (focus.targets[1].profile == TargetProfile::radial);
+    CHECK_FALSE (focus.targets[1].widthY.has_value());
+    CHECK (focus.targets[1].shape == TargetShape::gaussian);
+    CHECK (focus.targets[1].phase == 1);
+    CHECK (focus.focusTime == 0.025);
+    CHECK (focus.modes.count == 6);
+    CHECK (focus.modes.order == ModeOrder::frequency);
+    CHECK (focus.transients.drive == DriveKind::paper);
+    CHECK (focus.transients.growth == std::vector<double> { 10, 4 });
+    CHECK (focus.transients.cycles == std::vector<int> { 3, 5 });
+    CHECK (focus.transients.maximumDuration == 0.02);
+    CHECK (focus.transients.brake == 20.0);
+    CHECK (focus.transients.brakeDuration == 0.03);
+    CHECK_FALSE (focus.targets[0].time.has_value());
+    CHECK (focusWith ("targets.0.time_ms=35").targets[0].time == 0.035);
+    CHECK (errorWith ("transients.brake_duration_ms=2000").find ("/transients/brake_duration_ms: is 2000")
+           != std::string::npos);
+    CHECK (focus.allocation.method == AllocationMethod::minimumPeak);
+    CHECK (focus.allocation.voltageLimit == 50.0);
+    CHECK (focus.allocation.guardModes == 10);
+    CHECK (focus.allocation.guardWeight == 30);
+    CHECK (focus.allocation.window == 0.005);
+    CHECK (focus.edgeWindow == 0.1);
+    CHECK (focus.probes == std::vector<std::pair<double, double>> { { 0, 0 }, { 0.024, 0.001 } });
+}
+
+TEST_CASE ("What a focus leaves out is left to choice", "[files]")
+{
+    const auto focus = readFocus (goodFocus ("minimal focus"), "my.json");
+    CHECK (focus.targets[0].shape == TargetShape::bump);
+    CHECK_FALSE (focus.modes.count.has_value());
+    CHECK_FALSE (focus.modes.captured.has_value());
+    CHECK (focus.transients.drive == DriveKind::offsetFree);
+    CHECK (focus.transients.growth.empty());
+    CHECK (focus.transients.cycles.empty());
+    CHECK (focus.allocation.method == AllocationMethod::exact);
+    CHECK_FALSE (focus.allocation.guardModes.has_value());
+    CHECK (focus.allocation.guardWeight == 100);
+    CHECK (focus.probes.empty());
+}
+
+TEST_CASE ("What a focus is robust against is read in per cent, what it leaves out is as usual", "[files]")
+{
+    const auto robust = readFocus (goodFocus ("robust focus"), "my.json").allocation.robust;
+    REQUIRE (robust.has_value());
+    CHECK (robust->spread.frequency == 0.003);
+    CHECK (robust->spread.damping == 0.2);
+    CHECK (robust->spread.participation == 0.1);
+    CHECK (robust->spread.drift == 0.002);
+    CHECK (robust->weight == 500);
+
+    auto document = goodFocus ("robust focus");
+    document["allocation"]["robust"] = nlohmann::json::object();
+    const auto usual = readFocus (document, "my.json").allocation.robust;
+    REQUIRE (usual.has_value());
+    CHECK (usual->spread.frequency == usualSpread.frequency);
+    CHECK (usual->spread.damping == usualSpread.damping);
+    CHECK (usual->spread.participation == usualSpread.participation);
+    CHECK (usual->spread.drift == 0);
+    CHECK_FALSE (readFocus (goodFocus(), "my.json").allocation.robust.has_value());
+}
+
+TEST_CASE ("Growth and cycles are one number for all modes, or one a mode", "[files]")
+{
+    CHECK (focusWith ("transients.growth=4").transients.growth == std::vector<double> { 4 });
+    CHECK (focusWith ("transients.cycles=25").transients.cycles == std::vector<int> { 25 });
+    CHECK (focusWith ("allocation.guard_modes=all").allocation.guardModes == std::nullopt);
+    CHECK (focusWith ("allocation.guard_modes=0").allocation.guardModes == 0);
+    CHECK (focusWith ("modes={\"captured\": 0.99}").modes.captured == 0.99);
+    CHECK (focusWith ("modes={\"maximum_frequency_Hz\": 30000}").modes.maximumFrequency == 30000.0);
+}
+
+TEST_CASE ("Typical mistakes in focuses are named with their place and what is allowed", "[files]")
+{
+    CHECK (errorWith ("focus_time_ms=-25") == "my.json: /focus_time_ms: is -25, allowed is 0.001 to 60000");
+    CHECK (errorWith ("targets.0.shape=sync")
+           == "my.json: /targets/0/shape: is the text 'sync' (did you mean 'sinc'?), allowed is one of 'sinc', 'bump', "
+              "'gaussian'");
+    CHECK (errorWith ("targets=[]") == "my.json: /targets: has 0 entries, allowed is a list of 1 to 64");
+    CHECK (errorWith ("targets.0.phase=0.5") == "my.json: /targets/0/phase: is 0.5, allowed is 1 or -1");
+    CHECK (errorWith ("targets.1={\"shape\": \"sinc\", \"x_mm\": 0, \"peak_velocity_mm_s\": 40}")
+           == "my.json: /targets/1/width_mm: is missing, it must be given");
+    CHECK (errorWith ("targets.0.peak_velocity=40")
+           == "my.json: /targets/0/peak_velocity: is not a key here (did you mean 'peak_velocity_mm_s'?), allowed are "
+              "'shape', 'profile', 'x_mm', 'y_mm', 'width_mm', 'width_y_mm', 'peak_velocity_mm_s', 'phase', 'time_ms'");
+    CHECK (errorWith ("targets.0.profile=radial")
+           == "my.json: /targets/0/width_y_mm: is given for a radial target, which has one width; allowed is only with "
+              "\"profile\": \"separable\"");
+    CHECK (errorWith ("targets.1.width_y_mm=20").find ("my.json: /targets/1/width_y_mm: is given for a radial") == 0);
+    CHECK (errorWith ("targets.0.profile=circular").find ("allowed is one of 'radial', 'separable'")
+           != std::string::npos);
+    CHECK (errorWith ("modes.captured=0.9")
+           == "my.json: /modes: has more than one of 'count', 'captured' and 'maximum_frequency_Hz', allowed is at "
+              "most one of them");
+    CHECK (errorWith ("modes={\"choose\": \"energy\"}")
+           == "my.json: /modes/choose: is given without 'count', allowed is only both together");
+    CHECK (errorWith ("modes={\"captured\": 0}") == "my.json: /modes/captured: is 0, allowed is more than 0 to 1");
+    CHECK (errorWith ("transients.brake=1") == "my.json: /transients/brake: is 1, allowed is more than 1 to 1000");
+    CHECK (errorWith ("transients.cycles=2.5")
+           == "my.json: /transients/cycles: is 2.5, allowed is a whole number from 0 to 1000000");
+    CHECK (errorWith ("allocation.method=free_wave")
+           == "my.json: /allocation/method: is the text 'free_wave' (did you mean 'free_waveform'?), allowed is one of "
+              "'exact', 'paper', 'one_to_one', 'minimum_norm', 'minimum_peak', 'dictionary', 'free_waveform'");
+    CHECK (errorWith ("allocation.guard_modes=some")
+           == "my.json: /allocation/guard_modes: is the text 'some', allowed is 'all'");
+    CHECK (errorWith ("allocation.robust={}")
+           == "my.json: /allocation/robust: is given with another method than 'exact', allowed is only with that");
+    CHECK (errorWith ("allocation={\"method\": \"paper\", \"displacement\": \"zero\"}")
+           == "my.json: /allocation/displacement: is 'zero' with a method that has no exact rows, allowed is that with "
+              "'exact', 'minimum_peak' and 'dictionary'");
+    CHECK (errorWith ("allocation={\"displacement\": \"zero\", \"robust\": {}}")
+           == "my.json: /allocation/displacement: is 'zero' beside 'robust', allowed is one of them");
+    CHECK (errorWith ("allocation={\"robust\": {\"frequency_percent\": 11}}")
+           == "my.json: /allocation/robust/frequency_percent: is 11, allowed is 0 to 10");
+    CHECK (errorWith ("edge_window={\"tukey\": 1.5}") == "my.json: /edge_window/tukey: is 1.5, allowed is 0 to 1");
+    CHECK (errorWith ("probes_mm.0=[1]") == "my.json: /probes_mm/0: has 1 entries, allowed is a list of 2");
+    CHECK (errorWith ("device=staple").find ("my.json: /device: is not a key here, allowed are 'schema', 'name', ")
+           == 0);
+}
+
+TEST_CASE ("A focus that is to pass undisplaced says so, and still does when it is written", "[files]")
+{
+    auto document = goodFocus ("minimal focus");
+    CHECK_FALSE (readFocus (document, "my.json").allocation.isUndisplaced);
+    document["allocation"] = { { "displacement", "zero" } };
+    const auto focus = readFocus (document, "my.json");
+    CHECK (focus.allocation.isUndisplaced);
+    CHECK (readFocus (focusToJson (focus), "my.json").allocation.isUndisplaced);
+}
+
+TEST_CASE ("A focus written and read again says the same", "[files]")
+{
+    for (const auto* const name : { "focus", "minimal focus", "robust focus" })
+    {
+        const auto once = focusToJson (readFocus (goodFocus (name), "my.json")).dump();
+        const auto twice = focusToJson (readFocus (parseJson (once, "my.json"), "my.json")).dump();
+        CHECK (once == twice);
+    }
+
+    const auto original = goodFocus();
+    const nlohmann::json written = focusToJson (readFocus (original, "my.json"));
+    CHECK (written["targets"][0] == original["targets"][0]);
+
+    for (const auto& [key, value] : original.items())
+        if (key != "targets")
+            CHECK (written[key] == value);
+}

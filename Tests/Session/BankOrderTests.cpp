@@ -1,0 +1,39 @@
+#include <antinode_session/BankOrder.h>
+
+#include <catch2/catch.hpp>
+
+using namespace antinode;
+
+namespace
+{
+std::vector<int> allOf (BankOrder order, std::span<const int> urgent = {})
+{
+    std::vector<int> places;
+
+    while (! order.isEmpty())
+        places.push_back (order.take (urgent).place);
+
+    return places;
+}
+} // namespace
+
+TEST_CASE ("Wanted places come first, the others outward from the first of them", "[graph]")
+{
+    CHECK (allOf ({ {}, 4 }) == std::vector { 0, 1, 2, 3 });
+    CHECK (allOf ({ { 2 }, 5 }) == std::vector { 2, 1, 3, 0, 4 });
+    CHECK (allOf ({ { 1, 5 }, 6 }) == std::vector { 1, 5, 0, 2, 3, 4 });
+    CHECK (allOf ({ { 60 }, 3 }) == std::vector { 2, 1, 0 }); // Beyond the bank: passed over.
+    CHECK (allOf ({ { 60 }, 0 }).empty());
+}
+
+TEST_CASE ("An urgent place comes before the wanted ones, and both are awaited", "[graph]")
+{
+    BankOrder order ({ 1 }, 6);
+    const std::vector urgent { 4, 9 };
+    CHECK (order.take (urgent).place == 4);
+    const auto wanted = order.take (urgent), other = order.take (urgent);
+    CHECK (wanted.place == 1);
+    CHECK (wanted.isAwaited);
+    CHECK (other.place == 0);
+    CHECK_FALSE (other.isAwaited);
+}

@@ -1,0 +1,218 @@
+#include "Support/SineBeam.h"
+
+#include <antinode_focus/BankPlaces.h>
+#include <antinode_graph/PlayerNode.h>
+#include <antinode_session/DesignWorker.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <thread>
+
+using namespace antinode;
+
+namespace
+{
+constexpr double rate = 48000;
+constexpr int ceramics = 6;
+
+DesignRequest requestFor (int places, double width = 0.03)
+{
+    DesignRequest request;
+    request.model = std::make_shared<const ModalModel> (test::sineBeam (10, ceramics));
+    request.focus.targets = { Target {} };
+    request.focus.targets[0].width = width;
+    request.focus.targets[0].peakVelocity = 0.02;
+    request.focus.focusTime = 0.02;
+    request.focus.modes.count = 5;
+    request.places = bankPlaces (request.model->surface, places, 0.02);
+    request.playback = { Reconstruction::bandLimited, rate };
+    return request;
+}
+
+/** Plays one note from the start and returns the first ceramic's voltages. */
+Eigen::VectorXd firstChannel (FocusPlayer& player, int place, int length)
+{
+    Eigen::MatrixXd voltages (length, ceramics);
+    std::vector<double*> channels;
+
+    for (int i = 0; i < ceramics; ++i)
+        channels.push_back (voltages.col (i).data());
+
+    const FocusEvent event { 0, FocusEventKind::trigger, place, 1 };
+    player.process (channels.data(), length, std::span (&event, 1));
+    return voltages.col (0);
+}
+} // namespace
+
+TEST_CASE ("A worker designs a bank and hands it over", "[graph]")
+{
+    FocusPlayer player (ceramics, rate, {});
+    DesignWorker worker (player.handOver());
+    worker.request (requestFor (12));
+    worker.waitUntilDone();
+    CHECK (worker.progress().designed == 13); // The focus at its own place among them.
+    CHECK (worker.progress().failed == 0);
+    CHECK (firstChannel (player, 3, 2000).cwiseAbs().maxCoeff() > 0);
+    CHECK (firstChannel (player, 12, 2000).cwiseAbs().maxCoeff() == 0); // Beyond the bank.
+    CHECK (player.counters().empty == 1);
+}
+
+TEST_CASE ("Rapid requests coalesce: the last one wins", "[graph]")
+{
+    FocusPlayer once (ceramics, rate, {}), often (ceramics, rate, {});
+    DesignWorker first (once.handOver()), second (often.handOver());
+
+    for (int i = 0; i < 50; ++i)
+        second.request (requestFor (20, 0.02 + 0.0002 * i));
+
+    first.request (requestFor (20, 0.02 + 0.0002 * 49));
+    first.waitUntilDone();
+    second.waitUntilDone();
+    CHECK (second.progress().designed == 21);
+    CHECK (firstChannel (once, 7, 2000) == firstChannel (often, 7, 2000));
+}
+
+TEST_CASE ("A design that takes long is given up for a newer request", "[graph]")
+{
+    auto slow = requestFor (1);
+    slow.model = std::make_shared<const ModalModel> (test::sineBeam (24, ceramics));
+    slow.focus.modes.count = 24; // Takes many seconds, and one step of its solver less than one.
+    slow.focus.allocation.method = AllocationMethod::dictionary;
+    slow.playback.sampleRate = 768000;
+    slow.focus.focusTime = 0.05;
+    BankHandOver handOver;
+    DesignWorker worker (handOver);
+    worker.request (slow);
+    std::this_thread::sleep_for (std::chrono::milliseconds (50));
+    worker.request (requestFor (2));
+    std::vector<std::int64_t> ends;
+
+    while (! worker.progress().isDone() || ends.empty())
+    {
+        std::this_thread::sleep_for (std::chrono::milliseconds (1));
+
+        if (const auto* const bank = handOver.take())
+        {
+            ends.push_back (bank->foci[FocusBank::livePlace]->endSample);
+            handOver.giveBack (bank);
+        }
+    }
+
+    CHECK (worker.progress().failed == 0);
+    CHECK (worker.progress().designed == 3);
+    CHECK (*std::max_element (ends.begin(), ends.end()) < static_cast<std::int64_t> (0.04 * rate));
+}
+
+TEST_CASE ("The focus at its own place is handed over first, then the place that is wanted, then the others", "[graph]")
+{
+    BankHandOver handOver;
+    DesignWorker worker (handOver);
+    auto request = requestFor (128);
+    request.first = { 77 };
+    worker.request (request);
+    std::unique_ptr<const FocusBank> bank;
+
+    while (bank == nullptr)
+        bank.reset (handOver.take());
+
+    CHECK (bank->foci[FocusBank::livePlace] != nullptr);
+    CHECK (bank->foci[0] == nullptr); // The farthest by number: designed last.
+    const auto wanted = 77;
+    worker.waitFor (std::span (&wanted, 1));
+
+    if (std::unique_ptr<const FocusBank> newer (handOver.take()); newer != nullptr)
+        bank = std::move (newer);
+
+    CHECK (bank->foci[77] != nullptr);
+    worker.waitUntilDone();
+    CHECK (worker.progress().designed == 129);
+    CHECK (worker.progress().firstMilliseconds > 0);
+}
+
+TEST_CASE ("A worker says when the wanted places are there", "[graph]")
+{
+    BankHandOver handOver;
+    DesignWorker worker (handOver);
+    auto request = requestFor (128);
+    request.first = { 3, 100, 300 }; // The last one is beyond the bank.
+    worker.request (request);
+    DesignProgress progress;
+
+    while (! progress.hasFirst)
+        progress = worker.progress();
+
+    const std::unique_ptr<const FocusBank> bank (handOver.take());
+    CHECK (bank->foci[3] != nullptr);
+    CHECK (bank->foci[100] != nullptr);
+}
+
+TEST_CASE ("A place that somebody waits for comes before all others", "[graph]")
+{
+    BankHandOver handOver;
+    DesignWorker worker (handOver);
+    worker.request (requestFor (128));
+    const std::array wanted { 100, 90 };
+    worker.waitFor (wanted);
+    const std::unique_ptr<const FocusBank> bank (handOver.take());
+    REQUIRE (bank != nullptr);
+    CHECK (bank->foci[100] != nullptr);
+    CHECK (bank->foci[90] != nullptr);
+}
+
+TEST_CASE ("A touched place is designed beside the bank and called back when it is there", "[graph]")
+{
+    BankHandOver handOver;
+    DesignWorker worker (handOver);
+    worker.request (requestFor (5));
+    std::atomic<int> place { -2 }, failed { -2 };
+    REQUIRE (worker.touch (0.031, 0, [&] (int ready) { place = ready; }));
+    REQUIRE (worker.touch (5, 0, [&] (int ready) { failed = ready; }));
+    worker.waitUntilDone();
+    CHECK (place == FocusBank::firstTouchPlace);
+    CHECK (failed == -1);
+    CHECK (worker.progress().designed == 6);
+    const std::unique_ptr<const FocusBank> bank (handOver.take());
+    CHECK (bank->foci[FocusBank::firstTouchPlace] != nullptr);
+    CHECK (bank->foci[FocusBank::firstTouchPlace + 1] == nullptr);
+}
+
+TEST_CASE ("A place that cannot be designed stays silent and says why", "[graph]")
+{
+    FocusPlayer player (ceramics, rate, {});
+    DesignWorker worker (player.handOver());
+    auto request = requestFor (3);
+    request.places[1] = { 5.0, 0.0 };
+    worker.request (request);
+    worker.waitUntilDone();
+    CHECK (worker.progress().failed == 1);
+    CHECK (worker.progress().failedNotes == std::vector { 1 });
+    CHECK_THAT (worker.progress().error, Catch::Contains ("beside the surface"));
+    CHECK (firstChannel (player, 1, 500).cwiseAbs().maxCoeff() == 0);
+    CHECK (firstChannel (player, 2, 500).cwiseAbs().maxCoeff() > 0);
+}
+
+TEST_CASE ("The places of a bank on a line and on a plate", "[graph]")
+{
+    Surface surface;
+    surface.xMinimum = -0.1;
+    surface.xMaximum = 0.1;
+    const auto line = bankPlaces (surface, 5, 0.02);
+    REQUIRE (line.size() == 5);
+    CHECK (line[0].first == Approx (-0.08));
+    CHECK (line[2].first == Approx (0).margin (1e-12));
+    CHECK (line[4].first == Approx (0.08));
+
+    surface.kind = SurfaceKind::plate;
+    surface.yMaximum = 0.1;
+    const auto grid = bankPlaces (surface, 128, 0.01);
+    REQUIRE (grid.size() == 128);
+    CHECK (grid[0].first == Approx (-0.09));
+    CHECK (grid[0].second == Approx (0.01));
+    CHECK (grid[15].first == Approx (0.09));
+    CHECK (grid[15].second == Approx (0.01));
+    CHECK (grid[127].first == Approx (0.09));
+    CHECK (grid[127].second == Approx (0.09));
+}
