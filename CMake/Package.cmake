@@ -7,16 +7,16 @@ set (CPACK_PACKAGE_DESCRIPTION_SUMMARY "surface haptics by modal superimposition
 set (standalone_text "")
 if (TARGET antinode_standalone)
     set (standalone_text "
-The program antinode-standalone plays them by MIDI and touch on an audio
-interface of its own.")
+The standalone program antinode-standalone plays them by MIDI and touch input
+through an audio interface.")
 endif()
 set (CPACK_PACKAGE_DESCRIPTION "\
-A plate or beam carries piezoelectric ceramics. Antinode computes the voltage
-of each ceramic so that a wanted velocity field appears at a chosen place, at
-a chosen instant, with a chosen strength.
+Antinode drives a plate or beam that carries piezoelectric ceramics. It
+computes the voltage of each ceramic so that a target velocity field appears
+at a chosen place, at a chosen instant, with a chosen strength.
 .
-The package holds the program antinode, which designs, renders and scores such
-foci, and instruments for hosts of VST3 and LV2 plug-ins, with one channel a
+The package contains the program antinode, which designs, renders and scores
+such foci, and instruments for VST3 and LV2 hosts, with one channel per
 ceramic.${standalone_text}")
 set (CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set (CPACK_RESOURCE_FILE_README ${PROJECT_SOURCE_DIR}/README.md)

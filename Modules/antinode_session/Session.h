@@ -20,7 +20,8 @@ namespace antinode
 
     A thread of its own looks at the parameters every few milliseconds, so that whoever changes them (a host does it on the audio
     thread) calls nobody. Solving a device and building a path happen there, designing on the path's worker. A new path is handed
-    over by one atomic exchange after the old one has ramped to 0 V, and the old one is freed here. Docs/Architecture.md, Session. */
+    over by one atomic exchange after the old one has ramped to 0 V, and the old one is freed here.
+    Docs/Decisions/0017-session-and-plug-in.md */
 class Session
 {
 public:
