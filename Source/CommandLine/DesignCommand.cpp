@@ -86,13 +86,13 @@ void sweep (const CommonOptions& options)
 
 void addDesignCommand (CLI::App& app)
 {
-    auto* command = app.add_subcommand ("design", "Computes who plays what for a focus and writes design.json");
+    auto* command = app.add_subcommand ("design", "Computes the voltages of a focus and writes design.json");
     auto options = std::make_shared<DesignCommandOptions>();
     addCommonOptions (*command, options->common);
     addToleranceOptions (*command, options->tolerance);
     auto* tradeoff =
         command->add_flag ("--tradeoff", options->isTradeoff,
-                           "Designs it by all methods and growths instead: voltage against time in motion");
+                           "Compares all methods and growths instead: peak voltage against time in motion");
     tradeoff->excludes (command->get_option ("--tolerance"));
     command->callback ([options] { options->isTradeoff ? sweep (options->common) : design (*options); });
 }
