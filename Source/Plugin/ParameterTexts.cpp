@@ -29,7 +29,7 @@ double numberIn (const juce::String& text)
     return std::isnan (number) ? 0.0 : number;
 }
 
-/** From where to where the surface goes, mm; both 0 where there is none. */
+/** From where to where the surface goes, mm; both 0 if there is none. */
 std::pair<double, double> extentOf (const ModalModel* model, Axis axis)
 {
     if (model == nullptr)
