@@ -138,7 +138,7 @@ TEST_CASE ("Errors for typical mistakes in focuses give their position and what 
            != std::string::npos);
     CHECK (errorWith ("modes.captured=0.9")
            == "my.json: /modes: has more than one of 'count', 'captured' and 'maximum_frequency_Hz'; allowed: at "
-              "most one of them");
+              "most one");
     CHECK (errorWith ("modes={\"choose\": \"energy\"}")
            == "my.json: /modes/choose: is given without 'count'; allowed only together");
     CHECK (errorWith ("modes={\"captured\": 0}") == "my.json: /modes/captured: is 0; allowed: above 0 to 1");
@@ -153,10 +153,10 @@ TEST_CASE ("Errors for typical mistakes in focuses give their position and what 
     CHECK (errorWith ("allocation.robust={}")
            == "my.json: /allocation/robust: is given with a method other than 'exact'; allowed only with 'exact'");
     CHECK (errorWith ("allocation={\"method\": \"paper\", \"displacement\": \"zero\"}")
-           == "my.json: /allocation/displacement: is 'zero' with a method that has no exact rows; allowed: that with "
+           == "my.json: /allocation/displacement: is 'zero' with a method without exact rows; allowed only with "
               "'exact', 'minimum_peak' and 'dictionary'");
     CHECK (errorWith ("allocation={\"displacement\": \"zero\", \"robust\": {}}")
-           == "my.json: /allocation/displacement: is 'zero' beside 'robust'; allowed: one of them");
+           == "my.json: /allocation/displacement: is 'zero' together with 'robust'; allowed: one of the two");
     CHECK (errorWith ("allocation={\"robust\": {\"frequency_percent\": 11}}")
            == "my.json: /allocation/robust/frequency_percent: is 11; allowed: 0 to 10");
     CHECK (errorWith ("edge_window={\"tukey\": 1.5}") == "my.json: /edge_window/tukey: is 1.5; allowed: 0 to 1");

@@ -90,7 +90,7 @@ TEST_CASE ("An assignment that does not fit says why and changes nothing", "[fil
     CHECK (error ("targets.0.0=3")
            == "assignment 'targets.0.0=3': '0' does not fit an object; allowed: the name of a key");
     CHECK (error ("targets.0.x_mm.y=3")
-           == "assignment 'targets.0.x_mm.y=3': 'y' does not fit, what is before it is neither an object nor a list");
+           == "assignment 'targets.0.x_mm.y=3': 'y' does not fit: its parent is neither an object nor a list");
     CHECK (error ("targets.1.a.2=3") == "assignment 'targets.1.a.2=3': index 2 is beyond the list; allowed: 0 to 0");
     CHECK (error ("a=\xff") == "assignment 'a=?': is not UTF-8 text");
     CHECK (error ("a.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p.q=1").find ("has too many keys") != std::string::npos);
