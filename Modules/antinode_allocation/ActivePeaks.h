@@ -15,7 +15,7 @@ struct ActivePeak
     double sign = 1;
 };
 
-/** The least objective where sign q_n' x_i <= limit (i) is asked of some peaks alone, by their multipliers z >= 0.
+/** The least objective where sign q_n' x_i <= limit (i) is imposed on some peaks only, by their multipliers z >= 0.
 
     The shares are E' y - Z with the rows E, their multipliers y and column i of Z the sum of z sign q_n over the peaks of ceramic i. With
     y eliminated the dual is d' z - z' K z / 2 with K = A' A - V' V and d the voltage beyond the limit without any z. A are the peaks'
@@ -32,13 +32,13 @@ public:
 
     /** Limits these peaks, ordered by ceramics, and no others.
         @param multipliers  where to start, one a peak
-        @return  false where there is no optimum, as far as can be told
+        @return  false where there is no optimum, as far as known
         [worker] a step N^2 (N_d + N_r) / 2 + N^3 / 6 */
     bool solve (std::vector<ActivePeak>, Eigen::VectorXd multipliers);
 
     const std::vector<ActivePeak>& peaks() const { return list; }
 
-    /** How hard each peak is held, N. */
+    /** The multiplier of each peak, N. */
     const Eigen::VectorXd& multipliers() const { return z; }
 
     /** N_d x N_b, hard rows met to rounding. [worker] */

@@ -20,7 +20,7 @@ namespace
 /** A peak ratio below which the limits leave so much room that the exact least one need not be known. */
 constexpr auto easyRatio = 0.97;
 
-/** Gaps beyond this are no solution; where the active set leaves one, the interior point looks anew. */
+/** Gaps beyond this are no solution; where the active set leaves one, the interior point tries again. */
 constexpr auto largestGap = 1e-6;
 
 /** What the limits must have to spare for the least norm within them to be looked for. */
@@ -56,8 +56,8 @@ void checkSolved (double gap)
 {
     if (! (std::abs (gap) <= largestGap))
         throw InputError ("allocation",
-                          "cannot be solved accurately because drives or rows are almost combinations of others: "
-                          "control fewer modes, or let their growths differ more");
+                          "cannot be solved accurately because drives or rows are nearly linearly dependent; "
+                          "control fewer modes, or choose growths that differ more");
 }
 
 /** The shares by the active set, with status, bound and effort of the certificate. */

@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** The allocation problem: which ceramic plays how much of which drive. Docs/Theory.md, section 4; paper (29), (30).
+/** The allocation problem: the share of each drive on each ceramic. Docs/Theory.md, section 4; paper (29), (30).
 
     Unknown: M, N_b x N_d (ceramics x drives), V. With the drives sampled as Psi (N_d x N_s):
 
@@ -33,12 +33,12 @@ struct AllocationProblem
     Eigen::MatrixXd guardRows;          ///< N_g x N_d, or empty
     double guardWeight = 0;             ///< lambda, at least 0
     Eigen::MatrixXd slopes;             ///< dPsi/dt, N_d x N_t, 1/s, on a grid on which the slew limits hold, or empty.
-    Eigen::VectorXd slewLimits;         ///< N_b, V/s, more than 0; empty where slopes are.
+    Eigen::VectorXd slewLimits;         ///< N_b, V/s, above 0; empty if slopes are empty.
     Eigen::VectorXd voltageLimits;      ///< N_b, V, more than 0
     double peakRoom = 1.001; ///< AllocationGoal::peak: the norm is the least within so many times the least peak.
 };
 
-/** What to minimise. */
+/** The objective. */
 enum class AllocationGoal
 {
     norm, ///< The norm, guards included, within the limits.
@@ -49,16 +49,16 @@ enum class AllocationStatus
 {
     unconstrained, ///< The closed-form minimum norm keeps the limits.
     optimal,       ///< The limits are active; the duality gap is certified. Always so for AllocationGoal::peak.
-    infeasible ///< No M keeps the limits with 1e-6 to spare: proven. The allocation is that of AllocationGoal::peak.
+    infeasible     ///< Proven infeasible within 1e-6. The allocation is that of AllocationGoal::peak.
 };
 
-/** What is known for certain about an allocation. */
+/** The certificate of an allocation. */
 struct AllocationCertificate
 {
     AllocationStatus status = AllocationStatus::unconstrained;
     int iterations = 0;   ///< Interior-point iterations over all rounds; 0 where the active set did it.
     int rounds = 0;       ///< Rounds of peak constraint generation.
-    double objective = 0; ///< What is minimised, guards' part included, V^2.
+    double objective = 0; ///< The minimised value, including the guards' part, V^2.
     /** A value that no M can go below which meets the rows and the limits (weak duality), V^2. Where the least peak was
         asked for, or the limits cannot be kept, the limits are those times peakRoom leastPeakRatio. */
     double bound = 0;

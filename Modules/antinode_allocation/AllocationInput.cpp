@@ -3,6 +3,7 @@
 #include <antinode_base/InputError.h>
 
 #include <algorithm>
+#include <sstream>
 #include <string>
 
 namespace antinode
@@ -15,6 +16,13 @@ void check (bool isRight, const std::string& wrong)
         throw InputError ("allocation", wrong);
 }
 
+std::string number (double value)
+{
+    std::ostringstream stream;
+    stream << value;
+    return stream.str();
+}
+
 std::string size (const Eigen::MatrixXd& matrix)
 {
     return std::to_string (matrix.rows()) + " x " + std::to_string (matrix.cols());
@@ -22,17 +30,17 @@ std::string size (const Eigen::MatrixXd& matrix)
 
 void checkSize (const char* name, const Eigen::MatrixXd& matrix, Eigen::Index rows, Eigen::Index columns)
 {
-    check (matrix.rows() == rows && matrix.cols() == columns, std::string (name) + " are " + size (matrix)
-                                                                  + ", allowed is " + std::to_string (rows) + " x "
+    check (matrix.rows() == rows && matrix.cols() == columns, std::string (name) + " have size " + size (matrix)
+                                                                  + "; allowed: " + std::to_string (rows) + " x "
                                                                   + std::to_string (columns));
-    check (matrix.allFinite(), std::string (name) + " hold a value that is not finite");
+    check (matrix.allFinite(), std::string (name) + " contain a value that is not finite");
 }
 
 void checkLimits (const char* name, const Eigen::VectorXd& limits, Eigen::Index ceramics, const char* unit)
 {
     checkSize ((std::string (name) + " limits").c_str(), limits, ceramics, 1);
-    check (limits.minCoeff() > 0, std::string ("has a ") + name + " limit of " + std::to_string (limits.minCoeff())
-                                      + " " + unit + ", allowed is more than 0");
+    check (limits.minCoeff() > 0, std::string ("has a ") + name + " limit of " + number (limits.minCoeff()) + " " + unit
+                                      + "; allowed: above 0 " + unit);
 }
 
 /** Samples of the slopes that are limited; neither limits without slopes nor slopes without limits. */
@@ -52,8 +60,8 @@ void validate (const AllocationProblem& problem)
     const auto modes = problem.wanted.size();
     const auto ceramics = problem.voltageLimits.size();
     const auto guards = problem.guardRows.rows();
-    check (problem.waveforms.size() > 0, "has no drives or no samples of them, at least one of each is needed");
-    check (ceramics > 0, "has no ceramics, at least one is needed");
+    check (problem.waveforms.size() > 0, "has no drives or no samples of them; at least one of each is needed");
+    check (ceramics > 0, "has no ceramics; at least one is needed");
     checkSize ("waveforms", problem.waveforms, drives, problem.waveforms.cols());
     checkSize ("wanted values", problem.wanted, modes, 1);
     checkSize ("participations", problem.participation, modes, ceramics);
@@ -68,6 +76,6 @@ void validate (const AllocationProblem& problem)
     checkLimits ("voltage", problem.voltageLimits, ceramics, "V");
     checkSlopes (problem, drives, ceramics);
     check (problem.guardWeight >= 0 && problem.guardWeight <= 1e12,
-           "has a guard weight of " + std::to_string (problem.guardWeight) + ", allowed is 0 to 1e12");
+           "has a guard weight of " + number (problem.guardWeight) + "; allowed: 0 to 1e12");
 }
 } // namespace antinode

@@ -32,7 +32,7 @@ public:
         [worker] */
     AllocationInteriorPoint (const WhitenedAllocation&, Ratio, double ratio, double curvature, Eigen::MatrixXd shares);
 
-    /** Limits more samples: a list a ceramic. [worker] */
+    /** Limits more samples: one list per ceramic. [worker] */
     void addSamples (const std::vector<SampleList>&);
 
     /** One step towards the optimum of the working set.

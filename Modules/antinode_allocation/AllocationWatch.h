@@ -5,7 +5,7 @@
 
 namespace antinode
 {
-/** What the solver is at. */
+/** The stage of the solver. */
 enum class AllocationStage
 {
     activeSet, ///< The least norm by the voltages' peaks.
@@ -13,7 +13,7 @@ enum class AllocationStage
     leastNorm  ///< The least norm by interior points.
 };
 
-/** How far a solver has come. */
+/** The progress of a solver. */
 struct AllocationProgress
 {
     AllocationStage stage = AllocationStage::activeSet;
@@ -24,7 +24,7 @@ struct AllocationProgress
 /** Called before every step, on the thread that solves. Returns whether to go on. */
 using AllocationWatch = std::function<bool (const AllocationProgress&)>;
 
-/** Where a watch said no: nothing is wrong, there is just no answer. */
+/** Thrown after a watch has cancelled: no error, but no result. */
 class AllocationCancelled : public std::runtime_error
 {
 public:

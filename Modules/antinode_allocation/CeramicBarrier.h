@@ -14,7 +14,7 @@ using SampleList = std::vector<Eigen::Index>;
 class CeramicBarrier
 {
 public:
-    /** What a Newton step is to bring to zero. */
+    /** The residuals of a Newton step. */
     struct Residual
     {
         Eigen::VectorXd share;           ///< Stationarity in the share, N_d.
@@ -46,10 +46,10 @@ public:
     /** Factors H = curvature I + sum (multiplier / slack) q q'. [worker] N_d^2 working samples */
     void factor (double curvature, const Eigen::MatrixXd& responses);
 
-    /** What the residuals leave to H times the share's change. [worker] */
+    /** The right-hand side of H times the change of the share. [worker] */
     Eigen::VectorXd pull (const Residual&) const;
 
-    /** By how much the ratio's multiplier sum is off because of the residuals. [worker] */
+    /** The error of the ratio's multiplier sum due to the residuals. [worker] */
     double ratioPull (const Residual&) const;
 
     /** The step of slacks and multipliers that belongs to changes of share and ratio. [worker] */

@@ -168,7 +168,7 @@ LimitedAllocation leastPeakShares (const WhitenedAllocation& problem, const RowS
     best.shares = rows.leastNormShares();
     best.value = problem.peakRatio (best.shares);
 
-    // What steadies one problem's steps holds up another's: where rounding ends the search too early it begins anew.
+    // The steadiness that helps one problem slows another down: if rounding ends the search too early, it restarts.
     for (const auto steadiness : { 1e-3, 1e-5, 1e-1 })
         if (best.value > easyRatio && best.gap() > neededPeakGap)
             searchLeastPeak (best, problem, rows, { easyRatio, steadiness }, watch);

@@ -9,13 +9,13 @@
 
 namespace antinode
 {
-/** How much work was done. */
+/** The amount of work. */
 struct AllocationEffort
 {
     int iterations = 0, rounds = 0;
 };
 
-/** Shares, what they reach and what none can go below. */
+/** Shares with their value and its certified lower bound. */
 struct LimitedAllocation
 {
     Eigen::MatrixXd shares; ///< N_d x N_b, hard rows met to rounding.
@@ -26,7 +26,7 @@ struct LimitedAllocation
     /** (value - bound) / value. [any] */
     double gap() const;
 
-    /** Takes over what is better. [any] */
+    /** Takes over the better shares and bound. [any] */
     void improve (const Eigen::MatrixXd& newShares, double newValue, double newBound);
 };
 

@@ -32,15 +32,15 @@ void validate (const WaveformBoundProblem& problem)
            "poles, participations, wanted velocities and voltage limits do not agree in size");
     check (problem.poles.allFinite() && problem.participation.allFinite() && problem.wanted.allFinite()
                && problem.voltageLimits.allFinite(),
-           "holds a value that is not finite");
+           "contains a value that is not finite");
     check (problem.poles.real().maxCoeff() <= 0 && problem.poles.imag().minCoeff() > 0,
-           "has a pole that grows or does not oscillate, allowed are damped oscillations");
-    check (problem.voltageLimits.minCoeff() > 0, "has a voltage limit of 0 or less, allowed is more than 0");
-    check (std::isfinite (problem.duration) && problem.duration > 0, "has no duration, allowed is more than 0 s");
+           "has a pole that grows or does not oscillate; allowed: damped oscillations");
+    check (problem.voltageLimits.minCoeff() > 0, "has a voltage limit of 0 V or less; allowed: above 0 V");
+    check (std::isfinite (problem.duration) && problem.duration > 0, "has no duration; allowed: above 0 s");
 
     for (Eigen::Index k = 0; k < modes; ++k)
         check (problem.wanted[k] == 0 || ! problem.participation.row (k).isZero (0),
-               "no ceramic moves controlled mode row " + std::to_string (k + 1) + " (counted from 1)");
+               "no ceramic excites controlled mode row " + std::to_string (k + 1) + " (counted from 1)");
 }
 
 /** The weight c = 1 + j a/b in h = Re[c e^{s tau}]. */

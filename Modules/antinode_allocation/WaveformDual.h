@@ -21,7 +21,7 @@ public:
     /** Each sample's part of the dual is v f - v^2 / 2 with v = clip (f). */
     double value (const Eigen::VectorXd& y, const Eigen::MatrixXd& pulls) const;
 
-    /** What is minimised, over samples. */
+    /** The minimised value, over samples. */
     double objective (const Eigen::MatrixXd& samples) const;
 
     /** The matrix of the Newton step: compliance and the rows as the samples within the limits see them. Lower triangle. */

@@ -98,8 +98,8 @@ Rows movedHardRows (const AllocationProblem& problem)
     for (Eigen::Index k = 0; k < problem.wanted.size(); ++k)
         if (problem.wanted[k] != 0 && ! std::binary_search (moved.begin(), moved.end(), k))
             throw InputError ("allocation",
-                              "no ceramic moves controlled mode row " + std::to_string (k + 1)
-                                  + " (counted from 1), leave that mode out or place a ceramic where it bends");
+                              "no ceramic excites controlled mode row " + std::to_string (k + 1)
+                                  + " (counted from 1); leave this mode out, or place a ceramic where it bends");
 
     return moved;
 }
@@ -130,10 +130,11 @@ void checkIndependentRows (const Eigen::MatrixXd& gram, const Rows& names)
 
     for (Eigen::Index k = 0; k < count; ++k)
         if (! (shifted.matrixLLT() (k, k) > smallestDistance))
-            throw InputError ("allocation",
-                              "controlled mode row " + std::to_string (names[static_cast<std::size_t> (k)] + 1)
-                                  + " (counted from 1) cannot be steered apart from the rows before it: too few "
-                                    "ceramics or drives, leave a mode out or place another ceramic");
+            throw InputError (
+                "allocation",
+                "controlled mode row " + std::to_string (names[static_cast<std::size_t> (k)] + 1)
+                    + " (counted from 1) cannot be controlled independently of the rows before it: too few "
+                      "ceramics or drives; leave a mode out, or place another ceramic");
 }
 
 /** Guards beyond a stiffness are as good as hard; the floor keeps the system solvable. */

@@ -35,16 +35,16 @@ struct WhitenedAllocation
     Eigen::Index drives() const { return basis.cols(); }
     Eigen::Index ceramics() const { return participation.cols(); }
 
-    /** What a ceramic's share is multiplied by to give one of its samples, N_d. [any] */
+    /** The factors from a ceramic's share to one of its samples, N_d. [any] */
     Eigen::VectorXd direction (Eigen::Index ceramic, Eigen::Index sample) const;
 
     /** The same without its guards. [worker] */
     WhitenedAllocation withoutGuards() const;
 
-    /** What the rows give for shares X: N_r values. [any] */
+    /** The values of the rows for shares X, N_r. [any] */
     Eigen::VectorXd rowValues (const Eigen::MatrixXd& shares) const;
 
-    /** What rows have in common: the Gram matrix of all of them without compliance, N_r x N_r. [worker] */
+    /** The Gram matrix of all rows without compliance, N_r x N_r. [worker] */
     Eigen::MatrixXd rowGram() const;
 
     /** The transpose of rowValues: sum of rows weighted by multipliers, N_d x N_b. [any] */
@@ -62,7 +62,7 @@ struct WhitenedAllocation
     /** The largest |voltage| / limit on the grid. [any] */
     double peakRatio (const Eigen::MatrixXd& shares) const;
 
-    /** What is minimised, with the guards' part. [any] */
+    /** The minimised value, including the guards' part. [any] */
     double objective (const Eigen::MatrixXd& shares) const;
 
     /** M, N_b x N_d, V. [any] */

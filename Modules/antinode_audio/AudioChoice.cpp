@@ -26,23 +26,23 @@ juce::AudioIODeviceType& deviceType (juce::AudioDeviceManager& manager, const st
             return *type;
 
     throw InputError ("audio device type '" + name + "'",
-                      "does not exist, there are " + joined (deviceTypes (manager)));
+                      "does not exist; available: " + joined (deviceTypes (manager)));
 }
 
-/** Of types that nobody has chosen among: the first that has something. */
+/** The first type that has an output device, where the user has chosen none. */
 std::string firstType (juce::AudioDeviceManager& manager)
 {
     const auto types = deviceTypes (manager);
 
     if (types.empty())
-        throw InputError ("audio", "is not possible: this program was built without ALSA and JACK");
+        throw InputError ("audio", "is not available: this program was built without ALSA and JACK");
 
     const auto found = std::find_if (types.begin(), types.end(),
                                      [&manager] (const auto& type) { return ! outputDevices (manager, type).empty(); });
 
     if (found == types.end())
-        throw InputError ("audio", "has no outputs on this computer by " + joined (types)
-                                       + "; for JACK, start its server first");
+        throw InputError ("audio",
+                          "has no outputs on this computer with " + joined (types) + "; JACK needs a running server");
 
     return *found;
 }
@@ -53,18 +53,18 @@ std::string chosenDevice (juce::AudioDeviceManager& manager, const AudioChoice& 
 
     if (names.empty())
         throw InputError (type, type == "JACK" ? "has no outputs: is a JACK server running?"
-                                               : "has no outputs on this computer; another type may have some");
+                                               : "has no outputs on this computer; try another type");
 
     if (choice.device.empty())
         return names.front();
 
     if (std::find (names.begin(), names.end(), choice.device) == names.end())
-        throw InputError (type + " device '" + choice.device + "'", "does not exist, there are " + joined (names));
+        throw InputError (type + " device '" + choice.device + "'", "does not exist; available: " + joined (names));
 
     return choice.device;
 }
 
-/** The inputs of the same name, else the first ones there are. */
+/** The input device of the same name, else the first one. */
 juce::String inputDevice (juce::AudioIODeviceType& type, const juce::String& device)
 {
     const auto names = type.getDeviceNames (true);
@@ -96,7 +96,7 @@ juce::AudioDeviceManager::AudioDeviceSetup setupOf (const AudioChoice& choice, c
     return setup;
 }
 
-/** Devices give what they can rather than what is asked for: a user who asks wants to know. */
+/** Devices fall back silently to what they support, so compare with the request. */
 void checkOpened (const juce::AudioIODevice& device, const AudioChoice& choice)
 {
     auto& opened = const_cast<juce::AudioIODevice&> (device);
@@ -110,17 +110,17 @@ void checkOpened (const juce::AudioIODevice& device, const AudioChoice& choice)
                                     + std::to_string (std::lround (choice.sampleRate)) + " Hz");
 
     if (choice.blockSize > 0 && block != choice.blockSize)
-        throw InputError (name, "has blocks of " + std::to_string (block) + " samples, not of "
+        throw InputError (name, "uses blocks of " + std::to_string (block) + " samples, not "
                                     + std::to_string (choice.blockSize));
 
     for (const auto output : choice.outputs)
         if (output >= channels)
-            throw InputError (name, "has " + std::to_string (channels) + " output channels, so none numbered "
+            throw InputError (name, "has " + std::to_string (channels) + " output channels; there is no output "
                                         + std::to_string (output + 1));
 
     for (const auto input : choice.inputs)
         if (input >= inputs)
-            throw InputError (name, "has " + std::to_string (inputs) + " input channels, so none numbered "
+            throw InputError (name, "has " + std::to_string (inputs) + " input channels; there is no input "
                                         + std::to_string (input + 1));
 }
 } // namespace

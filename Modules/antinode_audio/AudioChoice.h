@@ -7,15 +7,15 @@
 
 namespace antinode
 {
-/** Which audio device, and how. What is empty or 0 is left to the device. */
+/** The audio device and its settings. Empty or 0 leaves the choice to the device. */
 struct AudioChoice
 {
     std::string type;           ///< "ALSA" or "JACK"
-    std::string device;         ///< Of the type, as it is listed.
+    std::string device;         ///< Name within the type, as listed.
     double sampleRate = 0;      ///< Hz
     int blockSize = 0;          ///< Samples.
-    std::vector<int> outputs;   ///< Channels that are opened, counted from 0; empty: all.
-    std::vector<int> inputs {}; ///< Channels that are opened, counted from 0; empty: none.
+    std::vector<int> outputs;   ///< Output channels to open, counted from 0; empty: all.
+    std::vector<int> inputs {}; ///< Input channels to open, counted from 0; empty: none.
 
     bool operator== (const AudioChoice&) const = default;
 };
@@ -26,14 +26,14 @@ std::vector<std::string> outputDevices (juce::AudioDeviceManager&, const std::st
 /** The names of all types. [message thread] */
 std::vector<std::string> deviceTypes (juce::AudioDeviceManager&);
 
-/** How many outputs of a device are opened at most. */
+/** The largest number of outputs opened on a device. */
 constexpr int mostDeviceOutputs = 128;
 
 /** Opens what was chosen.
-    @throws InputError  where there is none, or it does not open, or not with that rate, block or so many channels; then it is closed
+    @throws InputError  if there is none, or it does not open, or not with that rate, block or so many channels; then it is closed
     [message thread] */
 void openAudio (juce::AudioDeviceManager&, const AudioChoice&);
 
-/** What is open now; `type` is empty where nothing is. [message thread] */
+/** The open device and its settings; `type` is empty if no device is open. [message thread] */
 AudioChoice openedAudio (juce::AudioDeviceManager&);
 } // namespace antinode

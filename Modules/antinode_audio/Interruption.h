@@ -2,9 +2,9 @@
 
 namespace antinode
 {
-/** From now on SIGINT and SIGTERM only say so; a second one ends the program as ever. [message thread] */
+/** From now on the first SIGINT or SIGTERM only sets a flag; a second one ends the program as usual. [message thread] */
 void catchInterruptions();
 
-/** Whether one has come. [any] */
+/** Whether such a signal has arrived. [any] */
 bool isInterrupted();
 } // namespace antinode

@@ -9,26 +9,26 @@
 
 namespace antinode
 {
-/** What is played once and recorded meanwhile: planar channels, a column each. */
+/** A signal to play once and the recording made meanwhile: planar channels, one per column. */
 struct Take
 {
     Eigen::MatrixXf played;                ///< Samples x open outputs, of full scale.
     Eigen::MatrixXf recorded;              ///< Samples x open inputs: filled in.
-    std::atomic<Eigen::Index> samples = 0; ///< How many were played.
-    std::atomic<bool> isDone = false;      ///< From here on the audio thread leaves it alone.
+    std::atomic<Eigen::Index> samples = 0; ///< Number of samples played.
+    std::atomic<bool> isDone = false;      ///< Once true, the audio thread no longer accesses the take.
 };
 
 /** Plays takes on an audio device, one after the other, and silence between them. A take that is stopped goes to 0 V on a ramp. */
 class PlayAndRecord : public juce::AudioIODeviceCallback
 {
 public:
-    /** Begins a take on the next block; the one before is done. The take outlives isDone. [any] one thread */
+    /** Starts a take with the next block; the previous one must be done. The take outlives isDone. [any] one thread */
     void begin (Take&);
 
     /** Ramps to 0 V and ends the take. [any] */
     void stop() { stops = true; }
 
-    /** How often the device has called. [any] */
+    /** The number of callbacks from the device. [any] */
     std::int64_t calls() const { return called; }
 
     void audioDeviceAboutToStart (juce::AudioIODevice*) override;

@@ -2,6 +2,6 @@
 
 namespace antinode
 {
-/** Lets ALSA and JACK keep what they print where there is no sound card or server: the program says it in a sentence. [message thread] */
+/** Silences what ALSA and JACK print without a sound card or server; the program reports it itself. [message thread] */
 void silenceAudioLibraries();
 } // namespace antinode

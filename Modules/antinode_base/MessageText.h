@@ -10,7 +10,7 @@ namespace antinode
 /** True when all bytes form valid UTF-8 (no overlong forms, no surrogates, nothing beyond U+10FFFF). [any] */
 bool isUtf8 (std::string_view text);
 
-/** Text from outside made fit for a message on one line: control characters, line separators and bytes that are not UTF-8
+/** External text made printable on one line of a message: control characters, line separators and bytes that are not UTF-8
     become '?', and what is longer than maximumLength bytes is cut and ends in "...". [any] */
 std::string printable (std::string_view text, std::size_t maximumLength = 60);
 
@@ -20,10 +20,10 @@ std::string inQuotes (std::string_view text);
 /** Words as 'a', 'b', 'c'. [any] */
 std::string listed (const std::vector<std::string_view>& words);
 
-/** A number as people write it: 12 significant digits, or as many as it takes to tell it from its neighbours. [any] */
+/** A number for messages: 12 significant digits, or as many as distinguish it from its neighbours. [any] */
 std::string numberText (double value);
 
-/** The candidate that a misspelt word most likely stands for, as " (did you mean 'x'?)"; empty where none is close. [any] */
+/** The most likely candidate for a misspelt word, as " (did you mean 'x'?)"; empty if none is close. [any] */
 std::string didYouMean (std::string_view word, const std::vector<std::string_view>& candidates);
 
 /** Text of unknown encoding as UTF-8, without the blanks around it; bytes that are not UTF-8 are read as Latin-1. [any] */

@@ -8,7 +8,7 @@
 
 namespace antinode
 {
-/** Words of a file and the values they stand for. */
+/** Words of a file and their values. */
 template <typename T, std::size_t count>
 using WordList = std::array<std::pair<std::string_view, T>, count>;
 

@@ -24,7 +24,7 @@ std::vector<int> distinct (std::vector<int> wanted, const std::string& kind)
     std::sort (wanted.begin(), wanted.end());
 
     if (const auto twice = std::adjacent_find (wanted.begin(), wanted.end()); twice != wanted.end())
-        throw InputError (kind + " " + std::to_string (*twice + 1), "is to serve two purposes, allowed is one");
+        throw InputError (kind + " " + std::to_string (*twice + 1), "has two roles; allowed: one");
 
     return wanted;
 }
@@ -101,7 +101,7 @@ TurnRecording AudioBench::play (const Excitation& excitation, Eigen::Index ceram
             return recordingOf (take, points);
     }
 
-    throw InputError ("audio device", "loses samples again and again: take a larger --block, or stop other programs");
+    throw InputError ("audio device", "keeps losing samples; choose a larger --block, or stop other programs");
 }
 
 /** Waits until a take is done; an interruption ends it at 0 V. */

@@ -9,7 +9,7 @@
 
 namespace antinode
 {
-/** Which channels of an audio device serve what, counted from 0. Ceramic k is output k. */
+/** The roles of the channels of an audio device, counted from 0. Ceramic k is output k. */
 struct BenchChannels
 {
     std::vector<int> sensors; ///< Inputs.
@@ -22,16 +22,16 @@ class AudioBench : public Bench
 {
 public:
     /** Opens the device.
-        @param fullScale            V that an output of 1 stands for
-        @param velocityOfFullScale  m/s that an input of 1 stands for
-        @throws InputError  where it does not open as it is asked for, or two roles have one channel [message thread] */
+        @param fullScale            The voltage of an output of 1, V
+        @param velocityOfFullScale  The velocity of an input of 1, m/s
+        @throws InputError  where it does not open as requested, or two roles have one channel [message thread] */
     AudioBench (AudioChoice, BenchChannels, Eigen::Index ceramics, double fullScale, double velocityOfFullScale);
     ~AudioBench() override;
 
     Eigen::Index sensors() const override;
     double velocityOfFullScale() const override { return velocity; }
 
-    /** A turn that lost samples is played again, at most twice; one that is interrupted goes to 0 V and is not whole. [message thread] */
+    /** A run that lost samples is repeated, at most twice; an interrupted run ramps to 0 V and is incomplete. [message thread] */
     TurnRecording play (const Excitation&, Eigen::Index ceramic, Eigen::Index firstPoint, Eigen::Index points) override;
 
 private:

@@ -5,7 +5,7 @@
 
 namespace antinode
 {
-/** Something that plays a ceramic's turn and records what sensors see of it. */
+/** Plays the run of a ceramic and records the sensors. */
 class Bench
 {
 public:
@@ -14,16 +14,16 @@ public:
     Bench (const Bench&) = delete;
     Bench& operator= (const Bench&) = delete;
 
-    /** How many points are recorded at once. */
+    /** The number of points recorded at once. */
     virtual Eigen::Index sensors() const = 0;
 
     /** The velocity beyond which a sensor's input clips, m/s. */
     virtual double velocityOfFullScale() const = 0;
 
-    /** Plays a turn while the sensors stand at consecutive points.
+    /** Plays a run while the sensors are at consecutive points.
         @return  as many sensors as points, and the sync channel where it is recorded
         @throws InputError  where it cannot be played
-        [worker] takes as long as the turn on a real bench */
+        [worker] takes as long as the run on a real bench */
     virtual TurnRecording play (const Excitation&, Eigen::Index ceramic, Eigen::Index firstPoint,
                                 Eigen::Index points) = 0;
 };

@@ -51,9 +51,8 @@ MeasurementFolder::MeasurementFolder (std::filesystem::path folderToUse, const E
     if (std::filesystem::exists (folder / sheetFile))
     {
         if (contentOf (folder / sheetFile) != sheetText || contentOf (folder / pointsFile) != places)
-            throw InputError (
-                folder.string(),
-                "holds a measurement with another excitation or other points: measure into another folder");
+            throw InputError (folder.string(),
+                              "contains a measurement with another excitation or other points; choose another folder");
 
         return;
     }

@@ -8,12 +8,12 @@
 
 namespace antinode
 {
-/** A measurement on disk: its sheet, its points, and a file for each point that is finished. A measurement that was interrupted is
-    gone on with where it was left. */
+/** A measurement on disk: its sheet, its points, and a file for each point that is finished. An interrupted measurement is
+    resumed where it ended. */
 class MeasurementFolder
 {
 public:
-    /** Begins a measurement, or goes on with the one that is there.
+    /** Starts a measurement, or resumes the existing one.
         @param points  N_p x 2, m
         @throws InputError  where the folder holds another measurement or cannot be written [worker] */
     MeasurementFolder (std::filesystem::path, const ExcitationSheet&, const Eigen::MatrixX2d& points);
@@ -21,10 +21,10 @@ public:
     /** Whether a point is finished. [worker] */
     bool has (Eigen::Index point) const;
 
-    /** Keeps what was measured at a point. @throws InputError  where it cannot be written [worker] */
+    /** Stores the results at a point. @throws InputError  where it cannot be written [worker] */
     void keep (const SurfaceMeasurement&, Eigen::Index point) const;
 
-    /** Puts what is kept of a point back. @throws InputError  where it is not what keep wrote [worker] */
+    /** Restores a stored point. @throws InputError  if keep did not write it [worker] */
     void restore (SurfaceMeasurement&, Eigen::Index point) const;
 
 private:

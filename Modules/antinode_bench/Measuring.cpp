@@ -25,15 +25,14 @@ struct Measuring
     const TurnAnalysisSettings& settings;
 };
 
-/** One turn. @throws InputError  also where somebody interrupts it: what was recorded is not whole then */
+/** One run. @throws InputError  also if the user interrupts it: the recording is then incomplete */
 TurnRecording playTurn (const Measuring& measuring, const Excitation& excitation, Eigen::Index ceramic,
                         Eigen::Index first, Eigen::Index count)
 {
     auto turn = measuring.bench.play (excitation, ceramic, first, count);
 
     if (isInterrupted())
-        throw InputError ("measurement",
-                          "was interrupted: finished points are kept, the same command goes on with the others");
+        throw InputError ("measurement", "was interrupted; finished points are kept, and the same command resumes it");
 
     return turn;
 }
@@ -52,7 +51,7 @@ Excitation quietExcitation (const ExcitationSheet& sheet)
     return makeExcitation (settings, sheet.voltageLimits);
 }
 
-/** Plays every ceramic softly, and says what full levels would do to the inputs. */
+/** Plays every ceramic at a low level and predicts the inputs at full level. */
 void checkLevels (const Measuring& measuring, Eigen::Index first, Eigen::Index count)
 {
     const auto quiet = quietExcitation (measuring.sheet);
@@ -69,13 +68,13 @@ void checkLevels (const Measuring& measuring, Eigen::Index first, Eigen::Index c
     }
 
     if (! (largest > 0))
-        throw InputError ("sensor", "its input hears nothing at all: is it wired to that input?");
+        throw InputError ("sensor", "has no signal at its input: is it wired to that input?");
 
     if (std::isfinite (fullScale) && largest > clipping * fullScale)
-        throw InputError ("sensor", formatted ("its input would be driven to %.0f %% of its full scale: take a lower "
-                                               "--level-v, or a larger range of the "
-                                               "sensor or the input",
-                                               100 * largest / fullScale));
+        throw InputError ("sensor",
+                          formatted ("would drive its input to %.0f %% of full scale; choose a lower --level-v, "
+                                     "or a larger range of the sensor or the input",
+                                     100 * largest / fullScale));
 
     measuring.guide.tell (formatted (
         "level check: at most %.3g mm/s at full level%s, latency %.2f samples", largest * 1000,
@@ -84,7 +83,7 @@ void checkLevels (const Measuring& measuring, Eigen::Index first, Eigen::Index c
         latency));
 }
 
-/** Gives all ceramics their turn. @return whether no input clipped */
+/** Runs all ceramics one after the other. @return whether no input clipped */
 bool measureAt (const Measuring& measuring, SurfaceMeasurement& measurement, Eigen::Index first, Eigen::Index count)
 {
     double largest = 0;
@@ -111,12 +110,11 @@ bool measureAt (const Measuring& measuring, SurfaceMeasurement& measurement, Eig
     for (Eigen::Index p = 0; p < points; ++p)
         kept += folder.has (p) ? 1 : 0;
 
-    throw InputError (
-        "measurement",
-        formatted ("ended with %td of %td points kept: the same command goes on with the others", kept, points));
+    throw InputError ("measurement",
+                      formatted ("ended with %td of %td points kept; the same command resumes it", kept, points));
 }
 
-/** From a point on, those that are measured together. */
+/** The number of points from one on that are measured together. */
 Eigen::Index pointsTogether (const Bench& bench, const MeasurementFolder& folder, Eigen::Index first,
                              Eigen::Index points)
 {

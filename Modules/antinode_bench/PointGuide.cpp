@@ -20,7 +20,7 @@ PointAnswer PointGuide::ask (const Eigen::MatrixX2d& places, Eigen::Index first,
             std::printf ("point %td of %td: %.6g, %.6g mm\n", p + 1, places.rows(), places (p, 0) * milli,
                          places (p, 1) * milli);
 
-        std::printf ("Enter measures, s skips, r repeats the one before, q ends for now: ");
+        std::printf ("Enter measures, s skips, r repeats the previous point, q ends for now: ");
         std::fflush (stdout);
 
         if (! std::getline (std::cin, answer) || answer == "q")

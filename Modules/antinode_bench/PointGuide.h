@@ -6,12 +6,12 @@
 
 namespace antinode
 {
-/** What a user wants at a point. */
+/** The user's choice at a point. */
 enum class PointAnswer
 {
     measure,
     skip,
-    again, ///< The one before.
+    again, ///< The previous point.
     end
 };
 
@@ -28,7 +28,7 @@ public:
         [worker] */
     PointAnswer ask (const Eigen::MatrixX2d& places, Eigen::Index first, Eigen::Index count) const;
 
-    /** Whether nobody is asked. */
+    /** Whether the user is not asked. */
     bool isSilent() const { return silent; }
 
     /** Says how a measurement went, in a line. */

@@ -17,7 +17,7 @@ SimulatedBenchPlayer::SimulatedBenchPlayer (ModalModel modelToMeasure, const Eig
 
 Eigen::Index SimulatedBenchPlayer::sensors() const
 {
-    constexpr Eigen::Index most = 16; // What a recording of a long turn needs stays below some 100 MB.
+    constexpr Eigen::Index most = 16; // The memory for a recording of a long run stays below some 100 MB.
     return std::min (most, shapes.rows());
 }
 
@@ -35,7 +35,7 @@ TurnRecording SimulatedBenchPlayer::play (const Excitation& excitation, Eigen::I
     Eigen::MatrixXd played = playedTurn (excitation, ceramic, 1);
     auto own = settings;
     own.sampleRate = excitation.settings.sampleRate;
-    // No two turns have the same noise.
+    // No two runs have the same noise.
     own.seed += static_cast<std::uint64_t> (ceramic + excitation.ceramics() * firstPoint);
     return simulateBench (model, shapes.middleRows (firstPoint, points), played.topRows (model.actuators()),
                           played.bottomRows (1).transpose(), own);

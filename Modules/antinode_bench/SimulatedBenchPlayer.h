@@ -7,7 +7,7 @@
 
 namespace antinode
 {
-/** The bench that is not there, with a sensor at each of several points at once. */
+/** A simulated bench with sensors at several points at once. */
 class SimulatedBenchPlayer : public Bench
 {
 public:

@@ -25,7 +25,7 @@ struct Span
     std::string label;
 };
 
-/** Where the names of the series stand: never over data. */
+/** The position of the legend: never over data. */
 enum class LegendPlace
 {
     top,
@@ -33,7 +33,7 @@ enum class LegendPlace
     none
 };
 
-/** How a line is drawn. */
+/** The style of a line. */
 enum class LineStyle
 {
     solid,

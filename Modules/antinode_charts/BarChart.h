@@ -23,7 +23,7 @@ struct BarSeries
     that, series are drawn over each other in their order, with marks at the ends of those below. */
 struct BarChart
 {
-    std::string title, xLabel, yLabel; ///< Labels carry the unit.
+    std::string title, xLabel, yLabel; ///< Labels include the unit.
     std::vector<std::string> categories;
     std::vector<BarSeries> series;
     std::optional<AxisRange> yRange; ///< Chosen from the data where it is missing.

@@ -19,7 +19,7 @@ public:
                 linkSquare (row, column);
     }
 
-    /** Lines with ends at the matrix's rim first, then closed ones. */
+    /** Lines with ends at the matrix's border first, then closed ones. */
     std::vector<ContourLine> lines()
     {
         std::vector<ContourLine> result;
@@ -105,7 +105,7 @@ private:
 
     const Eigen::MatrixXd& values;
     double level;
-    std::vector<std::array<Eigen::Index, 2>> links; ///< Of each edge to those that its line goes on to; -1 for none.
+    std::vector<std::array<Eigen::Index, 2>> links; ///< Of each edge to those that its line continues to; -1 for none.
 };
 } // namespace
 

@@ -43,7 +43,7 @@ juce::Path pathThrough (const CurvePiece& points)
     return path;
 }
 
-// Each column takes the extremes of those beside it, up to half a line's width away: steep parts get the width of a line.
+// Each column takes the extremes of its neighbours, up to half a line's width away: steep parts get the width of a line.
 std::vector<CurveColumn> broadened (const std::vector<CurveColumn>& columns, std::size_t reach)
 {
     auto broad = columns;

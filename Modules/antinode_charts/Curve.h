@@ -11,7 +11,7 @@ namespace antinode
 /** Consecutive points of a curve, in pixels. */
 using CurvePiece = std::vector<juce::Point<float>>;
 
-/** What of a curve falls into one column of pixels, in pixels (y downwards): top and bottom also cover the step from
+/** The part of a curve in one column of pixels, in pixels (y downwards): top and bottom also cover the step from
     the column before. */
 struct CurveColumn
 {
@@ -19,7 +19,7 @@ struct CurveColumn
     float top = 0, bottom = 0;
 };
 
-/** How a curve is drawn. */
+/** The style of a curve. */
 struct CurveStyle
 {
     juce::Colour colour;

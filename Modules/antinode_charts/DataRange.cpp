@@ -105,7 +105,7 @@ void requireMatchingSizes (const LineChart& chart)
             throw InputError ("chart \"" + chart.title + "\"", "series \"" + series.name + "\" has "
                                                                    + std::to_string (series.x.size()) + " x values and "
                                                                    + std::to_string (series.y.size())
-                                                                   + " y values, allowed is the same number of both");
+                                                                   + " y values; allowed: equal numbers of both");
 }
 
 void requireMatchingSizes (const BarChart& chart)
@@ -114,7 +114,7 @@ void requireMatchingSizes (const BarChart& chart)
         if (series.values.size() != static_cast<Eigen::Index> (chart.categories.size()))
             throw InputError ("chart \"" + chart.title + "\"",
                               "series \"" + series.name + "\" has " + std::to_string (series.values.size())
-                                  + " values, allowed is one for each of the "
-                                  + std::to_string (chart.categories.size()) + " categories");
+                                  + " values; allowed: one for each of the " + std::to_string (chart.categories.size())
+                                  + " categories");
 }
 } // namespace antinode

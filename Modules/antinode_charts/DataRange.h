@@ -10,18 +10,18 @@
 
 namespace antinode
 {
-/** The finite values among these: the range with them included, nothing where there are none at all.
+/** The finite values among these: the range with them included, nothing if there are none at all.
     @param positiveOnly  leaves out values that a logarithmic axis cannot show [any] */
 std::optional<AxisRange> including (std::optional<AxisRange>, const Eigen::Ref<const Eigen::VectorXd>& values,
                                     bool positiveOnly = false);
 
-/** What the curves span in x, or nothing. [any] */
+/** The x range of the curves, or nothing. [any] */
 std::optional<AxisRange> xDataRange (const LineChart&);
 
-/** What curves, limits and fillings span in y, or nothing. [any] */
+/** The y range of curves, limits and fillings, or nothing. [any] */
 std::optional<AxisRange> yDataRange (const LineChart&);
 
-/** What bars and limits span in y, or nothing. [any] */
+/** The y range of bars and limits, or nothing. [any] */
 std::optional<AxisRange> yDataRange (const BarChart&);
 
 /** Both together. [any] */

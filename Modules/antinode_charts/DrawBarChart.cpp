@@ -58,7 +58,7 @@ float baseOf (const PlotFrame& frame)
     return frame.y.logarithmic ? frame.plot.getBottom() : frame.yAt (0);
 }
 
-/** From the base to the value; empty where it has no place. */
+/** From the base to the value; empty if it has no place. */
 juce::Rectangle<float> barOf (const PlotFrame& frame, float left, float width, double value)
 {
     const auto y = frame.yAt (value), base = baseOf (frame);

@@ -68,7 +68,7 @@ void requireMatchingSizes (const HeatMap& chart)
                                                                + std::to_string (chart.values.cols()) + " columns, "
                                                                + std::to_string (rows) + " row names and "
                                                                + std::to_string (columns)
-                                                               + " column names, allowed is a name for each or none");
+                                                               + " column names; allowed: one name for each, or none");
 }
 
 PlotFrame frameOf (const HeatMap& chart, juce::Rectangle<float> rest, float barWidth, const Theme& theme)

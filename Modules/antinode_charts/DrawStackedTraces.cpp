@@ -27,7 +27,7 @@ void requireMatchingSizes (const StackedTraces& chart)
         throw InputError ("chart \"" + chart.title + "\"",
                           "has " + std::to_string (lanes) + " traces, " + std::to_string (names) + " names and "
                               + std::to_string (chart.limits.size())
-                              + " limits, allowed is one name for each trace and one limit " + "for each or none");
+                              + " limits; allowed: one name and one limit for each trace, or none");
 }
 
 AxisRange timeRange (const StackedTraces& chart)

@@ -40,12 +40,12 @@ Series fieldSeries (const Eigen::VectorXd& places, const std::string& name, cons
 LineChart profileChart (const Eigen::VectorXd& places, const Eigen::MatrixX3d& velocities)
 {
     LineChart chart;
-    chart.xLabel = "place (mm)";
+    chart.xLabel = "position (mm)";
     chart.yLabel = "velocity (mm/s)";
-    // What was reached mostly covers what could be carried: the dashes go on top.
+    // The reached field mostly covers the represented one, so the dashes are drawn on top.
     chart.series = { fieldSeries (places, "wanted", velocities.col (0), LineStyle::dotted, series_colour::neutral),
                      fieldSeries (places, "reached", velocities.col (2), LineStyle::solid, 0),
-                     fieldSeries (places, "carried by the controlled modes", velocities.col (1), LineStyle::dashed,
+                     fieldSeries (places, "represented by the controlled modes", velocities.col (1), LineStyle::dashed,
                                   1) };
     return chart;
 }
@@ -155,7 +155,7 @@ HeatMap spectrogramChart (const Render& render, Eigen::Index probe, double maxim
     map.xLabel = "time (ms)";
     map.yLabel = "frequency (kHz)";
     map.valueLabel = "level (dB re largest)";
-    // Before the trigger there is silence, but after the last sample the plate goes on: windows that reach beyond it would show a cut.
+    // Before the trigger there is silence, but after the last sample the plate continues to move: windows that reach beyond it would show a cut.
     const auto end = static_cast<double> (signal.size() - 1) / render.sampleRate;
     const auto shown = (result.times.array() <= end - 0.5 * settings.windowDuration).count();
     map.values = result.decibels.leftCols (std::max<Eigen::Index> (shown, 1));
@@ -188,7 +188,7 @@ HeatMap fieldOverTimeChart (const ModalModel& model, const FocusDesign& design, 
     }
 
     HeatMap map;
-    map.xLabel = isPlate ? "x (mm)" : "place (mm)";
+    map.xLabel = isPlate ? "x (mm)" : "position (mm)";
     map.yLabel = "time from the focus (ms)";
     map.valueLabel = "velocity (mm/s)";
     map.values = (shapes * velocities).transpose() * milli;

@@ -11,7 +11,7 @@
 
 namespace antinode
 {
-/** Which colours stand for values. */
+/** The colour scale. */
 enum class ColourScale
 {
     sequential, ///< From little to much.
@@ -37,15 +37,15 @@ struct MapContours
 {
     std::vector<double> levels; ///< In the unit of the values.
     std::optional<double>
-        nodalLinesFrom; ///< Zero lines, thinner, where values beside them reach this; none: no such lines.
+        nodalLinesFrom; ///< Zero lines, thinner, where neighbouring values reach this; none: no such lines.
 };
 
 /** A matrix as colours: a spectrogram, or a field over the plane or over time. Values that are not finite stay empty. */
 struct HeatMap
 {
-    std::string title, xLabel, yLabel, valueLabel; ///< Labels carry the unit.
+    std::string title, xLabel, yLabel, valueLabel; ///< Labels include the unit.
     Eigen::MatrixXd values;                        ///< A row for each y from below, a column for each x.
-    AxisRange x, y;                                ///< What the outer edges of the matrix stand for.
+    AxisRange x, y;                                ///< The range between the outer edges of the matrix.
     std::optional<AxisRange> valueRange;           ///< Chosen from the data where it is missing.
     ColourScale scale = ColourScale::sequential;
     bool equalAspect = false; ///< One unit is as long in x as in y: for plates.

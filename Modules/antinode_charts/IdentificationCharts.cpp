@@ -54,7 +54,7 @@ Series magnitudeBehind (const FrequencyResponses& responses, double lowest, doub
     const auto largest = magnitude.maxCoeff();
     const Eigen::ArrayXd decades = (magnitude / largest).max (1e-12).log10();
     Series series;
-    series.name = "mean magnitude (logarithmic, no scale)";
+    series.name = "mean magnitude (logarithmic, arbitrary scale)";
     series.x = responses.frequencies;
     series.y = lowest + (highest - lowest) * (decades - decades.minCoeff()) / std::max (-decades.minCoeff(), 1e-12);
     series.colour = series_colour::neutral;
@@ -73,7 +73,7 @@ LineChart comparison (const Eigen::VectorXd& frequencies, const Eigen::VectorXd&
     LineChart chart;
     chart.yLabel = label;
     chart.series = { { "measured", frequencies, measured, LineStyle::solid, false, false, series_colour::neutral },
-                     { "from the modes", frequencies, synthesised, LineStyle::dashed, false, false, 0 } };
+                     { "synthesised from the modes", frequencies, synthesised, LineStyle::dashed, false, false, 0 } };
     return chart;
 }
 } // namespace

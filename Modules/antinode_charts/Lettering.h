@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** How text looks. */
+/** The style of text. */
 struct TextStyle
 {
     float height = 13; ///< Of a line, in pixels at scale 1.

@@ -25,7 +25,7 @@ struct Series
 /** Curves over a common x axis. A curve with more values than pixels keeps every extreme. */
 struct LineChart
 {
-    std::string title, xLabel, yLabel; ///< Labels carry the unit: "time (ms)".
+    std::string title, xLabel, yLabel; ///< Labels include the unit: "time (ms)".
     std::vector<Series> series;
     std::optional<AxisRange> xRange, yRange; ///< Chosen from the data where they are missing.
     bool logarithmicX = false, logarithmicY = false;

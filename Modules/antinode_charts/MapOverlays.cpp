@@ -79,7 +79,7 @@ Eigen::MatrixXd withRim (const Eigen::MatrixXd& values)
     return values (repeated (values.rows()), repeated (values.cols()));
 }
 
-// Where hardly anything moves the sign is chance: values that neither reach the bound nor lie beside one that does are left out.
+// Where hardly anything moves the sign is chance: values that neither reach the bound nor have a neighbour that does are left out.
 Eigen::MatrixXd withoutStill (const Eigen::MatrixXd& values, double bound)
 {
     Eigen::MatrixXd kept = Eigen::MatrixXd::Constant (values.rows(), values.cols(), std::nan (""));

@@ -65,7 +65,7 @@ LineChart curves (const SurfaceMeasurement& measurement, const Values& values)
 LineChart responseChart (const SurfaceMeasurement& measurement)
 {
     auto chart = curves (measurement, [&] (auto ceramic) { return effectiveVelocity (measurement, ceramic); });
-    chart.yLabel = "effective velocity (mm/s per V)";
+    chart.yLabel = "RMS velocity (mm/s per V)";
     chart.logarithmicY = true;
     return chart;
 }

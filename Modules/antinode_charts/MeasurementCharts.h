@@ -6,12 +6,12 @@
 
 namespace antinode
 {
-/** The effective velocity of all points over frequency, a curve a ceramic; of many ceramics the strongest ones. [worker] */
+/** The RMS velocity of all points over frequency, one curve per ceramic; of many ceramics the strongest ones. [worker] */
 LineChart responseChart (const SurfaceMeasurement&);
 
-/** The coherence over frequency in the mean over the points, a curve a ceramic; the same ceramics. [worker] */
+/** The coherence over frequency, averaged over the points, one curve per ceramic; the same ceramics. [worker] */
 LineChart coherenceChart (const SurfaceMeasurement&);
 
-/** Signal to noise in dB, from the mean coherence: a row a ceramic, a column a point. [worker] */
+/** The signal-to-noise ratio in dB, from the mean coherence: one row per ceramic, one column per point. [worker] */
 HeatMap signalToNoiseChart (const SurfaceMeasurement&);
 } // namespace antinode

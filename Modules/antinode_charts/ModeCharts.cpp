@@ -105,7 +105,7 @@ PlanView deviceChart (const ModalModel& model)
         return view;
     }
 
-    view.xLabel = "place (mm)";
+    view.xLabel = "position (mm)";
     view.y = scaledRange;
 
     for (auto& rectangle : view.rectangles)
@@ -120,7 +120,7 @@ ChartGrid modeGallery (const ModalModel& model, int count)
     grid.columns = isPlate (model) ? plateColumns : lineColumns;
     grid.panels = isPlate (model) ? plateShapes (model, shownModes (model, count))
                                   : lineShapes (model, shownModes (model, count));
-    grid.xLabel = isPlate (model) ? "" : "place (mm)";
+    grid.xLabel = isPlate (model) ? "" : "position (mm)";
     return grid;
 }
 
@@ -144,7 +144,7 @@ HeatMap participationChart (const ModalModel& model)
     HeatMap chart;
     chart.xLabel = "mode";
     chart.yLabel = "ceramic";
-    chart.valueLabel = "participation over the mode's largest";
+    chart.valueLabel = "participation relative to the mode's largest";
     chart.scale = ColourScale::diverging;
     chart.valueRange = scaledRange;
     chart.values = Eigen::MatrixXd::Zero (model.actuators(), model.modes());

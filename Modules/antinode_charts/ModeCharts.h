@@ -18,7 +18,7 @@ ChartGrid modeGallery (const ModalModel&, int count);
 /** A height at which the gallery's pictures are well shaped, in pixels at scale 1. [any] */
 int comfortableGalleryHeight (const ModalModel&, int count, int width);
 
-/** How strongly each ceramic drives each mode, relative to the mode's strongest: a table in colours, a column a mode. The model has
+/** How strongly each ceramic drives each mode, relative to the mode's strongest: a table in colours, one column per mode. The model has
     ceramics. [any] */
 HeatMap participationChart (const ModalModel&);
 } // namespace antinode

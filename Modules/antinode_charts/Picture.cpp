@@ -20,9 +20,9 @@ void requireSize (int width, int height, float scale)
 {
     if (width < 16 || height < 16 || width > 8192 || height > 8192)
         throw InputError ("picture", "is " + std::to_string (width) + " x " + std::to_string (height)
-                                         + " pixels, allowed is 16 to 8192 each way");
+                                         + " pixels; allowed: 16 to 8192 in each direction");
     if (! (scale >= 0.25f && scale <= 8.0f))
-        throw InputError ("picture", "has scale " + formatNumber (scale) + ", allowed is 0.25 to 8");
+        throw InputError ("picture", "has scale " + formatNumber (scale) + "; allowed: 0.25 to 8");
 }
 
 // libpng's quick setting: up to twice the bytes of JUCE's writer in a fifth of its time. Encoding, not drawing, dominates.
@@ -38,7 +38,7 @@ std::string encodePng (const juce::Image& image)
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX (header);
     std::string bytes (size, '\0');
     if (png_image_write_to_memory (&header, bytes.data(), &size, 0, pixels.data, pixels.lineStride, nullptr) == 0)
-        throw std::runtime_error (std::string ("a picture could not be written: ") + header.message);
+        throw std::runtime_error (std::string ("the picture could not be written: ") + header.message);
     bytes.resize (size);
     bytes.shrink_to_fit();
     return bytes;

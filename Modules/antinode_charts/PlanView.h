@@ -8,7 +8,7 @@ namespace antinode
 struct PlanView
 {
     std::string title, xLabel,
-        yLabel;     ///< Labels carry the unit. Without a y label the y direction has no scale: a beam.
+        yLabel;     ///< Labels include the unit. Without a y label the y direction has no scale: a beam.
     AxisRange x, y; ///< The surface.
     std::vector<MapRectangle> rectangles;
     std::vector<MapPoint> points;

@@ -62,7 +62,7 @@ ChartGrid plateFieldsChart (const ModalModel& model, const FocusDesign& design, 
     fields << wanted, design.truncatedField, reached, reached - wanted;
     const auto maps = fieldMaps (model.surface, fields, mapCells);
     const auto peak = fields.leftCols (3).cwiseAbs().maxCoeff() * milli;
-    constexpr const char* titles[] = { "wanted", "carried by the controlled modes", "reached",
+    constexpr const char* titles[] = { "wanted", "represented by the controlled modes", "reached",
                                        "difference: reached \xE2\x88\x92 wanted" };
 
     ChartGrid grid;

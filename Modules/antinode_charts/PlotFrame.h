@@ -27,7 +27,7 @@ struct Axis
         ticks; ///< Chosen at layout where empty; those that are given are thinned out until labels fit.
     bool grid = true;
 
-    /** Where a value lies: 0 at the minimum, 1 at the maximum, never further out than 20; NaN for what has no place.
+    /** The position of a value: 0 at the minimum, 1 at the maximum, never beyond +-20; NaN for values without a position.
         [any] */
     float fraction (double value) const;
 };
@@ -38,7 +38,7 @@ struct PlotMargins
     float above = 0, right = 0;
 };
 
-/** Where a plot lies and how values become pixels. */
+/** The area of a plot and the mapping of values to pixels. */
 struct PlotFrame
 {
     juce::Rectangle<float> plot;
@@ -58,7 +58,7 @@ PlotFrame layOutPlot (juce::Rectangle<float> area, Axis x, Axis y, PlotMargins, 
 /** The plot made smaller, in the middle of its place, so that one unit is as long in x as in y. [any] */
 PlotFrame withEqualAspect (PlotFrame);
 
-/** The ticks of an axis of so many pixels, and in its label the power of ten that the tick labels leave out. [any] */
+/** The ticks of an axis of the given number of pixels, and in its label the power of ten that the tick labels leave out. [any] */
 Axis withTicks (Axis, float length, float spacing);
 
 /** Background and grid: below the data. [any] */
@@ -67,7 +67,7 @@ void drawGrid (juce::Graphics&, const PlotFrame&, const Theme&);
 /** Axes with their labels: above the data. [any] */
 void drawAxes (juce::Graphics&, const PlotFrame&, const Theme&);
 
-/** Says in the middle of the plot that there is nothing to show. [any] */
+/** Shows in the middle of the plot that there is no data. [any] */
 void drawNoData (juce::Graphics&, const PlotFrame&, const Theme&);
 
 /** Fills the chart's background and draws its title; gives what remains of the area. [any] */

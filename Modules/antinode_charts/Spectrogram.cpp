@@ -21,14 +21,14 @@ void requireUsable (double sampleRate, const SpectrogramSettings& settings)
     const auto require = [] (bool isUsable, const std::string& what, double value, const std::string& allowed)
     {
         if (! isUsable)
-            throw InputError ("spectrogram", what + " is " + formatNumber (value) + ", allowed is " + allowed);
+            throw InputError ("spectrogram", what + " is " + formatNumber (value) + "; allowed: " + allowed);
     };
-    require (std::isfinite (sampleRate) && sampleRate > 0, "the sample rate", sampleRate, "more than 0 Hz");
+    require (std::isfinite (sampleRate) && sampleRate > 0, "the sample rate", sampleRate, "above 0 Hz");
     const auto samples = settings.windowDuration * sampleRate;
     require (samples >= 4 && samples <= 1e7, "the window's length", samples, "4 to 10 000 000 samples");
     require (settings.columns >= 1 && settings.columns <= 100000, "the number of instants", settings.columns,
              "1 to 100 000");
-    require (settings.floorDecibels < 0, "the floor", settings.floorDecibels, "less than 0 dB");
+    require (settings.floorDecibels < 0, "the floor", settings.floorDecibels, "below 0 dB");
     require (settings.reference >= 0, "the reference", settings.reference, "0 or more");
     require (settings.maximumFrequency >= 0, "the highest frequency", settings.maximumFrequency, "0 Hz or more");
 }

@@ -4,10 +4,10 @@
 
 namespace antinode
 {
-/** How a spectrogram is computed. */
+/** The settings of a spectrogram. */
 struct SpectrogramSettings
 {
-    double windowDuration = 4e-3; ///< s, of the Hann window: two tones 2 / windowDuration Hz apart are told apart.
+    double windowDuration = 4e-3; ///< s, of the Hann window: two tones 2 / windowDuration Hz apart are distinguished.
     int columns = 400;            ///< Instants, evenly over the signal: its first sample to its last, 1 or more.
     double maximumFrequency = 0;  ///< Hz; 0 for half of the sample rate.
     double reference = 0;         ///< Amplitude of 0 dB in the unit of the signal; 0 for the largest one found.

@@ -9,8 +9,8 @@
 
 namespace antinode
 {
-/** How everything looks: one value for the screen, the report and print. Sizes in pixels at scale 1.
-    The series' colours are those of Okabe and Ito ("Color Universal Design", 2008), told apart with every kind of colour
+/** The look of all drawings: one value for the screen, the report and print. Sizes in pixels at scale 1.
+    The series' colours are those of Okabe and Ito ("Color Universal Design", 2008), distinguished with every kind of colour
     vision, made darker or lighter where the background needs it. */
 struct Theme
 {

@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** What an axis spans, minimum below maximum. */
+/** The range of an axis, minimum below maximum. */
 struct AxisRange
 {
     double minimum = 0, maximum = 1;

@@ -8,15 +8,15 @@
 
 namespace antinode
 {
-/** How many of the devices drawn have which field error: a histogram, a curve a design.
+/** Histogram of the field error over the drawn devices, one curve per design.
     @param designs  at least one, each with draws
     [any] */
 LineChart toleranceHistogram (const std::vector<DesignTolerance>& designs);
 
-/** The share of devices on which the field error is at most so large, a curve a design, the percentiles marked on it. [any] */
+/** Cumulative distribution of the field error over the devices, one curve per design, with the percentiles marked. [any] */
 LineChart toleranceShares (const std::vector<DesignTolerance>& designs);
 
-/** What hurts most: the modes of the largest field errors, each with those of its frequency, damping and participations.
+/** The largest causes of error: the modes with the largest field errors, each split into frequency, damping and participation.
     @param count  how many modes at most
     [any] */
 BarChart toleranceCauseChart (const Tolerance&, int count);

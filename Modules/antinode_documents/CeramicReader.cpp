@@ -12,7 +12,7 @@ namespace antinode
 namespace
 {
 constexpr double toleranceMillimetre =
-    1e-6; ///< By so much ceramics may overlap or leave the device: rounding, not geometry.
+    1e-6; ///< Tolerance for overlapping ceramics and for ceramics beyond the device: rounding, not geometry.
 
 constexpr WordList<CeramicMounting, 2> mountingWords { { { "both_sides", CeramicMounting::bothSides },
                                                          { "one_side", CeramicMounting::oneSide } } };
@@ -37,7 +37,7 @@ double readSize (const JsonValue& value, double maximum)
     return size <= maximum + toleranceMillimetre ? size : value.number ({ ranges::lengthMillimetre.minimum, maximum });
 }
 
-/** What does not depend on where a ceramic lies. */
+/** The properties that do not depend on the position of a ceramic. */
 CeramicDescription readCeramic (const JsonObject& object)
 {
     CeramicDescription ceramic;
@@ -68,7 +68,7 @@ void requireNoOverlap (const std::vector<JsonValue>& places, const std::vector<C
     for (std::size_t i = 0; i < ceramics.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (overlap (ceramics[i], ceramics[j]))
-                places[i].fail ("overlaps /ceramics/" + std::to_string (j) + ", allowed is to touch it");
+                places[i].fail ("overlaps /ceramics/" + std::to_string (j) + "; ceramics may only touch");
 }
 } // namespace
 

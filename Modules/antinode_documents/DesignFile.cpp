@@ -23,14 +23,14 @@ Json conventions()
                          "frequency_Hz tau)), "
                          "tau = t - start_s, for start_s <= t < end_s, else 0" },
         { "angular_frequency_rad_s", "2 pi frequency_Hz to the last bit" },
-        { "free_decay_per_s", "of a brake: the decay rate of its mode when it is left alone" },
+        { "free_decay_per_s", "of a brake: the free decay rate of its mode" },
         { "counter_share",
-          "of a brake: real and imaginary part of the share of its effect on its mode that turns against it" },
+          "of a brake: real and imaginary part of the fraction of its effect on its mode that rotates against it" },
         { "allocation",
-          "one row a ceramic, one column an oscillation: U_i(t) = sum over c of allocation[i][c] value_c(t), in V" },
+          "one row per ceramic, one column per oscillation: U_i(t) = sum over c of allocation[i][c] value_c(t), in V" },
         { "samples",
-          "of a free waveform: one row a ceramic, the first sample at first_time_s; added to what oscillations "
-          "and allocation give, where there are any" }
+          "of a free waveform: one row per ceramic, the first sample at first_time_s; added to the voltages of "
+          "oscillations and allocation, if any" }
     };
 }
 

@@ -12,7 +12,7 @@ namespace antinode
     Modes are numbered from 0 in the order of the model. [worker] */
 nlohmann::ordered_json designToJson (const FocusDesign&, const ModalModel&);
 
-/** What is played, from a design.json: the same to the bit as it was written.
+/** The program of a design.json: bit-identical to the one written.
     @param source  how errors name it
     @throws InputError  source, JSON pointer, what is wrong, what is allowed
     [worker] */

@@ -98,7 +98,7 @@ std::string signalFileOf (const nlohmann::json& document, const std::string& sou
     auto name = value.text (ranges::maximumNameBytes);
 
     if (name.empty() || name.front() == '.' || name.find ('/') != std::string::npos)
-        value.fail ("is no plain name of a file beside the sheet");
+        value.fail ("is not a plain file name; allowed: a file in the folder of the sheet");
 
     return name;
 }

@@ -9,26 +9,26 @@
 
 namespace antinode
 {
-/** An excitation with what it was made for: all that `frf` needs to read recordings made under it. */
+/** An excitation and its purpose: all that `frf` needs to evaluate recordings of it. */
 struct ExcitationSheet
 {
     std::string device;                ///< Its name.
-    std::vector<std::string> ceramics; ///< N_b names, in the order of their turns.
+    std::vector<std::string> ceramics; ///< N_b names, in the order of their runs.
     Eigen::VectorXd voltageLimits;     ///< N_b: V
-    double fullScaleVoltage = 1;       ///< V that a sample of 1 stands for.
+    double fullScaleVoltage = 1;       ///< The voltage of a sample of 1, V.
     Excitation excitation;
 };
 
-/** Schema antinode.excitation/1: settings, order, lengths, and the name of the file that holds the signal of a turn.
-    @param signalFile   beside the sheet
+/** Schema antinode.excitation/1: settings, order, lengths, and the name of the file that holds the signal of a run.
+    @param signalFile   in the folder of the sheet
     [worker] Docs/FileFormats.md. */
 nlohmann::ordered_json excitationToJson (const ExcitationSheet&, const std::string& signalFile);
 
 /** The name of the file with the signal. @throws InputError  as readExcitation [worker] */
 std::string signalFileOf (const nlohmann::json&, const std::string& source);
 
-/** A sheet from its JSON and the signal of a turn.
-    @param signal  as the file beside the sheet has it, peak 1
+/** A sheet from its JSON and the signal of a run.
+    @param signal  as the file in the folder of the sheet has it, peak 1
     @throws InputError  source, JSON pointer, what is wrong, what is allowed, "did you mean"; or where the signal does not fit
     [worker] */
 ExcitationSheet readExcitation (const nlohmann::json&, const std::string& source, const Eigen::VectorXd& signal);

@@ -58,7 +58,7 @@ Target readTarget (const JsonValue& value)
     if (const auto width = object.optional ("width_y_mm"))
     {
         if (target.profile == TargetProfile::radial)
-            width->fail ("is given for a radial target, which has one width; allowed is only with "
+            width->fail ("is given for a radial target, which has one width; allowed only with "
                          "\"profile\": \"separable\"");
 
         target.widthY = fromMillimetres (width->number (ranges::lengthMillimetre));
@@ -80,11 +80,10 @@ ModeChoice readModeChoice (const JsonValue& value)
         modes.count = count->integer (1, static_cast<int> (ranges::maximumModes));
 
     if (modes.count.has_value() + modes.captured.has_value() + modes.maximumFrequency.has_value() > 1)
-        value.fail (
-            "has more than one of 'count', 'captured' and 'maximum_frequency_Hz', allowed is at most one of them");
+        value.fail ("has more than one of 'count', 'captured' and 'maximum_frequency_Hz'; allowed: at most one");
 
     if (choose && ! count)
-        choose->fail ("is given without 'count', allowed is only both together");
+        choose->fail ("is given without 'count'; allowed only together");
 
     if (choose)
         modes.order = choose->choice (modeOrderWords);
@@ -129,7 +128,7 @@ TransientChoice readTransients (const JsonValue& value)
     return transients;
 }
 
-/** How many modes are guarded: none in the result for "all". */
+/** The number of guarded modes; no value for "all". */
 std::optional<int> readGuardModes (const JsonValue& value)
 {
     if (value.isString())
@@ -138,7 +137,7 @@ std::optional<int> readGuardModes (const JsonValue& value)
     return value.integer (0, static_cast<int> (ranges::maximumModes));
 }
 
-/** Percentages as shares; what is not given is as usual. */
+/** Percentages as fractions; missing ones have their defaults. */
 Robustness readRobustness (const JsonValue& value)
 {
     const auto object =
@@ -157,17 +156,17 @@ Robustness readRobustness (const JsonValue& value)
     return robustness;
 }
 
-/** Whether displacements are to be 0. */
+/** Whether displacements must be 0. */
 bool readDisplacement (const JsonValue& value, AllocationMethod method, bool isRobust)
 {
     const auto isZero = value.choice (WordList<bool, 2> { { { "free", false }, { "zero", true } } });
 
     if (isZero && ! hasExactRows (method))
-        value.fail ("is 'zero' with a method that has no exact rows, allowed is that with 'exact', 'minimum_peak' and "
+        value.fail ("is 'zero' with a method without exact rows; allowed only with 'exact', 'minimum_peak' and "
                     "'dictionary'");
 
     if (isZero && isRobust)
-        value.fail ("is 'zero' beside 'robust', allowed is one of them");
+        value.fail ("is 'zero' together with 'robust'; allowed: one of the two");
 
     return isZero;
 }
@@ -195,7 +194,7 @@ AllocationChoice readAllocation (const JsonValue& value)
     if (const auto robust = object.optional ("robust"))
     {
         if (allocation.method != AllocationMethod::exact)
-            robust->fail ("is given with another method than 'exact', allowed is only with that");
+            robust->fail ("is given with a method other than 'exact'; allowed only with 'exact'");
 
         allocation.robust = readRobustness (*robust);
     }

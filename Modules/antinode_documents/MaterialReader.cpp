@@ -58,8 +58,8 @@ Material builtIn (const JsonValue& value, const std::optional<Material>& found, 
         return *found;
 
     const std::vector<std::string_view> words (names.begin(), names.end());
-    value.fail (value.description() + didYouMean (value.text (ranges::maximumNameBytes), words) + ", allowed is one of "
-                + listed (words) + ", or an object with the material's constants");
+    value.fail (value.description() + didYouMean (value.text (ranges::maximumNameBytes), words) + "; allowed: one of "
+                + listed (words) + ", or an object with the constants of the material");
 }
 } // namespace
 

@@ -18,7 +18,7 @@ namespace
 constexpr NumberRange anyNumber { -1e12, 1e12 };
 constexpr NumberRange notNegative { 0, 1e12 };
 constexpr NumberRange ceramicSizeMillimetre { 0, 1e5 };
-constexpr double largestGramError = 0.02; ///< Beyond it the points do not stand for the whole body.
+constexpr double largestGramError = 0.02; ///< Above it the points do not represent the whole body.
 
 Eigen::VectorXd readVector (const JsonValue& list, Eigen::Index size, const NumberRange& range)
 {
@@ -34,7 +34,7 @@ bool allHave (const std::vector<JsonObject>& modes, std::string_view key)
     const auto lacking = std::find_if_not (modes.begin(), modes.end(), has);
 
     if (lacking != modes.end() && std::any_of (modes.begin(), modes.end(), has))
-        lacking->fail ("has no " + inQuotes (key) + ", allowed is that all modes have it or none");
+        lacking->fail ("has no " + inQuotes (key) + "; allowed: for all modes or none");
 
     return lacking == modes.end();
 }
@@ -84,7 +84,7 @@ void readModes (const JsonObject& device, const std::vector<Eigen::Index>& order
 
     if (hasSlopes && model.surface.kind == SurfaceKind::plate)
         modes.front().required ("slope").fail (
-            "is given for a plate, allowed on a line only (all points with the same y)");
+            "is given for a plate; allowed only on a line (all points with the same y)");
 
     // The first mode says how many ceramics there are; the others must agree.
     const auto ceramics = modes.front().required ("participation_per_V").items (0, ranges::maximumCeramics).size();
@@ -129,8 +129,8 @@ void readCeramics (const JsonObject& device, ModalModel& model)
 
     if (limits.current > 0)
         limitsObject.fail (
-            "limits the current, which needs the ceramics' capacitance, and modes do not tell it; allowed "
-            "is 'slew_V_per_us', the current over the capacitance");
+            "has 'current_mA', which needs the capacitance of the ceramics, unknown for a modal device; allowed: "
+            "'slew_V_per_us', the current divided by the capacitance");
 
     const auto count = static_cast<std::size_t> (model.actuators());
     model.fullScaleVoltage = limits.fullScale;
@@ -189,7 +189,7 @@ void sortModes (ModalModel& model)
         model.frequencyErrors = model.frequencyErrors (order).eval();
 }
 
-/** True when sum w phi_k phi_l is the identity: the points then stand for the whole body. */
+/** True if sum w phi_k phi_l is the identity: the points then represent the whole body. */
 bool shapesAreOrthonormal (const ModalModel& model)
 {
     const Eigen::MatrixXd gram = model.shapes.transpose() * model.surface.masses.asDiagonal() * model.shapes;

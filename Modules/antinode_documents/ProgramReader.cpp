@@ -46,7 +46,7 @@ Oscillation readOscillation (const JsonValue& value)
         oscillation.counterShare = { parts[0], parts[1] };
 
         if (std::norm (oscillation.counterShare) >= 1)
-            share->fail ("is 1 or more in magnitude, allowed is less than 1");
+            share->fail ("has a magnitude of 1 or more; allowed: below 1");
     }
 
     return oscillation;

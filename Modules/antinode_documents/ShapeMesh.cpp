@@ -10,7 +10,7 @@ namespace
 {
 constexpr Eigen::Index mostPoints = 4000;
 
-/** How often a row of values changes its sign where it is not small beside the largest value of its mode. */
+/** How often a row of values changes its sign where it is not small relative to the largest value of its mode. */
 Eigen::Index signChanges (const auto& values, double largest)
 {
     constexpr double small = 0.05; // Along a nodal line there is nothing but rounding errors.

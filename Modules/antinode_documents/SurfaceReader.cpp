@@ -44,7 +44,7 @@ Eigen::VectorXd readWeights (const JsonValue& list, Eigen::Index points)
     Eigen::VectorXd weights = Eigen::Map<const Eigen::VectorXd> (numbers.data(), points);
 
     if (! (weights.sum() > 0))
-        list.fail ("is zero everywhere, allowed is at least one number above 0");
+        list.fail ("is zero everywhere; allowed: at least one number above 0");
 
     return weights;
 }
@@ -59,7 +59,7 @@ std::vector<Eigen::Index> orderAlong (const JsonValue& list, const Eigen::Vector
 
     if (same != order.end())
         list.fail ("has entries " + std::to_string (*same) + " and " + std::to_string (*std::next (same))
-                   + " in one place, allowed on a line is a place of its own for each");
+                   + " at the same position; allowed on a line: distinct positions");
 
     return order;
 }
@@ -97,8 +97,8 @@ double refined (double value, const JsonValue& exact)
     const auto result = exact.number (anyExact);
 
     if (std::abs (result - value) > 1e-9 * (std::abs (value) + 1e-3))
-        exact.fail (exact.description() + ", allowed is " + numberText (value)
-                    + " as the key with the unit says; a file that is changed by hand should leave out 'exact'");
+        exact.fail (exact.description() + "; allowed: " + numberText (value)
+                    + " as in the key with the unit; a file that is edited by hand should omit 'exact'");
 
     return result;
 }

@@ -12,7 +12,7 @@ namespace antinode
 struct GivenSurface
 {
     Surface surface;
-    std::vector<Eigen::Index> order; ///< Which point of the file each point of the surface is.
+    std::vector<Eigen::Index> order; ///< The index in the file of each point of the surface.
 };
 
 /** The surface of a modal device: "points_mm", "weights_kg", "areas_m2".

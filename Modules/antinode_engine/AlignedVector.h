@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** What kernels read starts on a cache line: a vector of 512 bits that lies across two lines costs two loads. */
+/** Data of kernels starts on a cache line: a vector of 512 bits across two lines costs two loads. */
 inline constexpr std::size_t cacheLine = 64;
 
 /** Allocates on cache lines. */

@@ -27,10 +27,10 @@ public:
     /** Frees what came back. [worker] */
     void collect();
 
-    /** The newest bank, or none where there is none since the last call. [audio thread] */
+    /** The newest bank, or none if there was none since the last call. [audio thread] */
     const FocusBank* take() { return next.exchange (nullptr, std::memory_order_acq_rel); }
 
-    /** Whether a bank can be given back just now. [audio thread] */
+    /** Whether a bank can be given back at the moment. [audio thread] */
     bool canGiveBack() const;
 
     /** Gives a bank back to be freed; only where that is possible. [audio thread] */

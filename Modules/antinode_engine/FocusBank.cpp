@@ -9,7 +9,7 @@ namespace antinode
 {
 namespace
 {
-/** The part of a program that are brakes, or the other one. */
+/** The brakes of a program, or all its other oscillations. */
 VoltageProgram partOf (const VoltageProgram& program, bool brakes)
 {
     auto part = program;
@@ -27,11 +27,11 @@ VoltageProgram partOf (const VoltageProgram& program, bool brakes)
     return part;
 }
 
-/** @throws InputError  where there are samples, which are bound to one rate and to one place in time */
+/** @throws InputError  for sampled voltages, which fit one sample rate and one instant only */
 const VoltageProgram& requireOscillations (const VoltageProgram& program)
 {
     if (program.samples)
-        throw InputError ("voltage program", "is a free waveform, which is played offline only; use the allocation "
+        throw InputError ("voltage program", "is a free waveform, which can be played offline only; use the allocation "
                                              "'dictionary' in real time");
 
     return program;

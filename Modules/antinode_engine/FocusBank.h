@@ -10,22 +10,22 @@
 
 namespace antinode
 {
-/** A designed focus, ready to be played: read only from here on. */
+/** A designed focus, ready to play; read-only. */
 struct PlayableFocus
 {
     /** @throws InputError  as VoltageSynthesiser, and for a free waveform [worker] allocates */
     PlayableFocus (const VoltageProgram&, Playback);
 
-    VoltageSynthesiser synthesiser;     ///< Of all but the brakes.
+    VoltageSynthesiser synthesiser;     ///< Plays everything but the brakes.
     std::int64_t firstSample = 0;       ///< From the trigger: none of these sounds before it,
     std::int64_t endSample = 0;         ///< and none from it on.
-    std::optional<PlayableBrake> brake; ///< None where there are no brakes, or more than can be held.
+    std::optional<PlayableBrake> brake; ///< None if there are no brakes, or more than can be held.
 
 private:
     PlayableFocus (const VoltageProgram&, Playback, bool isBraked);
 };
 
-/** What triggers play, each place with a focus or none: 128 places of notes, the one that is edited, and some that were touched
+/** The foci of the triggers, each place with a focus or none: 128 places of notes, the one that is edited, and some that were touched
     last. Made on a worker, handed over whole, never changed. */
 struct FocusBank
 {

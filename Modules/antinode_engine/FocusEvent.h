@@ -9,7 +9,7 @@ enum class FocusEventKind
     stopAll  ///< Fades every voice out.
 };
 
-/** What the player is told, to the sample. */
+/** An event for the player, accurate to the sample. */
 struct FocusEvent
 {
     int offset = 0; ///< Sample of the block, 0 to its length - 1; events come in the order of their offsets.

@@ -11,19 +11,19 @@
 
 namespace antinode
 {
-/** What a note-off does to the foci that its place plays. */
+/** What a note-off does to the foci that its note has started. */
 enum class NoteOffBehaviour
 {
-    ignore, ///< A focus plays to its end: the default, notes are mostly shorter than foci.
-    fade,   ///< It fades out.
-    brake ///< While the note is held, the plate rings on after the focus; then the brake begins, not before its own time.
+    ignore, ///< The focus plays to its end: the default, since notes are mostly shorter than foci.
+    fade,   ///< The focus fades out.
+    brake   ///< The plate rings on while the note is held; then the brake starts, never before its designed time.
 };
 
-/** What a trigger does where its place sounds already. */
+/** What a trigger does while its note still plays. */
 enum class RetriggerBehaviour
 {
     overlap, ///< Both play: velocities add up.
-    restart  ///< The earlier one fades out.
+    restart  ///< The earlier focus fades out.
 };
 
 struct PlayerSettings
@@ -34,16 +34,16 @@ struct PlayerSettings
     double fadeTime = 0.002;  ///< s, of stolen, released and stopped voices.
 };
 
-/** How often things happened since the start. */
+/** Event counters since the start. */
 struct PlayerCounters
 {
-    std::int64_t triggered = 0; ///< Voices begun.
+    std::int64_t triggered = 0; ///< Voices started.
     std::int64_t empty = 0;     ///< Triggers of places without a focus.
     std::int64_t stolen = 0;    ///< Voices faded out for a newer one.
-    std::int64_t cut = 0;       ///< Fading voices ended early since even those were needed.
+    std::int64_t cut = 0;       ///< Fading voices ended early because all voices were in use.
 };
 
-/** Voices: overlapping foci, each with its own design and amplitude, summed into one channel a ceramic.
+/** Voices: overlapping foci, each with its own design and amplitude, summed into one channel per ceramic.
 
     A voice keeps the design that it began with, also when a new bank arrives. Output depends on the samples' and events' places in time only,
     not, to the bit, on how time is cut into blocks. Limits are not its concern: VoltageLimiter stands behind it.
@@ -62,25 +62,25 @@ public:
         [worker] allocates */
     FocusPlayer (int ceramics, double sampleRate, PlayerSettings);
 
-    /** Nothing may be processing. [worker] */
+    /** No block may be in process. [worker] */
     ~FocusPlayer();
     FocusPlayer (const FocusPlayer&) = delete;
     FocusPlayer& operator= (const FocusPlayer&) = delete;
 
-    /** Where a worker gives banks. They are taken at the start of a block. [any] */
+    /** Where a worker hands banks over. They are taken at the start of a block. [any] */
     BankHandOver& handOver() { return exchange; }
 
     /** Writes a block.
-        @param channels  one pointer a ceramic, to count samples, V; what they hold is overwritten
+        @param channels  one pointer per ceramic, to count samples each, V; overwritten
         @param count     0 or more
         [audio thread] allocates nothing, locks nothing */
     template <typename Sample>
     void process (Sample* const* channels, int count, std::span<const FocusEvent> events);
 
-    /** Samples from an event to its focus where foci fall on notes, of the bank that plays; else 0. [audio thread] */
+    /** Samples from an event to its focus in the current bank if foci are delayed onto notes; else 0. [audio thread] */
     std::int64_t latencySamples() const { return settings.focusOnNote ? latency : 0; }
 
-    /** Voices that play or fade just now. [audio thread] */
+    /** The number of voices that play or fade. [audio thread] */
     int activeVoices() const;
 
     const PlayerCounters& counters() const { return counts; }
@@ -107,7 +107,7 @@ private:
         int place = 0;
         double amplitude = 0;
         std::int64_t trigger = 0; ///< The sample of the player's clock at which the focus' own time is 0.
-        std::int64_t order = 0;   ///< Which trigger it was.
+        std::int64_t order = 0;   ///< The number of its trigger.
         std::int64_t fadeStart = never;
         bool holdsBrake = false;     ///< Until its note ends.
         std::int64_t brakeDelay = 0; ///< Samples by which the brake begins later than designed.

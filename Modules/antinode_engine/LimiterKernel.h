@@ -8,7 +8,7 @@ namespace antinode
 template <typename Sample>
 struct LimiterKernel
 {
-    /** How many samples from the first on are finite: count where all are. */
+    /** The number of finite samples from the first on: count if all are finite. */
     int (*finiteSamples) (const Sample* samples, int count);
 
     /** Clamps samples to +- limit. @return how many were beyond it */

@@ -33,36 +33,35 @@ void requireUsable (const RenderSettings& settings)
     const auto rate = settings.playback.sampleRate;
 
     if (! (rate >= lowestRate && rate <= highestRate))
-        throw InputError ("sample rate",
-                          text ("is ", rate, " Hz, allowed is ", lowestRate, " to ", highestRate, " Hz"));
+        throw InputError ("sample rate", text ("is ", rate, " Hz; allowed: ", lowestRate, " to ", highestRate, " Hz"));
 
     if (! (settings.duration > 0 && settings.duration <= longestDuration))
         throw InputError ("duration",
-                          text ("is ", settings.duration, " s, allowed is more than 0 to ", longestDuration, " s"));
+                          text ("is ", settings.duration, " s; allowed: above 0 to ", longestDuration, " s"));
 
     if (settings.blockSize < 1)
-        throw InputError ("block size", text ("is ", settings.blockSize, ", allowed is 1 or more"));
+        throw InputError ("block size", text ("is ", settings.blockSize, "; allowed: 1 or more"));
 }
 
-/** How many samples the duration has, once it is known that they fit into memory and hold the focus. */
+/** The number of samples in the duration, after checking that they fit into memory and include the focus. */
 Eigen::Index countSamples (const RenderSettings& settings, Eigen::Index rows, std::int64_t focusSample)
 {
     const auto count = std::max (1.0, std::round (settings.duration * settings.playback.sampleRate));
     const auto bytes = count * static_cast<double> (rows) * sizeof (double);
 
     if (bytes > mostMemory)
-        throw InputError ("duration",
-                          text ("needs ", std::ceil (bytes / (1024 * 1024)), " MiB at this sample rate, allowed is ",
-                                mostMemory / (1024 * 1024), " MiB; take a shorter duration or a lower rate"));
+        throw InputError ("duration", text ("needs ", std::ceil (bytes / (1024 * 1024)),
+                                            " MiB at this sample rate; allowed: ", mostMemory / (1024 * 1024),
+                                            " MiB; take a shorter duration or a lower rate"));
 
     if (focusSample < 0 || static_cast<double> (focusSample) >= count)
-        throw InputError ("duration", text ("is ", settings.duration, " s and does not reach the focus at ",
+        throw InputError ("duration", text ("is ", settings.duration, " s, which ends before the focus at ",
                                             static_cast<double> (focusSample) / settings.playback.sampleRate, " s"));
 
     return static_cast<Eigen::Index> (count);
 }
 
-/** Calls back when another hundredth is done. */
+/** Calls back after every 1 % of the work. */
 class Progress
 {
 public:
@@ -114,8 +113,8 @@ PlacedSamples placedSamples (const VoltageProgram& program, Playback playback, s
         { return reconstruction == Reconstruction::bandLimited ? "band_limited" : "zero_order_hold"; };
         throw InputError ("sample rate",
                           text ("is ", playback.sampleRate, " Hz, ", nameOf (playback.reconstruction),
-                                ", but this free waveform is made for ", made.sampleRate, " Hz, ",
-                                nameOf (made.reconstruction), ": design it for ", playback.sampleRate, " Hz"));
+                                ", but this free waveform was designed for ", made.sampleRate, " Hz, ",
+                                nameOf (made.reconstruction), "; design it again for ", playback.sampleRate, " Hz"));
     }
 
     if (samples.values.rows() != program.voltageLimits.size())
@@ -181,7 +180,7 @@ Render renderOffline (const ModalModel& model, const VoltageProgram& program, co
 
     if (program.allocation.rows() != model.actuators() || program.voltageLimits.size() != model.actuators())
         throw InputError ("voltage program",
-                          "needs a row of the allocation and a limit for every ceramic of the device");
+                          "needs one row of the allocation and one limit for every ceramic of the device");
 
     VoltageSynthesiser synthesiser (program, settings.playback);
     auto ownSamples = placedSamples (program, settings.playback, synthesiser.focusSample());
@@ -198,7 +197,7 @@ Render renderOffline (const ModalModel& model, const VoltageProgram& program, co
     renderAll (kernels, settings.blockSize, samples, progress, render);
 
     if (kernels.limiter.isMuted())
-        throw InputError ("voltage program", "its voltages leave the range of numbers");
+        throw InputError ("voltage program", "has voltages beyond double precision");
 
     render.probeVelocities = settings.probeShapes * render.modalVelocities;
     render.focusVelocities = render.modalVelocities.col (render.focusSample);

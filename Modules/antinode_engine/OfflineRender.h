@@ -10,7 +10,7 @@
 
 namespace antinode
 {
-/** What is rendered. */
+/** The settings of a render. */
 struct RenderSettings
 {
     Playback playback;           ///< With a rate of more than 0.
@@ -35,7 +35,7 @@ struct Render
     voltages before it are 0, those after the last one are what the program goes on with.
     @param progress  called with 0..1 after about every hundredth; may be empty
     @throws InputError  when the rate is not 8 kHz to 2 MHz, the duration not above 0 to 60 s or too long for 1 GiB of results or
-                        too short for the focus, the block size below 1, sizes do not agree, voltages leave the range of numbers, or
+                        too short for the focus, the block size below 1, sizes do not agree, voltages overflow double precision, or
                         a free waveform was made for another rate or reconstruction
     [worker] Docs/Theory.md, section 6. */
 Render renderOffline (const ModalModel&, const VoltageProgram&, const RenderSettings&,

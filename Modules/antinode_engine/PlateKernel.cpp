@@ -19,8 +19,7 @@ using Vector = hn::VFromD<hn::ScalableTag<double>>;
 constexpr Index lanes = static_cast<Index> (hn::MaxLanes (tag));
 constexpr Index groupModes = plateModeGroup;
 constexpr int samplesAtOnce = 4;
-constexpr int vectorsAtOnce =
-    HWY_TARGET <= HWY_AVX3 ? 4 : 2; // beside the samples: as many forces as there are registers
+constexpr int vectorsAtOnce = HWY_TARGET <= HWY_AVX3 ? 4 : 2; // in addition to the samples: as many forces as registers
 
 /** The forces of some modes at some samples: half of what the voltages add. */
 template <int samples>

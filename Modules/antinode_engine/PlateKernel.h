@@ -8,7 +8,7 @@ namespace antinode
 /** Samples in a tile of the real-time plate, and what its modes are padded to: groups of four of the widest vectors. */
 inline constexpr int plateTile = 16, plateModeGroup = 32;
 
-/** Up to how many modes are heard at once by the probes, and by how many probes where there are enough. */
+/** The largest number of modes summed at once for the probes, and the number of probes at once if there are enough. */
 inline constexpr int plateModesHeard = 128, plateProbeGroup = 8;
 
 /** The modes of a plate and one tile of its samples. All arrays start on a cache line; modes are padded with zeros. Where
@@ -31,7 +31,7 @@ struct PlateTile
         nullptr; ///< groups x probes x 32; of eight probes at a time modes x 8, of the rest probes x 32.
     const double* voltages = nullptr; ///< ceramics x 16, V; finite also behind the last sample.
     double* state = nullptr;          ///< groups x 2 x 32
-    double* motion = nullptr;         ///< 4 groups x 16 x 32: velocities of the modes that are heard at once; finite.
+    double* motion = nullptr;         ///< 4 groups x 16 x 32: velocities of the modes that are summed at once; finite.
     double* sums = nullptr;           ///< probes x 16 x 8: partial sums of the velocities at the probes.
     double* velocities = nullptr;     ///< probes x 16, m/s
 };
@@ -44,7 +44,7 @@ struct PlateModes
     double *state, *motion;
 };
 
-/** What belongs to the modes from one on in its group. [audio thread] */
+/** The data of the modes from one on in its group. [audio thread] */
 inline PlateModes plateModes (const PlateTile& tile, std::ptrdiff_t mode)
 {
     const auto lane = mode % plateModeGroup, group = mode - lane;
@@ -56,7 +56,7 @@ inline PlateModes plateModes (const PlateTile& tile, std::ptrdiff_t mode)
              tile.motion + group % plateModesHeard * plateTile + lane };
 }
 
-/** Where the modes end that are heard at once from one on. [audio thread] */
+/** The end of the modes that are summed at once, from one on. [audio thread] */
 inline std::ptrdiff_t plateModesEnd (const PlateTile& tile, std::ptrdiff_t firstMode)
 {
     return std::min<std::ptrdiff_t> (tile.modes, firstMode + plateModesHeard);

@@ -29,7 +29,7 @@ public:
         [worker] allocates */
     PlateModel (const ModalModel&, Playback, Eigen::MatrixXd probeShapes);
 
-    /** How many samples the output lags the input: the look-ahead of the interpolation, 15. 0 for zero-order hold. [any] */
+    /** The latency of the output in samples: the look-ahead of the interpolation, 15. 0 for zero-order hold. [any] */
     int latencySamples() const { return recursion.latency; }
 
     /** Takes a block of voltages and gives the probe velocities latencySamples() earlier.

@@ -31,17 +31,17 @@ public:
     /** Nothing sounds from this sample on where they begin as designed. [any] */
     std::int64_t endSample() const { return end; }
 
-    /** After so many samples of free decay every mode is down to a thousandth, and there is nothing left to brake. [any] */
+    /** The number of samples of free decay after which every mode is down to 0.1 %, with nothing left to brake. [any] */
     std::int64_t longestDelay() const { return longest; }
 
-    /** What the brakes are to be multiplied with where they begin later.
+    /** The factors of the brakes if they start later.
         @param delay    samples, 0 or more
         @param factors  room for one an oscillation
         [audio thread] an exponential, a sine and a cosine for every mode: some 10 us for 2048 of them */
     void factorsAfter (std::int64_t delay, std::span<std::complex<double>> factors) const;
 
 private:
-    /** The mode of an oscillation, and how its brake turns with it. */
+    /** The mode of an oscillation, and how its brake rotates with it. */
     struct Mode
     {
         double decay = 0, frequency = 0;    // a, 1/s, and b, rad/s

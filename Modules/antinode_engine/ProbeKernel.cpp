@@ -19,7 +19,7 @@ using Vector = hn::VFromD<hn::ScalableTag<double>>;
 constexpr Index lanes = static_cast<Index> (hn::MaxLanes (tag));
 constexpr Index groupModes = plateModeGroup, probeGroup = plateProbeGroup;
 constexpr int samplesAtOnce = 4;
-constexpr int registerSums = HWY_TARGET <= HWY_AVX3 ? 16 : 8; // beside what is multiplied
+constexpr int registerSums = HWY_TARGET <= HWY_AVX3 ? 16 : 8; // in addition to the factors
 constexpr int rowsAtOnce = registerSums / samplesAtOnce;
 constexpr Index vectorsOfEight = probeGroup / lanes, samplesOfEight = registerSums / vectorsOfEight;
 

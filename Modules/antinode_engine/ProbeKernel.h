@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** How the probes hear the modes, in the form for this processor: AVX-512, AVX2 with FMA, SSSE3 or plain C++. */
+/** The sums of modes at the probes, in the form for this processor: AVX-512, AVX2 with FMA, SSSE3 or plain C++. */
 struct ProbeKernel
 {
     /** Adds what up to 128 modes do; the first ones begin new sums. A single probe is added up by the PlateKernel. */

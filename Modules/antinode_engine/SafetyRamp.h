@@ -18,7 +18,7 @@ public:
     explicit SafetyRamp (double gain);
 
     /** From the next sample on, goes from the present gain to another one.
-        @param target   0..1; others, and what is not a number, count as 0: when in doubt, silence
+        @param target   0..1; other values and NaN count as 0, for safety
         @param samples  how many samples the way takes; the last of them has the target. 0 or less: at once
         [audio thread] */
     void setTarget (double target, std::int64_t samples);

@@ -17,7 +17,7 @@ namespace
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Blocks of ceramics x vectors of sums: as many as the registers hold beside what is multiplied. Two units with a latency of
+// Blocks of ceramics x vectors of sums: as many as the registers hold in addition to the factors. Two units with a latency of
 // four cycles need eight.
 constexpr int mostCeramics = HWY_TARGET <= HWY_AVX3 ? 8 : 4;
 constexpr int vectors = 2;
@@ -144,7 +144,7 @@ constexpr std::array<AddBlock<Sample>, sizeof...(counts)> blocksOf (std::integer
     return { &addBlock<counts + 1, source, Sample>... };
 }
 
-/** Adds the part begin .. end - 1 of a block to copies: beside it lies what is not ours. */
+/** Adds the part begin .. end - 1 of a block to copies, since the neighbouring samples belong to others. */
 template <typename Sample>
 HWY_NOINLINE void addPart (AddBlock<Sample> add, SynthesisChunk<Sample>& chunk, const SynthesisTarget<Sample>& target,
                            int sample, int i)

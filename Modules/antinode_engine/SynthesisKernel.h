@@ -6,13 +6,13 @@
 
 namespace antinode
 {
-/** How many oscillations are played at once: what is read of them again in every tile stays in the fastest cache. */
+/** The number of oscillations played at once: their data for every tile stays in the fastest cache. */
 inline constexpr int synthesisChunk = 64;
 
 /** An oscillation at a run of strips. Not initialised: the audio thread makes and fills many of them. */
 struct SoundingOscillation
 {
-    double anchorReal, anchorImaginary; ///< What the phasors of some strips have in common, V per V of mixing.
+    double anchorReal, anchorImaginary; ///< The common factor of the phasors of some strips, V per V of mixing.
     const double* turns;                ///< Strip by strip: times this the anchor is the phasor at each tile's start.
 };
 

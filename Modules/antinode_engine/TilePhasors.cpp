@@ -52,7 +52,7 @@ TilePhasors::TilePhasors (const Oscillation& oscillation, std::complex<double> f
                           std::int64_t strips)
     : first (firstPhasor)
 {
-    // Entries beyond the oscillation's end may be infinite; nobody uses them.
+    // Entries beyond the oscillation's end may be infinite, but are unused.
     const auto timeOf = [&] (std::int64_t tile) { return static_cast<long double> (tile * synthesisTile) / rate; };
     turnsOfGroup.resize (2UL * synthesisGroup * synthesisStrip);
     const auto takeTurn = [this] (int tile, std::complex<double> turn)

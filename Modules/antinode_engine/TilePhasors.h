@@ -56,7 +56,7 @@ class TilePhasors
 public:
     /** @param first   X e^{p tau} at the start of the first strip
         @param rate    Hz
-        @param strips  how many strips from the first one on can be asked for
+        @param strips  the number of available strips from the first one on
         [worker] allocates */
     TilePhasors (const Oscillation&, std::complex<double> first, double rate, std::int64_t strips);
 
@@ -72,7 +72,7 @@ public:
         return phasor;
     }
 
-    /** What the phasor at a group's start is to be multiplied with at its tiles: for each of its strips 8 real, then 8 imaginary
+    /** The factors of the phasor at a group's start for its tiles: for each of its strips 8 real, then 8 imaginary
         parts, on a cache line. [audio thread] */
     const double* turns() const { return turnsOfGroup.data(); }
 

@@ -19,7 +19,7 @@ VoltageLimiter::VoltageLimiter (Eigen::VectorXd voltageLimits)
       doubles (limiterKernel<double>()), floats (limiterKernel<float>())
 {
     if (! limits.allFinite() || (limits.array() < 0).any())
-        throw InputError ("voltage limit", "must be a finite number of volts, at least 0, for every ceramic");
+        throw InputError ("voltage limit", "must be finite and at least 0 V for every ceramic");
 }
 
 void VoltageLimiter::reset()

@@ -35,13 +35,13 @@ public:
     /** Limits in place. @param voltages N_b x n, V. [audio thread] allocates nothing, locks nothing */
     void process (Eigen::Ref<Eigen::MatrixXd> voltages);
 
-    /** How many samples of each ceramic were clamped since the last reset. [audio thread] */
+    /** The number of clamped samples of each ceramic since the last reset. [audio thread] */
     const std::vector<std::int64_t>& limitedSamples() const { return clamped; }
 
     /** Whether a non-finite sample has muted the output. [audio thread] */
     bool isMuted() const { return muted; }
 
-    /** Unlatches and counts from 0 again. [audio thread] */
+    /** Unmutes and restarts all counts at 0. [audio thread] */
     void reset();
 
 private:

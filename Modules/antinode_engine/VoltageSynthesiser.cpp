@@ -35,7 +35,7 @@ void requireUsable (const Oscillation& oscillation, const std::string& where, do
                         + std::abs (oscillation.growth) * static_cast<double> (stripSamples) / rate;
 
     if (! std::isfinite (std::abs (oscillation.phasor()) * std::exp (spread)))
-        throw InputError (where, "grows or decays beyond the range of numbers");
+        throw InputError (where, "grows or decays beyond double precision");
 }
 
 void requireUsable (const VoltageProgram& program, double rate)

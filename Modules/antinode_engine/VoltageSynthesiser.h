@@ -31,7 +31,7 @@ class VoltageSynthesiser
 {
 public:
     /** @throws InputError  when the rate is not finite and positive, sizes do not agree, a number of the program is not finite, an
-                            oscillation ends before it starts, or its envelope leaves the range of numbers
+                            oscillation ends before it starts, or its envelope overflows double precision
         [worker] allocates */
     VoltageSynthesiser (const VoltageProgram&, Playback);
 
@@ -68,14 +68,14 @@ private:
     struct Voice
     {
         Edge start, end;
-        std::int64_t firstTile = 0, lastTile = -1; // none where it is silent
+        std::int64_t firstTile = 0, lastTile = -1; // none if it is silent
         std::int64_t firstStrip = 0;               // that of the first tile
         TilePhasors phasors;
 
         bool hasEdgeIn (std::int64_t tile) const { return tile == firstTile || tile == lastTile; }
     };
 
-    /** What the kernel reads, in its precision. */
+    /** The input of the kernel, in its precision. */
     template <typename Sample>
     struct Tables
     {

@@ -10,7 +10,7 @@
 
 namespace antinode
 {
-/** Samples that are asked for, of some of the ceramics. */
+/** The requested samples of some of the ceramics. */
 template <typename Sample>
 struct VoltageSynthesiser::Block
 {
@@ -109,7 +109,7 @@ private:
         nextAnchor = std::min (nextAnchor, anchors[slot]);
     }
 
-    /** Anchors the oscillations anew whose group begins with a strip. */
+    /** Anchors again the oscillations whose group begins with a strip. */
     void anchorAt (std::int64_t strip)
     {
         nextAnchor = std::numeric_limits<std::int64_t>::max();

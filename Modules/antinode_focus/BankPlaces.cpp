@@ -7,7 +7,7 @@ namespace antinode
 {
 namespace
 {
-/** The position of one of so many along a side, from margin to margin. */
+/** The position of one of several along a side, from margin to margin. */
 double along (double minimum, double maximum, double margin, int index, int count)
 {
     const auto kept = std::min (margin, (maximum - minimum) / 3);

@@ -27,6 +27,11 @@ void append (VoltageProgram& program, const VoltageProgram& more)
     program.oscillations.insert (program.oscillations.end(), more.oscillations.begin(), more.oscillations.end());
 }
 
+std::string milliseconds (double time)
+{
+    return inWords (time * 1000) + " ms";
+}
+
 BrakeAttempt attemptAsAsked (const FocusDesign& design, const ModalModel& model)
 {
     const auto& choice = design.description.transients;
@@ -36,10 +41,10 @@ BrakeAttempt attemptAsAsked (const FocusDesign& design, const ModalModel& model)
     const auto duration = choice.brakeDuration.value_or (std::clamp (chosen, shortest, longest));
 
     if (duration < shortest)
-        throw InputError ("focus: /transients/brake_duration_ms",
-                          "is " + inWords (duration * 1000)
-                              + ", too short to release the drives and to begin and end a brake: allowed is at least "
-                              + inWords (shortest * 1000));
+        throw InputError ("focus: brake duration",
+                          "is " + milliseconds (duration)
+                              + ", too short to release the drives and to start and end a brake; allowed: at least "
+                              + milliseconds (shortest));
 
     return { duration, choice.brake, brakeFolds };
 }
@@ -57,7 +62,7 @@ bool isEasiest (const BrakeAttempt& attempt)
     return ! attempt.brake && attempt.folds == 0 && attempt.duration >= longest;
 }
 
-/** What to try where the limits do not allow an attempt: first brakes that do not fall, which need least, then longer ones. */
+/** The next attempt where the limits do not allow this one: first brakes without decay, which need least, then longer ones. */
 BrakeAttempt easierThan (const BrakeAttempt& attempt, double peakRatio)
 {
     if (attempt.brake || attempt.folds > 0)
@@ -67,32 +72,29 @@ BrakeAttempt easierThan (const BrakeAttempt& attempt, double peakRatio)
     return { std::min (attempt.duration * lengthening, longest), {}, 0 };
 }
 
-std::string milliseconds (double time)
-{
-    return inWords (time * 1000) + " ms";
-}
-
 void addBrakeRemarks (FocusDesign& design, const BrakeAttempt& asked, const BrakeAttempt& taken, std::size_t modes)
 {
     auto choice = "Brake: " + std::to_string (modes) + " modes are at rest " + milliseconds (taken.duration)
-                  + " after the focus, velocity and displacement; ";
+                  + " after the focus, in velocity and displacement; ";
 
     if (! design.description.transients.brakeDuration)
-        choice += "the time is chosen so that the slowest decays to a thousandth; ";
+        choice += "this duration lets the slowest mode decay to 0.1 %; ";
 
     if (taken.brake)
-        choice += "each falls " + inWords (*taken.brake) + " times as fast as by itself.";
+        choice += "each mode decays " + inWords (*taken.brake) + " times as fast as freely.";
     else
-        choice += taken.folds > 0 ? "all voltages fall together by 4 e-folds." : "the voltages do not fall until then.";
+        choice +=
+            taken.folds > 0 ? "all voltages decay together by 4 e-folds." : "the voltages do not decay before that.";
 
     design.choices.push_back (choice);
 
     if (taken.duration > asked.duration)
-        design.warnings.push_back ("The voltage limit does not allow rest " + milliseconds (asked.duration)
-                                   + " after the focus: it comes after " + milliseconds (taken.duration) + ".");
+        design.warnings.push_back ("Within the voltage limit the surface cannot be at rest "
+                                   + milliseconds (asked.duration) + " after the focus; it is at rest after "
+                                   + milliseconds (taken.duration) + ".");
     else if (asked.brake && ! taken.brake)
-        design.warnings.push_back ("The voltage limit does not allow so steep a brake: the motion decays more slowly "
-                                   "at first, and is at rest at the same time.");
+        design.warnings.push_back ("The voltage limit does not allow so fast a brake: the motion decays more slowly "
+                                   "at first and is at rest at the same time.");
 }
 } // namespace
 
@@ -122,7 +124,7 @@ void appendBrake (FocusDesign& design, const ModalModel& model, const Allocation
         const auto share = 1 / allocation.certificate.peakRatio;
         allocation.matrix *= share;
         design.warnings.push_back ("The voltage limit allows only " + inWords (100 * share)
-                                   + " % of the brake: the rest of the motion decays by itself.");
+                                   + " % of the brake; the remaining motion decays freely.");
     }
 
     design.restTime = attempt.duration;

@@ -11,7 +11,7 @@ using namespace std::complex_literals;
 using Complex = std::complex<double>;
 
 constexpr double greatestCounterShare =
-    0.9; // beyond, the brake lasts less than a cycle, and no turn of it is another brake
+    0.9; // beyond, the brake lasts less than a cycle, so rotating it gives no other brake
 
 std::vector<Oscillation> brakeDrive (int mode, double a, double b, const BrakeWindow& window, Complex phasor)
 {

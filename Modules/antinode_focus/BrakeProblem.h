@@ -13,7 +13,7 @@ struct BrakeAttempt
 {
     double duration = 0;         ///< T_b, s after the last focus.
     std::optional<double> brake; ///< gamma'; none: one envelope for all modes,
-    double folds = 0;            ///< which falls by so many e-folds.
+    double folds = 0;            ///< which decays by this many e-folds.
 };
 
 /** An attempt worked out. */
@@ -24,7 +24,7 @@ struct BrakeProblem
     AllocationProblem allocation;
 };
 
-/** What brings the modes of a design to rest by the end of an attempt: drives, hard rows of velocities and displacements, guards for the
+/** The problem that brings the modes of a design to rest by the end of an attempt: drives, hard rows of velocities and displacements, guards for the
     other modes, limits. Without modes there is no allocation problem.
     @throws InputError  as rowResponses
     [worker] Docs/Theory.md, section 3.4. */

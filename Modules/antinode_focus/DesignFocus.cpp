@@ -24,18 +24,18 @@ void checkTargets (const Surface& surface, const std::vector<Target>& targets)
 
     for (std::size_t i = 0; i < targets.size(); ++i)
     {
-        const auto where = "focus: /targets/" + std::to_string (i);
-        const auto check = [&] (const char* key, double value, double minimum, double maximum)
+        const auto where = "focus: target " + std::to_string (i + 1) + " ";
+        const auto check = [&] (const char* name, double value, double minimum, double maximum)
         {
             if (value < minimum || value > maximum)
-                throw InputError (where + key, "is " + inWords (value * 1000)
-                                                   + ", which is beside the surface: allowed is "
-                                                   + inWords (minimum * 1000) + " to " + inWords (maximum * 1000));
+                throw InputError (where + name,
+                                  "is " + inWords (value * 1000) + " mm, which is outside the surface; allowed: "
+                                      + inWords (minimum * 1000) + " to " + inWords (maximum * 1000) + " mm");
         };
-        check ("/x_mm", targets[i].x, surface.xMinimum, surface.xMaximum);
+        check ("x", targets[i].x, surface.xMinimum, surface.xMaximum);
 
         if (isPlate)
-            check ("/y_mm", targets[i].y, surface.yMinimum, surface.yMaximum);
+            check ("y", targets[i].y, surface.yMinimum, surface.yMaximum);
     }
 }
 
@@ -43,14 +43,14 @@ void checkRate (const ModalModel& model, const std::vector<int>& modes, Playback
 {
     for (const auto mode : modes)
         if (playback.sampleRate > 0 && model.frequencyHz (mode) >= 0.5 * playback.sampleRate)
-            throw InputError ("sample rate", inWords (playback.sampleRate) + " Hz cannot play mode "
+            throw InputError ("sample rate", "is " + inWords (playback.sampleRate) + " Hz, too low for mode "
                                                  + std::to_string (mode + 1) + " at "
-                                                 + inWords (model.frequencyHz (mode))
-                                                 + " Hz: take more than twice that, or control lower modes only "
-                                                   "(focus: /modes/maximum_frequency_Hz)");
+                                                 + inWords (model.frequencyHz (mode)) + " Hz; allowed: above "
+                                                 + inWords (2 * model.frequencyHz (mode))
+                                                 + " Hz, or only lower modes (focus: maximum frequency)");
 }
 
-/** No waveform brings any of the foci with less. */
+/** The voltage below which no waveform reaches one of the foci. */
 double lowerBound (const ModalModel& model, const std::vector<int>& modes, const std::vector<FocusMoment>& moments,
                    const Eigen::VectorXd& limits)
 {
@@ -129,7 +129,7 @@ FocusDesign designFocus (const ModalModel& model, const FocusDescription& descri
                          DesignExtent extent, const AllocationWatch& watch)
 {
     if (model.actuators() == 0)
-        throw InputError ("device '" + model.name + "'", "has no ceramics, a focus needs at least one");
+        throw InputError ("device '" + model.name + "'", "has no ceramics; a focus needs at least one");
 
     checkTargets (model.surface, description.targets);
     auto moments = focusMoments (model, description, playback);

@@ -6,14 +6,14 @@
 
 namespace antinode
 {
-/** What a design is made for. */
+/** The purpose of a design. */
 enum class DesignExtent
 {
-    complete, ///< To be looked at: with the bound that no waveform beats, which takes longer than all the rest.
-    playable  ///< To be played at once: without it.
+    complete, ///< For inspection: with the lower bound over all waveforms, which takes longer than everything else.
+    playable  ///< For immediate playback: without the bound.
 };
 
-/** From what is wanted to what is played: project, choose modes, transients, allocate.
+/** Designs a focus: projects the wanted field, chooses modes and transients, allocates.
     @param playback  what the exact terminal rows are computed for
     @param watch     looked at by the allocation's solver before every step
     @throws LimitError  when the voltage limit cannot be met (proven); AllocationCancelled when the watch says no; InputError for all

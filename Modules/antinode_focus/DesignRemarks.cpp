@@ -23,24 +23,24 @@ std::string methodName (AllocationMethod method)
     switch (method)
     {
         case AllocationMethod::oneToOne:
-            return "one ceramic a mode, the one that moves it most; neither other modes nor the limit are looked at";
+            return "one ceramic per mode, the one that excites it most; ignores other modes and the limit";
         case AllocationMethod::minimumNorm:
-            return "least norm of all voltages, each mode's own row only, without a limit";
+            return "least norm of all voltages, only each mode's own row, without a limit";
         case AllocationMethod::paper:
-            return "the paper's problem: least norm within the voltage limit, each mode's own row only";
+            return "the paper's problem: least norm within the voltage limit, only each mode's own row";
         case AllocationMethod::exact:
-            return "exact terminal velocities of all controlled modes at the least norm within the voltage limit, the "
-                   "others guarded";
+            return "exact terminal velocities of all controlled modes at the least norm within the voltage limit; "
+                   "other "
+                   "modes are guarded";
         case AllocationMethod::minimumPeak:
-            return "exact terminal velocities of all controlled modes at the least peak voltage, the others guarded";
+            return "exact terminal velocities of all controlled modes at the least peak voltage; other modes are "
+                   "guarded";
         case AllocationMethod::dictionary:
-            return "exact terminal velocities of all controlled modes at the least peak voltage, several growth rates "
-                   "and "
-                   "both quadratures a mode, the others guarded";
+            return "exact terminal velocities of all controlled modes at the least peak voltage, with several growth "
+                   "rates and both quadratures per mode; other modes are guarded";
         case AllocationMethod::freeWaveform:
-            return "exact terminal velocities of all controlled modes by samples of any form, of the least energy "
-                   "within the "
-                   "voltage limit, the others guarded";
+            return "exact terminal velocities of all controlled modes by freely chosen samples of least energy within "
+                   "the voltage limit; other modes are guarded";
     }
 
     return {};
@@ -69,17 +69,18 @@ void addChoices (FocusDesign& design, const ModalModel& model)
         for (const auto& target : moment.targets)
             if (const auto asked = target.time.value_or (moment.time); std::abs (asked - moment.time) > leastMove)
                 design.choices.push_back ("The focus at " + inWords (asked * 1000)
-                                          + " ms falls on the nearest sample, at " + inWords (moment.time * 1000)
+                                          + " ms is moved to the nearest sample, at " + inWords (moment.time * 1000)
                                           + " ms.");
 
     const auto hasDrives = ! design.program.samples;
 
     if (hasDrives && description.transients.growth.empty())
-        design.choices.push_back ("Growth chosen so that all modes rise together, by 4 e-folds before the focus.");
+        design.choices.push_back (
+            "The growth is chosen so that all modes rise together, by 4 e-folds before the focus.");
 
     if (hasDrives && description.transients.cycles.empty()
         && description.allocation.method != AllocationMethod::dictionary)
-        design.choices.push_back ("Cycles chosen: as many as fit before the focus.");
+        design.choices.push_back ("The number of cycles is the largest that fits before the focus.");
 
     design.choices.push_back ("Allocation: " + methodName (description.allocation.method) + ".");
 
@@ -95,16 +96,16 @@ void warnOfPeak (FocusDesign& design)
     const auto peak = design.certificate.peakRatio;
 
     if (peak > 1 + 1e-9)
-        design.warnings.push_back ("This allocation asks for " + inWords (peak)
-                                   + " times the voltage limit; the limiter will clip it and the field will differ. "
+        design.warnings.push_back ("This allocation needs " + inWords (peak)
+                                   + " times the voltage limit; the limiter will clip it and change the field. "
                                      "Use the allocation 'exact' or 'paper', a lower velocity or a higher limit.");
     else if (design.certificate.status == AllocationStatus::optimal
              && ! asksForLeastPeak (design.description.allocation.method))
         design.warnings.push_back (
-            "The voltage limit is reached: the load is spread over more ceramics than without it.");
+            "The voltage limit is reached: the voltages are spread over more ceramics than without it.");
 }
 
-/** Methods that make their own waveforms say so where others were described. */
+/** Warns of described drives that the method ignores because it makes its own waveforms. */
 void warnOfUnusedDrives (FocusDesign& design)
 {
     const auto& description = design.description;
@@ -124,18 +125,18 @@ void warnOfUnusedDrives (FocusDesign& design)
         unused = "'growth'";
 
     if (! unused.empty())
-        design.warnings.push_back (unused + " is not used: this allocation makes its own waveforms.");
+        design.warnings.push_back (unused + " is ignored: this allocation makes its own waveforms.");
 }
 
 void addSampleRemarks (FocusDesign& design)
 {
     const auto& samples = *design.program.samples;
-    design.choices.push_back ("The waveform is made of samples for " + inWords (samples.playback.sampleRate)
-                              + " Hz and nothing else; between them it reaches "
-                              + inWords (design.intersamplePeakVoltage) + " V.");
+    design.choices.push_back ("The waveform consists of samples for exactly " + inWords (samples.playback.sampleRate)
+                              + " Hz; between the samples it peaks at " + inWords (design.intersamplePeakVoltage)
+                              + " V.");
     design.warnings.emplace_back (
-        "A free waveform is played offline only. In real time use the allocation 'dictionary', which "
-        "comes near the same voltage.");
+        "A free waveform can be played offline only. In real time use the allocation 'dictionary', which "
+        "needs nearly the same voltage.");
 }
 } // namespace
 
@@ -146,8 +147,8 @@ void addRemarks (FocusDesign& design, const ModalModel& model)
 
     if (model.rigidBodyModes > 0 && design.captured < wholeCapture)
         design.warnings.emplace_back (
-            "The device is free to move as a whole. What the wanted field has of such motion no "
-            "ceramic can bring about: foci of opposite sign, or a sinc, have less of it.");
+            "The device can move as a rigid body, and ceramics cannot excite this part of the wanted field. "
+            "Foci of opposite sign, or a sinc, have less of it.");
 
     auto captured = design.captured;
 
@@ -155,15 +156,15 @@ void addRemarks (FocusDesign& design, const ModalModel& model)
         captured = std::min (captured, moment.captured);
 
     if (captured < poorCapture)
-        design.warnings.push_back ("The controlled modes carry only " + inWords (captured)
-                                   + " of the wanted field (1 is all): control more modes or widen the target.");
+        design.warnings.push_back ("The controlled modes represent only " + inWords (captured)
+                                   + " of the wanted field (1 is all of it); control more modes or widen the target.");
 
     const auto highest = model.frequencyHz (design.controlledModes.back());
 
     if (design.playback.sampleRate > 0 && highest > reliableShareOfNyquist * 0.5 * design.playback.sampleRate)
         design.warnings.push_back (
             "Mode " + std::to_string (design.controlledModes.back() + 1) + " at " + inWords (highest)
-            + " Hz lies near half the sample rate, where converters roll off: take a higher rate.");
+            + " Hz is close to half the sample rate, where converters roll off; choose a higher rate.");
 
     warnOfUnusedDrives (design);
     warnOfPeak (design);

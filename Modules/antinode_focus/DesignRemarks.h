@@ -6,6 +6,6 @@
 
 namespace antinode
 {
-/** Adds to a design, in plain words, what was chosen and why, and what the user should be warned of. [worker] */
+/** Adds to a design, as sentences, what was chosen and why, and warnings for the user. [worker] */
 void addRemarks (FocusDesign&, const ModalModel&);
 } // namespace antinode

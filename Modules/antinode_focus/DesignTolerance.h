@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** A design beside others that are compared on the same devices. */
+/** One of several designs that are compared on the same devices. */
 struct DesignTolerance
 {
     std::string name;       ///< "nominal" or "robust".

@@ -10,10 +10,10 @@ namespace antinode
 {
 namespace
 {
-/** Further drives seldom lower the least peak to less than this: lower limits are refused at once. */
+/** Further drives seldom lower the least peak below this ratio; lower limits are refused at once. */
 constexpr auto leastShareToTry = 0.35;
 
-/** The drives of every moment, each before its own time. Growth and cycles are told of the first. */
+/** The drives of every moment, each before its own time. Growth and cycles are those of the first. */
 DriveList drivesOf (FocusDesign& design, const ModalModel& model)
 {
     const auto& description = design.description;
@@ -42,7 +42,7 @@ DriveList drivesOf (FocusDesign& design, const ModalModel& model)
     return drives;
 }
 
-/** Whether a limit that cannot be kept is worth another attempt. */
+/** Whether further drives may meet a limit that one drive per mode cannot. */
 bool mayTakeFurtherDrives (const FocusDescription& description, const AllocationCertificate& certificate)
 {
     const auto& choice = description.allocation;
@@ -76,9 +76,9 @@ void allocateProgram (FocusDesign& design, const ModalModel& model, const Alloca
     {
         addFurtherDrives (drives, design, model);
         allocation = allocate();
-        design.choices.emplace_back (
-            "One drive a mode cannot keep the voltage limit: each mode has further ones, which rise faster or begin a "
-            "quarter period later.");
+        design.choices.emplace_back ("One drive per mode cannot meet the voltage limit: each mode has further drives, "
+                                     "which rise faster or start "
+                                     "a quarter period later.");
     }
 
     throwWhereBeyondLimit (allocation.certificate, choice.method, limits, design.reachablePeakVelocity,
@@ -91,14 +91,14 @@ void sampleProgram (FocusDesign& design, const ModalModel& model, DesignExtent e
 {
     if (extent == DesignExtent::playable)
         throw InputError (
-            "focus: /allocation/method",
-            "is 'free_waveform', which is played offline only; use 'dictionary' in real time, which comes "
-            "near the same voltage");
+            "focus: allocation method",
+            "is 'free_waveform', which can be played offline only; use 'dictionary' in real time, which needs "
+            "nearly the same voltage");
 
     if (hasSlewLimits (model))
-        throw InputError ("focus: /allocation/method",
-                          "is 'free_waveform', whose samples keep no slew or current limit, which this device has; "
-                          "allowed are 'exact', 'paper', 'minimum_peak' and 'dictionary'");
+        throw InputError ("focus: allocation method",
+                          "is 'free_waveform', which ignores the slew or current limit of this device; "
+                          "allowed: 'exact', 'paper', 'minimum_peak' and 'dictionary'");
 
     const auto& moment = design.moments.front();
     const auto limits = voltageLimits (model, design.description.allocation);

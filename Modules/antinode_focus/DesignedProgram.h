@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** Gives a design its program: drives and their allocation, with the certificate. Where the limit cannot be kept with one drive a mode,
+/** Gives a design its program: drives and their allocation, with the certificate. Where one drive per mode cannot meet the limit,
     exact rows get further drives before they are refused.
     @param design  with what is wanted, when, and of which modes
     @throws LimitError  when the limits cannot be kept; AllocationCancelled, InputError as solveAllocation

@@ -9,13 +9,13 @@
 
 namespace antinode
 {
-/** What modes do at the focus under each drive where the device is off: rows, each weighted by the root of its share, whose squares, summed,
+/** The responses of modes at the focus to each drive on deviating devices: rows, each weighted by the root of its share, whose squares, summed,
     are expected squares over errors of frequency and damping. */
 struct DetunedResponses
 {
     std::vector<int> modes;              ///< Controlled ones, then guards.
     std::vector<Eigen::MatrixXd> values; ///< Of each mode, rows x drives: the velocity per unit participation.
-    /** Of each mode, rows x drives: what of it is an error. Of a controlled mode that is the difference to the device as it is known,
+    /** Of each mode, rows x drives: its error. Of a controlled mode that is the difference from the nominal device,
         whose velocity is met; of a guard it is all. */
     std::vector<Eigen::MatrixXd> errors;
 };

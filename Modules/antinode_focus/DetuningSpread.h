@@ -2,7 +2,7 @@
 
 namespace antinode
 {
-/** Standard deviations, relative, of what a real device differs by from its model. Docs/Theory.md, section 7. */
+/** Relative standard deviations of a real device from its model. Docs/Theory.md, section 7. */
 struct DetuningSpread
 {
     double frequency = 0;     ///< Of each mode's frequency.
@@ -11,6 +11,6 @@ struct DetuningSpread
     double drift = 0;         ///< Of a factor that all frequencies share, as with temperature.
 };
 
-/** What a device whose modes have been measured and adopted still differs by. */
+/** The remaining spread of a device after its modes have been measured and adopted. */
 inline constexpr DetuningSpread usualSpread { 0.001, 0.1, 0.05, 0 };
 } // namespace antinode

@@ -25,7 +25,7 @@ struct DriveSpan
 /** The voltage limit of each ceramic: the device's, or the focus's where that is lower. N_b, V. [any] */
 Eigen::VectorXd voltageLimits (const ModalModel&, const AllocationChoice&);
 
-/** Whether any ceramic's voltage may change only so fast. [any] */
+/** Whether any ceramic has a slew limit. [any] */
 bool hasSlewLimits (const ModalModel&);
 
 /** Puts drives into a problem, with all limits that they have to keep while they last, on the grid that these are tightened for.
@@ -36,14 +36,14 @@ void limitDrives (AllocationProblem&, const ModalModel&, const Eigen::VectorXd& 
 /** Whether a method asks for the least peak voltage, whatever the limit. [any] */
 bool asksForLeastPeak (AllocationMethod);
 
-/** The modes that are guarded: the lowest of those that are not controlled, as many as asked for. [any] */
+/** The modes that are guarded: the lowest of those that are not controlled, as many as requested. [any] */
 std::vector<int> guardModes (const ModalModel&, const std::vector<int>& controlled, const AllocationChoice&);
 
 /** How long before the focus a waveform may begin that is not bound to cycles: the focus time, or less where a maximum duration or a window
     says so. s [any] */
 double longestDrive (const FocusDescription&);
 
-/** Who plays how much of which drive, so that the controlled modes have the wanted velocities at the time of every focus.
+/** Allocates drives to ceramics so that the controlled modes have the wanted velocities at the time of every focus.
     @param modes    the controlled modes, ascending
     @param moments  the foci by time, with the modal velocities wanted; one where rows are not exact
     @throws InputError  as solveAllocation

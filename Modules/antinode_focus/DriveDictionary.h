@@ -13,7 +13,7 @@ namespace antinode
     each other's. [any] Docs/Theory.md, section 4.8. */
 std::vector<double> dictionaryGrowths (std::size_t modes);
 
-/** The dictionary: several drives a mode instead of one. At the mode's damped frequency, for each growth rate an oscillation that is at
+/** The dictionary: several drives per mode instead of one. At the mode's damped frequency, for each growth rate an oscillation that is at
     its crest at the focus and one that crosses 0 there, each with an envelope of 1 at the focus. A growth rate of 1 is the chosen one,
     or the mode's decay rate where that is more. All drives begin together, where the window, the maximum duration or the trigger says; those so
     steep that 40 e-folds fit begin later. They rise by (1 - e^{-r tau})^2, r that of the release, so that neither value nor slope

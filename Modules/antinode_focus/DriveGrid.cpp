@@ -18,7 +18,7 @@ struct SampleTimes
     double interval() const { return duration / steps; }
 };
 
-/** A phasor turned from sample to sample, and taken anew so often that rounding does not add up. */
+/** A phasor rotated from sample to sample, and recomputed often enough to limit rounding. */
 void addSamples (Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> samples, const Oscillation& oscillation,
                  const SampleTimes& times)
 {

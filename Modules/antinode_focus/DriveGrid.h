@@ -12,7 +12,7 @@ namespace antinode
     modulus of its exponent: a release bends by its decay as well as by its frequency. */
 constexpr int gridSamplesPerCycle = 32;
 
-/** What the grid's limit must be multiplied by so that the limit holds between its samples too: cos (pi / 32) = 0.9952 at 32 a cycle.
+/** The factor of the grid's limit that makes the limit hold between its samples too: cos (pi / 32) = 0.9952 at 32 per cycle.
     [any] Docs/Theory.md, section 4.6. */
 double gridLimitMargin (int samplesPerCycle = gridSamplesPerCycle);
 

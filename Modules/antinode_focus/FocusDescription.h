@@ -38,11 +38,11 @@ struct Target
 
 enum class ModeOrder
 {
-    energy,   ///< Those that carry most of the target's energy first.
+    energy,   ///< Those that represent most of the target's energy first.
     frequency ///< The lowest first.
 };
 
-/** Which modes are controlled: at most one of count, captured, maximumFrequency; none: enough for 0.99 captured. */
+/** The controlled modes: at most one of count, captured, maximumFrequency; none: enough for 0.99 captured. */
 struct ModeChoice
 {
     std::optional<int> count;
@@ -57,7 +57,7 @@ enum class DriveKind
     paper       ///< Paper (26) and appendix B, corrected. Docs/Theory.md, section 3.2.
 };
 
-/** How the modes are brought to their velocity. Lists hold one value for all modes, or one a controlled mode. */
+/** How the modes reach their velocity. Lists hold one value for all modes, or one per controlled mode. */
 struct TransientChoice
 {
     DriveKind drive = DriveKind::offsetFree;
@@ -70,12 +70,12 @@ struct TransientChoice
 
 enum class AllocationMethod
 {
-    oneToOne,    ///< Each mode by the one ceramic that drives it best.
+    oneToOne,    ///< Each mode by the one ceramic that excites it most.
     minimumNorm, ///< Rows (29), least norm, no limit: closed form.
     paper,       ///< Rows (29) within the voltage limit: the paper's problem.
     exact,       ///< Exact terminal rows within the voltage limit, soft guard modes: the default.
     minimumPeak, ///< Exact terminal rows at the least peak voltage.
-    dictionary,  ///< The same with several drives a mode: near the least voltage of any waveform.
+    dictionary,  ///< The same with several drives per mode: near the least voltage of any waveform.
     freeWaveform ///< Samples of any form, of the least energy within the voltage limit; offline only.
 };
 
@@ -90,7 +90,7 @@ struct AllocationChoice
 {
     AllocationMethod method = AllocationMethod::exact;
     std::optional<double> voltageLimit; ///< V for every ceramic; else (and at most) the device's own.
-    std::optional<int> guardModes;      ///< How many uncontrolled modes are guarded (the lowest); none: all.
+    std::optional<int> guardModes;      ///< The number of guarded uncontrolled modes (the lowest ones); none: all.
     double guardWeight = 100;
     std::optional<double>
         window; ///< s before the focus time in which the norm is taken and the limit is imposed; none: all.
@@ -99,7 +99,7 @@ struct AllocationChoice
     std::optional<Robustness> robust; ///< With the method exact only: what the design is made robust against.
 };
 
-/** What is wanted: where, what shape, how strong, when, and how it is brought about. Docs/FileFormats.md. */
+/** A wanted focus: position, shape, velocity, time and method. Docs/FileFormats.md. */
 struct FocusDescription
 {
     std::string name;

@@ -13,7 +13,7 @@
 
 namespace antinode
 {
-/** What a wanted field is in terms of modes. Docs/Theory.md, section 2. */
+/** A wanted field in terms of modes. Docs/Theory.md, section 2. */
 struct ProjectedTarget
 {
     Eigen::VectorXd field;           ///< N_p: v* on the points, m/s.
@@ -28,7 +28,7 @@ struct FocusMoment
     std::vector<Target> targets;
     ProjectedTarget target;
     Eigen::VectorXd wanted;         ///< Of the controlled modes: their velocities at that time, m/s kg^1/2.
-    Eigen::VectorXd truncatedField; ///< N_p: the part of the wanted field that the controlled modes carry, m/s.
+    Eigen::VectorXd truncatedField; ///< N_p: the part of the wanted field that the controlled modes represent, m/s.
     double captured = 0;            ///< sqrt (S/K)
 };
 
@@ -40,7 +40,7 @@ struct FocusDesign
     std::vector<int> controlledModes; ///< Ascending mode indices.
     std::vector<double> growth;       ///< gamma of each controlled mode.
     std::vector<int> cycles;          ///< N of each controlled mode.
-    Eigen::VectorXd truncatedField;   ///< N_p: the part of the wanted field that the controlled modes carry, m/s.
+    Eigen::VectorXd truncatedField;   ///< N_p: the part of the wanted field that the controlled modes represent, m/s.
     double captured = 0;              ///< sqrt (S/K), 1 is best: the paper's Table C.1.
     double residue = 0;               ///< sqrt (1 - S/K).
     std::vector<FocusMoment>
@@ -48,7 +48,7 @@ struct FocusDesign
     std::optional<double>
         restTime; ///< s after the last focus: the brake has then brought all to rest. None without a brake.
     std::optional<double>
-        shortestPeriod; ///< s: the program may be repeated so often and less. None where it was not computed.
+        shortestPeriod; ///< s: the program may be repeated so often and less. None if it was not computed.
     VoltageProgram program;
     AllocationCertificate certificate;
     double leastPeakVoltage = 0; ///< V: the least peak of these drives and rows where the solver computed it, else 0.
@@ -57,8 +57,8 @@ struct FocusDesign
         0; ///< V: certified; no waveform reaches the terminal velocities within t_f below it; 0 where it was not computed.
     double intersamplePeakVoltage =
         0;             ///< V: of a free waveform, also between its samples; 0 where there are no samples.
-    Playback playback; ///< What the terminal rows were computed for.
-    std::vector<std::string> choices;  ///< What was chosen and why, in plain words.
-    std::vector<std::string> warnings; ///< In plain words.
+    Playback playback; ///< The playback for which the terminal rows were computed.
+    std::vector<std::string> choices;  ///< What was chosen and why, in sentences.
+    std::vector<std::string> warnings; ///< In sentences.
 };
 } // namespace antinode

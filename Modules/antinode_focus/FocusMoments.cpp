@@ -29,16 +29,16 @@ double onSample (double time, double first, Playback playback)
 void checkMethod (AllocationMethod method, std::size_t times)
 {
     if (times > 1 && method != AllocationMethod::exact && method != AllocationMethod::minimumPeak)
-        throw InputError ("focus: /targets", "have " + std::to_string (times)
-                                                 + " different times, which needs exact rows: allowed is the "
-                                                   "allocation method 'exact' or 'minimum_peak', or one time");
+        throw InputError ("focus: targets", "have " + std::to_string (times)
+                                                + " different times; allowed: one time, or the allocation method "
+                                                  "'exact' or 'minimum_peak'");
 }
 
 void checkRobustness (const AllocationChoice& choice, std::size_t times)
 {
     if (times > 1 && choice.robust)
-        throw InputError ("focus: /allocation/robust", "is asked of targets with " + std::to_string (times)
-                                                           + " different times, allowed is one time");
+        throw InputError ("focus: robustness", "is requested for targets with " + std::to_string (times)
+                                                   + " different times; allowed: one time");
 }
 
 /** A target that has, of each mode, the energy of all moments. */
@@ -101,9 +101,9 @@ std::vector<FocusMoment> focusMoments (const ModalModel& model, const FocusDescr
         moment.target = projectField (model, targetField (model.surface, targets, description.edgeWindow));
 
         if (! (moment.target.energy > 0))
-            throw InputError ("focus: /targets", "give no velocity anywhere on '" + model.name + "' at "
-                                                     + inWords (time * 1000)
-                                                     + " ms: widen a target, or narrow the edge window");
+            throw InputError ("focus: targets", "give no velocity anywhere on '" + model.name + "' at "
+                                                    + inWords (time * 1000)
+                                                    + " ms; widen a target or narrow the edge window");
 
         moments.push_back (std::move (moment));
     }

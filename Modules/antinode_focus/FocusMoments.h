@@ -22,7 +22,7 @@ std::vector<double> timesOf (const std::vector<FocusMoment>&);
     [worker] Docs/Theory.md, section 4.11. */
 std::vector<FocusMoment> focusMoments (const ModalModel&, const FocusDescription&, Playback);
 
-/** Chooses the controlled modes for all moments together, and gives each what they carry of it: a count takes those with most energy over
+/** Chooses the controlled modes for all moments together, and gives each the part that they represent: a count takes those with most energy over
     all of them, a share captured holds for each.
     @return  the modes, ascending
     @throws InputError  as selectModes

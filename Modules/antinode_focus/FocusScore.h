@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** How good a field is against a wanted one. Docs/Theory.md, section 5; paper (33). */
+/** The scores of a field against a wanted one. Docs/Theory.md, section 5; paper (33). */
 struct FocusScore
 {
     double vScore = 0;     ///< Pearson's correlation over the surface, -1 to 1. Blind to amplitude.

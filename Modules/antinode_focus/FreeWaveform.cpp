@@ -30,13 +30,13 @@ SampleRange rangeOf (const FocusDescription& description, Playback playback, std
     constexpr auto onSample = 1e-6;
 
     if (! (playback.sampleRate > 0))
-        throw InputError ("sample rate", "is missing: a free waveform is made of samples, design it for a rate");
+        throw InputError ("sample rate", "is missing; a free waveform consists of samples and needs a rate");
 
     const auto before = std::floor (longestDrive (description) * playback.sampleRate + onSample);
 
     if (before * static_cast<double> (rows) > most)
-        throw InputError ("sample rate", "is too high for this focus time: a free waveform would take more than 1 GiB; "
-                                         "take a lower rate, a shorter focus time or fewer guard modes");
+        throw InputError ("sample rate", "is too high for this focus time: a free waveform would need more than 1 GiB; "
+                                         "choose a lower rate, a shorter focus time or fewer guard modes");
 
     const auto focus = static_cast<Eigen::Index> (before);
     const auto isHeld = playback.reconstruction == Reconstruction::zeroOrderHold;
@@ -65,9 +65,9 @@ BoundedWaveformProblem hardRows (const ModalModel& model, const std::vector<int>
     for (Eigen::Index k = 0; k < wanted.size(); ++k)
         if (wanted[k] != 0 && problem.participation.row (k).isZero (0))
             throw InputError ("device '" + model.name + "'",
-                              "no ceramic moves controlled mode "
+                              "no ceramic excites controlled mode "
                                   + std::to_string (modes[static_cast<std::size_t> (k)] + 1)
-                                  + ", leave that mode out or place a ceramic where it bends");
+                                  + "; leave this mode out, or place a ceramic where it bends");
 
     return problem;
 }
@@ -107,9 +107,8 @@ BoundedWaveformProblem withGuards (const BoundedWaveformProblem& hard, const Eig
     const auto bracket = leastWaveformPeak (hard, tolerance);
 
     if (bracket.upper <= 1)
-        throw InputError ("focus: /modes",
-                          "the velocities of the controlled modes cannot be met apart from each other: "
-                          "control fewer modes");
+        throw InputError ("focus: controlled modes",
+                          "cannot be controlled independently of each other; control fewer modes");
 
     double peakVelocity = 0;
 
@@ -118,10 +117,10 @@ BoundedWaveformProblem withGuards (const BoundedWaveformProblem& hard, const Eig
 
     const auto limit = hard.limits.maxCoeff();
     const auto reachable = peakVelocity / bracket.upper;
-    throw LimitError ("focus: /allocation/voltage_limit_V",
-                      inWords (limit) + " V cannot bring " + inWords (peakVelocity * 1000)
-                          + " mm/s: no waveform of samples does it below " + inWords (limit * bracket.lower)
-                          + " V; at this limit " + inWords (reachable * 1000) + " mm/s can be reached",
+    throw LimitError ("focus: voltage limit",
+                      "is " + inWords (limit) + " V, too low for " + inWords (peakVelocity * 1000)
+                          + " mm/s: no sampled waveform reaches it below " + inWords (limit * bracket.lower)
+                          + " V; this limit allows " + inWords (reachable * 1000) + " mm/s",
                       limit * bracket.upper, reachable);
 }
 

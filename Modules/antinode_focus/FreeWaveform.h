@@ -10,7 +10,7 @@
 
 namespace antinode
 {
-/** Samples of the least energy that bring the controlled modes to their velocities within the voltage limit. */
+/** The samples of least energy that give the controlled modes their velocities within the voltage limit. */
 struct FreeWaveform
 {
     SampledVoltages voltages;

@@ -21,7 +21,7 @@ std::vector<ModeDrive> steeperDrives (const ModalModel& model, const std::vector
     return driveModes (model, modes, focusTime, steeper);
 }
 
-/** An offset-free drive that is a quarter period later; empty where it would begin before the trigger. */
+/** An offset-free drive that is a quarter period later; empty if it would begin before the trigger. */
 std::vector<Oscillation> shifted (const ModeDrive& drive)
 {
     auto oscillation = drive.oscillations.front();

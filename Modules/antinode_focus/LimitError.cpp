@@ -32,14 +32,14 @@ void throwWhereBeyondLimit (const AllocationCertificate& certificate, Allocation
     const auto ratio = certificate.peakRatio;
     const auto least = limits.maxCoeff() * ratio;
     const auto reachable = peakVelocity / ratio;
-    const auto needed = hasSlewLimits ? "these drives need " + inWords (ratio) + " times that; at these limits "
-                                      : "these drives need at least " + inWords (least) + " V; at this limit ";
+    const auto needed = hasSlewLimits ? "these drives need " + inWords (ratio) + " times these limits, which allow "
+                                      : "these drives need at least " + inWords (least) + " V; this limit allows ";
     const auto* const wayOut =
-        method == AllocationMethod::dictionary ? "" : ", more by the allocation 'dictionary'"; // has most drives
-    throw LimitError ("focus: /allocation/voltage_limit_V",
-                      inWords (limits.maxCoeff()) + (hasSlewLimits ? " V within the slew limits" : " V")
-                          + " cannot bring " + inWords (millimetresPerSecond (peakVelocity)) + " mm/s: " + needed
-                          + inWords (millimetresPerSecond (reachable)) + " mm/s can be reached" + wayOut,
+        method == AllocationMethod::dictionary ? "" : "; the allocation 'dictionary' may reach more"; // has most drives
+    throw LimitError ("focus: voltage limit",
+                      "is " + inWords (limits.maxCoeff()) + (hasSlewLimits ? " V within the slew limits" : " V")
+                          + ", too low for " + inWords (millimetresPerSecond (peakVelocity)) + " mm/s: " + needed
+                          + inWords (millimetresPerSecond (reachable)) + " mm/s" + wayOut,
                       least, reachable);
 }
 } // namespace antinode

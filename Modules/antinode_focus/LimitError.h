@@ -7,14 +7,14 @@
 
 namespace antinode
 {
-/** The voltage limit cannot be met by the wanted focus. The text says what can. */
+/** The wanted focus cannot be reached within the voltage limit. The text gives the lowest feasible voltage and the highest feasible velocity. */
 class LimitError : public InputError
 {
 public:
     LimitError (const std::string& where, const std::string& wrong, double leastPeakVoltageToUse,
                 double reachableVelocityToUse);
 
-    double leastPeakVoltage;  ///< V: the least peak of these drives that brings the wanted field.
+    double leastPeakVoltage;  ///< V: the least peak of these drives that reaches the wanted field.
     double reachableVelocity; ///< m/s: the peak velocity that the limit allows.
 };
 

@@ -9,7 +9,7 @@
 
 namespace antinode
 {
-/** The motion of all modes under a program, ready to be asked for at many times: what is free at all begins and ends of oscillations is
+/** The motion of all modes under a program, prepared for many times: what is free at all begins and ends of oscillations is
     kept, so that a time costs only what plays then. Docs/Theory.md, section 3.1. */
 class ProgramMotion
 {
@@ -29,7 +29,7 @@ private:
     struct Knot
     {
         double time = 0;
-        Eigen::VectorXcd free;             // what decays freely from here on, beside what plays
+        Eigen::VectorXcd free;             // free decay from here on, in addition to what plays
         std::vector<Eigen::Index> playing; // oscillations
     };
 

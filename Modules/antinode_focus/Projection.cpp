@@ -1,6 +1,7 @@
 #include "Projection.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
 
 #include <Eigen/Dense>
 
@@ -32,7 +33,7 @@ std::vector<int> drivableModes (const ModalModel& model)
             modes.push_back (k);
 
     if (modes.empty())
-        throw InputError ("device '" + model.name + "'", "no ceramic moves any of its modes, at least one must");
+        throw InputError ("device '" + model.name + "'", "no ceramic excites any of its modes; at least one must");
 
     return modes;
 }
@@ -48,12 +49,12 @@ void sortByEnergy (std::vector<int>& modes, const ModalModel& model, const Proje
     std::stable_sort (modes.begin(), modes.end(), [&] (int a, int b) { return energies[a] > energies[b]; });
 }
 
-double capturedShare (double carried, const ProjectedTarget& target)
+double capturedShare (double represented, const ProjectedTarget& target)
 {
-    return target.energy > 0 ? std::sqrt (std::min (carried / target.energy, 1.0)) : 0.0;
+    return target.energy > 0 ? std::sqrt (std::min (represented / target.energy, 1.0)) : 0.0;
 }
 
-/** The energy that a growing set of shapes carries of a field, in the mass-weighted least-squares sense: each shape's part
+/** The energy of the part of a field that a growing set of shapes represents, mass-weighted least squares: each shape's part
     that is orthogonal to those before it adds its own. */
 class FittedEnergy
 {
@@ -79,10 +80,10 @@ public:
         {
             basis.col (count) = rest.normalized();
             const auto part = basis.col (count++).dot (field);
-            carried += part * part;
+            represented += part * part;
         }
 
-        return carried;
+        return represented;
     }
 
 private:
@@ -90,16 +91,16 @@ private:
     Eigen::VectorXd root, field;
     Eigen::MatrixXd basis;
     Eigen::Index count = 0;
-    double carried = 0;
+    double represented = 0;
 };
 
-/** The energy that each prefix of a list of modes carries, up to the first that reaches the wanted one. */
+/** The energy that each prefix of a list of modes represents, up to the first prefix that reaches the wanted one. */
 std::vector<double> carriedByPrefixes (const ModalModel& model, const ProjectedTarget& target,
                                        const std::vector<int>& modes, double wanted)
 {
     std::vector<double> energies;
     std::optional<FittedEnergy> fitted;
-    double carried = 0;
+    double represented = 0;
 
     if (! model.coversWholeBody)
         fitted.emplace (model, target, modes.size());
@@ -107,10 +108,10 @@ std::vector<double> carriedByPrefixes (const ModalModel& model, const ProjectedT
     for (const auto mode : modes)
     {
         const auto velocity = target.modalVelocities[mode];
-        carried = fitted ? fitted->with (mode) : carried + velocity * velocity;
-        energies.push_back (carried);
+        represented = fitted ? fitted->with (mode) : represented + velocity * velocity;
+        energies.push_back (represented);
 
-        if (capturedShare (carried, target) >= wanted)
+        if (capturedShare (represented, target) >= wanted)
             break;
     }
 
@@ -124,10 +125,10 @@ std::vector<int> modesForCapture (const ModalModel& model, const ProjectedTarget
     const auto best = capturedShare (energies.back(), target);
 
     if (best < wanted && ! isDefault)
-        throw InputError ("focus: /modes/captured", "is " + std::to_string (wanted) + ", but all "
-                                                        + std::to_string (modes.size()) + " modes together capture "
-                                                        + std::to_string (best)
-                                                        + ": ask for less, widen the target, or simulate more modes");
+        throw InputError ("focus: captured fraction", "is " + inWords (wanted) + "; allowed: up to " + inWords (best)
+                                                          + ", which all " + std::to_string (modes.size())
+                                                          + " modes together capture; or widen the target, or simulate "
+                                                            "more modes");
 
     modes.resize (energies.size());
     return modes;
@@ -174,9 +175,9 @@ ModeSelection selectModes (const ModalModel& model, const ProjectedTarget& targe
         std::erase_if (modes, [&] (int k) { return model.frequencyHz (k) > *choice.maximumFrequency; });
 
         if (modes.empty())
-            throw InputError ("focus: /modes/maximum_frequency_Hz",
-                              "is " + std::to_string (*choice.maximumFrequency) + ", but the lowest mode of '"
-                                  + model.name + "' is at " + std::to_string (model.frequencyHz (0)) + " Hz");
+            throw InputError ("focus: maximum frequency",
+                              "is " + inWords (*choice.maximumFrequency) + " Hz; allowed: at least "
+                                  + inWords (model.frequencyHz (0)) + " Hz, the lowest mode of '" + model.name + "'");
 
         return restrictToModes (model, target, modes);
     }
@@ -190,9 +191,9 @@ ModeSelection selectModes (const ModalModel& model, const ProjectedTarget& targe
                                                  ! choice.captured.has_value()));
 
     if (*choice.count > static_cast<int> (modes.size()))
-        throw InputError ("focus: /modes/count", "is " + std::to_string (*choice.count) + ", but '" + model.name
-                                                     + "' has " + std::to_string (modes.size())
-                                                     + " simulated modes that its ceramics move: allowed is 1 to that");
+        throw InputError ("focus: number of modes", "is " + std::to_string (*choice.count) + "; allowed: 1 to "
+                                                        + std::to_string (modes.size()) + ", the simulated modes of '"
+                                                        + model.name + "' that its ceramics excite");
 
     modes.resize (static_cast<std::size_t> (*choice.count));
     return restrictToModes (model, target, modes);

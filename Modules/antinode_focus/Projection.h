@@ -14,20 +14,20 @@ namespace antinode
     [worker] Docs/Theory.md, section 2.2; paper (24). */
 ProjectedTarget projectField (const ModalModel&, const Eigen::VectorXd& field);
 
-/** The controlled modes and what they carry of the target. */
+/** The controlled modes and the part of the target that they represent. */
 struct ModeSelection
 {
     std::vector<int> modes;    ///< Ascending indices.
     Eigen::VectorXd wanted;    ///< Their modal velocities, m/s kg^1/2.
-    Eigen::VectorXd truncated; ///< N_p: the field that they carry, m/s.
+    Eigen::VectorXd truncated; ///< N_p: the field that they represent, m/s.
     double captured = 0;       ///< sqrt (S/K), 0 to 1.
 };
 
-/** Chooses the modes to control. Modes that no ceramic moves (participation below 1e-9 of the largest) are left out.
-    @throws InputError  when no mode is left, more are asked for than there are, or the asked capture cannot be reached
+/** Chooses the modes to control. Modes that no ceramic excites (participation below 1e-9 of the largest) are left out.
+    @throws InputError  when no mode is left, more are requested than exist, or the requested captured fraction cannot be reached
     [worker] Docs/Theory.md, section 2.3. */
 ModeSelection selectModes (const ModalModel&, const ProjectedTarget&, const ModeChoice&);
 
-/** What given modes carry of a target: the last step of selectModes, for modes chosen by other means. [worker] */
+/** The part of a target that given modes represent: the last step of selectModes, for modes chosen by other means. [worker] */
 ModeSelection restrictToModes (const ModalModel&, const ProjectedTarget&, std::vector<int> modes);
 } // namespace antinode

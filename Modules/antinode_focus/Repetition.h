@@ -16,7 +16,7 @@ constexpr double repetitionLoss = 0.01;
       amplitude of at most repetitionLoss of the peak field there, and
     - the voltages of overlapping repeats, summed, keep the limits.
     @param times  of the foci, s from the trigger
-    @return       s, to an eighth of a period of the program's highest frequency; none where it would be more than a minute
+    @return       s, to an eighth of a period of the program's highest frequency; none if it would be more than a minute
     [worker] Docs/Theory.md, section 6.7. */
 std::optional<double> shortestPeriod (const ModalModel&, const VoltageProgram&, const std::vector<double>& times);
 } // namespace antinode

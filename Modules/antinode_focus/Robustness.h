@@ -4,10 +4,11 @@
 
 namespace antinode
 {
-/** What a design is to be robust against, and at what price. Docs/Theory.md, section 7.5. */
+/** The errors that a design is robust against, and their weight. Docs/Theory.md, section 7.5. */
 struct Robustness
 {
     DetuningSpread spread = usualSpread;
-    double weight = 1000; ///< An expected error as large as all that is wanted costs so many times the least energy.
+    double weight =
+        1000; ///< The cost of an expected error as large as the wanted velocities, as a multiple of the least energy.
 };
 } // namespace antinode

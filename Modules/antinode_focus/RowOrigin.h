@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** What the rows of an allocation problem stand for. */
+/** The meaning of the rows of an allocation problem. */
 struct RowOrigin
 {
     std::vector<int> controlled, guards; ///< Modes.

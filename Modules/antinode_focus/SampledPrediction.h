@@ -27,6 +27,6 @@ Eigen::VectorXd voltagesAt (const SampledVoltages&, double time);
     [worker] Docs/Theory.md, section 4.9. */
 Eigen::VectorXcd sampledStates (const ModalModel&, const SampledVoltages&, double time);
 
-/** The largest voltage between the samples as well, looked for at 8 places a sample. V [worker] */
+/** The largest voltage between the samples as well, searched at 8 instants per sample. V [worker] */
 double intersamplePeak (const SampledVoltages&);
 } // namespace antinode

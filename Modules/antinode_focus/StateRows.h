@@ -10,7 +10,7 @@
 
 namespace antinode
 {
-/** What is looked at of a mode. Both in m/s kg^1/2, so that errors of the one weigh as much as errors of the other. */
+/** The observed quantity of a mode. Both are in m/s kg^1/2, so that their errors have equal weight. */
 enum class ModalQuantity
 {
     velocity,    ///< q'
@@ -28,7 +28,7 @@ struct StateRow
 /** One row of a quantity a mode, at one time. [any] */
 std::vector<StateRow> rowsAt (double time, const std::vector<int>& modes, ModalQuantity);
 
-/** What each row sees of each drive per unit participation: C (r, l), the quantity of row r when drive l alone acts on its mode with
+/** The response of each row to each drive per unit participation: C (r, l), the quantity of row r when drive l alone acts on its mode with
     participation 1. Played band-limited, a drive and its release are what they are as continuous waveforms, so one closed form serves
     both; held samples have their own exact sum.
     @param drives  the oscillations of each drive l

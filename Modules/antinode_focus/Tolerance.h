@@ -14,7 +14,7 @@
 
 namespace antinode
 {
-/** Which devices are drawn, and how many. */
+/** The devices to draw: their spread and number. */
 struct ToleranceOptions
 {
     DetuningSpread spread = usualSpread;
@@ -22,22 +22,22 @@ struct ToleranceOptions
     std::uint64_t seed = 1;
 };
 
-/** The percentiles that are told, %. */
+/** The reported percentiles, %. */
 inline constexpr std::array<double, 5> tolerancePercents { 5, 25, 50, 75, 95 };
 
 /** A value at each of tolerancePercents. */
 using Percentiles = std::array<double, tolerancePercents.size()>;
 
-/** How a design bears devices that are not as they are known. Fields are compared with what the controlled modes carry. */
+/** The tolerance of a design to devices that differ from the model. Fields are compared with what the controlled modes represent. */
 struct Tolerance
 {
     ToleranceOptions options;
-    FocusScore known;                   ///< On the device as it is known.
+    FocusScore known;                   ///< On the nominal device.
     std::vector<FocusScore> draws;      ///< On each device drawn.
     Percentiles vScore {};              ///< Over the draws.
     Percentiles fieldError {};          ///< Over the draws.
     Percentiles peakRatio {};           ///< Over the draws.
-    std::vector<ToleranceCause> causes; ///< What hurts, the worst first.
+    std::vector<ToleranceCause> causes; ///< Causes of error, the largest first.
 };
 
 /** The field of a design at the focus, in closed form, on devices drawn around the model. The same options draw the same devices for every

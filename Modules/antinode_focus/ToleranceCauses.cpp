@@ -116,7 +116,7 @@ std::string sentenceOf (const ToleranceCause& cause, const ModalModel& model)
 {
     constexpr double percent = 100;
     const auto cost = std::round (percent * percent * cause.fieldError) / percent;
-    const auto costs = " costs " + inWords (cost) + " % of the field.";
+    const auto costs = " changes the field by " + inWords (cost) + " %.";
 
     if (! cause.mode)
         return "A drift of all frequencies alone" + costs;
@@ -126,6 +126,6 @@ std::string sentenceOf (const ToleranceCause& cause, const ModalModel& model)
     const std::array<const char*, 3> names { "frequency alone", "damping alone", "participations alone" };
     const auto isPlural = cause.kind == ToleranceKind::participation;
     return mode + names[static_cast<std::size_t> (cause.kind)]
-           + (isPlural ? " cost " + inWords (cost) + " % of the field." : costs);
+           + (isPlural ? " change the field by " + inWords (cost) + " %." : costs);
 }
 } // namespace antinode

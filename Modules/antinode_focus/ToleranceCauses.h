@@ -11,7 +11,7 @@
 
 namespace antinode
 {
-/** What of a device is off. */
+/** The property of a device that deviates. */
 enum class ToleranceKind
 {
     frequency,
@@ -20,7 +20,7 @@ enum class ToleranceKind
     drift
 };
 
-/** One thing that is off, all else being as it is known. */
+/** One deviating property, all others being nominal. */
 struct ToleranceCause
 {
     std::optional<int> mode; ///< None: all of them, of a drift.
@@ -28,11 +28,11 @@ struct ToleranceCause
     double fieldError = 0; ///< RMS over the errors of the RMS change of the field / RMS of the wanted field.
 };
 
-/** What the spread of each mode's frequency, damping and participations alone does to the field at the focus, and a drift of all
+/** The effect of the spread of each mode's frequency, damping and participations alone on the field at the focus, and of a drift of all
     frequencies; controlled modes and others, the worst first. Those without a spread are left out. Reference is the truncated field.
     [worker] Docs/Theory.md, section 7.4. */
 std::vector<ToleranceCause> toleranceCauses (const ModalModel&, const FocusDesign&, const DetuningSpread&);
 
-/** "Mode 7 (6120 Hz): its frequency alone costs 0.8 % of the field." [any] */
+/** "Mode 7 (6120 Hz): its frequency alone changes the field by 0.8 %." [any] */
 std::string sentenceOf (const ToleranceCause&, const ModalModel&);
 } // namespace antinode

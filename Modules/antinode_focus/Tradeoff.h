@@ -22,13 +22,13 @@ struct TradeoffPoint
     double peakVoltage = 0; ///< V
     double timeInMotion =
         0;             ///< s before the focus during which the modal velocities' norm is above half of its final value.
-    double vScore = 0; ///< Against what the controlled modes carry, closed form.
+    double vScore = 0; ///< Against what the controlled modes represent, closed form.
     double fieldError = 0;  ///< The same.
     bool isOnFront = false; ///< No other point with a field error below 5 % has both less voltage and less time.
-    std::string failure;    ///< Why there is no design; empty where there is one.
+    std::string failure;    ///< Why there is no design; empty if there is one.
 };
 
-/** What methods and growths cost and bring for one focus. */
+/** Voltage and duration of one focus by all methods and growths. */
 struct Tradeoff
 {
     std::vector<TradeoffPoint> points; ///< Method by method, growth ascending.

@@ -1,6 +1,7 @@
 #include "Transients.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,7 @@ using namespace std::complex_literals;
 using Complex = std::complex<double>;
 
 constexpr double envelopeFolds = 4;           // e-folds of growth that the chosen envelope spends before the focus
-constexpr double greatestEnvelopeFolds = 600; // beyond, the start of a drive would leave the range of numbers
+constexpr double greatestEnvelopeFolds = 600; // beyond, the start of a drive would underflow
 constexpr double chosenGreatestFolds = 40;    // beyond, an earlier start adds less than 1e-17
 constexpr double releaseDecay = 1e-6;
 
@@ -41,12 +42,12 @@ Value valueFor (const std::vector<Value>& list, std::size_t index)
     return list.size() == 1 ? list.front() : list[index];
 }
 
-void checkLength (std::size_t length, std::size_t modes, const char* pointer)
+void checkLength (std::size_t length, std::size_t modes, const char* field)
 {
     if (length > 1 && length != modes)
-        throw InputError (std::string ("focus: /transients/") + pointer,
+        throw InputError (std::string ("focus: ") + field,
                           "has " + std::to_string (length) + " values, but " + std::to_string (modes)
-                              + " modes are controlled: allowed is one value, or one a mode");
+                              + " modes are controlled; allowed: one value, or one per mode");
 }
 
 int cyclesThatFit (double dampedFrequency, double time)
@@ -59,10 +60,10 @@ int chooseCycles (const ModalModel& model, int mode, double a, double b, double 
     const auto most = cyclesThatFit (b, time);
 
     if (most < 0)
-        throw InputError ("focus: /focus_time_ms", "leaves " + std::to_string (time * 1000) + " ms to drive "
-                                                       + nameOf (model, mode)
-                                                       + ", which needs a quarter period: allowed is at least "
-                                                       + std::to_string (driveDuration (b, 0) * 1000));
+        throw InputError ("focus: focus time", "leaves " + inWords (time * 1000) + " ms to drive "
+                                                   + nameOf (model, mode)
+                                                   + ", which needs a quarter period; allowed: at least "
+                                                   + inWords (driveDuration (b, 0) * 1000) + " ms");
 
     if (growth * a * time <= chosenGreatestFolds)
         return most;
@@ -77,10 +78,9 @@ void checkCycles (const ModalModel& model, int mode, double a, double b, double 
                           : cyclesThatFit (b, greatestEnvelopeFolds / (growth * a));
 
     if (cycles > most)
-        throw InputError ("focus: /transients/cycles", "asks for " + std::to_string (cycles) + " cycles of "
-                                                           + nameOf (model, mode) + ", allowed is 0 to "
-                                                           + std::to_string (std::max (most, 0))
-                                                           + " with this focus time and growth");
+        throw InputError ("focus: cycles", "is " + std::to_string (cycles) + " for " + nameOf (model, mode)
+                                               + "; allowed: 0 to " + std::to_string (std::max (most, 0))
+                                               + " with this focus time and growth");
 }
 } // namespace
 
@@ -123,7 +123,7 @@ ModeDrive driveMode (int mode, double a, double b, DriveKind kind, double growth
     drive.oscillations.push_back (
         oscillationFrom (mode, start, focusTime, exponent, -1i * amplitude * stiffness / exponent));
 
-    // Without the constant the mode's own decay e^{-at} appears beside the envelope; with it the paper's (26) is exact.
+    // Without the constant the mode's own decay e^{-at} adds to the envelope; with it the paper's (26) is exact.
     if (kind == DriveKind::paper)
         drive.oscillations.push_back (oscillationFrom (mode, start, focusTime, 0.0, amplitude * b * constantShare));
 

@@ -9,7 +9,7 @@
 namespace antinode
 {
 /** The force oscillations of one focus, a channel each: what drives the modes before it is shared out among ceramics. One
-    voice, begun anew by every trigger; to be looked at, or to be changed on its way to an AllocationNode. */
+    voice, restarted by every trigger; for display, or for changes before an AllocationNode. */
 class ForceNode : public Node
 {
 public:

@@ -26,7 +26,7 @@ public:
     void process (const NodeBlock<double>&) override;
     void reset() override { voltageLimiter.reset(); }
 
-    /** How long a ramp takes, s. */
+    /** The duration of a ramp, s. */
     static constexpr double rampTime = 0.005;
 
     /** From the next block on, ramps all voltages to 0 or back, within rampTime. Armed at first; after prepare() there is no
@@ -36,7 +36,7 @@ public:
     /** From the next block on, no ceramic gets more than this, and its own limit. [any] @param volts  at least 0 */
     void setVoltageLimit (double volts) { wantedLimit = volts; }
 
-    /** What it had to do. [audio thread] */
+    /** The limiter, for its counters. [audio thread] */
     const VoltageLimiter& limiter() const { return voltageLimiter; }
 
 private:

@@ -8,7 +8,7 @@
 
 namespace antinode
 {
-/** What a node is prepared for. */
+/** The format that a node is prepared for. */
 struct NodeFormat
 {
     double sampleRate = 48000; ///< Hz
@@ -19,13 +19,13 @@ struct NodeFormat
 template <typename Sample>
 struct NodeBlock
 {
-    const Sample* const* inputs = nullptr; ///< One pointer a channel.
+    const Sample* const* inputs = nullptr; ///< One pointer per channel.
     Sample* const* outputs = nullptr;      ///< The same; what they hold is overwritten.
     int count = 0;                         ///< Samples.
     std::span<const FocusEvent> events;    ///< Of this block, for nodes that play.
 };
 
-/** A step of the signal path: so many channels in, so many out. A new kind of node is a class of this in a file of its own and one line
+/** A step of the signal path: a number of channels in, a number of channels out. A new kind of node is a class of this in a file of its own and one line
     where a graph is put together (Docs/Architecture.md, Nodes). */
 class Node
 {
@@ -49,7 +49,7 @@ public:
     /** Back to rest. [audio thread] */
     virtual void reset() = 0;
 
-    /** By how much the outputs lag the inputs. [any, after prepare] */
+    /** The latency of the outputs in samples. [any, after prepare] */
     virtual std::int64_t latencySamples() const { return 0; }
 };
 } // namespace antinode

@@ -29,8 +29,8 @@ int NodeGraph::add (std::unique_ptr<Node> node, int source)
     const auto given = source == noSource ? 0 : entries.at (static_cast<std::size_t> (source)).node->outputs();
 
     if (node->inputs() != given)
-        throw InputError ("node '" + node->name() + "'", "takes " + std::to_string (node->inputs())
-                                                             + " channels, but is given " + std::to_string (given));
+        throw InputError ("node '" + node->name() + "'",
+                          "takes " + std::to_string (node->inputs()) + " channels, but gets " + std::to_string (given));
 
     Entry entry;
     entry.node = std::move (node);

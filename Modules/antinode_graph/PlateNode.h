@@ -27,7 +27,7 @@ public:
     void process (const NodeBlock<double>&) override;
     void reset() override;
 
-    /** Looks at other places from the next block on; the plate goes on moving.
+    /** Uses other probe positions from the next block on; the plate continues to move.
         @param probeShapes  as many rows as before
         @throws InputError  as RealtimePlate
         [worker, one at a time, not during prepare] allocates */

@@ -22,14 +22,14 @@ struct ModePair
     double relativeDifference = 0; ///< of frequencies: identified / computed - 1.
 };
 
-/** A computed device beside the identified one. N_i identified, N_c computed modes. */
+/** A computed device compared with the identified one. N_i identified, N_c computed modes. */
 struct ModeComparison
 {
     Eigen::MatrixXd assurance;   ///< N_i x N_c: MAC at the identified points.
     std::vector<ModePair> pairs; ///< One to one, ascending in the identified mode.
 };
 
-/** Which computed mode is which identified one: the one-to-one assignment with the largest sum of MAC less a penalty for
+/** Pairs of computed and identified modes: the one-to-one assignment with the largest sum of MAC less a penalty for
     frequencies that are apart. Pairs below a MAC of 0.5 are none.
     @throws InputError  when an identified point lies outside of the model's surface
     [worker] Docs/Theory.md, section 8.7. */

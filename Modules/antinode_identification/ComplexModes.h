@@ -5,7 +5,7 @@
 
 namespace antinode
 {
-/** Modes whose residues are free: any complex number for each point and driver, by least squares; only the poles are common. */
+/** Modes whose residues are free: any complex number for each point and reference, by least squares; only the poles are common. */
 struct FreeResidues
 {
     ModalBasis basis; ///< With the fitted poles.
@@ -22,7 +22,7 @@ FreeResidues fitFreeResidues (const PreparedResponses&, const NormalModes& start
 /** The same for the poles of real modes as they are. [worker] */
 FreeResidues freeResidues (const FitState&, double ridge);
 
-/** Puts complex shapes and participations beside the real ones: the strongest product of the free residues of each mode. Residual terms
+/** Adds complex shapes and participations to the real ones: the strongest product of the free residues of each mode. Residual terms
     become those that belong to them.
     @return  coefficients of all functions of the basis for these modes, functions x C
     [worker] Docs/Theory.md, section 8.4. */

@@ -53,7 +53,7 @@ Eigen::MatrixXd gramOfDrivers (const std::vector<Eigen::MatrixXcd>& values)
     return gram;
 }
 
-/** Outputs in the place of references, by reciprocity of the poles: shapes then tell modes apart that few drivers cannot. */
+/** Outputs in the place of references, by reciprocity of the poles: shapes then distinguish modes that few references cannot. */
 CompressedBand exchanged (CompressedBand band, const std::vector<Eigen::MatrixXcd>& projected, Eigen::Index references)
 {
     const auto drivers = static_cast<Eigen::Index> (projected.size());

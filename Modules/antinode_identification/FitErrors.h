@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** What a fit leaves of the data, summed over some tens to hundreds of lines at a time. S spans of lines, C columns. Of what was measured
+/** The residual of a fit, summed over some tens to hundreds of lines at a time. S spans of lines, C columns. Of what was measured
     (PreparedResponses::lineScale), without weights. */
 struct FitErrors
 {
@@ -25,8 +25,8 @@ Eigen::MatrixXd coefficientsOf (const FitState&);
     [worker] Docs/Theory.md, section 8.5. */
 FitErrors fitErrors (PreparedResponses&, const ModalBasis&, const Eigen::MatrixXd& coefficients, double delay);
 
-/** Weights 1 / variance from what a fit leaves: a product of one for each line, point and driver. Where variances were given they stay, as
-    far as the errors bear them out.
+/** Weights 1 / variance from what a fit leaves: a product of one for each line, point and reference. Where variances were given they stay, as
+    far as the errors confirm them.
     [worker] Docs/Theory.md, section 8.5. */
 void weighByErrors (PreparedResponses&, const FitErrors&);
 } // namespace antinode

@@ -18,27 +18,27 @@ void require (bool fulfilled, const std::string& what)
 void validate (const FrequencyResponses& responses)
 {
     const auto lines = responses.frequencies.size(), points = responses.points.rows();
-    require (lines > 0, "have no frequency, allowed is at least 1");
-    require (points > 0, "have no point, allowed is at least 1");
-    require (! responses.drivers.empty(), "have no driver, allowed is at least 1");
+    require (lines > 0, "have no frequency; allowed: 1 or more");
+    require (points > 0, "have no point; allowed: 1 or more");
+    require (! responses.drivers.empty(), "have no reference; allowed: 1 or more");
     require (responses.frequencies.allFinite() && responses.frequencies[0] >= 0,
              "have a frequency that is negative or not finite");
-    require (responses.values.size() == responses.drivers.size(), "have not one table of values for each driver");
+    require (responses.values.size() == responses.drivers.size(), "need one table of values for each reference");
     require (responses.variances.empty() || responses.variances.size() == responses.drivers.size(),
-             "have not one table of variances for each driver");
+             "need one table of variances for each reference");
 
     for (Eigen::Index f = 1; f < lines; ++f)
         require (responses.frequencies[f] > responses.frequencies[f - 1], "have frequencies that do not ascend");
 
     for (const auto& values : responses.values)
-        require (values.rows() == lines && values.cols() == points, "have a table of another size than lines x points");
+        require (values.rows() == lines && values.cols() == points, "have a table whose size is not lines x points");
 
     for (const auto& variances : responses.variances)
         require (variances.rows() == lines && variances.cols() == points,
-                 "have a table of variances of another size than lines x points");
+                 "have a table of variances whose size is not lines x points");
 
     for (const auto& driver : responses.drivers)
         require (! driver.point || (*driver.point >= 0 && *driver.point < points),
-                 "have a driver at a point that does not exist");
+                 "have a reference at a point that does not exist");
 }
 } // namespace antinode

@@ -20,7 +20,7 @@ namespace antinode
 {
 namespace
 {
-/** When a fit ends: where a step is worth so many squared standard deviations, or after so many steps. */
+/** When a fit ends: at a gain of a step in squared standard deviations, or after a number of steps. */
 struct Patience
 {
     double precision = 0;
@@ -39,16 +39,16 @@ void checkOptions (const FrequencyResponses& responses, const IdentificationOpti
     };
 
     if (! fits (options.pointWeights))
-        throw InputError ("point weights", "are not one number a point, at least 0 and not all 0");
+        throw InputError ("point weights", "must be one number per point, each at least 0, not all 0");
 
     if (! fits (options.pointMasses))
-        throw InputError ("point masses", "are not one number a point, at least 0 and not all 0");
+        throw InputError ("point masses", "must be one number per point, each at least 0, not all 0");
 
     if (options.minimumOrder < 1 || (options.maximumOrder != 0 && options.maximumOrder < options.minimumOrder)
         || options.maximumOrder > 100)
         throw InputError ("model orders", "are " + std::to_string (options.minimumOrder) + " to "
                                               + std::to_string (options.maximumOrder)
-                                              + ", allowed is from 1 up, ascending, to at most 100");
+                                              + "; allowed: 1 to 100, ascending");
 }
 
 PreparedResponses weighted (PreparedResponses data, const Eigen::VectorXd& pointWeights)
@@ -120,7 +120,7 @@ NormalModeFit fitWhatStandsOut (const PreparedResponses& data, NormalModeStart s
             return fit;
 
         if (kept.empty())
-            throw InputError ("frequency responses", "hold no mode that stands out of the noise");
+            throw InputError ("frequency responses", "contain no mode above the noise");
 
         clusters = chosen (clusters, kept);
         start = continued (chosen (fit.modes, kept), start.delayIsKnown);
@@ -226,9 +226,9 @@ IdentifiedModes described (const NormalModeFit& fit, const FreeResidues& residue
     const auto data = prepare (conjugated, options.minimumFrequency, options.maximumFrequency);
     const auto found = searchPoles (weighted (data, options.pointWeights), options).clusters.size();
     throw InputError ("frequency responses",
-                      found == 0 ? "hold no pole that returns at many model orders: no mode"
-                                 : "hold modes that grow instead of decaying: they seem to be complex conjugates, "
-                                   "allowed is the convention exp (+i omega t)");
+                      found == 0 ? "contain no pole that is stable over model orders, hence no mode"
+                                 : "contain modes that grow instead of decaying and seem to be complex conjugates; "
+                                   "allowed: the convention exp (+i omega t)");
 }
 
 IdentifiedModes fitModes (const FrequencyResponses& responses, const IdentificationOptions& options)

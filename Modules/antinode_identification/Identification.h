@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** How modes are sought. */
+/** The identification method. */
 enum class IdentificationMethod
 {
     maximumLikelihood, ///< All modes, residual terms and the delay fitted at once, from poles found without hints.
@@ -17,16 +17,16 @@ struct FrequencyBand
     double minimum = 0, maximum = 0;
 };
 
-/** What identification may be told; nothing need be. */
+/** Options of identification; all have defaults. */
 struct IdentificationOptions
 {
     IdentificationMethod method = IdentificationMethod::maximumLikelihood;
     double minimumFrequency = 0;      ///< Hz: lines below are not used.
     double maximumFrequency = 1e12;   ///< Hz: lines above are not used.
-    std::vector<FrequencyBand> bands; ///< Where poles are sought, each on its own; empty: chosen.
+    std::vector<FrequencyBand> bands; ///< Bands in which poles are searched separately; empty: automatic.
     int minimumOrder = 3;             ///< Of the polynomials, 1 or more.
     int maximumOrder = 0;             ///< 0: chosen.
-    bool complexModes = false;        ///< Complex shapes and participations beside the real ones.
+    bool complexModes = false;        ///< Complex as well as real shapes and participations.
     std::vector<double> selected;     ///< Hz: if any, only the candidates nearest to these are kept, each once.
     std::vector<double> rejected;     ///< Hz: the candidates nearest to these are left out.
     Eigen::VectorXd pointWeights; ///< N_p: confidence in each point, at least 0; empty: from variances or residuals.

@@ -44,7 +44,7 @@ void checkDistances (const Eigen::MatrixX2d& points)
         for (Eigen::Index q = 0; q < p; ++q)
             if ((points.row (p) - points.row (q)).norm() < 1e-9)
                 throw InputError ("points " + std::to_string (q + 1) + " and " + std::to_string (p + 1),
-                                  "lie in one place, allowed is a place of its own for each");
+                                  "have the same position; allowed: distinct positions");
 }
 
 Surface surfaceOf (const Eigen::MatrixX2d& points)
@@ -106,15 +106,15 @@ std::vector<Ceramic> ceramicsOf (const IdentifiedModes& modes, const MappedSurfa
 void check (const IdentifiedModes& modes, const MappedSurface& mapped)
 {
     if (modes.drive != DriveQuantity::voltage)
-        throw InputError ("identified modes", "were driven by forces, allowed for a device are voltages of ceramics");
+        throw InputError ("identified modes", "were excited by forces; allowed for a device: voltages of ceramics");
 
     if (! mapped.ceramics.empty() && mapped.ceramics.size() != modes.drivers.size())
         throw InputError ("ceramics", "are " + std::to_string (mapped.ceramics.size())
-                                          + ", allowed is one for each of the " + std::to_string (modes.drivers.size())
-                                          + " drivers");
+                                          + "; allowed: one for each of the " + std::to_string (modes.drivers.size())
+                                          + " references");
 
     if (mapped.masses.size() != 0 && mapped.masses.size() != modes.points.rows())
-        throw InputError ("masses", "are " + std::to_string (mapped.masses.size()) + ", allowed is one for each of the "
+        throw InputError ("masses", "are " + std::to_string (mapped.masses.size()) + "; allowed: one for each of the "
                                         + std::to_string (modes.points.rows()) + " points");
 }
 } // namespace

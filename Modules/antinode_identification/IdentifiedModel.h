@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** What measured responses do not tell of the surface. */
+/** Properties of the surface that measured responses do not contain. */
 struct MappedSurface
 {
     std::string name;
@@ -22,7 +22,7 @@ struct MappedSurface
 
     Points are areas of their own (on a line the half distances between neighbours, in the plane Voronoi cells); masses are as
     given, or proportional to them. Points without data are left out. Where all y are equal it is a line.
-    @throws InputError  when drivers are forces, ceramics or masses are not one a driver or a point, or two points coincide
+    @throws InputError  when references are forces, ceramics or masses are not one per reference or point, or two points coincide
     [worker] Docs/Theory.md, section 8.6. */
 ModalModel toModalModel (const IdentifiedModes&, const MappedSurface&);
 } // namespace antinode

@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** What gives the shapes their size: responses alone determine only the products phi_pk alpha_ki. Docs/Theory.md, section 8.6. */
+/** How the shapes are scaled: responses alone determine only the products phi_pk alpha_ki. Docs/Theory.md, section 8.6. */
 enum class ShapeScaling
 {
     drivingPoint, ///< A force acts at a measured point q: alpha_k = phi_qk, and the modal mass is 1.
@@ -12,8 +12,8 @@ enum class ShapeScaling
     convention ///< As if the points stood for 1 kg in all, evenly: sum phi_pk^2 = N_p. Products are right, sizes are not known.
 };
 
-/** How far an estimate may be off: standard deviations from the curvature of the likelihood, the Cramer-Rao bound for the noise
-    that is given or was found in the residuals. N_m modes, N_b drivers, N_p points. Docs/Theory.md, section 8.5. */
+/** The uncertainty of an estimate: standard deviations from the curvature of the likelihood, the Cramer-Rao bound for the noise
+    that is given or was found in the residuals. N_m modes, N_b references, N_p points. Docs/Theory.md, section 8.5. */
 struct ModeDeviations
 {
     Eigen::VectorXd angularFrequencies; ///< N_m: rad/s.
@@ -23,17 +23,17 @@ struct ModeDeviations
     double delay = 0;                   ///< s; 0 where the delay was given.
 };
 
-/** What can be said of how well one mode is known. */
+/** Quality measures of one identified mode. */
 struct ModeQuality
 {
     double rankOne = 1; ///< Share of its residues' energy that one shape times one participation explains; 1 is best.
     double collinearity = 1;  ///< Modal phase collinearity (MPC): 1 where all points move in phase or against it.
     double presence = 1;      ///< Share of the model orders at which it was found.
     double signalToNoise = 0; ///< Its energy over that of the noise in its estimate, as amplitudes.
-    std::vector<std::string> doubts; ///< In plain words; empty where there is nothing to doubt.
+    std::vector<std::string> doubts; ///< Warnings, as sentences; empty if there are none.
 };
 
-/** What modes outside of the band add: coefficients (i omega)^power to the velocity per drive, behind the delay. */
+/** Residual terms of modes outside the band: coefficients (i omega)^power to the velocity per drive, behind the delay. */
 struct ResidualTerm
 {
     int power =
@@ -50,7 +50,7 @@ struct StabilisationPoint
     bool stable = false;     ///< True where it belongs to a mode that is found at enough orders.
 };
 
-/** Modes as they follow from frequency responses. N_m modes, ascending in frequency; N_p points; N_b drivers.
+/** Modes as they follow from frequency responses. N_m modes, ascending in frequency; N_p points; N_b references.
 
     H(p, i) = [ sum_k phi_pk alpha_ki i omega / (omega_k^2 - omega^2 + 2 i xi_k omega_k omega) + residual terms ]
     exp (-i omega delay). Docs/Theory.md, sections 8.2 to 8.6.
@@ -64,13 +64,13 @@ struct IdentifiedModes
     Eigen::VectorXd dampingRatios;      ///< N_m
     Eigen::MatrixXd shapes; ///< N_p x N_m: phi_k, kg^-1/2; the largest value is positive. NaN at points without data.
     Eigen::MatrixXd participation;         ///< N_m x N_b: alpha_ki, N kg^-1/2 / V, or kg^-1/2 for forces.
-    Eigen::MatrixXcd complexShapes;        ///< N_p x N_m, turned to lie along the real axis; empty unless asked for.
-    Eigen::MatrixXcd complexParticipation; ///< N_m x N_b; with complexShapes as the real ones; empty unless asked for.
+    Eigen::MatrixXcd complexShapes;        ///< N_p x N_m, rotated onto the real axis; empty unless requested.
+    Eigen::MatrixXcd complexParticipation; ///< N_m x N_b; with complexShapes as the real ones; empty unless requested.
     double delay = 0;                      ///< s, common to all.
     ModeDeviations deviations;
     std::vector<ModeQuality> quality; ///< N_m
     ShapeScaling scaling = ShapeScaling::convention;
-    std::string scalingReason; ///< Why this scaling, in plain words.
+    std::string scalingReason; ///< Why this scaling, as a sentence.
     std::vector<ResidualTerm> residuals;
     std::vector<StabilisationPoint> stabilisation;
     double minimumFrequency = 0, maximumFrequency = 0; ///< Hz: the lines that were used.
@@ -79,12 +79,12 @@ struct IdentifiedModes
     double measuredReconstructionError = 0; ///< The same of what was measured, accelerations or displacements.
     double noise =
         0; ///< RMS of the residual, (m/s)/V or (m/s)/N; at the geometric middle of the lines where it is not white.
-    std::vector<std::string> doubts; ///< Of the whole, in plain words.
+    std::vector<std::string> doubts; ///< Warnings about the whole identification, as sentences.
 
     Eigen::Index modes() const { return angularFrequencies.size(); }
 };
 
-/** The responses that modes stand for, residual terms and delay included: what measured ones are compared with.
+/** The responses synthesised from modes, residual terms and delay, for comparison with measured ones.
     @param frequencies  N_f: Hz, ascending, at least 0
     @return             values (m/s)/V or (m/s)/N, without variances; complex modes where there are any
     [worker] Docs/Theory.md, section 8.1. */

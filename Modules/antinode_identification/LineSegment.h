@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** How many lines are worked on at once. */
+/** The number of lines processed at once. */
 constexpr Eigen::Index linesOfSegment = 512;
 
 /** All functions of a basis on neighbouring lines, times a root of weights. Those of modes far from them are smooth there: they are
@@ -14,7 +14,7 @@ struct LineSegment
 {
     std::vector<Eigen::Index> near, far;     ///< Columns of the basis.
     Eigen::MatrixXd nearReal, nearImaginary; ///< Lines x near.
-    Eigen::MatrixXd interpolation;           ///< Lines x nodes; empty where nothing is far.
+    Eigen::MatrixXd interpolation;           ///< Lines x nodes; empty if nothing is far.
     Eigen::MatrixXd farReal, farImaginary;   ///< Nodes x far: values at the nodes.
 };
 

@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** What a mode of given pole may contribute, as functions of frequency: itself, and how it changes with what it depends on.
+/** The contributions of a mode of given pole, as functions of frequency: the mode itself and its derivatives.
     Mode k has the columns from functions k on, in this order; powers of i omega follow after all modes. */
 enum class ModalFunction
 {
@@ -18,10 +18,10 @@ enum class ModalFunction
     delayDamping
 };
 
-/** How many of them a fit has: real residues need four, complex ones all. */
+/** The number of functions in a fit: real residues need four, complex ones all. */
 constexpr Eigen::Index functionsOfRealMode = 4, functionsOfComplexMode = 6;
 
-/** Poles and powers that a fit is made of. N_m modes. */
+/** The poles and powers of a fit. N_m modes. */
 struct ModalBasis
 {
     Eigen::VectorXd angularFrequencies;           ///< N_m: rad/s

@@ -11,7 +11,7 @@ namespace
 std::string percent (double share)
 {
     if (! std::isfinite (share))
-        return "an unknown part";
+        return "an unknown fraction";
 
     return std::to_string (static_cast<int> (std::lround (100 * share))) + " %";
 }
@@ -32,18 +32,18 @@ void doubtMode (IdentifiedModes& modes, Eigen::Index k)
     const auto halfWidth = modes.dampingRatios[k] * modes.angularFrequencies[k];
 
     if (quality.presence < 0.6)
-        doubts.push_back ("it was found at " + percent (quality.presence) + " of the model orders only");
+        doubts.push_back ("it was found at only " + percent (quality.presence) + " of the model orders");
 
     if (quality.signalToNoise < 4)
-        doubts.emplace_back ("it hardly stands out of the noise");
+        doubts.emplace_back ("it is close to the noise level");
 
     if (quality.collinearity < 0.9)
         doubts.push_back ("its points do not move in phase (MPC " + percent (quality.collinearity)
-                          + "): damping that is not proportional, or responses that do not belong together");
+                          + "): damping is not proportional, or the responses are inconsistent");
 
     if (quality.rankOne < 0.9 && quality.signalToNoise > 4)
-        doubts.push_back ("one shape explains " + percent (quality.rankOne)
-                          + " of its residues only: it may be two modes, or drivers measured differently");
+        doubts.push_back ("one shape explains only " + percent (quality.rankOne)
+                          + " of its residues: it may be two modes, or references measured differently");
 
     if (modes.deviations.dampingRatios[k] > 0.1 * modes.dampingRatios[k])
         doubts.push_back ("its damping is uncertain by "
@@ -52,7 +52,8 @@ void doubtMode (IdentifiedModes& modes, Eigen::Index k)
     for (const auto other : { k - 1, k + 1 })
         if (other >= 0 && other < modes.modes()
             && std::abs (modes.angularFrequencies[other] - modes.angularFrequencies[k]) < halfWidth / 4)
-            doubts.push_back ("mode " + std::to_string (other + 1) + " lies within a quarter of its half width");
+            doubts.push_back ("mode " + std::to_string (other + 1)
+                              + " is within a quarter of its half-power half width");
 }
 
 /** Points of one half wave of the most rippled shape on a line, or of the wave that as many modes have in the plane. */
@@ -108,15 +109,16 @@ void addDoubts (IdentifiedModes& modes)
 
     if (modes.points.rows() > 1 && pointsPerHalfWave (modes) < 2.5)
         modes.doubts.emplace_back (
-            "there may be less than 2.5 points to a half wave of the highest modes: points on nodal lines hide modes");
+            "there may be less than 2.5 points per half wave of the highest modes: points on nodal lines hide modes");
 
     if (modes.drivers.size() == 1 && modes.points.rows() > 1)
-        modes.doubts.emplace_back ("one driver alone misses modes that it cannot move");
+        modes.doubts.emplace_back ("a single reference misses modes that it cannot excite");
 
     const auto error = std::min (modes.reconstructionError, modes.measuredReconstructionError);
 
     if (error > -20)
-        modes.doubts.push_back ("the modes reconstruct the responses to "
-                                + std::to_string (static_cast<int> (std::lround (error))) + " dB only");
+        modes.doubts.push_back ("the reconstruction error of the responses is "
+                                + std::to_string (static_cast<int> (std::lround (error)))
+                                + " dB; a good fit reaches -20 dB or less");
 }
 } // namespace antinode

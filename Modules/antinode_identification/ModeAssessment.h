@@ -11,11 +11,11 @@ namespace antinode
     [worker] Docs/Theory.md, section 8.5. */
 Eigen::VectorXd signalToNoise (const FitState&, double variance, double ridge);
 
-/** How well the free residues of each mode are one shape times one participation, and how well they lie on a line in the complex plane.
+/** How well one shape times one participation explains the free residues of each mode, and how collinear they are in the complex plane.
     @param residues   N_m x C: phi alpha, complex, without delay
     [worker] Docs/Theory.md, section 8.5. */
 std::vector<ModeQuality> assessResidues (const Eigen::MatrixXcd& residues, const PreparedResponses&);
 
-/** What is doubtful about modes and the whole, in plain words, put beside what is doubted already. [worker] */
+/** Adds warnings about single modes and about the whole identification, as sentences, to those that exist. [worker] */
 void addDoubts (IdentifiedModes&);
 } // namespace antinode

@@ -29,7 +29,7 @@ std::size_t nearest (const std::vector<PoleCluster>& clusters, double frequency)
 
     if (clusters.empty() || std::abs (frequencyOf (clusters[best]) - frequency) > 0.02 * frequency)
     {
-        auto allowed = std::string ("no other frequency");
+        auto allowed = std::string ("there are no candidates");
 
         if (! clusters.empty())
             allowed = "the nearest candidate is at " + std::to_string (frequencyOf (clusters[best])) + " Hz";
@@ -93,7 +93,7 @@ std::vector<Eigen::Index> standOut (const FitState& state, double variance, doub
 
     for (Eigen::Index k = 0; k < state.modes(); ++k)
     {
-        // Of two that stand for one mode each looks superfluous beside the other: only the weaker goes.
+        // Of two that represent one mode each looks superfluous: only the weaker one is removed.
         const auto isWeaker = k + 1 == state.modes() || ratios[k] <= ratios[k + 1] || ratios[k + 1] >= least;
         const auto isSplit = k + 1 < state.modes() && areTwins (state, k, k + 1);
         lastFell = isMisfit (k) || isSplit || (ratios[k] < least && isWeaker && ! lastFell);

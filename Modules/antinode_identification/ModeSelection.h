@@ -5,7 +5,7 @@
 
 namespace antinode
 {
-/** What the user picked of the candidates: those nearest to the selected frequencies, if there are any, without those nearest to the
+/** The candidates picked by the user: those nearest to the selected frequencies, if there are any, without those nearest to the
     rejected ones.
     @throws InputError  when no candidate lies within 2 % of a frequency
     [worker] */

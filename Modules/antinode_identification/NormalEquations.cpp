@@ -27,7 +27,7 @@ Eigen::MatrixXd rowsOf (const Eigen::MatrixXd& data, ModalFunction function)
                  Eigen::all);
 }
 
-/** How much of a function one unit of an unknown stands for, a mode: unit modes delayed by the delay's unit. */
+/** The amount of a function per unit of an unknown, for each mode: unit modes delayed by the delay's unit. */
 Eigen::VectorXd unitsOf (const FitState& state, ModalFunction function)
 {
     if (function != ModalFunction::delay)

@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** Points whose drivers have weights in the same proportion: they share every matrix of a fit. */
+/** Points whose references have weights in the same proportion: they share every matrix of a fit. */
 struct PointGroup
 {
     Eigen::VectorXd driverWeights;    ///< N_b, the largest 1.
@@ -15,7 +15,7 @@ struct PointGroup
 /** All points with any weight, in groups. @param columnWeights C [worker] */
 std::vector<PointGroup> groupPoints (const Eigen::VectorXd& columnWeights, Eigen::Index points, Eigen::Index drivers);
 
-/** Where a fit stands: its products, and all that is fitted. N_m modes, N_b drivers, N_p points. */
+/** The state of a fit: its products, and all fitted values. N_m modes, N_b references, N_p points. */
 struct FitState
 {
     ModalBasis basis;
@@ -27,7 +27,7 @@ struct FitState
 
     Eigen::Index modes() const { return strengths.rows(); }
     Eigen::Index drivers() const { return strengths.cols(); }
-    /** Unknown a of mode k: strengths of the drivers, then frequency in half widths, damping relative to itself. */
+    /** Unknown a of mode k: strengths of the references, then frequency in half widths, damping relative to itself. */
     Eigen::Index unknown (Eigen::Index mode, Eigen::Index a) const { return a * modes() + mode; }
     Eigen::Index unknowns() const { return modes() * (drivers() + 2) + 1; }      ///< The last one is the delay.
     double delayUnit() const { return 1 / basis.angularFrequencies.maxCoeff(); } ///< s
@@ -36,10 +36,10 @@ struct FitState
 /** Shapes that fit best for given poles and strengths: N_p x N_m. [worker] Docs/Theory.md, section 8.4. */
 Eigen::MatrixXd bestShapes (const FitState&, double ridge);
 
-/** What the modes give: phi alpha / omega, N_m x C. [any] */
+/** The coefficients of the modes: phi alpha / omega, N_m x C. [any] */
 Eigen::MatrixXd amplitudes (const FitState&);
 
-/** Of the powers, powers x C: what is left for them beside the modes. [worker] */
+/** Of the powers, powers x C: the remainder after the modes. [worker] */
 Eigen::MatrixXd residualCoefficients (const FitState&);
 
 /** Gauss-Newton equations in the unknowns of FitState, the best shapes eliminated. */
@@ -54,7 +54,7 @@ struct NormalEquations
     [worker] Docs/Theory.md, section 8.4. */
 NormalEquations normalEquations (const FitState&, double ridge);
 
-/** What couples the unknowns of one group with the shapes of one of its points, per unit of the shape: K^-1 X, N_m x N_m (N_b + 3),
+/** The coupling of the unknowns of one group with the shapes of one of its points, per unit of the shape: K^-1 X, N_m x N_m (N_b + 3),
     the last N_m columns for a delay of each mode on its own; and the diagonal of K^-1. */
 struct ShapeCoupling
 {

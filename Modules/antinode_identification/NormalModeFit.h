@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** What a maximum-likelihood fit of real normal modes gave. */
+/** The result of a maximum-likelihood fit of real normal modes. */
 struct NormalModeFit
 {
     NormalModes modes;
@@ -13,7 +13,7 @@ struct NormalModeFit
     int iterations = 0;
 };
 
-/** What a fit starts from and may change. */
+/** The start of a fit and its free unknowns. */
 struct NormalModeStart
 {
     Eigen::VectorXd angularFrequencies, dampingRatios; ///< N_m

@@ -91,7 +91,7 @@ double delayOf (const Eigen::VectorXd& angularFrequencies, const Eigen::MatrixXc
         return sum;
     };
 
-    // Further than some milliseconds no measurement is off. Among so many delays a few modes agree on a wrong one by chance: a long
+    // No measurement is late by more than some milliseconds. Among many delays a few modes agree on a wrong one by chance: a long
     // one must be clearly better than a short one.
     constexpr double longest = 3e-3, price = 0.4, longDelay = 2e-4;
     const auto step = 0.25 / angularFrequencies.maxCoeff();

@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** Real normal modes as a fit knows them. N_m modes, N_p points, N_b drivers. */
+/** Real normal modes as a fit knows them. N_m modes, N_p points, N_b references. */
 struct NormalModes
 {
     Eigen::VectorXd angularFrequencies; ///< N_m: rad/s
@@ -16,7 +16,7 @@ struct NormalModes
     Eigen::Index modes() const { return angularFrequencies.size(); }
 };
 
-/** The functions of modes' poles, and the powers of i omega that stand for what lies outside of the band. */
+/** The functions of modes' poles, and the powers of i omega that represent modes outside the band. */
 ModalBasis basisOf (const Eigen::VectorXd& angularFrequencies, const Eigen::VectorXd& dampingRatios,
                     const PreparedResponses&);
 
@@ -27,7 +27,7 @@ Eigen::MatrixXd solveEven (const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, d
     [worker] Docs/Theory.md, section 8.4. */
 ModalProducts withoutPowers (const ModalBasis&, const ModalProducts&);
 
-/** Residues of all modes by least squares, each driver and point on its own: complex, so that no delay need be known.
+/** Residues of all modes by least squares, each reference and point on its own: complex, so that no delay need be known.
     @return  N_m x C: r with r / (i omega - s) + conj; times 2 j b / s they are phi alpha for real modes without delay
     [worker] Docs/Theory.md, section 8.4. */
 Eigen::MatrixXcd complexResidues (const ModalBasis&, const ModalProducts&, double ridge);

@@ -119,7 +119,7 @@ IdentifiedModes pickPeaks (const FrequencyResponses& responses, const Identifica
     const auto peaks = peaksOf (data, options.selected);
 
     if (peaks.empty())
-        throw InputError ("frequency responses", "have no peak that stands 6 dB above both of its sides");
+        throw InputError ("frequency responses", "have no peak with a prominence of at least 6 dB on both sides");
 
     const auto modes = static_cast<Eigen::Index> (peaks.size());
     IdentifiedModes result;

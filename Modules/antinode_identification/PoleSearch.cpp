@@ -21,7 +21,7 @@ double frequencyOf (std::complex<double> pole)
     return std::abs (pole) / (2 * std::numbers::pi);
 }
 
-/** Enough for all modes of a band and its noise: to 96 poles with many references, 18 to 72 with few. No more unknowns than lines bear. */
+/** Enough for all modes of a band and its noise: to 96 poles with many references, 18 to 72 with few. No more unknowns than the lines determine. */
 int highestOrder (const CompressedBand& band, const IdentificationOptions& options)
 {
     const auto bearable = std::max (1, static_cast<int> (band.lines() / 4));
@@ -49,7 +49,7 @@ BandPoles searchBand (const PreparedResponses& data, const SearchBand& band, con
         return frequency >= std::max (band.minimum - margin, data.omega[0])
                && frequency < std::min (band.maximum + margin, data.omega[data.lines() - 1]);
     };
-    // A resonance wider than the band cannot be told from what lies outside of it.
+    // A resonance wider than the band cannot be distinguished from modes outside of it.
     const auto isBroad = [&band] (const PoleCluster& cluster)
     {
         return -cluster.pole.real() > (band.maximum - band.minimum) / 2

@@ -14,7 +14,7 @@ struct FoundPoles
 };
 
 /** Seeks poles band by band, on as many threads as there are processors; the result does not depend on how many.
-    @throws InputError  when bands that were asked for hold too few lines
+    @throws InputError  when bands that were requested hold too few lines
     [worker] Docs/Theory.md, sections 8.2 and 8.3. */
 FoundPoles searchPoles (const PreparedResponses&, const IdentificationOptions&);
 } // namespace antinode

@@ -150,7 +150,7 @@ OrderPoles polesOf (const Matrix& blocks, Eigen::Index references, const Compres
         if (std::abs (w) <= 1) // unstable, or exactly 0
             continue;
 
-        // The lines lie at angles from 0 to 0.9 of a turn: what is left of the turn is split between both sides.
+        // The lines lie at angles from 0 to 0.9 of a full circle; the rest is split between both sides.
         auto angle = -std::arg (w);
         angle += angle < -std::numbers::pi * (1 - circleShare) ? 2 * std::numbers::pi : 0;
         const std::complex<double> pole (-std::log (std::abs (w)) / seconds, band.omega[0] + angle / seconds);

@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** The stable poles of one model order, with what tells modes of nearly one pole apart. N poles. */
+/** The stable poles of one model order, with what distinguishes modes of nearly equal poles. N poles. */
 struct OrderPoles
 {
     int order = 0;

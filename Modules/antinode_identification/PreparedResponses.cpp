@@ -24,7 +24,7 @@ Column columnOf (const PreparedResponses& data, Eigen::Index column)
     return values.col (column % data.points()).segment (data.firstLine, data.lines());
 }
 
-/** What stands for a value that was not measured: the straight line between its measured neighbours, or the nearest one. */
+/** The substitute for a missing value: the straight line between its measured neighbours, or the nearest one. */
 std::complex<double> interpolated (const Column& values, const Eigen::VectorXd& omega, Eigen::Index line)
 {
     auto before = line, after = line;
@@ -120,7 +120,7 @@ PreparedResponses prepare (const FrequencyResponses& responses, double minimumFr
 
     if (last - first < 8)
         throw InputError ("frequency responses", "have " + std::to_string (std::max<std::ptrdiff_t> (0, last - first))
-                                                     + " lines in the range to be identified, allowed are 8 and more");
+                                                     + " lines in the frequency range; allowed: 8 or more");
 
     PreparedResponses data;
     data.responses = &responses;
@@ -135,7 +135,8 @@ PreparedResponses prepare (const FrequencyResponses& responses, double minimumFr
     findMissing (data);
 
     if (data.columnWeights.maxCoeff() <= 0)
-        throw InputError ("frequency responses", "have no point and driver with at least half of the values measured");
+        throw InputError ("frequency responses",
+                          "have no pair of point and reference with at least half of the values measured");
 
     if (! responses.variances.empty())
         weighByVariances (data);

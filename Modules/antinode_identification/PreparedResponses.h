@@ -8,12 +8,12 @@ namespace antinode
 struct MissingValue
 {
     Eigen::Index line = 0;   ///< Among the lines that are used.
-    Eigen::Index column = 0; ///< driver N_p + point
+    Eigen::Index column = 0; ///< reference N_p + point
     std::complex<double> value;
 };
 
 /** Responses as a fit takes them: the lines that are used, and the weight of each value as a product of one for its line and
-    one for its column. Refers to the responses it was made from. N lines, C = N_p N_b columns, drivers one after the other. */
+    one for its column. Refers to the responses it was made from. N lines, C = N_p N_b columns, references one after the other. */
 struct PreparedResponses
 {
     const FrequencyResponses* responses = nullptr;
@@ -44,7 +44,7 @@ struct DataBlock
 };
 
 /** Values of some lines, each line times a factor, for example exp (+i omega delay) to take the delay out; 0 in columns without weight.
-    @param factors  one a line, from the first one on
+    @param factors  one per line, from the first one on
     [worker] */
 DataBlock dataBlock (const PreparedResponses&, Eigen::Index first, const Eigen::VectorXcd& factors);
 

@@ -23,7 +23,7 @@ void restoreResidues (IdentifiedModes& modes, Eigen::Index mode, double length)
 
     if (std::abs (cut) > doubtful && static_cast<std::size_t> (mode) < modes.quality.size())
         modes.quality[static_cast<std::size_t> (mode)].doubts.emplace_back (
-            "its impulse response is cut off before it has decayed to a hundredth: take longer records");
+            "its impulse response is truncated before it has decayed to 1 %; record for longer");
 }
 
 void removeWindow (IdentifiedModes& modes, Eigen::Index mode, double windowDecay)
@@ -33,9 +33,8 @@ void removeWindow (IdentifiedModes& modes, Eigen::Index mode, double windowDecay
     const auto damped = omega * std::sqrt (1 - ratio * ratio), decay = ratio * omega - windowDecay;
 
     if (! (decay > 0))
-        throw InputError ("exponential window", "its decay rate is larger than the decay rate of mode "
-                                                    + std::to_string (mode + 1) + ", " + std::to_string (ratio * omega)
-                                                    + " 1/s with the window");
+        throw InputError ("exponential window", "has a larger decay rate than mode " + std::to_string (mode + 1)
+                                                    + "; allowed: below " + std::to_string (ratio * omega) + " 1/s");
 
     omega = std::hypot (damped, decay);
     ratio = decay / omega;

@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** How impulse responses were recorded, of which responses are the Fourier transform. */
+/** The recording of the impulse responses whose Fourier transforms are the responses. */
 struct RecordEffects
 {
     double length = 0;      ///< s: T, where the record is cut off; 0: it is not.

@@ -15,7 +15,7 @@ namespace
 {
 constexpr double leastRetunedAssurance = 0.7;
 
-/** What all points and drivers see of each mode, one mode a column: products of shape and participation. */
+/** The signature of each mode at all points and references, one mode per column: products of shape and participation. */
 Eigen::MatrixXd signatures (const Eigen::MatrixXd& shapes, const Eigen::MatrixXd& participation)
 {
     Eigen::MatrixXd result (shapes.rows() * participation.cols(), shapes.cols());
@@ -67,14 +67,14 @@ double medianDrift (const IdentifiedModes& found, const ModalModel& model, const
                               / model.angularFrequencies[partners[k]]);
 
     if (drifts.empty())
-        throw InputError ("frequency responses", "show no mode of device '" + model.name + "'");
+        throw InputError ("frequency responses", "contain no mode of device '" + model.name + "'");
 
     const auto middle = drifts.begin() + static_cast<std::ptrdiff_t> (drifts.size() / 2);
     std::nth_element (drifts.begin(), middle, drifts.end());
     return *middle;
 }
 
-/** By what each driver's known share of the signatures is to be multiplied, least squares over the modes, each in its own measure. */
+/** By what each reference's known share of the signatures is to be multiplied, least squares over the modes, each in its own measure. */
 Eigen::VectorXd participationScales (const Eigen::MatrixXd& found, const Eigen::MatrixXd& known,
                                      const std::vector<Eigen::Index>& partners, Eigen::Index drivers)
 {
@@ -102,11 +102,12 @@ Eigen::VectorXd participationScales (const Eigen::MatrixXd& found, const Eigen::
 void check (const ModalModel& model, const FrequencyResponses& responses)
 {
     if (responses.drive != DriveQuantity::voltage)
-        throw InputError ("frequency responses", "are per force, allowed are responses to the device's ceramics");
+        throw InputError ("frequency responses",
+                          "are per force; allowed: responses to voltages of the device's ceramics");
 
     if (static_cast<Eigen::Index> (responses.drivers.size()) != model.actuators())
         throw InputError ("frequency responses", "have " + std::to_string (responses.drivers.size())
-                                                     + " drivers, allowed are the " + std::to_string (model.actuators())
+                                                     + " references; allowed: the " + std::to_string (model.actuators())
                                                      + " ceramics of device '" + model.name + "'");
 }
 } // namespace

@@ -19,10 +19,10 @@ struct RetunedModel
     double reconstructionError = 0; ///< dB, of the few responses.
 };
 
-/** Frequencies, damping and strength of each ceramic of a known device, anew from responses of a few points.
-    @param model      as it was known; its ceramics are the drivers, in their order
+/** Updates frequencies, damping and participation of a known device from the responses of a few points.
+    @param model      as it was known; its ceramics are the references, in their order
     @param responses  at points on the model's surface, driven by voltages
-    @throws InputError  when drivers or points do not fit the model, or none of its modes is found
+    @throws InputError  when references or points do not fit the model, or none of its modes is found
     [worker] Docs/Theory.md, section 8.7. */
 RetunedModel retune (const ModalModel& model, const FrequencyResponses& responses, const IdentificationOptions&);
 } // namespace antinode

@@ -12,12 +12,12 @@ struct SearchBand
     double minimum = 0, maximum = 0; ///< rad/s: of poles that count.
 };
 
-/** The bands that were asked for, or bands that cover all lines: each to 1.6 times its lower end, at most 2.5 kHz wide, with a guard of a
+/** The bands that were requested, or bands that cover all lines: each to 1.6 times its lower end, at most 2.5 kHz wide, with a guard of a
     quarter on either side, and with enough lines for polynomials.
-    @throws InputError  when a band that was asked for holds less than 8 lines
+    @throws InputError  when a band that was requested holds less than 8 lines
     [worker] Docs/Theory.md, section 8.2. */
 std::vector<SearchBand> searchBands (const PreparedResponses&, const std::vector<FrequencyBand>& wanted);
 
-/** The two halves of a band, each with guards of its own; none where they would have too few lines. [any] */
+/** The two halves of a band, each with guards of its own; none if they would have too few lines. [any] */
 std::vector<SearchBand> halvesOf (const PreparedResponses&, const SearchBand&);
 } // namespace antinode

@@ -79,19 +79,19 @@ void explain (IdentifiedModes& modes, const Eigen::VectorXd& masses)
     if (hasDrivingPoint (modes))
     {
         modes.scaling = ShapeScaling::drivingPoint;
-        modes.scalingReason = "shapes have modal mass 1 by the driving point: there shape and participation are equal";
+        modes.scalingReason = "the driving point gives modal mass 1: there shape and participation are equal";
     }
     else if (masses.size() > 0)
     {
         modes.scaling = ShapeScaling::knownMass;
-        modes.scalingReason = "shapes have modal mass 1 with the masses that are given for the points";
+        modes.scalingReason = "the given masses of the points yield modal mass 1";
     }
     else
     {
         modes.scaling = ShapeScaling::convention;
         modes.scalingReason =
-            "neither a driving point nor masses are known: shapes are scaled as if the points stood for "
-            "1 kg in all, evenly; products of shape and participation are right, each of them is not";
+            "neither a driving point nor masses are known: shapes are scaled as if the points had 1 kg in "
+            "total, evenly distributed; only products of shape and participation are known";
     }
 }
 } // namespace
@@ -112,7 +112,7 @@ void scaleShapes (IdentifiedModes& modes, const Eigen::VectorXd& masses)
                 square = byPoint;
             else
                 modes.quality[static_cast<std::size_t> (k)].doubts.emplace_back (
-                    "its response at the driving point has the wrong sign, so that its size is not known");
+                    "its response at the driving point has the wrong sign, so its scale is unknown");
         }
 
         scaleMode (modes, k, std::sqrt (square) * signOfLargest (modes.shapes.col (k)));

@@ -9,7 +9,7 @@ namespace antinode
 Eigen::VectorXd lineCells (const Eigen::VectorXd& x);
 
 /** The area of each point's Voronoi cell, cut off at the rectangle around all points.
-    @param points  N x 2, m @return N, m^2; 0 is possible for points on the rim of a few only
+    @param points  N x 2, m @return N, m^2; 0 is possible for points on the boundary of a few points only
     [worker] */
 Eigen::VectorXd voronoiCells (const Eigen::MatrixX2d& points);
 } // namespace antinode

@@ -28,7 +28,7 @@ Eigen::MatrixXcd functionsOfResidue (double resonance, double damping, const Eig
     return result;
 }
 
-/** Products of shape and participation that enter: N_m x N_p of one driver. */
+/** Products of shape and participation that enter: N_m x N_p of one reference. */
 Eigen::MatrixXcd productsOf (const IdentifiedModes& modes, Eigen::Index driver)
 {
     if (modes.complexShapes.size() > 0)

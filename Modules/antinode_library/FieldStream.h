@@ -85,7 +85,7 @@ private:
     void write (const Value& value) { fields (*this, value); }
 };
 
-/** Reads what FieldWriter wrote, from bytes that nobody vouches for: nothing is allocated that the bytes do not hold. */
+/** Reads what FieldWriter wrote, from untrusted bytes: nothing is allocated beyond their content. */
 class FieldReader
 {
 public:

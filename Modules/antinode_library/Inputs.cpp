@@ -44,7 +44,7 @@ void checkAssignments (const std::vector<std::string>& assignments)
     for (const auto& assignment : assignments)
         if (! assignment.starts_with ("device.") && ! assignment.starts_with ("focus."))
             throw InputError ("--set " + assignment,
-                              "names no document: allowed is focus.KEY=VALUE or device.KEY=VALUE, "
+                              "does not start with a document; allowed: focus.KEY=VALUE or device.KEY=VALUE, "
                               "for example focus.targets.0.x_mm=24");
 }
 } // namespace antinode

@@ -145,22 +145,22 @@ nlohmann::json loadDocument (LibraryKind kind, const std::string& nameOrFile)
     for (const auto& entry : libraryEntries (kind))
         allowed += (allowed.empty() ? "" : ", ") + entry.name;
 
-    throw InputError (documentSource (kind, nameOrFile), "is neither an embedded " + wordFor (kind)
-                                                             + " nor one of your own; allowed are " + allowed
-                                                             + ", or a file whose name ends in .json");
+    throw InputError (documentSource (kind, nameOrFile), "is neither an embedded nor a user " + wordFor (kind)
+                                                             + "; allowed: " + allowed
+                                                             + ", or a file name that ends in .json");
 }
 
 void saveDocument (LibraryKind kind, const std::string& name, const nlohmann::json& document)
 {
     if (findFactory (kind, name) != nullptr)
-        throw InputError ("name '" + name + "'", "is one of the factory's; choose another one");
+        throw InputError ("name '" + name + "'", "is reserved for a factory preset; choose another name");
 
     const auto file = userFile (kind, name);
 
     if (! file)
         throw InputError ("name '" + name + "'",
-                          "is not allowed: 1 to 64 letters, digits, blanks, '-', '_' and '.', and "
-                          "no '.' at its beginning");
+                          "is not valid; allowed: 1 to 64 letters, digits, spaces, '-', '_' and '.', "
+                          "not starting with '.'");
 
     writeWholeFile (*file, document.dump (2) + "\n");
 }
@@ -171,7 +171,7 @@ void removeDocument (LibraryKind kind, const std::string& name)
     std::error_code failure;
 
     if (! file || ! std::filesystem::remove (*file, failure))
-        throw InputError ("name '" + name + "'", "is none of your own");
+        throw InputError ("name '" + name + "'", "is not a user preset");
 }
 
 ModalModel solveDevice (const DeviceDescription& device, std::optional<int> modeCount, bool usesCache)

@@ -22,16 +22,16 @@ enum class LibraryKind
 struct LibraryEntry
 {
     std::string name;
-    bool isFactory = true; ///< False: the user's own.
+    bool isFactory = true; ///< False: made by the user.
 };
 
-/** Where the user's own are kept: $XDG_DATA_HOME/antinode, else $HOME/.local/share/antinode; none where neither is set. [any] */
+/** The folder of user presets: $XDG_DATA_HOME/antinode, else $HOME/.local/share/antinode; none if neither is set. [any] */
 std::optional<std::filesystem::path> userLibraryFolder();
 
-/** Where the user's settings are kept: $XDG_CONFIG_HOME/antinode, else $HOME/.config/antinode; none where neither is set. [any] */
+/** The folder of user settings: $XDG_CONFIG_HOME/antinode, else $HOME/.config/antinode; none if neither is set. [any] */
 std::optional<std::filesystem::path> userConfigFolder();
 
-/** The factory's by name, then the user's by name. One of the user's that has a factory name is left out. [worker] */
+/** Factory presets by name, then user presets by name. A user preset with a factory name is left out. [worker] */
 std::vector<LibraryEntry> libraryEntries (LibraryKind);
 
 /** The names of the factory's, sorted. [any] */
@@ -42,7 +42,7 @@ std::vector<std::string> factoryNames (LibraryKind);
     [worker] */
 nlohmann::json loadDocument (LibraryKind, const std::string& nameOrFile);
 
-/** How errors name what a name stands for: "device 'beam'", or the file. [any] */
+/** How errors name the document: "device 'beam'", or the file. [any] */
 std::string documentSource (LibraryKind, const std::string& nameOrFile);
 
 /** Keeps a document as the user's own; one of that name is replaced. The file appears only when it is complete.
@@ -51,7 +51,7 @@ std::string documentSource (LibraryKind, const std::string& nameOrFile);
     [worker] */
 void saveDocument (LibraryKind, const std::string& name, const nlohmann::json&);
 
-/** Removes one of the user's own. @throws InputError  when there is none of that name [worker] */
+/** Removes a user preset. @throws InputError  if there is none of that name [worker] */
 void removeDocument (LibraryKind, const std::string& name);
 
 /** The modal model of a device, with modes from the user's cache where they are there.

@@ -132,7 +132,7 @@ std::optional<ModalModel> ModeCache::find (const DeviceDescription& device, std:
     }
     catch (const std::exception&)
     {
-        return {}; // Damaged, foreign, or too large for this machine: solved anew.
+        return {}; // Damaged, foreign, or too large for this machine: solved again.
     }
 }
 

@@ -20,7 +20,7 @@ public:
         @param maximumBytes  what the entries may take together [any] */
     explicit ModeCache (std::filesystem::path folder, std::uintmax_t maximumBytes = 1000000000);
 
-    /** The model that was stored for this description and count, the same to the bit; none where there is none that can be
+    /** The model that was stored for this description and count, the same to the bit; none if there is none that can be
         trusted, or the device gives its modes itself. [worker] */
     std::optional<ModalModel> find (const DeviceDescription&, std::optional<int> modeCount) const;
 
@@ -35,7 +35,7 @@ private:
     std::uintmax_t maximumBytes;
 };
 
-/** Where the user's modes are kept: $XDG_CACHE_HOME/antinode/modes, else $HOME/.cache/antinode/modes; none where neither is set.
+/** The folder of cached modes: $XDG_CACHE_HOME/antinode/modes, else $HOME/.cache/antinode/modes; none if neither is set.
     [any] */
 std::optional<std::filesystem::path> userCacheFolder();
 

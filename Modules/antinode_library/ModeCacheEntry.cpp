@@ -44,14 +44,14 @@ void checkParts (const ModalModel& model)
     const auto& shapes = model.shapes;
     const auto& slopes = model.slopes;
     require (slopes.size() == 0 || (slopes.rows() == shapes.rows() && slopes.cols() == shapes.cols()),
-             "has slopes of another size than its shapes");
+             "has slopes whose size differs from its shapes");
     require (model.frequencyErrors.size() == 0 || model.frequencyErrors.size() == model.modes(),
-             "has an error estimate for some modes only");
+             "has error estimates for some modes only");
     require (model.fullScaleVoltage > 0 && model.rigidBodyModes >= 0 && model.unknowns >= 0,
-             "has a negative number where none can be");
+             "has a negative number where none is possible");
 
     if (const auto& grid = model.surface.grid)
-        require (isSound (grid->x) && isSound (grid->y), "has a grid whose parts do not fit together");
+        require (isSound (grid->x) && isSound (grid->y), "has an inconsistent grid");
 }
 } // namespace
 
@@ -73,7 +73,8 @@ std::string encodeModeCacheEntry (std::string_view key, const ModalModel& model)
 
 ModalModel decodeModeCacheEntry (std::string_view bytes, std::string_view key)
 {
-    require (bytes.size() > magic.size() + checksumSize && bytes.substr (0, magic.size()) == magic, "is none");
+    require (bytes.size() > magic.size() + checksumSize && bytes.substr (0, magic.size()) == magic,
+             "is not a cache entry");
     const auto content = bytes.substr (0, bytes.size() - checksumSize);
     std::uint64_t size = 0, checksum = 0;
     FieldReader (bytes.substr (content.size())) (checksum);
@@ -82,12 +83,12 @@ ModalModel decodeModeCacheEntry (std::string_view bytes, std::string_view key)
     FieldReader reader (content.substr (magic.size()));
     std::string storedKey;
     reader (size, storedKey);
-    require (size == bytes.size(), "has another length than it says");
-    require (storedKey == key, "is of another device");
+    require (size == bytes.size(), "has a length that differs from its header");
+    require (storedKey == key, "belongs to another device");
 
     ModalModel model;
     reader (model);
-    require (reader.isAtEnd(), "has more in it than a model");
+    require (reader.isAtEnd(), "contains data after the model");
     validate (model);
     checkParts (model);
     return model;

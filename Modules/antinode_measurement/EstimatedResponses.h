@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** How much of what the sensors see is not linear, as effective values over that of the linear response within the band. */
+/** The nonlinear part of the sensor signals, RMS values relative to the linear response within the band. */
 struct NonlinearDistortion
 {
     double even = 0, odd = 0;      ///< Of a multisine with an odd grid, noise taken out; else 0.
@@ -17,10 +17,10 @@ struct NonlinearDistortion
 struct EstimatedResponses
 {
     Eigen::MatrixXcd values;   ///< N_f x N: output per input with exp (+i omega t).
-    Eigen::MatrixXd variances; ///< N_f x N: E |error|^2; empty where one period alone cannot tell.
+    Eigen::MatrixXd variances; ///< N_f x N: E |error|^2; empty if one period alone cannot tell.
     Eigen::MatrixXd
         coherence; ///< N_f x N: 0 to 1, the share of a block's power that comes from the input; empty likewise.
-    std::vector<NonlinearDistortion> distortion; ///< One a sensor; empty where the excitation does not show it.
+    std::vector<NonlinearDistortion> distortion; ///< One per sensor; empty if the excitation does not show it.
 };
 
 /** Variances that few repetitions tell: each becomes the mean of itself and four neighbours at each side, within which a resonance hardly

@@ -18,7 +18,7 @@ namespace antinode
 namespace
 {
 constexpr double fadeTime = 0.01, silenceTime = 0.25; // s
-constexpr double mostSamples = 1 << 24;               // of a turn
+constexpr double mostSamples = 1 << 24;               // of a run
 constexpr double highestOfRate = 0.45;                // what converters' filters leave alone
 
 template <typename... Parts>
@@ -40,45 +40,46 @@ void checkBand (const ExcitationSettings& settings)
 {
     const auto rate = settings.sampleRate, low = settings.lowestFrequency, high = settings.highestFrequency;
     require (rate >= 8e3 && rate <= 2e6 && rate == std::floor (rate), "sample rate",
-             text ("is ", rate, " Hz, allowed are whole numbers from 8000 to 2000000"));
+             text ("is ", rate, " Hz; allowed: whole numbers from 8000 to 2000000 Hz"));
     require (high > 0 && high <= highestOfRate * rate, "highest frequency",
-             text ("is ", high, " Hz, allowed is more than 0 to ", highestOfRate * rate, " Hz at this sample rate"));
+             text ("is ", high, " Hz; allowed: above 0 to ", highestOfRate * rate, " Hz at this sample rate"));
     require (low > 0 && low < high, "lowest frequency",
-             text ("is ", low, " Hz, allowed is more than 0 and less than the highest, ", high, " Hz"));
-    require (settings.resolution >= 0.01 && settings.resolution <= (high - low) / 4, "resolution",
-             text ("is ", settings.resolution, " Hz, allowed is 0.01 to a quarter of the band, ", (high - low) / 4));
+             text ("is ", low, " Hz; allowed: above 0 to below the highest frequency, ", high, " Hz"));
+    require (
+        settings.resolution >= 0.01 && settings.resolution <= (high - low) / 4, "resolution",
+        text ("is ", settings.resolution, " Hz; allowed: 0.01 Hz to a quarter of the band, ", (high - low) / 4, " Hz"));
 }
 
 void checkLengths (const ExcitationSettings& settings)
 {
     const auto isSweep = settings.signal == ExcitationSignal::sweep;
     require (settings.periods >= 1 && settings.periods <= 10000, "periods",
-             text ("are ", settings.periods, ", allowed are 1 to 10000"));
+             text ("are ", settings.periods, "; allowed: 1 to 10000"));
     require (settings.settlingPeriods >= 1 && settings.settlingPeriods <= 10000, "settling periods",
-             text ("are ", settings.settlingPeriods, ", allowed are 1 to 10000"));
+             text ("are ", settings.settlingPeriods, "; allowed: 1 to 10000"));
     require (settings.sweepDuration >= 0.1 && settings.sweepDuration <= 600, "duration of the sweep",
-             text ("is ", settings.sweepDuration, " s, allowed is 0.1 to 600"));
+             text ("is ", settings.sweepDuration, " s; allowed: 0.1 to 600 s"));
     require (! settings.hasOddGrid || settings.signal == ExcitationSignal::multisine, "odd lines",
-             "are for the multisine only");
+             "are possible for the multisine only");
 
     const auto blocks = isSweep ? settings.periods * (settings.sweepDuration + 1 / settings.resolution)
                                 : (settings.periods + settings.settlingPeriods) / settings.resolution;
-    require (blocks * settings.sampleRate <= mostSamples, "duration",
-             text ("of a ceramic's turn is ", blocks, " s, allowed is ", mostSamples / settings.sampleRate,
-                   " s at this sample rate: take fewer periods or a coarser resolution"));
+    require (blocks * settings.sampleRate <= mostSamples, "duration of a run",
+             text ("is ", blocks, " s; allowed: up to ", mostSamples / settings.sampleRate,
+                   " s at this sample rate; choose fewer periods or a coarser resolution"));
 }
 
 void checkLevels (const ExcitationSettings& settings, const Eigen::VectorXd& limits)
 {
     require (settings.levels.size() > 0 && settings.levels.size() == limits.size(), "levels",
-             text ("are ", settings.levels.size(), ", allowed is one for each of the ", limits.size(), " ceramics"));
+             text ("are ", settings.levels.size(), "; allowed: one for each of the ", limits.size(), " ceramics"));
 
     for (Eigen::Index i = 0; i < limits.size(); ++i)
         require (settings.levels[i] > 0 && settings.levels[i] <= limits[i], text ("level of ceramic ", i + 1),
-                 text ("is ", settings.levels[i], " V, allowed is more than 0 to its limit, ", limits[i], " V"));
+                 text ("is ", settings.levels[i], " V; allowed: above 0 to its limit, ", limits[i], " V"));
 }
 
-/** As many blocks as are asked for and a little more, in which it fades out. */
+/** As many blocks as requested, plus the fade-out. */
 Eigen::Index playedSamples (const Excitation& excitation)
 {
     const auto& settings = excitation.settings;
@@ -213,7 +214,7 @@ Excitation excitationWith (const ExcitationSettings& settings, const Eigen::Vect
     if (signal.size() != playedSamples (excitation) || ! (signal.cwiseAbs().maxCoeff() <= 1 + rounding)
         || signal.isZero())
         throw InputError ("excitation: signal",
-                          text ("of ", signal.size(), " samples is not the one of these settings, allowed are ",
+                          text ("has ", signal.size(), " samples and does not fit these settings; allowed: ",
                                 playedSamples (excitation), " samples with a peak of at most 1"));
 
     return withSignal (std::move (excitation), signal);

@@ -6,17 +6,17 @@
 
 namespace antinode
 {
-/** One ceramic's turn in a measurement: all ceramics play the same signal one after the other, each at its own level.
+/** The run of one ceramic in a measurement: all ceramics play the same signal one after the other, each at its own level.
 
-    A turn begins with the signal and ends with silence in which the surface comes to rest and what is under way arrives. The sync
-    channel plays the same signal at the same time: looped back to an input, it tells how late recordings are.
+    A run starts with the signal and ends with silence, during which the surface comes to rest and delayed samples arrive. The sync
+    channel plays the same signal at the same time: looped back to an input, it gives the latency of recordings.
 */
 struct Excitation
 {
     ExcitationSettings settings;
-    Eigen::VectorXd signal; ///< Of one turn without its silence; the waveform between the samples has a peak of 1.
+    Eigen::VectorXd signal; ///< Of one run without its silence; the waveform between the samples has a peak of 1.
     Eigen::Index block = 0; ///< Samples of a period, of a block of noise, of a sweep with the silence after it.
-    Eigen::Index turn = 0;  ///< Samples from one ceramic's first sample to the next one's.
+    Eigen::Index turn = 0;  ///< Samples of one run: from one ceramic's first sample to the next one's.
     std::vector<Eigen::Index> lines; ///< Of a block of `lineBlock` samples: those that are measured, ascending.
     Eigen::Index lineBlock = 0;      ///< Lines lie sampleRate / lineBlock apart.
     double crestFactor = 0;          ///< Peak over effective value while it plays.
@@ -45,8 +45,8 @@ Excitation makeExcitation (const ExcitationSettings&, const Eigen::VectorXd& vol
 Excitation excitationWith (const ExcitationSettings&, const Eigen::VectorXd& voltageLimits,
                            const Eigen::VectorXd& signal);
 
-/** What is played in a ceramic's turn.
-    @param fullScale  V that a sample of 1 stands for
+/** The voltages played in a ceramic's run.
+    @param fullScale  The voltage of a sample of 1, V
     @return           (N_b + 1) x turn samples of full scale: ceramics, then the sync channel
     [worker] */
 Eigen::MatrixXd playedTurn (const Excitation&, Eigen::Index ceramic, double fullScale);

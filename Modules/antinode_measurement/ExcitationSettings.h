@@ -6,15 +6,15 @@
 
 namespace antinode
 {
-/** What a ceramic is excited with. Docs/Theory.md, section 8.8. */
+/** The excitation signal of a ceramic. Docs/Theory.md, section 8.8. */
 enum class ExcitationSignal
 {
     multisine, ///< Periodic: all lines of the band at once, no leakage.
-    sweep,     ///< Exponential: tells harmonics from the linear response.
+    sweep,     ///< Exponential: separates harmonics from the linear response.
     noise      ///< White within the band.
 };
 
-/** An excitation as it is asked for. */
+/** The settings of an excitation. */
 struct ExcitationSettings
 {
     ExcitationSignal signal = ExcitationSignal::multisine;
@@ -22,7 +22,7 @@ struct ExcitationSettings
     double lowestFrequency = 100, highestFrequency = 20000; ///< Hz: the band of the responses.
     double resolution = 1;    ///< Hz: lines lie at most so far apart; a block lasts 1/resolution or a little longer.
     int periods = 4;          ///< Blocks that are measured; of a sweep, how often it is repeated.
-    int settlingPeriods = 1;  ///< Blocks before them in which the surface gets into its rhythm; of multisine and noise.
+    int settlingPeriods = 1;  ///< Blocks before them in which the surface settles; of multisine and noise.
     double sweepDuration = 4; ///< s
     bool hasOddGrid = false;  ///< A multisine of odd lines with gaps at random: shows even and odd distortion.
     std::uint64_t seed = 1;   ///< Of noise and gaps.

@@ -49,8 +49,8 @@ double latencyOf (const Excitation& excitation, const Eigen::VectorXd& sync)
     const auto latest = sync.size() - samples;
 
     if (latest < 0)
-        throw InputError ("sync channel", "has " + std::to_string (sync.size()) + " samples, a turn has at least "
-                                              + std::to_string (samples));
+        throw InputError ("sync channel", "has " + std::to_string (sync.size()) + " samples; allowed: at least "
+                                              + std::to_string (samples) + " in a run");
 
     // Long enough for lags from -latest to latest not to fold onto each other.
     const auto length = quickLength (static_cast<double> (sync.size() + latest + 1));
@@ -63,8 +63,8 @@ double latencyOf (const Excitation& excitation, const Eigen::VectorXd& sync)
     if (! (largest > leastCorrelation * power))
         throw InputError (
             "sync channel",
-            "does not hold the excitation's signal: is the last output wired to this input, and is the "
-            "recording late by less than "
+            "does not contain the excitation signal: is the last output wired to this input, and is the "
+            "latency below "
                 + std::to_string (latest * 1000 / static_cast<Eigen::Index> (excitation.settings.sampleRate)) + " ms?");
 
     return std::max (0.0, static_cast<double> (lag) + restOfLag (cross, lag, length));

@@ -80,7 +80,7 @@ std::vector<Eigen::Index> oddRandomLines (Eigen::Index lowest, Eigen::Index high
     }
 
     if (lines.empty())
-        throw InputError ("excitation", "has no odd line in its band: take a wider band or a finer resolution");
+        throw InputError ("excitation", "has no odd line in its band; choose a wider band or a finer resolution");
 
     return lines;
 }

@@ -79,7 +79,7 @@ void requireWholePeriods (const PeriodicLines& lines, const Eigen::VectorXd& inp
 {
     if (input.size() < lines.period || input.size() % lines.period != 0 || outputs.cols() != input.size())
         throw InputError ("recording", "has " + std::to_string (outputs.cols())
-                                           + " samples, allowed is a whole number of periods of "
+                                           + " samples; allowed: a whole number of periods of "
                                            + std::to_string (lines.period));
 }
 } // namespace
@@ -96,7 +96,7 @@ EstimatedResponses averagePeriods (const PeriodicLines& lines, const Eigen::Vect
     const Eigen::MatrixXcd dx = whole.deviations (excited, Eigen::all);
 
     if (! (x.cwiseAbs().minCoeff() > 0))
-        throw InputError ("recording", "its input has nothing on a line that is to be measured");
+        throw InputError ("recording", "has no input signal on a line to be measured");
 
     EstimatedResponses result;
     result.values.resize (count, outputs.rows());

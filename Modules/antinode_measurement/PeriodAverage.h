@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** Where a periodic excitation's lines lie. */
+/** The lines of a periodic excitation. */
 struct PeriodicLines
 {
     Eigen::Index period = 0;           ///< Samples.

@@ -148,19 +148,19 @@ void requireUsable (const ModalModel& model, const Eigen::MatrixXd& voltages, co
 
     if (model.modes() == 0 || voltages.rows() != model.actuators() || sync.size() != voltages.cols()
         || sync.size() == 0)
-        throw InputError ("simulated bench", "needs a device with modes, and voltages of all its ceramics");
+        throw InputError ("simulated bench", "needs a device with modes and the voltages of all its ceramics");
 
     if (! voltages.allFinite() || ! sync.allFinite())
         throw InputError ("simulated bench", "has a voltage that is not finite");
 
     if (! isUsable (settings.signalToNoise, -20, 300))
-        throw InputError ("simulated bench", "its signal-to-noise ratio is out of range, allowed is -20 to 300 dB");
+        throw InputError ("simulated bench", "signal-to-noise ratio is out of range; allowed: -20 to 300 dB");
 
     if (! isUsable (settings.delay, 0, 0.2))
-        throw InputError ("simulated bench", "its delay is out of range, allowed is 0 to 200 ms");
+        throw InputError ("simulated bench", "delay is out of range; allowed: 0 to 200 ms");
 
     if (! isUsable (settings.cubic, -0.2, 0.2))
-        throw InputError ("simulated bench", "its cubic share is out of range, allowed is -0.2 to 0.2");
+        throw InputError ("simulated bench", "cubic distortion is out of range; allowed: -20 to 20 %");
 }
 } // namespace
 

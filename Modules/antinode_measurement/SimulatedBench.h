@@ -8,7 +8,7 @@
 
 namespace antinode
 {
-/** A bench that is not there: what its sensors, amplifiers and converters do. */
+/** A simulated bench: its sensors, amplifiers and converters. */
 struct SimulatedBenchSettings
 {
     double sampleRate = 96000; ///< Hz
@@ -20,7 +20,7 @@ struct SimulatedBenchSettings
     std::uint64_t seed = 1; ///< Of the noise.
 };
 
-/** What the sensors of such a bench record of played voltages: each mode's response, line by line of a transform so long that nothing folds.
+/** The recording of the sensors of such a bench for played voltages: each mode's response, line by line of a transform so long that nothing folds.
 
     @param shapes    N x N_m: the rows of mode shapes at the sensors (shapesAt), kg^-1/2
     @param voltages  N_b x N_s, V, of ceramics; silent at the end

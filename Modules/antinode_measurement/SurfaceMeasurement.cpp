@@ -44,13 +44,14 @@ void doubtCoherence (std::vector<std::string>& doubts, const SurfaceMeasurement&
     const auto coherence = meanCoherence (measurement);
 
     if (const auto points = weakOnes (coherence.rowwise().maxCoeff()); ! points.empty())
-        doubts.push_back (
-            "No ceramic moves these points far enough above the noise, so measure them again or leave them out: "
-            + numbers (points) + ".");
+        doubts.push_back ("The response of these points is too close to the noise for all ceramics; measure them again "
+                          "or leave them out: "
+                          + numbers (points) + ".");
 
     if (const auto ceramics = weakOnes (coherence.colwise().maxCoeff()); ! ceramics.empty())
-        doubts.push_back ("These ceramics move no point far enough above the noise, so look at their wires and levels: "
-                          + numbers (ceramics) + ".");
+        doubts.push_back (
+            "The response of all points is too close to the noise for these ceramics; check their wires and levels: "
+            + numbers (ceramics) + ".");
 }
 
 void doubtLatency (std::vector<std::string>& doubts, const SurfaceMeasurement& measurement)
@@ -62,8 +63,8 @@ void doubtLatency (std::vector<std::string>& doubts, const SurfaceMeasurement& m
         if (latencies.maxCoeff() - latencies.minCoeff() > mostWander)
         {
             doubts.push_back (formatted (
-                "While point %td was measured, the latency went from %.2f to %.2f samples: outputs and inputs do not "
-                "share one clock, or samples were lost.",
+                "At point %td the latency varied from %.2f to %.2f samples: outputs and inputs do not share one clock, "
+                "or samples were lost.",
                 p + 1, latencies.minCoeff(), latencies.maxCoeff()));
             return;
         }
@@ -85,7 +86,7 @@ void doubtLinearity (std::vector<std::string>& doubts, const SurfaceMeasurement&
 
     if (largest > mostDistortion)
         doubts.push_back (formatted (
-            "Up to %.1f %% of the motion is distortion: identified modes depend on the level, so take a lower one.",
+            "Up to %.1f %% of the motion is distortion: identified modes depend on the level; choose a lower level.",
             100 * largest));
 }
 } // namespace

@@ -9,7 +9,7 @@
 
 namespace antinode
 {
-/** What all turns of all points gave. N_f lines, N_p points, N_b ceramics; not a number where nothing was measured yet. */
+/** The results of all runs at all points. N_f lines, N_p points, N_b ceramics; NaN where nothing was measured yet. */
 struct SurfaceMeasurement
 {
     FrequencyResponses responses;
@@ -19,18 +19,18 @@ struct SurfaceMeasurement
     Eigen::MatrixXd latencies; ///< N_b x N_p: samples.
 };
 
-/** A measurement in which nothing was measured yet.
+/** An empty measurement.
     @param ceramics  N_b names
     @param points    N_p x 2, m
     [worker] */
 SurfaceMeasurement unmeasured (const Excitation&, const std::vector<std::string>& ceramics,
                                const Eigen::MatrixX2d& points);
 
-/** Puts a ceramic's turn, measured by as many sensors as stand at the points from a first one on, in its place. [worker] */
+/** Stores a ceramic's run, measured by sensors at consecutive points from a first one on. [worker] */
 void place (SurfaceMeasurement&, Eigen::Index ceramic, Eigen::Index firstPoint, const TurnResponses&);
 
-/** What the user should know of how good a measurement is, in plain words: points and ceramics that hardly answer, latencies that
-    wander, distortion; a list that is empty where all is well. [worker] Docs/Theory.md, section 8.9. */
+/** Warnings about the quality of a measurement, as sentences: points and ceramics with weak responses, latencies that
+    wander, distortion; a list that is empty if all is well. [worker] Docs/Theory.md, section 8.9. */
 std::vector<std::string> doubtsOf (const SurfaceMeasurement&);
 
 /** The mean coherence over the lines, weighted by the responses' power: N_p x N_b, not a number where it is not known. [worker] */

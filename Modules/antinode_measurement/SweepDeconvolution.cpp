@@ -43,7 +43,7 @@ Eigen::VectorXcd inverseOf (const RepeatedSweep& played, const Eigen::VectorXd& 
         const auto gain = bandGain (played, static_cast<double> (k) * played.sampleRate / static_cast<double> (length));
 
         if (gain > 0 && ! (std::abs (inverse[k]) > 0))
-            throw InputError ("recording", "its input has nothing on a line that is to be measured");
+            throw InputError ("recording", "has no input signal on a line to be measured");
 
         inverse[k] = gain > 0 ? gain / inverse[k] : 0.0;
     }
@@ -134,7 +134,7 @@ void requireWholeBlocks (const RepeatedSweep& played, const Eigen::VectorXd& inp
 {
     if (outputs.cols() != input.size() || input.size() < played.block || input.size() % played.block != 0)
         throw InputError ("recording", "has " + std::to_string (outputs.cols())
-                                           + " samples, allowed is a whole number of blocks of "
+                                           + " samples; allowed: a whole number of blocks of "
                                            + std::to_string (played.block));
 }
 } // namespace

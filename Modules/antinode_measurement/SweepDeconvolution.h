@@ -7,7 +7,7 @@
 
 namespace antinode
 {
-/** What was played and what is wanted of it. */
+/** The played sweep and the wanted response. */
 struct RepeatedSweep
 {
     Sweep sweep;

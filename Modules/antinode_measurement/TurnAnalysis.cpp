@@ -15,7 +15,7 @@ namespace antinode
 {
 namespace
 {
-/** Which of a turn's samples are measured. */
+/** The samples of a run that are evaluated. */
 struct Measured
 {
     Eigen::Index first = 0, count = 0;
@@ -35,8 +35,8 @@ void requireUsable (const Excitation& excitation, const TurnRecording& recording
     { return channel.size() == 0 || channel.size() == samples; };
 
     if (samples < needed || ! agrees (recording.sync) || ! agrees (recording.reference))
-        throw InputError ("recording", "has " + std::to_string (samples) + " samples in a turn, allowed are at least "
-                                           + std::to_string (needed) + ", as many on every channel; a turn has "
+        throw InputError ("recording", "has " + std::to_string (samples) + " samples in a run; allowed: at least "
+                                           + std::to_string (needed) + ", equally many on every channel; a run has "
                                            + std::to_string (excitation.turn));
 
     if (! recording.sensors.allFinite() || ! recording.sync.allFinite() || ! recording.reference.allFinite())
@@ -65,7 +65,7 @@ EstimatedResponses estimate (const Excitation& excitation, ResponseEstimator est
                             input, outputs);
 }
 
-/** A recording that is late by so many samples has its phase turned by exp (-i omega late): turns it forward again. */
+/** A recording that is late by a number of samples has its phase rotated by exp (-i omega late): rotates it back. */
 void takeOutDelay (Eigen::MatrixXcd& values, const Excitation& excitation, double samples)
 {
     const auto perHertz = 2 * std::numbers::pi * samples / excitation.settings.sampleRate;

@@ -7,11 +7,11 @@
 
 namespace antinode
 {
-/** How turns are analysed. */
+/** Options of the analysis of runs. */
 struct TurnAnalysisSettings
 {
     ResponseEstimator estimator = ResponseEstimator::h1; ///< Of noise.
-    double latency = 0; ///< Samples by which sensors are late where no sync channel tells, at least 0.
+    double latency = 0; ///< Latency of the sensors without a sync channel, samples, at least 0.
 };
 
 /** One ceramic's responses and how late its recording was. */
@@ -21,7 +21,7 @@ struct TurnResponses
     double latency = 0;           ///< Samples, taken out of the responses.
 };
 
-/** Responses from a turn: finds its latency, cuts out what is to be measured, estimates as the excitation wants it, and turns the
+/** Responses from a run: finds its latency, cuts out the evaluated samples, applies the estimator of the excitation, and rotates the
     phases back by what the cut left of the latency.
 
     With a measured reference the responses relate to it; the latency, which both share, then serves only to cut.

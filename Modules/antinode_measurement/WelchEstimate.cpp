@@ -57,15 +57,14 @@ EstimatedResponses estimateByWelch (Eigen::Index block, const std::vector<Eigen:
 {
     if (input.size() < block || outputs.cols() != input.size())
         throw InputError ("recording", "has " + std::to_string (outputs.cols())
-                                           + " samples, allowed are at least those of a block, "
-                                           + std::to_string (block));
+                                           + " samples; allowed: at least those of a block, " + std::to_string (block));
 
     const auto window = hann (block);
     const auto x = blockSpectra (input, window, lines);
     const Eigen::ArrayXd xx = x.cwiseAbs2().rowwise().sum().array();
 
     if (! (xx.minCoeff() > 0))
-        throw InputError ("recording", "its input has nothing on a line that is to be measured");
+        throw InputError ("recording", "has no input signal on a line to be measured");
 
     EstimatedResponses result;
     result.values.resize (x.rows(), outputs.rows());
@@ -85,7 +84,7 @@ EstimatedResponses estimateByWelch (Eigen::Index block, const std::vector<Eigen:
             (yx / xx.cast<std::complex<double>>()).abs2() * (1 - coherence) / (coherence.max (1e-12) * averages);
     }
 
-    // One block fits itself: it looks perfectly coherent and tells nothing of its error.
+    // One block fits itself: it looks perfectly coherent and gives no information about its error.
     if (x.cols() < 2)
         result.coherence = result.variances = {};
 

@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** Which of the classical estimators. S_yx = E Y conj X. */
+/** The classical estimators. S_yx = E Y conj X. */
 enum class ResponseEstimator
 {
     h1, ///< S_yx / S_xx: unbiased by noise at the output.

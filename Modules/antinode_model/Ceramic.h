@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** A ceramic (bimorph) as the rooms right of structure see it: where it lies, what it may get. Ceramic k is output channel k. */
+/** A ceramic (bimorph): its extent and limits. Ceramic k is output channel k. */
 struct Ceramic
 {
     std::string name;

@@ -4,7 +4,9 @@
 
 #include <antinode_base/InputError.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <utility>
 
@@ -29,10 +31,17 @@ void validateModes (const ModalModel& model)
         const auto damping = model.dampingRatios[k];
         require (std::isfinite (frequency) && frequency > 0, model, which + " has no positive frequency");
         require (frequency >= previous, model,
-                 which + " is lower than the one before it; modes must ascend in frequency");
+                 which + " is lower than the previous mode; modes must ascend in frequency");
         require (damping > 0 && damping < 1, model, which + " has a damping ratio outside 0 to 1");
         previous = frequency;
     }
+}
+
+std::string millimetres (double metres)
+{
+    std::array<char, 32> text {};
+    std::snprintf (text.data(), text.size(), "%.6g mm", metres * 1000);
+    return text.data();
 }
 } // namespace
 
@@ -61,14 +70,13 @@ Eigen::RowVectorXd shapesAt (const ModalModel& model, double x, double y)
 
     if (! inside)
     {
-        const auto millimetres = [] (double metres) { return std::to_string (metres * 1000) + " mm"; };
         auto allowed = "x from " + millimetres (surface.xMinimum) + " to " + millimetres (surface.xMaximum);
 
         if (! isLine)
             allowed += ", y from " + millimetres (surface.yMinimum) + " to " + millimetres (surface.yMaximum);
 
         throw InputError ("point (" + millimetres (x) + ", " + millimetres (y) + ")",
-                          "lies outside the surface of '" + model.name + "', allowed is " + allowed);
+                          "is outside the surface of '" + model.name + "'; allowed: " + allowed);
     }
 
     if (isLine)
@@ -83,7 +91,7 @@ ModalModel withSplineSlopes (ModalModel model)
     const Eigen::VectorXd x = model.surface.points.col (0);
 
     for (Eigen::Index i = 1; i < x.size(); ++i)
-        require (x[i] > x[i - 1], model, "the points of a line must ascend in x, each in a place of its own");
+        require (x[i] > x[i - 1], model, "the points of a line must ascend strictly in x");
 
     model.slopes = naturalSplineSlopes (x, model.shapes);
     return model;
@@ -91,7 +99,7 @@ ModalModel withSplineSlopes (ModalModel model)
 
 ModalModel withGridDensity (ModalModel model, double density)
 {
-    require (model.surface.grid.has_value(), model, "has no grid whose density could be changed");
+    require (model.surface.grid.has_value(), model, "has no grid; its density cannot be changed");
     const auto old = std::exchange (model.surface.grid, std::nullopt).value();
     const PlateGrid grid { withDensity (old.x, density), withDensity (old.y, density) };
     const auto rowsX = interpolationRows (old.x, grid.x.places);
@@ -125,13 +133,14 @@ void validate (const ModalModel& model)
     const auto points = surface.points.rows();
     require (modes > 0, model, "has no modes");
     require (points > 0, model, "has no points");
-    require (model.dampingRatios.size() == modes, model, "needs one damping ratio a mode");
+    require (model.dampingRatios.size() == modes, model, "needs one damping ratio per mode");
     require (model.shapes.rows() == points && model.shapes.cols() == modes, model,
-             "needs a shape value for each point and mode");
-    require (surface.masses.size() == points && surface.areas.size() == points, model, "needs a weight for each point");
+             "needs one shape value for each point and mode");
+    require (surface.masses.size() == points && surface.areas.size() == points, model,
+             "needs one weight for each point");
     require (model.participation.rows() == modes, model, "needs the participation of every mode");
     require (model.participation.cols() == static_cast<Eigen::Index> (model.ceramics.size()), model,
-             "needs one column of participation a ceramic");
+             "needs one column of participation per ceramic");
     require (surface.points.allFinite() && model.shapes.allFinite() && model.participation.allFinite(), model,
              "has a number that is not finite");
     require (surface.masses.allFinite() && surface.areas.allFinite() && surface.masses.minCoeff() >= 0
@@ -140,7 +149,7 @@ void validate (const ModalModel& model)
 
     if (surface.grid)
         require (surface.grid->x.places.size() * surface.grid->y.places.size() == points, model,
-                 "has a grid of another size than its points");
+                 "has a grid whose size differs from the number of points");
 
     validateModes (model);
 }

@@ -23,13 +23,13 @@ struct ModalModel
     Eigen::MatrixXd slopes;             ///< N_p x N_m: dphi_k/dx, kg^-1/2 / m. On a line only, else empty.
     Eigen::MatrixXd participation;      ///< N_m x N_b: alpha_ki, N kg^-1/2 / V.
     std::vector<Ceramic> ceramics;      ///< N_b
-    double fullScaleVoltage = 1;        ///< V that a sample of 1.0 stands for in files and at the outputs.
+    double fullScaleVoltage = 1;        ///< The voltage of a sample of 1.0 in files and at the outputs, V.
     bool coversWholeBody =
-        true; ///< False where shapes are measured on a part only: then fields are projected by least squares.
-    int rigidBodyModes = 0;            ///< How many modes of frequency 0 the body has beside the flexible ones.
+        true; ///< False if shapes are measured on a part only; fields are then projected by least squares.
+    int rigidBodyModes = 0;            ///< Number of rigid-body modes (frequency 0) in addition to the flexible modes.
     int unknowns = 0;                  ///< Degrees of freedom of the solution; 0 where measured.
-    Eigen::VectorXd frequencyErrors;   ///< N_m: estimated relative error of each frequency; empty where unknown.
-    std::vector<std::string> warnings; ///< What the user should know of how good the model is, in plain words.
+    Eigen::VectorXd frequencyErrors;   ///< N_m: estimated relative error of each frequency; empty if unknown.
+    std::vector<std::string> warnings; ///< Sentences for the user about the accuracy of the model.
 
     Eigen::Index modes() const { return angularFrequencies.size(); }
     Eigen::Index points() const { return shapes.rows(); }
@@ -60,7 +60,7 @@ ModalModel withSplineSlopes (ModalModel);
     [worker] Docs/Theory.md, section 1.5. */
 ModalModel withGridDensity (ModalModel, double density);
 
-/** Checks what every model must fulfil: sizes agree, numbers are finite, 0 < xi < 1, frequencies ascend and are positive.
+/** Checks a model: sizes agree, numbers are finite, 0 < xi < 1, frequencies ascend and are positive.
     @throws InputError  naming the first thing that is wrong. [worker] */
 void validate (const ModalModel&);
 } // namespace antinode

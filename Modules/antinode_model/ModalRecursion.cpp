@@ -84,10 +84,9 @@ ModalRecursion modalRecursion (const ModalModel& model, Playback playback)
 void requirePlayable (const ModalModel& model, const Eigen::MatrixXd& probeShapes)
 {
     if (model.participation.rows() != model.modes() || ! model.participation.allFinite())
-        throw InputError ("device '" + model.name + "'",
-                          "the participation needs one row of finite numbers for every mode");
+        throw InputError ("device '" + model.name + "'", "needs one row of finite participations for every mode");
 
     if (probeShapes.cols() != model.modes() || ! probeShapes.allFinite())
-        throw InputError ("probes", "the shapes at a probe need one finite number for every mode");
+        throw InputError ("probes", "need one finite shape value for every mode");
 }
 } // namespace antinode

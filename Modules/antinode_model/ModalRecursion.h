@@ -7,7 +7,7 @@
 
 namespace antinode
 {
-/** What carries the modes from one sample to the next, exactly for the way the samples are played.
+/** Advances the modes from one sample to the next, exactly for the chosen playback.
 
     Mode k has the complex state y' = s y + psi, s = -a + jb, T the sample interval, and from the force samples psi_m
 
@@ -31,7 +31,7 @@ struct ModalRecursion
     [worker] */
 ModalRecursion modalRecursion (const ModalModel&, Playback);
 
-/** Checks that voltages can move a model's modes and probes can hear them.
+/** Checks the sizes and values of participations and probe shapes.
     @param probeShapes  N_probes x N_m, kg^-1/2
     @throws InputError  when sizes do not agree, or a number is not finite
     [worker] */

@@ -24,7 +24,7 @@ struct Oscillation
     double freeDecay =
         0; ///< 1/s: of a brake, the decay rate a of its mode when it is left alone; 0 where it is no brake.
     std::complex<double> counterShare =
-        0; ///< Of a brake: how much of what it does to its mode comes from the part that turns against it. Docs/Theory.md, section 6.6.
+        0; ///< Of a brake: the fraction of its effect on its mode from the part that rotates against it. Docs/Theory.md, section 6.6.
 
     /** Whether it brakes a mode: it may then begin later than designed. Docs/Theory.md, section 6.6. [any] */
     bool isBrake() const { return freeDecay > 0 && angularFrequency > 0; }
@@ -36,9 +36,9 @@ struct Oscillation
     std::complex<double> phasor() const { return { quadrature, -inPhase }; }
 };
 
-/** What is played: oscillations and the matrix that mixes them to the ceramics' voltages,
+/** A program to play: oscillations and the matrix that mixes them to the ceramics' voltages,
     U_i (t) = sum_c allocation (i, c) value_c (t). Real-time code needs nothing else. Docs/Theory.md, section 4.
-    A free waveform has samples beside them, which are added; they are bound to a sample rate and are played offline only. */
+    A free waveform also has samples, which are added; they are bound to a sample rate and are played offline only. */
 struct VoltageProgram
 {
     std::vector<Oscillation> oscillations;

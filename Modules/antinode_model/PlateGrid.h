@@ -20,20 +20,20 @@ struct PlateGrid
     GridAxis x, y;
 };
 
-/** An axis of the given segments with so many places in each. [any]
+/** An axis of the given segments with the given number of places in each. [any]
     @param edges   of the segments, ascending, m
     @param counts  places in each, at least 1 */
 GridAxis gridAxis (const Eigen::VectorXd& edges, const Eigen::VectorXi& counts);
 
-/** An axis of the same segments with so many times as many places in each, at least one. [any] */
+/** An axis of the same segments with a multiple of the places in each, at least one. [any] */
 GridAxis withDensity (const GridAxis&, double density);
 
 /** Of a place of a finer or coarser axis with the same segments: the first place of its segment on the given axis. [any] */
 Eigen::Index firstOfSegment (const GridAxis&, const GridAxis& other, Eigen::Index placeOfOther);
 
 /** The rows that take values at the places of an axis to other places on it: Lagrange's polynomials in barycentric form.
-    @param at  m; beyond the ends the polynomial of the last segment goes on
-    @return    one row a place of `at`, one column a place of the axis
+    @param at  m; beyond the ends the polynomial of the last segment is extrapolated
+    @return    one row per position of `at`, one column per position of the axis
     [any] Docs/Theory.md, section 1.5. */
 Eigen::MatrixXd interpolationRows (const GridAxis&, const Eigen::VectorXd& at);
 } // namespace antinode

@@ -2,7 +2,7 @@
 
 namespace antinode
 {
-/** How the samples of a voltage become a voltage. Docs/Theory.md, section 6. */
+/** The reconstruction of a voltage from samples. Docs/Theory.md, section 6. */
 enum class Reconstruction
 {
     bandLimited,  ///< An audio interface: sum u_n K (t/T - n), K the windowed sinc of KaiserSinc.h.

@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** How the points of a surface lie. */
+/** The arrangement of the points of a surface. */
 enum class SurfaceKind
 {
     line, ///< A beam's top: y = 0, x ascending.

@@ -145,7 +145,7 @@ SymmetricEigen symmetricEigen (Eigen::MatrixXd a)
              &integerSize, &info);
 
     if (info != 0)
-        throw std::runtime_error ("eigenvalues of a symmetric matrix: no convergence");
+        throw std::runtime_error ("the eigenvalue solver for symmetric matrices did not converge");
 
     result.vectors = std::move (a);
     return result;

@@ -6,11 +6,11 @@ namespace antinode
 {
 // What the solution of plates and the allocation spend their time on, by the system's BLAS and LAPACK: made for the processor it runs on, on one
 // thread. All matrices are column by column, a part of a larger one or whole.
-// Any threads may call; one computes at a time, because Debian's library for one thread does not bear two.
+// Any threads may call; one computes at a time, because Debian's single-threaded library does not support two.
 using MatrixIn = Eigen::Ref<const Eigen::MatrixXd>;
 using MatrixOut = Eigen::Ref<Eigen::MatrixXd>;
 
-/** Where the system's BLAS has threads: its matrices here are so small that these cost more than they bring. [worker] */
+/** Limits the threads of the system's BLAS to one: for these small matrices threads cost more than they gain. [worker] */
 void keepToOneThread();
 
 /** to += factor a b. [worker] */

@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** The lines 0 to N/2 of a real signal's discrete Fourier transform, sum_n x_n exp (-2 pi i k n / N): a delay turns the phase back.
+/** The lines 0 to N/2 of a real signal's discrete Fourier transform, sum_n x_n exp (-2 pi i k n / N): a delay decreases the phase.
     @param signal  N samples, at least 1
     [worker] */
 Eigen::VectorXcd spectrumOf (const Eigen::VectorXd& signal);

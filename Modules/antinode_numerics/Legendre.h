@@ -14,7 +14,7 @@ struct QuadratureRule
     @param count  at least 2. [any] */
 QuadratureRule gaussLobattoRule (Eigen::Index count);
 
-/** Legendre polynomials P_0 .. P_{count-1}, one a column, at places in -1..1, one a row. [any] */
+/** Legendre polynomials P_0 .. P_{count-1}, one per column, at positions in -1..1, one per row. [any] */
 Eigen::MatrixXd legendrePolynomials (const Eigen::VectorXd& places, Eigen::Index count);
 
 /** Legendre polynomials integrated from -1, once and twice. */

@@ -16,7 +16,7 @@ public:
     /** Evenly distributed, at least 0 and less than 1. [any] */
     double uniform();
 
-    /** So many numbers of the normal distribution with mean 0 and deviation 1, by Box and Muller. [worker] */
+    /** A number of values of the normal distribution with mean 0 and deviation 1, by Box and Muller. [worker] */
     Eigen::VectorXd normal (Eigen::Index count);
 
 private:

@@ -9,7 +9,7 @@
 
 namespace antinode
 {
-/** How far the plates of the detuned scores lie from the model, and how many are drawn. */
+/** The spread of the plates of the detuned scores, and their number. */
 struct DetuningLevel
 {
     double frequency, damping, participation; ///< Relative standard deviations.
@@ -35,7 +35,7 @@ struct PaperCell
     RenderedFocus exact;                                    ///< Exact terminal rows, soft guards.
     RenderedFocus paper;                                    ///< The paper's rows (29).
     std::array<DrivePeaks, paperGrowths.size()> drivePeaks; ///< One for each of paperGrowths.
-    int modesNeeded = 0; ///< How many modes reach Table C.1; 0 where all together do not.
+    int modesNeeded = 0; ///< The number of modes that reach Table C.1; 0 if all modes do not.
     std::array<double, paperDetuning.size()> detunedVScore {}; ///< Median over the draws, against the truncated field.
 };
 

@@ -81,7 +81,7 @@ PaperFigure growthFigure (const ModalModel& model)
 std::string titleOf (const TwoModeCase& study)
 {
     return std::string (study.drive == DriveKind::paper ? "paper's drive, " : "offset-free, ") + inWords (study.limit)
-           + " V, " + (study.isAllocated ? "allocated" : "one ceramic a mode");
+           + " V, " + (study.isAllocated ? "allocated" : "one ceramic per mode");
 }
 
 PaperFigure twoModeVoltages (const TwoModeStudy& study)
@@ -93,7 +93,7 @@ PaperFigure twoModeVoltages (const TwoModeStudy& study)
     {
         auto traces = one.result ? voltagesChart (one.result->model, one.result->design.program, one.result->render)
                                  : StackedTraces {};
-        traces.title = titleOf (one) + (one.result ? "" : ": cannot be met");
+        traces.title = titleOf (one) + (one.result ? "" : ": infeasible");
         grid.panels.emplace_back (traces);
     }
 
@@ -113,7 +113,7 @@ PaperFigure twoModeSpectra (const TwoModeStudy& study)
         auto chart = one.result
                          ? spectrumChart (one.result->model, one.result->design, one.result->render.focusVelocities)
                          : BarChart {};
-        chart.title = titleOf (one) + (one.result ? "" : ": cannot be met");
+        chart.title = titleOf (one) + (one.result ? "" : ": infeasible");
         chart.xLabel.clear();
         chart.yLabel.clear();
         grid.panels.emplace_back (chart);
@@ -161,7 +161,7 @@ PaperFigure fieldFigure (const std::vector<PaperCell>& cells, const std::vector<
                          std::string caption)
 {
     auto grid = gridOf (cells, rows, fieldPanel);
-    grid.xLabel = "place (mm)";
+    grid.xLabel = "position (mm)";
     grid.yLabel = "velocity (mm/s)";
     return { std::move (name), std::move (caption), grid, 1200, 140 + 190 * static_cast<int> (rows.size()) };
 }
@@ -186,7 +186,7 @@ void addTimeFigures (std::vector<PaperFigure>& figures, const ModalModel& model)
                          transientsChart (early.model, early.design, early.render, 5), 960, 480 });
     figures.push_back ({ "figure-15", "Fig. 15: the spectrogram of the velocity at the focus",
                          spectrogramChart (early.render, 0, shownFrequency) });
-    figures.push_back ({ "figure-16a", "Fig. 16: the field over place and time around a focus after 25 ms",
+    figures.push_back ({ "figure-16a", "Fig. 16: the field over position and time around a focus after 25 ms",
                          fieldOverTimeChart (early.model, early.design, early.render, shown), 960, 480 });
     figures.push_back ({ "figure-16b", "Fig. 16: the same after 50 ms",
                          fieldOverTimeChart (late.model, late.design, late.render, shown), 960, 480 });

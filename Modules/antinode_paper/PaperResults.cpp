@@ -40,7 +40,7 @@ nlohmann::ordered_json printedTables()
     return { { "captured", captured }, { "v_score_measured", measured } };
 }
 
-/** Both drives side by side for each way of growing. */
+/** Both drives for each growth. */
 nlohmann::ordered_json drivesJson (const std::vector<PaperCell>& cells)
 {
     nlohmann::ordered_json json;
@@ -127,9 +127,8 @@ ReportPage paperReport (const ModalModel& model, const std::vector<ReportTable>&
     page.subtitle = "Enferad et al., Journal of Sound and Vibration 449 (2019) 196-213, on '" + model.name + "'";
     ReportSection numbers { "The tables", {}, {}, tables };
     numbers.paragraphs = {
-        "Each number of ours comes from the plate model fed with samples at 192 kHz; detuned plates are computed in "
-        "closed form. "
-        "The geometry of the print's device is inferred, so its measured numbers are a yardstick, not a target."
+        "Our numbers are computed by the plate model from samples at 192 kHz; detuned plates are computed in closed "
+        "form. The geometry of the device in print is inferred, so its measured numbers are a reference, not a target."
     };
     ReportSection pictures { "The figures", {}, {}, {} };
 

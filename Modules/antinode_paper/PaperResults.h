@@ -11,7 +11,7 @@
 
 namespace antinode
 {
-/** The keys of paper.json: our numbers beside the print's. Docs/FileFormats.md. [any] */
+/** The keys of paper.json: our numbers and the printed ones. Docs/FileFormats.md. [any] */
 nlohmann::ordered_json paperJson (const std::vector<PaperCell>&, const TwoModeStudy&, const std::vector<PaperFigure>&);
 
 /** The same as tables, for the terminal and the report: captured, v-scores, field errors, voltages, detuned plates, two modes. [any] */

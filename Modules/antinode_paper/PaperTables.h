@@ -15,11 +15,11 @@ struct PaperRow
 {
     std::string_view key;           ///< As in paper.json: "sinc25".
     std::string_view name;          ///< In words.
-    int modes;                      ///< How many modes the paper controls.
+    int modes;                      ///< The number of modes that the paper controls.
     std::array<double, 5> captured; ///< Table C.1, sqrt (S/K).
     std::optional<std::array<double, 5>>
-        vScore;              ///< Table C.2, measured; none where the print repeats one number five times.
-    double leastPaperVScore; ///< What allocation by rows (29) reaches in simulation at least: below lies a mistake.
+        vScore;              ///< Table C.2, measured; none if the print repeats one number five times.
+    double leastPaperVScore; ///< The least score of the allocation by rows (29) in simulation: a lower one is an error.
 };
 
 /** Tables C.1 and C.2 of Enferad et al. 2019, places P1 to P5. */

@@ -14,7 +14,7 @@ namespace
 {
 const std::vector<std::string> placeHeader { "shape", "P1", "P2", "P3", "P4", "P5" };
 
-/** A table with a row a shape and a column a place. */
+/** A table with one row per shape and one column per position. */
 template <typename CellText>
 ReportTable placeTable (const std::string& caption, const std::vector<PaperCell>& cells, CellText&& text)
 {
@@ -112,13 +112,13 @@ ReportTable detunedTable (const std::vector<PaperCell>& cells, std::size_t level
 std::string outcomeOf (const TwoModeCase& one)
 {
     if (! one.result)
-        return "cannot be met: at least " + inWords (one.leastPeakVoltage) + " V; "
-               + inWords (one.reachableVelocity * 1000) + " mm/s can be reached";
+        return "infeasible: needs at least " + inWords (one.leastPeakVoltage) + " V; the limit allows "
+               + inWords (one.reachableVelocity * 1000) + " mm/s";
 
     if (one.peakVoltage > one.limit)
-        return "asks for " + inWords (one.peakVoltage) + " V and is clipped";
+        return "needs " + inWords (one.peakVoltage) + " V and is clipped";
 
-    return "met, peak " + inWords (one.peakVoltage) + " V";
+    return "feasible, peak " + inWords (one.peakVoltage) + " V";
 }
 
 ReportTable twoModeTable (const TwoModeStudy& study)
@@ -131,7 +131,8 @@ ReportTable twoModeTable (const TwoModeStudy& study)
 
     for (const auto& one : study.cases)
         table.rows.push_back ({ one.drive == DriveKind::paper ? "paper's" : "offset-free", inWords (one.limit) + " V",
-                                one.isAllocated ? "rows (29) within the limit" : "one ceramic a mode", outcomeOf (one),
+                                one.isAllocated ? "rows (29) within the limit" : "one ceramic per mode",
+                                outcomeOf (one),
                                 one.result ? formatted ("%.4f", one.result->truncatedScore.fieldError) : "-" });
 
     return table;

@@ -14,7 +14,7 @@ struct TwoModeCase
     DriveKind drive = DriveKind::paper;  ///< With its constant, or offset-free.
     double limit = 0;                    ///< V
     bool isAllocated = false;            ///< Rows (29) within the limit; else each mode by one ceramic.
-    std::optional<RenderedFocus> result; ///< None where the limit cannot be met.
+    std::optional<RenderedFocus> result; ///< None if the limit cannot be met.
     double leastPeakVoltage = 0;         ///< V: the least the drives need, where the limit cannot be met.
     double reachableVelocity = 0;        ///< m/s at the centre that the limit allows, for both modes together.
     double peakVoltage = 0;              ///< V that the design asks for, before the limiter.

@@ -50,8 +50,10 @@ std::vector<ReachedMoment> reachedMoments (const ModalModel& model, const FocusD
             render.focusSample + std::llround ((moment.time - design.program.focusTime) * render.sampleRate);
 
         if (sample >= render.modalVelocities.cols())
-            throw InputError ("duration", "does not reach the focus at " + inWords (moment.time * 1000)
-                                              + " ms: allowed is a longer one");
+            throw InputError (
+                "duration",
+                "is " + inWords (static_cast<double> (render.modalVelocities.cols()) / render.sampleRate * 1000)
+                    + " ms, which ends before the focus at " + inWords (moment.time * 1000) + " ms");
 
         reached.push_back (reachedAt (model, moment, render, sample));
     }
@@ -59,7 +61,7 @@ std::vector<ReachedMoment> reachedMoments (const ModalModel& model, const FocusD
     return reached;
 }
 
-/** None where there is no brake, or where it is not rendered to its end. */
+/** None if there is no brake, or where it is not rendered to its end. */
 std::optional<ResidualMotion> residualOf (const RenderedFocus& focus)
 {
     if (! focus.design.restTime)

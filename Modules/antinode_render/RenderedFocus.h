@@ -15,7 +15,7 @@
 
 namespace antinode
 {
-/** How an event is rendered. */
+/** The settings of a render. */
 struct RenderOptions
 {
     Playback playback { Reconstruction::bandLimited, 192000 };
@@ -25,7 +25,7 @@ struct RenderOptions
     int blockSize = 512;
 };
 
-/** What the plate model did at the time of one focus. */
+/** The result of the plate model at the time of one focus. */
 struct ReachedMoment
 {
     std::int64_t sample = 0;
@@ -35,7 +35,7 @@ struct ReachedMoment
     FocusScore truncatedScore;       ///< Against the truncated field.
 };
 
-/** What is left after the last focus where a brake is asked for. */
+/** The residual motion after the last focus if a brake is requested. */
 struct ResidualMotion
 {
     double time = 0; ///< s after the last focus.
@@ -59,7 +59,7 @@ struct RenderedFocus
 };
 
 /** Plays a design through synthesiser, limiter and plate model, and scores what the plate did.
-    @throws InputError  when a probe lies beside the surface or the options are not usable
+    @throws InputError  when a probe lies outside the surface or the options are not usable
     [worker] */
 RenderedFocus renderFocus (ModalModel, FocusDesign, const RenderOptions&,
                            const std::function<void (double)>& progress = {});

@@ -19,12 +19,12 @@ std::vector<ReportFigure> lineFigures (const RenderedFocus& focus)
 {
     const auto& design = focus.design;
     return {
-        { "Velocity at the focus: wanted, carried by the controlled modes, and reached. Ceramics are shaded.",
+        { "Velocity at the focus: wanted, represented by the controlled modes, and reached. Ceramics are shaded.",
           {},
           fieldChart (focus.model, design.target.field, design.truncatedField, focus.reachedField),
           reportFigureWidth,
           400 },
-        { "Velocity around the focus over place and time.",
+        { "Velocity around the focus over position and time.",
           {},
           fieldOverTimeChart (focus.model, design, focus.render, shownAroundFocus),
           reportFigureWidth,
@@ -39,19 +39,19 @@ std::vector<ReportFigure> plateFigures (const RenderedFocus& focus)
     const auto& targets = design.description.targets;
     const auto x = millimetres (targets.front().x), y = millimetres (targets.front().y);
     return {
-        { "Velocity reached at the focus. Crosses mark the focuses, bold lines half of the peak, thin lines where the "
-          "plate stands still; ceramics are outlined.",
+        { "Velocity reached at the focus. Crosses mark the foci, bold lines half of the peak, thin lines the nodal "
+          "lines; ceramics are outlined.",
           {},
           plateFieldChart (model, focus.reachedField, "velocity", targets),
           reportFigureWidth,
           plateFigureHeight (model.surface, reportFigureWidth, 1, 1) },
-        { "The wanted field, what the controlled modes carry of it, and what was reached, in the same colours; the "
-          "difference has colours of its own.",
+        { "The wanted field, its part that the controlled modes represent, and the reached field in the same colours; "
+          "the difference has its own colour scale.",
           {},
           plateFieldsChart (model, design, focus.reachedField),
           reportFigureWidth,
           plateFigureHeight (model.surface, reportFigureWidth, 2, 2) },
-        { "Cross section along x through the focus, at y = " + y + ". Ceramics under it are shaded.",
+        { "Cross section along x through the focus, at y = " + y + ". Ceramics below it are shaded.",
           {},
           crossSectionChart (model, design, focus.reachedField, PlateDirection::alongX),
           reportFigureWidth,

@@ -37,14 +37,14 @@ ReportSection fieldSection (const RenderedFocus& focus)
 {
     const auto& design = focus.design;
     ReportSection section;
-    section.heading = "The field at the focus";
+    section.heading = "Field at the focus";
     section.figures = fieldFigures (focus);
 
     for (auto& figure : laterFieldFigures (focus))
         section.figures.push_back (std::move (figure));
 
     section.figures.push_back (
-        { "Modal velocities at the focus. Modes without a wanted bar are not controlled: they are kept small.",
+        { "Modal velocities at the focus. Modes without a wanted bar are not controlled, but kept small.",
           {},
           spectrumChart (focus.model, design, focus.render.focusVelocities),
           900,
@@ -57,9 +57,9 @@ ReportSection voltageSection (const RenderedFocus& focus)
     auto traces = voltagesChart (focus.model, focus.design.program, focus.render);
     const auto height = comfortableHeight (traces);
     ReportSection section;
-    section.heading = "The voltages";
+    section.heading = "Voltages";
     section.figures.push_back (
-        { "Voltage of each ceramic; dashed lines are its limits, the number at the right is its peak.",
+        { "Voltage of each ceramic with its limits (dashed); the number at the right is its peak.",
           {},
           std::move (traces),
           900,
@@ -72,7 +72,7 @@ ReportSection motionSection (const RenderedFocus& focus)
     auto transients = transientsChart (focus.model, focus.design, focus.render, shownTransients);
     const auto height = comfortableHeight (transients);
     ReportSection section;
-    section.heading = "The motion over time";
+    section.heading = "Motion over time";
 
     for (std::size_t i = 0; i < focus.probes.size(); ++i)
     {
@@ -84,12 +84,12 @@ ReportSection motionSection (const RenderedFocus& focus)
                                      320 });
     }
 
-    section.figures.push_back (
-        { "Transients of the strongest controlled modes: the largest velocity that each adds anywhere on the surface.",
-          {},
-          std::move (transients),
-          900,
-          height });
+    section.figures.push_back ({ "Transients of the strongest controlled modes: the largest contribution of each mode "
+                                 "anywhere on the surface.",
+                                 {},
+                                 std::move (transients),
+                                 900,
+                                 height });
 
     if (! focus.probes.empty())
         section.figures.push_back ({ "Spectrogram of the velocity at the first probe.",
@@ -104,7 +104,7 @@ ReportSection motionSection (const RenderedFocus& focus)
 ReportTable modeTable (const RenderedFocus& focus)
 {
     const auto& design = focus.design;
-    ReportTable table { "The controlled modes",
+    ReportTable table { "Controlled modes",
                         { "mode", "frequency (Hz)", "Q", "wanted (mm/s \xE2\x88\x9Akg)", "reached", "growth",
                           "cycles" },
                         {} };
@@ -127,12 +127,12 @@ ReportSection designSection (const RenderedFocus& focus)
     const auto& design = focus.design;
     const auto& certificate = design.certificate;
     ReportSection section;
-    section.heading = "The design";
+    section.heading = "Design";
     section.paragraphs = design.choices;
     section.paragraphs.push_back ("Solver: " + std::string (wordFor (allocationStatusWords, certificate.status))
                                   + ", duality gap " + inWords (certificate.gap) + ", "
                                   + std::to_string (certificate.iterations) + " iterations, "
-                                  + inWords (certificate.milliseconds) + " ms. The voltages as designed peak at "
+                                  + inWords (certificate.milliseconds) + " ms. The peak of the designed voltages is "
                                   + inWords (peakVoltage (design)) + " V.");
     section.tables.push_back (modeTable (focus));
     return section;
@@ -152,7 +152,8 @@ ReportPage focusReport (const RenderedFocus& focus)
     page.warnings = design.warnings;
     page.sections = { fieldSection (focus), voltageSection (focus), motionSection (focus), designSection (focus) };
     page.links = { { "summary.json", "summary.json" }, { "design.json", "design.json" }, { "probe.csv", "probe.csv" } };
-    page.footer = "Antinode " ANTINODE_VERSION ". The scores come from the plate model fed with the rendered samples.";
+    page.footer =
+        "Antinode " ANTINODE_VERSION ". The scores are computed by the plate model from the rendered samples.";
     return page;
 }
 } // namespace antinode

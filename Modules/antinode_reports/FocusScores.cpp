@@ -23,35 +23,37 @@ std::vector<ReportScore> focusScores (const RenderedFocus& focus)
     const auto peakVelocity = focus.reachedField.cwiseAbs().maxCoeff() * milli;
     std::vector<ReportScore> scores {
         { "v-score", formatFixed (focus.truncatedScore.vScore, 5),
-          "Correlation of the reached field with what the controlled modes can carry; against the wanted field itself "
-          "it is "
+          "Correlation of the reached field with the part of the wanted field that the controlled modes can represent; "
+          "with the wanted field itself it is "
               + formatFixed (focus.score.vScore, 4) + ". 1 is best." },
         { "Field error", percentInWords (focus.truncatedScore.fieldError),
-          "RMS of the difference to what the controlled modes can carry; to the wanted field itself it is "
+          "RMS difference from the part of the wanted field that the controlled modes can represent; from the wanted "
+          "field itself it is "
               + percentInWords (focus.score.fieldError) + "." },
         { "Captured", formatFixed (design.captured, 4),
-          "Share of the wanted field (root of its energy) that the " + std::to_string (design.controlledModes.size())
-              + " controlled modes carry. 1 is all." },
+          "Fraction of the wanted field (square root of energy) that the "
+              + std::to_string (design.controlledModes.size()) + " controlled modes represent. 1 is all of it." },
         { "Peak velocity", inWords (peakVelocity) + " mm/s",
           "Largest velocity anywhere on the surface at the focus; " + percentInWords (focus.score.peakRatio)
-              + " of the wanted one at its place." },
+              + " of the wanted velocity at its position." },
         { "Peak voltage", inWords (peakVoltage) + " V",
-          "Largest voltage of any ceramic; the limit is " + limit + " V. No waveform at all could do it below "
+          "Largest voltage of any ceramic; the limit is " + limit + " V. No waveform can reach this focus below "
               + inWords (design.lowerBoundVoltage) + " V." },
         { "Contrast", inWords (focus.contrast),
-          "Peak over RMS of the motion outside the focal spot at the same instant." },
+          "Peak divided by the RMS velocity outside the focal spot at the same instant." },
     };
 
     if (focus.residual)
         scores.push_back ({ "Residual field", percentInWords (focus.residual->ratio),
-                            "Largest velocity anywhere on the surface once the brake is over, "
+                            "Largest velocity anywhere on the surface after the brake, "
                                 + inWords (focus.residual->time * milli)
-                                + " ms after the focus, against the peak at the focus." });
+                                + " ms after the focus, relative to the peak at the focus." });
 
     if (design.shortestPeriod)
-        scores.push_back ({ "Shortest period", inWords (*design.shortestPeriod * milli) + " ms",
-                            "Repeated so often or less, all other repeats together leave at most 1 % of the peak at "
-                            "each focus, and voltages that overlap keep their limits." });
+        scores.push_back (
+            { "Shortest period", inWords (*design.shortestPeriod * milli) + " ms",
+              "At this period or a longer one, all other repetitions together leave at most 1 % of the peak "
+              "at each focus, and overlapping voltages stay within their limits." });
 
     return scores;
 }

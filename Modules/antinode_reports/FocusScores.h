@@ -8,6 +8,6 @@
 
 namespace antinode
 {
-/** The numbers that tell how good a focus is, each with a sentence of what it means: for the report and the editor. [any] */
+/** The scores of a focus, each with a sentence that explains it, for the report and the editor. [any] */
 std::vector<ReportScore> focusScores (const RenderedFocus&);
 } // namespace antinode

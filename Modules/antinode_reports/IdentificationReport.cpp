@@ -17,7 +17,7 @@ namespace
 constexpr int galleryCount = 48;
 constexpr std::size_t shownPairs = 6;
 
-/** A point and a driver. */
+/** A point and a reference. */
 struct Pair
 {
     Eigen::Index point = 0, driver = 0;
@@ -30,7 +30,7 @@ double finiteEnergy (const Eigen::VectorXcd& values)
     return squares.isFinite().select (squares, 0).sum();
 }
 
-/** For every driver in turn the points that move most, each point once. */
+/** For one reference after the other the points that move most, each point once. */
 std::vector<Pair> strongestPairs (const FrequencyResponses& measured)
 {
     std::vector<Pair> pairs, chosen;
@@ -58,12 +58,12 @@ std::vector<Pair> strongestPairs (const FrequencyResponses& measured)
 ReportSection stabilisationSection (const IdentificationResult& result)
 {
     ReportSection section;
-    section.heading = "How the modes were found";
+    section.heading = "Stabilisation";
     section.paragraphs = {
-        "Polynomials of rising order are fitted to the responses. Poles that come again at most orders with the same "
-        "frequency, damping and participation are modes; those that stand alone are not."
+        "Polynomials of increasing order are fitted to the responses. Poles that recur at most orders with the same "
+        "frequency, damping and participation are modes; isolated poles are not."
     };
-    section.figures.push_back ({ "Stabilisation diagram. Numbers above are those of the modes.",
+    section.figures.push_back ({ "Stabilisation diagram with the numbers of the modes.",
                                  {},
                                  stabilisationChart (result.modes, result.measured),
                                  reportFigureWidth,
@@ -75,10 +75,11 @@ ReportSection responseSection (const IdentificationResult& result)
 {
     const auto synthesised = synthesise (result.modes, result.measured.frequencies);
     ReportSection section;
-    section.heading = "What the modes explain";
+    section.heading = "Measured and synthesised responses";
 
     for (const auto& pair : strongestPairs (result.measured))
-        section.figures.push_back ({ "Point " + result.pointNames[static_cast<std::size_t> (pair.point)] + ", driver "
+        section.figures.push_back ({ "Point " + result.pointNames[static_cast<std::size_t> (pair.point)]
+                                         + ", reference "
                                          + result.measured.drivers[static_cast<std::size_t> (pair.driver)].name + ".",
                                      {},
                                      responseChart (result.measured, synthesised, pair.point, pair.driver),
@@ -92,11 +93,11 @@ ReportSection shapeSection (const IdentificationResult& result)
 {
     const auto& model = result.model;
     ReportSection section;
-    section.heading = "The shapes";
+    section.heading = "Mode shapes";
     section.paragraphs = { scalingInWords (result.modes) };
 
     if (model.points() > 1)
-        section.figures.push_back ({ "Each scaled to its own largest value.",
+        section.figures.push_back ({ "Each shape is scaled to its largest value.",
                                      {},
                                      modeGallery (model, galleryCount),
                                      reportFigureWidth,
@@ -104,7 +105,7 @@ ReportSection shapeSection (const IdentificationResult& result)
 
     if (model.actuators() > 1)
         section.figures.push_back (
-            { "Participation of each driver in each mode, relative to the driver that moves the mode most.",
+            { "Participation of each reference in each mode, relative to the reference that excites the mode most.",
               {},
               participationChart (model),
               reportFigureWidth,
@@ -125,11 +126,11 @@ ReportSection assuranceSection (const IdentificationResult& result)
 {
     const auto& shapes = result.model.shapes;
     ReportSection section;
-    section.heading = "How well the points tell the shapes apart";
+    section.heading = "Independence of the shapes at the points";
     section.paragraphs = {
-        "Modal assurance criterion between the shapes: 1 where two look the same at the measured points. Off the "
-        "diagonal it is 0 for modes of a whole body that is mapped densely and evenly; where a part is mapped it need "
-        "not be."
+        "Modal assurance criterion (MAC) between the shapes: 1 for equal shapes at the measured points. Off the "
+        "diagonal it is 0 for modes of a whole body that is mapped densely and evenly, but not necessarily for a "
+        "part of a body."
     };
     section.figures.push_back (assuranceFigure ("MAC of the identified modes with each other.",
                                                 assuranceChart (modalAssurance (shapes, shapes, {}), "mode", "mode")));
@@ -139,8 +140,8 @@ ReportSection assuranceSection (const IdentificationResult& result)
 ReportSection comparisonSection (const IdentificationResult& result)
 {
     ReportSection section;
-    section.heading = "Beside " + result.computed->name;
-    section.paragraphs = { "Each identified mode with the computed mode that it is." };
+    section.heading = "Comparison with " + result.computed->name;
+    section.paragraphs = { "Each identified mode with the corresponding computed mode." };
     section.figures.push_back (
         assuranceFigure ("MAC of identified and computed modes at the measured points.",
                          assuranceChart (result.comparison->assurance, "identified mode", "computed mode")));
@@ -151,10 +152,12 @@ ReportSection comparisonSection (const IdentificationResult& result)
 ReportSection numberSection (const IdentificationResult& result)
 {
     ReportSection section;
-    section.heading = "The modes in numbers";
-    section.paragraphs = { "Behind a plus-minus sign: one standard deviation, from the noise in the responses. MPC is "
-                           "1 where all points move in phase; "
-                           "one shape: the share of a mode's energy that one shape times one participation explains." };
+    section.heading = "Table of modes";
+    section.paragraphs = {
+        "Values after a plus-minus sign are standard deviations from the noise in the responses. MPC (modal phase "
+        "collinearity) is 1 if all points move in phase. One shape: the fraction of a mode's energy that one shape "
+        "times one participation explains."
+    };
     section.tables.push_back (modeTable (result));
     return section;
 }
@@ -166,12 +169,12 @@ ReportPage identificationReport (const IdentificationResult& result)
     ReportPage page;
     page.title = result.model.name + ": identified modes";
     page.subtitle = std::to_string (modes.modes()) + " modes from " + std::to_string (result.measured.points.rows())
-                    + " points and " + std::to_string (result.measured.drivers.size()) + " drivers, "
+                    + " points and " + std::to_string (result.measured.drivers.size()) + " references, "
                     + fixedText (modes.minimumFrequency, 1) + " to " + fixedText (modes.maximumFrequency, 1) + " Hz";
     page.scores = { { "modes", std::to_string (modes.modes()), "found in this band" },
                     { "reconstruction error", fixedText (modes.reconstructionError, 1) + " dB",
-                      "what of the measured responses the modes do not explain" },
-                    { "delay", fixedText (1e6 * modes.delay, 3) + " \xC2\xB5s", "common to all responses" } };
+                      "part of the measured responses that the modes do not explain" },
+                    { "delay", fixedText (1e6 * modes.delay, 3) + " \xC2\xB5s", "common delay of all responses" } };
     page.warnings = doubtsOf (result);
     page.sections = { stabilisationSection (result), responseSection (result), shapeSection (result),
                       assuranceSection (result) };

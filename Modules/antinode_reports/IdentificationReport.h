@@ -9,22 +9,22 @@
 
 namespace antinode
 {
-/** All that an identification has led to. */
+/** The results of an identification. */
 struct IdentificationResult
 {
     FrequencyResponses measured;
     std::vector<std::string> pointNames;
     IdentifiedModes modes;
-    ModalModel model;                         ///< The device that these modes make.
+    ModalModel model;                         ///< The device with these modes.
     std::vector<std::string> remarks;         ///< What was assumed when files were read.
     std::optional<ModeComparison> comparison; ///< With a computed device.
     std::optional<ModalModel> computed;
 };
 
-/** What there is to doubt: of the files, of the whole, of every mode, in sentences. [any] */
+/** Warnings about the files, the whole identification and every mode, as sentences. [any] */
 std::vector<std::string> doubtsOf (const IdentificationResult&);
 
-/** The report of an identification: stabilisation diagram, measured and synthesised responses, shapes, who drives what, MAC, the modes in
-    numbers with their standard deviations, the comparison with a computed device, and what is doubtful and why. [worker] */
+/** The report of an identification: stabilisation diagram, measured and synthesised responses, shapes, participation, MAC, the modes in
+    numbers with their standard deviations, the comparison with a computed device, and warnings. [worker] */
 ReportPage identificationReport (const IdentificationResult&);
 } // namespace antinode

@@ -41,10 +41,10 @@ std::size_t columnsOf (const std::string& text)
 std::string scalingInWords (const IdentifiedModes& modes)
 {
     const std::string size = modes.scaling == ShapeScaling::drivingPoint
-                                 ? "The size of the shapes follows from a driving point"
+                                 ? "The scale of the shapes follows from a driving point"
                              : modes.scaling == ShapeScaling::knownMass
-                                 ? "The size of the shapes follows from the known mass"
-                                 : "The size of the shapes is a convention: only products of shape and "
+                                 ? "The scale of the shapes follows from the known mass"
+                                 : "The scale of the shapes is a convention: only products of shape and "
                                    "participation are known";
     return size + (modes.scalingReason.empty() ? "." : " (" + modes.scalingReason + ").");
 }

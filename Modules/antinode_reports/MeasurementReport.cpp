@@ -16,7 +16,7 @@ namespace
 constexpr int curveHeight = 360;
 constexpr int rowHeight = 16, aroundRows = 110, lowestTable = 200, highestTable = 900;
 
-/** The mean of what is known, or not a number. */
+/** The mean of the finite values, or NaN. */
 double meanOfKnown (const Eigen::MatrixXd& values)
 {
     const auto known = values.array().isFinite();
@@ -26,25 +26,26 @@ double meanOfKnown (const Eigen::MatrixXd& values)
 std::string coherenceText (const SurfaceMeasurement& measurement)
 {
     const auto mean = meanOfKnown (meanCoherence (measurement));
-    return std::isfinite (mean) ? fixedText (mean, 5) : "not known";
+    return std::isfinite (mean) ? fixedText (mean, 5) : "unknown";
 }
 
 std::vector<ReportScore> scoresOf (const SurfaceMeasurement& measurement, const ExcitationSheet& sheet)
 {
     const auto& responses = measurement.responses;
     std::vector<ReportScore> scores {
-        { "points", std::to_string (responses.points.rows()), "Places at which the surface's velocity was measured." },
+        { "points", std::to_string (responses.points.rows()),
+          "Positions at which the velocity of the surface was measured." },
         { "ceramics", std::to_string (responses.drivers.size()), "Each played alone, one after the other." },
         { "lines", std::to_string (responses.frequencies.size()),
           "From " + fixedText (responses.frequencies[0], 1) + " to "
               + fixedText (responses.frequencies[responses.frequencies.size() - 1], 1) + " Hz." },
         { "coherence", coherenceText (measurement),
-          "Share of the velocity's power that comes from the voltage, in the mean; 1 is best." }
+          "Mean fraction of the velocity's power that is due to the voltage; 1 is best." }
     };
 
     if (const auto latency = meanOfKnown (measurement.latencies); std::isfinite (latency))
         scores.push_back ({ "latency", fixedText (latency / sheet.excitation.settings.sampleRate * 1000, 4) + " ms",
-                            "From outputs to inputs, taken out of the responses." });
+                            "From outputs to inputs, removed from the responses." });
 
     return scores;
 }
@@ -52,17 +53,16 @@ std::vector<ReportScore> scoresOf (const SurfaceMeasurement& measurement, const 
 ReportSection responseSection (const SurfaceMeasurement& measurement)
 {
     ReportSection section;
-    section.heading = "The responses";
+    section.heading = "Responses";
     section.figures.push_back (
-        { "Effective velocity of all points for a volt, a curve a ceramic. Peaks are modes; a ceramic without them "
-          "does not move the surface.",
+        { "RMS velocity of all points per volt, one curve per ceramic. Peaks are modes; a ceramic without peaks does "
+          "not excite the surface.",
           {},
           responseChart (measurement),
           reportFigureWidth,
           curveHeight });
-    section.figures.push_back ({ "Coherence in the mean over the points. It falls where the surface hardly moves, "
-                                 "between modes and where noise or "
-                                 "distortion is.",
+    section.figures.push_back ({ "Mean coherence over the points. It is low where the surface hardly moves, between "
+                                 "modes, and where there is noise or distortion.",
                                  {},
                                  coherenceChart (measurement),
                                  reportFigureWidth,
@@ -75,13 +75,14 @@ ReportSection pointSection (const SurfaceMeasurement& measurement)
     const auto rows = static_cast<int> (measurement.responses.drivers.size());
     ReportSection section;
     section.heading = "Point by point";
-    section.figures.push_back ({ "Signal to noise of each point and ceramic, from the coherence. Points on the rim and "
-                                 "on nodal lines move less; a dark "
-                                 "column is a point to be measured again, a dark row a ceramic to be looked at.",
-                                 {},
-                                 signalToNoiseChart (measurement),
-                                 reportFigureWidth,
-                                 std::clamp (aroundRows + rowHeight * rows, lowestTable, highestTable) });
+    section.figures.push_back (
+        { "Signal-to-noise ratio of each point and ceramic, from the coherence. Points near held "
+          "edges and nodal lines move less. A dark column is a point to measure again, a "
+          "dark row is a ceramic to check.",
+          {},
+          signalToNoiseChart (measurement),
+          reportFigureWidth,
+          std::clamp (aroundRows + rowHeight * rows, lowestTable, highestTable) });
     return section;
 }
 
@@ -92,7 +93,7 @@ std::string percentText (double share)
 
 ReportTable distortionTable (const SurfaceMeasurement& measurement)
 {
-    ReportTable table { "Distortion over the linear response, the point with most of it, in per cent",
+    ReportTable table { "Distortion relative to the linear response at the worst point, %",
                         { "ceramic", "even", "odd", "2nd", "3rd", "4th", "5th" },
                         {} };
 
@@ -127,7 +128,7 @@ ReportPage measurementReport (const SurfaceMeasurement& measurement, const Excit
 {
     ReportPage page;
     page.title = "Measurement of " + sheet.device;
-    page.subtitle = "Velocity of the surface for a volt at each ceramic";
+    page.subtitle = "Velocity of the surface per volt at each ceramic";
     page.scores = scoresOf (measurement, sheet);
     page.warnings = doubtsOf (measurement);
     page.sections = { responseSection (measurement), pointSection (measurement) };
@@ -135,7 +136,7 @@ ReportPage measurementReport (const SurfaceMeasurement& measurement, const Excit
     if (showsDistortion (sheet.excitation.settings))
         page.sections.push_back (
             { "Linearity",
-              { "What is not linear has no place in modes: where it is large, measure at a lower level." },
+              { "Modes describe the linear response only. If distortion is large, measure at a lower level." },
               {},
               { distortionTable (measurement) } });
 
@@ -156,13 +157,13 @@ void printMeasurement (const SurfaceMeasurement& measurement, const ExcitationSh
     std::printf ("%s: %td points, %zu ceramics, %td lines from %.6g to %.6g Hz\n", sheet.device.c_str(),
                  responses.points.rows(), responses.drivers.size(), responses.frequencies.size(),
                  responses.frequencies[0], responses.frequencies[responses.frequencies.size() - 1]);
-    std::printf ("  coherence      %s in the mean\n", coherenceText (measurement).c_str());
+    std::printf ("  coherence      %s (mean)\n", coherenceText (measurement).c_str());
 
     if (const auto latency = meanOfKnown (measurement.latencies); std::isfinite (latency))
         std::printf ("  latency        %.3f samples, %.4f ms\n", latency,
                      latency / sheet.excitation.settings.sampleRate * 1000);
 
     for (const auto& doubt : doubtsOf (measurement))
-        std::printf ("  doubt: %s\n", doubt.c_str());
+        std::printf ("  warning: %s\n", doubt.c_str());
 }
 } // namespace antinode

@@ -9,7 +9,7 @@
 
 namespace antinode
 {
-/** What a measurement gave, with pictures. [worker] */
+/** The report of a measurement with figures. [worker] */
 ReportPage measurementReport (const SurfaceMeasurement&, const ExcitationSheet&);
 
 /** The same as report.html in a folder. @throws InputError  where it cannot be written [worker] */

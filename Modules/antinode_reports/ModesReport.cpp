@@ -24,7 +24,7 @@ bool isPlate (const ModalModel& model)
 ReportSection deviceSection (const ModalModel& model)
 {
     ReportSection section;
-    section.heading = "The device";
+    section.heading = "Device";
     section.figures.push_back (
         { "The surface from above, with the ceramics. Ceramic k is output channel k.",
           {},
@@ -38,11 +38,11 @@ ReportSection shapeSection (const ModalModel& model)
 {
     const auto shown = std::min<Eigen::Index> (galleryModes, model.modes());
     ReportSection section;
-    section.heading = "The shapes";
+    section.heading = "Mode shapes";
     section.figures.push_back (
         { "The lowest " + std::to_string (shown) + " of " + std::to_string (model.modes())
-              + " modes, each scaled to its own largest value. "
-              + (isPlate (model) ? "Lines are nodal lines: there the plate stands still." : "Ceramics are shaded."),
+              + " modes, each scaled to its largest value. "
+              + (isPlate (model) ? "Lines are nodal lines, where the plate does not move." : "Ceramics are shaded."),
           {},
           modeGallery (model, galleryModes),
           reportFigureWidth,
@@ -54,10 +54,9 @@ ReportSection participationSection (const ModalModel& model)
 {
     const auto rows = static_cast<int> (model.actuators());
     ReportSection section;
-    section.heading = "Who drives what";
-    section.figures.push_back ({ "Participation of each ceramic in each mode, relative to the ceramic that drives the "
-                                 "mode best. Of two ceramics "
-                                 "with opposite colours one must be driven with the opposite sign.",
+    section.heading = "Participation";
+    section.figures.push_back ({ "Participation of each ceramic in each mode, relative to the ceramic that excites the "
+                                 "mode most. Two ceramics with opposite colours need voltages of opposite sign.",
                                  {},
                                  participationChart (model),
                                  reportFigureWidth,
@@ -100,10 +99,10 @@ ReportSection tableSection (const ModalModel& model)
         table.rows.push_back (tableRow (model, mode));
 
     ReportSection section;
-    section.heading = "The modes in numbers";
+    section.heading = "Table of modes";
     section.paragraphs = {
-        "Q is the quality factor. The estimated error of a frequency is relative to it, and is that of the "
-        "solution, not of the description."
+        "Q is the quality factor. The estimated error is relative to the frequency and includes the numerical "
+        "solution, but not the description of the device."
     };
     section.tables.push_back (std::move (table));
     return section;

@@ -14,7 +14,7 @@ inline constexpr int reportFigureWidth = 900;
 struct ReportFigure
 {
     std::string caption;         ///< A sentence or two below the picture.
-    std::string alternativeText; ///< What the picture shows, for who cannot see it; the caption where empty.
+    std::string alternativeText; ///< Text alternative of the picture; the caption if empty.
     Chart chart;
     int width = reportFigureWidth, height = 360; ///< Pixels at scale 1.
 };
@@ -36,19 +36,19 @@ struct ReportSection
     std::vector<ReportTable> tables;
 };
 
-/** A number that the reader came for. */
+/** A key number of the report. */
 struct ReportScore
 {
     std::string name;
     std::string value;    ///< With its unit.
-    std::string sentence; ///< What it means.
+    std::string sentence; ///< Its meaning.
 };
 
 /** Another page in the same folder. */
 struct ReportLink
 {
     std::string text;
-    std::string file; ///< A file name beside this page.
+    std::string file; ///< A file in the folder of this page.
 };
 
 /** A whole page. All text is plain UTF-8: whatever it contains is shown as it is. */

@@ -48,14 +48,11 @@ ReportTable percentileTable (const std::vector<DesignTolerance>& designs)
 ReportSection fieldSection (const std::vector<DesignTolerance>& designs)
 {
     ReportSection section;
-    section.heading = "The field on other devices";
-    section.figures.push_back ({ "How many devices have which field error, in bins of equal width.",
-                                 {},
-                                 toleranceHistogram (designs),
-                                 reportFigureWidth,
-                                 320 });
-    section.figures.push_back ({ "The share of devices on which the field error is at most so large; dots are the "
-                                 "percentiles 5, 25, 50, 75 and 95.",
+    section.heading = "Field on other devices";
+    section.figures.push_back (
+        { "Histogram of the field error over the devices.", {}, toleranceHistogram (designs), reportFigureWidth, 320 });
+    section.figures.push_back ({ "Cumulative distribution of the field error; dots are the percentiles 5, 25, 50, 75 "
+                                 "and 95.",
                                  {},
                                  toleranceShares (designs),
                                  reportFigureWidth,
@@ -66,7 +63,7 @@ ReportSection fieldSection (const std::vector<DesignTolerance>& designs)
 
 ReportTable causeTable (const ModalModel& model, const Tolerance& tolerance)
 {
-    ReportTable table { "The worst causes", { "mode", "frequency (Hz)", "what is off", "field error (%)" }, {} };
+    ReportTable table { "Largest causes", { "mode", "frequency (Hz)", "deviation", "field error (%)" }, {} };
 
     for (std::size_t i = 0; i < std::min (shownCauses, tolerance.causes.size()); ++i)
     {
@@ -83,15 +80,15 @@ ReportTable causeTable (const ModalModel& model, const Tolerance& tolerance)
 ReportSection causeSection (const ModalModel& model, const Tolerance& tolerance)
 {
     ReportSection section;
-    section.heading = "What hurts most";
-    section.paragraphs.emplace_back ("What the spread of one thing alone does to the field, all else being as it is "
-                                     "known: the root of the mean square over "
-                                     "its errors, relative to the wanted field.");
+    section.heading = "Largest causes of error";
+    section.paragraphs.emplace_back (
+        "The effect of one deviation alone, everything else being nominal: the RMS change of "
+        "the field over its spread, relative to the wanted field.");
 
     for (std::size_t i = 0; i < std::min (shownSentences, tolerance.causes.size()); ++i)
         section.paragraphs.push_back (sentenceOf (tolerance.causes[i], model));
 
-    section.figures.push_back ({ "The modes that hurt most, ordered by the highest of their bars.",
+    section.figures.push_back ({ "The modes with the largest errors, ordered by their highest bar.",
                                  {},
                                  toleranceCauseChart (tolerance, shownModes),
                                  reportFigureWidth,
@@ -120,9 +117,9 @@ ReportPage toleranceReport (const ModalModel& model, const std::string& focus,
     page.subtitle = model.name + ", " + reported.name + " design. " + spreadInWords (tolerance.options);
     page.scores = { { "v-score", fixedText (tolerance.vScore[median], 4), "Median over the devices; 1 is best." },
                     { "Field error", fixedText (toPercent * tolerance.fieldError[median], 2) + " %",
-                      "Median over the devices, against what the controlled modes carry." },
+                      "Median over the devices, against what the controlled modes represent." },
                     { "Field error, 95 %", fixedText (toPercent * tolerance.fieldError[high], 2) + " %",
-                      "19 of 20 devices have less." },
+                      "95 % of the devices have less." },
                     { "Peak voltage", inWords (reported.peakVoltage) + " V", "Of the " + reported.name + " design." } };
 
     for (const auto& design : designs)

@@ -15,7 +15,6 @@ namespace antinode
 {
 namespace
 {
-
 std::string methodOf (const TradeoffPoint& point)
 {
     return std::string (wordFor (allocationMethodWords, point.method));
@@ -95,7 +94,7 @@ LineChart tradeoffChart (const Tradeoff& tradeoff)
             chart.series.push_back (std::move (series));
 
     if (tradeoff.lowerBoundVoltage > 0)
-        chart.limits.push_back ({ tradeoff.lowerBoundVoltage, "no waveform below" });
+        chart.limits.push_back ({ tradeoff.lowerBoundVoltage, "lower bound" });
 
     return chart;
 }
@@ -176,7 +175,7 @@ std::string tradeoffToText (const Tradeoff& tradeoff)
     for (const auto& point : tradeoff.points)
         text += line (cellsOf (point));
 
-    return text + "No waveform below " + inWords (tradeoff.lowerBoundVoltage) + " V.\n";
+    return text + "Lower bound for all waveforms: " + inWords (tradeoff.lowerBoundVoltage) + " V.\n";
 }
 
 ReportPage tradeoffReport (const Tradeoff& tradeoff, const std::string& focus, const std::string& device)
@@ -184,14 +183,14 @@ ReportPage tradeoffReport (const Tradeoff& tradeoff, const std::string& focus, c
     ReportSection section;
     section.heading = "Voltage against time in motion";
     section.paragraphs = {
-        "Less voltage is had by moving the plate for longer before the focus. Each point is a design without "
-        "a voltage limit; time in motion is how long before the focus the modal velocities together are "
-        "above half of what they are at the focus. On the front is what no other design with a field "
-        "error below 5 % beats in both."
+        "A longer motion before the focus needs less voltage. Each point is a design without a voltage limit. "
+        "The time in motion is the time before the focus during which the norm of the modal velocities exceeds "
+        "half of its value at the focus. A point is on the front if no other design with a field error below "
+        "5 % has both less voltage and less time."
     };
     section.figures.push_back (
-        { "Peak voltage and time in motion by method; along a curve the growth changes, for free "
-          "waveforms the voltage limit. The line is the bound below which no waveform can be.",
+        { "Peak voltage and time in motion by method. Along a curve the growth changes; for free "
+          "waveforms, the voltage limit changes. The line is the lower bound for all waveforms.",
           {},
           tradeoffChart (tradeoff),
           900,
@@ -204,10 +203,10 @@ ReportPage tradeoffReport (const Tradeoff& tradeoff, const std::string& focus, c
     section.tables.push_back (std::move (table));
     ReportPage page;
     page.title = "Trade-off: " + focus;
-    page.subtitle = device + ", no waveform below " + inWords (tradeoff.lowerBoundVoltage) + " V";
+    page.subtitle = device + ", lower bound for all waveforms " + inWords (tradeoff.lowerBoundVoltage) + " V";
     page.sections = { std::move (section) };
     page.links = { { "tradeoff.json", "tradeoff.json" }, { "tradeoff.csv", "tradeoff.csv" } };
-    page.footer = "Antinode " ANTINODE_VERSION ". All numbers by the closed forms.";
+    page.footer = "Antinode " ANTINODE_VERSION ". All numbers are computed in closed form.";
     return page;
 }
 } // namespace antinode

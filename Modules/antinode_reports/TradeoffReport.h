@@ -13,7 +13,7 @@ namespace antinode
 /** The keys of tradeoff.json. Docs/FileFormats.md. [any] */
 nlohmann::ordered_json tradeoffToJson (const Tradeoff&, const std::string& focus, const std::string& device);
 
-/** The same points as a table with a line a point. [any] */
+/** The same points as a table with one line per point. [any] */
 std::string tradeoffToCsv (const Tradeoff&);
 
 /** The table as text for the terminal. [any] */

@@ -8,7 +8,7 @@
 
 namespace antinode
 {
-/** What a column holds. */
+/** The content of a column. */
 enum class CsvColumnKind
 {
     unknown,
@@ -20,7 +20,7 @@ enum class CsvColumnKind
     coherence
 };
 
-/** What the heading of a column says. */
+/** The meaning of a column's heading. */
 struct CsvHeading
 {
     CsvColumnKind kind = CsvColumnKind::unknown;

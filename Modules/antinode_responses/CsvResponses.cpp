@@ -34,7 +34,7 @@ bool belongTogether (CsvColumnKind first, CsvColumnKind second)
     return (first == CsvColumnKind::real) == (second == CsvColumnKind::imaginary);
 }
 
-/** What a form says of the two columns of a response. */
+/** The meaning of the two columns of a response in a form. */
 void applyForm (CsvForm form, ColumnPair& pair)
 {
     const auto isReal = form == CsvForm::byHeadings || form == CsvForm::realImaginary;
@@ -45,16 +45,15 @@ void applyForm (CsvForm form, ColumnPair& pair)
     pair.second.isRadians = form == CsvForm::magnitudeRadians || form == CsvForm::decibelRadians;
 }
 
-/** Two columns after the other, where headings do not say what they are. */
+/** Consecutive pairs of columns, if headings do not describe them. */
 std::vector<ColumnPair> pairsByOrder (const std::vector<CsvHeading>& headings, CsvForm form, const std::string& source)
 {
     std::vector<ColumnPair> pairs;
 
     if (headings.size() % 2 == 0 || headings.size() < 3)
-        throw InputError (
-            source,
-            "has " + std::to_string (headings.size())
-                + " columns, allowed are one of frequencies and two for each response, or headings that say more");
+        throw InputError (source,
+                          "has " + std::to_string (headings.size())
+                              + " columns; allowed: one of frequencies and two per response, or columns with headings");
 
     for (std::size_t c = 1; c + 1 < headings.size(); c += 2)
     {
@@ -82,7 +81,7 @@ std::vector<ColumnPair> pairsByHeadings (const std::vector<CsvHeading>& headings
             continue;
 
         if (heading.kind == CsvColumnKind::unknown)
-            fail ("does not say what it holds, allowed are real, imag, magnitude, dB, phase and coherence in its "
+            fail ("has an unknown content; allowed: real, imag, magnitude, dB, phase or coherence in its "
                   "heading");
 
         if (isFirst (heading.kind))
@@ -100,7 +99,7 @@ std::vector<ColumnPair> pairsByHeadings (const std::vector<CsvHeading>& headings
                                            });
 
         if (partner == pairs.end())
-            fail ("has no column before it with the other part of the same response");
+            fail ("has no preceding column with the other part of its response");
 
         partner->second = heading;
         partner->secondColumn = column;
@@ -129,7 +128,7 @@ Eigen::VectorXcd valuesOf (const ColumnPair& pair, const CsvTable& table, Measur
     if (! isDegrees && ! pair.second.isRadians)
     {
         isDegrees = second.isFinite().select (second, 0).abs().maxCoeff() > 2 * std::numbers::pi;
-        file.remarks.push_back (source + ": the unit of its phases is not told, they are taken as "
+        file.remarks.push_back (source + ": the unit of the phases is missing and assumed to be "
                                 + (isDegrees ? "degrees." : "radians."));
     }
 
@@ -183,7 +182,7 @@ double intervalOf (const Eigen::VectorXd& times, const std::string& source)
         if (! (interval > 0
                && std::abs (times[n] - times[n - 1] - interval)
                       < tolerance * interval + 1e-6 * times.cwiseAbs().maxCoeff()))
-            throw InputError (source, "has times that are not even, allowed are samples of one rate");
+            throw InputError (source, "has unevenly spaced times; allowed: samples at a constant rate");
 
     if (! (interval > 0))
         throw InputError (source, "has less than two samples");
@@ -208,7 +207,8 @@ void addImpulseResponses (const CsvTable& table, const std::vector<CsvHeading>& 
         file.responses.push_back (common);
     }
 
-    file.remarks.push_back (common.source + ": its first column is a time, the others are taken as impulse responses.");
+    file.remarks.push_back (common.source
+                            + ": the first column is a time, so the others are read as impulse responses.");
 }
 } // namespace
 

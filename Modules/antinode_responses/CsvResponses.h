@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** What the pairs of columns of a table hold where its headings do not say it. */
+/** The meaning of pairs of columns in a table whose headings do not describe them. */
 enum class CsvForm
 {
     byHeadings, ///< Real and imaginary part where there are no headings.
@@ -16,7 +16,7 @@ enum class CsvForm
 };
 
 /** Frequency responses from a table: frequency first, then two columns a response. Headings tell what a column holds (real, imag;
-    magnitude, dB, phase, deg, rad; coherence, which is left out), of which point and driver (P3 C1, "point 3 driver 1") and in which unit;
+    magnitude, dB, phase, deg, rad; coherence, which is left out), of which point and reference (P3 C1, "point 3 driver 1") and in which unit;
     units also stand in comments. Where the first column is a time the others are impulse responses.
     @param source  how errors and remarks name the file
     @throws InputError  source, place, what is wrong

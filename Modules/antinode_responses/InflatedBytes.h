@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** What zlib packed. Empty where it is damaged, or longer than this.
+/** Decompresses zlib data. Empty if it is damaged, or longer than this.
     @param most  bytes
     [worker] RFC 1950. */
 std::optional<std::string> inflatedBytes (std::string_view packed, std::size_t most);

@@ -116,7 +116,7 @@ std::vector<double> numbersOf (const MatlabElement& element, const MatlabForm& f
         case MatlabType::uint64:
             return numbersAs<std::uint64_t> (data, big);
         default:
-            form.failDamaged ("numbers have the unknown type "
+            form.failDamaged ("numbers are of the unknown type "
                               + std::to_string (static_cast<std::uint32_t> (element.type)));
     }
 }

@@ -7,7 +7,7 @@
 
 namespace antinode
 {
-/** What holds for all bytes of a MATLAB file of level 5. */
+/** The properties of all bytes of a MATLAB file of level 5. */
 struct MatlabForm
 {
     std::string source; ///< How errors name the file.

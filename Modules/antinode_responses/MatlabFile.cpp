@@ -56,7 +56,7 @@ void addFields (std::string_view bytes, const std::string& name, int depth, Read
     const auto names = takeElement (bytes, reader.form).data;
 
     if (lengths.size() != 1 || ! (lengths[0] >= 1 && lengths[0] <= static_cast<double> (names.size() + 1)))
-        reader.form.failDamaged ("a structure does not tell its fields");
+        reader.form.failDamaged ("a structure does not list its fields");
 
     const auto length = static_cast<std::size_t> (lengths[0]);
 
@@ -88,7 +88,7 @@ void addMatrix (std::string_view bytes, const std::string& prefix, int depth, Re
     const auto flags = takeElement (bytes, reader.form);
 
     if (flags.data.size() < 4)
-        reader.form.failDamaged ("an array does not tell its class");
+        reader.form.failDamaged ("an array has no class");
 
     const auto word = matlabWord (flags.data, reader.form);
     const auto kind = word & 0xff;
@@ -117,7 +117,8 @@ void addMatrix (std::string_view bytes, const std::string& prefix, int depth, Re
         variable.imaginary = numbersOf (takeElement (bytes, reader.form), reader.form);
 
     if (variable.real.size() != count || (isComplex && variable.imaginary.size() != count))
-        reader.form.failDamaged ("variable " + inQuotes (variable.name) + " has not as many numbers as its sizes say");
+        reader.form.failDamaged ("variable " + inQuotes (variable.name)
+                                 + " has a number of values that differs from its sizes");
 
     reader.variables.push_back (std::move (variable));
 }
@@ -133,7 +134,7 @@ void addElement (const MatlabElement& element, Reader& reader)
     const auto unpacked = inflatedBytes (element.data, reader.budget);
 
     if (! unpacked)
-        reader.form.failDamaged ("it cannot be unpacked, or to more than 16 times its size");
+        reader.form.failDamaged ("it cannot be decompressed, or expands to more than 16 times its size");
 
     reader.budget -= unpacked->size();
     std::string_view inner = *unpacked;
@@ -147,7 +148,7 @@ bool isBigEndianFile (std::string_view bytes, const std::string& source)
     constexpr std::size_t versionPlace = 124, orderPlace = 126;
 
     if (bytes.starts_with ("\x89HDF") || bytes.starts_with ("MATLAB 7.3"))
-        throw InputError (source, "is a MATLAB file of version 7.3, allowed are versions 5 to 7: save it with '-v7'");
+        throw InputError (source, "is a MATLAB file of version 7.3; allowed: versions 5 to 7 (save it with '-v7')");
 
     const auto order = bytes.size() < headerBytes ? std::string_view {} : bytes.substr (orderPlace, 2);
 
@@ -155,7 +156,8 @@ bool isBigEndianFile (std::string_view bytes, const std::string& source)
         throw InputError (source, "is not a MATLAB file of version 5 to 7");
 
     if (bytes.substr (versionPlace, 2) != (order == "MI" ? std::string_view ("\1\0", 2) : std::string_view ("\0\1", 2)))
-        throw InputError (source, "is a MATLAB file of another version, allowed are 5 to 7: save it with '-v7'");
+        throw InputError (source,
+                          "is a MATLAB file of an unknown version; allowed: versions 5 to 7 (save it with '-v7')");
 
     return order == "MI";
 }

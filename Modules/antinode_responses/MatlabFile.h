@@ -12,7 +12,7 @@ struct MatlabVariable
     std::string name;
     std::vector<std::size_t> sizes; ///< Two or more.
     std::vector<double> real,
-        imaginary;    ///< As many as the product of the sizes, the first index fastest; imaginary empty where real.
+        imaginary;    ///< As many as the product of the sizes, the first index fastest; imaginary empty if real.
     std::string text; ///< Of characters, whose numbers are empty.
 };
 

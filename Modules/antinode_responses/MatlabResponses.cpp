@@ -49,7 +49,7 @@ bool isVector (const MatlabVariable& variable)
            && *std::max_element (variable.sizes.begin(), variable.sizes.end()) == variable.real.size();
 }
 
-/** "'f' (1001 x 1), 'H' (1001 x 12)": what there is. */
+/** The variables of a file: "'f' (1001 x 1), 'H' (1001 x 12)". */
 std::string inventory (const Variables& variables)
 {
     constexpr std::size_t most = 8;
@@ -65,7 +65,7 @@ std::string inventory (const Variables& variables)
         text += variables[i].imaginary.empty() ? ")" : ", complex)";
     }
 
-    return variables.empty() ? "nothing that can be read" : text + (variables.size() > most ? " and more" : "");
+    return variables.empty() ? "no readable variable" : text + (variables.size() > most ? " and more" : "");
 }
 
 bool hasSize (const MatlabVariable& variable, std::size_t size)
@@ -94,7 +94,7 @@ const MatlabVariable& frequencyVariable (const Variables& variables, const std::
         return *named;
 
     if (std::count_if (variables.begin(), variables.end(), couldBe) != 1)
-        throw InputError (source, "has no vector of frequencies, allowed is one of the name "
+        throw InputError (source, "has no vector of frequencies; allowed: one named "
                                       + listed ({ frequencyNames.begin(), frequencyNames.end() }) + " or "
                                       + listed ({ angularNames.begin(), angularNames.end() }) + "; it has "
                                       + inventory (variables));
@@ -116,7 +116,7 @@ const MatlabVariable& responseVariable (const Variables& variables, std::size_t 
     if (count != 1)
         throw InputError (source, "has " + std::to_string (count) + " complex arrays with a size of "
                                       + std::to_string (lines)
-                                      + ", the number of frequencies, allowed is one, or the name 'H' or 'FRF'; it has "
+                                      + ", the number of frequencies; allowed: one, or the name 'H' or 'FRF'; it has "
                                       + inventory (variables));
 
     return *std::find_if (variables.begin(), variables.end(), fits);
@@ -128,7 +128,7 @@ struct Axis
     std::size_t size = 1, stride = 1;
 };
 
-/** The axes of lines, points and drivers. */
+/** The axes of lines, points and references. */
 std::array<Axis, 3> axesOf (const MatlabVariable& responses, std::size_t lines, std::size_t places,
                             const std::string& source)
 {
@@ -152,7 +152,7 @@ std::array<Axis, 3> axesOf (const MatlabVariable& responses, std::size_t lines, 
 
     if (others.size() > 2)
         throw InputError (source, "variable " + inQuotes (responses.name)
-                                      + " has more than three sizes, allowed are lines, points and drivers");
+                                      + " has more than three dimensions; allowed: lines, points and references");
 
     others.resize (2);
     const auto isExchanged = others[1].size == places || (others[0].size != places && others[1].size > others[0].size);

@@ -46,7 +46,7 @@ MeasurementFile measurementFromWave (std::string_view bytes, const std::string& 
             { source, {}, {}, {}, {}, spectrum.frequencies, spectrum.values, spectrum.recordLength });
     }
 
-    file.remarks.push_back (source + ": its channels are taken as impulse responses.");
+    file.remarks.push_back (source + ": the channels are read as impulse responses.");
     return file;
 }
 
@@ -58,7 +58,7 @@ bool isNumberedRole (const std::string& word)
     return letters.size() < word.size() && std::find (roles.begin(), roles.end(), letters) != roles.end();
 }
 
-/** Names of point and driver from a file's name, where it has words for them: "point3_driver2", "P3-C1". */
+/** Names of point and reference from a file's name, where it has words for them: "point3_driver2", "P3-C1". */
 void nameByFile (const std::string& stem, MeasurementFile& file)
 {
     std::string roles;
@@ -99,7 +99,7 @@ MeasurementFile readMeasurement (const std::filesystem::path& path, CsvForm form
         throw InputError (path.string(), "cannot be read");
 
     if (size > most)
-        throw InputError (path.string(), "is larger than 4 GiB, allowed is up to that");
+        throw InputError (path.string(), "is too large; allowed: up to 4 GiB");
 
     std::string bytes (static_cast<std::size_t> (size), '\0');
     stream.read (bytes.data(), static_cast<std::streamsize> (size));

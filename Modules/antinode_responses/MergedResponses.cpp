@@ -18,7 +18,7 @@ namespace
 {
 using Responses = std::vector<MeasuredResponse>;
 
-/** What the numbers of a response mean, with what the user says. */
+/** The meaning of the numbers of a response, including the user's options. */
 ResponseUnit unitOf (const MeasuredResponse& response, const MeasurementOptions& options)
 {
     auto unit = response.unit;
@@ -42,10 +42,10 @@ void addUnitRemarks (const Responses& responses, const MeasurementOptions& optio
     };
 
     if (lacks (&ResponseUnit::quantity))
-        remarks.emplace_back ("No file says what was measured: it is taken as velocity in m/s.");
+        remarks.emplace_back ("No file says what was measured: assumed to be velocity in m/s.");
 
     if (lacks (&ResponseUnit::drive))
-        remarks.emplace_back ("No file says what drives the surface: it is taken as a voltage in V.");
+        remarks.emplace_back ("No file says what excites the surface: assumed to be a voltage in V.");
 }
 
 DriveQuantity commonDrive (const Responses& responses, const MeasurementOptions& options)
@@ -56,9 +56,9 @@ DriveQuantity commonDrive (const Responses& responses, const MeasurementOptions&
 
     for (const auto& response : responses)
         if (driveOf (response) != first)
-            throw InputError (response.source, "is driven by another quantity than "
+            throw InputError (response.source, "is excited by a different quantity than "
                                                    + inQuotes (responses.front().source)
-                                                   + ", allowed are responses to voltages alone or to forces alone");
+                                                   + "; allowed: responses to voltages only or to forces only");
 
     return first;
 }
@@ -74,8 +74,8 @@ void requireSameFrequencies (const MeasuredResponse& first, const MeasuredRespon
         || (other.frequencies - first.frequencies).cwiseAbs().maxCoeff()
                > std::max (tolerance * width, std::min (printed, 0.1 * width)))
         throw InputError (other.source,
-                          "has other frequencies than " + inQuotes (first.source)
-                              + ", allowed are responses with the same lines: identify them one after the other");
+                          "has different frequencies from " + inQuotes (first.source)
+                              + "; allowed: responses with the same lines; identify the files separately");
 }
 
 /** m/s per number of this unit at each frequency. */
@@ -109,7 +109,7 @@ int integrationsOf (const Responses& responses, const MeasurementOptions& option
     return std::all_of (responses.begin(), responses.end(), isSame) ? first : 0;
 }
 
-/** Names in the order in which they come. */
+/** Names in the order of first appearance. */
 std::vector<std::string> namesOf (const Responses& responses, std::string MeasuredResponse::*name)
 {
     std::vector<std::string> names;
@@ -150,7 +150,8 @@ void exchangeByReciprocity (Responses& responses, DriveQuantity drive, std::vect
         response.driver = response.driverPoint;
     }
 
-    remarks.emplace_back ("Forces act at more points than are measured: these change places, as reciprocity allows.");
+    remarks.emplace_back (
+        "Forces act at more points than were measured: points and references are exchanged by reciprocity.");
 }
 
 void fillTable (const Responses& responses, const MeasurementOptions& options, const std::vector<std::string>& drivers,
@@ -166,8 +167,8 @@ void fillTable (const Responses& responses, const MeasurementOptions& options, c
     if (points * drivers.size() > fewest + share * responses.size())
         throw InputError (responses.front().source, "and the other files have " + std::to_string (points)
                                                         + " points and " + std::to_string (drivers.size())
-                                                        + " drivers, but only " + std::to_string (responses.size())
-                                                        + " responses of them");
+                                                        + " references, but only " + std::to_string (responses.size())
+                                                        + " responses between them");
 
     table.frequencies = responses.front().frequencies.tail (lines - skipped);
     const auto empty = std::complex<double> (std::numeric_limits<double>::quiet_NaN(), 0);
@@ -182,8 +183,9 @@ void fillTable (const Responses& responses, const MeasurementOptions& options, c
 
         if (! seen.emplace (response.point, response.driver).second)
         {
-            measurement.remarks.push_back (response.source + " has point " + inQuotes (response.point) + " and driver "
-                                           + inQuotes (response.driver) + " once more: the first is taken.");
+            measurement.remarks.push_back (response.source + " repeats point " + inQuotes (response.point)
+                                           + " and reference " + inQuotes (response.driver)
+                                           + ": the first one is used.");
             continue;
         }
 
@@ -193,7 +195,7 @@ void fillTable (const Responses& responses, const MeasurementOptions& options, c
     }
 }
 
-/** The drivers in the order of the options; or of the first file, which is that of the channels, where it has all; or of their numbers. */
+/** The references in the order of the options; or of the first file, which is that of the channels, if it has all; or of their numbers. */
 std::vector<std::string> driverNames (const Responses& responses, const MeasurementOptions& options)
 {
     auto names = namesOf (responses, &MeasuredResponse::driver);
@@ -208,12 +210,13 @@ std::vector<std::string> driverNames (const Responses& responses, const Measurem
 
     for (const auto& name : names)
         if (std::find (options.drivers.begin(), options.drivers.end(), name) == options.drivers.end())
-            throw InputError ("--drivers", "lacks the driver " + inQuotes (name) + " of the files");
+            throw InputError ("measurement: reference names",
+                              "lack the reference " + inQuotes (name) + " of the files");
 
     return options.drivers;
 }
 
-/** Drivers with the points at which their forces act. */
+/** References with the points at which their forces act. */
 std::vector<Driver> driversOf (const Responses& responses, const std::vector<std::string>& names,
                                const Measurement& measurement)
 {
@@ -241,11 +244,11 @@ Measurement mergedResponses (const std::vector<MeasurementFile>& files, const Me
     auto responses = namedResponses (files);
 
     if (responses.empty())
-        throw InputError ("the files", "have no frequency response");
+        throw InputError ("the files", "contain no frequency response");
 
     for (const auto& response : responses)
         if (response.frequencies.size() < 2 || response.values.size() != response.frequencies.size())
-            throw InputError (response.source, "has a response of less than two lines");
+            throw InputError (response.source, "has a response with less than two lines");
 
     for (const auto& file : files)
         measurement.remarks.insert (measurement.remarks.end(), file.remarks.begin(), file.remarks.end());

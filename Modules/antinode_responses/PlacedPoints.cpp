@@ -10,14 +10,14 @@ namespace antinode
 {
 namespace
 {
-/** The place of a name, or else of the number at its end: files of places often only number them. */
+/** The position of a name, or else of the number at its end: files of positions often contain numbers only. */
 PointPlaces::const_iterator placeOf (const std::string& name, const PointPlaces& places)
 {
     const auto found = places.find (name);
     return found != places.end() ? found : places.find (name.substr (name.find_last_not_of ("0123456789") + 1));
 }
 
-/** Whether two points lie in one place, as where a geometry was never filled in. */
+/** Whether two points have the same position, as in a geometry that was never filled in. */
 bool coincide (const Eigen::MatrixX2d& points)
 {
     std::set<std::pair<double, double>> seen;
@@ -44,7 +44,8 @@ void placePoints (const std::vector<MeasurementFile>& files, const MeasurementOp
         if (const auto place = placeOf (names[p], places); place != places.end())
             points.row (static_cast<Eigen::Index> (p)) = place->second.transpose();
         else if (! options.places.empty())
-            throw InputError ("--points", "has no place for the point " + inQuotes (names[p]) + " of the files");
+            throw InputError ("measurement: point positions",
+                              "lack the point " + inQuotes (names[p]) + " of the files");
         else
             measurement.hasPlaces = false;
 
@@ -53,7 +54,8 @@ void placePoints (const std::vector<MeasurementFile>& files, const MeasurementOp
         measurement.hasPlaces = false;
         points.col (1).setZero();
         points.col (0) = apart * Eigen::VectorXd::LinSpaced (points.rows(), 0, static_cast<double> (points.rows() - 1));
-        measurement.remarks.emplace_back ("No file says where each point is: they are placed 1 mm apart on a line.");
+        measurement.remarks.emplace_back (
+            "No file gives positions of all points: they are placed 1 mm apart on a line.");
     }
     else if (points.rows() > 1 && (points.col (0).array() == points (0, 0)).all()) // A line lies along x.
         points.col (0).swap (points.col (1));

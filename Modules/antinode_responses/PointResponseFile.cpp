@@ -83,7 +83,7 @@ void restorePoint (SurfaceMeasurement& measurement, Eigen::Index point, std::str
 
     if (responses.size() != ceramics || ! std::all_of (responses.begin(), responses.end(), fits)
         || ! std::all_of (coherences.begin(), coherences.end(), fits))
-        throw InputError (source, "belongs to another measurement: remove it, or measure into another folder");
+        throw InputError (source, "belongs to another measurement; remove it, or choose another folder");
 
     for (std::size_t i = 0; i < ceramics; ++i)
     {

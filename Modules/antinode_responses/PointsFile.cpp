@@ -30,7 +30,7 @@ std::optional<double> numberIn (std::string_view text)
                                                                                       : std::nullopt;
 }
 
-/** x and y of a line, or x alone; nothing where it holds anything else. */
+/** x and y of a line, or x alone; nothing if it holds anything else. */
 std::optional<Eigen::RowVector2d> placeIn (std::string_view line)
 {
     const auto separator = line.find_first_of (",;\t");
@@ -63,7 +63,7 @@ Eigen::MatrixX2d decodePoints (std::string_view text, const std::string& source)
             places.push_back (*place);
         else if (! mayBeHeading)
             throw InputError (source + ": line " + std::to_string (number + 1),
-                              "is " + inQuotes (line) + ", allowed are x and y in mm, for example 12.5,30");
+                              "is " + inQuotes (line) + "; allowed: x and y in mm, for example 12.5,30");
 
         mayBeHeading = false;
 
@@ -72,7 +72,7 @@ Eigen::MatrixX2d decodePoints (std::string_view text, const std::string& source)
     }
 
     if (places.empty())
-        throw InputError (source, "has no point, allowed are lines of x and y in mm");
+        throw InputError (source, "has no point; allowed: lines of x and y in mm");
 
     Eigen::MatrixX2d points (static_cast<Eigen::Index> (places.size()), 2);
 
@@ -89,10 +89,10 @@ Eigen::MatrixX2d readPointsFile (const std::filesystem::path& path)
     std::error_code error;
 
     if (! std::filesystem::is_regular_file (path, error))
-        throw InputError (source, "cannot be read: it is missing or no plain file");
+        throw InputError (source, "cannot be read: it is missing or not a plain file");
 
     if (std::filesystem::file_size (path, error) > most)
-        throw InputError (source, "is larger than 16 MiB");
+        throw InputError (source, "is too large; allowed: up to 16 MiB");
 
     std::ifstream file (path, std::ios::binary);
     const std::string text { std::istreambuf_iterator<char> (file), {} };

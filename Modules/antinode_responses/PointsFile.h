@@ -9,7 +9,7 @@
 namespace antinode
 {
 /** Places of a surface from CSV text: lines of x and y, or of x alone on a line, in mm; after a heading line or none. Empty lines and those
-    that begin with # are passed over.
+    that begin with # are skipped.
     @param source  how errors name it
     @return        N x 2: x and y, m
     @throws InputError  source, line, what is wrong, what is allowed

@@ -18,7 +18,7 @@ bool collides (const Responses& responses, std::string MeasuredResponse::*name, 
                         { return (response.*name).empty() && ! seen.insert (response.*other).second; });
 }
 
-/** Points without names are numbered within their file where it has several for a driver. */
+/** Points without names are numbered within their file where it has several for a reference. */
 void numberColumns (Responses& responses)
 {
     std::map<std::string, int> counts, numbers;

@@ -7,7 +7,7 @@
 
 namespace antinode
 {
-/** What was measured of a point's motion. */
+/** The measured quantity of a point's motion. */
 enum class ResponseQuantity
 {
     displacement,
@@ -15,7 +15,7 @@ enum class ResponseQuantity
     acceleration
 };
 
-/** What a response's numbers mean, as far as it is known. */
+/** The meaning of a response's numbers, as far as known. */
 struct ResponseUnit
 {
     std::optional<ResponseQuantity> quantity;
@@ -25,13 +25,13 @@ struct ResponseUnit
 };
 
 /** A unit as people write it: "(m/s^2)/N", "mm/s/V", "g/N", "(1/N)*(m/s²)", "um V^-1", "1/kg", also of a motion alone. g is the
-    acceleration of gravity. Empty where the text is no unit of a motion, or of a motion per volt or newton.
+    acceleration of gravity. Empty if the text is no unit of a motion, or of a motion per volt or newton.
     [any] */
 std::optional<ResponseUnit> responseUnit (std::string_view text);
 
-/** The factor of a unit of drive alone, "N" or "mV". Empty where it is none. [any] */
+/** The factor of a unit of drive alone, "N" or "mV". Empty if it is none. [any] */
 std::optional<ResponseUnit> driveUnit (std::string_view text);
 
-/** What a word says of a response: accelerance, mobility, velocity, receptance, ...; empty where it says nothing. [any] */
+/** The meaning of a word for a response: accelerance, mobility, velocity, receptance, ...; empty if it has none. [any] */
 std::optional<ResponseUnit> quantityWord (std::string_view word);
 } // namespace antinode

@@ -28,7 +28,7 @@ UniversalNodes nodesOf (const Eigen::MatrixX2d& points)
     return nodes;
 }
 
-/** The lines at which all responses that have any are finite; none where nothing was measured. */
+/** The lines at which all responses that have any are finite; none if nothing was measured. */
 std::vector<Eigen::Index> finiteLines (const FrequencyResponses& responses)
 {
     Eigen::Array<bool, Eigen::Dynamic, 1> areFinite =
@@ -70,7 +70,7 @@ UniversalFunction commonFunction (const FrequencyResponses& responses, const std
     return function;
 }
 
-/** Names of drivers as ten columns hold them; D1, D2 ... where they would no longer differ. */
+/** Names of references as ten columns hold them; D1, D2 ... where they would no longer differ. */
 std::vector<std::string> entitiesOf (const std::vector<Driver>& drivers)
 {
     constexpr std::size_t width = 10;
@@ -96,7 +96,7 @@ std::vector<UniversalSet> responseSets (const FrequencyResponses& responses)
     const auto lines = finiteLines (responses);
 
     if (lines.empty())
-        throw InputError ("frequency responses", "have no line at which all are finite, there is nothing to write");
+        throw InputError ("frequency responses", "have no line with finite values everywhere; nothing can be written");
 
     UniversalUnits units { 1, "SI: Meter (newton)", 2, 1, 1, 1, 273.14999999999998 };
     std::vector<UniversalSet> sets { units, nodesOf (responses.points) };

@@ -72,7 +72,7 @@ private:
     bool areAmbiguous = false;
 };
 
-/** The axis, 1 to 3, along which most responses are measured; 0 where none is told. */
+/** The axis, 1 to 3, along which most responses are measured; 0 if unknown. */
 int commonAxis (const Functions& functions)
 {
     std::map<int, int> counts;
@@ -155,7 +155,8 @@ MeasuredResponse responseOf (const UniversalFunction& function, const UniversalU
     if (function.functionType == timeRecord)
     {
         if (! function.isEven || ! (function.step > 0))
-            throw InputError (source, "has an impulse response without an even step of time, allowed is one above 0");
+            throw InputError (source,
+                              "has an impulse response without a constant time step; allowed: a step above 0 s");
 
         const auto spectrum = impulseSpectrum (function.values.real(), function.step);
         response.frequencies = spectrum.frequencies;
@@ -209,7 +210,7 @@ MeasurementFile measurementOf (const std::vector<UniversalSet>& sets, const std:
     auto functions = functionsOf (sets, frequencyResponse);
 
     if (functions.empty() && ! (functions = functionsOf (sets, timeRecord)).empty())
-        file.remarks.push_back (source + ": its time records are taken as impulse responses.");
+        file.remarks.push_back (source + ": the time records are read as impulse responses.");
 
     if (functions.empty())
         throw InputError (source,
@@ -221,7 +222,7 @@ MeasurementFile measurementOf (const std::vector<UniversalSet>& sets, const std:
 
     if (others > 0)
         file.remarks.push_back (source + ": " + std::to_string (others)
-                                + " responses in other directions than most are left out.");
+                                + " responses in minority directions are left out.");
 
     const auto units = unitsOf (sets);
     const PlaceNames points (functions, &UniversalFunction::response),

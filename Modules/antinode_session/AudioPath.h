@@ -16,7 +16,7 @@
 
 namespace antinode
 {
-/** Where the samples of a block go: full scale is 1.0. */
+/** The channels of a block: full scale is 1.0. */
 template <typename Sample>
 struct OutputBlock
 {
@@ -25,7 +25,7 @@ struct OutputBlock
     int count = 0;                     ///< Samples.
 };
 
-/** What plays one device at one sample rate: its graph, and the worker that designs its foci. Made by the session, played by the
+/** Plays one device at one sample rate: its graph, and the worker that designs its foci. Made by the session, played by the
     audio thread, freed by the session. */
 class AudioPath
 {
@@ -53,7 +53,7 @@ public:
     void process (const OutputBlock<Sample>&, std::span<const FocusEvent> events, const PlayControls&, LevelMeters&,
                   ProbeTrace&);
 
-    /** Whether a ramp to silence that began so many samples ago has ended. [audio thread] */
+    /** Whether a ramp to silence that started the given number of samples ago has ended. [audio thread] */
     bool isSilentAfter (std::int64_t samples) const;
 
 private:

@@ -10,14 +10,14 @@ namespace antinode
 class BankOrder
 {
 public:
-    /** A place, and whether somebody waits for it. */
+    /** A place, and whether it is urgent. */
     struct Next
     {
         int place = 0;
         bool isAwaited = false;
     };
 
-    /** @param wantedFirst  of the places 0 to count - 1; others are passed over; none: 0 [any] */
+    /** @param wantedFirst  of the places 0 to count - 1; others are skipped; none: 0 [any] */
     BankOrder (const std::vector<int>& wantedFirst, std::size_t count);
 
     /** Whether all were taken. [any] */

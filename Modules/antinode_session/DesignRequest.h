@@ -10,7 +10,7 @@
 
 namespace antinode
 {
-/** A bank as it is wanted: one focus at its own place, for FocusBank::livePlace, and moved to many places, for the notes. */
+/** A requested bank: one focus at its own position, for FocusBank::livePlace, and moved to many positions, for the notes. */
 struct DesignRequest
 {
     std::shared_ptr<const ModalModel> model;
@@ -20,15 +20,15 @@ struct DesignRequest
     Playback playback;
 };
 
-/** How far a worker is. */
+/** The progress of a worker. */
 struct DesignProgress
 {
     int designed = 0, wanted = 0; ///< Places of the newest request, its own one among them.
     int failed = 0;               ///< Of these: places without a focus.
-    std::vector<int> failedNotes; ///< Which of the notes' places have none, in ascending order.
+    std::vector<int> failedNotes; ///< The notes' places without a focus, ascending.
     bool hasFirst = false;        ///< Whether its own place and those that are wanted first were handed over.
-    std::string error;            ///< Why the last one of them failed, in one sentence.
-    std::string liveError;        ///< Why the focus at its own place failed; empty where it did not.
+    std::string error;            ///< Why the last of them failed, in one sentence.
+    std::string liveError;        ///< Why the focus at its own place failed; empty if it did not.
     double firstMilliseconds = 0; ///< From the newest request to its first focus.
 
     bool isDone() const { return designed >= wanted; }

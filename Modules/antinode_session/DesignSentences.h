@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** Says how many notes have no focus, which, and why the last of them has none; empty where all have one. The focus at its own place is
+/** Says how many notes have no focus, which, and why the last of them failed; empty if all have one. The focus at its own position is
     not meant: DesignProgress::liveError.
     @param sampleRate  that they were designed for, Hz
     [any] */

@@ -11,7 +11,7 @@ namespace
 {
 constexpr auto partInterval = std::chrono::milliseconds (100); ///< Between parts of a bank that are handed over.
 
-/** Younger designs are finished though they are outdated: while a parameter moves, something is to be heard of it. */
+/** Designs younger than this are finished even if outdated, so that a moving parameter is audible. */
 constexpr auto longDesign = std::chrono::milliseconds (250);
 } // namespace
 

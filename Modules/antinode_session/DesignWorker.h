@@ -19,7 +19,7 @@ namespace antinode
 {
 /** Designs banks on a thread of its own and hands them over: the focus at its own place first, then the wanted notes' places
     one by one, then the others in parts (BankOrder). A newer request replaces one that has not been finished: rapid
-    changes of a parameter coalesce, and a design that takes long is given up. Until a place is designed anew it keeps the focus that it had. A touched place is designed
+    changes of a parameter coalesce, and a design that takes long is given up. Until a place is designed again it keeps the focus that it had. A touched place is designed
     between two others. */
 class DesignWorker
 {
@@ -79,8 +79,8 @@ private:
     mutable std::condition_variable changed;
     std::optional<DesignRequest> next; ///< Under the mutex, as all that follows.
     std::vector<Touch> touches;
-    std::vector<int> urgent; ///< Places that somebody waits for.
-    Places isReady {};       ///< Which places of the newest request were handed over.
+    std::vector<int> urgent; ///< Urgent places.
+    Places isReady {};       ///< The places of the newest request that were handed over.
     Clock::time_point nextAsked;
     DesignProgress state;
     bool isStopping = false, isWorking = false;

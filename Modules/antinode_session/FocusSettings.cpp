@@ -173,7 +173,7 @@ FocusDescription withSettings (const FocusDescription& document, const PlaySetti
     if (settings.modeCount > 0)
         focus.modes = { settings.modeCount, focus.modes.order, {}, {} };
 
-    // Lists of one value a mode fit only the modes that they were written for.
+    // Lists of one value per mode fit only the modes that they were written for.
     if (settings.modeCount > 0 && focus.transients.growth.size() > 1)
         focus.transients.growth.clear();
 

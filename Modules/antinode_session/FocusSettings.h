@@ -11,10 +11,10 @@
 
 namespace antinode
 {
-/** Where the surface of a described device begins and ends, before it is solved. [any] */
+/** The extent of the surface of a described device, before it is solved. [any] */
 Surface extentOf (const DeviceDescription&);
 
-/** What the parameters say for a focus that was loaded. [any] */
+/** The parameters of a loaded focus. [any] */
 PlaySettings settingsOf (const FocusDescription&, const Surface&, const PlaySettings& present);
 
 /** A loaded focus as the parameters have changed it. What a parameter says as the focus does is taken from the focus, to the bit: so the
@@ -29,7 +29,7 @@ std::pair<double, double> placeFromPercent (const Surface&, double xPercent, dou
 /** The same, back. [any] */
 std::pair<double, double> percentFromPlace (const Surface&, double x, double y);
 
-/** Where the monitor listens: the probe of the parameters, then the second probe of the focus, or else its first target. m
+/** The positions of the monitor probes: the probe of the parameters, then the second probe of the focus, or else its first target. m
     [any] */
 std::vector<std::pair<double, double>> probePlaces (const FocusDescription& document, const PlaySettings&,
                                                     const Surface&);

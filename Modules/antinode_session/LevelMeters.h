@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** What the audio thread lets others see: peaks since they looked last, and counters. */
+/** Meters of the audio thread for other threads: peaks since the last read, and counters. */
 class LevelMeters
 {
 public:
@@ -30,7 +30,7 @@ public:
     /** The largest velocity since the last call, m/s. One reader. [any] */
     float takeProbe (int probe) { return probePeaks[static_cast<std::size_t> (probe)].exchange (0); }
 
-    /** How many samples the limiter has clamped since the path was made. [any] */
+    /** The number of samples clamped by the limiter since the path was made. [any] */
     std::int64_t limitedSamples (int ceramic) const { return limited[static_cast<std::size_t> (ceramic)]; }
 
     /** Whether a number that was not finite has muted the output. [any] */

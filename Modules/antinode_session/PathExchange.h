@@ -25,7 +25,7 @@ public:
     /** Frees what came back. [worker] */
     void collect();
 
-    /** The path for a block of so many samples, or none where there is none for this rate. [audio thread] */
+    /** The path for a block of the given number of samples, or none if there is none for this rate. [audio thread] */
     AudioPath* current (double sampleRate, int count);
 
     /** Whether the current path has to ramp to 0 V, since another one waits. [audio thread] */

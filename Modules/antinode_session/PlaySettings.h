@@ -4,14 +4,14 @@
 
 namespace antinode
 {
-/** What the notes play. */
+/** The layout of the notes. */
 enum class NoteLayout
 {
     spread, ///< Middle C the focus at its own place, the others at places spread over the surface.
     spot    ///< Every note the focus at its own place.
 };
 
-/** What the parameters of a host say of the focus: numbers as a host keeps them, in the units of their names. Docs/Manual/parameters.md. */
+/** The parameters of a host for the focus: numbers as a host keeps them, in the units of their names. Docs/Manual/parameters.md. */
 struct PlaySettings
 {
     float xPercent = 50, yPercent = 50; ///< Of the surface's extent, from its left and its lower edge.
@@ -33,13 +33,13 @@ struct PlaySettings
     bool operator== (const PlaySettings&) const = default;
 };
 
-/** What takes effect at once, without a new design. */
+/** Settings that take effect immediately, without a new design. */
 struct PlayControls
 {
     bool isArmed = true;          ///< False: all voltages ramp to 0.
     double outputTrim = 1;        ///< Factor of all voltages, 0 to 1.
     double monitorGain = 1;       ///< Factor of the probe velocities; 1: a sample of 1.0 is 1 m/s.
-    double voltageLimit = 1e9;    ///< V, beside each ceramic's own.
+    double voltageLimit = 1e9;    ///< V, in addition to each ceramic's own limit.
     unsigned long long mutes = 0; ///< Bit i: ceramic i + 1 is silent.
 };
 } // namespace antinode

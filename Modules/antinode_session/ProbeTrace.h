@@ -27,7 +27,7 @@ public:
     /** The newest entries, oldest first; torn ones are possible and last one frame. [any] */
     std::vector<Entry> newest (std::size_t count) const;
 
-    /** How many entries were ever written. [any] */
+    /** The number of entries written so far. [any] */
     std::uint64_t written() const { return position.load (std::memory_order_acquire); }
 
 private:

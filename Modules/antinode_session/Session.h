@@ -15,22 +15,21 @@
 
 namespace antinode
 {
-/** Everything between the rims and the kernels: a device, a focus and what the parameters say become a path that plays. The plug-in
+/** Everything between the front ends and the kernels: turns a device, a focus and parameters into an audio path. The plug-in
     and the standalone program each have one; neither solves, designs or swaps anything by itself.
 
     A thread of its own looks at the parameters every few milliseconds, so that whoever changes them (a host does it on the audio
-    thread) calls nobody. Solving a device and building a path happen there, designing on the path's worker. A new path is handed
-    over by one atomic exchange after the old one has ramped to 0 V, and the old one is freed here.
-    Docs/Decisions/0017-session-and-plug-in.md */
+    thread) makes no callbacks. Solving a device and building a path happen there, designing on the path's worker. A new path is handed
+    over by one atomic exchange after the old one has ramped to 0 V, and the old one is freed here. Docs/Architecture.md, Session. */
 class Session
 {
 public:
-    /** Middle C plays the focus at its own place, whatever the other notes play. */
+    /** Middle C plays the focus at its own position, whatever the other notes play. */
     static constexpr int spotNote = 60;
 
     using ReadSettings = std::function<PlaySettings()>;
 
-    /** Starts solving.
+    /** Starts solving the device.
         @param readSettings  gives what the parameters say; called on the session's thread, must not block
         @param onChange      called on the session's thread after latency, tail or a snapshot have changed
         [worker] starts threads */
@@ -48,7 +47,7 @@ public:
         @param isOffline  waits until all is designed */
     void prepare (double sampleRate, bool isOffline);
 
-    /** Plays a block, or silence where there is no path yet. [audio thread] allocates nothing, locks nothing
+    /** Plays a block, or silence while there is no path. [audio thread] allocates nothing, locks nothing
         @param events  what came with the block; a note's place is its number */
     template <typename Sample>
     void process (const OutputBlock<Sample>&, std::span<const FocusEvent> events, const PlayControls&);
@@ -57,14 +56,14 @@ public:
         trigger: for offline rendering. One caller at a time. [any but a real-time audio thread] */
     void waitUntilSettled (std::span<const FocusEvent> events = {});
 
-    /** Designs the places of these notes before those of the others, in this order; middle C's where nobody says.
+    /** Designs the places of these notes before those of the others, in this order; by default that of middle C.
         [any but the audio thread] */
     void designFirst (std::vector<int> notes);
 
-    /** Fires the focus at its own place with the next block. @param amplitude  0 to 1 [any but the audio thread] */
+    /** Fires the focus at its own position with the next block. @param amplitude  0 to 1 [any but the audio thread] */
     void fire (double amplitude);
 
-    /** What becomes of a focus that is fired at another place. */
+    /** The outcome of firing a focus at another position. */
     enum class TouchResult
     {
         taken,
@@ -72,7 +71,7 @@ public:
         notTaken ///< No device is solved yet, or too many wait.
     };
 
-    /** Designs and fires a focus at another place. @param x, y  m [any but the audio thread] */
+    /** Designs and fires a focus at another position. @param x, y  m [any but the audio thread] */
     TouchResult fireAt (double x, double y, double amplitude);
 
     /** Fades all voices out with the next block. [any] */
@@ -81,19 +80,19 @@ public:
     /** [any but the audio thread] */
     std::shared_ptr<const SessionSnapshot> snapshot() const;
 
-    /** How far the designs are. [any but the audio thread] */
+    /** The progress of the designs. [any but the audio thread] */
     DesignProgress progress() const;
 
     LevelMeters& meters() { return levels; }
     const ProbeTrace& probeTrace() const { return trace; }
 
-    /** Samples from a trigger to its focus where foci fall on notes, else 0. [any] */
+    /** Samples from a trigger to its focus if foci are delayed onto notes, else 0. [any] */
     std::int64_t latencySamples() const { return latency; }
 
-    /** What a sample of 1.0 stood for in the block that was played last, V; 0 before the first. [any] */
+    /** The voltage of a sample of 1.0 in the last block, V; 0 before the first block. [any] */
     double fullScaleVolts() const { return fullScale; }
 
-    /** How long sound goes on after the last trigger: the focus, and 60 dB of the slowest mode's decay. s [any] */
+    /** The tail after the last trigger: the focus, and 60 dB of decay of the slowest mode. s [any] */
     double tailSeconds() const { return tail; }
 
 private:

@@ -28,7 +28,7 @@ void Session::requestDesigns()
     }
     catch (const InputError&)
     {
-        // A focus of another device may have probes beside this surface: the monitor stays where it was.
+        // A focus of another device may have probes outside this surface: the monitor stays where it was.
     }
 
     path->worker().request ({ model, description, notePlaces(), wantedFirst(), { Reconstruction::bandLimited, rate } });

@@ -14,19 +14,18 @@
 
 namespace antinode
 {
-/** What a session plays just now, for those who look on. Never changed once it is given. */
+/** What a session plays at the moment, for displays. Immutable. */
 struct SessionSnapshot
 {
     std::uint64_t generation = 0;                 ///< Grows with every snapshot.
-    std::shared_ptr<const DeviceDocument> device; ///< What was asked for, also while it is being solved.
+    std::shared_ptr<const DeviceDocument> device; ///< The requested device, also while it is being solved.
     std::shared_ptr<const FocusDocument> focusDocument;
     std::shared_ptr<const ModalModel> model; ///< None before the first device is solved.
-    PlaySettings settings;                   ///< What the focus below was made with.
+    PlaySettings settings;                   ///< The settings of the focus below.
     FocusDescription focus;                  ///< As it is designed: the document as the parameters changed it.
-    std::vector<std::pair<double, double>>
-        notePlaces; ///< x, y in m of the notes 0 to 127; empty where all play the spot.
+    std::vector<std::pair<double, double>> notePlaces; ///< x, y in m of the notes 0 to 127; empty if all play the spot.
     Playback playback;
     bool isSolving = false;  ///< Whether a device is being solved.
-    std::string deviceError; ///< Why the device that was asked for cannot be played: then the one before plays on.
+    std::string deviceError; ///< Why the requested device cannot be played; the previous one then continues.
 };
 } // namespace antinode

@@ -118,7 +118,7 @@ void Session::takeDocuments()
     {
         const std::lock_guard lock (mutex);
         isSolving = false;
-        designs = {}; // Those of the device before: nobody shall take them for this one's.
+        designs = {}; // They belong to the previous device.
     }
     publish();
 }
@@ -130,8 +130,7 @@ void Session::solve (const DeviceDocument& document)
         auto solved = std::make_shared<const ModalModel> (solveDevice (document.description, {}, true));
 
         if (solved->actuators() == 0)
-            throw InputError ("device '" + document.description.name + "'",
-                              "has no ceramics, so nothing can be played");
+            throw InputError ("device '" + document.description.name + "'", "has no ceramics; nothing can be played");
 
         model = std::move (solved);
         isModelNew = true;

@@ -11,7 +11,7 @@
 namespace antinode
 {
 /** Triggers on their way to the audio thread that did not come with a block: a button, a touch, a message. The audio thread neither
-    locks nor waits; those who push take turns. */
+    locks nor waits; pushes are serialised. */
 class TriggerQueue
 {
 public:

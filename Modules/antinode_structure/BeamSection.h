@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** What a beam's cross-section brings to its motion. Docs/Theory.md, section 1.1. */
+/** The mass and stiffness of a beam's cross-section. Docs/Theory.md, section 1.1. */
 struct BeamSection
 {
     double massPerLength = 0;    ///< mu, kg/m

@@ -86,7 +86,7 @@ private:
         return all;
     }
 
-    /** Makes the block orthonormal in M. Directions that vanish beside the others are used up: random ones take their place. */
+    /** Makes the block orthonormal in M. Negligible directions are exhausted and replaced by random ones. */
     void orthonormalise()
     {
         remainder = Eigen::MatrixXd::Identity (width, width);
@@ -101,7 +101,7 @@ private:
             const auto largest = pairs.values[width - 1];
 
             if (! (largest > 0 && std::isfinite (largest)))
-                throw std::runtime_error ("eigenpairs: the space of the iteration is used up");
+                throw std::runtime_error ("eigenpairs: the iteration space is exhausted");
 
             // What is left of a used-up direction is rounding: a random one is as good, and is met by the passes that follow.
             const Eigen::VectorXd sizes = pairs.values.cwiseMax (1e-24 * largest).cwiseSqrt();
@@ -161,6 +161,6 @@ Eigenpairs lowestEigenpairs (const BlockBandedFactor& factor, const TensorOperat
         nextCheck = space.size() + std::max (count / 6, 2 * width);
     }
 
-    throw std::runtime_error ("eigenpairs: more are wanted than there are");
+    throw std::runtime_error ("eigenpairs: more requested than exist");
 }
 } // namespace antinode

@@ -26,10 +26,9 @@ double slewLimit (const StructureCommon& common, std::size_t index)
     const auto charged = capacitance (common.ceramics[index]);
 
     if (! (charged > 0))
-        throw InputError (
-            "device: /limits/current_mA",
-            "needs the capacitance of ceramic " + std::to_string (index + 1)
-                + ", but its material has no 'permittivity_relative': give it, or 'slew_V_per_us' instead");
+        throw InputError ("device: current limit", "needs the capacitance of ceramic " + std::to_string (index + 1)
+                                                       + ", but its material has no relative permittivity; give it, or "
+                                                         "a limit of the slew rate (device: slew limit)");
 
     const auto byCurrent = common.currentLimit / charged;
     return common.slewLimit > 0 ? std::min (common.slewLimit, byCurrent) : byCurrent;

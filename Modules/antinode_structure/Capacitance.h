@@ -9,7 +9,7 @@ namespace antinode
     [any] Docs/Theory.md, section 1.10. */
 double capacitance (const CeramicDescription&);
 
-/** How fast the voltage of a ceramic may change, V/s: what its amplifier can, or what its current into the capacitance allows where
+/** The slew limit of a ceramic's voltage, V/s: that of its amplifier, or that of the current limit into the capacitance where
     that is less. 0: as fast as it likes.
     @param ceramic  its index
     @throws InputError  where the current is limited and the permittivity is not known

@@ -36,7 +36,7 @@ public:
     /** How many coefficients there are. [any] */
     Eigen::Index unknowns() const;
 
-    /** How many of them, the first ones, move the first end and so bear no strain energy. [any] */
+    /** How many of them, the first ones, move the first end and so have no strain energy. [any] */
     Eigen::Index rigidUnknowns() const { return startMotion.cols(); }
 
     /** The motion that coefficients describe.

@@ -25,7 +25,7 @@ struct ChainProblem
     Eigen::MatrixXd stiffness, mass;
 };
 
-/** sqrt (m) times the displacements at the quadrature's places, one row a place and direction: B with M = B' B. */
+/** sqrt (m) times the displacements at the quadrature's places, one row per position and direction: B with M = B' B. */
 Eigen::MatrixXd weightedMotion (const ElementChain& chain, const ChainMotion& motion, const QuadratureRule& rule)
 {
     const auto count = rule.places.size();
@@ -80,9 +80,9 @@ Eigen::MatrixXd nullSpace (const Eigen::MatrixXd& rows)
 ChainProblem problemOf (const ElementChain& chain, const ChainBasis& basis, int degree)
 {
     if (basis.unknowns() > maximumUnknowns)
-        throw InputError ("device", "needs " + std::to_string (basis.unknowns()) + " unknowns, allowed are "
-                                        + std::to_string (maximumUnknowns)
-                                        + "; ask for fewer modes, a lower frequency or fewer ceramics");
+        throw InputError ("device", "needs " + std::to_string (basis.unknowns())
+                                        + " unknowns; allowed: " + std::to_string (maximumUnknowns)
+                                        + "; choose fewer modes, a lower frequency or fewer ceramics");
 
     // Exact to degree 2 (degree + 2) - 3, which is more than the degree of the square of a displacement.
     const auto rule = gaussLobattoRule (degree + 2);
@@ -103,7 +103,7 @@ ChainProblem problemOf (const ElementChain& chain, const ChainBasis& basis, int 
 }
 
 /** The vectors made orthonormal in M, each against those before it. The mass is formed again from their displacements: M itself
-    is rounded to what the lowest modes carry, which is much beside the highest ones. */
+    is rounded relative to the lowest modes, which is much for the highest ones. */
 Eigen::MatrixXd massNormalised (const ChainProblem& problem, const Eigen::MatrixXd& vectors)
 {
     const Eigen::MatrixXd moved = problem.displacement * vectors;
@@ -112,7 +112,7 @@ Eigen::MatrixXd massNormalised (const ChainProblem& problem, const Eigen::Matrix
 }
 
 /** An angular frequency below that of any flexible mode of a straight beam: what the loosest supports (pinned and guided,
-    beta L = pi/2) give where the softest section bears the heaviest mass all along. */
+    beta L = pi/2) give if the softest section carries the heaviest mass everywhere. */
 double lowestPossibleAngularFrequency (const ElementChain& chain)
 {
     auto softest = chain.elements.front().section.bendingStiffness;

@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** How alike the velocities of modes answer to what was played before: H_kl = integral over 0..T of h_k h_l, h_k the velocity that mode k
+/** The correlation of the velocity responses of modes to past voltages: H_kl = integral over 0..T of h_k h_l, h_k the velocity that mode k
     has a time tau after a unit impulse of force. Ceramic i then brings diag(alpha_i) H diag(alpha_i) to the Gramian of the
     velocities that can be reached at T.
     @param angularFrequencies, dampingRatios  N_m each, rad/s and less than 1

@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** The damping ratio of so many modes: one for all, or a list whose last one serves the modes beyond. [any] */
+/** The damping ratios of a number of modes: one for all, or a list whose last one serves the modes beyond. [any] */
 Eigen::VectorXd dampingOfModes (const std::vector<double>& ratios, Eigen::Index modes);
 
 /** Writes into a computed model what it takes over from the description as it is: name, damping, limits, and the ceramics with their

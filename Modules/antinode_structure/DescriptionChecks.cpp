@@ -26,7 +26,7 @@ std::string millimetres (double metres)
 void requirePositive (const std::string& where, const std::string& what, double value)
 {
     if (! (std::isfinite (value) && value > 0))
-        throw InputError (where, what + " is " + text (value) + ", allowed are positive numbers");
+        throw InputError (where, what + " is " + text (value) + "; allowed: above 0");
 }
 
 void requireCommon (const StructureCommon& common)
@@ -37,24 +37,22 @@ void requireCommon (const StructureCommon& common)
     requirePositive ("device", "full-scale voltage", common.fullScaleVoltage);
 
     if (! (std::isfinite (common.voltageLimit) && common.voltageLimit >= 0))
-        throw InputError ("device",
-                          "voltage limit is " + text (common.voltageLimit) + ", allowed are 0 and positive numbers");
+        throw InputError ("device", "voltage limit is " + text (common.voltageLimit) + " V; allowed: 0 V or more");
 
     for (const auto limit : { common.slewLimit, common.currentLimit })
         if (! (std::isfinite (limit) && limit >= 0))
-            throw InputError ("device", "slew or current limit is " + text (limit)
-                                            + ", allowed are positive numbers, and 0 for none");
+            throw InputError ("device",
+                              "slew or current limit is " + text (limit) + "; allowed: above 0, or 0 for none");
 
     if (common.dampingRatios.empty())
-        throw InputError ("device", "has no damping ratio, allowed is one for all modes or a list");
+        throw InputError ("device", "has no damping ratio; allowed: one for all modes, or a list");
 
     for (const auto ratio : common.dampingRatios)
         if (! (ratio > 0 && ratio < 1))
-            throw InputError ("device",
-                              "damping ratio is " + text (ratio) + ", allowed is between 0 and 1, both excluded");
+            throw InputError ("device", "damping ratio is " + text (ratio) + "; allowed: above 0 to below 1");
 }
 
-/** What does not depend on where a ceramic lies. */
+/** Checks that do not depend on the position of a ceramic. */
 void requireCeramic (const std::string& place, const CeramicDescription& ceramic)
 {
     requirePositive (place, "thickness", ceramic.thickness);
@@ -63,10 +61,10 @@ void requireCeramic (const std::string& place, const CeramicDescription& ceramic
     requirePositive (place, "width", ceramic.sizeY);
 
     if (! std::isfinite (ceramic.material.d31))
-        throw InputError (place, "d31 is " + text (ceramic.material.d31) + ", allowed are finite numbers");
+        throw InputError (place, "d31 is " + text (ceramic.material.d31) + " m/V; allowed: finite numbers");
 
     if (ceramic.polarity != 1 && ceramic.polarity != -1)
-        throw InputError (place, "polarity is " + std::to_string (ceramic.polarity) + ", allowed are 1 and -1");
+        throw InputError (place, "polarity is " + std::to_string (ceramic.polarity) + "; allowed: 1 or -1");
 }
 
 void requireLineCeramic (const std::string& place, const CeramicDescription& ceramic, double length, double width)
@@ -74,17 +72,17 @@ void requireLineCeramic (const std::string& place, const CeramicDescription& cer
     requireCeramic (place, ceramic);
 
     if (ceramic.sizeY > width + edgeTolerance)
-        throw InputError (place, "is " + millimetres (ceramic.sizeY) + " wide, allowed is up to the device's width of "
+        throw InputError (place, "width is " + millimetres (ceramic.sizeY) + "; allowed: up to the device's width of "
                                      + millimetres (width));
 
     if (! (ceramic.sizeX >= 10 * edgeTolerance))
-        throw InputError (place, "length is " + millimetres (ceramic.sizeX) + ", allowed is "
-                                     + millimetres (10 * edgeTolerance) + " and more");
+        throw InputError (place, "length is " + millimetres (ceramic.sizeX)
+                                     + "; allowed: " + millimetres (10 * edgeTolerance) + " or more");
 
     if (! (ceramic.x >= -length / 2 - edgeTolerance && ceramic.x + ceramic.sizeX <= length / 2 + edgeTolerance))
-        throw InputError (place, "reaches from " + millimetres (ceramic.x) + " to "
-                                     + millimetres (ceramic.x + ceramic.sizeX) + ", allowed is "
-                                     + millimetres (-length / 2) + " to " + millimetres (length / 2));
+        throw InputError (place, "extends from " + millimetres (ceramic.x) + " to "
+                                     + millimetres (ceramic.x + ceramic.sizeX)
+                                     + "; allowed: " + millimetres (-length / 2) + " to " + millimetres (length / 2));
 }
 
 void requireNoOverlap (const std::vector<CeramicDescription>& ceramics)
@@ -101,7 +99,8 @@ void requireNoOverlap (const std::vector<CeramicDescription>& ceramics)
 
         if (overlap > edgeTolerance)
             throw InputError (ceramicPlace (order[i], right), "overlaps " + ceramicPlace (order[i - 1], left) + " by "
-                                                                  + millimetres (overlap) + ", allowed is to touch it");
+                                                                  + millimetres (overlap)
+                                                                  + "; ceramics may only touch");
     }
 }
 
@@ -111,20 +110,20 @@ void requirePoissonRatio (const std::string& where, double ratio, double stiffne
     const auto limit = std::sqrt (stiffnessRatio);
 
     if (! (std::abs (ratio) < limit))
-        throw InputError (where, "Poisson's ratio is " + text (ratio) + ", allowed is between " + text (-limit)
-                                     + " and " + text (limit) + ", both excluded");
+        throw InputError (where, "Poisson's ratio is " + text (ratio) + "; allowed: above " + text (-limit)
+                                     + " to below " + text (limit));
 }
 
 /** One side of a plate's ceramic, along one axis. */
 void requireInside (const std::string& place, const std::string& axis, double from, double size, double length)
 {
     if (! (size >= 10 * edgeTolerance))
-        throw InputError (place, "size along " + axis + " is " + millimetres (size) + ", allowed is "
-                                     + millimetres (10 * edgeTolerance) + " and more");
+        throw InputError (place, "size along " + axis + " is " + millimetres (size)
+                                     + "; allowed: " + millimetres (10 * edgeTolerance) + " or more");
 
     if (! (from >= -edgeTolerance && from + size <= length + edgeTolerance))
-        throw InputError (place, "reaches from " + axis + " = " + millimetres (from) + " to "
-                                     + millimetres (from + size) + ", allowed is 0 to " + millimetres (length));
+        throw InputError (place, "extends from " + axis + " = " + millimetres (from) + " to "
+                                     + millimetres (from + size) + "; allowed: 0 to " + millimetres (length));
 }
 
 void requireNoOverlapInPlane (const std::vector<CeramicDescription>& ceramics)
@@ -138,7 +137,7 @@ void requireNoOverlapInPlane (const std::vector<CeramicDescription>& ceramics)
 
             if (inX > edgeTolerance && inY > edgeTolerance)
                 throw InputError (ceramicPlace (i, a), "overlaps " + ceramicPlace (j, b) + " by " + millimetres (inX)
-                                                           + " x " + millimetres (inY) + ", allowed is to touch it");
+                                                           + " x " + millimetres (inY) + "; ceramics may only touch");
         }
 }
 
@@ -185,7 +184,7 @@ void requireSolvable (const PlateDescription& plate)
 
     for (const auto edge : { plate.left, plate.right, plate.bottom, plate.top })
         if (edge == EdgeCondition::guided)
-            throw InputError ("device", "has a guided edge, allowed are clamped, simply supported and free ones");
+            throw InputError ("device", "has a guided edge; allowed: clamped, simply supported or free");
 
     for (std::size_t i = 0; i < plate.common.ceramics.size(); ++i)
     {

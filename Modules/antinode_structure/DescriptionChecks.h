@@ -4,10 +4,10 @@
 
 namespace antinode
 {
-/** Closer than this two edges are one, m: rounding, not geometry. */
+/** Two edges closer than this are the same edge, m: rounding, not geometry. */
 constexpr double edgeTolerance = 1e-9;
 
-/** Where an error of a ceramic lies, for example "ceramic 3 (C3)". [any] */
+/** The name of a ceramic in errors, for example "ceramic 3 (C3)". [any] */
 std::string ceramicPlace (std::size_t index, const CeramicDescription&);
 
 /** Checks a beam's dimensions, substrate, damping, limits and ceramics.

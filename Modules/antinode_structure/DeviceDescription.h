@@ -25,7 +25,7 @@ struct PiezoelectricMaterial
     double poissonRatio = 0;         ///< -s12E/s11E
     double density = 0;              ///< kg/m^3
     double d31 = 0;                  ///< m/V, negative for the usual ones
-    double permittivityRelative = 0; ///< eps33T/eps0, 0 where not given
+    double permittivityRelative = 0; ///< eps33T/eps0, 0 if not given
 };
 
 enum class EdgeCondition
@@ -61,12 +61,12 @@ struct CeramicDescription
     int polarity = 1; ///< 1 or -1
 };
 
-/** What all described (not measured) devices share. */
+/** The common properties of all described (not measured) devices. */
 struct StructureCommon
 {
     double thickness = 0; ///< m
     ElasticMaterial material;
-    std::vector<double> dampingRatios; ///< One for all modes, or one a mode; the last one serves the modes beyond.
+    std::vector<double> dampingRatios; ///< One for all modes, or one per mode; the last one serves all further modes.
     std::vector<CeramicDescription> ceramics;
     double voltageLimit = 0;                ///< V, of every ceramic
     double slewLimit = 0;                   ///< V/s, of every amplifier; 0: none.
@@ -106,7 +106,7 @@ struct DeviceDescription
     std::string name;
     std::string description;
     std::variant<BeamDescription, StapleDescription, PlateDescription, ModalModel> body;
-    bool requiresArming = false; ///< Silent, once loaded, until its user arms the output.
+    bool requiresArming = false; ///< Stays silent after loading until the user arms the output.
 };
 
 /** The modal model of a described device: solves a beam, staple or plate; hands a measured model on as it is.

@@ -10,8 +10,8 @@ namespace antinode
 {
 void throwNumbersTooFarApart()
 {
-    throw InputError (
-        "device", "has dimensions or materials so far apart that its modes cannot be computed, allowed are real ones");
+    throw InputError ("device",
+                      "has dimensions or material constants of such different size that its modes cannot be computed");
 }
 
 double bendingWaveNumber (const BeamSection& section, double angularFrequency)

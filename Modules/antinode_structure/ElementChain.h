@@ -17,7 +17,7 @@ struct ChainElement
     std::optional<int> ceramic; ///< The ceramic that covers it.
 };
 
-/** Which motions an end of a chain is denied. */
+/** The restrained motions of an end of a chain. */
 struct Restraint
 {
     bool alongX = false, alongY = false, rotation = false;
@@ -31,7 +31,7 @@ struct ElementChain
     bool stretches = false; ///< Whether elements stretch as well as bend. Where not, nothing moves along x.
 };
 
-/** Refuses a device whose numbers overflow or vanish beside each other. @throws InputError [any] */
+/** Refuses a device whose numbers overflow or are negligible relative to each other. @throws InputError [any] */
 [[noreturn]] void throwNumbersTooFarApart();
 
 /** Wave number of bending waves, (omega^2 mu / EI)^(1/4) in 1/m. [any] */

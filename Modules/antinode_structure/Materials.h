@@ -9,13 +9,13 @@
 
 namespace antinode
 {
-/** A built-in material of substrates by its name, or nothing where there is none of that name. [any] */
+/** A built-in material of substrates by its name, or nothing if there is none of that name. [any] */
 std::optional<ElasticMaterial> findElasticMaterial (std::string_view name);
 
 /** The names of all built-in materials of substrates. [any] */
 std::vector<std::string> elasticMaterialNames();
 
-/** A built-in ceramic by its name, or nothing where there is none of that name. [any] */
+/** A built-in ceramic by its name, or nothing if there is none of that name. [any] */
 std::optional<PiezoelectricMaterial> findPiezoelectricMaterial (std::string_view name);
 
 /** The names of all built-in ceramics. [any] */

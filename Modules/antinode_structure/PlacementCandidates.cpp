@@ -17,18 +17,18 @@ namespace
 {
 constexpr std::size_t mostCandidates = 5000;
 
-/** Positions from one end to the other, symmetrical about the middle, at most a step apart. */
+/** Positions from one end to the other, symmetric about the middle, at most one step apart. */
 std::vector<double> positions (double from, double to, double step)
 {
     if (! (step > 0))
-        throw InputError ("--step-mm", "is not a positive number, allowed are positive ones");
+        throw InputError ("placement: step", "is not a positive number; allowed: above 0 mm");
 
     const auto length = std::max (to - from, 0.0);
     const auto wanted = std::ceil (length / step - 1e-9);
 
     if (! (wanted < static_cast<double> (mostCandidates)))
-        throw InputError ("--step-mm",
-                          "gives more than " + std::to_string (mostCandidates) + " positions, allowed are wider steps");
+        throw InputError ("placement: step",
+                          "gives more than " + std::to_string (mostCandidates) + " positions; choose a larger step");
 
     std::vector<double> result;
 
@@ -42,10 +42,10 @@ std::vector<double> positions (double from, double to, double step)
 
 [[noreturn]] void throwTooLarge()
 {
-    throw InputError ("--size-mm", "is more than the device's, allowed are sizes that fit on it");
+    throw InputError ("placement: ceramic size", "is larger than the device; allowed: up to the size of the device");
 }
 
-/** The wanted candidates of a plate, row by row. */
+/** The candidates of a plate, row by row. */
 std::vector<CeramicDescription> onPlate (const PlateDescription& plate, const CeramicDescription& like,
                                          const CandidateGrid& grid)
 {
@@ -105,16 +105,15 @@ struct CandidateFinder
 
     PlacementCandidates operator() (const ModalModel&) const
     {
-        throw InputError ("device '" + device.name + "'",
-                          "is given by its modes, allowed are beams, staples and plates");
+        throw InputError ("device '" + device.name + "'", "is of kind modal; allowed: beam, staple or plate");
     }
 
 private:
     static void requireFew (const PlacementCandidates& candidates)
     {
         if (candidates.ceramics.size() > mostCandidates)
-            throw InputError ("--step-mm", "gives more than " + std::to_string (mostCandidates)
-                                               + " positions, allowed are wider steps");
+            throw InputError ("placement: step", "gives more than " + std::to_string (mostCandidates)
+                                                     + " positions; choose a larger step");
     }
 
     template <typename Body>

@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** Where ceramics of one kind may go on a bare device, and what each would move there. */
+/** The candidate positions of ceramics of one kind on a bare device, and the participation of each. */
 struct PlacementCandidates
 {
     std::vector<CeramicDescription> ceramics;
@@ -20,11 +20,11 @@ struct PlacementCandidates
 struct CandidateGrid
 {
     double step = 0;           ///< Between neighbouring positions, m, more than 0.
-    std::optional<double> rim; ///< On a plate: only within this distance of its edges, m.
+    std::optional<double> rim; ///< On a plate: the largest distance from an edge, m.
     int modes = 40;            ///< How many of the lowest modes.
 };
 
-/** The candidates for ceramics like a given one on a beam, staple or plate; those that the device carries are left out, their mass and
+/** The candidates for ceramics like a given one on a beam, staple or plate; ceramics already on the device are left out, their mass and
     stiffness are not counted.
     @throws InputError  when the ceramic does not fit, there are more than 5000 candidates, or the device's modes are given
     [worker] Docs/Theory.md, section 1.9. */

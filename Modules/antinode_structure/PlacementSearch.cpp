@@ -70,10 +70,10 @@ private:
             const auto next = bestBeside (placement.chosen, -1);
 
             if (next.index < 0)
-                throw InputError ("--count", "is " + std::to_string (problem.count) + ", but beside "
-                                                 + std::to_string (placement.chosen.size())
-                                                 + " ceramics there is no room for another: allowed are fewer, or "
-                                                   "smaller ones");
+                throw InputError ("placement: number of ceramics", "is " + std::to_string (problem.count)
+                                                                       + "; there is no room for another after "
+                                                                       + std::to_string (placement.chosen.size())
+                                                                       + " ceramics; choose fewer or smaller ceramics");
 
             placement.chosen.push_back (next.index);
             placement.controllability = next.value;
@@ -127,7 +127,7 @@ private:
         return problem.kernel.cwiseProduct (sum + column * column.transpose());
     }
 
-    /** The best candidate that may stand beside the others, or none where none exceeds a value. */
+    /** The best candidate that does not overlap the others, or none if none exceeds a value. */
     Candidate bestBeside (const std::vector<Eigen::Index>& others, double toExceed, bool mayOverlap = false) const
     {
         const auto threads = std::max (1U, std::thread::hardware_concurrency());
@@ -166,7 +166,7 @@ private:
         return best.index < 0 ? Candidate {} : best;
     }
 
-    /** A Cholesky factorisation tells whether a candidate is better; only then its value is computed. */
+    /** A Cholesky factorisation shows whether a candidate is better; only then its value is computed. */
     void consider (Candidate& best, Eigen::Index candidate) const
     {
         auto gramian = gramianWith (candidate);

@@ -12,7 +12,7 @@ struct PlacementProblem
 {
     Eigen::MatrixXd kernel;        ///< N_m x N_m, scaled: controllabilities are relative to 1.
     Eigen::MatrixXd participation; ///< N_m x candidates, scaled likewise.
-    Eigen::Index count = 0;        ///< How many are to be chosen, at least 1.
+    Eigen::Index count = 0;        ///< The number of candidates to choose, at least 1.
     std::function<bool (Eigen::Index, Eigen::Index)> exclude; ///< Whether two candidates cannot both be chosen. [any]
 };
 
@@ -20,7 +20,7 @@ struct Placement
 {
     std::vector<Eigen::Index> chosen; ///< Ascending.
     double controllability = 0;       ///< The least eigenvalue of the Gramian.
-    int exchanges = 0;                ///< How often a better candidate took another's place.
+    int exchanges = 0;                ///< The number of exchanges for better candidates.
 };
 
 /** Greedy choice, one candidate after the other, then exchanges: every chosen one in turn gives way to the best in its place, until a

@@ -26,9 +26,10 @@ Scaling scalingOf (const PlacementCandidates& candidates, const Eigen::MatrixXd&
 
     for (Eigen::Index k = 0; k < scaling.participation.size(); ++k)
         if (! (scaling.participation[k] > 1e-9 * largest))
-            throw InputError ("--modes", "reach mode " + std::to_string (k + 1)
-                                             + ", which ceramics of this size move from none of the places: allowed "
-                                               "are fewer modes, smaller ceramics or finer steps");
+            throw InputError ("placement: number of modes",
+                              "includes mode " + std::to_string (k + 1)
+                                  + ", which ceramics of this size cannot excite at any position; choose fewer "
+                                    "modes, smaller ceramics or a smaller step");
 
     return scaling;
 }

@@ -5,11 +5,11 @@
 
 namespace antinode
 {
-/** Where ceramics of a kind best go on a device. */
+/** The best positions of ceramics of one kind on a device. */
 struct PlacedCeramics
 {
     std::vector<CeramicDescription> ceramics; ///< Named C1, C2 and so on.
-    double controllability = 0;     ///< Worst, relative to ceramics in average places that do not couple modes.
+    double controllability = 0;     ///< Of the worst mode, relative to average positions that do not couple modes.
     std::optional<double> resolved; ///< The same with the ceramics' mass and stiffness.
     Eigen::VectorXd perMode;        ///< N_m: the Gramian's diagonal, likewise relative.
     Eigen::Index candidates = 0;
@@ -20,7 +20,7 @@ struct PlacingOptions
 {
     CandidateGrid grid;
     Eigen::Index count = 0;  ///< How many ceramics.
-    double duration = 0.025; ///< s within which the modes are to be moved.
+    double duration = 0.025; ///< Time available to excite the modes, s.
     bool isResolved = true;  ///< Whether the device is solved again with its ceramics.
 };
 

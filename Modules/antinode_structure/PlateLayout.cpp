@@ -91,8 +91,8 @@ PlateLayout layoutOf (const PlateDescription& plate)
                                  nearest (y, ceramic.y + ceramic.sizeY) };
 
         if (patch.left == patch.right || patch.bottom == patch.top)
-            throw InputError (ceramicPlace (i, ceramic), "is narrower than a 5000th of the plate's shorter side, "
-                                                         "allowed are wider ones");
+            throw InputError (ceramicPlace (i, ceramic), "is too narrow; allowed: at least 1/5000 of the plate's "
+                                                         "shorter side");
 
         layout.patches.push_back (patch);
     }

@@ -13,7 +13,7 @@ struct PlatePatch
     Eigen::Index left = 0, right = 0, bottom = 0, top = 0; ///< Indices of lines.
 };
 
-/** Where a plate's section changes, with lengths in units of its longer side. */
+/** The lines at which a plate's section changes, with lengths in units of its longer side. */
 struct PlateLayout
 {
     double unit = 0;                 ///< The longer side, m.
@@ -27,7 +27,7 @@ struct PlateLayout
     [worker] */
 PlateLayout layoutOf (const PlateDescription&);
 
-/** How finely an axis is divided. Docs/Theory.md, section 1.6. */
+/** The resolution of an axis. Docs/Theory.md, section 1.6. */
 struct PlateResolution
 {
     int degree = 5;           ///< Of the splines.

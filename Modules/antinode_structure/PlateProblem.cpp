@@ -189,7 +189,8 @@ Eigenpairs solve (const PlateProblem& problem, Eigen::Index count)
     constexpr double shift = -1; // About the size of the lowest eigenvalue of a plate with free edges.
 
     if (problem.unknowns() <= count)
-        throw InputError ("device", "has " + std::to_string (problem.unknowns()) + " unknowns, allowed are up to "
+        throw InputError ("device", "has " + std::to_string (problem.unknowns())
+                                        + " unknowns and cannot have so many modes; allowed: up to "
                                         + std::to_string (problem.unknowns() - 1) + " modes");
 
     const BlockBandedFactor factor (problem.stiffness, problem.mass, shift, problem.outer);

@@ -43,7 +43,7 @@ PlateProblem plateProblem (const PlateDescription&, const PlateLayout&, const Pl
 /** The same on given axes, in units of the longer side. [worker] */
 PlateProblem plateProblem (const PlateDescription&, const PlateLayout&, const SplineAxis& x, const SplineAxis& y);
 
-/** How many unknowns it would have, the largest number where they cannot be counted. [worker] */
+/** The number of unknowns it would have; the largest number if they cannot be counted. [worker] */
 Eigen::Index expectedUnknowns (const PlateDescription&, const PlateLayout&, const PlateResolution&);
 
 /** The mass operator between the splines of two problems of one plate with the same breaks: integral m u v, u of `rows` and v of
@@ -56,6 +56,6 @@ TensorOperator massBetween (const PlateDescription&, const PlateLayout&, const P
     [worker] Docs/Theory.md, section 1.6. */
 Eigenpairs solve (const PlateProblem&, Eigen::Index count);
 
-/** How many eigenvalues lie below a value; nothing where the value is too close to one. [worker] */
+/** The number of eigenvalues below a value; nothing if the value is too close to one. [worker] */
 std::optional<Eigen::Index> eigenvaluesBelow (const PlateProblem&, double value);
 } // namespace antinode

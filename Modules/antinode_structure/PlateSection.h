@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** What a plate's section brings to its bending, and what a ceramic does to it per volt. Docs/Theory.md, section 1.1. */
+/** The bending properties of a plate's section, and the moment of a ceramic per volt. Docs/Theory.md, section 1.1. */
 struct PlateSection
 {
     double massPerArea = 0;          ///< kg/m^2

@@ -32,7 +32,7 @@ double eigenvalueUnit (const PlateDescription& plate, const PlateLayout& layout)
 void requireCount (int count)
 {
     if (count < 1 || count > maximumPlateModes)
-        throw InputError ("device", "number of modes is " + std::to_string (count) + ", allowed is 1 to "
+        throw InputError ("device", "number of modes is " + std::to_string (count) + "; allowed: 1 to "
                                         + std::to_string (maximumPlateModes));
 }
 
@@ -64,7 +64,7 @@ PlateProblem affordableProblem (const PlateDescription& plate, const PlateLayout
     }
 
     throw InputError ("device", "needs more than " + std::to_string (most)
-                                    + " unknowns: ask for fewer modes, line the ceramics up, or take fewer of them");
+                                    + " unknowns; choose fewer modes, align the ceramics, or use fewer of them");
 }
 
 /** How many flexible modes lie below a frequency, by inertia. */
@@ -73,9 +73,8 @@ int modesBelow (const PlateDescription& plate, const PlateLayout& layout, double
     const auto angularFrequency = 2 * std::numbers::pi * frequency;
     const auto lowest = angularFrequencyAt (plate, expectedWaveNumber (plate, 2));
     const auto waveNumber = largestWaveNumberAt (plate, std::max (angularFrequency, lowest));
-    const auto tooMany = "maximum frequency is " + std::to_string (frequency)
-                         + " Hz, allowed are positive ones with up to " + std::to_string (maximumPlateModes)
-                         + " modes below";
+    const auto tooMany = "maximum frequency is " + std::to_string (frequency) + " Hz; allowed: above 0 Hz, with up to "
+                         + std::to_string (maximumPlateModes) + " modes below it";
 
     if (! (waveNumberAt (plate, angularFrequency) <= 2 * expectedWaveNumber (plate, maximumPlateModes)))
         throw InputError ("device", tooMany);
@@ -85,7 +84,7 @@ int modesBelow (const PlateDescription& plate, const PlateLayout& layout, double
     const auto count = static_cast<int> (below.value_or (0)) - rigidBodyModes (plate);
 
     if (count < 1)
-        throw InputError ("device", "has no mode up to its maximum frequency, allowed are higher ones");
+        throw InputError ("device", "has no mode up to its maximum frequency; choose a higher frequency");
 
     if (count > maximumPlateModes)
         throw InputError ("device", tooMany);
@@ -165,7 +164,7 @@ Eigenpairs flexiblePairs (const PlateDescription& plate, const PlateLayout& layo
     const auto all = solve (problem, rigid + count);
     Eigenpairs pairs { all.values.tail (count), all.vectors.rightCols (count) };
 
-    // A rigid motion of a frequency that is seen beside that of the first flexible mode is rounding that spoils this one, too.
+    // A rigid motion whose frequency is not negligible relative to the first flexible mode is rounding that spoils this one, too.
     constexpr double negligible = 0.03;
 
     if (! all.values.allFinite() || ! (pairs.values[0] > 0)

@@ -18,14 +18,14 @@ struct PlateSolution
     double waveNumber = 0;              ///< Of the shortest waves anywhere at the highest mode, rad/m.
 };
 
-/** Solves for so many flexible modes, for those that the description asks for, or for 100.
-    Modes of equal frequency are told apart by where they move most along x, and every mode is positive where it first exceeds a
+/** Solves for the given number of flexible modes, for those that the description asks for, or for 100.
+    Modes of equal frequency are distinguished by where they move most along x, and every mode is positive where it first exceeds a
     tenth of its largest amplitude (that is done when it is put on a grid).
     @throws InputError  when the plate cannot be solved, saying why
     [worker] Docs/Theory.md, section 1.6. */
 PlateSolution solvePlateModes (const PlateDescription&, std::optional<int> modeCount);
 
-/** What one volt on a ceramic over a rectangle does to each spline: kappa_x integral B,xx + kappa_y integral B,yy, exact.
+/** The load of one volt on a ceramic over a rectangle on each spline: kappa_x integral B,xx + kappa_y integral B,yy, exact.
     Times the coefficients of a shape it is this shape's participation.
     @param section  whose moments per volt are meant
     @param xFrom, xTo, yFrom, yTo  the rectangle, in units of the longer side, anywhere on the plate

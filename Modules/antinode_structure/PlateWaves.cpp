@@ -125,14 +125,14 @@ std::vector<std::string> thicknessWarnings (const PlateDescription& plate, const
 
     const auto highest = angularFrequencies[angularFrequencies.size() - 1];
     std::array<char, 400> text {};
-    std::snprintf (text.data(), text.size(),
-                   "From mode %d (%.0f Hz) on, waves are so short beside the thickness that thin-plate theory gives "
-                   "frequencies more than 2 %% too high; at mode %d (%.0f Hz), where a wave is %.1f thicknesses of the "
-                   "bare plate long, about %.0f %%.",
-                   static_cast<int> (first - angularFrequencies.begin()) + 1, *first / (2 * pi),
-                   static_cast<int> (angularFrequencies.size()), highest / (2 * pi),
-                   2 * pi / (waveNumberAt (plate, highest) * plate.common.thickness),
-                   100 * largestExcess (plate, highest));
+    std::snprintf (
+        text.data(), text.size(),
+        "From mode %d (%.0f Hz) on, waves are so short compared with the thickness that thin-plate theory "
+        "overestimates frequencies by more than 2 %%; at mode %d (%.0f Hz), where a wave is %.1f thicknesses of "
+        "the bare plate long, by about %.0f %%.",
+        static_cast<int> (first - angularFrequencies.begin()) + 1, *first / (2 * pi),
+        static_cast<int> (angularFrequencies.size()), highest / (2 * pi),
+        2 * pi / (waveNumberAt (plate, highest) * plate.common.thickness), 100 * largestExcess (plate, highest));
     return { text.data() };
 }
 } // namespace antinode

@@ -16,12 +16,12 @@ double largestWaveNumberAt (const PlateDescription&, double angularFrequency);
 /** The reverse of waveNumberAt, rad/s. [any] */
 double angularFrequencyAt (const PlateDescription&, double waveNumber);
 
-/** A wave number, rad/m, that so many modes hardly exceed: Weyl's law with its term for the edges, and for narrow plates the
+/** A wave number, rad/m, that the given number of modes hardly exceeds: Weyl's law with its term for the edges, and for narrow plates the
     modes of a strip. [any] Docs/Theory.md, section 1.6. */
 double expectedWaveNumber (const PlateDescription&, int modeCount);
 
-/** What is to be said where waves come so near to the thickness that thin-plate theory overestimates frequencies, in plain words;
-    empty where it is right to 2 %.
+/** A warning where waves are so short compared with the thickness that thin-plate theory overestimates frequencies;
+    empty if it is right to 2 %.
     @param angularFrequencies  of the modes, ascending
     [any] Docs/Theory.md, section 1.7; Mindlin, J. Appl. Mech. 18 (1951) 31-38. */
 std::vector<std::string> thicknessWarnings (const PlateDescription&, const Eigen::VectorXd& angularFrequencies);

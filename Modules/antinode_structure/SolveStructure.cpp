@@ -20,12 +20,12 @@ constexpr int elementDegree = 8;      ///< What subdivided() divides for.
 constexpr int maximumBeamModes = 200; ///< A beam of more has waves far shorter than thin-beam theory allows.
 constexpr int defaultBeamModes = 40;
 
-/** Which modes of a description are wanted: so many, or all up to a frequency. */
+/** The wanted modes of a description: a number, or all up to a frequency. */
 struct WantedModes
 {
     std::optional<int> count;
     double limit = std::numeric_limits<double>::infinity(); ///< rad/s
-    double expected = 0;                                    ///< rad/s: about as high as modes have to be right.
+    double expected = 0; ///< rad/s: about the frequency up to which modes must be accurate.
 };
 
 WantedModes modesUpTo (const ElementChain& chain, double frequency)
@@ -34,8 +34,8 @@ WantedModes modesUpTo (const ElementChain& chain, double frequency)
 
     if (! (limit > 0 && halfWavesAt (chain, limit) <= maximumBeamModes))
         throw InputError ("device", "maximum frequency is " + std::to_string (frequency)
-                                        + " Hz, allowed are positive ones with up to "
-                                        + std::to_string (maximumBeamModes) + " modes below");
+                                        + " Hz; allowed: above 0 Hz, with up to " + std::to_string (maximumBeamModes)
+                                        + " modes below it");
 
     return { {}, limit, std::max (limit, angularFrequencyOfHalfWaves (chain, 2)) };
 }
@@ -51,7 +51,7 @@ WantedModes wantedModes (const ElementChain& chain, const StructureCommon& commo
     wanted.count = given.value_or (defaultBeamModes);
 
     if (*wanted.count < 1 || *wanted.count > maximumBeamModes)
-        throw InputError ("device", "number of modes is " + std::to_string (*wanted.count) + ", allowed is 1 to "
+        throw InputError ("device", "number of modes is " + std::to_string (*wanted.count) + "; allowed: 1 to "
                                         + std::to_string (maximumBeamModes));
 
     wanted.expected = angularFrequencyOfHalfWaves (chain, *wanted.count + 2);
@@ -74,7 +74,7 @@ void keepFirst (ChainModes& modes, Eigen::Index count)
 
 Solution solveWanted (const ElementChain& whole, const WantedModes& wanted)
 {
-    // How high so many modes reach is known but roughly where sections change often: look higher until they are there.
+    // The frequency of the last mode is known only roughly if sections change often: search higher until there are enough.
     for (auto angularFrequency = wanted.expected;; angularFrequency *= 1.25)
     {
         Solution solution { subdivided (whole, angularFrequency), {}, angularFrequency };
@@ -83,7 +83,7 @@ Solution solveWanted (const ElementChain& whole, const WantedModes& wanted)
         const auto found = (solution.modes.angularFrequencies.array() <= highest).count();
 
         if (! wanted.count && found == 0)
-            throw InputError ("device", "has no mode up to its maximum frequency, allowed are higher ones");
+            throw InputError ("device", "has no mode up to its maximum frequency; choose a higher frequency");
 
         if (! wanted.count || found >= *wanted.count)
         {

@@ -16,7 +16,7 @@ namespace antinode
 {
 namespace
 {
-/** How many places of Gauss and Legendre carry a wave of this phase over their segment. */
+/** The number of Gauss-Legendre nodes that represent a wave of this phase over their segment. */
 int placesFor (double phase)
 {
     constexpr double tolerance = 3e-5; // of the amplitude
@@ -82,7 +82,7 @@ Eigen::Index endOfCluster (const Eigen::VectorXd& frequencies, Eigen::Index firs
     return end;
 }
 
-/** Turns modes of one frequency into those that a second moment of mass along x tells apart: any others would be as good, but these
+/** Combines modes of one frequency into those that a second moment of mass along x distinguishes: any others would be as good, but these
     do not depend on rounding. */
 void settleEqualFrequencies (ModalModel& model)
 {
@@ -136,8 +136,8 @@ void warnOfErrors (ModalModel& model)
     std::array<char, 200> text {};
     std::snprintf (
         text.data(), text.size(),
-        "Frequencies are estimated to be up to %.1f %% too high: fewer modes, or ceramics whose edges lie in "
-        "line, can be solved more finely.",
+        "Frequencies are estimated to be up to %.1f %% too high. Fewer modes, or ceramics with aligned edges, "
+        "allow a finer solution.",
         100 * largest);
     model.warnings.emplace_back (text.data());
 }

@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** Where splines may bend more sharply than elsewhere, and what they may do at their ends. */
+/** The breaks of splines with their continuity, and the conditions at their ends. */
 struct SplineBreaks
 {
     Eigen::VectorXd places;       ///< Ascending; cells lie between them.

@@ -103,7 +103,7 @@ Cells cellsOf (std::string_view line, char separator)
     return cells;
 }
 
-/** The number of a cell; NaN where it is empty or says so; nothing where it is something else. */
+/** The number of a cell; NaN where it is empty or says so; nothing if it is something else. */
 std::optional<double> numberOf (std::string_view cell, char separator)
 {
     constexpr std::size_t longest = 60;
@@ -158,7 +158,7 @@ Eigen::MatrixXd numbersOf (const std::vector<Line>& lines, std::size_t first, ch
         const auto cells = cellsOf (lines[i].text, separator);
 
         if (cells.size() != columns)
-            throw InputError (where, "has " + std::to_string (cells.size()) + " cells, allowed are "
+            throw InputError (where, "has " + std::to_string (cells.size()) + " cells; allowed: "
                                          + std::to_string (columns) + " as in the first line of numbers");
 
         for (const auto cell : cells)
@@ -166,7 +166,7 @@ Eigen::MatrixXd numbersOf (const std::vector<Line>& lines, std::size_t first, ch
             const auto number = numberOf (cell, separator);
 
             if (! number)
-                throw InputError (where, "has " + inQuotes (cell) + ", allowed are numbers");
+                throw InputError (where, "has " + inQuotes (cell) + "; allowed: numbers");
 
             numbers.push_back (*number);
         }
@@ -183,7 +183,7 @@ CsvTable readCsvTable (std::string_view text, const std::string& source)
     text.remove_prefix (text.starts_with (byteOrderMark) ? byteOrderMark.size() : 0);
 
     if (text.find ('\0') != std::string_view::npos)
-        throw InputError (source, "is not text in columns");
+        throw InputError (source, "is not a text table");
 
     const auto lines = linesOf (text);
     const auto separator = lines.empty() ? ',' : separatorOf (lines.back().text);

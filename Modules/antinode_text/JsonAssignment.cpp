@@ -35,13 +35,13 @@ bool isIndex (std::string_view part)
 Json& elementOf (Json& list, std::string_view part, const std::string& where)
 {
     if (! isIndex (part))
-        throw InputError (where, inQuotes (part) + " does not fit a list, allowed is an index from 0");
+        throw InputError (where, inQuotes (part) + " does not fit a list; allowed: an index from 0");
 
     std::size_t index = 0;
     std::from_chars (part.data(), part.data() + part.size(), index);
 
     if (index > list.size())
-        throw InputError (where, "index " + std::string (part) + " is beyond the list, allowed is 0 to "
+        throw InputError (where, "index " + std::string (part) + " is beyond the list; allowed: 0 to "
                                      + std::to_string (list.size()));
 
     if (index == list.size())
@@ -59,10 +59,10 @@ Json& memberOf (Json& node, std::string_view part, const std::string& where)
         return elementOf (node, part, where);
 
     if (! node.is_object())
-        throw InputError (where, inQuotes (part) + " does not fit, what is before it is neither an object nor a list");
+        throw InputError (where, inQuotes (part) + " does not fit: its parent is neither an object nor a list");
 
     if (isIndex (part))
-        throw InputError (where, inQuotes (part) + " does not fit an object, allowed is the name of a key");
+        throw InputError (where, inQuotes (part) + " does not fit an object; allowed: the name of a key");
 
     return node[std::string (part)];
 }
@@ -87,7 +87,7 @@ void applyAssignment (nlohmann::json& root, std::string_view assignment)
     const auto equals = assignment.find ('=');
 
     if (equals == std::string_view::npos)
-        throw InputError (where, "has no '=', allowed is key=value, for example targets.0.x_mm=24");
+        throw InputError (where, "has no '='; allowed: key=value, for example targets.0.x_mm=24");
 
     if (! isUtf8 (assignment))
         throw InputError (where, "is not UTF-8 text");
@@ -95,10 +95,10 @@ void applyAssignment (nlohmann::json& root, std::string_view assignment)
     const auto parts = partsOf (assignment.substr (0, equals));
 
     if (std::any_of (parts.begin(), parts.end(), [] (auto part) { return part.empty(); }))
-        throw InputError (where, "has an empty key, allowed is for example targets.0.x_mm=24");
+        throw InputError (where, "has an empty key; allowed: for example targets.0.x_mm=24");
 
     if (parts.size() > maximumParts)
-        throw InputError (where, "has too many keys, allowed are " + std::to_string (maximumParts));
+        throw InputError (where, "has too many keys; allowed: up to " + std::to_string (maximumParts));
 
     // A copy is changed, so that an assignment that does not fit leaves the document as it was.
     auto changed = root;

@@ -40,7 +40,7 @@ bool NumberRange::contains (double value) const
 
 std::string NumberRange::text() const
 {
-    return (aboveMinimum ? "more than " : "") + numberText (minimum) + (belowMaximum ? " to less than " : " to ")
+    return (aboveMinimum ? "above " : "") + numberText (minimum) + (belowMaximum ? " to below " : " to ")
            + numberText (maximum);
 }
 
@@ -64,7 +64,7 @@ double JsonValue::number (const NumberRange& range) const
     const auto value = json->is_number() ? json->get<double>() : std::nan ("");
 
     if (! range.contains (value))
-        fail (description() + ", allowed is " + (json->is_number() ? "" : "a number, ") + range.text());
+        fail (description() + "; allowed: " + (json->is_number() ? "" : "a number, ") + range.text());
 
     return value;
 }
@@ -74,7 +74,7 @@ int JsonValue::integer (int minimum, int maximum) const
     const auto value = json->is_number() ? json->get<double>() : std::nan ("");
 
     if (! (value >= minimum && value <= maximum && value == std::floor (value)))
-        fail (description() + ", allowed is a whole number from " + std::to_string (minimum) + " to "
+        fail (description() + "; allowed: a whole number from " + std::to_string (minimum) + " to "
               + std::to_string (maximum));
 
     return static_cast<int> (value);
@@ -83,7 +83,7 @@ int JsonValue::integer (int minimum, int maximum) const
 bool JsonValue::boolean() const
 {
     if (! json->is_boolean())
-        fail (description() + ", allowed is true or false");
+        fail (description() + "; allowed: true or false");
 
     return json->get<bool>();
 }
@@ -91,7 +91,7 @@ bool JsonValue::boolean() const
 int JsonValue::sign() const
 {
     if (*json != 1 && *json != -1)
-        fail (description() + ", allowed is 1 or -1");
+        fail (description() + "; allowed: 1 or -1");
 
     return *json == 1 ? 1 : -1;
 }
@@ -99,12 +99,12 @@ int JsonValue::sign() const
 std::string JsonValue::text (std::size_t maximumBytes, bool lineBreaksAllowed) const
 {
     if (! json->is_string())
-        fail (description() + ", allowed is text");
+        fail (description() + "; allowed: text");
 
     const auto& text = json->get_ref<const std::string&>();
 
     if (text.size() > maximumBytes)
-        fail ("is too long, allowed are " + std::to_string (maximumBytes) + " bytes");
+        fail ("is too long; allowed: up to " + std::to_string (maximumBytes) + " bytes");
 
     auto line = text;
 
@@ -112,14 +112,14 @@ std::string JsonValue::text (std::size_t maximumBytes, bool lineBreaksAllowed) c
         std::erase (line, '\n');
 
     if (printable (line, line.size()) != line)
-        fail ("has control characters, allowed is plain text in UTF-8");
+        fail ("has control characters; allowed: plain text in UTF-8");
 
     return text;
 }
 
 void JsonValue::requireCount (std::size_t minimum, std::size_t maximum) const
 {
-    const auto allowed = ", allowed is a list of " + countText (minimum, maximum);
+    const auto allowed = "; allowed: a list of " + countText (minimum, maximum);
 
     if (! json->is_array())
         fail (description() + allowed);
@@ -147,7 +147,7 @@ std::vector<double> JsonValue::numbers (std::size_t minimumCount, std::size_t ma
     std::vector<double> result;
     result.reserve (json->size());
 
-    // Shapes are long lists: an entry's place is put into words only where the entry is not allowed.
+    // Shapes are long lists: the pointer of an entry is composed only for an error.
     for (const auto& entry : *json)
     {
         const auto allowed = entry.is_number() && range.contains (entry.get<double>());
@@ -163,7 +163,7 @@ std::vector<double> JsonValue::numberOrNumbers (std::size_t maximumCount, const 
         return numbers (1, maximumCount, range);
 
     if (! json->is_number())
-        fail (description() + ", allowed is a number, " + range.text() + ", or a list of them");
+        fail (description() + "; allowed: a number, " + range.text() + ", or a list of them");
 
     return { number (range) };
 }
@@ -176,7 +176,7 @@ JsonObject JsonValue::object (std::vector<std::string_view> allowedKeys) const
 std::optional<JsonValue> JsonValue::find (std::string_view key) const
 {
     if (! json->is_object())
-        fail (description() + ", allowed is an object");
+        fail (description() + "; allowed: an object");
 
     const auto found = json->find (key);
 
@@ -191,13 +191,13 @@ JsonValue JsonValue::required (std::string_view key) const
     if (auto found = find (key))
         return *found;
 
-    child (key, {}).fail ("is missing, it must be given");
+    child (key, {}).fail ("is missing");
 }
 
 void JsonValue::requireSchema (std::string_view schema) const
 {
     if (const auto given = required ("schema"); ! given.isWord (schema))
-        given.fail (given.description() + ", allowed is " + inQuotes (schema));
+        given.fail (given.description() + "; allowed: " + inQuotes (schema));
 }
 
 void JsonValue::fail (const std::string& wrong) const
@@ -208,7 +208,7 @@ void JsonValue::fail (const std::string& wrong) const
 void JsonValue::failChoice (const std::vector<std::string_view>& allowed) const
 {
     const auto hint = json->is_string() ? didYouMean (json->get_ref<const std::string&>(), allowed) : std::string {};
-    fail (description() + hint + ", allowed is " + (allowed.size() > 1 ? "one of " : "") + listed (allowed));
+    fail (description() + hint + "; allowed: " + (allowed.size() > 1 ? "one of " : "") + listed (allowed));
 }
 
 std::string JsonValue::description() const
@@ -229,19 +229,19 @@ JsonObject::JsonObject (JsonValue valueToRead, std::vector<std::string_view> all
     : value (std::move (valueToRead))
 {
     if (! value.isObject())
-        value.fail (value.description() + ", allowed is an object with the keys " + listed (allowedKeys));
+        value.fail (value.description() + "; allowed: an object with the keys " + listed (allowedKeys));
 
     for (const auto& [key, entry] : value.json->items())
         if (std::find (allowedKeys.begin(), allowedKeys.end(), key) == allowedKeys.end())
             value.child (key, entry)
-                .fail ("is not a key here" + didYouMean (key, allowedKeys) + ", allowed are " + listed (allowedKeys));
+                .fail ("is an unknown key" + didYouMean (key, allowedKeys) + "; allowed: " + listed (allowedKeys));
 }
 
 std::pair<std::string_view, JsonValue> JsonObject::oneOf (std::string_view first, std::string_view second) const
 {
     if (has (first) == has (second))
         value.fail ((has (first) ? "has both " : "has neither ") + inQuotes (first) + (has (first) ? " and " : " nor ")
-                    + inQuotes (second) + ", allowed is exactly one of them");
+                    + inQuotes (second) + "; allowed: exactly one of the two");
 
     const auto given = has (first) ? first : second;
     return { given, required (given) };

@@ -12,7 +12,7 @@
 
 namespace antinode
 {
-/** Which numbers are allowed, in the unit that the key names. */
+/** The allowed numbers, in the unit that the key names. */
 struct NumberRange
 {
     double minimum = 0, maximum = 0;
@@ -21,7 +21,7 @@ struct NumberRange
 
     bool contains (double value) const;
 
-    /** "0 to 200", or "more than 0.5 to 1000". [any] */
+    /** "0 to 200", or "above 0.5 to 1000". [any] */
     std::string text() const;
 };
 
@@ -87,7 +87,7 @@ public:
     /** Throws InputError with this value's place. */
     [[noreturn]] void fail (const std::string& wrong) const;
 
-    /** What the value is, for a message: "is -7", "is a list". */
+    /** The value for a message: "is -7", "is a list". */
     std::string description() const;
 
 private:

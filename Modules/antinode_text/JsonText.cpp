@@ -28,7 +28,7 @@ std::string lineAndColumn (std::string_view text, std::size_t position)
     return "line " + std::to_string (line) + ", column " + std::to_string (column);
 }
 
-/** What the parser complains of, without its own name and place of the error and without the raw text that it read. */
+/** The parser's message without its own name and position and without the raw text. */
 std::string reasonOf (const nlohmann::detail::exception& error)
 {
     constexpr int numberOverflow = 406;
@@ -36,7 +36,7 @@ std::string reasonOf (const nlohmann::detail::exception& error)
 
     if (error.id == numberOverflow)
         return "has a number that is too large: " + printable (reason.substr (reason.find ('\'')))
-               + ", allowed is up to 1.7e308";
+               + "; allowed: up to 1.7e308";
 
     if (const auto place = reason.find ("column "); place != std::string::npos)
         reason.erase (0, reason.find (": ", place) + 2);
@@ -76,7 +76,7 @@ public:
         keys.back() = name;
 
         if (containers.back()->contains (name))
-            throw InputError (source + ": " + printable (pointer(), longestName), "is given twice, allowed is once");
+            throw InputError (source + ": " + printable (pointer(), longestName), "is given twice; allowed: once");
 
         return true;
     }
@@ -108,7 +108,8 @@ private:
     bool open (Json&& container)
     {
         if (containers.size() == maximumDepth)
-            throw InputError (source, "is nested too deeply, allowed are " + std::to_string (maximumDepth) + " levels");
+            throw InputError (source,
+                              "is nested too deeply; allowed: up to " + std::to_string (maximumDepth) + " levels");
 
         Json* place = nullptr;
         containers.push_back (add (std::move (container), place));
@@ -163,7 +164,7 @@ std::string readBytes (const std::filesystem::path& path, const std::string& sou
         throw InputError (source, std::string ("cannot be read: ") + std::strerror (errno));
 
     if (bytes.size() > maximumBytes)
-        throw InputError (source, "is too large, allowed are " + std::to_string (maximumBytes >> 20) + " MiB");
+        throw InputError (source, "is too large; allowed: up to " + std::to_string (maximumBytes >> 20) + " MiB");
 
     return bytes;
 }
@@ -174,11 +175,11 @@ nlohmann::json parseJson (std::string_view text, const std::string& source)
     const auto name = printable (source, longestName);
 
     if (text.find_first_not_of (" \t\r\n") == std::string_view::npos)
-        throw InputError (name, "is empty, allowed is a JSON document");
+        throw InputError (name, "is empty; allowed: a JSON document");
 
     // The parser takes a NUL byte for the end of the text and would not look at what follows.
     if (const auto nul = text.find ('\0'); nul != std::string_view::npos)
-        throw InputError (name + ": " + lineAndColumn (text, nul + 1), "has a NUL byte, allowed is UTF-8 text");
+        throw InputError (name + ": " + lineAndColumn (text, nul + 1), "has a NUL byte; allowed: UTF-8 text");
 
     StrictBuilder builder (text, name);
     nlohmann::json::sax_parse (text, &builder);
@@ -195,7 +196,7 @@ nlohmann::json readJsonFile (const std::filesystem::path& path)
         throw InputError (name, "does not exist");
 
     if (std::filesystem::is_directory (status))
-        throw InputError (name, "is a directory, allowed is a JSON file");
+        throw InputError (name, "is a directory; allowed: a JSON file");
 
     return parseJson (readBytes (path, name), name);
 }

@@ -66,7 +66,7 @@ fs::path makeTemporaryFolder (const fs::path& target)
     std::error_code error;
 
     if (! fs::create_directory (path, error))
-        fail (target, "cannot be written: " + (error ? error.message() : "a temporary folder is in the way"));
+        fail (target, "cannot be written: " + (error ? error.message() : "a temporary folder of the same name exists"));
 
     return path;
 }
@@ -78,15 +78,15 @@ OutputFolder::OutputFolder (const std::filesystem::path& targetFolder)
     target = fs::absolute (targetFolder, error);
 
     if (targetFolder.empty() || error)
-        fail (targetFolder, "is no name for a folder");
+        fail (targetFolder, "is not a folder name");
 
     if (fs::exists (target, error) && ! fs::is_directory (target, error))
-        fail (targetFolder, "is a file, allowed is a folder");
+        fail (targetFolder, "is a file; allowed: a folder");
 
     madeTarget = fs::create_directories (target, error);
 
     if (! fs::is_directory (target))
-        fail (targetFolder, "cannot be made: " + error.message());
+        fail (targetFolder, "cannot be created: " + error.message());
 
     removeStaleFolders (target);
     temporary = makeTemporaryFolder (target);
@@ -105,7 +105,7 @@ std::filesystem::path OutputFolder::pathFor (const std::string& fileName)
 {
     if (fileName.empty() || fileName.front() == '.'
         || fileName.find_first_of (std::string_view ("/\0", 2)) != std::string::npos)
-        fail (target, inQuotes (fileName) + " is no plain name for a file");
+        fail (target, inQuotes (fileName) + " is not a plain file name");
 
     if (std::find (fileNames.begin(), fileNames.end(), fileName) == fileNames.end())
         fileNames.push_back (fileName);
@@ -137,7 +137,7 @@ void OutputFolder::commit()
             fail (target / name, "was not written");
 
         if (fs::is_directory (target / name, error))
-            fail (target / name, "is a folder, a file of this name is to be written");
+            fail (target / name, "is a folder; a file of this name cannot be written");
     }
 
     for (const auto& name : fileNames)
@@ -154,12 +154,12 @@ void writeWholeFile (const std::filesystem::path& path, std::string_view content
     const auto exists = fs::exists (path, error);
 
     if (! path.has_filename())
-        fail (path, "is no name for a file");
+        fail (path, "is not a file name");
 
     // A rename would put a file in the place of /dev/null.
     if (exists && ! fs::is_regular_file (path, error))
-        fail (path, fs::is_directory (path, error) ? "is a folder, allowed is a file"
-                                                   : "is a device or pipe, allowed is a plain file");
+        fail (path, fs::is_directory (path, error) ? "is a folder; allowed: a file"
+                                                   : "is a device or pipe; allowed: a plain file");
 
     const auto target = exists ? fs::canonical (path, error) : path;
     OutputFolder folder (target.has_parent_path() ? target.parent_path() : fs::path ("."));

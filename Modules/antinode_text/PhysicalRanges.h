@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** What files may say, wide enough for any device that can be built. In the unit that the keys name. */
+/** The allowed ranges in files, wide enough for any device that can be built. In the unit that the keys name. */
 namespace ranges
 {
 constexpr std::size_t maximumCeramics = 1024;

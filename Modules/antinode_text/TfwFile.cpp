@@ -36,14 +36,14 @@ std::string header (Eigen::Index samples)
 void validate (const Eigen::VectorXd& samples, double sampleRate)
 {
     if (samples.size() < fewestSamples || samples.size() > mostSamples)
-        throw InputError ("TFW", "has " + std::to_string (samples.size()) + " samples, allowed are "
+        throw InputError ("TFW", "has " + std::to_string (samples.size()) + " samples; allowed: "
                                      + std::to_string (fewestSamples) + " to " + std::to_string (mostSamples));
 
     if (! std::isfinite (samples.maxCoeff() - samples.minCoeff()) || ! samples.allFinite())
         throw InputError ("TFW", "has a value that is not finite");
 
     if (! (std::isfinite (sampleRate) && sampleRate > 0))
-        throw InputError ("TFW", "has a sample rate of " + numberText (sampleRate) + " Hz, allowed is more than 0");
+        throw InputError ("TFW", "has a sample rate of " + numberText (sampleRate) + " Hz; allowed: above 0 Hz");
 }
 } // namespace
 

@@ -6,11 +6,11 @@
 
 namespace antinode
 {
-/** One channel for a Tektronix AFG3000 generator (.tfw): the shape as 0..16382, and what must be set by hand beside it. */
+/** One channel for a Tektronix AFG3000 generator (.tfw): the shape as 0..16382, and the settings to make by hand. */
 struct TfwFile
 {
     std::string bytes;
-    double highVoltage = 0, lowVoltage = 0; ///< V that 16382 and 0 stand for.
+    double highVoltage = 0, lowVoltage = 0; ///< The voltages of 16382 and 0, V.
     double amplitudePeakToPeak = 0;         ///< V
     double offset = 0;                      ///< V
     double period = 0;                      ///< s

@@ -37,18 +37,19 @@ void validate (const WaveShape& shape, double sampleRate)
     constexpr std::uint64_t mostChannels = 16383;
 
     if (shape.channels < 1 || shape.channels > mostChannels)
-        throw InputError ("WAV", "has " + std::to_string (shape.channels) + " channels, allowed are 1 to "
+        throw InputError ("WAV", "has " + std::to_string (shape.channels) + " channels; allowed: 1 to "
                                      + std::to_string (mostChannels));
 
     if (! (sampleRate >= 1 && sampleRate <= static_cast<double> (largestNumber32)
            && sampleRate == std::floor (sampleRate)))
         throw InputError ("WAV", "has a sample rate of " + numberText (sampleRate)
-                                     + " Hz, allowed are whole numbers from 1 to " + std::to_string (largestNumber32));
+                                     + " Hz; allowed: whole numbers from 1 to " + std::to_string (largestNumber32)
+                                     + " Hz");
 
     if (shape.frames > largestNumber32 / (bytesPerSample * shape.channels)
         || shape.dataBytes() > largestNumber32 - (bytesBeforeData - 8))
-        throw InputError ("WAV",
-                          "has " + std::to_string (shape.frames) + " samples a channel, allowed are 4 GiB in all");
+        throw InputError ("WAV", "has " + std::to_string (shape.frames)
+                                     + " samples per channel; allowed: up to 4 GiB in total");
 }
 
 void appendHeader (std::string& bytes, const WaveShape& shape)

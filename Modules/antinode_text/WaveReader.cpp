@@ -46,7 +46,7 @@ WaveFormat formatOf (std::string_view chunk, const std::string& source)
     constexpr std::size_t least = 16, subFormat = 24;
 
     if (chunk.size() < least)
-        fail (source, "is no WAV file: its format is cut off");
+        fail (source, "is not a WAV file: its format chunk is truncated");
 
     WaveFormat format { littleEndian (chunk.substr (0, 2)), littleEndian (chunk.substr (2, 2)),
                         littleEndian (chunk.substr (4, 4)), littleEndian (chunk.substr (14, 2)) };
@@ -57,7 +57,7 @@ WaveFormat formatOf (std::string_view chunk, const std::string& source)
     if (! format.isKnown())
         fail (source, "has " + std::to_string (format.channels) + " channels of " + std::to_string (format.bits)
                           + " bits in format " + std::to_string (format.code)
-                          + ", allowed are integers of 16, 24 or 32 bits and floats of 32 or 64");
+                          + "; allowed: integers of 16, 24 or 32 bits, or floats of 32 or 64 bits");
 
     return format;
 }
@@ -111,7 +111,7 @@ WaveSamples decodeWave (std::string_view bytes, const std::string& source)
     constexpr std::size_t riffHeader = 12, chunkHeader = 8;
 
     if (bytes.size() < riffHeader || bytes.substr (0, 4) != "RIFF" || bytes.substr (8, 4) != "WAVE")
-        fail (source, "is no WAV file");
+        fail (source, "is not a WAV file");
 
     WaveFormat format;
 
@@ -124,7 +124,7 @@ WaveSamples decodeWave (std::string_view bytes, const std::string& source)
             format = formatOf (content, source);
 
         if (rest.substr (0, 4) == "data" && ! format.isKnown())
-            fail (source, "is no WAV file: its samples stand before their format");
+            fail (source, "is not a WAV file: its samples precede their format");
 
         if (rest.substr (0, 4) == "data")
             return samplesOf (format, content, source);
@@ -133,7 +133,7 @@ WaveSamples decodeWave (std::string_view bytes, const std::string& source)
         rest.remove_prefix (std::min<std::uint64_t> (rest.size(), chunkHeader + size + size % 2));
     }
 
-    fail (source, "is no WAV file: it has no samples");
+    fail (source, "is not a WAV file: it has no samples");
 }
 
 WaveSamples readWaveFile (const std::filesystem::path& path)
@@ -144,10 +144,10 @@ WaveSamples readWaveFile (const std::filesystem::path& path)
     const auto size = std::filesystem::file_size (path, error);
 
     if (error || ! std::filesystem::is_regular_file (path, error))
-        fail (source, "cannot be read: it is missing or no plain file");
+        fail (source, "cannot be read: it is missing or not a plain file");
 
     if (size > most)
-        fail (source, "is larger than 4 GiB");
+        fail (source, "is too large; allowed: up to 4 GiB");
 
     std::string bytes (size, '\0');
     std::ifstream file (path, std::ios::binary);

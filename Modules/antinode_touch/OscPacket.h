@@ -9,7 +9,7 @@
 
 namespace antinode
 {
-/** What a datagram says, by OSC 1.0. */
+/** The content of an OSC 1.0 datagram. */
 struct OscPacket
 {
     std::vector<OscMessage> messages; ///< In their order; bundles are laid open, their time tags left out.

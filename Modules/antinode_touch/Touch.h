@@ -12,7 +12,7 @@ enum class TouchKind
     stopAll  ///< Fades every voice out; place and amplitude mean nothing.
 };
 
-/** What a finger, or a program in its place, asks for. Units are those of the sender: this is the rim. */
+/** What a finger, or a program in its place, requests. Units are those of the sender. */
 struct Touch
 {
     TouchKind kind = TouchKind::focusAt;
@@ -23,6 +23,6 @@ struct Touch
     bool operator== (const Touch&) const = default;
 };
 
-/** What is wrong with a touch: numbers that are not finite, fractions beyond the surface. [any] */
+/** The fault of a touch: numbers that are not finite, fractions outside the surface. [any] */
 std::optional<TouchFault> faultOf (const Touch&);
 } // namespace antinode

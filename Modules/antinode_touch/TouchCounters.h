@@ -7,7 +7,7 @@
 
 namespace antinode
 {
-/** What came in since the start. */
+/** Counters since the start. */
 struct TouchCounters
 {
     std::int64_t packets = 0;  ///< Datagrams, good or bad.

@@ -9,11 +9,11 @@ enum class TouchFault
 {
     truncated,      ///< A field or an element reaches beyond the packet. The packet is dropped, as for the next three.
     unaligned,      ///< The size of a packet or an element is no multiple of 4.
-    malformed,      ///< No address or types where they must stand, padding that is not zero, bytes left over.
+    malformed,      ///< Missing address or types, padding that is not zero, bytes left over.
     tooDeep,        ///< More bundles in each other than are read.
     unknownType,    ///< A message with a type that is not read. Only the message is dropped, as for those that follow.
-    unknownAddress, ///< A message for somebody else.
-    wrongArguments, ///< Too few, too many, or not of the kind that must stand there.
+    unknownAddress, ///< A message for another program.
+    wrongArguments, ///< Too few, too many, or of the wrong type.
     notFinite,      ///< A coordinate or an amplitude that is not finite.
     outside,        ///< A fraction of the surface below 0 or above 1.
     brokenFrame,    ///< A TUIO frame without alive or fseq, or a cursor set that is not alive.

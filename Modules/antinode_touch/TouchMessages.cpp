@@ -8,7 +8,7 @@ namespace antinode
 {
 namespace
 {
-/** The numbers of a message; none where an argument is no number. */
+/** The numbers of a message; none if an argument is no number. */
 std::vector<double> numbersOf (const OscMessage& message)
 {
     std::vector<double> numbers;

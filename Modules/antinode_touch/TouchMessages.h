@@ -16,7 +16,7 @@ namespace antinode
     - `/antinode/focus x_mm [y_mm [amplitude]]`: a focus at a place in mm; y = 0, amplitude = 1 where left out;
     - `/antinode/touch x y [amplitude]`: a focus at fractions of the surface;
     - `/antinode/stop`, whatever stands behind it: fades everything out;
-    - `/tuio/2Dcur` of TUIO 1.1: see TuioCursors. Other profiles below `/tuio/` are passed over.
+    - `/tuio/2Dcur` of TUIO 1.1: see TuioCursors. Other profiles below `/tuio/` are skipped.
 
     Numbers are of the types i f h d. Addresses are compared as they stand: patterns with wildcards are unknown ones.
     Amplitudes are clamped to 0 to 1. What is bad is counted and dropped. */

@@ -13,7 +13,7 @@ struct TouchPorts
     int oscPort = 9000;
     int tuioPort = 3333;
 
-    /** IPv4, of the interface that listens: 127.0.0.1 hears this computer only, 0.0.0.0 the whole network. */
+    /** IPv4, of the listening interface: 127.0.0.1 accepts this computer only, 0.0.0.0 the whole network. */
     std::string address = "127.0.0.1";
 };
 } // namespace antinode

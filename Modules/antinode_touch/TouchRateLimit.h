@@ -5,7 +5,7 @@
 
 namespace antinode
 {
-/** At most so many in any second. */
+/** Limits the number in any second. */
 class TouchRateLimit
 {
 public:

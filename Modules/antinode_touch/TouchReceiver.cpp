@@ -14,7 +14,7 @@ namespace antinode
 namespace
 {
 constexpr int pollMilliseconds = 50;         ///< Until the thread sees that it is to stop.
-constexpr std::size_t largestPacket = 65536; ///< More than UDP can carry: nothing is ever cut off.
+constexpr std::size_t largestPacket = 65536; ///< More than UDP can transport: nothing is truncated.
 
 void check (const TouchPorts& ports)
 {
@@ -22,16 +22,17 @@ void check (const TouchPorts& ports)
 
     // juce::DatagramSocket takes what is no address for 255.255.255.255, and an empty one for the whole network.
     if (inet_pton (AF_INET, ports.address.c_str(), &ignored) != 1)
-        throw InputError ("Touch input", "the address is \"" + ports.address + "\", allowed is one like 127.0.0.1");
+        throw InputError ("Touch input",
+                          "the address is \"" + ports.address + "\"; allowed: an IPv4 address, for example 127.0.0.1");
 
     for (const auto port : { ports.oscPort, ports.tuioPort })
         if (port < TouchPorts::anyFree || port > 65535)
             throw InputError ("Touch input",
-                              "a port is " + std::to_string (port) + ", allowed is 1 to 65535, or 0 for none");
+                              "a port is " + std::to_string (port) + "; allowed: 1 to 65535, or 0 for off");
 
     if (ports.oscPort == ports.tuioPort && ports.oscPort > 0)
         throw InputError ("Touch input", "the OSC and the TUIO port are both " + std::to_string (ports.oscPort)
-                                             + ", allowed are two different ones");
+                                             + "; allowed: two different ports");
 }
 } // namespace
 
@@ -57,14 +58,14 @@ int TouchReceiver::open (const char* name, int port)
 
     auto socket = std::make_unique<juce::DatagramSocket>();
 
-    // JUCE allows reuse from the start: on Linux two programs could then have a port, and one would hear nothing.
+    // JUCE allows reuse from the start: on Linux two programs could then have a port, and one would receive nothing.
     socket->setEnablePortReuse (false);
 
     if (! socket->bindToPort (std::max (port, 0), openPorts.address))
     {
         const auto reason = errno;
         throw InputError (std::string (name) + " port" + (port > 0 ? " " + std::to_string (port) : ""),
-                          reason == EADDRINUSE ? "is taken by another program, allowed is a free one, or 0 for none"
+                          reason == EADDRINUSE ? "is in use by another program; allowed: a free port, or 0 for off"
                                                : "cannot be opened on " + openPorts.address + ": "
                                                      + std::generic_category().message (reason));
     }

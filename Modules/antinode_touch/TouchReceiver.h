@@ -18,7 +18,7 @@ namespace antinode
 class TouchReceiver
 {
 public:
-    /** Runs on the receiver's thread. Its exceptions are counted and go no further. Must not destroy the receiver. */
+    /** Runs on the receiver's thread. Its exceptions are counted, not rethrown. Must not destroy the receiver. */
     using Callback = std::function<void (const Touch&)>;
 
     /** Opens the ports and starts the thread.

@@ -18,7 +18,7 @@ public:
 
     /** A cursor gives a touch where it is first seen on the surface, of amplitude 1. One that is not alive any more is
         forgotten. Frames older than the newest are dropped; one with the newest's number is the rest of it, or a
-        repetition, which changes nothing; one more than 100 behind is that of a source that was started anew.
+        repetition, which changes nothing; one more than 100 behind is that of a source that was restarted.
         @param frame  has its alive
         [any] */
     void play (const TuioFrame& frame, std::vector<Touch>&, TouchCounters&);

@@ -14,10 +14,10 @@ struct TuioCursor
     double x = 0, y = 0; ///< Fractions of the surface; y points down.
 };
 
-/** What the messages of the profile 2Dcur say up to an fseq. */
+/** The content of the messages of the profile 2Dcur up to an fseq. */
 struct TuioFrame
 {
-    std::string source; ///< application@address; empty where the sender does not say.
+    std::string source; ///< application@address; empty if the sender does not say.
     std::optional<std::vector<std::int32_t>> alive;
     std::vector<TuioCursor> cursors; ///< Those that are new or have moved.
     std::int32_t sequence = -1;

@@ -16,7 +16,7 @@ std::string_view columns (std::string_view record, std::size_t first, std::size_
     return first < record.size() ? record.substr (first, width) : std::string_view {};
 }
 
-/** A whole number in a column that leaves a blank before it; 0 where it is blank or something else, as for what nobody filled in. */
+/** A whole number in a column that leaves a blank before it; 0 where it is blank or something else, as for unused fields. */
 UniversalLabel integerIn (std::string_view record, std::size_t first, std::size_t width)
 {
     std::vector<double> numbers;
@@ -51,17 +51,17 @@ void readForm (UniversalFunction& function, UniversalRecords& records)
     const auto numbers = records.numbers ({ 10, 10, 10, 13, 13, 13 });
 
     if (numbers.size() < 3)
-        records.fail ("tells " + std::to_string (numbers.size())
-                      + " numbers of the data's form, allowed are at least type, count and spacing");
+        records.fail ("has " + std::to_string (numbers.size())
+                      + " numbers in the record of the data form; allowed: at least type, count and spacing");
 
     if (numbers[0] != 2 && numbers[0] != 4 && numbers[0] != 5 && numbers[0] != 6)
-        records.fail ("has data of type " + numberText (numbers[0]) + ", allowed are 2, 4 (real), 5 and 6 (complex)");
+        records.fail ("has data of type " + numberText (numbers[0]) + "; allowed: 2, 4 (real), 5 or 6 (complex)");
 
     if (! (numbers[1] >= 0 && numbers[1] <= 1e15 && numbers[1] == std::floor (numbers[1])))
-        records.fail ("has " + numberText (numbers[1]) + " values, allowed is a whole number of them");
+        records.fail ("has " + numberText (numbers[1]) + " values; allowed: a whole number");
 
     if (numbers[2] != 0 && numbers[2] != 1)
-        records.fail ("has the spacing " + numberText (numbers[2]) + ", allowed are 0 (uneven) and 1 (even)");
+        records.fail ("has the spacing " + numberText (numbers[2]) + "; allowed: 0 (uneven) or 1 (even)");
 
     function.ordinateType = static_cast<int> (numbers[0]);
     function.statedCount = static_cast<UniversalLabel> (numbers[1]);
@@ -85,7 +85,7 @@ UniversalAxis axisIn (std::string_view record)
     return axis;
 }
 
-/** Numbers of binary data, all of one precision; those of an uneven abscissa may be single ones beside double values. */
+/** Numbers of binary data, all of one precision; those of an uneven abscissa may have single precision with double values. */
 std::vector<double> binaryNumbers (const UniversalSection& section, const UniversalFunction& function)
 {
     const auto data = *section.data;

@@ -23,7 +23,7 @@ std::vector<UniversalLabel> readNodeList (UniversalRecords& records, std::size_t
     std::vector<double> numbers;
 
     if (count > records.bytesLeft()) // Each takes a byte at least.
-        records.fail ("has " + std::to_string (count) + " nodes, more than the file holds");
+        records.fail ("has " + std::to_string (count) + " nodes, more than the file contains");
 
     while (numbers.size() < count)
         records.appendNumbers ({ 10 }, numbers);
@@ -37,7 +37,7 @@ std::vector<UniversalLabel> readNodeList (UniversalRecords& records, std::size_t
 std::size_t countOf (UniversalRecords& records, UniversalLabel number)
 {
     if (number < 0)
-        records.fail ("has a count of " + std::to_string (number) + ", allowed is at least 0");
+        records.fail ("has a count of " + std::to_string (number) + "; allowed: 0 or more");
 
     return static_cast<std::size_t> (number);
 }
@@ -69,7 +69,7 @@ UniversalNodes readNodeSet (UniversalRecords& records, bool isDouble)
 
         if (numbers.size() != integers + coordinates)
             records.fail ("has " + std::to_string (numbers.size())
-                          + " numbers of a node, allowed are 7: number, two systems, colour, three coordinates");
+                          + " numbers for a node; allowed: 7 (number, two systems, colour, three coordinates)");
 
         const auto whole = [&] (std::size_t i) { return records.whole (numbers[i]); };
         nodes.labels.push_back (whole (0));

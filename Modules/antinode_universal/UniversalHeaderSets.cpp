@@ -32,7 +32,7 @@ UniversalUnits readUnitSet (UniversalRecords& records)
     std::vector<double> code, mode, factors;
 
     if (! appendNumbersOf (head.substr (0, codeWidth), { codeWidth }, code) || code.size() != 1)
-        records.fail ("has " + inQuotes (head) + ", allowed is the code of a system of units");
+        records.fail ("has " + inQuotes (head) + "; allowed: the code of a system of units");
 
     units.code = static_cast<int> (std::clamp (code[0], -1e6, 1e6));
 
@@ -50,7 +50,7 @@ UniversalUnits readUnitSet (UniversalRecords& records)
 
     if (factors.size() < 3
         || ! (factors[0] > 0 && factors[1] > 0 && std::isnormal (factors[0]) && std::isnormal (factors[1])))
-        records.fail ("has no usable factors of units, allowed are those of length, force and temperature, above 0");
+        records.fail ("has unusable unit factors; allowed: factors of length, force and temperature above 0");
 
     units.length = factors[0];
     units.force = factors[1];

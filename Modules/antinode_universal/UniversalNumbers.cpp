@@ -34,7 +34,7 @@ std::string_view trimmed (std::string_view text)
                                            : text.substr (begin, text.find_last_not_of (blanks) - begin + 1);
 }
 
-/** How many characters at the beginning are one number, as far as can be told without columns. */
+/** The number of leading characters that form one number, judged without columns. */
 std::size_t numberLength (std::string_view text)
 {
     constexpr std::size_t exponentDigits = 3;

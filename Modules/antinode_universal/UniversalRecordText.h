@@ -18,11 +18,11 @@ void appendInteger (std::string& text, std::int64_t number, std::size_t width = 
 /** Appends E13.5. @throws InputError  when it is not finite [any] */
 void appendReal (std::string& text, double number);
 
-/** Appends a real in a column of this width with so many digits behind the point; `letter` begins the exponent.
+/** Appends a real in a column of this width with the given number of digits behind the point; `letter` begins the exponent.
     @throws InputError  when it is not finite [any] */
 void appendReal (std::string& text, double number, std::size_t width, int digits, char letter);
 
-/** Records of so many fields each, appended by `append (text, item)`. [any] */
+/** Records with the given number of fields each, appended by `append (text, item)`. [any] */
 template <typename Items, typename Append>
 void appendRecords (std::string& text, const Items& items, std::size_t aRecord, Append&& append)
 {

@@ -21,7 +21,7 @@ bool UniversalRecords::atEnd() const
 std::string_view UniversalRecords::record()
 {
     if (position >= text.size())
-        fail ("the set ends too early, it lacks a record here");
+        fail ("the set ends too early: a record is missing");
 
     const auto end = std::min (text.find ('\n', position), text.size());
     auto found = text.substr (position, end - position);
@@ -44,7 +44,7 @@ void UniversalRecords::appendNumbers (ColumnWidths widths, std::vector<double>& 
     const auto found = record();
 
     if (! appendNumbersOf (found, widths, numbers))
-        fail ("has " + inQuotes (found) + ", allowed here are numbers");
+        fail ("has " + inQuotes (found) + "; allowed here: numbers");
 }
 
 std::vector<double> UniversalRecords::numbers (ColumnWidths widths)
@@ -59,7 +59,7 @@ std::int64_t UniversalRecords::whole (double number) const
     constexpr double largest = 999999999;
 
     if (! (std::abs (number) <= largest && number == std::floor (number)))
-        fail ("has " + numberText (number) + ", allowed here are whole numbers of at most nine digits");
+        fail ("has " + numberText (number) + "; allowed here: whole numbers of at most nine digits");
 
     return static_cast<std::int64_t> (number);
 }
@@ -70,8 +70,7 @@ std::vector<std::int64_t> UniversalRecords::integers (std::size_t fewest, std::s
     std::vector<std::int64_t> integers (count);
 
     if (found.size() < fewest)
-        fail ("has " + std::to_string (found.size()) + " numbers, allowed here are at least "
-              + std::to_string (fewest));
+        fail ("has " + std::to_string (found.size()) + " numbers; allowed here: at least " + std::to_string (fewest));
 
     std::transform (found.begin(), found.begin() + static_cast<std::ptrdiff_t> (std::min (count, found.size())),
                     integers.begin(), [&] (double number) { return whole (number); });

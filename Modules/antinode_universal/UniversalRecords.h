@@ -20,7 +20,7 @@ public:
     /** True when nothing but blank lines is left. */
     bool atEnd() const;
 
-    /** How many bytes are left: an upper bound for counts. */
+    /** The number of bytes left: an upper bound for counts. */
     std::size_t bytesLeft() const { return text.size() - position; }
 
     /** The next record as it stands, without its line's end. @throws InputError  when there is none */

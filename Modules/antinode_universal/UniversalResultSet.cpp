@@ -42,7 +42,7 @@ UniversalLabel valueCount (UniversalRecords& records, const UniversalResults& re
     const auto limited = [&] (UniversalLabel count)
     {
         if (count < 0 || count > mostValues || static_cast<std::size_t> (count) > records.bytesLeft())
-            records.fail ("has " + std::to_string (count) + " values at a place, more than the file holds");
+            records.fail ("has " + std::to_string (count) + " values at a location, more than the file contains");
 
         return count;
     };
@@ -104,7 +104,7 @@ UniversalResults readResultSet (UniversalRecords& records)
                     { return static_cast<int> (std::clamp<UniversalLabel> (number, -1, mostValues)); });
 
     if (results.kind[4] < 1 || results.kind[4] > 6 || results.kind[4] == 3)
-        records.fail ("has data of type " + std::to_string (results.kind[4]) + ", allowed are 1, 2, 4, 5 and 6");
+        records.fail ("has data of type " + std::to_string (results.kind[4]) + "; allowed: 1, 2, 4, 5 or 6");
 
     const auto firstIntegers = records.integers (1, 8), lastIntegers = records.integers (1, 2);
     copyInto (results.integers, firstIntegers);

@@ -73,21 +73,21 @@ BinaryHeader binaryHeader (std::string_view line, const Cursor& at, const std::s
 
     if (! appendNumbersOf (line, { 6, 6, 12, 12, 6, 6, 12, 12 }, numbers) || numbers.size() < 2)
         throw InputError (where,
-                          "the header of binary data cannot be read, allowed are byte order, number format and counts");
+                          "the header of binary data cannot be read; allowed: byte order, number format and counts");
 
     if (numbers[0] != littleEndian && numbers[0] != bigEndian)
         throw InputError (where, "has the byte order " + numberText (numbers[0])
-                                     + ", allowed are 1 (little endian) and 2 (big endian)");
+                                     + "; allowed: 1 (little endian) or 2 (big endian)");
 
     if (numbers[1] != ieee)
-        throw InputError (where, "has the number format " + numberText (numbers[1]) + ", allowed is 2 (IEEE 754)");
+        throw InputError (where, "has the number format " + numberText (numbers[1]) + "; allowed: 2 (IEEE 754)");
 
     const auto isCount = numbers.size() > 3 && numbers[3] >= 0 && numbers[3] <= static_cast<double> (at.file.size());
     return { numbers[0] == bigEndian, isCount ? static_cast<std::size_t> (numbers[3]) : 0 };
 }
 
 /** How many bytes the record of a 58b that tells type, count and spacing stands for; a second guess where an uneven abscissa may have
-    single precision beside double values. */
+    single precision with double values. */
 std::array<std::size_t, 2> bytesOfCount (std::string_view record, std::size_t largest)
 {
     std::vector<double> numbers;
@@ -124,7 +124,7 @@ std::size_t endOfBinary (const Cursor& at, std::string_view countRecord, std::si
 {
     throw InputError (source + ": line " + std::to_string (section.firstLine - 1),
                       "data set " + std::to_string (section.number)
-                          + " is not closed by a line of -1, the file ends too early");
+                          + " is not closed by a line of -1: the file ends too early");
 }
 
 void readBinary (UniversalSection& section, std::string_view header, Cursor& at, const std::string& source)
@@ -183,7 +183,7 @@ UniversalSection readSection (std::string_view head, Cursor& at, const std::stri
     if (! appendNumbersOf (head.substr (0, width), { numberWidth }, numbers) || numbers.size() != 1
         || ! (numbers[0] >= 0 && numbers[0] <= largestNumber))
         throw InputError (source + ": line " + std::to_string (at.line),
-                          "has " + inQuotes (head) + " behind a line of -1, allowed is the number of a data set");
+                          "has " + inQuotes (head) + " after a line of -1; allowed: the number of a data set");
 
     section.number = static_cast<int> (numbers[0]);
     section.firstLine = at.line + 1;

@@ -14,7 +14,7 @@ namespace antinode
 // SDRC universal data sets, https://www.ceas3.uc.edu/sdrluff.
 using UniversalLabel = std::int64_t;
 
-/** How the numbers of a function stand in the file. */
+/** The storage of the numbers of a function in the file. */
 enum class UniversalEncoding
 {
     text,
@@ -30,7 +30,7 @@ struct UniversalPlace
     int direction = 0;
 };
 
-/** What an axis of a function holds. */
+/** The content of an axis of a function. */
 struct UniversalAxis
 {
     int quantity = 0; ///< Code: 8 displacement, 11 velocity, 12 acceleration, 13 force, 17 time, 18 frequency ...
@@ -42,12 +42,12 @@ struct UniversalAxis
 struct UniversalFunction
 {
     UniversalEncoding encoding = UniversalEncoding::text;
-    std::array<std::string, 5> lines; ///< Text of people.
+    std::array<std::string, 5> lines; ///< Text lines.
     int functionType = 0; ///< 1 time, 2 auto spectrum, 3 cross spectrum, 4 frequency response, 6 coherence, 9 density.
     UniversalLabel identification = 0, version = 0, loadCase = 0;
     UniversalPlace response, reference;
     int ordinateType = 2;           ///< 2 real and 5 complex in single, 4 and 6 in double precision.
-    UniversalLabel statedCount = 0; ///< How many values the header says there are; the values are those that are there.
+    UniversalLabel statedCount = 0; ///< The number of values according to the header; the values are the actual ones.
     bool isEven = true;
     double first = 0, step = 0, z = 0; ///< Abscissa of the first value and from value to value, where it is even.
     UniversalAxis abscissa, ordinate, denominator, zAxis;
@@ -136,7 +136,7 @@ struct UniversalResults
     int location = 1; ///< 1 nodes, 2 elements, 3 nodes on elements, 5 points.
     std::array<std::string, 5> lines;
     std::array<int, 6>
-        kind {}; ///< Model, analysis, characteristic, result, data type (1 integer, 2, 4 real, 5, 6 complex), values a place.
+        kind {}; ///< Model, analysis, characteristic, result, data type (1 integer, 2, 4 real, 5, 6 complex), values per location.
     std::array<UniversalLabel, 10> integers {};
     std::array<double, 12> reals {};
     std::vector<UniversalResult> results;

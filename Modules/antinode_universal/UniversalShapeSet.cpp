@@ -10,7 +10,7 @@ namespace
 {
 constexpr int realData = 2, complexData = 5, mostValuesANode = 1000;
 
-/** Numbers of a group of records, until there are so many. */
+/** Numbers of a group of records, up to the given count. */
 std::vector<double> someNumbers (UniversalRecords& records, std::size_t count, std::size_t width)
 {
     std::vector<double> numbers;
@@ -29,7 +29,7 @@ void readAnalysis (UniversalShape& shape, UniversalRecords& records)
 
     if (integers.size() < 2
         || ! (integers[0] >= 0 && integers[0] <= mostNumbers && integers[1] >= 0 && integers[1] <= mostNumbers))
-        records.fail ("does not tell how many integers and reals follow, allowed are 0 to 100 of each");
+        records.fail ("does not say how many integers and reals follow; allowed: 0 to 100 of each");
 
     const auto wanted = static_cast<std::size_t> (integers[0]), reals = static_cast<std::size_t> (integers[1]);
 
@@ -53,10 +53,10 @@ UniversalShape readShapeSet (UniversalRecords& records)
     const auto form = records.integers (6, 6);
 
     if (form[4] != realData && form[4] != complexData)
-        records.fail ("has data of type " + std::to_string (form[4]) + ", allowed are 2 (real) and 5 (complex)");
+        records.fail ("has data of type " + std::to_string (form[4]) + "; allowed: 2 (real) or 5 (complex)");
 
     if (form[5] < 1 || form[5] > mostValuesANode)
-        records.fail ("has " + std::to_string (form[5]) + " values a node, allowed are 1 to "
+        records.fail ("has " + std::to_string (form[5]) + " values per node; allowed: 1 to "
                       + std::to_string (mostValuesANode));
 
     shape.modelType = static_cast<int> (form[0]);

@@ -1,4 +1,4 @@
-# Completion in fish for antinode and antinode-standalone. It asks the programs themselves, so it cannot know less than --help.
+# Completion in fish for antinode and antinode-standalone. It reads the --help of the programs, so it is never out of date.
 
 function __antinode_words
     set -l tokens (commandline -opc)

@@ -1,6 +1,7 @@
 #include "CommandLine.h"
 
 #include "Commands.h"
+#include "FieldNames.h"
 
 #include <antinode_base/InputError.h>
 
@@ -24,11 +25,10 @@ int complain (const char* text)
 
 int runCommandLine (int argumentCount, const char* const* arguments)
 {
-    CLI::App app ("Antinode: the voltages that make a surface vibrate at one chosen place at one chosen instant.",
+    CLI::App app ("Antinode: the voltages that focus the vibration of a surface at a chosen position and instant.",
                   "antinode");
     app.require_subcommand (1);
-    app.footer (
-        "Every command has --help. With no more arguments, `antinode render` renders the embedded demonstrator.");
+    app.footer ("Every command has --help. `antinode render` without arguments renders the embedded demonstrator.");
     addDevicesCommand (app);
     addModesCommand (app);
     addPlaceCommand (app);
@@ -58,11 +58,11 @@ int runCommandLine (int argumentCount, const char* const* arguments)
     }
     catch (const std::bad_alloc&)
     {
-        return complain ("not enough memory for this: take a shorter duration, a lower sample rate or fewer modes");
+        return complain ("not enough memory; choose a shorter duration, a lower sample rate or fewer modes");
     }
     catch (const std::exception& error)
     {
-        return complain (error.what());
+        return complain (withKeysAndOptions (error.what()).c_str());
     }
 }
 } // namespace antinode

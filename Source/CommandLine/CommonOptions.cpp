@@ -1,6 +1,7 @@
 #include "CommonOptions.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_library/Inputs.h>
 
@@ -22,11 +23,12 @@ void addCommonOptions (CLI::App& command, CommonOptions& options)
 {
     command.add_option ("focus", options.focus, "Focus: an embedded name or a .json file")->capture_default_str();
     command.add_option ("--device", options.device, "Device: an embedded name or a .json file")->capture_default_str();
-    command.add_option ("--out", options.folder, "Folder for the results")->capture_default_str();
+    command.add_option ("--out", options.folder, "Output folder")->capture_default_str();
     command.add_option ("--rate", options.rate, "Sample rate, Hz")->capture_default_str();
     command
         .add_option ("--reconstruction", options.reconstruction,
-                     "How samples become voltages: an audio interface or a held generator")
+                     "Reconstruction of voltages from samples: by an audio interface (band_limited) or a generator "
+                     "that holds samples")
         ->check (CLI::IsMember ({ bandLimited, zeroOrderHold }))
         ->capture_default_str();
     command
@@ -34,12 +36,12 @@ void addCommonOptions (CLI::App& command, CommonOptions& options)
         ->allow_extra_args (false)
         ->type_name ("KEY=VALUE");
     addCacheFlag (command, options.usesCache);
-    command.add_flag ("--quiet", options.isQuiet, "Prints errors only");
+    command.add_flag ("--quiet", options.isQuiet, "Prints only errors");
 }
 
 void addCacheFlag (CLI::App& command, bool& usesCache)
 {
-    command.add_flag ("!--no-cache", usesCache, "Solves the device anew and keeps nothing of it for the next time");
+    command.add_flag ("!--no-cache", usesCache, "Solves the device without reading or writing the cache");
 }
 
 std::pair<ModalModel, FocusDescription> inputsFrom (const CommonOptions& options)
@@ -47,7 +49,7 @@ std::pair<ModalModel, FocusDescription> inputsFrom (const CommonOptions& options
     checkAssignments (options.assignments);
 
     if (! (options.rate >= lowestRate && options.rate <= highestRate))
-        throw InputError ("--rate", "is " + std::to_string (options.rate) + " Hz, allowed is 8000 to 2000000");
+        throw InputError ("--rate", "is " + numberText (options.rate) + " Hz; allowed: 8000 to 2000000 Hz");
 
     const auto focus = loadFocus (options.focus, options.assignments);
     auto model = solveDevice (loadDevice (options.device, options.assignments), {}, options.usesCache);

@@ -9,7 +9,7 @@
 
 namespace antinode
 {
-/** What design and render have in common on the command line. */
+/** The common options of design and render. */
 struct CommonOptions
 {
     std::string focus = "demonstrator";
@@ -27,7 +27,7 @@ struct CommonOptions
 /** Adds them to a sub-command. The struct must live as long as the app. */
 void addCommonOptions (CLI::App&, CommonOptions&);
 
-/** The flag that solves anew what the user's cache may have. The bool must live as long as the app. */
+/** The flag that bypasses the user's cache. The bool must live as long as the app. */
 void addCacheFlag (CLI::App&, bool& usesCache);
 
 /** The solved device and the focus that these options name. @throws InputError  for anything that cannot be read or solved. [worker] */

@@ -1,6 +1,7 @@
 #include "Commands.h"
 #include "CommonOptions.h"
 #include "DesignTolerances.h"
+#include "FieldNames.h"
 #include "Progress.h"
 
 #include <antinode_base/NumberText.h>
@@ -71,8 +72,11 @@ void sweep (const CommonOptions& options)
 {
     Progress progress (options.isQuiet);
     const auto [model, focus] = inputsFrom (options);
-    const auto tradeoff =
+    auto tradeoff =
         sweepTradeoff (model, focus, options.playback(), [&] (double share) { progress.show ("Designing", share); });
+
+    for (auto& point : tradeoff.points)
+        point.failure = withKeysAndOptions (point.failure);
     OutputFolder folder (options.folder);
     folder.write ("tradeoff.json", tradeoffToJson (tradeoff, focus.name, model.name).dump (2) + "\n");
     folder.write ("tradeoff.csv", tradeoffToCsv (tradeoff));
@@ -86,13 +90,13 @@ void sweep (const CommonOptions& options)
 
 void addDesignCommand (CLI::App& app)
 {
-    auto* command = app.add_subcommand ("design", "Computes who plays what for a focus and writes design.json");
+    auto* command = app.add_subcommand ("design", "Computes the voltages of a focus and writes design.json");
     auto options = std::make_shared<DesignCommandOptions>();
     addCommonOptions (*command, options->common);
     addToleranceOptions (*command, options->tolerance);
     auto* tradeoff =
         command->add_flag ("--tradeoff", options->isTradeoff,
-                           "Designs it by all methods and growths instead: voltage against time in motion");
+                           "Compares all methods and growths instead: peak voltage against time in motion");
     tradeoff->excludes (command->get_option ("--tolerance"));
     command->callback ([options] { options->isTradeoff ? sweep (options->common) : design (*options); });
 }

@@ -17,14 +17,14 @@ constexpr std::size_t shownCauses = 3;
 
 constexpr double mostOfFrequency = 10, mostOfOthers = 50; // %
 
-/** A spread that was asked for, or another. CLI::Range would let through what is no number. */
+/** A requested spread, or the default. CLI::Range would accept NaN. */
 double spreadOr (const std::optional<double>& asked, const char* option, double most, double otherwise)
 {
     if (! asked)
         return otherwise;
 
     if (! (*asked >= 0 && *asked <= most))
-        throw InputError (option, "is " + inWords (*asked) + ", allowed is 0 to " + inWords (most));
+        throw InputError (option, "is " + inWords (*asked) + " %; allowed: 0 to " + inWords (most) + " %");
 
     return *asked / percent;
 }
@@ -65,19 +65,17 @@ Percentiles inPercent (Percentiles values)
 void addToleranceOptions (CLI::App& command, ToleranceCommandOptions& options)
 {
     auto* const wanted = command.add_flag ("--tolerance", options.isWanted,
-                                           "Says how the field bears devices that differ from the model");
+                                           "Computes the field error on devices that differ from the model");
     const auto add = [&] (const char* name, auto& value, const char* text)
     { return command.add_option (name, value, text)->needs (wanted); };
-    add ("--draws", options.draws, "How many such devices are drawn")
-        ->check (CLI::Range (1, 1000000))
-        ->capture_default_str();
-    add ("--seed", options.seed, "Another number draws other devices")
+    add ("--draws", options.draws, "Number of random devices")->check (CLI::Range (1, 1000000))->capture_default_str();
+    add ("--seed", options.seed, "Seed of the random devices")
         ->check (CLI::Range (0, std::numeric_limits<int>::max()))
         ->capture_default_str();
-    add ("--frequency-percent", options.frequency, "Standard deviation of each frequency; without it 0.1");
-    add ("--damping-percent", options.damping, "Standard deviation of each damping; without it 10");
-    add ("--participation-percent", options.participation, "Standard deviation of each participation; without it 5");
-    add ("--drift-percent", options.drift, "Standard deviation of a drift that all frequencies share; without it 0");
+    add ("--frequency-percent", options.frequency, "Standard deviation of each frequency, %; default: 0.1");
+    add ("--damping-percent", options.damping, "Standard deviation of each damping, %; default: 10");
+    add ("--participation-percent", options.participation, "Standard deviation of each participation, %; default: 5");
+    add ("--drift-percent", options.drift, "Standard deviation of a common drift of all frequencies, %; default: 0");
 }
 
 std::vector<DesignTolerance> designTolerances (const ModalModel& model, const FocusDesign& design,
@@ -104,7 +102,8 @@ std::vector<DesignTolerance> designTolerances (const ModalModel& model, const Fo
 std::string tolerancesInWords (const ModalModel& model, const std::vector<DesignTolerance>& designs)
 {
     const auto& options = designs.front().tolerance.options;
-    auto text = std::to_string (options.draws) + " devices off by " + inWords (percent * options.spread.frequency)
+    auto text = std::to_string (options.draws)
+                + " random devices; standard deviations: " + inWords (percent * options.spread.frequency)
                 + " % in frequency, " + inWords (percent * options.spread.damping) + " % in damping, "
                 + inWords (percent * options.spread.participation) + " % in participation, "
                 + inWords (percent * options.spread.drift) + " % by a drift of all frequencies\n";

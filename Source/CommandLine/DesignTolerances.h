@@ -11,7 +11,7 @@
 
 namespace antinode
 {
-/** What `antinode design --tolerance` asks for. */
+/** The options of `antinode design --tolerance`. */
 struct ToleranceCommandOptions
 {
     bool isWanted = false;
@@ -23,12 +23,12 @@ struct ToleranceCommandOptions
 /** Adds them to a sub-command. The struct must live as long as the app. */
 void addToleranceOptions (CLI::App&, ToleranceCommandOptions&);
 
-/** The design on devices drawn around the model; beside a robust one what it would be without, on the same devices. Spreads that are not
-    asked for are those that the focus is robust against, else the usual ones.
+/** The design on devices drawn around the model; for a robust design also the nominal one, on the same devices. Spreads that are not
+    requested are those that the focus is robust against, else the usual ones.
     @throws InputError  for a spread that is not allowed, and as designFocus. [worker] */
 std::vector<DesignTolerance> designTolerances (const ModalModel&, const FocusDesign&, const ToleranceCommandOptions&,
                                                Progress&);
 
-/** The percentiles as a table, and the sentences of what hurts most, as text of several lines. [any] */
+/** The percentiles as a table, and the largest causes of error as sentences: text of several lines. [any] */
 std::string tolerancesInWords (const ModalModel&, const std::vector<DesignTolerance>&);
 } // namespace antinode

@@ -79,8 +79,8 @@ void addDevicesCommand (CLI::App& app)
     auto* materials =
         command->add_flag ("--materials", options->showsMaterials, "Lists the built-in materials with their values");
     auto* focuses = command->add_flag ("--focuses", options->showsFocuses, "Lists the embedded focuses");
-    auto* shown =
-        command->add_option ("--show", options->shown, "Writes an embedded device as JSON, to start one's own from");
+    auto* shown = command->add_option ("--show", options->shown,
+                                       "Writes an embedded device as JSON, as a starting point for a new device");
     materials->excludes (focuses)->excludes (shown);
     focuses->excludes (shown);
     command->callback ([options] { run (*options); });

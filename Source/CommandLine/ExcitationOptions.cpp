@@ -39,13 +39,13 @@ Eigen::VectorXd levelsOf (const ExcitationOptions& options, const Eigen::VectorX
 
     if (given != limits.size())
         throw InputError ("--level-v", "is given " + std::to_string (given)
-                                           + " times, allowed is once, or once for each of the "
+                                           + " times; allowed: once, or once for each of the "
                                            + std::to_string (limits.size()) + " ceramics");
 
     return Eigen::Map<const Eigen::VectorXd> (options.levels.data(), given);
 }
 
-/** Where the options do not say, what the modes need. */
+/** Missing options are derived from the modes. */
 void chooseForModes (ExcitationSettings& settings, const ModalModel& model, const ExcitationOptions& options)
 {
     constexpr double rateShare = 0.45, beyond = 1.1;
@@ -69,25 +69,27 @@ void addExcitationOptions (CLI::App& command, ExcitationOptions& options)
         ->allow_extra_args (false)
         ->type_name ("KEY=VALUE");
     addCacheFlag (command, options.usesCache);
-    command.add_option ("--signal", options.signal, "What the ceramics play one after the other")
+    command.add_option ("--signal", options.signal, "Excitation signal, played by one ceramic after the other")
         ->check (CLI::IsMember ({ "multisine", "sweep", "noise" }))
         ->capture_default_str();
     command.add_option ("--rate", options.rate, "Sample rate, Hz")->capture_default_str();
-    command.add_option ("--lowest-hz", options.lowest, "Where the band begins, Hz; else at half the lowest mode");
-    command.add_option ("--highest-hz", options.highest, "Where the band ends, Hz; else at 20 kHz or the highest mode");
+    command.add_option ("--lowest-hz", options.lowest, "Lower end of the band, Hz; default: half the lowest mode");
+    command.add_option ("--highest-hz", options.highest,
+                        "Upper end of the band, Hz; default: 20 kHz or the highest mode");
     command.add_option ("--resolution-hz", options.resolution,
-                        "How far apart lines are at most, Hz; else a quarter of the narrowest mode's width");
-    command.add_option ("--periods", options.periods, "Periods that are measured")->capture_default_str();
-    command.add_option ("--settling", options.settling, "Periods before them; else until the slowest mode has settled");
-    command.add_option ("--sweep-s", options.sweepDuration, "How long a sweep lasts, s")->capture_default_str();
-    command.add_flag ("--odd", options.hasOddLines, "Multisine of odd lines with gaps, which shows distortion");
-    command.add_option ("--seed", options.seed, "Of noise and gaps")
+                        "Largest spacing of lines, Hz; default: a quarter of the narrowest mode's width");
+    command.add_option ("--periods", options.periods, "Number of measured periods")->capture_default_str();
+    command.add_option ("--settling", options.settling,
+                        "Number of periods before them; default: until the slowest mode has settled");
+    command.add_option ("--sweep-s", options.sweepDuration, "Duration of a sweep, s")->capture_default_str();
+    command.add_flag ("--odd", options.hasOddLines, "Uses a multisine of odd lines with gaps, which shows distortion");
+    command.add_option ("--seed", options.seed, "Seed of noise and gaps")
         ->check (CLI::Range (0, 2000000000))
         ->capture_default_str();
     command
         .add_option (
             "--level-v", options.levels,
-            "Peak voltage of all ceramics, V, or of each in their order; else a fifth of their limits (repeatable)")
+            "Peak voltage of all ceramics, or of each in order, V; default: a fifth of their limits (repeatable)")
         ->allow_extra_args (false);
 }
 
@@ -97,7 +99,7 @@ ModalModel excitedDevice (const ExcitationOptions& options)
     auto model = solveDevice (loadDevice (options.device, options.assignments), {}, options.usesCache);
 
     if (model.actuators() == 0 || model.modes() == 0)
-        throw InputError ("device '" + model.name + "'", "has no ceramics or no modes: nothing can be excited");
+        throw InputError ("device '" + model.name + "'", "has no ceramics or no modes; nothing can be excited");
 
     return model;
 }

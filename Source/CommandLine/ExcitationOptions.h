@@ -11,7 +11,7 @@
 
 namespace antinode
 {
-/** What excite and measure have in common on the command line: a device and what its ceramics play. What is missing is chosen for
+/** The common options of excite and measure: a device and its excitation. What is missing is chosen for
     the device's modes. */
 struct ExcitationOptions
 {
@@ -37,6 +37,6 @@ ModalModel excitedDevice (const ExcitationOptions&);
 
 /** The excitation that the options ask for. Where they do not say: the band from half the lowest mode to 20 kHz, the highest mode or 0.45
     of the rate, four lines in the narrowest half-power width, settling until 1e-5 of the slowest mode is left, a fifth of the limits.
-    @throws InputError  as makeExcitation, or where levels are not one or one a ceramic [worker] */
+    @throws InputError  as makeExcitation, or unless there is one level or one per ceramic [worker] */
 ExcitationSheet excitationFor (const ModalModel&, const ExcitationOptions&);
 } // namespace antinode

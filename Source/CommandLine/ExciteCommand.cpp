@@ -18,7 +18,7 @@ struct ExciteOptions
     std::string folder;
 };
 
-/** All turns one after the other. */
+/** All runs one after the other. */
 Eigen::MatrixXd playedTurns (const ExcitationSheet& sheet)
 {
     constexpr double mostBytes = 512.0 * 1024 * 1024, bytesPerSample = 4;
@@ -26,9 +26,8 @@ Eigen::MatrixXd playedTurns (const ExcitationSheet& sheet)
     const auto ceramics = excitation.ceramics(), samples = ceramics * excitation.turn;
 
     if (static_cast<double> (samples) * static_cast<double> (ceramics + 1) * bytesPerSample > mostBytes)
-        throw InputError ("excitation", "would make a file of more than 512 MiB: take fewer periods, a coarser "
-                                        "resolution or a lower rate, or `antinode "
-                                        "measure`, which needs no file");
+        throw InputError ("excitation", "would make a file of more than 512 MiB; choose fewer periods, a coarser "
+                                        "resolution or a lower rate, or use `antinode measure`, which needs no file");
 
     Eigen::MatrixXd played (ceramics + 1, samples);
 
@@ -59,7 +58,7 @@ void excite (const ExciteOptions& options)
                  settings.sampleRate / static_cast<double> (excitation.lineBlock));
     std::printf ("  crest factor %.2f, peak %.4g to %.4g V\n", excitation.crestFactor, settings.levels.minCoeff(),
                  settings.levels.maxCoeff());
-    std::printf ("Play %s/excitation.wav, record, then: antinode frf %s/excitation.json RECORDINGS\n",
+    std::printf ("Play %s/excitation.wav, record, then run: antinode frf %s/excitation.json RECORDINGS\n",
                  options.folder.c_str(), options.folder.c_str());
 }
 } // namespace
@@ -67,10 +66,10 @@ void excite (const ExciteOptions& options)
 void addExciteCommand (CLI::App& app)
 {
     auto* command =
-        app.add_subcommand ("excite", "Writes what ceramics play one after the other while a surface is measured");
+        app.add_subcommand ("excite", "Writes the excitation of the ceramics for a measurement of the surface");
     auto options = std::make_shared<ExciteOptions>();
     addExcitationOptions (*command, options->excitation);
-    command->add_option ("--out", options->folder, "Folder for excitation.wav and its sheet")
+    command->add_option ("--out", options->folder, "Output folder for excitation.wav and its sheet")
         ->required()
         ->type_name ("DIR");
     command->callback ([options] { excite (*options); });

@@ -28,7 +28,7 @@ struct FrfOptions
     std::string estimator = "h1";
 };
 
-/** Which channel of a recording serves what, counted from 0; -1: none. */
+/** The roles of the channels of a recording, counted from 0; -1: none. */
 struct ChannelRoles
 {
     Eigen::Index sync = -1, reference = -1;
@@ -47,23 +47,22 @@ ChannelRoles rolesOf (const FrfOptions& options, Eigen::Index channels, const st
 
     if (roles.sync >= channels || roles.reference >= channels || (roles.sync == roles.reference && roles.sync >= 0)
         || roles.sensors.empty())
-        throw InputError (file, "has " + std::to_string (channels)
-                                    + " channels, which are not a sensor, the sync channel and the reference that the "
-                                      "options name; --sync-channel 0 "
-                                      "says that there is none");
+        throw InputError (file,
+                          "has " + std::to_string (channels)
+                              + " channels, which do not fit the sensors, sync channel and reference of the options; "
+                                "--sync-channel 0 stands for no sync channel");
 
     return roles;
 }
 
-/** The sample of a recording on which the first turn begins, or a little before: the sync channel sounds from there on. */
+/** The sample of a recording at which the first run starts, or slightly before: the sync signal starts there. */
 Eigen::Index beginningOf (const Eigen::VectorXd& sync, double sampleRate, const std::string& file)
 {
     constexpr double threshold = 0.05, leadTime = 0.02;
     const auto least = threshold * sync.cwiseAbs().maxCoeff();
 
     if (! (least > 0))
-        throw InputError (file,
-                          "is silent on its sync channel; --sync-channel says which one it is, 0 that there is none");
+        throw InputError (file, "is silent on its sync channel; --sync-channel gives its number, 0 for none");
 
     Eigen::Index first = 0;
 
@@ -73,7 +72,7 @@ Eigen::Index beginningOf (const Eigen::VectorXd& sync, double sampleRate, const 
     return std::max<Eigen::Index> (0, first - static_cast<Eigen::Index> (leadTime * sampleRate));
 }
 
-/** Where a recording's channels and turns are. */
+/** The channels and runs of a recording. */
 struct PlacedRecording
 {
     WaveSamples wave;
@@ -89,7 +88,8 @@ PlacedRecording placed (const FrfOptions& options, const ExcitationSheet& sheet,
 
     if (recording.wave.sampleRate != rate)
         throw InputError (file, "has a sample rate of " + std::to_string (std::lround (recording.wave.sampleRate))
-                                    + " Hz, the excitation has " + std::to_string (std::lround (rate)) + " Hz");
+                                    + " Hz; allowed: " + std::to_string (std::lround (rate))
+                                    + " Hz, the rate of the excitation");
 
     recording.roles = rolesOf (options, recording.wave.samples.rows(), file);
 
@@ -108,7 +108,7 @@ TurnRecording turnOf (const PlacedRecording& recording, const FrfOptions& option
 
     if (count < excitation.signal.size())
         throw InputError (recording.file, "ends before ceramic " + std::to_string (ceramic + 1) + " of "
-                                              + std::to_string (excitation.ceramics()) + " has had its turn");
+                                              + std::to_string (excitation.ceramics()) + " has finished its run");
 
     TurnRecording turn;
     turn.sensors = samples (recording.roles.sensors, Eigen::seqN (first, count)) * options.sensor.velocityOfFullScale();
@@ -143,7 +143,7 @@ void analyse (SurfaceMeasurement& measurement, const PlacedRecording& recording,
         }
 }
 
-/** The places of the options' file, or a millimetre apart on a line. */
+/** The positions in the options' file, or 1 mm apart on a line. */
 Eigen::MatrixX2d placesOf (const FrfOptions& options, Eigen::Index sensors)
 {
     if (options.pointsFile.empty())
@@ -156,8 +156,8 @@ Eigen::MatrixX2d placesOf (const FrfOptions& options, Eigen::Index sensors)
     auto places = readPointsFile (options.pointsFile);
 
     if (places.rows() != sensors)
-        throw InputError (options.pointsFile, "has " + std::to_string (places.rows()) + " points, the recordings have "
-                                                  + std::to_string (sensors));
+        throw InputError (options.pointsFile, "has " + std::to_string (places.rows()) + " points; allowed: "
+                                                  + std::to_string (sensors) + ", as in the recordings");
 
     return places;
 }
@@ -192,39 +192,36 @@ void estimateResponses (const FrfOptions& options)
 
 void addFrfCommand (CLI::App& app)
 {
-    auto* command =
-        app.add_subcommand ("frf", "Turns recordings that were made under an excitation into frequency responses");
+    auto* command = app.add_subcommand ("frf", "Computes frequency responses from recordings of an excitation");
     auto options = std::make_shared<FrfOptions>();
-    command->add_option ("sheet", options->sheet, "The excitation's sheet: excitation.json")->required();
+    command->add_option ("sheet", options->sheet, "Sheet of the excitation: excitation.json")->required();
     command
         ->add_option ("recordings", options->recordings,
                       "WAV files, each of one or more points, in the order of the points")
         ->required();
-    command->add_option ("--out", options->outputFile, "Universal file for the responses")
-        ->required()
-        ->type_name ("FILE");
+    command->add_option ("--out", options->outputFile, "Universal file to write")->required()->type_name ("FILE");
     command
         ->add_option ("--points", options->pointsFile,
-                      "CSV of the points, x and y in mm; else they are 1 mm apart on a line")
+                      "CSV of the points, x and y in mm; default: 1 mm apart on a line")
         ->type_name ("FILE");
     addSensorOptions (*command, options->sensor)->required();
     command->add_option ("--sync-channel", options->syncChannel,
-                         "Channel that recorded the sync output, counted from 1, 0: none; else the last one");
+                         "Channel with the sync output, counted from 1; 0: none; default: the last channel");
     command
         ->add_option ("--reference-channel", options->referenceChannel,
-                      "Channel that recorded the amplifiers' voltage, counted from 1")
+                      "Channel with the measured voltage of the amplifiers, counted from 1")
         ->check (CLI::Range (1, 16383));
     command
         ->add_option ("--reference-full-scale", options->referenceFullScale,
-                      "Voltage at the ceramics, V, that a reference sample of 1 stands for")
+                      "Voltage at the ceramics for a reference sample of 1, V")
         ->capture_default_str();
-    command->add_option ("--latency-ms", options->latency, "How late sensors are where there is no sync channel, ms")
+    command->add_option ("--latency-ms", options->latency, "Latency of the sensors without a sync channel, ms")
         ->check (CLI::Range (0.0, 200.0))
         ->capture_default_str();
-    command->add_option ("--estimator", options->estimator, "Of noise: h1, h2 or their mean hv")
+    command->add_option ("--estimator", options->estimator, "Estimator for noise: h1, h2 or their geometric mean hv")
         ->check (CLI::IsMember ({ "h1", "h2", "hv" }))
         ->capture_default_str();
-    command->add_option ("--report", options->reportFolder, "Writes a report with pictures into a folder")
+    command->add_option ("--report", options->reportFolder, "Writes a report with figures into a folder")
         ->type_name ("DIR");
     command->callback ([options] { estimateResponses (*options); });
 }

@@ -35,12 +35,12 @@ Measurement readFiles (const IdentifyOptions& options)
     return mergedResponses (files, said);
 }
 
-/** The device that the modes make. Forces become voltages that are as large in V as they are in N: a device knows no other drive. */
+/** The device with these modes. Forces in N become voltages in V, since a device has no other excitation. */
 ModalModel deviceOf (IdentifiedModes modes, const IdentifyOptions& options, const Eigen::VectorXd& masses,
                      const std::optional<ModalModel>& computed, std::vector<std::string>& remarks)
 {
     if (modes.drive == DriveQuantity::force)
-        remarks.emplace_back ("Forces drive the surface: in the device 1 V stands for 1 N.");
+        remarks.emplace_back ("Forces excite the surface: in the device 1 V stands for 1 N.");
 
     modes.drive = DriveQuantity::voltage;
     MappedSurface surface;
@@ -54,7 +54,7 @@ ModalModel deviceOf (IdentifiedModes modes, const IdentifyOptions& options, cons
 
     auto model = toModalModel (modes, surface);
 
-    if (! model.frequencyErrors.allFinite()) // Of no use to who reads the device.
+    if (! model.frequencyErrors.allFinite()) // Useless to readers of the device.
         model.frequencyErrors.resize (0);
 
     return model;
@@ -86,20 +86,20 @@ IdentificationResult identifyFiles (const IdentifyOptions& options)
     return result;
 }
 
-/** In dB; where something else than velocities was measured of that as well. */
+/** In dB; also that of the measured quantity where it is not a velocity. */
 std::string reconstructionError (const IdentificationResult& result)
 {
     const auto& modes = result.modes;
     const auto text = fixedText (modes.reconstructionError, 1) + " dB";
     return result.measured.integrations == 0
                ? text
-               : text + " (" + fixedText (modes.measuredReconstructionError, 1) + " dB of what was measured)";
+               : text + " (" + fixedText (modes.measuredReconstructionError, 1) + " dB of the measured quantity)";
 }
 
 std::string descriptionOf (const IdentificationResult& result)
 {
     return "Identified from " + std::to_string (result.measured.points.rows()) + " points and "
-           + std::to_string (result.measured.drivers.size()) + " drivers, "
+           + std::to_string (result.measured.drivers.size()) + " references, "
            + fixedText (result.modes.minimumFrequency, 1) + " to " + fixedText (result.modes.maximumFrequency, 1)
            + " Hz, reconstruction error " + reconstructionError (result);
 }
@@ -152,13 +152,13 @@ void print (const IdentificationResult& result)
         std::printf ("\n%s", tableText (pairTable (result)).c_str());
 
     for (const auto& doubt : doubtsOf (result))
-        std::printf ("Doubtful: %s\n", doubt.c_str());
+        std::printf ("Warning: %s\n", doubt.c_str());
 }
 
 void runIdentify (const IdentifyOptions& options, bool hasReport)
 {
     if (! options.transferFile.empty() && options.against.empty())
-        throw InputError ("--transfer", "needs a computed device, allowed is with --against DEVICE");
+        throw InputError ("--transfer", "needs a computed device; allowed only with --against DEVICE");
 
     const auto result = identifyFiles (options);
     writeFiles (result, options, hasReport);

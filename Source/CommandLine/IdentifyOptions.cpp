@@ -25,64 +25,66 @@ FrequencyBand rangeOf (const std::string& option, const std::string& text)
 
     if (first.ec != std::errc {} || second.ec != std::errc {} || first.ptr != text.data() + colon || second.ptr != end
         || ! (range.minimum >= 0 && range.minimum < range.maximum))
-        throw InputError (option,
-                          "is " + inQuotes (text) + ", allowed are two numbers as 300:4000, the first the smaller");
+        throw InputError (option, "is " + inQuotes (text) + "; allowed: two ascending numbers, for example 300:4000");
 
     return range;
 }
 
 void addInputOptions (CLI::App& command, IdentifyOptions& options)
 {
-    command
-        .add_option ("--format", options.form, "What pairs of columns of a table hold, where headings do not say it")
+    command.add_option ("--format", options.form, "Content of pairs of columns in a table without headings")
         ->check (CLI::IsMember ({ "real-imag", "magnitude-deg", "magnitude-rad", "dB-deg", "dB-rad" }));
-    command.add_option ("--quantity", options.quantity, "What was measured, instead of what the files say")
+    command.add_option ("--quantity", options.quantity, "Measured quantity; default: as the files say")
         ->check (CLI::IsMember ({ "displacement", "velocity", "acceleration" }));
-    command.add_option ("--response-unit", options.responseUnit, "Its unit, as m/s, um, g or (mm/s)/V");
-    command.add_option ("--drive", options.drive, "What drives, instead of what the files say")
+    command.add_option ("--response-unit", options.responseUnit,
+                        "Unit of the measured quantity, for example m/s, um, g or (mm/s)/V");
+    command.add_option ("--drive", options.drive, "Quantity of the excitation; default: as the files say")
         ->check (CLI::IsMember ({ "voltage", "force" }));
-    command.add_option ("--drive-unit", options.driveUnit, "Its unit, as V, mV or N");
+    command.add_option ("--drive-unit", options.driveUnit, "Unit of the excitation, for example V, mV or N");
     command.add_option ("--points", options.pointsFile,
-                        "Places of the points: a CSV of x and y in mm, in the order of the points");
-    command.add_option ("--drivers", options.drivers, "Names of the drivers in the order of the ceramics")
+                        "Positions of the points: CSV of x and y in mm, in the order of the points");
+    command.add_option ("--drivers", options.drivers, "Names of the references in the order of the ceramics")
         ->delimiter (',');
     command
         .add_option ("--window-decay", options.windowDecay,
-                     "Decay rate of an exponential window over impulse responses, 1/s")
+                     "Decay rate of the exponential window on the impulse responses, 1/s")
         ->check (CLI::NonNegativeNumber);
 }
 
 void addSearchOptions (CLI::App& command, IdentifyOptions& options)
 {
     command
-        .add_option ("--band", options.bands,
-                     "Lines from and to, in Hz, as 300:4000; several: modes are sought in each on its own")
+        .add_option (
+            "--band", options.bands,
+            "Frequency band MIN:MAX, Hz, for example 300:4000; modes are searched in each of several bands separately")
         ->allow_extra_args (false)
         ->type_name ("MIN:MAX");
-    command.add_option ("--orders", options.orders, "Orders of the polynomials, as 3:18; without it chosen")
+    command
+        .add_option ("--orders", options.orders,
+                     "Orders MIN:MAX of the polynomials, for example 3:18; default: automatic")
         ->type_name ("MIN:MAX");
     command.add_option ("--select", options.selected, "Keeps only the modes nearest to these frequencies, Hz")
         ->delimiter (',');
     command.add_option ("--reject", options.rejected, "Leaves out the modes nearest to these frequencies, Hz")
         ->delimiter (',');
-    command.add_option ("--delay-us", options.delay, "The common delay, where it is known; without it found");
+    command.add_option ("--delay-us", options.delay, "Known common delay, us; default: identified");
     command
         .add_option ("--mass-kg", options.mass,
-                     "Mass of what the points stand for, evenly: gives the shapes their size")
+                     "Mass that the points represent, evenly distributed, kg: scales the shapes")
         ->check (CLI::PositiveNumber);
-    command.add_flag ("--complex", options.isComplex, "Complex modes beside the real ones");
+    command.add_flag ("--complex", options.isComplex, "Identifies complex modes as well as real modes");
     command.add_flag ("--peaks", options.usesPeaks,
-                      "Peaks and their half-power widths, as the paper did it, for comparison");
+                      "Uses peaks and their half-power widths, as in the paper, for comparison");
     command.add_flag ("--gram-schmidt", options.isGramSchmidt,
-                      "Makes the shapes orthogonal as the paper did; spoils those of a part");
+                      "Makes the shapes orthogonal as in the paper; distorts shapes of a partly mapped structure");
 }
 
 void addOutputOptions (CLI::App& command, IdentifyOptions& options)
 {
-    command.add_option ("--out", options.deviceFile, "The device file to write")->type_name ("DEVICE.json");
+    command.add_option ("--out", options.deviceFile, "Device file to write")->type_name ("DEVICE.json");
     command
         .add_option ("--report", options.reportFile,
-                     "Writes a report with pictures; without a name that of the device file")
+                     "Writes a report with figures; default name: that of the device file, .html")
         ->expected (0, 1)
         ->type_name ("FILE.html");
     command.add_option ("--uff", options.universalFile, "Writes frequencies and shapes as a Universal File")
@@ -92,17 +94,17 @@ void addOutputOptions (CLI::App& command, IdentifyOptions& options)
         ->type_name ("DEVICE");
     command
         .add_option ("--transfer", options.transferFile,
-                     "Writes that device with the measured frequencies and damping ratios")
+                     "Writes the computed device with the measured frequencies and damping ratios")
         ->type_name ("DEVICE.json");
-    command.add_option ("--name", options.name, "The name of the device")->capture_default_str();
-    command.add_option ("--voltage-limit-v", options.voltageLimit, "Limit of every ceramic, V")
+    command.add_option ("--name", options.name, "Name of the device")->capture_default_str();
+    command.add_option ("--voltage-limit-v", options.voltageLimit, "Voltage limit of every ceramic, V")
         ->check (CLI::PositiveNumber)
         ->capture_default_str();
-    command.add_option ("--full-scale-v", options.fullScaleVoltage, "Volts that a sample of 1 stands for")
+    command.add_option ("--full-scale-v", options.fullScaleVoltage, "Voltage of a sample of 1, V")
         ->check (CLI::PositiveNumber)
         ->capture_default_str();
     addCacheFlag (command, options.usesCache);
-    command.add_flag ("--quiet", options.isQuiet, "Prints errors only");
+    command.add_flag ("--quiet", options.isQuiet, "Prints only errors");
 }
 
 std::optional<ResponseUnit> responseOf (const IdentifyOptions& options)
@@ -114,8 +116,8 @@ std::optional<ResponseUnit> responseOf (const IdentifyOptions& options)
         options.responseUnit.empty() ? ResponseUnit {} : responseUnit (options.responseUnit).value_or (ResponseUnit {});
 
     if (! options.responseUnit.empty() && ! unit.quantity)
-        throw InputError ("--response-unit",
-                          "is " + inQuotes (options.responseUnit) + ", allowed are units as m/s, um, g or (mm/s)/V");
+        throw InputError ("--response-unit", "is " + inQuotes (options.responseUnit)
+                                                 + "; allowed: a unit, for example m/s, um, g or (mm/s)/V");
 
     if (options.quantity.empty())
         return unit;
@@ -124,7 +126,7 @@ std::optional<ResponseUnit> responseOf (const IdentifyOptions& options)
 
     if (unit.quantity && unit.quantity != said)
         throw InputError ("--response-unit",
-                          "is " + inQuotes (options.responseUnit) + ", which is no unit of " + options.quantity);
+                          "is " + inQuotes (options.responseUnit) + "; allowed: a unit of " + options.quantity);
 
     unit.quantity = said;
     return unit;
@@ -140,7 +142,8 @@ std::optional<ResponseUnit> driveOf (const IdentifyOptions& options)
     const auto unit = driveUnit (text);
 
     if (! unit || (! options.drive.empty() && (unit->drive == DriveQuantity::force) != (options.drive == "force")))
-        throw InputError ("--drive-unit", "is " + inQuotes (text) + ", allowed are units of the drive as V, mV or N");
+        throw InputError ("--drive-unit",
+                          "is " + inQuotes (text) + "; allowed: a unit of the excitation, for example V, mV or N");
 
     return unit;
 }
@@ -150,7 +153,7 @@ void addIdentifyOptions (CLI::App& command, IdentifyOptions& options)
 {
     command
         .add_option ("files", options.files,
-                     "Universal files, MATLAB files, tables of text, WAV files of impulse responses")
+                     "Universal files, MATLAB files, text tables, WAV files of impulse responses")
         ->required()
         ->type_name ("FILES");
     addOutputOptions (command, options);
@@ -216,7 +219,7 @@ IdentificationOptions identificationOptionsOf (const IdentifyOptions& options, E
         const auto orders = rangeOf ("--orders", options.orders);
 
         if (orders.minimum < 1 || orders.maximum > largestOrder)
-            throw InputError ("--orders", "is " + inQuotes (options.orders) + ", allowed are 1 to 500");
+            throw InputError ("--orders", "is " + inQuotes (options.orders) + "; allowed: whole numbers from 1 to 500");
 
         search.minimumOrder = static_cast<int> (orders.minimum);
         search.maximumOrder = static_cast<int> (orders.maximum);

@@ -11,13 +11,13 @@
 
 namespace antinode
 {
-/** What `antinode identify` is told. */
+/** The options of `antinode identify`. */
 struct IdentifyOptions
 {
     std::vector<std::string> files;
     std::string name = "identified";
     std::string deviceFile, reportFile, universalFile, transferFile; ///< Not written where empty.
-    std::string against;                                             ///< A computed device; none where empty.
+    std::string against;                                             ///< A computed device; none if empty.
     std::vector<std::string> bands;                                  ///< "300:4000"
     std::string orders;                                              ///< "3:18"
     bool isComplex = false, isGramSchmidt = false, usesPeaks = false, usesCache = true, isQuiet = false;
@@ -36,9 +36,9 @@ void addIdentifyOptions (CLI::App&, IdentifyOptions&);
 /** The form of tables without headings. @throws InputError  for an unknown word [any] */
 CsvForm csvFormOf (const IdentifyOptions&);
 
-/** What is said of responses: units, drivers, places from a file. @throws InputError  for what cannot be read [worker] */
+/** Statements about responses: units, references, positions from a file. @throws InputError  for unreadable options [worker] */
 MeasurementOptions measurementOptionsOf (const IdentifyOptions&);
 
-/** How modes are sought in responses of so many points. @throws InputError  for what is no range [any] */
+/** How modes are searched in responses of so many points. @throws InputError  for invalid ranges [any] */
 IdentificationOptions identificationOptionsOf (const IdentifyOptions&, Eigen::Index points);
 } // namespace antinode

@@ -54,7 +54,7 @@ std::unique_ptr<Bench> simulatedBench (const MeasureOptions& options, const Moda
 std::unique_ptr<Bench> audioBench (const MeasureOptions& options, const ModalModel& model)
 {
     if (! (options.sensor.sensitivity > 0))
-        throw InputError ("--sensitivity-mm-s-per-v", "is missing: how many mm/s make the sensor give a volt?");
+        throw InputError ("--sensitivity-mm-s-per-v", "is missing; give the sensitivity of the sensor in mm/s per V");
 
     BenchChannels channels;
     channels.syncInput = options.syncInput - 1;
@@ -87,7 +87,7 @@ void measure (const MeasureOptions& options)
     output.write ("report.html", renderReport (measurementReport (measurement, sheet)));
     output.commit();
     printMeasurement (measurement, sheet);
-    std::printf ("Responses and pictures: %s/responses.uff, report.html\n", options.folder.c_str());
+    std::printf ("Responses and figures: %s/responses.uff, report.html\n", options.folder.c_str());
 }
 
 void addAudioOptions (CLI::App& command, MeasureOptions& options)
@@ -95,21 +95,23 @@ void addAudioOptions (CLI::App& command, MeasureOptions& options)
     constexpr int longestBlock = 1 << 16, mostChannels = mostDeviceOutputs;
     command.add_option ("--backend", options.audio.type, "Type of the audio device: ALSA or JACK");
     command.add_option ("--audio-device", options.audio.device,
-                        "Audio device, as antinode-standalone --list-devices names it");
+                        "Audio device, a name from antinode-standalone --list-devices");
     command.add_option ("--block", options.audio.blockSize, "Block size, samples")
         ->check (CLI::Range (1, longestBlock));
     command
         .add_option ("--sensor-input", options.sensorInputs,
-                     "Input of the sensor, counted from 1 (repeatable: several sensors at points in a row)")
+                     "Input of the sensor, counted from 1 (repeatable: several sensors at consecutive points)")
         ->allow_extra_args (false)
         ->check (CLI::Range (1, mostChannels))
         ->default_str ("1");
-    command.add_option ("--sync-input", options.syncInput, "Input to which the sync output is looped back, 0: none")
+    command.add_option ("--sync-input", options.syncInput, "Input wired to the sync output, counted from 1; 0: none")
         ->check (CLI::Range (0, mostChannels))
         ->capture_default_str();
-    command.add_option ("--sync-output", options.syncOutput, "The sync output; else the one after the ceramics")
+    command
+        .add_option ("--sync-output", options.syncOutput,
+                     "Sync output, counted from 1; default: the output after the ceramics")
         ->check (CLI::Range (1, mostChannels));
-    command.add_option ("--latency-ms", options.latency, "How late sensors are where nothing is looped back, ms")
+    command.add_option ("--latency-ms", options.latency, "Latency of the sensors without a sync input, ms")
         ->check (CLI::Range (0.0, 200.0))
         ->capture_default_str();
     addSensorOptions (command, options.sensor);
@@ -117,21 +119,24 @@ void addAudioOptions (CLI::App& command, MeasureOptions& options)
 
 void addSimulationOptions (CLI::App& command, MeasureOptions& options)
 {
-    auto* const simulate =
-        command.add_flag ("--simulate", options.isSimulated,
-                          "Measures on a bench that is not there: the device's modes, noise and delay");
+    auto* const simulate = command.add_flag ("--simulate", options.isSimulated,
+                                             "Measures on a simulated bench with the device's modes, noise and delay");
     command
-        .add_option ("--simulated-device", options.simulatedDevice, "The device on that bench, where it is another one")
+        .add_option ("--simulated-device", options.simulatedDevice,
+                     "Device on the simulated bench; default: the same device")
         ->needs (simulate);
-    command.add_option ("--snr-db", options.simulation.signalToNoise, "Its signal over its noise, dB")
+    command
+        .add_option ("--snr-db", options.simulation.signalToNoise, "Signal-to-noise ratio of the simulated bench, dB")
         ->check (CLI::Range (-20.0, 300.0))
         ->needs (simulate)
         ->capture_default_str();
-    command.add_option ("--delay-ms", options.simulatedDelay, "Its latency, ms")
+    command.add_option ("--delay-ms", options.simulatedDelay, "Latency of the simulated bench, ms")
         ->check (CLI::Range (0.0, 200.0))
         ->needs (simulate)
         ->capture_default_str();
-    command.add_option ("--cubic-percent", options.simulatedCubic, "Its cubic nonlinearity at full level, %")
+    command
+        .add_option ("--cubic-percent", options.simulatedCubic,
+                     "Cubic distortion of the simulated bench at full level, %")
         ->check (CLI::Range (-20.0, 20.0))
         ->needs (simulate)
         ->capture_default_str();
@@ -140,17 +145,17 @@ void addSimulationOptions (CLI::App& command, MeasureOptions& options)
 
 void addMeasureCommand (CLI::App& app)
 {
-    auto* command = app.add_subcommand ("measure", "Plays, records and turns into frequency responses, point by point");
+    auto* command =
+        app.add_subcommand ("measure", "Measures frequency responses point by point: plays, records and analyses");
     auto options = std::make_shared<MeasureOptions>();
     addExcitationOptions (*command, options->excitation);
     command->add_option ("--points", options->pointsFile, "CSV of the points, x and y in mm")
         ->required()
         ->type_name ("FILE");
-    command
-        ->add_option ("--out", options->folder, "Folder of the measurement; one that was interrupted is gone on with")
+    command->add_option ("--out", options->folder, "Folder of the measurement; an interrupted measurement is resumed")
         ->required()
         ->type_name ("DIR");
-    command->add_flag ("--no-questions", options->asksNothing, "Measures all points as they come");
+    command->add_flag ("--no-questions", options->asksNothing, "Measures all points without asking");
     addAudioOptions (*command, *options);
     addSimulationOptions (*command, *options);
     command->callback ([options] { measure (*options); });

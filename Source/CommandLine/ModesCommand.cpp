@@ -27,7 +27,7 @@ struct ModesOptions
     std::string csvFile, universalFile;
     bool usesCache = true;
     bool isJson = false;
-    std::string reportFolder; ///< None where empty.
+    std::string reportFolder; ///< None if empty.
 };
 
 nlohmann::ordered_json modesJson (const ModalModel& model, const std::string& kind, double milliseconds)
@@ -115,18 +115,18 @@ void addModesCommand (CLI::App& app)
     auto* command = app.add_subcommand ("modes", "Lists the modes of a device");
     auto options = std::make_shared<ModesOptions>();
     command->add_option ("device", options->device, "Device: an embedded name or a .json file")->capture_default_str();
-    command->add_option ("--count", options->count, "How many flexible modes")->check (CLI::Range (1, 500));
+    command->add_option ("--count", options->count, "Number of flexible modes")->check (CLI::Range (1, 500));
     command
         ->add_option ("--set", options->assignments,
                       "Overrides a key, for example device.thickness_mm=1.5 (repeatable)")
         ->allow_extra_args (false)
         ->type_name ("KEY=VALUE");
-    command->add_option ("--csv", options->csvFile, "Writes the modes as CSV to a file too")->type_name ("FILE");
-    command->add_option ("--uff", options->universalFile, "Writes frequencies and shapes as a Universal File too")
+    command->add_option ("--csv", options->csvFile, "Also writes the modes as CSV to a file")->type_name ("FILE");
+    command->add_option ("--uff", options->universalFile, "Also writes frequencies and shapes as a Universal File")
         ->type_name ("FILE");
     addCacheFlag (*command, options->usesCache);
     command->add_flag ("--json", options->isJson, "Writes JSON to standard output");
-    command->add_option ("--report", options->reportFolder, "Writes a report with pictures of the modes into a folder")
+    command->add_option ("--report", options->reportFolder, "Writes a report with figures of the modes into a folder")
         ->type_name ("DIR");
     command->callback ([options] { listModes (*options); });
 }

@@ -53,17 +53,18 @@ void reproduce (const PaperOptions& options)
     for (const auto& table : tables)
         std::printf ("%s\n", plainText (table).c_str());
 
-    std::printf ("Pictures and numbers: %s/report.html\n", options.folder.c_str());
+    std::printf ("Figures and numbers: %s/report.html\n", options.folder.c_str());
 }
 } // namespace
 
 void addPaperCommand (CLI::App& app)
 {
     auto* command = app.add_subcommand (
-        "paper", "Reproduces the paper's tables and figures on the demonstrator, beside its own numbers");
+        "paper",
+        "Reproduces the paper's tables and figures on the demonstrator and compares them with the printed numbers");
     auto options = std::make_shared<PaperOptions>();
-    command->add_option ("--out", options->folder, "Folder for the results")->capture_default_str();
-    command->add_flag ("--quiet", options->isQuiet, "Prints errors only");
+    command->add_option ("--out", options->folder, "Output folder")->capture_default_str();
+    command->add_flag ("--quiet", options->isQuiet, "Prints only errors");
     command->callback ([options] { reproduce (*options); });
 }
 } // namespace antinode

@@ -36,7 +36,8 @@ struct PlaceOptions
 /** "20" or "20x10", mm. */
 std::pair<double, double> parseSize (const std::string& text)
 {
-    const auto fail = [&] { throw InputError ("--size-mm " + text, "is no size: allowed is 20 or 20x10, in mm"); };
+    const auto fail = [&]
+    { throw InputError ("--size-mm " + text, "is not a size; allowed: L or LxW in mm, for example 20 or 20x10"); };
     std::pair<double, double> size;
     const auto* const end = text.data() + text.size();
     const auto first = std::from_chars (text.data(), end, size.first);
@@ -56,7 +57,7 @@ std::pair<double, double> parseSize (const std::string& text)
     return size;
 }
 
-/** The first ceramic of the device, or an ordinary one, in another size where one is given. */
+/** The first ceramic of the device, or a default one, in the requested size if any. */
 nlohmann::json ceramicLike (const nlohmann::json& document, bool isPlate, const std::string& size)
 {
     const auto* const lengthKey = isPlate ? "size_x_mm" : "length_mm";
@@ -106,7 +107,7 @@ CeramicDescription describedCeramic (nlohmann::json document, const nlohmann::js
         [] (const auto& body) -> CeramicDescription
         {
             if constexpr (std::is_same_v<std::decay_t<decltype (body)>, ModalModel>)
-                throw InputError ("device", "is given by its modes, allowed are beams, staples and plates");
+                throw InputError ("device", "is of kind modal; allowed: beam, staple or plate");
             else
                 return body.common.ceramics.front();
         },
@@ -117,9 +118,9 @@ void printResult (const PlacedCeramics& placed, const PlaceOptions& options)
 {
     Eigen::Index worst = 0;
     placed.perMode.minCoeff (&worst);
-    std::printf ("%zu ceramics in the best of %td places for %d modes\n", placed.ceramics.size(), placed.candidates,
+    std::printf ("%zu ceramics in the best of %td positions for %d modes\n", placed.ceramics.size(), placed.candidates,
                  options.modes);
-    std::printf ("  worst controllability  %.4g of ceramics in average places (mode %td least: %.4g)\n",
+    std::printf ("  worst controllability  %.4g relative to average positions (worst mode %td: %.4g)\n",
                  placed.controllability, worst + 1, placed.perMode[worst]);
 
     if (placed.resolved)
@@ -175,30 +176,30 @@ void place (PlaceOptions options)
 void addPlaceCommand (CLI::App& app)
 {
     auto* command = app.add_subcommand (
-        "place", "Finds the places on a device from where so many ceramics move its modes best; writes a device file");
+        "place", "Finds the best positions of ceramics on a device for its lowest modes; writes a device file");
     auto options = std::make_shared<PlaceOptions>();
     command->add_option ("device", options->device, "Device: an embedded name or a .json file")->capture_default_str();
-    command->add_option ("--count", options->count, "How many ceramics")
+    command->add_option ("--count", options->count, "Number of ceramics")
         ->check (CLI::Range (1, 64))
         ->capture_default_str();
     command->add_option ("--size-mm", options->size,
-                         "Size of a ceramic, 20 or 20x10; without it that of the device's first one, or 10");
-    command->add_option ("--step-mm", options->step, "Between neighbouring places; without it half a ceramic");
-    command->add_option ("--rim-mm", options->rim, "On a plate: ceramics begin within this distance of an edge")
+                         "Size L or LxW of a ceramic, mm; default: that of the device's first ceramic, or 10");
+    command->add_option ("--step-mm", options->step, "Spacing of positions, mm; default: half a ceramic");
+    command->add_option ("--rim-mm", options->rim, "On a plate: largest distance of ceramics from an edge, mm")
         ->check (CLI::NonNegativeNumber);
-    command->add_option ("--modes", options->modes, "How many of the lowest modes are to be moved")
+    command->add_option ("--modes", options->modes, "Number of the lowest modes to excite")
         ->check (CLI::Range (1, 200))
         ->capture_default_str();
-    command->add_option ("--focus-time-ms", options->duration, "Time in which they are to be moved; without it 25")
+    command->add_option ("--focus-time-ms", options->duration, "Time available to excite the modes, ms; default: 25")
         ->check (CLI::Range (0.1, 60000.0));
-    command->add_option ("--out", options->file, "The device file; without it DEVICE-placed.json");
-    command->add_flag ("--frozen", options->isFrozen, "Does not solve the device again with its ceramics");
+    command->add_option ("--out", options->file, "Device file to write; default: DEVICE-placed.json");
+    command->add_flag ("--frozen", options->isFrozen, "Does not solve the device again with the placed ceramics");
     command
         ->add_option ("--set", options->assignments,
                       "Overrides a key, for example device.thickness_mm=1.5 (repeatable)")
         ->allow_extra_args (false)
         ->type_name ("KEY=VALUE");
-    command->add_flag ("--quiet", options->isQuiet, "Prints errors only");
+    command->add_flag ("--quiet", options->isQuiet, "Prints only errors");
     command->callback ([options] { place (*options); });
 }
 } // namespace antinode

@@ -5,7 +5,7 @@
 
 namespace antinode
 {
-/** One line of progress on a terminal, for work that takes more than a second. Silent elsewhere. */
+/** A line of progress on a terminal, for work that takes more than a second. Silent elsewhere. */
 class Progress
 {
 public:

@@ -41,7 +41,7 @@ std::pair<double, double> parseProbe (const std::string& text)
         const auto [next, error] = std::from_chars (at, end, value);
 
         if (error != std::errc() || (next != end && *next != ','))
-            throw InputError ("--probe " + text, "is not a place: allowed is X or X,Y in mm, for example 24 or 24,10");
+            throw InputError ("--probe " + text, "is not a position; allowed: X or X,Y in mm, for example 24 or 24,10");
 
         at = next == end ? end : next + 1;
 
@@ -49,7 +49,7 @@ std::pair<double, double> parseProbe (const std::string& text)
             return { values[0] / 1000, values[1] / 1000 };
     }
 
-    throw InputError ("--probe " + text, "has more than two numbers: allowed is X or X,Y in mm");
+    throw InputError ("--probe " + text, "has more than two numbers; allowed: X or X,Y in mm");
 }
 
 RenderOptions renderOptions (const RenderCommandOptions& options)
@@ -84,7 +84,7 @@ void printSummary (const RenderedFocus& focus, const RenderCommandOptions& optio
     for (const auto& warning : design.warnings)
         std::printf ("  warning: %s\n", warning.c_str());
 
-    std::printf ("Pictures and scores: %s/%s\n", options.common.folder.c_str(),
+    std::printf ("Figures and scores: %s/%s\n", options.common.folder.c_str(),
                  options.hasReport ? "report.html" : "summary.json");
 }
 
@@ -114,20 +114,20 @@ void render (const RenderCommandOptions& options)
 void addRenderCommand (CLI::App& app)
 {
     auto* command =
-        app.add_subcommand ("render", "Renders a focus: voltages, velocities, scores and a report with pictures");
+        app.add_subcommand ("render", "Renders a focus: voltages, velocities, scores and a report with figures");
     auto options = std::make_shared<RenderCommandOptions>();
     addCommonOptions (*command, options->common);
-    command->add_option ("--probe", options->probes, "Where velocities are recorded, mm (repeatable)")
+    command->add_option ("--probe", options->probes, "Position of a velocity probe, mm (repeatable)")
         ->allow_extra_args (false)
         ->type_name ("X,Y");
-    command->add_option ("--duration-ms", options->duration, "How long is rendered, from the trigger");
-    command->add_option ("--block-size", options->blockSize, "Samples a block; the result does not depend on it")
+    command->add_option ("--duration-ms", options->duration, "Rendered duration from the trigger, ms");
+    command->add_option ("--block-size", options->blockSize, "Samples per block; does not affect the result")
         ->check (CLI::Range (1, 8193))
         ->capture_default_str();
     command->add_option ("--format", options->format, "Format of the voltages")
         ->check (CLI::IsMember ({ "wav", "csv", "tfw" }))
         ->capture_default_str();
-    command->add_flag ("!--no-report", options->hasReport, "Leaves out report.html");
+    command->add_flag ("!--no-report", options->hasReport, "Writes no report.html");
     command->callback ([options] { render (*options); });
 }
 } // namespace antinode

@@ -30,7 +30,7 @@ void writeVoltagesCsv (OutputFolder& folder, const RenderedFocus& focus)
     folder.write ("voltages.csv", encodeCsv (focus.render.voltages, columns, focus.render.sampleRate, 0));
 }
 
-/** One file a ceramic, and a sheet: a .tfw holds only the shape, the rest is set on the generator by hand. */
+/** One file per ceramic, and a sheet: a .tfw holds only the shape, the rest is set on the generator by hand. */
 void writeVoltagesTfw (OutputFolder& folder, const RenderedFocus& focus)
 {
     std::string sheet = "file,ceramic,amplitude_Vpp,offset_V,high_V,low_V,period_s\n";

@@ -5,14 +5,11 @@ namespace antinode
 CLI::Option* addSensorOptions (CLI::App& command, SensorOptions& options)
 {
     constexpr double least = 1e-9, most = 1e9;
-    command
-        .add_option ("--input-full-scale-v", options.inputFullScale,
-                     "Voltage at an input, V, that a recorded sample of 1 stands for")
+    command.add_option ("--input-full-scale-v", options.inputFullScale, "Input voltage of a recorded sample of 1, V")
         ->check (CLI::Range (least, most))
         ->capture_default_str();
     return command
-        .add_option ("--sensitivity-mm-s-per-v", options.sensitivity,
-                     "Velocity for which the sensor gives a volt, mm/s")
+        .add_option ("--sensitivity-mm-s-per-v", options.sensitivity, "Sensitivity of the sensor, mm/s per V")
         ->check (CLI::Range (least, most));
 }
 } // namespace antinode

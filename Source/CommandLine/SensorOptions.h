@@ -4,13 +4,13 @@
 
 namespace antinode
 {
-/** What a recorded sample of 1 stands for. */
+/** The scale of recorded samples. */
 struct SensorOptions
 {
-    double sensitivity = 0;    // mm/s a volt
-    double inputFullScale = 1; // V that a recorded sample of 1 stands for
+    double sensitivity = 0;    // mm/s per V
+    double inputFullScale = 1; // The voltage of a recorded sample of 1, V
 
-    /** m/s that a recorded sample of 1 stands for. */
+    /** The velocity of a recorded sample of 1, m/s. */
     double velocityOfFullScale() const { return inputFullScale * sensitivity / 1000; }
 };
 

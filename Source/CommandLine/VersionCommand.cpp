@@ -10,7 +10,7 @@ namespace antinode
 {
 void addVersionCommand (CLI::App& app)
 {
-    app.add_subcommand ("version", "Says which version this is and what it is built with")
+    app.add_subcommand ("version", "Prints the version and the versions of the libraries")
         ->callback (
             []
             {

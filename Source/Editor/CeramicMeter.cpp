@@ -10,8 +10,8 @@ namespace antinode
 namespace
 {
 constexpr double lampSeconds = 1.5, fallPerSecond = 1.2, holdPerSecond = 0.25;
-constexpr int steps = 200;          // that a level is told apart in
-constexpr int roomyWidth = 70;      // from here on the peak is written beside the bar
+constexpr int steps = 200;          // resolution of a level
+constexpr int roomyWidth = 70;      // from this width on the peak is shown next to the bar
 constexpr double lowestLevel = -48; // dB below the limit
 
 /** Of the bar's height. */
@@ -36,8 +36,8 @@ void CeramicMeter::setCeramic (const juce::String& name, double limit)
     setTitle ("Mute ceramic " + juce::String (channel) + (name.isEmpty() ? juce::String() : ", " + name));
     setTooltip ("Ceramic " + juce::String (channel) + (name.isEmpty() ? juce::String() : " (" + name + ")") + ": limit "
                 + juce::String (limit, 1)
-                + " V. The bar is the peak of its voltage, from 48 dB below this up; the lamp above it says that the "
-                + "limiter acted.\nClick to mute it.");
+                + " V. The bar shows the peak voltage, from 48 dB below this limit; the lamp above it shows that "
+                + "the limiter has clamped samples.\nClick to mute.");
 }
 
 void CeramicMeter::refresh (float volts, bool isLimited, double seconds)

@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** How much voltage a ceramic gets, whether its limiter acts, and a click that mutes it. [message thread] */
+/** The voltage of a ceramic and the state of its limiter; a click mutes it. [message thread] */
 class CeramicMeter : public juce::Button
 {
 public:
@@ -28,7 +28,7 @@ private:
     int channel;
     double limitVolts = 0;
     float level = 0, hold = 0; ///< Of the bar.
-    double peakVolts = 0;      ///< What the hold stands for.
+    double peakVolts = 0;      ///< The voltage of the hold, V.
     double limitedFor = 0;     ///< s that the lamp stays on.
     int shownPixels = -1;
     bool wasLimited = false;

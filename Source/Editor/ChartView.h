@@ -14,7 +14,7 @@ class ChartView final : public juce::Component
 public:
     explicit ChartView (const juce::String& title);
 
-    /** @param wording  what stands there where there is no chart */
+    /** @param wording  the text without a chart */
     void setChart (std::shared_ptr<const Chart>, const juce::String& wording);
 
     void paint (juce::Graphics&) override;

@@ -14,7 +14,7 @@
 
 namespace antinode
 {
-/** What the editor wants to see drawn. */
+/** A request for a picture. */
 struct DesignQuestion
 {
     std::shared_ptr<const ModalModel> model;
@@ -25,7 +25,7 @@ struct DesignQuestion
     bool operator== (const DesignQuestion&) const;
 };
 
-/** What a render of the focus showed: the same charts and scores as in the report. */
+/** The result of a render: the same charts and scores as in the report. */
 struct RenderedCharts
 {
     std::shared_ptr<const Chart> voltages, probe;
@@ -33,7 +33,7 @@ struct RenderedCharts
     std::vector<std::string> warnings, choices;
 };
 
-/** What the editor shows of a focus. Never changed once it is given. Parts come one after the other, the quick ones first. */
+/** The picture of a focus. Immutable. Parts arrive one after the other, the quick ones first. */
 struct DesignPicture
 {
     enum class Stage
@@ -45,10 +45,10 @@ struct DesignPicture
 
     DesignQuestion question;
     FocusDescription focus;                    ///< The document as the parameters changed it.
-    std::shared_ptr<const FieldFrames> frames; ///< None where there is no design.
+    std::shared_ptr<const FieldFrames> frames; ///< None if there is no design.
     std::shared_ptr<const Chart> field;        ///< At the focus: a LineChart of a line, a HeatMap of a plate.
-    std::shared_ptr<const Chart> section;  ///< Of a plate, along x through the focus; none where there is no design.
-    std::shared_ptr<const Chart> spectrum; ///< None where there is no design.
+    std::shared_ptr<const Chart> section;      ///< Of a plate, along x through the focus; none if there is no design.
+    std::shared_ptr<const Chart> spectrum;     ///< None if there is no design.
     std::shared_ptr<const RenderedCharts> rendered; ///< Of an earlier design until the stage is complete.
     std::string error;                              ///< Why there is no design, in one sentence.
     Stage stage = Stage::predicted;

@@ -13,11 +13,11 @@ namespace antinode
 {
 namespace
 {
-/** Younger designs are finished though they are outdated: while a parameter moves, its field is to be seen. */
+/** Designs younger than this are finished even if outdated, so that the field follows a moving parameter. */
 constexpr auto longDesign = std::chrono::milliseconds (250);
 constexpr auto pause = std::chrono::milliseconds (120); // without a new question before the long part begins
 
-/** Thrown through a render that nobody waits for any more. */
+/** Thrown through an outdated render. */
 struct GivenUp
 {
 };
@@ -27,7 +27,7 @@ std::vector<std::pair<double, double>> probesOf (const DesignQuestion& question)
     const auto& surface = question.model->surface;
     auto probes = probePlaces (question.focus->description, question.settings, surface);
 
-    // A focus of another device may have probes beside this surface: the session moves them too.
+    // A focus of another device may have probes outside this surface: the session moves them too.
     for (auto& [x, y] : probes)
     {
         x = std::clamp (x, surface.xMinimum, surface.xMaximum);

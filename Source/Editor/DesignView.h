@@ -14,7 +14,7 @@
 
 namespace antinode
 {
-/** Works out what the editor shows, on a thread of its own: first the field that is predicted, then its frames, then a whole render.
+/** Computes the picture for the editor on its own thread: first the predicted field, then its frames, then a full render.
     A newer question replaces an older one, whose work is given up between two steps. */
 class DesignView
 {
@@ -22,7 +22,7 @@ public:
     /** Starts the thread. [worker] */
     DesignView();
 
-    /** Gives up what is not finished and joins the thread. [worker] */
+    /** Abandons unfinished work and joins the thread. [worker] */
     ~DesignView();
     DesignView (const DesignView&) = delete;
     DesignView& operator= (const DesignView&) = delete;
@@ -30,10 +30,10 @@ public:
     /** Returns at once. [any but the audio thread] */
     void ask (DesignQuestion);
 
-    /** The newest picture, or none yet. [any but the audio thread] */
+    /** The latest picture, or none yet. [any but the audio thread] */
     std::shared_ptr<const DesignPicture> picture() const;
 
-    /** Whether the newest question has its complete picture. [any but the audio thread] */
+    /** Whether the picture of the latest request is complete. [any but the audio thread] */
     bool isDone() const;
 
 private:

@@ -146,7 +146,7 @@ void EditorContent::fire()
     if (processor.parameters().arm().get())
         processor.session().fire (1);
     else
-        status.say ("The output is disarmed, so nothing was fired: arm it first.");
+        status.say ("Nothing was fired: the output is disarmed. Arm it first.");
 }
 
 void EditorContent::undo()

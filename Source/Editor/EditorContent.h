@@ -20,7 +20,7 @@
 
 namespace antinode
 {
-/** All that the editor shows, in a plain component: any window can have it. Nothing in it runs by itself but the design view's
+/** The content of the editor as a plain component for any window. Nothing in it runs by itself except the design view's
     thread: whoever has it calls refresh(). [message thread] */
 class EditorContent final : public juce::Component
 {
@@ -34,7 +34,7 @@ public:
     /** Shows what has changed. @param seconds  since the last call */
     void refresh (double seconds);
 
-    /** Whether all that was asked for is shown: nothing is being solved or worked out. */
+    /** Whether everything requested is shown and no work is in progress. */
     bool isSettled() const;
 
     void setDark (bool isDark);

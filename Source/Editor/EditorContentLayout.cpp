@@ -17,10 +17,10 @@ void EditorContent::setLayout (Layout wanted)
     if (std::exchange (layout, wanted) == wanted)
         return;
 
-    const PanelGroup::Panel ofSpectrum { "Spectrum", "How much of each mode is wanted, and reached.", &spectrum },
-        ofProbe { "Probe", "The velocity at the probe over time: as designed, and live.", &probe },
-        ofVoltages { "Voltages", "What each ceramic gets, with its limits.", &voltages },
-        ofScores { "Scores", "How good the focus is, warnings, and what was chosen.", &scores },
+    const PanelGroup::Panel ofSpectrum { "Spectrum", "Wanted and reached velocity of each mode.", &spectrum },
+        ofProbe { "Probe", "Velocity at the probe over time: designed and live.", &probe },
+        ofVoltages { "Voltages", "Voltage of each ceramic with its limits.", &voltages },
+        ofScores { "Scores", "Scores of the focus, warnings and choices.", &scores },
         ofControls { "Controls", "All parameters.", &parameterView };
     upper.setPanels ({});
     lower.setPanels ({});

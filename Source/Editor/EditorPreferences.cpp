@@ -38,7 +38,7 @@ EditorPreferences readPreferences()
     }
     catch (const InputError&)
     {
-        return {}; // It is written anew with the next choice.
+        return {}; // It is rewritten with the next choice.
     }
 }
 

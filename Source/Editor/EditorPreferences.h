@@ -4,16 +4,16 @@
 
 namespace antinode
 {
-/** How files call the editor's two looks. */
+/** The names of the editor's two looks in files. */
 inline constexpr WordList<bool, 2> themeWords { { { "dark", true }, { "light", false } } };
 
-/** What a plug-in's window keeps for the user, whatever the host: none of it belongs to a piece, so none is in a host's state. */
+/** Preferences of the plug-in's window, the same in all hosts; not part of a host's state. */
 struct EditorPreferences
 {
     bool isDark = true;
 };
 
-/** What is kept in $XDG_CONFIG_HOME/antinode/editor.json; the defaults where there is no such file, or a broken one. Docs/FileFormats.md
+/** The preferences in $XDG_CONFIG_HOME/antinode/editor.json; the defaults if there is no valid file. Docs/FileFormats.md
     [message thread] */
 EditorPreferences readPreferences();
 

@@ -15,13 +15,13 @@ struct FieldFrames
     static constexpr double span = 3e-3; ///< s before and after the focus
     static constexpr int count = 121, atFocus = 60;
 
-    std::vector<Eigen::MatrixXd> maps; ///< Of a plate: rows from below, m/s; one a frame, or one alone: of the focus.
+    std::vector<Eigen::MatrixXd> maps; ///< Of a plate: rows from below, m/s; one per frame, or only that of the focus.
     Eigen::MatrixXd lines;             ///< Of a line: points x frames, m/s; or one column alone: of the focus.
     Eigen::VectorXd focusVelocities;   ///< N_m: modal velocities at the focus, m/s kg^1/2.
     Eigen::VectorXd focusField;        ///< N_p: at the focus, m/s.
     double largest = 0;                ///< The largest magnitude at the focus, m/s.
 
-    /** How many there are: all, or the focus alone. [any] */
+    /** The number of frames: all, or 1 for the focus only. [any] */
     int available() const
     {
         return static_cast<int> (maps.empty() ? lines.cols() : static_cast<Eigen::Index> (maps.size()));
@@ -38,7 +38,7 @@ FieldFrames predictFocus (const ModalModel&, const FocusDesign&);
 FieldFrames stillFrames (const ModalModel&);
 
 /** All frames. @param isOutdated  asked between them; then what was done so far is given up
-    @return  none where it was given up [worker] */
+    @return  none if it was given up [worker] */
 std::shared_ptr<const FieldFrames> predictFrames (const ModalModel&, const FocusDesign&,
                                                   const std::function<bool()>& isOutdated);
 } // namespace antinode

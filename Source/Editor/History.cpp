@@ -6,7 +6,7 @@ namespace antinode
 {
 namespace
 {
-constexpr juce::uint32 joinWithin = 600; // ms: arrow keys and turns of a wheel follow each other closely
+constexpr juce::uint32 joinWithin = 600; // ms: arrow keys and steps of a wheel follow each other closely
 constexpr std::size_t mostEntries = 200;
 
 /** Keeps of both states only the parameters that differ, and of these those that the user moved. */

@@ -9,7 +9,7 @@
 
 namespace antinode
 {
-/** Undo and redo of what the user does to a processor: one entry a gesture. What a host automates makes no entry and is not undone,
+/** Undo and redo of the user's changes to a processor: one entry per gesture. What a host automates makes no entry and is not undone,
     and neither is arming: nothing but its own switch puts voltage on the ceramics.
     All of it: [message thread] */
 class History : private juce::AudioProcessorParameter::Listener
@@ -30,7 +30,7 @@ public:
     void redo();
 
 private:
-    /** What an entry changed: parameters that did not change are left out. */
+    /** The changes of an entry: unchanged parameters are left out. */
     struct Entry
     {
         SessionState before, after;
@@ -44,7 +44,7 @@ private:
 
     AntinodeProcessor& processor;
     std::vector<Entry> entries;
-    std::size_t position = 0; ///< How many of the entries are done.
+    std::size_t position = 0; ///< The number of entries that are done.
     SessionState atStart;     ///< Of the gesture that goes on.
     std::set<std::string> gestured;
     int gestures = 0;

@@ -9,7 +9,7 @@
 
 namespace antinode
 {
-/** What the first probe does just now: its velocity over the last half second. [message thread] */
+/** The live velocity at the first probe over the last half second. [message thread] */
 class LiveTrace : public juce::Component
 {
 public:

@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** Shows the tips of what is inside of its parent, but not of what has closer ones: JUCE's shows those of the whole window, so that two
+/** Shows the tooltips of components inside its parent, except those with a closer instance: JUCE's shows those of the whole window, so that two
     show the same. [message thread] */
 class LocalTooltips : public juce::TooltipWindow
 {

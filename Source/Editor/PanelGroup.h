@@ -7,7 +7,7 @@
 
 namespace antinode
 {
-/** Panels that share a place: one is shown, the others wait behind their tabs. They belong to somebody else.
+/** Panels that share a place: one is shown, the others wait behind their tabs. They are owned elsewhere.
     [message thread] */
 class PanelGroup final : public juce::Component
 {

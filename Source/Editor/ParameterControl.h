@@ -13,13 +13,13 @@ public:
     explicit ParameterControl (juce::RangedAudioParameter&);
     ~ParameterControl() override;
 
-    /** What takes the keyboard. */
+    /** The component with the keyboard focus. */
     juce::Component& control() { return *input; }
 
     /** Shows the parameter's value where it has changed. */
     void refresh() { link.refresh(); }
 
-    /** Shows the value's text anew: texts of places are in mm of the device. */
+    /** Shows the value's text again: texts of places are in mm of the device. */
     void refreshText();
 
     void resized() override;

@@ -4,6 +4,6 @@
 
 namespace antinode
 {
-/** What a parameter does, and the values that it can have with their unit: for tooltips and screen readers. [message thread] */
+/** The effect of a parameter and its range with the unit, for tooltips and screen readers. [message thread] */
 juce::String helpOf (const juce::RangedAudioParameter&);
 } // namespace antinode

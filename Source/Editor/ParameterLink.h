@@ -17,7 +17,7 @@ public:
     /** Shows the value where it is another than it was. */
     void refresh();
 
-    /** What the user does. */
+    /** Changes by the user. */
     void beginGesture() { parameter.beginChangeGesture(); }
     void set (float value);
     void endGesture() { parameter.endChangeGesture(); }

@@ -18,7 +18,7 @@ public:
     /** Shows what has changed. */
     void refresh();
 
-    /** Shows all texts anew: the device is another one. */
+    /** Shows all texts again: the device is another one. */
     void refreshTexts();
 
     /** Lays the controls out for a width, and fills a place at least so high. @return  the height that the controls need */

@@ -28,16 +28,16 @@ PresetPanel::PresetPanel (Presets& presetsToShow) : presets (presetsToShow)
     list.setTitle ("Presets");
     name.setFont (EditorLook::font());
     name.setTitle ("Name to save as");
-    name.setTooltip ("1 to 64 letters, digits, blanks, '-', '_' and '.'; not a name of the factory's.");
+    name.setTooltip ("1 to 64 letters, digits, spaces, '-', '_' and '.'; not the name of a factory preset.");
     name.onReturnKey = [this] { saveAs (name.getText()); };
     load.onClick = [this] { loadSelected(); };
-    load.setTooltip ("Loads the selected one. Also: Return, or a double click.");
+    load.setTooltip ("Loads the selected preset. Also: Return or double click.");
     remove.onClick = [this] { removeSelected(); };
-    remove.setTooltip ("Deletes the selected one, where it is one of your own.");
+    remove.setTooltip ("Deletes the selected user preset.");
     file.onClick = [this] { chooseFile(); };
     file.setTooltip ("Loads a JSON file.");
     save.onClick = [this] { saveAs (name.getText()); };
-    save.setTooltip ("Keeps what is loaded, as the parameters have changed it, under the name at the left.");
+    save.setTooltip ("Saves the loaded preset with its parameter changes under the name at the left.");
     close.onClick = [this]
     {
         if (onClose)

@@ -8,13 +8,13 @@
 
 namespace antinode
 {
-/** The browser of devices or focuses: the factory's and the user's own, to be loaded, kept and removed. [message thread] */
+/** The browser of devices or focuses: loads factory and user presets, saves and deletes user presets. [message thread] */
 class PresetPanel final : public juce::Component, private juce::ListBoxModel
 {
 public:
     explicit PresetPanel (Presets&);
 
-    /** Shows what there is of a kind. */
+    /** Lists the presets of a kind. */
     void open (LibraryKind);
 
     LibraryKind kind() const { return shownKind; }
@@ -22,10 +22,10 @@ public:
     /** Closes it. */
     std::function<void()> onClose;
 
-    /** The sentence about what was done last, or why it was not. */
+    /** The result of the last action, or why it failed. */
     juce::String message() const { return sentence.getText(); }
 
-    /** What the buttons do; the selected row and the name that was typed say with what. */
+    /** The actions of the buttons on the selected row and the typed name. */
     void select (const juce::String& name);
     void loadSelected();
     void saveAs (const juce::String& name);
@@ -37,7 +37,7 @@ public:
     bool keyPressed (const juce::KeyPress&) override;
 
 private:
-    /** A row: an entry, or a heading where there is none. */
+    /** A row: an entry, or a heading if there is none. */
     struct Row
     {
         juce::String heading;

@@ -96,6 +96,6 @@ juce::String Presets::loadedName (LibraryKind kind) const
 {
     const auto& name =
         kind == LibraryKind::device ? processor.device()->description.name : processor.focus()->description.name;
-    return name.empty() ? juce::String ("without a name") : juce::String::fromUTF8 (name.c_str());
+    return name.empty() ? juce::String ("unnamed") : juce::String::fromUTF8 (name.c_str());
 }
 } // namespace antinode

@@ -8,7 +8,7 @@
 
 namespace antinode
 {
-/** What can be done with the devices and focuses of the library. Each gives one sentence where it could not be done; then nothing has
+/** Actions on the devices and focuses of the library. Each returns one sentence if it failed; then nothing has
     changed. [message thread] */
 class Presets
 {
@@ -18,13 +18,13 @@ public:
     /** @param nameOrFile  as loadDocument */
     juce::String load (LibraryKind, const std::string& nameOrFile);
 
-    /** Keeps the device, or the focus as the parameters changed it, as the user's own, and goes on with that. */
+    /** Saves the device, or the focus with its parameter changes, as a user preset, and continues with that. */
     juce::String save (LibraryKind, const std::string& name);
 
-    /** Removes one of the user's own. */
+    /** Removes a user preset. */
     juce::String remove (LibraryKind, const std::string& name);
 
-    /** The name of what is loaded. */
+    /** The name of the loaded preset. */
     juce::String loadedName (LibraryKind) const;
 
 private:

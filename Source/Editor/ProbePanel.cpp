@@ -2,7 +2,7 @@
 
 namespace antinode
 {
-ProbePanel::ProbePanel (const ProbeTrace& trace) : chart ("Velocity at the probe, as designed"), live (trace)
+ProbePanel::ProbePanel (const ProbeTrace& trace) : chart ("Designed velocity at the probe"), live (trace)
 {
     addAndMakeVisible (chart);
     addAndMakeVisible (live);

@@ -5,7 +5,7 @@
 
 namespace antinode
 {
-/** The velocity at the probe: as designed, and below it what it is just now. [message thread] */
+/** The velocity at the probe: as designed, and live below. [message thread] */
 class ProbePanel final : public juce::Component
 {
 public:

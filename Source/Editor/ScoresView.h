@@ -8,7 +8,7 @@
 
 namespace antinode
 {
-/** How good the focus is, what the user should be warned of and what was chosen, in plain words. [message thread] */
+/** The scores of the focus, warnings and choices, as sentences. [message thread] */
 class ScoresView final : public juce::Component
 {
 public:

@@ -36,7 +36,7 @@ StatusLine::Message StatusLine::message (const DesignPicture* picture, bool isWo
         return { said, Level::warning };
 
     if (processor.session().meters().isMutedForBadNumbers())
-        return { "The output is muted: a number was not finite. Load the device anew.", Level::warning };
+        return { "The output is muted because a sample was not finite. Load the device again.", Level::warning };
 
     if (const auto warning = processor.warning(); warning.isNotEmpty())
         return { warning, Level::warning };
@@ -53,7 +53,7 @@ StatusLine::Message StatusLine::message (const DesignPicture* picture, bool isWo
 
     if (! progress.isDone())
         return { "Designing " + juce::String (progress.designed) + " of " + juce::String (progress.wanted)
-                 + juce::String::fromUTF8 (" places \xE2\x80\xA6") };
+                 + juce::String::fromUTF8 (" positions \xE2\x80\xA6") };
 
     if (const auto sentence = unplayableNotes (progress, session->playback.sampleRate); ! sentence.empty())
         return { fromUtf8 (sentence), Level::caution };

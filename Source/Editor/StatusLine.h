@@ -8,15 +8,15 @@
 
 namespace antinode
 {
-/** One sentence: what is being worked out, or what is wrong. [message thread] */
+/** One sentence: the work in progress, or what is wrong. [message thread] */
 class StatusLine final : public juce::Component, public juce::SettableTooltipClient
 {
 public:
-    /** How urgent a sentence is. */
+    /** The urgency of a sentence. */
     enum class Level
     {
         calm,
-        caution, ///< Something cannot be played, but the focus can.
+        caution, ///< Something other than the focus cannot be played.
         warning
     };
 
@@ -26,7 +26,7 @@ public:
         @param isWorking  whether a newer one is being worked out */
     void refresh (const DesignPicture* picture, bool isWorking);
 
-    /** Says something once, until it is said otherwise: what a click could not do. */
+    /** Shows a sentence until the next one, for example why a click had no effect. */
     void say (const juce::String& sentence);
 
     juce::String text() const { return shown; }

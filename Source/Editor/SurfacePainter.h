@@ -22,7 +22,7 @@ public:
     /** @param scale  pixels of the screen for one of the area */
     void layOut (juce::Rectangle<int> area, float scale);
 
-    /** Where places and velocities, in mm and mm/s, lie. */
+    /** The mapping of positions and velocities, in mm and mm/s, to pixels. */
     const PlotFrame& frame() const { return plot; }
 
     bool isLine() const;

@@ -30,11 +30,11 @@ SurfaceView::SurfaceView (AntinodeProcessor& processorToShow) : processor (proce
     height = parameters.find ("peak_velocity");
     setTitle ("Surface");
     setDescription (
-        "The velocity of the surface at the focus. Arrow keys move the spot, with Alt the probe, with Shift in "
-        "small steps. Space fires.");
+        "Velocity of the surface at the focus. Arrow keys move the spot, Alt with arrow keys the probe, Shift makes "
+        "the steps smaller. Space fires.");
     setTooltip (
         "Drag the spot (ring) or the probe (diamond).\nArrow keys move the spot by 1 % of the surface, with Shift by "
-        "0.1 %, with Alt the probe. Space fires.");
+        "0.1 %; Alt with arrow keys moves the probe. Space fires.");
     setWantsKeyboardFocus (true);
 }
 

@@ -9,7 +9,7 @@
 
 namespace antinode
 {
-/** The plate or beam from above: its ceramics, the field, the wanted spot and the probe, which can be dragged or moved with arrow keys.
+/** The plate or beam from above: ceramics, field, spot and probe; both can be dragged or moved with arrow keys.
     [message thread] */
 class SurfaceView : public juce::Component, public juce::SettableTooltipClient
 {
@@ -24,11 +24,11 @@ public:
     /** Draws the spot and the probe where the parameters say. */
     void refresh();
 
-    /** Where the spot and the probe stand, in pixels of this component. */
+    /** The positions of spot and probe, in pixels of this component. */
     juce::Point<float> spot() const { return placeOf (*spotX, *spotY, shownSpotHeight()); }
     juce::Point<float> probe() const { return placeOf (*probeX, *probeY, 0); }
 
-    /** What space and Return do. */
+    /** The action of Space and Return. */
     std::function<void()> onFire;
 
     void paint (juce::Graphics&) override;

@@ -26,7 +26,7 @@ Timeline::Timeline()
     play.setButtonText ("Play");
     play.setTitle ("Play around the focus");
     play.setClickingTogglesState (true);
-    play.setTooltip ("Plays the field from 3 ms before the focus to 3 ms after it, slowly. Key: P");
+    play.setTooltip ("Plays the field in slow motion from 3 ms before to 3 ms after the focus. Key: P");
     play.onStateChange = [this] { play.setButtonText (isPlaying() ? "Pause" : "Play"); };
     play.onClick = [this] { position = place.getValue(); };
     focus.setButtonText ("Focus");
@@ -45,7 +45,7 @@ Timeline::Timeline()
     place.updateText();
     place.setDoubleClickReturnValue (true, FieldFrames::atFocus);
     place.setTitle ("Time from the focus");
-    place.setTooltip ("Which instant the surface shows, in ms from the focus.");
+    place.setTooltip ("Displayed instant relative to the focus, ms.");
     place.setWantsKeyboardFocus (true);
     addAndMakeVisible (play);
     addAndMakeVisible (focus);

@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** Which instant around the focus the surface shows: a slider over the frames, and a button that plays them slowly.
+/** The displayed instant around the focus: a slider over the frames, and a button that plays them in slow motion.
     [message thread] */
 class Timeline final : public juce::Component
 {
@@ -19,7 +19,7 @@ public:
 
     void showFocus() { focus.triggerClick(); }
 
-    /** Goes on where it plays. @param seconds  since the last call */
+    /** Advances while playing. @param seconds  since the last call */
     void advance (double seconds);
 
     void paint (juce::Graphics&) override;

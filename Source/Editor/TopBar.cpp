@@ -28,7 +28,7 @@ void TopBar::NameButton::setLoaded (const juce::String& name)
 
     loaded = name;
     setTitle (caption + ": " + name);
-    setTooltip (caption + ": " + name + "\nClick to load, save or delete one.");
+    setTooltip (caption + ": " + name + "\nClick to load, save or delete presets.");
     repaint();
 }
 
@@ -62,9 +62,9 @@ TopBar::TopBar (AntinodeProcessor& processor, History& historyToShow)
     undo.setTooltip ("Undo. Keys: Ctrl Z");
     redo.setTooltip ("Redo. Keys: Ctrl Shift Z");
     theme.setTooltip ("Light or dark. Key: T");
-    arm.setTooltip ("Armed, triggers put voltage on the ceramics. Disarmed, all ceramics stay at 0 V. Key: A");
-    fire.setTooltip ("Fires the focus at its own place with the next block. Keys: Space, Return on the surface");
-    stop.setTooltip ("Fades out all that plays. Key: Escape");
+    arm.setTooltip ("If armed, triggers put voltage on the ceramics; if disarmed, all ceramics stay at 0 V. Key: A");
+    fire.setTooltip ("Fires the focus at its own position. Keys: Space, Return on the surface");
+    stop.setTooltip ("Fades out all playing foci. Key: Escape");
     arm.setTitle ("Arm");
     fire.setTitle ("Fire");
     stop.setTitle ("Stop");

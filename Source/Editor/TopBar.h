@@ -10,7 +10,7 @@
 
 namespace antinode
 {
-/** What is loaded, undo and redo, the theme, and the three buttons that put voltage on the ceramics or take it off. [message thread] */
+/** The loaded presets, undo and redo, the theme, and the three buttons that control the voltage on the ceramics. [message thread] */
 class TopBar final : public juce::Component
 {
 public:

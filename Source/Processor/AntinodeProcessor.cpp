@@ -101,8 +101,8 @@ juce::String AntinodeProcessor::warning() const
 
     if (ceramics > channels)
         return "The device has " + juce::String (ceramics) + " ceramics, but this bus has only "
-               + juce::String (channels) + " channels: ceramics " + juce::String (channels + 1)
-               + " and up get nothing.";
+               + juce::String (channels) + " channels: ceramic " + juce::String (channels + 1)
+               + " and above stay at 0 V.";
 
     return {};
 }
@@ -118,7 +118,7 @@ void AntinodeProcessor::setWarning (const juce::String& text)
 
 bool AntinodeProcessor::isBusesLayoutSupported (const BusesLayout& layout) const
 {
-    // By count: hosts name channels as they like, wires are told apart by their numbers.
+    // By count: hosts name channels as they like, wires are distinguished by their numbers.
     const auto ceramics = layout.getMainOutputChannels();
     const auto monitor = layout.getNumChannels (false, 1);
     return layout.inputBuses.isEmpty() && ceramics >= 1 && ceramics <= mostCeramics
@@ -184,7 +184,7 @@ void AntinodeProcessor::processBlockBypassed (juce::AudioBuffer<double>& buffer,
 }
 
 /** A host prepares us on a thread of its own while messages run on another. Who comes second leaves it to a message that follows: to wait
-    would hold up a host that, told of the latency, waits for the other thread. */
+    would block a host that waits for the other thread when informed of the latency. */
 void AntinodeProcessor::reportLatency()
 {
     const juce::ScopedTryLock lock (latencyReports);

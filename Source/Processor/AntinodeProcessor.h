@@ -38,7 +38,7 @@ public:
         [message thread] */
     void load (std::shared_ptr<const DeviceDocument>, std::shared_ptr<const FocusDocument>);
 
-    /** All that a host would keep. [message thread] */
+    /** The complete state for a host. [message thread] */
     SessionState state() const;
 
     /** Goes back to a state. @param isRestored  true where it comes from a file or a host: then a device that requires it is disarmed
@@ -53,13 +53,13 @@ public:
     std::uint64_t mutes() const { return mutedCeramics; }
     void setMutes (std::uint64_t mask) { mutedCeramics = mask; }
 
-    /** What the user must know: a state that could not be read, channels that are missing; empty where all is well. [any but the audio thread] */
+    /** A warning for the user: an unreadable state, missing channels; empty if there is none. [any but the audio thread] */
     juce::String warning() const;
 
     /** Called on the message thread after the session or the state have changed. [message thread] */
     std::function<void()> onChange;
 
-    /** Makes the editor; set by the program that has one, so that what only renders needs none. */
+    /** Creates the editor; set by programs that have one, so that programs without an editor do not need it. */
     static std::function<juce::AudioProcessorEditor*(AntinodeProcessor&)> makeEditor;
 
     const juce::String getName() const override { return "Antinode"; }
@@ -105,7 +105,7 @@ private:
     BufferChannels bufferChannels;
     juce::CriticalSection latencyReports; ///< One at a time.
     std::shared_ptr<const ModalModel>
-        describedModel; ///< What the host knows the parameters' texts of. Of the message thread.
+        describedModel; ///< The model of the parameters' texts that the host knows. Of the message thread.
 
     mutable juce::CriticalSection documents; ///< For the next lines.
     std::shared_ptr<const DeviceDocument> loadedDevice;
@@ -113,6 +113,6 @@ private:
     juce::String stateWarning;
 };
 
-/** The embedded demonstrator: what everything starts with. [worker] */
+/** The embedded demonstrator: the initial state. [worker] */
 SessionState demonstrator();
 } // namespace antinode

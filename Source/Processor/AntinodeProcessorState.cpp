@@ -58,7 +58,7 @@ void AntinodeProcessor::setStateInformation (const void* data, int size)
     }
     catch (const InputError& failure)
     {
-        setWarning ("The saved state could not be read, so nothing was changed: "
+        setWarning ("The saved state could not be read; nothing was changed: "
                     + juce::String::fromUTF8 (failure.what()));
     }
 }

@@ -10,7 +10,7 @@
 
 namespace antinode
 {
-/** Which channels of a host's buffer are the ceramics and which the monitor. */
+/** The channels of ceramics and monitor in a host's buffer. */
 class BufferChannels
 {
 public:
@@ -28,7 +28,7 @@ public:
         [worker] nothing may be processing */
     void lay (const juce::AudioProcessor&, juce::AudioProcessor::WrapperType wrapper);
 
-    /** A block on the channels of a buffer; those beyond are cleared. None where the buffer has fewer than the host asked for.
+    /** A block on the channels of a buffer; those beyond are cleared. None if the buffer has fewer than the host asked for.
         [audio thread] */
     template <typename Sample>
     std::optional<OutputBlock<Sample>> blockOf (juce::AudioBuffer<Sample>&, Pointers<Sample>&) const;

@@ -1,5 +1,7 @@
 #include "ParameterTexts.h"
 
+#include <antinode_base/MessageText.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -29,7 +31,7 @@ double numberIn (const juce::String& text)
     return std::isnan (number) ? 0.0 : number;
 }
 
-/** From where to where the surface goes, mm; both 0 where there is none. */
+/** From where to where the surface goes, mm; both 0 if there is none. */
 std::pair<double, double> extentOf (const ModalModel* model, Axis axis)
 {
     if (model == nullptr)

@@ -10,7 +10,7 @@
 
 namespace antinode
 {
-/** A parameter's value as text, and back: what toText gives, fromText reads. */
+/** A parameter's value as text, and back: fromText reads what toText returns. */
 struct NumberTexts
 {
     std::function<juce::String (float value, int maximumLength)> toText;
@@ -38,7 +38,7 @@ enum class Axis
 /** A number with its unit. Values below `least` have a word instead. [any] */
 NumberTexts unitTexts (const char* unit, int decimals, float least = -1e30F, const char* wordBelow = "");
 
-/** A share of the surface in percent, as a place in mm: of the model that is played, or in percent where there is none.
+/** A share of the surface in percent, as a place in mm: of the model that is played, or in percent if there is none.
     A text that ends in % is read as percent. [any but the audio thread] */
 NumberTexts placeTexts (const std::function<std::shared_ptr<const ModalModel>()>& model, Axis);
 

@@ -21,13 +21,13 @@ public:
         [message thread] */
     Parameters (juce::AudioProcessor&, const std::function<std::shared_ptr<const ModalModel>()>& surface);
 
-    /** What they say of the focus. [any] */
+    /** The settings of the focus. [any] */
     PlaySettings settings() const;
 
-    /** What takes effect at once, mutes left out. [any] */
+    /** The settings that take effect immediately, without mutes. [any] */
     PlayControls controls() const;
 
-    /** Sets those that a focus decides, and tells the host. [message thread] */
+    /** Sets the parameters that a focus determines, and tells the host. [message thread] */
     void setFocus (const PlaySettings&);
 
     /** All by identifier, in the units of their texts. [any] */

@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** The layout of so many channels whose wires are ours to name: the set of the lowest VST3 speaker bits. Discrete layouts crash JUCE's VST3
+/** The layout of the given number of channels whose wires we name: the set of the lowest VST3 speaker bits. Discrete layouts crash JUCE's VST3
     wrapper, named ones are permuted. [any] @param channels  1 to 64 */
 juce::AudioChannelSet vst3ChannelSet (int channels);
 

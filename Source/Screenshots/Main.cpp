@@ -75,7 +75,7 @@ void show (const Screenshot& wanted, antinode::AntinodeProcessor& processor, ant
     processor.load (deviceOf (wanted.device), focusOf (wanted.focus));
     processor.prepareToPlay (sampleRate, blockSize);
     processor.parameters().arm().setValueNotifyingHost (1);
-    processor.parameters().find ("notes")->setValueNotifyingHost (1); // no designs for notes that nobody waits for
+    processor.parameters().find ("notes")->setValueNotifyingHost (1); // no designs for unused notes
     auto& content = editor.content();
     content.setDark (wanted.isDark);
     processor.session().waitUntilSettled();

@@ -22,7 +22,7 @@ int takeNumber (std::string_view& text, int least, const std::string& option)
 
     if (error != std::errc() || value < least || value > highestNote)
         throw InputError (option,
-                          "is no note: allowed is NOTE or NOTE:VELOCITY, with notes 0 to 127 and velocities 1 to 127");
+                          "is not a note; allowed: NOTE or NOTE:VELOCITY, with notes 0 to 127 and velocities 1 to 127");
 
     text.remove_prefix (static_cast<std::size_t> (end - text.data()));
     return value;
@@ -42,7 +42,7 @@ juce::MidiMessage noteFrom (const std::string& text)
     }
 
     if (! left.empty())
-        throw InputError (option, "has more behind it: allowed is NOTE or NOTE:VELOCITY");
+        throw InputError (option, "has trailing text; allowed: NOTE or NOTE:VELOCITY");
 
     return juce::MidiMessage::noteOn (1, note, static_cast<juce::uint8> (velocity));
 }
@@ -52,7 +52,7 @@ StandaloneSettings withOptions (StandaloneSettings settings, const StandaloneOpt
 {
     auto& audio = settings.audio;
 
-    // Another device, rate or type is not asked to be as the one before was.
+    // Kept settings of another device, rate or type do not apply.
     if (! options.type.empty() || ! options.device.empty())
         audio = {};
 

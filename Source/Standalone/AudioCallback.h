@@ -14,7 +14,7 @@
 
 namespace antinode
 {
-/** What an audio device calls: the processor with all its buses, then the router, on the channels that are open. Blocks of any length. */
+/** The callback of an audio device: the processor with all its buses, then the router, on the channels that are open. Blocks of any length. */
 class AudioCallback : public juce::AudioIODeviceCallback
 {
 public:
@@ -36,7 +36,7 @@ public:
     /** Hz; 0 while no device runs. [any] */
     double sampleRate() const { return rate; }
 
-    /** What the device said when it failed, taken away. [any but the audio thread] */
+    /** Takes the error message of a failed device. [any but the audio thread] */
     juce::String takeError();
 
     void audioDeviceAboutToStart (juce::AudioIODevice*) override;

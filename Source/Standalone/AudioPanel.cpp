@@ -46,8 +46,8 @@ AudioPanel::AudioPanel (StandaloneHost& hostToUse) : host (hostToUse)
         addAndMakeVisible (*boxes[i]);
     }
 
-    type.setTooltip ("ALSA opens an interface itself, JACK uses a server that runs, PipeWire's too.");
-    refresh.setTooltip ("Looks for devices that were plugged in since");
+    type.setTooltip ("ALSA opens the interface itself; JACK uses a running server, including that of PipeWire.");
+    refresh.setTooltip ("Searches for devices that were plugged in since the start");
     failure.setFont (EditorLook::font (EditorLook::smallTextHeight));
     failure.setJustificationType (juce::Justification::topLeft);
     addAndMakeVisible (failure);

@@ -8,7 +8,7 @@
 
 namespace antinode
 {
-/** Which audio device, and how. JUCE's own panel has a button that plays half of full scale past the router: so it is not used. */
+/** The audio device and its settings. JUCE's own panel is not used, because it has a button that plays half of full scale past the router. */
 class AudioPanel final : public juce::Component
 {
 public:
@@ -29,7 +29,7 @@ private:
     StandaloneHost& host;
     juce::ComboBox type, device, rate, block, outputs;
     std::array<juce::Label, 5> names;
-    juce::TextButton refresh { "Look again" };
+    juce::TextButton refresh { "Refresh" };
     juce::Label failure;
     std::string scannedType; ///< Of the next line.
     std::vector<std::string> scannedDevices;

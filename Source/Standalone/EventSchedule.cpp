@@ -59,7 +59,7 @@ std::vector<TimedNote> readMidiFile (const std::filesystem::path& path)
                 notes.push_back ({ std::max (0.0, message.getTimeStamp()), message });
 
     if (notes.empty())
-        throw InputError (path.string(), "has no notes");
+        throw InputError (path.string(), "contains no notes");
 
     return notes;
 }

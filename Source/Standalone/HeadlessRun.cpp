@@ -43,7 +43,7 @@ HeadlessRun::HeadlessRun (StandaloneHost& hostToPlay, std::vector<TimedNote> not
 
 void HeadlessRun::run()
 {
-    std::printf ("solving the device and designing the foci of the notes, which start after that\n");
+    std::printf ("solving the device and designing the foci; the notes start after that\n");
     std::fflush (stdout);
     seenAt = juce::Time::getMillisecondCounter();
     startTimer (tickMilliseconds);
@@ -134,12 +134,12 @@ std::string HeadlessRun::startText() const
     const auto designs = progress.isDone()
                              ? std::string()
                              : "; " + std::to_string (progress.designed) + " of " + std::to_string (progress.wanted)
-                                   + " places are designed, the others follow";
+                                   + " positions are designed, the others follow";
     return "playing on " + audio.type + " device '" + audio.device
            + "': " + std::to_string (std::lround (audio.sampleRate)) + " Hz, " + counted (audio.blockSize, "sample")
-           + " a block, " + counted (std::ssize (audio.outputs), "output") + "; '" + model->name + "' with "
-           + counted (model->actuators(), "ceramic") + ", " + (arms ? "armed" : "disarmed: only --arm lets it sound")
-           + designs;
+           + " per block, " + counted (std::ssize (audio.outputs), "output") + "; '" + model->name + "' with "
+           + counted (model->actuators(), "ceramic") + ", "
+           + (arms ? "armed" : "disarmed: use --arm to drive the outputs") + designs;
 }
 
 std::string HeadlessRun::endText() const
@@ -159,10 +159,10 @@ std::string HeadlessRun::endText() const
     std::snprintf (volts, sizeof volts, "%.1f", static_cast<double> (peak));
     return "ended: " + counted (meters.triggered(), "trigger") + ", at most " + volts + " V, "
            + counted (clamped, "clamped sample") + ", " + counted (outputs.badNumbers(), "block")
-           + " with bad numbers, " + counted (xruns, "xrun") + touchText();
+           + " with invalid samples, " + counted (xruns, "xrun") + touchText();
 }
 
-/** Nothing where no touch came in. */
+/** Nothing if no touch came in. */
 std::string HeadlessRun::touchText() const
 {
     const auto counters = host.touch().counters();
@@ -174,6 +174,6 @@ std::string HeadlessRun::touchText() const
         return {};
 
     return "; of " + counted (counters.packets, "touch packet") + ": " + std::to_string (unplayed.besideSurface)
-           + " beside the surface, " + std::to_string (dropped) + " dropped otherwise";
+           + " outside the surface, " + std::to_string (dropped) + " dropped for other reasons";
 }
 } // namespace antinode

@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** Plays without windows until its time is over, somebody interrupts it, or the device fails. */
+/** Plays without windows until its duration is over, the user interrupts it, or the device fails. */
 class HeadlessRun : private juce::Timer
 {
 public:

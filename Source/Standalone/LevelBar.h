@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** One output's level as a bar that falls slowly, with a lamp that stays on once something had to be held back. */
+/** One output's level as a bar that falls slowly, with a lamp that stays on after samples were clamped. */
 class LevelBar : public juce::Component, public juce::SettableTooltipClient
 {
 public:

@@ -30,7 +30,7 @@ MainComponent::MainComponent (StandaloneHost& hostToUse)
 
         showState();
     };
-    mute.setTooltip ("All outputs to 0 V until they are released here. Key: F12");
+    mute.setTooltip ("Sets all outputs to 0 V until they are released here. Key: F12");
     settingsButton.setClickingTogglesState (true);
     settingsButton.setToggleState (true, juce::dontSendNotification);
     settingsButton.setTooltip ("Shows or hides the settings at the right");
@@ -39,10 +39,10 @@ MainComponent::MainComponent (StandaloneHost& hostToUse)
         settings.setVisible (settingsButton.getToggleState());
         resized();
     };
-    settings.setPanels ({ { "Audio device", "Where the voltages go.", &audio },
-                          { "Routing", "Which ceramic is on which output, behind which amplifier.", &routing },
-                          { "MIDI", "Which inputs play.", &midi },
-                          { "Touch", "Where touches come in: OSC and TUIO.", &touch } });
+    settings.setPanels ({ { "Audio device", "Audio interface for the voltages.", &audio },
+                          { "Routing", "Output and amplifier of each ceramic.", &routing },
+                          { "MIDI", "MIDI inputs that trigger foci.", &midi },
+                          { "Touch", "Ports for touches: OSC and TUIO.", &touch } });
     settings.show (openedAudio (host.devices()).type.empty() ? "Audio device" : "Routing");
 
     for (auto* const label : { &status, &warning })
@@ -92,7 +92,7 @@ juce::String MainComponent::statusText() const
     const auto opened = openedAudio (host.devices());
 
     if (opened.type.empty())
-        return "No audio device is open: choose one in Settings, Audio device.";
+        return "No audio device is open. Choose one in Settings, Audio device.";
 
     return juce::String::fromUTF8 (opened.type.c_str()) + " " + juce::String::fromUTF8 (opened.device.c_str()) + ", "
            + juce::String (juce::roundToInt (opened.sampleRate)) + " Hz, " + juce::String (opened.blockSize)
@@ -104,7 +104,7 @@ juce::String MainComponent::statusText() const
 juce::String MainComponent::warningText() const
 {
     if (host.router().isMuted())
-        return "All outputs are muted: nothing sounds until they are released.";
+        return "All outputs are muted until they are released.";
 
     return host.warning();
 }

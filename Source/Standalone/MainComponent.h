@@ -9,7 +9,7 @@
 
 namespace antinode
 {
-/** All that is in the window: MUTE ALL on top, the editor, and the settings beside it. */
+/** The content of the window: MUTE ALL on top, the editor, and the settings at the right. */
 class MainComponent final : public juce::Component, private juce::Timer
 {
 public:

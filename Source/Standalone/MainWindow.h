@@ -18,7 +18,7 @@ public:
 private:
     static constexpr int maximumSize = 16384;
 
-    /** What is cut off cannot be clicked, MUTE ALL least of all. */
+    /** Keeps the window on the screen: MUTE ALL must stay clickable. */
     void fitToScreen();
 };
 } // namespace antinode

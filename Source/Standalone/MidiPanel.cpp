@@ -53,7 +53,7 @@ void MidiPanel::update()
     }
 }
 
-/** What is not plugged in just now stays chosen. */
+/** Inputs that are not plugged in at the moment stay selected. */
 void MidiPanel::choose()
 {
     auto chosen = host.settings().midi;

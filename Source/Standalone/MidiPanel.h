@@ -9,7 +9,7 @@
 
 namespace antinode
 {
-/** Which MIDI inputs play; those that are plugged in later appear. */
+/** Selects the MIDI inputs; inputs that are plugged in later appear. */
 class MidiPanel final : public juce::Component, private juce::Timer
 {
 public:
@@ -24,7 +24,7 @@ private:
     void choose();
 
     StandaloneHost& host;
-    juce::ToggleButton all { "All inputs, also those that are plugged in later" };
+    juce::ToggleButton all { "All inputs, including those plugged in later" };
     juce::Label none { {}, "No MIDI input is plugged in." };
     juce::Array<juce::MidiDeviceInfo> devices;
     std::vector<std::unique_ptr<juce::ToggleButton>> buttons; ///< Of the devices.

@@ -9,7 +9,7 @@
 
 namespace antinode
 {
-/** Notes on their way from MIDI inputs to the audio thread, which neither locks nor waits; inputs take turns. */
+/** Notes on their way from MIDI inputs to the audio thread, which neither locks nor waits; inputs are serialised. */
 class MidiQueue
 {
 public:
@@ -19,12 +19,12 @@ public:
         @return  false where it was left out, or `capacity` wait already [any but the audio thread] */
     bool push (const juce::MidiMessage&, double milliseconds);
 
-    /** What has come, where it belongs in a block that begins now: a block later than it came, but at even distances.
+    /** The received messages at their samples in a block that starts now: one block late, but with their original spacing.
         @param milliseconds  of the same clock as push() has
         [audio thread] the buffer must have room: see bytesOf */
     void pop (juce::MidiBuffer&, double milliseconds, double sampleRate, int count);
 
-    /** How many bytes a juce::MidiBuffer takes for so many short messages. [any] */
+    /** The number of bytes of a juce::MidiBuffer for the given number of short messages. [any] */
     static constexpr std::size_t bytesOf (std::size_t messages) { return messages * 16; }
 
 private:

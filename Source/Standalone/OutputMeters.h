@@ -8,7 +8,7 @@
 
 namespace antinode
 {
-/** What the audio thread lets others see of each output: its peak since they looked last, and what had to be held back. */
+/** Meters of each output for other threads: its peak since the last read, and the number of clamped samples. */
 class OutputMeters
 {
 public:

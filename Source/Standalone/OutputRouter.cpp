@@ -85,7 +85,7 @@ void OutputRouter::takeTable()
     table.reset (next.exchange (nullptr, std::memory_order_acq_rel));
 }
 
-/** What others have asked for; looked at once a block, so that a block is all of one mind. */
+/** Requests of other threads; read once per block, so that a block is consistent. */
 void OutputRouter::takeCommands (bool isArmed)
 {
     if (const auto wanted = wantsMute.load(); wanted != isMuting)

@@ -13,7 +13,7 @@
 
 namespace antinode
 {
-/** What a block of the router is made of. */
+/** The channels of a block of the router. */
 struct RouterBlock
 {
     std::span<const float* const> ceramics; ///< Channel k is ceramic k; 1.0 = fullScaleVolts.

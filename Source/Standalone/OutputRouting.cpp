@@ -25,10 +25,10 @@ void validateChains (const OutputRouting& routing)
         const auto name = "output " + std::to_string (i + 1);
 
         if (! (chain.voltsPerFullScale >= 0 && std::isfinite (chain.voltsPerFullScale)))
-            throw InputError (name, "volts per full scale must be 0 or more");
+            throw InputError (name, "has negative or invalid volts per full scale; allowed: 0 V or more");
 
         if (chain.polarity != 1 && chain.polarity != -1)
-            throw InputError (name, "polarity is " + std::to_string (chain.polarity) + ", allowed is 1 or -1");
+            throw InputError (name, "polarity is " + std::to_string (chain.polarity) + "; allowed: 1 or -1");
     }
 }
 } // namespace
@@ -71,14 +71,13 @@ void validate (const OutputRouting& routing)
     const auto use = [&] (int output, const std::string& user)
     {
         if (output < 0 || output >= OutputRouting::mostOutputs)
-            throw InputError (user, "has output " + std::to_string (output + 1) + ", allowed is 1 to "
+            throw InputError (user, "has output " + std::to_string (output + 1) + "; allowed: 1 to "
                                         + std::to_string (OutputRouting::mostOutputs));
 
         auto& other = users[static_cast<std::size_t> (output)];
 
         if (! other.empty())
-            throw InputError (user, "has output " + std::to_string (output + 1) + " like " + other
-                                        + ": an output drives one thing only");
+            throw InputError (user, "has output " + std::to_string (output + 1) + ", which " + other + " uses already");
 
         other = user;
     };

@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** What hangs on one output: an amplifier and the wire behind it. */
+/** One output: its amplifier and wiring. */
 struct OutputChain
 {
     double voltsPerFullScale = 0; ///< V at the ceramic for a sample of 1.0; 0: the device's full scale.
@@ -13,7 +13,7 @@ struct OutputChain
     bool operator== (const OutputChain&) const = default;
 };
 
-/** Which output drives which ceramic: each ceramic at most one output, each output at most one ceramic. Counted from 0. */
+/** The output of each ceramic: each ceramic has at most one output, each output at most one ceramic. Counted from 0. */
 struct OutputRouting
 {
     static constexpr int mostCeramics = 64, mostOutputs = 128, monitors = 2;

@@ -17,7 +17,7 @@ RoutingPanel::RoutingPanel (StandaloneHost& hostToUse) : host (hostToUse)
     monitorName.setFont (EditorLook::font (EditorLook::smallTextHeight));
     viewport.setViewedComponent (&list, false);
     viewport.setScrollBarsShown (true, false);
-    straight.setTooltip ("Every ceramic on the output of its number, no monitor");
+    straight.setTooltip ("Assigns every ceramic to the output of its number, without monitor");
     straight.onClick = [this] { host.setRouting (straightRouting()); };
     monitor.onChange = [this]
     {

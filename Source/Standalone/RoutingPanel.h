@@ -7,7 +7,7 @@
 
 namespace antinode
 {
-/** Which ceramic is on which output, behind which amplifier; where the monitor goes. */
+/** Selects output and amplifier of each ceramic, and the monitor outputs. */
 class RoutingPanel final : public juce::Component, private juce::Timer
 {
 public:
@@ -25,7 +25,7 @@ private:
     void makeRows (int ceramics, int outputs);
 
     StandaloneHost& host;
-    juce::Label monitorName { {}, "Velocities at the probes, on outputs" };
+    juce::Label monitorName { {}, "Probe velocities on outputs" };
     juce::ComboBox monitor;
     juce::TextButton straight { "One to one" };
     juce::Viewport viewport;

@@ -30,14 +30,14 @@ RoutingRow::RoutingRow (StandaloneHost& hostToUse, int ceramicToShow, int output
     volts.setFont (EditorLook::font (EditorLook::smallTextHeight));
     volts.setJustification (juce::Justification::centredLeft);
     volts.setTooltip (
-        "Volts at the ceramic for a sample of full scale. Empty: as the device says, which is shown in grey.");
+        "Voltage at the ceramic for a full-scale sample, V. Empty: the value of the device, shown in grey.");
     volts.setEscapeAndReturnKeysConsumed (false);
     volts.onReturnKey = volts.onFocusLost = [this] { changeChain(); };
     polarity.setClickingTogglesState (true);
     polarity.onClick = [this] { changeChain(); };
-    polarity.setTooltip ("Polarity: minus where the wires are swapped");
-    identify.setTooltip ("Soft bursts on this ceramic alone, to find out which one it is. Only while armed.");
-    level.setTooltip ("Peak of the output, from 60 dB below full scale up. The lamp says that samples beyond full "
+    polarity.setTooltip ("Polarity: minus for swapped wires");
+    identify.setTooltip ("Plays soft bursts on this ceramic only, to identify it. Works only while armed.");
+    level.setTooltip ("Peak of the output, from 60 dB below full scale. The lamp shows that samples beyond full "
                       "scale were clamped.");
     identify.onClick = [this]
     { host.router().identify (host.router().identified() == ceramic ? OutputRouting::none : ceramic); };

@@ -5,10 +5,10 @@
 
 namespace antinode
 {
-/** Where the first sample of any channel that is not finite is, from an offset on, or `count`. [audio thread] */
+/** The index of the first sample of any channel that is not finite, from an offset on, or `count`. [audio thread] */
 int firstBadSample (std::span<const float* const> channels, int offset, int count);
 
-/** Copies what an output can give: finite, and no more than full scale. @param clamped  grows by those that were beyond it
+/** Copies samples clamped to what an output can play: finite, and within full scale. @param clamped  grows by those that were beyond it
     [audio thread] */
 void copyWithin (const float* from, float* to, int count, float factor, std::int64_t& clamped);
 

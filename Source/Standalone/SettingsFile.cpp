@@ -15,7 +15,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/** A name beside the file that nothing has yet. */
+/** An unused name in the folder of the file. */
 fs::path freeName (const fs::path& file)
 {
     auto name = file;
@@ -74,12 +74,12 @@ void SettingsFile::putAside (const std::string& reason)
 
     if (failure)
     {
-        loadWarning += "are left in " + file.string() + " and nothing is kept this time.";
+        loadWarning += "remain in " + file.string() + ", and no settings are saved this time.";
         file.clear();
         return;
     }
 
-    loadWarning += "are now in " + aside.string() + " and the usual ones apply.";
+    loadWarning += "were moved to " + aside.string() + ", and the defaults apply.";
 }
 
 void SettingsFile::save (const StandaloneSettings& settings)

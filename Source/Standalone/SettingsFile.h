@@ -7,24 +7,24 @@
 
 namespace antinode
 {
-/** $XDG_CONFIG_HOME/antinode/standalone.json, else that in $HOME/.config; empty where neither is set. [any] */
+/** $XDG_CONFIG_HOME/antinode/standalone.json, else that in $HOME/.config; empty if neither is set. [any] */
 std::filesystem::path usualSettingsFile();
 
-/** Where settings are kept. A file that cannot be read is put aside, never overwritten. */
+/** The settings file. A file that cannot be read is renamed, never overwritten. */
 class SettingsFile
 {
 public:
     /** @param fileToUse  empty: nothing is read or written [any] */
     explicit SettingsFile (std::filesystem::path fileToUse) : file (std::move (fileToUse)) {}
 
-    /** What is kept, or the defaults; warning() says where a broken file was put aside. [worker] */
+    /** The saved settings, or the defaults; warning() says where a broken file was moved. [worker] */
     StandaloneSettings load();
 
     /** Replaces the file in one step, where anything is different.
         @throws InputError  when it cannot be written [worker] */
     void save (const StandaloneSettings&);
 
-    /** What went wrong on loading, in a sentence, or empty. [worker] */
+    /** The warning of loading, as a sentence, or empty. [worker] */
     const std::string& warning() const { return loadWarning; }
 
 private:

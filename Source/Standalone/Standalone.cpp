@@ -82,9 +82,9 @@ void run (const StandaloneOptions& options)
 
 int runStandalone (int argumentCount, const char* const* arguments)
 {
-    CLI::App app ("Antinode as a program of its own: plays foci on the ceramics of any audio device.",
+    CLI::App app ("Antinode as a standalone program: plays foci on the ceramics of any audio device.",
                   "antinode-standalone");
-    app.footer ("It starts disarmed: outputs are at 0 V until they are armed.");
+    app.footer ("It starts disarmed: all outputs stay at 0 V until they are armed.");
     StandaloneOptions options;
     addStandaloneOptions (app, options);
 

@@ -159,8 +159,8 @@ juce::String StandaloneHost::silentCeramics()
         first, first + ceramics, [&open] (int output) { return output != OutputRouting::none && ! open[output]; });
     return silent == 0 ? juce::String()
                        : juce::String (silent) + " of " + juce::String (ceramics)
-                             + " ceramics get nothing: their outputs are not among the "
-                             + juce::String (open.countNumberOfSetBits()) + " that are open.";
+                             + " ceramics stay at 0 V: their outputs are not among the "
+                             + juce::String (open.countNumberOfSetBits()) + " open outputs.";
 }
 
 void StandaloneHost::changeListenerCallback (juce::ChangeBroadcaster*)

@@ -9,7 +9,7 @@
 
 namespace antinode
 {
-/** All of the standalone program but its windows: the processor, its device, routing, MIDI, touch, and what is kept of them. Starts disarmed. */
+/** The standalone program without its windows: processor, device, routing, MIDI, touch, and their saved settings. Starts disarmed. */
 class StandaloneHost : private juce::ChangeListener,
                        private juce::AudioProcessorListener,
                        private juce::AsyncUpdater,
@@ -49,10 +49,10 @@ public:
     /** Mutes and waits for the end of the ramp, where a device plays, then closes it. [message thread] blocks for up to 0.5 s */
     void shutDown();
 
-    /** What the user must know, or empty. [message thread] */
+    /** A warning for the user, or empty. [message thread] */
     juce::String warning();
 
-    /** Says where ceramics have outputs that the device does not, or empty. [message thread] */
+    /** A warning about ceramics whose outputs the device does not have, or empty. [message thread] */
     juce::String silentCeramics();
 
     /** Called after a routing, device or warning has changed. [message thread] */

@@ -12,39 +12,37 @@ constexpr double longestDuration = 1e6; // s
 
 void addAudioOptions (CLI::App& app, StandaloneOptions& options)
 {
-    app.add_flag ("--list-devices", options.listsDevices, "Prints the audio devices and ends");
+    app.add_flag ("--list-devices", options.listsDevices, "Lists the audio devices and exits");
     app.add_option ("--type", options.type, "Type of the audio device: ALSA or JACK");
-    app.add_option ("--device", options.device, "Audio device, as --list-devices names it");
+    app.add_option ("--device", options.device, "Audio device, a name from --list-devices");
     app.add_option ("--rate", options.rate, "Sample rate, Hz")->check (CLI::Range (lowestRate, highestRate));
     app.add_option ("--block", options.block, "Block size, samples")->check (CLI::Range (1, longestBlock));
-    app.add_option ("--channels", options.channels, "How many outputs are opened, the first ones")
+    app.add_option ("--channels", options.channels, "Number of outputs to open, from the first one on")
         ->check (CLI::Range (1, OutputRouting::mostOutputs));
 }
 
 void addTouchOptions (CLI::App& app, StandaloneOptions& options)
 {
-    app.add_option ("--osc-port", options.oscPort, "UDP port for OSC, 0 for none")->check (CLI::Range (0, highestPort));
-    app.add_option ("--tuio-port", options.tuioPort, "UDP port for TUIO, 0 for none")
-        ->check (CLI::Range (0, highestPort));
+    app.add_option ("--osc-port", options.oscPort, "UDP port for OSC, 0: off")->check (CLI::Range (0, highestPort));
+    app.add_option ("--tuio-port", options.tuioPort, "UDP port for TUIO, 0: off")->check (CLI::Range (0, highestPort));
 }
 
 /** What only a program without windows is asked to do. */
 void addHeadlessOptions (CLI::App& app, StandaloneOptions& options)
 {
-    auto* const headless =
-        app.add_flag ("--headless", options.isHeadless, "Plays without windows and without a display");
-    app.add_flag ("--arm", options.isArmed, "Arms the outputs; else they stay at 0 V")->needs (headless);
+    auto* const headless = app.add_flag ("--headless", options.isHeadless, "Plays without windows or display");
+    app.add_flag ("--arm", options.isArmed, "Arms the outputs; otherwise they stay at 0 V")->needs (headless);
     auto* const notes =
-        app.add_option ("--note", options.notes, "Plays a note, 60 the focus at its own place (repeatable)")
+        app.add_option ("--note", options.notes, "Plays a note; note 60 is the focus at its own position (repeatable)")
             ->type_name ("NOTE[:VELOCITY]")
             ->allow_extra_args (false)
             ->needs (headless);
-    app.add_option ("--at", options.times, "When a note is played, s after the start (repeatable, in the notes' order)")
+    app.add_option ("--at", options.times, "Time of a note after the start, s (repeatable, in the order of the notes)")
         ->allow_extra_args (false)
         ->check (CLI::Range (0.0, longestDuration))
         ->needs (notes);
     app.add_option ("--midi-file", options.midiFile, "Plays the notes of a standard MIDI file")->needs (headless);
-    app.add_option ("--duration", options.duration, "Ends after so many seconds; else by Ctrl+C")
+    app.add_option ("--duration", options.duration, "Duration, s; default: until Ctrl+C")
         ->check (CLI::Range (0.0, longestDuration))
         ->needs (headless);
 }
@@ -54,11 +52,11 @@ void addStandaloneOptions (CLI::App& app, StandaloneOptions& options)
 {
     addAudioOptions (app, options);
     app.add_option ("--instrument,--plate", options.instrument,
-                    "The device that vibrates: an embedded name or a .json file");
+                    "Device that vibrates: an embedded name or a .json file");
     app.add_option ("--focus", options.focus, "Focus: an embedded name or a .json file");
     addTouchOptions (app, options);
-    auto* const file = app.add_option ("--settings", options.settings, "Settings file in place of the usual one");
-    app.add_flag ("--no-settings", options.ignoresSettings, "Reads and keeps no settings")->excludes (file);
+    auto* const file = app.add_option ("--settings", options.settings, "Settings file; default: the user's settings");
+    app.add_flag ("--no-settings", options.ignoresSettings, "Neither reads nor saves settings")->excludes (file);
     addHeadlessOptions (app, options);
 }
 } // namespace antinode

@@ -8,7 +8,7 @@
 
 namespace antinode
 {
-/** What stands on the command line of antinode-standalone. */
+/** The command-line options of antinode-standalone. */
 struct StandaloneOptions
 {
     bool isHeadless = false, listsDevices = false, isArmed = false, ignoresSettings = false;

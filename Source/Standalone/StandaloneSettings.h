@@ -13,10 +13,10 @@
 
 namespace antinode
 {
-/** Which MIDI inputs are listened to. */
+/** The selected MIDI inputs. */
 struct MidiChoice
 {
-    bool all = true;                 ///< Those that are plugged in later too.
+    bool all = true;                 ///< Including inputs plugged in later.
     std::vector<std::string> inputs; ///< By identifier, where not all.
 
     bool operator== (const MidiChoice&) const = default;

@@ -11,10 +11,10 @@
 
 namespace antinode
 {
-/** Where a touch lies. Fractions are of the surface's extent, millimetres those of its drawing. @return  x, y in m [any] */
+/** The position of a touch. Fractions are of the surface's extent, millimetres those of its drawing. @return  x, y in m [any] */
 std::pair<double, double> placeOf (const Touch&, const Surface&);
 
-/** Good touches that play nothing all the same. */
+/** Valid touches that play nothing. */
 struct UnplayedTouches
 {
     std::int64_t besideSurface = 0;
@@ -40,7 +40,7 @@ public:
     /** Since the ports were opened. [any] */
     UnplayedTouches unplayed() const { return { besideSurface, notTaken }; }
 
-    /** What a touch does to the session; counted where it plays nothing. [any but the audio thread] */
+    /** Passes a touch to the session; counts touches that play nothing. [any but the audio thread] */
     void play (const Touch&);
 
 private:

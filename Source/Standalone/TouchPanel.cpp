@@ -26,10 +26,10 @@ juce::String statusText (const TouchInput& touch)
         faults += count;
 
     return "OSC " + portText (ports.oscPort) + ", TUIO " + portText (ports.tuioPort) + "\n"
-           + juce::String (counters.packets) + " packets, " + juce::String (counters.touches) + " touches passed on\n"
-           + "Dropped: " + juce::String (counters.limited) + " beyond 500 a second, " + juce::String (faults)
-           + " faulty,\n" + juce::String (unplayed.besideSurface) + " beside the surface, "
-           + juce::String (unplayed.notTaken) + " without a device or with too many waiting";
+           + juce::String (counters.packets) + " packets, " + juce::String (counters.touches) + " touches forwarded\n"
+           + "Dropped: " + juce::String (counters.limited) + " above 500 per second, " + juce::String (faults)
+           + " faulty,\n" + juce::String (unplayed.besideSurface) + " outside the surface, "
+           + juce::String (unplayed.notTaken) + " without a device or with a full queue";
 }
 } // namespace
 

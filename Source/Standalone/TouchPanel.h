@@ -24,7 +24,7 @@ private:
     StandaloneHost& host;
     juce::Label oscName { {}, "OSC port" }, tuioName { {}, "TUIO port" }, status;
     juce::TextEditor oscPort, tuioPort;
-    juce::ToggleButton network { "Listen to the whole network, not only to this computer" };
+    juce::ToggleButton network { "Accept touches from the network, not only from this computer" };
     juce::TextButton applyButton { "Apply" };
     juce::String failure;
 };

@@ -30,7 +30,7 @@ void runWithWindow (StandaloneHost& host)
     juce::JUCEApplicationBase::createInstance = []() -> juce::JUCEApplicationBase* { return nullptr; };
 
     if (juce::Desktop::getInstance().getDisplays().displays.isEmpty())
-        throw InputError ("", "there is no display to show a window on; --headless plays without");
+        throw InputError ("", "no display is available; --headless plays without a window");
 
     const MainWindow window (host);
     const InterruptionWatch watch;

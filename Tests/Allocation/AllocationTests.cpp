@@ -321,7 +321,7 @@ TEST_CASE ("A mode that no ceramic moves is named, unless nothing is wanted of i
     auto problem = instance (ModePattern::beam, RowKind::terminal, standardSizes[1], 1);
     problem.participation.row (2).setConstant (1e-18);
     CHECK_THROWS_WITH (solveAllocation (problem, AllocationGoal::norm),
-                       Catch::Contains ("no ceramic moves controlled mode row 3"));
+                       Catch::Contains ("no ceramic excites controlled mode row 3"));
     CHECK_THROWS_AS (minimumNormAllocation (problem), InputError);
     problem.wanted[2] = 0;
     CHECK (solveAllocation (problem, AllocationGoal::norm).matrix.allFinite());

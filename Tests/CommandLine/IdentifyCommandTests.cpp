@@ -161,15 +161,15 @@ TEST_CASE ("identify refuses in one line and writes nothing", "[command line][id
         return run.errors;
     };
     CHECK (refusal ({ "--transfer", path ("t.json") })
-           == "antinode: --transfer: needs a computed device, allowed is with --against DEVICE\n");
+           == "antinode: --transfer: needs a computed device; allowed only with --against DEVICE\n");
     CHECK (refusal ({ "--band", "300" })
-           == "antinode: --band: is '300', allowed are two numbers as 300:4000, the first the smaller\n");
+           == "antinode: --band: is '300'; allowed: two ascending numbers, for example 300:4000\n");
     CHECK (refusal ({ "--response-unit", "Pa" })
-           == "antinode: --response-unit: is 'Pa', allowed are units as m/s, um, g or (mm/s)/V\n");
+           == "antinode: --response-unit: is 'Pa'; allowed: a unit, for example m/s, um, g or (mm/s)/V\n");
     CHECK (refusal ({ "--quantity", "velocity", "--response-unit", "g" })
-           == "antinode: --response-unit: is 'g', which is no unit of velocity\n");
+           == "antinode: --response-unit: is 'g'; allowed: a unit of velocity\n");
     CHECK (refusal ({ "--drive", "force", "--drive-unit", "V" })
-           == "antinode: --drive-unit: is 'V', allowed are units of the drive as V, mV or N\n");
+           == "antinode: --drive-unit: is 'V'; allowed: a unit of the excitation, for example V, mV or N\n");
     CHECK (runProgram ({ "identify", path ("missing.uff") }).errors
            == "antinode: " + path ("missing.uff") + ": cannot be read\n");
 }

@@ -91,12 +91,13 @@ TEST_CASE ("What excite writes and a recorder records frf turns into the respons
     INFO (run.errors);
     REQUIRE (run.exitCode == 0);
     CHECK (worstError (path / "a.uff", { -0.061, 0.033 }) < 0.01);
-    CHECK (contentOf (path / "report" / "report.html").find ("Signal to noise of each point") != std::string::npos);
+    CHECK (contentOf (path / "report" / "report.html").find ("Signal-to-noise ratio of each point")
+           != std::string::npos);
 
     run = runProgram ({ "frf", (path / "ex" / "excitation.json").string(), (path / "a.wav").string(), "--out",
                         (path / "b.uff").string(), "--sensitivity-mm-s-per-v", "1000", "--sync-channel", "1" });
     CHECK (run.exitCode == 1);
-    CHECK (run.errors.find ("sync channel: does not hold the excitation's signal") != std::string::npos);
+    CHECK (run.errors.find ("sync channel: does not contain the excitation signal") != std::string::npos);
     CHECK_FALSE (std::filesystem::exists (path / "b.uff"));
 }
 
@@ -125,7 +126,7 @@ TEST_CASE ("measure --simulate measures the device, keeps what is finished and g
     others.insert (others.end(), { "--level-v", "5" });
     run = runProgram (others);
     CHECK (run.exitCode == 1);
-    CHECK (run.errors.find ("holds a measurement with another excitation or other points") != std::string::npos);
+    CHECK (run.errors.find ("contains a measurement with another excitation or other points") != std::string::npos);
 }
 
 TEST_CASE ("retune finds a drift from three points", "[command line]")
@@ -169,15 +170,14 @@ TEST_CASE ("Measurements that cannot begin say why in a line", "[command line]")
         return run.errors;
     };
     CHECK (errorOf ({}).find ("--sensitivity-mm-s-per-v: is missing") != std::string::npos);
-    CHECK (errorOf ({ "--simulate", "--level-v", "151" }).find ("allowed is more than 0 to its limit, 150 V")
+    CHECK (errorOf ({ "--simulate", "--level-v", "151" }).find ("allowed: above 0 to its limit, 150 V")
            != std::string::npos);
     CHECK (errorOf ({ "--simulate", "--level-v", "5", "--level-v", "6" }).find ("once for each of the 6 ceramics")
            != std::string::npos);
     CHECK (errorOf ({ "--sensitivity-mm-s-per-v", "100", "--backend", "ASIO" }).find ("does not exist")
            != std::string::npos);
-    CHECK (
-        errorOf ({ "--sensitivity-mm-s-per-v", "100", "--sync-input", "1" }).find ("input 1: is to serve two purposes")
-        != std::string::npos);
+    CHECK (errorOf ({ "--sensitivity-mm-s-per-v", "100", "--sync-input", "1" }).find ("input 1: has two roles")
+           != std::string::npos);
     writeWholeFile (points, "x_mm,y_mm\n500,0\n");
     CHECK_FALSE (errorOf ({ "--simulate" }).empty());
     CHECK_FALSE (std::filesystem::exists (out));

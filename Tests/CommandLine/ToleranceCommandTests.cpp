@@ -16,10 +16,10 @@ TEST_CASE ("design --tolerance writes a table, a page and numbers, the same on e
     INFO (run.errors);
     REQUIRE (run.exitCode == 0);
     CHECK (run.output.find ("field error (%)") != std::string::npos);
-    CHECK (run.output.find ("alone cost") != std::string::npos);
+    CHECK (run.output.find ("alone change") != std::string::npos);
     const auto text = contentOf (folder.path() / "tolerance.json");
     const auto page = contentOf (folder.path() / "tolerance.html");
-    CHECK (page.find ("What hurts most") != std::string::npos);
+    CHECK (page.find ("Largest causes of error") != std::string::npos);
     const auto json = nlohmann::json::parse (text);
     CHECK (json["schema"] == "antinode.tolerance/1");
     CHECK (json["spread"]["frequency_percent"] == 0.1);
@@ -70,7 +70,7 @@ TEST_CASE ("Options of the tolerance stand with it only and within their bounds"
     {
         const auto run = runProgram ({ "design", "--tolerance", "--frequency-percent", value });
         CHECK (run.exitCode == 1);
-        CHECK (run.errors.find ("--frequency-percent: is " + std::string (value) + ", allowed is 0 to 10")
+        CHECK (run.errors.find ("--frequency-percent: is " + std::string (value) + " %; allowed: 0 to 10 %")
                != std::string::npos);
     }
 }

@@ -57,18 +57,18 @@ TEST_CASE ("Every broken file gives one sentence that names the file", "[files]"
     }
 }
 
-TEST_CASE ("What is no file to be read is said in words", "[files]")
+TEST_CASE ("Paths that are not readable files are refused with a reason", "[files]")
 {
     const TemporaryFolder folder;
     const auto path = folder.path() / "my.json";
 
     CHECK (errorText ([&] { readJsonFile (path); }) == path.string() + ": does not exist");
     CHECK (errorText ([&] { readJsonFile (folder.path()); })
-           == folder.path().string() + ": is a directory, allowed is a JSON file");
+           == folder.path().string() + ": is a directory; allowed: a JSON file");
     CHECK (errorText ([&] { readJsonFile (""); }).find ("does not exist") != std::string::npos);
 
     std::ofstream (path).close();
-    CHECK (errorText ([&] { readJsonFile (path); }) == path.string() + ": is empty, allowed is a JSON document");
+    CHECK (errorText ([&] { readJsonFile (path); }) == path.string() + ": is empty; allowed: a JSON document");
     CHECK (errorText ([&] { readJsonFile (path / "below.json"); })
            == (path / "below.json").string() + ": does not exist");
 }
@@ -89,5 +89,5 @@ TEST_CASE ("A file that opens but cannot be read is an error", "[files]")
 
 TEST_CASE ("A file without end is not read without end", "[files]")
 {
-    CHECK (errorText ([] { readJsonFile ("/dev/zero"); }) == "/dev/zero: is too large, allowed are 64 MiB");
+    CHECK (errorText ([] { readJsonFile ("/dev/zero"); }) == "/dev/zero: is too large; allowed: up to 64 MiB");
 }

@@ -99,50 +99,48 @@ TEST_CASE ("A staple is read with built-in materials", "[files]")
     CHECK (staple.common.dampingRatios == std::vector<double> { 1 / 120.0 });
 }
 
-TEST_CASE ("Typical mistakes in devices are named with their place and what is allowed", "[files]")
+TEST_CASE ("Errors for typical mistakes in devices give their position and what is allowed", "[files]")
 {
-    CHECK (errorWith ("plate", "ceramics.0.x_mm=-7") == "my.json: /ceramics/0/x_mm: is -7, allowed is 0 to 175");
-    CHECK (errorWith ("beam", "ceramics.0.x_mm=48") == "my.json: /ceramics/0/x_mm: is 48, allowed is -45.5 to 45.5");
+    CHECK (errorWith ("plate", "ceramics.0.x_mm=-7") == "my.json: /ceramics/0/x_mm: is -7; allowed: 0 to 175");
+    CHECK (errorWith ("beam", "ceramics.0.x_mm=48") == "my.json: /ceramics/0/x_mm: is 48; allowed: -45.5 to 45.5");
     CHECK (errorWith ("beam", "ceramics.0.width_mm=13")
-           == "my.json: /ceramics/0/width_mm: is 13, allowed is 0.0001 to 12");
+           == "my.json: /ceramics/0/width_mm: is 13; allowed: 0.0001 to 12");
     CHECK (errorWith ("plate", "ceramics.1.x_mm=30")
-           == "my.json: /ceramics/1: overlaps /ceramics/0, allowed is to touch it");
-    CHECK (errorWith ("beam", "thickness_mm=0") == "my.json: /thickness_mm: is 0, allowed is 0.0001 to 100000");
+           == "my.json: /ceramics/1: overlaps /ceramics/0; ceramics may only touch");
+    CHECK (errorWith ("beam", "thickness_mm=0") == "my.json: /thickness_mm: is 0; allowed: 0.0001 to 100000");
     CHECK (errorWith ("beam", "thickness_mm=two")
-           == "my.json: /thickness_mm: is the text 'two', allowed is a number, 0.0001 to 100000");
+           == "my.json: /thickness_mm: is the text 'two'; allowed: a number, 0.0001 to 100000");
     CHECK (errorWith ("beam", "lenght_mm=7")
-           == "my.json: /lenght_mm: is not a key here (did you mean 'length_mm'?), allowed are 'schema', 'name', "
+           == "my.json: /lenght_mm: is an unknown key (did you mean 'length_mm'?); allowed: 'schema', 'name', "
               "'description', 'kind', "
               "'thickness_mm', 'material', 'damping_ratio', 'quality_factor', 'ceramics', 'limits', 'modes', "
               "'length_mm', 'width_mm', "
               "'ends'");
     CHECK (errorWith ("beam", "quality_factor=60")
-           == "my.json: has both 'damping_ratio' and 'quality_factor', allowed is exactly one of them");
+           == "my.json: has both 'damping_ratio' and 'quality_factor'; allowed: exactly one of the two");
     CHECK (errorWith ("plate", "quality_factor=0.5")
-           == "my.json: /quality_factor: is 0.5, allowed is more than 0.5 to 1000000000");
-    CHECK (errorWith ("beam", "damping_ratio.1=1")
-           == "my.json: /damping_ratio/1: is 1, allowed is more than 0 to less than 1");
+           == "my.json: /quality_factor: is 0.5; allowed: above 0.5 to 1000000000");
+    CHECK (errorWith ("beam", "damping_ratio.1=1") == "my.json: /damping_ratio/1: is 1; allowed: above 0 to below 1");
     CHECK (errorWith ("beam", "kind=disc")
-           == "my.json: /kind: is the text 'disc', allowed is one of 'plate', 'beam', 'staple', 'modal'");
+           == "my.json: /kind: is the text 'disc'; allowed: one of 'plate', 'beam', 'staple', 'modal'");
     CHECK (errorWith ("beam", "schema=antinode.focus/1")
-           == "my.json: /schema: is the text 'antinode.focus/1', allowed is 'antinode.device/1'");
+           == "my.json: /schema: is the text 'antinode.focus/1'; allowed: 'antinode.device/1'");
     CHECK (errorWith ("beam", "ends.left=clampd")
-           == "my.json: /ends/left: is the text 'clampd' (did you mean 'clamped'?), allowed is one of 'clamped', "
+           == "my.json: /ends/left: is the text 'clampd' (did you mean 'clamped'?); allowed: one of 'clamped', "
               "'simply_supported', "
               "'free', 'guided'");
     CHECK (errorWith ("beam", "material=aluminum")
                .find ("my.json: /material: is the text 'aluminum' (did you mean 'aluminium'?), ")
            == 0);
-    CHECK (errorWith ("plate", "material.nu12=2.1")
-           == "my.json: /material/nu12: is 2.1, allowed is more than -2 to less than 2");
+    CHECK (errorWith ("plate", "material.nu12=2.1") == "my.json: /material/nu12: is 2.1; allowed: above -2 to below 2");
     CHECK (errorWith ("plate", "modes.count=2.5")
-           == "my.json: /modes/count: is 2.5, allowed is a whole number from 1 to 5000");
-    CHECK (errorWith ("plate", "ceramics.0.polarity=2") == "my.json: /ceramics/0/polarity: is 2, allowed is 1 or -1");
+           == "my.json: /modes/count: is 2.5; allowed: a whole number from 1 to 5000");
+    CHECK (errorWith ("plate", "ceramics.0.polarity=2") == "my.json: /ceramics/0/polarity: is 2; allowed: 1 or -1");
     CHECK (errorWith ("plate", "name=\"a\\nb\"")
-           == "my.json: /name: has control characters, allowed is plain text in UTF-8");
+           == "my.json: /name: has control characters; allowed: plain text in UTF-8");
     CHECK (errorWith ("plate", "description=\"a\\u2028b\"")
-           == "my.json: /description: has control characters, allowed is plain text in UTF-8");
-    CHECK (errorWith ("minimal staple", "name=[]") == "my.json: /name: is a list, allowed is text");
+           == "my.json: /description: has control characters; allowed: plain text in UTF-8");
+    CHECK (errorWith ("minimal staple", "name=[]") == "my.json: /name: is a list; allowed: text");
 }
 
 TEST_CASE ("Ceramics may touch each other and the edges, within rounding", "[files]")

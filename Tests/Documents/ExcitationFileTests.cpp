@@ -53,7 +53,7 @@ TEST_CASE ("Sheets that are wrong say where")
     SECTION ("another resolution than that of the signal")
     {
         document["resolution_Hz"] = 4;
-        CHECK_THAT (error(), Catch::Contains ("is not the one of these settings"));
+        CHECK_THAT (error(), Catch::Contains ("does not fit these settings"));
     }
 
     SECTION ("a level beyond the limit")
@@ -71,6 +71,7 @@ TEST_CASE ("Sheets that are wrong say where")
     SECTION ("a signal elsewhere")
     {
         document["signal_file"] = "../signal.wav";
-        CHECK_THAT (errorText ([&] { signalFileOf (document, "sheet.json"); }), Catch::Contains ("beside the sheet"));
+        CHECK_THAT (errorText ([&] { signalFileOf (document, "sheet.json"); }),
+                    Catch::Contains ("is not a plain file name; allowed: a file in the folder of the sheet"));
     }
 }

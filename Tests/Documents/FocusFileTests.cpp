@@ -117,52 +117,51 @@ TEST_CASE ("Growth and cycles are one number for all modes, or one a mode", "[fi
     CHECK (focusWith ("modes={\"maximum_frequency_Hz\": 30000}").modes.maximumFrequency == 30000.0);
 }
 
-TEST_CASE ("Typical mistakes in focuses are named with their place and what is allowed", "[files]")
+TEST_CASE ("Errors for typical mistakes in focuses give their position and what is allowed", "[files]")
 {
-    CHECK (errorWith ("focus_time_ms=-25") == "my.json: /focus_time_ms: is -25, allowed is 0.001 to 60000");
+    CHECK (errorWith ("focus_time_ms=-25") == "my.json: /focus_time_ms: is -25; allowed: 0.001 to 60000");
     CHECK (errorWith ("targets.0.shape=sync")
-           == "my.json: /targets/0/shape: is the text 'sync' (did you mean 'sinc'?), allowed is one of 'sinc', 'bump', "
+           == "my.json: /targets/0/shape: is the text 'sync' (did you mean 'sinc'?); allowed: one of 'sinc', 'bump', "
               "'gaussian'");
-    CHECK (errorWith ("targets=[]") == "my.json: /targets: has 0 entries, allowed is a list of 1 to 64");
-    CHECK (errorWith ("targets.0.phase=0.5") == "my.json: /targets/0/phase: is 0.5, allowed is 1 or -1");
+    CHECK (errorWith ("targets=[]") == "my.json: /targets: has 0 entries; allowed: a list of 1 to 64");
+    CHECK (errorWith ("targets.0.phase=0.5") == "my.json: /targets/0/phase: is 0.5; allowed: 1 or -1");
     CHECK (errorWith ("targets.1={\"shape\": \"sinc\", \"x_mm\": 0, \"peak_velocity_mm_s\": 40}")
-           == "my.json: /targets/1/width_mm: is missing, it must be given");
+           == "my.json: /targets/1/width_mm: is missing");
     CHECK (errorWith ("targets.0.peak_velocity=40")
-           == "my.json: /targets/0/peak_velocity: is not a key here (did you mean 'peak_velocity_mm_s'?), allowed are "
+           == "my.json: /targets/0/peak_velocity: is an unknown key (did you mean 'peak_velocity_mm_s'?); allowed: "
               "'shape', 'profile', 'x_mm', 'y_mm', 'width_mm', 'width_y_mm', 'peak_velocity_mm_s', 'phase', 'time_ms'");
     CHECK (errorWith ("targets.0.profile=radial")
-           == "my.json: /targets/0/width_y_mm: is given for a radial target, which has one width; allowed is only with "
+           == "my.json: /targets/0/width_y_mm: is given for a radial target, which has one width; allowed only with "
               "\"profile\": \"separable\"");
     CHECK (errorWith ("targets.1.width_y_mm=20").find ("my.json: /targets/1/width_y_mm: is given for a radial") == 0);
-    CHECK (errorWith ("targets.0.profile=circular").find ("allowed is one of 'radial', 'separable'")
+    CHECK (errorWith ("targets.0.profile=circular").find ("allowed: one of 'radial', 'separable'")
            != std::string::npos);
     CHECK (errorWith ("modes.captured=0.9")
-           == "my.json: /modes: has more than one of 'count', 'captured' and 'maximum_frequency_Hz', allowed is at "
-              "most one of them");
+           == "my.json: /modes: has more than one of 'count', 'captured' and 'maximum_frequency_Hz'; allowed: at "
+              "most one");
     CHECK (errorWith ("modes={\"choose\": \"energy\"}")
-           == "my.json: /modes/choose: is given without 'count', allowed is only both together");
-    CHECK (errorWith ("modes={\"captured\": 0}") == "my.json: /modes/captured: is 0, allowed is more than 0 to 1");
-    CHECK (errorWith ("transients.brake=1") == "my.json: /transients/brake: is 1, allowed is more than 1 to 1000");
+           == "my.json: /modes/choose: is given without 'count'; allowed only together");
+    CHECK (errorWith ("modes={\"captured\": 0}") == "my.json: /modes/captured: is 0; allowed: above 0 to 1");
+    CHECK (errorWith ("transients.brake=1") == "my.json: /transients/brake: is 1; allowed: above 1 to 1000");
     CHECK (errorWith ("transients.cycles=2.5")
-           == "my.json: /transients/cycles: is 2.5, allowed is a whole number from 0 to 1000000");
+           == "my.json: /transients/cycles: is 2.5; allowed: a whole number from 0 to 1000000");
     CHECK (errorWith ("allocation.method=free_wave")
-           == "my.json: /allocation/method: is the text 'free_wave' (did you mean 'free_waveform'?), allowed is one of "
+           == "my.json: /allocation/method: is the text 'free_wave' (did you mean 'free_waveform'?); allowed: one of "
               "'exact', 'paper', 'one_to_one', 'minimum_norm', 'minimum_peak', 'dictionary', 'free_waveform'");
     CHECK (errorWith ("allocation.guard_modes=some")
-           == "my.json: /allocation/guard_modes: is the text 'some', allowed is 'all'");
+           == "my.json: /allocation/guard_modes: is the text 'some'; allowed: 'all'");
     CHECK (errorWith ("allocation.robust={}")
-           == "my.json: /allocation/robust: is given with another method than 'exact', allowed is only with that");
+           == "my.json: /allocation/robust: is given with a method other than 'exact'; allowed only with 'exact'");
     CHECK (errorWith ("allocation={\"method\": \"paper\", \"displacement\": \"zero\"}")
-           == "my.json: /allocation/displacement: is 'zero' with a method that has no exact rows, allowed is that with "
+           == "my.json: /allocation/displacement: is 'zero' with a method without exact rows; allowed only with "
               "'exact', 'minimum_peak' and 'dictionary'");
     CHECK (errorWith ("allocation={\"displacement\": \"zero\", \"robust\": {}}")
-           == "my.json: /allocation/displacement: is 'zero' beside 'robust', allowed is one of them");
+           == "my.json: /allocation/displacement: is 'zero' together with 'robust'; allowed: one of the two");
     CHECK (errorWith ("allocation={\"robust\": {\"frequency_percent\": 11}}")
-           == "my.json: /allocation/robust/frequency_percent: is 11, allowed is 0 to 10");
-    CHECK (errorWith ("edge_window={\"tukey\": 1.5}") == "my.json: /edge_window/tukey: is 1.5, allowed is 0 to 1");
-    CHECK (errorWith ("probes_mm.0=[1]") == "my.json: /probes_mm/0: has 1 entries, allowed is a list of 2");
-    CHECK (errorWith ("device=staple").find ("my.json: /device: is not a key here, allowed are 'schema', 'name', ")
-           == 0);
+           == "my.json: /allocation/robust/frequency_percent: is 11; allowed: 0 to 10");
+    CHECK (errorWith ("edge_window={\"tukey\": 1.5}") == "my.json: /edge_window/tukey: is 1.5; allowed: 0 to 1");
+    CHECK (errorWith ("probes_mm.0=[1]") == "my.json: /probes_mm/0: has 1 entries; allowed: a list of 2");
+    CHECK (errorWith ("device=staple").find ("my.json: /device: is an unknown key; allowed: 'schema', 'name', ") == 0);
 }
 
 TEST_CASE ("A focus that is to pass undisplaced says so, and still does when it is written", "[files]")

@@ -211,21 +211,20 @@ TEST_CASE ("A modal device is written in people's numbers where there are such",
 
 TEST_CASE ("Modal devices whose parts do not fit together are refused", "[files]")
 {
-    CHECK (errorWith ("modes.0.shape=[1, 2]") == "my.json: /modes/0/shape: has 2 entries, allowed is a list of 3");
+    CHECK (errorWith ("modes.0.shape=[1, 2]") == "my.json: /modes/0/shape: has 2 entries; allowed: a list of 3");
     CHECK (errorWith ("modes.1.participation_per_V=[1]")
-           == "my.json: /modes/1/participation_per_V: has 1 entries, allowed is a list of 2");
+           == "my.json: /modes/1/participation_per_V: has 1 entries; allowed: a list of 2");
     CHECK (errorWith ("weights_kg=[0, 0, 0]")
-           == "my.json: /weights_kg: is zero everywhere, allowed is at least one number above 0");
-    CHECK (errorWith ("ceramics=[]") == "my.json: /ceramics: has 0 entries, allowed is a list of 2");
+           == "my.json: /weights_kg: is zero everywhere; allowed: at least one number above 0");
+    CHECK (errorWith ("ceramics=[]") == "my.json: /ceramics: has 0 entries; allowed: a list of 2");
     CHECK (errorWith ("ceramics.0.voltage_limit_V=121")
-           == "my.json: /ceramics/0/voltage_limit_V: is 121, allowed is 0 to 120");
-    CHECK (
-        errorWith ("points_mm.2=[0, 0]")
-        == "my.json: /points_mm: has entries 1 and 2 in one place, allowed on a line is a place of its own for each");
+           == "my.json: /ceramics/0/voltage_limit_V: is 121; allowed: 0 to 120");
+    CHECK (errorWith ("points_mm.2=[0, 0]")
+           == "my.json: /points_mm: has entries 1 and 2 at the same position; allowed on a line: distinct positions");
     CHECK (errorWith ("points_mm.2=[40, 1]")
-           == "my.json: /modes/0/slope: is given for a plate, allowed on a line only (all points with the same y)");
+           == "my.json: /modes/0/slope: is given for a plate; allowed only on a line (all points with the same y)");
     CHECK (errorWith ("modes.2={\"frequency_Hz\": 5}")
-           == "my.json: /modes/2: has no 'slope', allowed is that all modes have it or none");
+           == "my.json: /modes/2: has no 'slope'; allowed: for all modes or none");
 }
 
 TEST_CASE ("Exact numbers that contradict the keys with units are refused", "[files]")
@@ -234,7 +233,7 @@ TEST_CASE ("Exact numbers that contradict the keys with units are refused", "[fi
     CHECK (readModel (document).points() == 3);
     applyAssignment (document, "points_mm.2.0=41");
     CHECK (errorText ([&] { readModel (document); })
-           == "my.json: /exact/points_m/2/0: is 0.04, allowed is 0.041 as the key with the unit says; a file that is "
+           == "my.json: /exact/points_m/2/0: is 0.04; allowed: 0.041 as in the key with the unit; a file that is "
               "changed by hand "
               "should leave out 'exact'");
 }

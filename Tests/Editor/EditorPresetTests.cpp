@@ -116,10 +116,10 @@ TEST_CASE ("What is the factory's is neither replaced nor deleted")
     browser.saveAs ("staple");
     CHECK (browser.message().contains ("factory"));
     browser.saveAs ("../outside");
-    CHECK (browser.message().contains ("is not allowed"));
+    CHECK (browser.message().contains ("is not valid"));
     browser.select ("staple");
     browser.removeSelected();
-    CHECK (browser.message().contains ("none of your own"));
+    CHECK (browser.message().contains ("is not a user preset"));
 }
 
 TEST_CASE ("A broken file gives one sentence and changes nothing")

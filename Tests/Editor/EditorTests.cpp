@@ -188,7 +188,7 @@ TEST_CASE ("A focus that cannot be met is said in a sentence, and the next one i
     const auto& status = test.content().statusLine();
     test.waitUntil ([&] { return status.level() == StatusLine::Level::warning; });
     INFO (status.text());
-    CHECK (status.text().contains (" V cannot bring "));
+    CHECK (status.text().contains (" V, too low for "));
     CHECK (status.text() != "Ready");
     velocity.setValueNotifyingHost (velocity.convertTo0to1 (20));
     test.settle();

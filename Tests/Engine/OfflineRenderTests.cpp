@@ -143,12 +143,12 @@ TEST_CASE ("a render that cannot be done is refused with a reason")
     const auto program = manyOscillations();
 
     for (const auto rate : { 0.0, 7999.0, 2.1e6, std::numeric_limits<double>::quiet_NaN() })
-        refuses (program, settingsOf ({ bandLimited, rate }), "allowed is 8000 to 2000000 Hz");
+        refuses (program, settingsOf ({ bandLimited, rate }), "allowed: 8000 to 2000000 Hz");
     for (const auto duration : { 0.0, -1.0, 61.0, std::numeric_limits<double>::infinity() })
-        refuses (program, settingsOf ({ bandLimited, 48e3 }, duration), "allowed is more than 0 to 60 s");
-    refuses (program, settingsOf ({ bandLimited, 48e3 }, 0.025, 0), "allowed is 1 or more");
-    refuses (program, settingsOf ({ bandLimited, 768e3 }, 60), "allowed is 1024 MiB");
-    refuses (program, settingsOf ({ bandLimited, 48e3 }, 0.019), "does not reach the focus");
+        refuses (program, settingsOf ({ bandLimited, 48e3 }, duration), "allowed: above 0 to 60 s");
+    refuses (program, settingsOf ({ bandLimited, 48e3 }, 0.025, 0), "allowed: 1 or more");
+    refuses (program, settingsOf ({ bandLimited, 768e3 }, 60), "allowed: 1024 MiB");
+    refuses (program, settingsOf ({ bandLimited, 48e3 }, 0.019), "ends before the focus");
 
     auto fewerCeramics = program;
     fewerCeramics.allocation.conservativeResize (7, 68);
@@ -158,5 +158,5 @@ TEST_CASE ("a render that cannot be done is refused with a reason")
     endless.allocation *= 1e308;
     for (auto& oscillation : endless.oscillations)
         oscillation.inPhase = oscillation.quadrature = 1e3;
-    refuses (endless, settingsOf ({ bandLimited, 48e3 }), "range of numbers");
+    refuses (endless, settingsOf ({ bandLimited, 48e3 }), "beyond double precision");
 }

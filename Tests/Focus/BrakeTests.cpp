@@ -170,7 +170,9 @@ TEST_CASE ("Where the limit does not allow rest in time, the brake takes longer,
     const auto design = designFocus (model, brakedFocus ({}, 0.004, 1.1 * peak), {});
     REQUIRE (*design.restTime > 0.004);
     CHECK (*design.restTime < 0.04);
-    CHECK (isSaid (design.warnings, "does not allow rest 4 ms after the focus"));
+    CHECK (
+        isSaid (design.warnings,
+                "Within the voltage limit the surface cannot be at rest 4 ms after the focus; it is at rest after "));
     CHECK (motion (model, design, 0.025 + *design.restTime) < 2e-3 * motion (model, design, 0.0257));
 
     RenderSettings settings;
@@ -189,13 +191,14 @@ TEST_CASE ("A brake that is too steep for the limit becomes flat before it becom
     const auto peak = peakVoltage (designFocus (model, brakedFocus ({}, {}), {}));
     const auto design = designFocus (model, brakedFocus (3000.0, 0.02, 1.1 * peak), {});
     CHECK (*design.restTime == 0.02);
-    CHECK (isSaid (design.warnings, "does not allow so steep a brake"));
-    CHECK (isSaid (design.choices, "the voltages do not fall until then"));
+    CHECK (isSaid (design.warnings, "does not allow so fast a brake"));
+    CHECK (isSaid (design.choices, "the voltages do not decay before that"));
 }
 
 TEST_CASE ("A brake in less time than its onset and release take is refused", "[focus][brake]")
 {
     const auto model = test::sineBeam (20, 8);
     CHECK_THROWS_WITH (designFocus (model, brakedFocus ({}, 0.0015), {}),
-                       Catch::Contains ("/transients/brake_duration_ms") && Catch::Contains ("at least 2.072"));
+                       Catch::Contains ("focus: brake duration: is ")
+                           && Catch::Contains ("allowed: at least 2.072 ms"));
 }

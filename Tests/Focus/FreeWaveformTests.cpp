@@ -137,7 +137,7 @@ TEST_CASE ("A free waveform is refused at another rate and in real time", "[free
     const auto model = test::sineBeam (20, 8);
     const auto design = designFocus (model, freeFocus (150), bandLimited);
     CHECK_THROWS_WITH (played (model, design, { Reconstruction::bandLimited, 48000 }),
-                       Catch::Contains ("is made for 96000 Hz, band_limited: design it for 48000 Hz"));
+                       Catch::Contains ("was designed for 96000 Hz, band_limited; design it again for 48000 Hz"));
     CHECK_THROWS_WITH (played (model, design, held), Catch::Contains ("zero_order_hold"));
     CHECK_THROWS_WITH (PlayableFocus (design.program, bandLimited), Catch::Contains ("'dictionary'"));
     CHECK_THROWS_WITH (designFocus (model, freeFocus (150), bandLimited, DesignExtent::playable),

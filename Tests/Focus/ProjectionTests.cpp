@@ -83,24 +83,25 @@ TEST_CASE ("Modes are chosen by energy, by frequency, by captured energy or by a
     CHECK ((byEnergy.truncated - 3 * model.shapes.col (1) - 4 * model.shapes.col (4)).norm() < 1e-11);
 }
 
-TEST_CASE ("A mode that no ceramic moves is not chosen", "[focus]")
+TEST_CASE ("A mode that no ceramic excites is not chosen", "[focus]")
 {
     auto model = sineModel (4, 101);
     model.participation (1, 0) = 0;
     const auto target = projectField (model, model.shapes * Eigen::Vector4d (1, 5, 2, 3));
     CHECK (selectModes (model, target, { 2, ModeOrder::energy, {}, {} }).modes == std::vector<int> { 2, 3 });
     CHECK_THROWS_WITH (selectModes (model, target, { 4, ModeOrder::energy, {}, {} }),
-                       Catch::Contains ("has 3 simulated modes"));
+                       Catch::Contains ("focus: number of modes: is 4; allowed: 1 to 3, the simulated modes of "));
     model.participation.setZero();
     CHECK_THROWS_AS (selectModes (model, target, {}), InputError);
 }
 
-TEST_CASE ("A capture that cannot be reached is an error that says what can", "[focus]")
+TEST_CASE ("A captured fraction that cannot be reached is an error that gives the largest possible one", "[focus]")
 {
     const auto model = sineModel (3, 101);
     const Eigen::VectorXd field = Eigen::VectorXd::Ones (101);
     CHECK_THROWS_WITH (selectModes (model, projectField (model, field), { {}, ModeOrder::energy, 0.999, {} }),
-                       Catch::Contains ("all 3 modes together capture 0.9"));
+                       Catch::Contains ("captured fraction: is 0.999; allowed: up to 0.9")
+                           && Catch::Contains ("all 3 modes together capture"));
 }
 
 namespace

@@ -172,9 +172,9 @@ TEST_CASE ("A cause is told in a sentence", "[tolerance]")
 {
     const auto model = test::sineBeam (20, 8);
     CHECK (sentenceOf ({ 6, ToleranceKind::frequency, 0.00812 }, model)
-           == "Mode 7 (5657 Hz): its frequency alone costs 0.81 % of the field.");
+           == "Mode 7 (5657 Hz): its frequency alone changes the field by 0.81 %.");
     CHECK (sentenceOf ({ 0, ToleranceKind::participation, 0.05 }, model)
-           == "Mode 1 (115 Hz): its participations alone cost 5 % of the field.");
+           == "Mode 1 (115 Hz): its participations alone change the field by 5 %.");
     CHECK (sentenceOf ({ {}, ToleranceKind::drift, 0.012 }, model)
-           == "A drift of all frequencies alone costs 1.2 % of the field.");
+           == "A drift of all frequencies alone changes the field by 1.2 %.");
 }

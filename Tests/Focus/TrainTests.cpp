@@ -103,8 +103,9 @@ TEST_CASE ("The plate model reaches every focus of a train, band-limited and hel
         }
 
         CHECK (std::any_of (design.choices.begin(), design.choices.end(),
-                            [] (const std::string& choice)
-                            { return choice == "The focus at 33.01 ms falls on the nearest sample, at 33.01 ms."; }));
+                            [] (const std::string& choice) {
+                                return choice == "The focus at 33.01 ms is moved to the nearest sample, at 33.01 ms.";
+                            }));
     }
 }
 
@@ -146,7 +147,7 @@ TEST_CASE ("Only methods with exact rows make trains", "[focus][train]")
     {
         auto focus = train ({ 0.025, 0.035 });
         focus.allocation.method = method;
-        CHECK_THROWS_WITH (designFocus (model, focus, {}), Catch::Contains ("/targets: have 2 different times"));
+        CHECK_THROWS_WITH (designFocus (model, focus, {}), Catch::Contains ("focus: targets: have 2 different times"));
         focus.targets[1].time = 0.025;
         CHECK_NOTHROW (designFocus (model, focus, {}));
     }

@@ -234,11 +234,14 @@ TEST_CASE ("Growth and cycles that are not given are chosen: one envelope rate o
 TEST_CASE ("What cannot be driven is said in one sentence", "[focus]")
 {
     const auto model = modelOf ({ { 420, 0.004 }, { 957, 0.004 } });
-    CHECK_THROWS_WITH (driveModes (model, { 0, 1 }, 0.0001, {}), Catch::Contains ("needs a quarter period"));
+    CHECK_THROWS_WITH (driveModes (model, { 0, 1 }, 0.0001, {}),
+                       Catch::Contains ("focus: focus time: leaves 0.1 ms")
+                           && Catch::Contains ("needs a quarter period; allowed: at least "));
     CHECK_THROWS_WITH (driveModes (model, { 0, 1 }, 0.025, { DriveKind::paper, {}, { 100 }, {}, {} }),
-                       Catch::Contains ("allowed is 0 to 10"));
-    CHECK_THROWS_WITH (driveModes (model, { 0, 1 }, 0.025, { DriveKind::paper, { 1, 2, 3 }, {}, {}, {} }),
-                       Catch::Contains ("has 3 values, but 2 modes"));
+                       Catch::Contains ("allowed: 0 to 10"));
+    CHECK_THROWS_WITH (
+        driveModes (model, { 0, 1 }, 0.025, { DriveKind::paper, { 1, 2, 3 }, {}, {}, {} }),
+        Catch::Contains ("has 3 values, but 2 modes are controlled; allowed: one value, or one per mode"));
 }
 
 TEST_CASE ("A growth of a thousand still gives a finite drive that arrives", "[focus]")

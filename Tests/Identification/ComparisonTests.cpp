@@ -191,5 +191,5 @@ TEST_CASE ("On a grid of points the cells are those of the trapezoidal rule, on 
     CHECK (toModalModel (modes, {}).surface.areas.sum() == Approx (2));
 
     modes.points.row (4) = modes.points.row (1);
-    CHECK_THROWS_WITH (toModalModel (modes, {}), Catch::Contains ("in one place"));
+    CHECK_THROWS_WITH (toModalModel (modes, {}), Catch::Contains ("have the same position"));
 }

@@ -51,7 +51,7 @@ TEST_CASE ("Values that were not measured are left out, whichever they are", "[i
             values.middleRows (300, 40).setConstant (notMeasured);
     }
 
-    SECTION ("a point with one driver")
+    SECTION ("a point with one reference")
     {
         responses.values[1].col (4).setConstant (notMeasured);
     }
@@ -117,13 +117,13 @@ TEST_CASE ("A point with much more noise than others counts for as much less", "
     CHECK (modes.deviations.shapes (3, 0) > 50 * modes.deviations.shapes (4, 0));
 }
 
-TEST_CASE ("Few points, one driver, or both still show the modes that these see", "[identification]")
+TEST_CASE ("Few points, one reference, or both still show the modes that they contain", "[identification]")
 {
     const auto whole = smallMeasurement();
     FrequencyResponses part = whole;
     auto truth = smallBeam();
 
-    SECTION ("one driver")
+    SECTION ("one reference")
     {
         part.drivers.resize (1);
         part.values.resize (1);

@@ -40,7 +40,7 @@ TEST_CASE ("Frequency responses name what is wrong with them")
     SECTION ("a table of another size")
     {
         responses.values[0].resize (3, 1);
-        CHECK_THROWS_WITH (validate (responses), Catch::Contains ("another size"));
+        CHECK_THROWS_WITH (validate (responses), Catch::Contains ("whose size is not lines x points"));
     }
 
     SECTION ("a force at a point that does not exist")

@@ -23,8 +23,7 @@ IdentifiedModes twoModes()
 }
 } // namespace
 
-TEST_CASE ("Residues of a record that is cut off are restored, and a mode that still rang is doubtful",
-           "[identification]")
+TEST_CASE ("Residues of a truncated record are restored, and a mode that still rang gets a warning", "[identification]")
 {
     constexpr double length = 0.7; // exp (-0.005 * 600 * 0.7) = 0.12, exp (-0.01 * 2500 * 0.7) = 2.5e-8
     const auto modes = withoutRecordEffects (twoModes(), { length, 0 });
@@ -54,7 +53,7 @@ TEST_CASE ("An exponential window is taken out of the decay rates, the damped fr
                [] {
                    withoutRecordEffects (twoModes(), { 0, 3.5 });
                })
-               .starts_with ("exponential window: its decay rate is larger than the decay rate of mode 1"));
+               .starts_with ("exponential window: has a larger decay rate than mode 1"));
 }
 
 TEST_CASE ("Under an exponential window a mode is one of other damping once its numerator is put right",

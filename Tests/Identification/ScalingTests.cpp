@@ -52,7 +52,7 @@ TEST_CASE ("A driving point gives shapes their modal mass", "[identification]")
     CHECK (largestError (modes.participation.transpose(), hammeredBeam().participation.transpose()) < 5e-3);
 }
 
-TEST_CASE ("A driving point of the wrong sign is doubted", "[identification]")
+TEST_CASE ("A driving point of the wrong sign gives a warning", "[identification]")
 {
     auto responses = hammered();
 

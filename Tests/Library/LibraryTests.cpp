@@ -24,12 +24,12 @@ TEST_CASE ("The user's own devices are kept, found by name, replaced and removed
     saveDocument (LibraryKind::device, "thick beam", json);
     CHECK (loadDocument (LibraryKind::device, "thick beam")["thickness_mm"] == 4);
     removeDocument (LibraryKind::device, "thick beam");
-    CHECK_THROWS_WITH (loadDocument (LibraryKind::device, "thick beam"), Catch::Contains ("allowed are"));
-    CHECK_THROWS_WITH (removeDocument (LibraryKind::device, "thick beam"), Catch::Contains ("none of your own"));
+    CHECK_THROWS_WITH (loadDocument (LibraryKind::device, "thick beam"), Catch::Contains ("; allowed: "));
+    CHECK_THROWS_WITH (removeDocument (LibraryKind::device, "thick beam"), Catch::Contains ("is not a user preset"));
     unsetenv ("XDG_DATA_HOME");
 }
 
-TEST_CASE ("Names that are not allowed for one's own are refused", "[library]")
+TEST_CASE ("Invalid names of user presets are refused", "[library]")
 {
     const TemporaryFolder folder;
     setenv ("XDG_DATA_HOME", folder.path().c_str(), 1);

@@ -94,7 +94,7 @@ TEST_CASE ("The lines of an excitation lie within its band, no farther apart tha
     CHECK (frequencies[1] - frequencies[0] > 1.5);
 }
 
-TEST_CASE ("Excitations that cannot be played name what is wrong and what is allowed")
+TEST_CASE ("Impossible excitations are refused with the allowed range")
 {
     auto settings = shortSettings (ExcitationSignal::multisine, 2);
 
@@ -102,20 +102,20 @@ TEST_CASE ("Excitations that cannot be played name what is wrong and what is all
     {
         settings.levels[1] = 151;
         CHECK (errorText ([&] { excitationOf (settings); })
-               == "excitation: level of ceramic 2: is 151 V, allowed is more than 0 to its limit, 150 V");
+               == "excitation: level of ceramic 2: is 151 V; allowed: above 0 to its limit, 150 V");
     }
 
     SECTION ("beyond what converters leave alone")
     {
         settings.highestFrequency = 11000;
-        CHECK_THAT (errorText ([&] { excitationOf (settings); }),
-                    Catch::Contains ("allowed is more than 0 to 10800 Hz"));
+        CHECK_THAT (errorText ([&] { excitationOf (settings); }), Catch::Contains ("allowed: above 0 to 10800 Hz"));
     }
 
     SECTION ("no band")
     {
         settings.lowestFrequency = 7000;
-        CHECK_THAT (errorText ([&] { excitationOf (settings); }), Catch::Contains ("less than the highest, 6000 Hz"));
+        CHECK_THAT (errorText ([&] { excitationOf (settings); }),
+                    Catch::Contains ("below the highest frequency, 6000 Hz"));
     }
 
     SECTION ("not a number")
@@ -127,7 +127,7 @@ TEST_CASE ("Excitations that cannot be played name what is wrong and what is all
     SECTION ("longer than memory")
     {
         settings.periods = 10000;
-        CHECK_THAT (errorText ([&] { excitationOf (settings); }), Catch::Contains ("take fewer periods"));
+        CHECK_THAT (errorText ([&] { excitationOf (settings); }), Catch::Contains ("choose fewer periods"));
     }
 
     SECTION ("levels of other ceramics")

@@ -31,7 +31,7 @@ TEST_CASE ("A sync channel without the excitation says so")
     const auto silent = [&] { latencyOf (excitation, Eigen::VectorXd::Zero (excitation.turn)); };
     const auto noise = [&] { latencyOf (excitation, RandomNumbers (1).normal (excitation.turn)); };
     const auto tooShort = [&] { latencyOf (excitation, Eigen::VectorXd::Zero (100)); };
-    CHECK_THAT (errorText (silent), Catch::Contains ("does not hold the excitation's signal"));
-    CHECK_THAT (errorText (noise), Catch::Contains ("does not hold the excitation's signal"));
+    CHECK_THAT (errorText (silent), Catch::Contains ("does not contain the excitation signal"));
+    CHECK_THAT (errorText (noise), Catch::Contains ("does not contain the excitation signal"));
     CHECK_THAT (errorText (tooShort), Catch::Contains ("has 100 samples"));
 }

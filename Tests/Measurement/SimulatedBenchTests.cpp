@@ -66,10 +66,11 @@ TEST_CASE ("The simulated bench names what it cannot do")
     SimulatedBenchSettings bench;
     bench.delay = -1;
     CHECK_THAT (errorText ([&] { recordTurn (excitation, benchBeam(), 0, bench); }),
-                Catch::Contains ("allowed is 0 to 200 ms"));
+                Catch::Contains ("allowed: 0 to 200 ms"));
     bench = {};
     bench.cubic = std::numeric_limits<double>::quiet_NaN();
-    CHECK_THAT (errorText ([&] { recordTurn (excitation, benchBeam(), 0, bench); }), Catch::Contains ("-0.2 to 0.2"));
+    CHECK_THAT (errorText ([&] { recordTurn (excitation, benchBeam(), 0, bench); }),
+                Catch::Contains ("cubic distortion is out of range; allowed: -20 to 20 %"));
     CHECK_THAT (errorText ([&] { recordTurn (excitation, sineBeam (3, 3), 0, {}); }),
-                Catch::Contains ("voltages of all its ceramics"));
+                Catch::Contains ("the voltages of all its ceramics"));
 }

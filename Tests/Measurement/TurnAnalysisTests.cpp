@@ -199,7 +199,7 @@ TEST_CASE ("Recordings that cannot be analysed say why")
     TurnRecording recording;
     recording.sensors = Eigen::MatrixXd::Zero (1, 50);
     CHECK_THAT (errorText ([&] { analyseTurn (excitation, 0, recording); }),
-                Catch::Contains ("has 50 samples in a turn"));
+                Catch::Contains ("has 50 samples in a run; allowed: at least "));
     recording.sensors = Eigen::MatrixXd::Zero (1, excitation.turn);
     recording.sensors (0, 7) = std::numeric_limits<double>::infinity();
     CHECK_THAT (errorText ([&] { analyseTurn (excitation, 0, recording); }), Catch::Contains ("not finite"));

@@ -174,7 +174,7 @@ TEST_CASE ("A broken state changes nothing and says so", "[plugin]")
     processor->setStateInformation (broken.data(), static_cast<int> (broken.size()));
     processor->getStateInformation (after);
     CHECK (after == kept);
-    CHECK (processor->warning().startsWith ("The saved state could not be read, so nothing was changed: state"));
+    CHECK (processor->warning().startsWith ("The saved state could not be read; nothing was changed: state"));
 }
 
 TEST_CASE ("A device that requires arming is disarmed when it is loaded or restored, no other", "[plugin]")
@@ -244,7 +244,7 @@ TEST_CASE ("What cannot be played at 8 kHz is silent and said", "[plugin]")
 {
     const auto processor = test::offlineProcessor (8, 8000, 512);
     CHECK (test::play (*processor, 1000, 512, 0).isZero (0));
-    CHECK (processor->warning().contains ("8000 Hz cannot play mode 6"));
+    CHECK (processor->warning().contains ("sample rate: is 8000 Hz, too low for mode 6"));
 }
 
 TEST_CASE ("Twenty instances play beside each other", "[plugin]")

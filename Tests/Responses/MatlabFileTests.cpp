@@ -75,7 +75,7 @@ TEST_CASE ("MATLAB files are read as libmatio writes them, compressed or not", "
     }
 }
 
-TEST_CASE ("Which size of an array counts lines, points and drivers, their numbers tell", "[files][matlab]")
+TEST_CASE ("The numbers of lines, points and references assign the dimensions of an array", "[files][matlab]")
 {
     // Line f (of 5), point p (of 3) and driver i (of 2) of an array whose entries count up.
     struct Case
@@ -108,13 +108,12 @@ TEST_CASE ("MATLAB files of other versions and damaged ones are refused in a sen
     const auto refusal = [] (const std::string& bytes) { return errorText ([&] { measurementOf (bytes); }); };
     const auto good = writtenBy (MAT_FT_MAT5, MAT_COMPRESSION_ZLIB, { { 5, 1 }, { 5, 3 } });
     CHECK (refusal (writtenBy (MAT_FT_MAT73, MAT_COMPRESSION_NONE, { { 5, 1 }, { 5, 3 } }))
-           == "a.mat: is a MATLAB file of version 7.3, allowed are versions 5 to 7: save it with '-v7'");
+           == "a.mat: is a MATLAB file of version 7.3; allowed: versions 5 to 7 (save it with '-v7')");
     CHECK (refusal (good.substr (0, 100)) == "a.mat: is not a MATLAB file of version 5 to 7");
     CHECK (refusal (good.substr (0, good.size() - 9)) == "a.mat: is damaged: an element is longer than the file");
-    CHECK (refusal (good.substr (0, 128))
-               .starts_with ("a.mat: has no vector of frequencies, allowed is one of the name 'f'"));
+    CHECK (refusal (good.substr (0, 128)).starts_with ("a.mat: has no vector of frequencies; allowed: one named 'f'"));
     CHECK (refusal (writtenBy (MAT_FT_MAT5, MAT_COMPRESSION_NONE, { { 4, 1 }, { 5, 3 } }))
-           == "a.mat: has 0 complex arrays with a size of 4, the number of frequencies, allowed is one, or the name "
+           == "a.mat: has 0 complex arrays with a size of 4, the number of frequencies; allowed: one, or the name "
               "'H' or 'FRF'; "
               "it has 'unit' (1 x 8), 'f' (4 x 1), 'H' (5 x 3, complex)");
 

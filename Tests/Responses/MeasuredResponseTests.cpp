@@ -152,7 +152,7 @@ TEST_CASE ("A direction against an axis turns the sign, and factors of units div
     CHECK ((after.responses.values[0] * -100 - before.responses.values[0]).cwiseAbs().maxCoeff() < 1e-12);
 }
 
-TEST_CASE ("A table's headings name parts, points, drivers and units", "[files][measurement]")
+TEST_CASE ("A table's headings name parts, points, references and units", "[files][measurement]")
 {
     const auto one = merged ({ { "a.csv", "frequency_Hz,P2 C1 real (mm/s)/V,P2 C1 imag,P1 C1 real (mm/s)/V,P1 C1 imag\n"
                                           "10,1,2,3,4\n20,5,6,7,8\n" } });
@@ -181,7 +181,7 @@ TEST_CASE ("Tables without headings hold pairs of real and imaginary part, or wh
     CHECK (std::abs (polar.responses.values[0](0, 0) - std::polar (3.0, 4.0)) < 1e-15);
 }
 
-TEST_CASE ("Files of one response each are points, those of several with the same points are drivers",
+TEST_CASE ("Files of one response each are points, files of several with the same points are references",
            "[files][measurement]")
 {
     const auto points = merged ({ { "a.csv", "1,1,0\n2,1,0\n" }, { "b.csv", "1,2,0\n2,2,0\n" } });
@@ -199,7 +199,7 @@ TEST_CASE ("Files of one response each are points, those of several with the sam
     CHECK (named.pointNames == std::vector<std::string> { "point9", "point10" });
 }
 
-TEST_CASE ("Where a hammer roves, points and drivers change places", "[files][measurement]")
+TEST_CASE ("For a roving hammer, points and references are exchanged", "[files][measurement]")
 {
     auto responses = exampleResponses (DriveQuantity::force);
     responses.points.conservativeResize (1, 2);
@@ -218,16 +218,16 @@ TEST_CASE ("Where a hammer roves, points and drivers change places", "[files][me
     CHECK (measured.responses.drivers[0].point == 0);
 }
 
-TEST_CASE ("What does not fit together is refused in a sentence", "[files][measurement]")
+TEST_CASE ("Inconsistent files are refused with a reason", "[files][measurement]")
 {
     const auto refusal = [] (const std::vector<std::pair<std::string, std::string>>& files)
     { return errorText ([&] { merged (files); }); };
     CHECK (refusal ({ { "a.csv", "1,1,0\n2,1,0\n" }, { "b.csv", "1,2,0\n3,2,0\n" } })
-           == "b.csv: has other frequencies than 'a.csv', allowed are responses with the same lines: identify them one "
-              "after the other");
+           == "b.csv: has different frequencies from 'a.csv'; allowed: responses with the same lines; identify the "
+              "files separately");
     CHECK (refusal ({ { "a.csv", "1,1,0\n2,1\n" } })
-           == "a.csv: line 2: has 2 cells, allowed are 3 as in the first line of numbers");
-    CHECK (refusal ({ { "a.csv", "f,real,imag\n1,1,x\n" } }) == "a.csv: line 2: has 'x', allowed are numbers");
+           == "a.csv: line 2: has 2 cells; allowed: 3 as in the first line of numbers");
+    CHECK (refusal ({ { "a.csv", "f,real,imag\n1,1,x\n" } }) == "a.csv: line 2: has 'x'; allowed: numbers");
     CHECK (refusal ({ { "a.csv", "f,real,real\n1,1,0\n" } })
            == "a.csv: column 2 has no column with the other part of its response");
     CHECK (refusal ({ { "a.csv", "nothing" } }) == "a.csv: has no line of numbers");
@@ -263,7 +263,7 @@ TEST_CASE ("Responses of which nothing was measured are no universal file", "[fi
     responses.drivers = { { "C1", {} } };
     responses.points = Eigen::RowVector2d (0, 0);
     responses.values = { Eigen::MatrixXcd::Constant (2, 1, std::numeric_limits<double>::quiet_NaN()) };
-    CHECK_THROWS_WITH (responseSets (responses), Catch::Contains ("there is nothing to write"));
+    CHECK_THROWS_WITH (responseSets (responses), Catch::Contains ("nothing can be written"));
 
     responses.values[0](1, 0) = 1;
     CHECK_NOTHROW (responseSets (responses));

@@ -19,8 +19,8 @@ TEST_CASE ("Points are read in mm, with a heading or none, by any separator")
 TEST_CASE ("Points that cannot be read name their line")
 {
     const auto error = [] (std::string_view text) { return errorText ([&] { decodePoints (text, "points.csv"); }); };
-    CHECK (error ("x,y\n1,2\n3,b\n") == "points.csv: line 3: is '3,b', allowed are x and y in mm, for example 12.5,30");
+    CHECK (error ("x,y\n1,2\n3,b\n") == "points.csv: line 3: is '3,b'; allowed: x and y in mm, for example 12.5,30");
     CHECK_THAT (error ("1,2\n1e9,2\n"), Catch::Contains ("line 2"));
     CHECK_THAT (error ("1,2\nnan,2\n"), Catch::Contains ("line 2"));
-    CHECK (error ("x,y\n") == "points.csv: has no point, allowed are lines of x and y in mm");
+    CHECK (error ("x,y\n") == "points.csv: has no point; allowed: lines of x and y in mm");
 }

@@ -162,7 +162,7 @@ TEST_CASE ("A place that somebody waits for comes before all others", "[graph]")
     CHECK (bank->foci[90] != nullptr);
 }
 
-TEST_CASE ("A touched place is designed beside the bank and called back when it is there", "[graph]")
+TEST_CASE ("A touched position is designed in addition to the bank and reported when it is ready", "[graph]")
 {
     BankHandOver handOver;
     DesignWorker worker (handOver);
@@ -189,7 +189,7 @@ TEST_CASE ("A place that cannot be designed stays silent and says why", "[graph]
     worker.waitUntilDone();
     CHECK (worker.progress().failed == 1);
     CHECK (worker.progress().failedNotes == std::vector { 1 });
-    CHECK_THAT (worker.progress().error, Catch::Contains ("beside the surface"));
+    CHECK_THAT (worker.progress().error, Catch::Contains ("outside the surface"));
     CHECK (firstChannel (player, 1, 500).cwiseAbs().maxCoeff() == 0);
     CHECK (firstChannel (player, 2, 500).cwiseAbs().maxCoeff() > 0);
 }

@@ -25,7 +25,7 @@ TEST_CASE ("Parameters that say what a focus says leave it as it is, to the bit"
     }
 }
 
-TEST_CASE ("Parameters change what they name, and foci beside the first go with it", "[session]")
+TEST_CASE ("Parameters change what they name, and later foci follow the first", "[session]")
 {
     const auto surface = extentOf (test::deviceNamed ("glass-148x210").description);
     const auto focus = test::focusNamed ("glass-two").description;

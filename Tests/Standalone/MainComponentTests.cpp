@@ -17,7 +17,7 @@ TEST_CASE ("F12 mutes all outputs until they are released, Escape mutes nothing"
     CHECK_FALSE (window.editor().content().keyPressed (juce::KeyPress (juce::KeyPress::F12Key)));
 }
 
-TEST_CASE ("the settings are as dark or light as the editor beside them")
+TEST_CASE ("the settings have the same theme as the editor")
 {
     StandaloneHost host (SettingsFile ({}), false);
     MainComponent window (host);

@@ -44,10 +44,9 @@ TEST_CASE ("a routing with an output that is used twice is refused")
 {
     auto routing = straightRouting();
     routing.outputs[3] = 0;
-    CHECK (errorText ([&] { validate (routing); })
-           == "ceramic 4: has output 1 like ceramic 1: an output drives one thing only");
+    CHECK (errorText ([&] { validate (routing); }) == "ceramic 4: has output 1, which ceramic 1 uses already");
     routing.outputs[3] = OutputRouting::mostOutputs;
-    CHECK (errorText ([&] { validate (routing); }) == "ceramic 4: has output 129, allowed is 1 to 128");
+    CHECK (errorText ([&] { validate (routing); }) == "ceramic 4: has output 129; allowed: 1 to 128");
 }
 
 TEST_CASE ("a chain with a gain or a polarity that is none is refused")
@@ -56,10 +55,11 @@ TEST_CASE ("a chain with a gain or a polarity that is none is refused")
     {
         auto routing = straightRouting();
         routing.chains[1].voltsPerFullScale = volts;
-        CHECK (errorText ([&] { validate (routing); }) == "output 2: volts per full scale must be 0 or more");
+        CHECK (errorText ([&] { validate (routing); })
+               == "output 2: has negative or invalid volts per full scale; allowed: 0 V or more");
     }
 
     auto routing = straightRouting();
     routing.chains[1].polarity = 0;
-    CHECK (errorText ([&] { validate (routing); }) == "output 2: polarity is 0, allowed is 1 or -1");
+    CHECK (errorText ([&] { validate (routing); }) == "output 2: polarity is 0; allowed: 1 or -1");
 }

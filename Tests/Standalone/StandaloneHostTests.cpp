@@ -52,7 +52,7 @@ TEST_CASE ("a device that cannot be opened is a warning, and all else goes on")
     wanted.audio.type = "OSS";
     wanted.touch = { 0, 0, "127.0.0.1" };
     host.openAll (wanted);
-    CHECK (host.warning() == "audio device type 'OSS': does not exist, there are ALSA, JACK");
+    CHECK (host.warning() == "audio device type 'OSS': does not exist; available: ALSA, JACK");
     host.muteAll();
     CHECK (host.router().isMuted());
 }

@@ -65,7 +65,7 @@ TEST_CASE ("a touch from the network plays a focus")
     CHECK (touch.ports().oscPort == 0);
 }
 
-TEST_CASE ("touches beside the surface are counted until the ports are opened anew")
+TEST_CASE ("touches outside the surface are counted until the ports are opened again")
 {
     AntinodeProcessor processor (8, juce::AudioProcessor::wrapperType_Undefined);
     processor.prepareToPlay (48000, 256);

@@ -37,5 +37,6 @@ TEST_CASE ("The lower of slew rate and current into the capacitance limits a cer
     common.slewLimit = 1e6;
     CHECK (slewLimit (common, 0) == 1e6);
     common.ceramics[0].material.permittivityRelative = 0;
-    CHECK_THROWS_WITH (slewLimit (common, 0), Catch::Contains ("capacitance of ceramic 1"));
+    CHECK_THROWS_WITH (slewLimit (common, 0),
+                       Catch::Contains ("device: current limit: needs the capacitance of ceramic 1"));
 }

@@ -151,15 +151,16 @@ TEST_CASE ("Better places than an ordinary layout", "[structure][placement]")
     CHECK (placed.controllability > 1.5 * before);
 }
 
-TEST_CASE ("What cannot be placed is said", "[structure][placement]")
+TEST_CASE ("Impossible placements are refused with the field", "[structure][placement]")
 {
     const auto plate = deviceOf (barePlate ("SSSS", 0.1, 0.1));
     CHECK_THROWS_WITH (placeCeramics (plate, plateCeramic (0, 0, 0.2, 0.01), optionsFor (1, 1, 0.01)),
-                       Catch::Contains ("--size-mm"));
+                       Catch::Contains ("placement: ceramic size: "));
     CHECK_THROWS_WITH (placeCeramics (plate, plateCeramic (0, 0, 0.06, 0.06), optionsFor (2, 1, 0.01)),
-                       Catch::Contains ("no room for another"));
+                       Catch::Contains ("placement: number of ceramics: is 2; ")
+                           && Catch::Contains ("no room for another"));
     CHECK_THROWS_WITH (placeCeramics (plate, plateCeramic (0, 0, 0.01, 0.01), optionsFor (1, 1, 1e-5)),
-                       Catch::Contains ("--step-mm"));
+                       Catch::Contains ("placement: step: "));
     CHECK_THROWS_WITH (placeCeramics (plate, plateCeramic (0, 0, 0.1, 0.1), optionsFor (1, 2, 0.01)),
-                       Catch::Contains ("mode 2"));
+                       Catch::Contains ("placement: number of modes: ") && Catch::Contains ("mode 2"));
 }

@@ -39,23 +39,23 @@ TEST_CASE ("Errors of JSON text name line and column", "[files]")
            == 0);
     CHECK (parseError ("{\"a\": NaN}").find ("my.json: line 1, column 7: is not valid JSON") == 0);
     CHECK (parseError (std::string_view ("{}\0{}", 5))
-           == "my.json: line 1, column 3: has a NUL byte, allowed is UTF-8 text");
-    CHECK (parseError (" \n") == "my.json: is empty, allowed is a JSON document");
+           == "my.json: line 1, column 3: has a NUL byte; allowed: UTF-8 text");
+    CHECK (parseError (" \n") == "my.json: is empty; allowed: a JSON document");
 }
 
 TEST_CASE ("A key that is given twice is found wherever it stands", "[files]")
 {
-    CHECK (parseError (R"({ "a": 1, "a": 2 })") == "my.json: /a: is given twice, allowed is once");
+    CHECK (parseError (R"({ "a": 1, "a": 2 })") == "my.json: /a: is given twice; allowed: once");
     CHECK (parseError (R"({ "b": [0, { "c": 1, "d": { "x/y": 1, "x/y": 1 } }] })")
-           == "my.json: /b/1/d/x~1y: is given twice, allowed is once");
+           == "my.json: /b/1/d/x~1y: is given twice; allowed: once");
     CHECK (parseError (R"({ "a": { "a": 1 }, "b": { "a": [{ "a": 1 }, { "a": 1 }] } })").empty());
 }
 
 TEST_CASE ("Nesting ends at 64 levels", "[files]")
 {
     CHECK (parseError (nested (64)).empty());
-    CHECK (parseError (nested (65)) == "my.json: is nested too deeply, allowed are 64 levels");
-    CHECK (parseError (std::string (1000000, '[')) == "my.json: is nested too deeply, allowed are 64 levels");
+    CHECK (parseError (nested (65)) == "my.json: is nested too deeply; allowed: up to 64 levels");
+    CHECK (parseError (std::string (1000000, '[')) == "my.json: is nested too deeply; allowed: up to 64 levels");
 }
 
 TEST_CASE ("An assignment sets one value of a document", "[files]")
@@ -81,18 +81,17 @@ TEST_CASE ("An assignment that does not fit says why and changes nothing", "[fil
     const auto error = [&] (std::string_view assignment)
     { return errorText ([&] { applyAssignment (document, assignment); }); };
 
-    CHECK (error ("targets")
-           == "assignment 'targets': has no '=', allowed is key=value, for example targets.0.x_mm=24");
-    CHECK (error ("=3") == "assignment '=3': has an empty key, allowed is for example targets.0.x_mm=24");
-    CHECK (error ("a..b=3") == "assignment 'a..b=3': has an empty key, allowed is for example targets.0.x_mm=24");
-    CHECK (error ("targets.2=3") == "assignment 'targets.2=3': index 2 is beyond the list, allowed is 0 to 1");
-    CHECK (error ("targets.x=3") == "assignment 'targets.x=3': 'x' does not fit a list, allowed is an index from 0");
-    CHECK (error ("targets.-1=3") == "assignment 'targets.-1=3': '-1' does not fit a list, allowed is an index from 0");
+    CHECK (error ("targets") == "assignment 'targets': has no '='; allowed: key=value, for example targets.0.x_mm=24");
+    CHECK (error ("=3") == "assignment '=3': has an empty key; allowed: for example targets.0.x_mm=24");
+    CHECK (error ("a..b=3") == "assignment 'a..b=3': has an empty key; allowed: for example targets.0.x_mm=24");
+    CHECK (error ("targets.2=3") == "assignment 'targets.2=3': index 2 is beyond the list; allowed: 0 to 1");
+    CHECK (error ("targets.x=3") == "assignment 'targets.x=3': 'x' does not fit a list; allowed: an index from 0");
+    CHECK (error ("targets.-1=3") == "assignment 'targets.-1=3': '-1' does not fit a list; allowed: an index from 0");
     CHECK (error ("targets.0.0=3")
-           == "assignment 'targets.0.0=3': '0' does not fit an object, allowed is the name of a key");
+           == "assignment 'targets.0.0=3': '0' does not fit an object; allowed: the name of a key");
     CHECK (error ("targets.0.x_mm.y=3")
-           == "assignment 'targets.0.x_mm.y=3': 'y' does not fit, what is before it is neither an object nor a list");
-    CHECK (error ("targets.1.a.2=3") == "assignment 'targets.1.a.2=3': index 2 is beyond the list, allowed is 0 to 0");
+           == "assignment 'targets.0.x_mm.y=3': 'y' does not fit: its parent is neither an object nor a list");
+    CHECK (error ("targets.1.a.2=3") == "assignment 'targets.1.a.2=3': index 2 is beyond the list; allowed: 0 to 0");
     CHECK (error ("a=\xff") == "assignment 'a=?': is not UTF-8 text");
     CHECK (error ("a.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p.q=1").find ("has too many keys") != std::string::npos);
     CHECK (document == original);

@@ -116,9 +116,9 @@ TEST_CASE ("Output folders that cannot be are refused", "[files]")
     std::ofstream (file) << "text";
     const auto error = [] (const fs::path& path) { return errorText ([&] { const OutputFolder output (path); }); };
 
-    CHECK (error (file) == file.string() + ": is a file, allowed is a folder");
-    CHECK (error (file / "below").find (file.string() + "/below: cannot be made: ") == 0);
-    CHECK (error ("/proc/none").find ("/proc/none: cannot be made: ") == 0);
+    CHECK (error (file) == file.string() + ": is a file; allowed: a folder");
+    CHECK (error (file / "below").find (file.string() + "/below: cannot be created: ") == 0);
+    CHECK (error ("/proc/none").find ("/proc/none: cannot be created: ") == 0);
     CHECK (error ("/proc/self").find ("/proc/self: cannot be written: ") == 0);
     CHECK_FALSE (error ("").empty());
     CHECK (contentOf (file) == "text");
@@ -243,11 +243,11 @@ TEST_CASE ("A single file that cannot be written is refused in a sentence", "[fi
 {
     const TemporaryFolder scratch;
     const auto error = [] (const fs::path& path) { return errorText ([&] { writeWholeFile (path, "x"); }); };
-    CHECK (error (scratch.path()) == scratch.path().string() + ": is a folder, allowed is a file");
-    CHECK (error ("/dev/null") == "/dev/null: is a device or pipe, allowed is a plain file");
+    CHECK (error (scratch.path()) == scratch.path().string() + ": is a folder; allowed: a file");
+    CHECK (error ("/dev/null") == "/dev/null: is a device or pipe; allowed: a plain file");
     CHECK (fs::is_character_file ("/dev/null"));
-    CHECK (error ("/proc/none/modes.csv").find ("/proc/none: cannot be made: ") == 0);
-    CHECK (error (scratch.path() / "new" / "") == (scratch.path() / "new/").string() + ": is no name for a file");
-    CHECK (error ("") == "is no name for a file");
+    CHECK (error ("/proc/none/modes.csv").find ("/proc/none: cannot be created: ") == 0);
+    CHECK (error (scratch.path() / "new" / "") == (scratch.path() / "new/").string() + ": is not a file name");
+    CHECK (error ("") == "is not a file name");
     CHECK (namesIn (scratch.path()).empty());
 }

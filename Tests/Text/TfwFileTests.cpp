@@ -69,12 +69,11 @@ TEST_CASE ("A constant lies in the middle of a TFW file's range", "[files]")
 
 TEST_CASE ("TFW files that cannot be are refused", "[files]")
 {
-    CHECK (errorText ([] { encodeTfw (Eigen::VectorXd::Zero (1), 1e6); })
-           == "TFW: has 1 samples, allowed are 2 to 65536");
+    CHECK (errorText ([] { encodeTfw (Eigen::VectorXd::Zero (1), 1e6); }) == "TFW: has 1 samples; allowed: 2 to 65536");
     CHECK (errorText ([] { encodeTfw (Eigen::VectorXd::Zero (65537), 1e6); })
-           == "TFW: has 65537 samples, allowed are 2 to 65536");
+           == "TFW: has 65537 samples; allowed: 2 to 65536");
     CHECK (errorText ([] { encodeTfw (Eigen::Vector2d (0, 1), 0); })
-           == "TFW: has a sample rate of 0 Hz, allowed is more than 0");
+           == "TFW: has a sample rate of 0 Hz; allowed: above 0 Hz");
 
     for (const auto wrong : { std::nan (""), std::numeric_limits<double>::infinity() })
         CHECK (errorText ([=] { encodeTfw (Eigen::Vector3d (0, wrong, 1), 1e6); })

@@ -77,11 +77,11 @@ TEST_CASE ("WAV files that cannot be are refused", "[files]")
     const Eigen::MatrixXd one = Eigen::MatrixXd::Zero (1, 1);
     const auto infinity = std::numeric_limits<double>::infinity();
     CHECK (errorText ([&] { encodeWave (Eigen::MatrixXd (0, 1), 1, 48000); })
-           == "WAV: has 0 channels, allowed are 1 to 16383");
+           == "WAV: has 0 channels; allowed: 1 to 16383");
     CHECK (errorText ([&] { encodeWave (Eigen::MatrixXd (16384, 0), 1, 48000); })
-           == "WAV: has 16384 channels, allowed are 1 to 16383");
+           == "WAV: has 16384 channels; allowed: 1 to 16383");
     CHECK (errorText ([&] { encodeWave (one, 1, 44100.5); })
-           == "WAV: has a sample rate of 44100.5 Hz, allowed are whole numbers from 1 to 4294967295");
+           == "WAV: has a sample rate of 44100.5 Hz; allowed: whole numbers from 1 to 4294967295 Hz");
 
     for (const auto rate : { 0.0, -1.0, 4294967296.0, infinity, std::nan ("") })
         CHECK_FALSE (errorText ([&] { encodeWave (one, 1, rate); }).empty());

@@ -55,15 +55,15 @@ TEST_CASE ("Integers of 16, 24 and 32 bits and doubles are read with 1 as full s
     expect (plainWave (3, 64, 2, littleEndian (0x3fe0000000000000, 8) + littleEndian (0xbff0000000000000, 8)));
 }
 
-TEST_CASE ("WAV files that are none, or not whole, say what is wrong")
+TEST_CASE ("Wrong or truncated WAV files are refused with a reason")
 {
     const auto whole = encodeWave (Eigen::MatrixXd::Ones (2, 10), 1, 48000);
     const auto error = [] (const std::string& bytes) { return errorText ([&] { decodeWave (bytes, "a.wav"); }); };
-    CHECK (error ("") == "a.wav: is no WAV file");
-    CHECK (error ("RIFF    WAVE") == "a.wav: is no WAV file: it has no samples");
+    CHECK (error ("") == "a.wav: is not a WAV file");
+    CHECK (error ("RIFF    WAVE") == "a.wav: is not a WAV file: it has no samples");
     CHECK (error (plainWave (1, 8, 1, "abc"))
-           == "a.wav: has 1 channels of 8 bits in format 1, allowed are integers of 16, 24 or 32 bits and floats of 32 "
-              "or 64");
+           == "a.wav: has 1 channels of 8 bits in format 1; allowed: integers of 16, 24 or 32 bits, or floats of 32 "
+              "or 64 bits");
     CHECK (error (plainWave (3, 32, 1, littleEndian (0x7fc00000, 4))) == "a.wav: has a sample that is not finite");
     CHECK (error (plainWave (1, 16, 1, "")) == "a.wav: has no samples");
 

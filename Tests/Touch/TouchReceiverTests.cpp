@@ -151,22 +151,24 @@ TEST_CASE ("A port that is taken, by a socket that allows reuse too, is an error
     const auto number = std::to_string (ports.oscPort);
     const auto ignore = [] (const Touch&) {};
     CHECK (errorText ([&] { TouchReceiver (ports, options, ignore); })
-           == "OSC port " + number + ": is taken by another program, allowed is a free one, or 0 for none");
+           == "OSC port " + number + ": is in use by another program; allowed: a free port, or 0 for off");
     std::swap (ports.oscPort, ports.tuioPort);
     CHECK (errorText ([&] { TouchReceiver (ports, options, ignore); })
-           == "TUIO port " + number + ": is taken by another program, allowed is a free one, or 0 for none");
+           == "TUIO port " + number + ": is in use by another program; allowed: a free port, or 0 for off");
 }
 
 TEST_CASE ("Ports and addresses that are none are errors in one sentence", "[touch]")
 {
     const auto error = [] (const TouchPorts& ports)
     { return errorText ([&ports] { TouchReceiver (ports, options, [] (const Touch&) {}); }); };
-    CHECK (error ({ 70000, 0, "127.0.0.1" }) == "Touch input: a port is 70000, allowed is 1 to 65535, or 0 for none");
-    CHECK (error ({ 0, -2, "127.0.0.1" }) == "Touch input: a port is -2, allowed is 1 to 65535, or 0 for none");
+    CHECK (error ({ 70000, 0, "127.0.0.1" }) == "Touch input: a port is 70000; allowed: 1 to 65535, or 0 for off");
+    CHECK (error ({ 0, -2, "127.0.0.1" }) == "Touch input: a port is -2; allowed: 1 to 65535, or 0 for off");
     CHECK (error ({ 9000, 9000, "127.0.0.1" })
-           == "Touch input: the OSC and the TUIO port are both 9000, allowed are two different ones");
-    CHECK (error ({ 9000, 3333, "" }) == "Touch input: the address is \"\", allowed is one like 127.0.0.1");
-    CHECK (error ({ 9000, 3333, "here" }) == "Touch input: the address is \"here\", allowed is one like 127.0.0.1");
+           == "Touch input: the OSC and the TUIO port are both 9000; allowed: two different ports");
+    CHECK (error ({ 9000, 3333, "" })
+           == "Touch input: the address is \"\"; allowed: an IPv4 address, for example 127.0.0.1");
+    CHECK (error ({ 9000, 3333, "here" })
+           == "Touch input: the address is \"here\"; allowed: an IPv4 address, for example 127.0.0.1");
     // 192.0.2.1 is for documentation (RFC 5737): no computer has it.
     CHECK (error ({ TouchPorts::anyFree, 0, "192.0.2.1" })
            == "OSC port: cannot be opened on 192.0.2.1: Cannot assign requested address");

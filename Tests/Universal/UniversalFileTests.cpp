@@ -225,11 +225,11 @@ TEST_CASE ("What is not a universal file is refused with place and reason", "[fi
     CHECK (refusal ("frequency,real\n1,2\n")
            == "a.uff: is not a universal file: it has no data set between lines of -1");
     CHECK (refusal ("    -1\n    15\n         1         0\n    -1\n")
-           == "a.uff: line 3: has 2 numbers of a node, allowed are 7: number, two systems, colour, three coordinates");
+           == "a.uff: line 3: has 2 numbers for a node; allowed: 7 (number, two systems, colour, three coordinates)");
     CHECK (refusal ("    -1\n    15\n")
-           == "a.uff: line 2: data set 15 is not closed by a line of -1, the file ends too early");
+           == "a.uff: line 2: data set 15 is not closed by a line of -1: the file ends too early");
     CHECK (refusal ("    -1\n    82\n         1 999999999         1\nText\n         1\n    -1\n")
-           == "a.uff: line 4: has 999999999 nodes, more than the file holds");
+           == "a.uff: line 4: has 999999999 nodes, more than the file contains");
     CHECK (refusal ("    -1\n   164\n         1SI\n nonsense\n    -1\n")
-           == "a.uff: line 4: has ' nonsense', allowed here are numbers");
+           == "a.uff: line 4: has ' nonsense'; allowed here: numbers");
 }

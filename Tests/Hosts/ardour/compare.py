@@ -48,5 +48,5 @@ for k, (wanted, heard) in enumerate(zip(rendered, recorded)):
     worst = max(worst, inside, before)
     print(f"channel {k + 1}: peak {heard[peak(heard)]:.6f}, largest difference {inside:.3g}, before it {before:.3g}")
 
-print(f"largest difference {worst:.3g} of full scale, allowed is {TOLERANCE:g}; the note began at sample {shift}")
+print(f"largest difference {worst:.3g} of full scale; allowed: {TOLERANCE:g}; the note began at sample {shift}")
 sys.exit(worst > TOLERANCE)
