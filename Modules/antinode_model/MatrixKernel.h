@@ -24,4 +24,17 @@ struct ProductTarget
     [worker] Docs/Decisions/0036-dense-kernels.md. */
 void addProductInMemory (const ProductTarget&, std::ptrdiff_t depth, double factor, const MatrixInMemory& a,
                          const MatrixInMemory& b);
+
+/** Columns `column` and the next become cosine x - sine y and sine x + cosine y. */
+struct PlaneRotation
+{
+    std::ptrdiff_t column;
+    double cosine, sine;
+};
+
+/** Rows of a strip; its columns lie one after the other. */
+inline constexpr std::ptrdiff_t rotationRows = 32;
+
+/** Applies rotations, one after the other, to a strip of rows. [worker] */
+void rotateColumns (double* strip, const PlaneRotation*, std::ptrdiff_t count);
 } // namespace antinode
