@@ -4,8 +4,6 @@ include (GNUInstallDirs)
 # Hosts look for plug-ins below lib itself, not below Debian's lib/x86_64-linux-gnu.
 set (ANTINODE_PLUGIN_DIRECTORY lib)
 set (resources ${PROJECT_SOURCE_DIR}/Resources)
-# The serial OpenBLAS lies in a folder of its own; the one on the ordinary path may use threads.
-get_filename_component (openblas ${OPENBLAS_LIBRARY} DIRECTORY)
 set (documents ${CMAKE_INSTALL_DATADIR}/doc/antinode)
 
 # antinode_install_compressed (FILE DIRECTORY NAME): FILE as NAME.gz. Without its time stamp: the same input gives the same bytes.
@@ -33,7 +31,6 @@ function (antinode_install_bundle target directory)
 endfunction()
 
 if (TARGET antinode)
-    set_target_properties (antinode PROPERTIES INSTALL_RPATH ${openblas} BUILD_WITH_INSTALL_RPATH ON)
     install (TARGETS antinode RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
     antinode_install_compressed (${PROJECT_SOURCE_DIR}/Docs/Man/antinode.1 ${CMAKE_INSTALL_MANDIR}/man1 antinode.1)
     install (FILES ${resources}/Completion/antinode DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
@@ -59,8 +56,6 @@ foreach (ceramics 8 16 32 64)
 endforeach()
 
 if (TARGET antinode_standalone)
-    set_target_properties (antinode_standalone PROPERTIES
-        INSTALL_RPATH ${openblas} BUILD_WITH_INSTALL_RPATH ON)
     install (TARGETS antinode_standalone RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
     antinode_install_compressed (${PROJECT_SOURCE_DIR}/Docs/Man/antinode-standalone.1 ${CMAKE_INSTALL_MANDIR}/man1
                                  antinode-standalone.1)

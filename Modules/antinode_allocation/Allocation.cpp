@@ -7,7 +7,6 @@
 #include "RowSystem.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_numerics/DenseKernels.h>
 
 #include <chrono>
 #include <cmath>
@@ -52,9 +51,10 @@ double rowResidual (const AllocationProblem& problem, const Eigen::MatrixXd& mat
     return (values - problem.wanted).cwiseAbs().maxCoeff() / problem.wanted.cwiseAbs().maxCoeff();
 }
 
-void checkSolved (double gap)
+/** Of a gap, or of what the rows miss. */
+void checkSolved (double error)
 {
-    if (! (std::abs (gap) <= largestGap))
+    if (! (std::abs (error) <= largestGap))
         throw InputError ("allocation",
                           "cannot be solved accurately because drives or rows are nearly linearly dependent; "
                           "control fewer modes, or choose growths that differ more");
@@ -103,7 +103,6 @@ Allocation solveAllocation (const AllocationProblem& problem, AllocationGoal goa
 {
     const auto begin = std::chrono::steady_clock::now();
     validate (problem);
-    keepToOneThread();
 
     if (problem.wanted.isZero (0))
         return nothing (problem);
@@ -136,6 +135,7 @@ Allocation solveAllocation (const AllocationProblem& problem, AllocationGoal goa
     checkSolved (certificate.gap);
     allocation.matrix = whitened.matrix (shares);
     certificate.rowResidual = rowResidual (problem, allocation.matrix);
+    checkSolved (certificate.rowResidual);
     certificate.milliseconds = 1000 * secondsSince (begin);
     return allocation;
 }
@@ -143,7 +143,6 @@ Allocation solveAllocation (const AllocationProblem& problem, AllocationGoal goa
 Eigen::MatrixXd minimumNormAllocation (const AllocationProblem& problem)
 {
     validate (problem);
-    keepToOneThread();
 
     if (problem.wanted.isZero (0))
         return nothing (problem).matrix;

@@ -1,11 +1,13 @@
 #include "BoundedWaveform.h"
 
+#include "LeastPeak.h"
 #include "WaveformDual.h"
 
 #include <antinode_numerics/DenseKernels.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace antinode
 {
@@ -179,37 +181,14 @@ BoundedWaveform solveBoundedWaveform (const BoundedWaveformProblem& problem)
 
 PeakBracket leastWaveformPeak (const BoundedWaveformProblem& problem, double tolerance)
 {
-    constexpr auto mostRounds = 40;
-    constexpr auto towardsLower = 0.7;
-    WaveformDual dual (problem);
-    auto multipliers = unlimitedMultipliers (dual);
-    PeakBracket bracket;
-    bracket.upper =
-        dual.pullsOf (multipliers).cwiseAbs().rowwise().maxCoeff().cwiseQuotient (problem.limits).maxCoeff();
-    bracket.lower = peakBoundOf (dual, multipliers, problem.limits);
+    LeastPeakProblem peak;
+    peak.wanted = problem.wanted;
+    const auto weights = std::make_shared<const Eigen::MatrixXd> (problem.weights);
 
-    for (int round = 0; round < mostRounds && bracket.upper > (1 + tolerance) * bracket.lower; ++round)
-    {
-        // Below the least peak the climb ends soon, with a better bound; above it the rows are met.
-        const auto between = std::pow (bracket.lower, towardsLower) * std::pow (bracket.upper, 1 - towardsLower);
-        const auto ratio = std::max (bracket.lower * (1 + tolerance / 2), between);
-        dual.limits = ratio * problem.limits;
-        const auto summit = climb (dual, multipliers);
-        const auto isBetter = ratio * summit.peakBound > bracket.lower;
+    for (Eigen::Index i = 0; i < problem.limits.size(); ++i)
+        peak.ceramics.push_back ({ problem.participation.col (i) * problem.limits[i], weights });
 
-        if (summit.residual <= acceptedResidual)
-            bracket.upper = ratio;
-        else if (! isBetter)
-            break;
-
-        if (isBetter)
-        {
-            bracket.lower = ratio * summit.peakBound;
-            multipliers = summit.point.multipliers;
-        }
-    }
-
-    bracket.multipliers = dual.scale.cwiseProduct (multipliers);
-    return bracket;
+    const auto found = leastPeak (peak, tolerance / (1 + tolerance));
+    return { found.lower, found.upper, found.multipliers };
 }
 } // namespace antinode

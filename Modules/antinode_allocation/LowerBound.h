@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace antinode
 {
 /** Modal velocities to be reached from rest, by voltages of any waveform. N_k modes, N_b ceramics. */
@@ -14,17 +16,37 @@ struct WaveformBoundProblem
     double duration = 0;           ///< t_f, s, more than 0.
 };
 
+/** The voltage of one ceramic, held from edge to edge. */
+struct HeldWaveform
+{
+    Eigen::VectorXd edges;  ///< N_n + 1, s before the end, ascending from 0 to the duration.
+    Eigen::VectorXd ratios; ///< N_n: voltage / limit from edges (n) to edges (n + 1).
+};
+
+/** Both sides of the least max |u_i (t)| / voltageLimits (i) over all waveforms that bring the wanted velocities. */
+struct WaveformBound
+{
+    double lower = 0;                    ///< Certified: no waveform needs less.
+    double upper = 0;                    ///< What the waveform below needs; infinite where none was found.
+    double gap = 0;                      ///< (upper - lower) / upper, 0 to 1; 1 where no waveform was found.
+    std::vector<HeldWaveform> waveforms; ///< N_b: they reach the wanted velocities. None where none was found.
+};
+
+/** The gap that is asked for, and above which a design warns. */
+inline constexpr double waveformBoundTolerance = 0.005;
+
 /** A certified lower bound of max |u_i (t)| / voltageLimits (i) over all waveforms on [0, t_f] that bring the modes from rest to the
-    wanted velocities. With h_k (tau) = e^{-a tau} (cos b tau - a/b sin b tau), the velocity after an impulse, and any y
+    wanted velocities, and a waveform that comes close to it. With h_k (tau) = e^{-a tau} (cos b tau - a/b sin b tau), the velocity
+    after an impulse, and any y
 
         max |u_i| / limit_i >= sum_k wanted_k y_k / sum_i limit_i integral_0^t_f |f_i|,   f_i (tau) = sum_k y_k participation_ki h_k (tau)
 
-    y are the multipliers of the least peak of samples, 8 a cycle of the fastest mode and at most 20000, within 0.5 % (BoundedWaveform.h);
-    that it is not the best costs tightness, not truth. The integrals are bounded
-    from above on a grid of 0.15 rad of the fastest mode: cells in which f_i certainly keeps its sign by its antiderivative, others by
-    the chord and (step^3 / 12) max |f_i''|, the largest that a chord can miss. So the bound holds for the continuous waveform.
-    @return  a ratio, 0 where nothing is wanted
+    y are the multipliers of the least peak of voltages that are held from edge to edge (LeastPeak.h), whose velocities are closed
+    forms. Cells in which f_i changes its sign are split until both sides are within 0.5 %, as far as memory (1 GiB) lets them.
+    The integrals are bounded from above: Taylor polynomials of f_i with the most that they can miss (WaveformPrice.h), so the bound
+    holds for the continuous waveform.
+    @return  0 on both sides where nothing is wanted; look at gap
     @throws InputError  when sizes or numbers are not usable, or no ceramic moves a wanted mode
-    [worker] Docs/Theory.md, section 4. */
-double anyWaveformPeakBound (const WaveformBoundProblem&);
+    [worker] Docs/Theory.md, section 4.5. */
+WaveformBound anyWaveformPeakBound (const WaveformBoundProblem&);
 } // namespace antinode

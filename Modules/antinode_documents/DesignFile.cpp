@@ -166,6 +166,7 @@ nlohmann::ordered_json designToJson (const FocusDesign& design, const ModalModel
     json["least_peak_voltage_V"] = design.leastPeakVoltage;
     json["reachable_peak_velocity_mm_s"] = toMillimetres (design.reachablePeakVelocity);
     json["lower_bound_voltage_V"] = design.lowerBoundVoltage;
+    json["lower_bound_gap"] = design.lowerBoundGap;
 
     if (design.restTime)
         json["rest_time_ms"] = toMilliseconds (*design.restTime);

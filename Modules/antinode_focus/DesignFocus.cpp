@@ -50,24 +50,26 @@ void checkRate (const ModalModel& model, const std::vector<int>& modes, Playback
                                                  + " Hz, or only lower modes (focus: maximum frequency)");
 }
 
-/** The voltage below which no waveform reaches one of the foci. */
-double lowerBound (const ModalModel& model, const std::vector<int>& modes, const std::vector<FocusMoment>& moments,
-                   const Eigen::VectorXd& limits)
+/** No waveform brings any of the foci with less. */
+void addLowerBound (FocusDesign& design, const ModalModel& model)
 {
     WaveformBoundProblem problem;
-    problem.poles = modalPoles (model) (modes);
-    problem.participation = model.participation (modes, Eigen::all);
-    problem.voltageLimits = limits;
-    double bound = 0;
+    problem.poles = modalPoles (model) (design.controlledModes);
+    problem.participation = model.participation (design.controlledModes, Eigen::all);
+    problem.voltageLimits = design.program.voltageLimits;
+    double lower = 0, upper = 0;
 
-    for (const auto& moment : moments)
+    for (const auto& moment : design.moments)
     {
         problem.wanted = moment.wanted;
         problem.duration = moment.time;
-        bound = std::max (bound, anyWaveformPeakBound (problem));
+        const auto bound = anyWaveformPeakBound (problem);
+        lower = std::max (lower, bound.lower);
+        upper = std::max (upper, bound.upper);
     }
 
-    return bound * limits.maxCoeff();
+    design.lowerBoundVoltage = lower * problem.voltageLimits.maxCoeff();
+    design.lowerBoundGap = upper > lower ? 1 - lower / upper : 0;
 }
 
 /** What does not depend on what is played. */
@@ -107,7 +109,7 @@ FocusDesign designDrives (const ModalModel& model, const FocusDescription& descr
         appendBrake (design, model, watch);
 
     if (extent == DesignExtent::complete)
-        design.lowerBoundVoltage = lowerBound (model, modes, design.moments, limits);
+        addLowerBound (design, model);
 
     if (extent == DesignExtent::complete && ! design.program.samples)
         design.shortestPeriod = shortestPeriod (model, design.program, timesOf (design.moments));

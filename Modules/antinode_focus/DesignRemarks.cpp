@@ -1,6 +1,7 @@
 #include "DesignRemarks.h"
 
 #include "DriveAllocation.h"
+#include <antinode_allocation/LowerBound.h>
 
 #include <antinode_base/NumberText.h>
 
@@ -128,6 +129,20 @@ void warnOfUnusedDrives (FocusDesign& design)
         design.warnings.push_back (unused + " is ignored: this allocation makes its own waveforms.");
 }
 
+void warnOfLooseBound (FocusDesign& design)
+{
+    const auto gap = design.lowerBoundGap;
+
+    if (gap == 1)
+        design.warnings.push_back (
+            "No waveform was found that brings the controlled modes to their velocities: the lower bound of "
+            + inWords (design.lowerBoundVoltage) + " V may be far too low. Control fewer modes.");
+    else if (gap > waveformBoundTolerance)
+        design.warnings.push_back ("The lower bound of " + inWords (design.lowerBoundVoltage)
+                                   + " V is not tight: the best waveform that was found needs "
+                                   + inWords (design.lowerBoundVoltage / (1 - gap)) + " V.");
+}
+
 void addSampleRemarks (FocusDesign& design)
 {
     const auto& samples = *design.program.samples;
@@ -168,6 +183,7 @@ void addRemarks (FocusDesign& design, const ModalModel& model)
 
     warnOfUnusedDrives (design);
     warnOfPeak (design);
+    warnOfLooseBound (design);
 
     if (design.program.samples)
         addSampleRemarks (design);

@@ -55,6 +55,8 @@ struct FocusDesign
     double reachablePeakVelocity = 0; ///< m/s: what the limit allows where it cannot be met; else the wanted one.
     double lowerBoundVoltage =
         0; ///< V: certified; no waveform reaches the terminal velocities within t_f below it; 0 where it was not computed.
+    double lowerBoundGap =
+        0; ///< (upper - lower) / upper, upper the peak of a waveform that was found; 1: none was found.
     double intersamplePeakVoltage =
         0;             ///< V: of a free waveform, also between its samples; 0 where there are no samples.
     Playback playback; ///< The playback for which the terminal rows were computed.

@@ -18,6 +18,7 @@ namespace antinode
 namespace
 {
 constexpr auto most = 128.0 * 1024 * 1024; // row weights: 1 GiB
+constexpr auto largestGap = 1e-6;          // beyond it the least energy was not found
 
 /** Which samples there are: how many before the focus, and how many in all. */
 struct SampleRange
@@ -101,14 +102,28 @@ BoundedWaveformProblem withGuards (const BoundedWaveformProblem& hard, const Eig
     return all;
 }
 
+/** Whether such a limit can be kept is not known, or it can and the search for the least energy did not end. */
+[[noreturn]] void throwTooNear (double limit, double leastPeakRatio)
+{
+    constexpr auto room = 1.01;
+    throw InputError (
+        "focus: /allocation/voltage_limit_V",
+        inWords (limit)
+            + " V lies too close to the least voltage of any samples for the waveform to be found: allowed are "
+            + inWords (room * std::max (1.0, leastPeakRatio) * limit) + " V and more");
+}
+
 [[noreturn]] void throwBeyondLimit (const BoundedWaveformProblem& hard, const FocusDescription& description)
 {
     constexpr auto tolerance = 0.001;
     const auto bracket = leastWaveformPeak (hard, tolerance);
 
-    if (bracket.upper <= 1)
+    if (! std::isfinite (bracket.upper))
         throw InputError ("focus: controlled modes",
                           "cannot be controlled independently of each other; control fewer modes");
+
+    if (bracket.upper <= 1)
+        throwTooNear (hard.limits.maxCoeff(), bracket.upper);
 
     double peakVelocity = 0;
 
@@ -156,8 +171,12 @@ FreeWaveform freeWaveform (const ModalModel& model, const FocusDescription& desc
     if (! solution.isMet)
         throwBeyondLimit (hard, description);
 
+    auto certificate = certificateOf (solution, limits, std::chrono::steady_clock::now() - start);
+
+    if (! (certificate.gap <= largestGap))
+        throwTooNear (limits.maxCoeff(), 1);
+
     const auto firstTime = description.focusTime - static_cast<double> (range.focus) / playback.sampleRate;
-    return { { playback, firstTime, solution.samples },
-             certificateOf (solution, limits, std::chrono::steady_clock::now() - start) };
+    return { { playback, firstTime, solution.samples }, certificate };
 }
 } // namespace antinode

@@ -150,7 +150,6 @@ AllocationProblem withRobustRows (AllocationProblem problem, const ModalModel& m
     if (! (robustness.weight > 0) || problem.wanted.isZero (0))
         return problem;
 
-    keepToOneThread();
     const auto price = priceOf (problem, robustness.weight);
     const auto responses = detunedResponses (model, origin, robustness.spread);
     const DriveMetric metric (problem.waveforms);

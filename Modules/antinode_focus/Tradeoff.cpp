@@ -118,7 +118,7 @@ Tradeoff sweepTradeoff (const ModalModel& device, const FocusDescription& focus,
     first.method = AllocationMethod::minimumNorm;
     const auto start = designFocus (model, describedFor (focus, first, {}, 0), playback);
     const Eigen::VectorXd decay = decayRates (model) (start.controlledModes);
-    Tradeoff result { plannedPoints(), start.lowerBoundVoltage };
+    Tradeoff result { plannedPoints(), start.lowerBoundVoltage, start.lowerBoundGap };
 
     for (std::size_t i = 0; i < result.points.size(); ++i)
     {

@@ -33,6 +33,7 @@ struct Tradeoff
 {
     std::vector<TradeoffPoint> points; ///< Method by method, growth ascending.
     double lowerBoundVoltage = 0;      ///< V: no waveform does it below.
+    double lowerBoundGap = 0;          ///< As FocusDesign has it.
 };
 
 /** Designs a focus by minimum_norm, paper, exact, minimum_peak and dictionary with each growth, and by free_waveform with each limit, all

@@ -129,33 +129,51 @@ ModalBasis stepped (ModalBasis basis, const Eigen::VectorXd& step)
 FreeResidues fitFreeResidues (const PreparedResponses& data, const NormalModes& start, double ridge)
 {
     constexpr int mostIterations = 12;
-    constexpr double leastGain = 1e-9; // relative, of the cost
+    constexpr int mostHalvings = 6;
+    constexpr double leastGain = 1e-9;  // relative, of the cost
+    constexpr double negligible = 1e-7; // the same, of what a step promises
     auto basis = basisOf (start.angularFrequencies, start.dampingRatios, data);
     basis.functions = functionsOfComplexMode;
     auto products = modalProducts (basis, data, start.delay);
     auto equations = poleEquations (basis, products, data.columnWeights, ridge);
 
-    for (int iteration = 0; iteration < mostIterations; ++iteration)
+    auto isConverged = false;
+
+    for (int iteration = 0; iteration < mostIterations && ! isConverged; ++iteration)
     {
-        const auto next = stepped (basis, solveEven (equations.matrix, equations.gradient, 1e-9));
-        auto nextProducts = modalProducts (next, data, start.delay);
-        auto nextEquations = poleEquations (next, nextProducts, data.columnWeights, ridge);
+        Eigen::VectorXd step = solveEven (equations.matrix, equations.gradient, 1e-9);
+        const auto promised = step.dot (equations.gradient);
+        auto isBetter = false;
 
-        if (nextEquations.cost > equations.cost * (1 - leastGain))
+        // Where poles are far from theirs, a whole step may lead away.
+        for (int halved = 0; halved < mostHalvings && ! isBetter && ! isConverged; ++halved, step *= 0.5)
+        {
+            const auto next = stepped (basis, step);
+            auto nextProducts = modalProducts (next, data, start.delay);
+            auto nextEquations = poleEquations (next, nextProducts, data.columnWeights, ridge);
+            isBetter = nextEquations.cost <= equations.cost * (1 - leastGain);
+
+            if (isBetter)
+            {
+                basis = next;
+                products = std::move (nextProducts);
+                equations = std::move (nextEquations);
+            }
+            else
+                isConverged = promised <= negligible * equations.cost;
+        }
+
+        if (! isBetter)
             break;
-
-        basis = next;
-        products = std::move (nextProducts);
-        equations = std::move (nextEquations);
     }
 
     auto residues = complexResidues (basis, products, ridge);
-    return { std::move (basis), std::move (products), std::move (residues) };
+    return { std::move (basis), std::move (products), std::move (residues), isConverged };
 }
 
 FreeResidues freeResidues (const FitState& state, double ridge)
 {
-    return { state.basis, state.products, complexResidues (state.basis, state.products, ridge) };
+    return { state.basis, state.products, complexResidues (state.basis, state.products, ridge), true };
 }
 
 Eigen::MatrixXd addComplexModes (IdentifiedModes& modes, const FreeResidues& fit, const PreparedResponses& data)

@@ -11,6 +11,7 @@ struct FreeResidues
     ModalBasis basis; ///< With the fitted poles.
     ModalProducts products;
     Eigen::MatrixXcd residues; ///< N_m x C: phi alpha, complex.
+    bool isConverged = true;   ///< Whether no step of the poles promises more than 1e-7 of the cost.
 };
 
 /** Fits the poles by Gauss and Newton's method, residues and powers eliminated (variable projection). What structures whose damping is not

@@ -110,13 +110,15 @@ double varianceOf (const NormalModeFit& fit, const PreparedResponses& data)
 NormalModeFit fitWhatStandsOut (const PreparedResponses& data, NormalModeStart start,
                                 std::vector<PoleCluster>& clusters, const Patience& patience, double ridge)
 {
-    while (true)
+    constexpr int mostRounds = 100;
+
+    for (int round = 0;; ++round)
     {
         auto fit = fitNormalModes (data, start, ridge, patience.precision, patience.iterations);
         const auto kept = standOut (fit.state, varianceOf (fit, data), ridge);
 
         // Modes that passed each other while they were fitted are put in order once more.
-        if (kept.size() == clusters.size() && std::is_sorted (kept.begin(), kept.end()))
+        if (kept.size() == clusters.size() && (round == mostRounds || std::is_sorted (kept.begin(), kept.end())))
             return fit;
 
         if (kept.empty())
@@ -257,10 +259,12 @@ IdentifiedModes fitModes (const FrequencyResponses& responses, const Identificat
     }
 
     auto residues = freeResidues (fit.state, options.ridge);
+    auto isConverged = fit.isConverged;
 
     if (options.complexModes)
     {
         residues = fitFreeResidues (data, fit.modes, options.ridge);
+        isConverged = residues.isConverged;
         // The best real modes with the poles of the complex ones.
         fit.modes.angularFrequencies = residues.basis.angularFrequencies;
         fit.modes.dampingRatios = residues.basis.dampingRatios;
@@ -268,6 +272,10 @@ IdentifiedModes fitModes (const FrequencyResponses& responses, const Identificat
     }
 
     auto result = described (fit, residues, data, clusters, options);
+
+    if (! isConverged)
+        result.doubts.emplace_back ("the fit of the modes did not converge: select modes, or limit the band");
+
     result.stabilisation = std::move (found.stabilisation);
     return result;
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace antinode
 {
@@ -51,7 +52,7 @@ void holdDelay (NormalEquations& equations)
     equations.gradient[last] = 0;
 }
 
-Eigen::VectorXd solveDamped (Eigen::MatrixXd matrix, const Eigen::VectorXd& right, double damping)
+std::optional<Eigen::VectorXd> solveDamped (Eigen::MatrixXd matrix, const Eigen::VectorXd& right, double damping)
 {
     const Eigen::VectorXd scale = matrix.diagonal().cwiseMax (1e-300).cwiseSqrt().cwiseInverse();
     matrix = scale.asDiagonal() * matrix * scale.asDiagonal();
@@ -59,11 +60,11 @@ Eigen::VectorXd solveDamped (Eigen::MatrixXd matrix, const Eigen::VectorXd& righ
     Eigen::MatrixXd solution = scale.cwiseProduct (right);
 
     if (! factorLower (matrix))
-        return Eigen::VectorXd::Zero (right.size());
+        return {};
 
     solveLower (matrix, solution);
     solveLowerTransposed (matrix, solution);
-    return scale.cwiseProduct (solution.col (0));
+    return Eigen::VectorXd (scale.cwiseProduct (solution.col (0)));
 }
 
 /** Modes after a step; no pole moves further than a half width at a time. */
@@ -109,19 +110,26 @@ NormalModeFit fitNormalModes (const PreparedResponses& data, const NormalModeSta
     const auto energy = state.reduced.energies.dot (data.columnWeights);
     double damping = 1e-4;
     int iteration = 0;
+    auto isConverged = false;
 
     for (; iteration < most; ++iteration)
     {
         auto held = equations;
         holdWhatIsNotSeen (held, state, start.delayIsKnown);
         const auto step = solveDamped (held.matrix, held.gradient, damping);
-        const auto expected = step.dot (held.gradient);
 
-        // Nor is what rounding hides worth a step.
-        if (expected <= precision * equations.cost / values || expected < 1e-20 * energy)
+        if (! step)
             break;
 
-        auto nextModes = stepped (modes, state, step);
+        const auto expected = step->dot (held.gradient);
+
+        // Nor is what rounding hides worth a step.
+        isConverged = expected <= precision * equations.cost / values || expected < 1e-20 * energy;
+
+        if (isConverged)
+            break;
+
+        auto nextModes = stepped (modes, state, *step);
         auto nextState = stateAt (data, nextModes, ridge);
         auto next = normalEquations (nextState, ridge);
 
@@ -142,7 +150,7 @@ NormalModeFit fitNormalModes (const PreparedResponses& data, const NormalModeSta
     }
 
     modes.shapes = state.shapes;
-    return { std::move (modes), std::move (state), equations.cost, iteration };
+    return { std::move (modes), std::move (state), equations.cost, iteration, isConverged };
 }
 Eigen::MatrixXd strongestParticipation (const Eigen::MatrixXd& residues, const PreparedResponses& data)
 {

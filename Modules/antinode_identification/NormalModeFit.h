@@ -11,6 +11,7 @@ struct NormalModeFit
     FitState state;  ///< At its end.
     double cost = 0; ///< Weighted sum of squared errors.
     int iterations = 0;
+    bool isConverged = false; ///< Whether no step is worth the precision that was asked for.
 };
 
 /** The start of a fit and its free unknowns. */
@@ -27,6 +28,7 @@ struct NormalModeStart
     @param ridge      relative, on the diagonal of the normal equations
     @param precision  it ends where a step would be worth less than this many squared standard deviations
     @param most       iterations
+    @return           look at isConverged
     [worker] Docs/Theory.md, section 8.4. */
 NormalModeFit fitNormalModes (const PreparedResponses&, const NormalModeStart&, double ridge, double precision,
                               int most);

@@ -1,153 +1,146 @@
 #include "DenseKernels.h"
 
-#include <cblas.h>
+#include "MatrixKernel.h"
 
-#include <mutex>
-#include <stdexcept>
-#include <vector>
-
-// NOLINTNEXTLINE(readability-identifier-naming): LAPACK names it.
-extern "C" void dsyevd_ (const char* job, const char* triangle, const int* size, double* matrix, const int* stride,
-                         double* values, double* work, const int* workSize, int* integerWork,
-                         const int* integerWorkSize, int* info);
-
-// NOLINTNEXTLINE(readability-identifier-naming): LAPACK names it.
-extern "C" void dpotrf_ (const char* triangle, const int* size, double* matrix, const int* stride, int* info);
+#include <Eigen/Cholesky>
 
 namespace antinode
 {
 namespace
 {
-/** Debian's OpenBLAS without threads hands its work memory to whoever calls: two threads at once would compute in the same memory. */
-std::unique_lock<std::mutex> alone()
+/** Up to this size triangles are left to Eigen; larger ones are halved, so that most of the work is products. */
+constexpr Eigen::Index smallTriangle = 32;
+
+MatrixInMemory inMemory (const MatrixIn& a)
 {
-    static std::mutex mutex;
-    return std::unique_lock (mutex);
+    return { a.data(), 1, a.outerStride() };
 }
 
-int asInt (Eigen::Index index)
+MatrixInMemory transposed (const MatrixIn& a)
 {
-    return static_cast<int> (index);
+    return { a.data(), a.outerStride(), 1 };
 }
 
-void product (MatrixOut& to, double factor, const MatrixIn& a, CBLAS_TRANSPOSE aOrder, const MatrixIn& b,
-              CBLAS_TRANSPOSE bOrder)
+void product (MatrixOut& to, Eigen::Index depth, double factor, const MatrixInMemory& a, const MatrixInMemory& b,
+              bool isLowerOnly)
 {
-    const auto depth = aOrder == CblasNoTrans ? a.cols() : a.rows();
+    if (to.size() > 0 && depth > 0)
+        addProductInMemory ({ to.data(), to.outerStride(), to.rows(), to.cols(), isLowerOnly }, depth, factor, a, b);
+}
 
-    if (to.size() == 0 || depth == 0)
+/** Solves with L on the left by halves. */
+template <unsigned int triangle>
+void solveLeft (const MatrixIn& a, MatrixOut x)
+{
+    if (a.rows() <= smallTriangle || x.cols() == 1)
+    {
+        a.triangularView<triangle>().solveInPlace (x);
         return;
+    }
 
-    const auto lock = alone();
-    cblas_dgemm (CblasColMajor, aOrder, bOrder, asInt (to.rows()), asInt (to.cols()), asInt (depth), factor, a.data(),
-                 asInt (a.outerStride()), b.data(), asInt (b.outerStride()), 1, to.data(), asInt (to.outerStride()));
+    const auto half = a.rows() / 2, rest = a.rows() - half;
+    solveLeft<triangle> (a.topLeftCorner (half, half), x.topRows (half));
+    addProduct (x.bottomRows (rest), -1, a.bottomLeftCorner (rest, half), x.topRows (half));
+    solveLeft<triangle> (a.bottomRightCorner (rest, rest), x.bottomRows (rest));
 }
 
-void triangle (CBLAS_SIDE side, CBLAS_UPLO part, CBLAS_TRANSPOSE order, CBLAS_DIAG diagonal, const MatrixIn& a,
-               MatrixOut& x)
+/** Solves with L' on the left by halves. */
+template <unsigned int triangle>
+void solveLeftTransposed (const MatrixIn& a, MatrixOut x)
 {
-    if (x.size() == 0)
+    if (a.rows() <= smallTriangle || x.cols() == 1)
+    {
+        a.triangularView<triangle>().transpose().solveInPlace (x);
         return;
+    }
 
-    const auto lock = alone();
-    cblas_dtrsm (CblasColMajor, side, part, order, diagonal, asInt (x.rows()), asInt (x.cols()), 1, a.data(),
-                 asInt (a.outerStride()), x.data(), asInt (x.outerStride()));
+    const auto half = a.rows() / 2, rest = a.rows() - half;
+    solveLeftTransposed<triangle> (a.bottomRightCorner (rest, rest), x.bottomRows (rest));
+    addTransposedLeft (x.topRows (half), -1, a.bottomLeftCorner (rest, half), x.bottomRows (rest));
+    solveLeftTransposed<triangle> (a.topLeftCorner (half, half), x.topRows (half));
+}
+
+/** Solves with L' on the right by halves. */
+template <unsigned int triangle>
+void solveRightTransposed (const MatrixIn& a, MatrixOut x)
+{
+    if (a.rows() <= smallTriangle || x.rows() == 1)
+    {
+        a.triangularView<triangle>().transpose().template solveInPlace<Eigen::OnTheRight> (x);
+        return;
+    }
+
+    const auto half = a.rows() / 2, rest = a.rows() - half;
+    solveRightTransposed<triangle> (a.topLeftCorner (half, half), x.leftCols (half));
+    addTransposedRight (x.rightCols (rest), -1, x.leftCols (half), a.bottomLeftCorner (rest, half));
+    solveRightTransposed<triangle> (a.bottomRightCorner (rest, rest), x.rightCols (rest));
+}
+
+bool factor (MatrixOut a)
+{
+    if (a.rows() <= smallTriangle)
+        return Eigen::internal::llt_inplace<double, Eigen::Lower>::unblocked (a) < 0;
+
+    const auto half = a.rows() / 2, rest = a.rows() - half;
+
+    if (! factor (a.topLeftCorner (half, half)))
+        return false;
+
+    solveRightTransposed<Eigen::Lower> (a.topLeftCorner (half, half), a.bottomLeftCorner (rest, half));
+    addGram (a.bottomRightCorner (rest, rest), -1, a.bottomLeftCorner (rest, half));
+    return factor (a.bottomRightCorner (rest, rest));
 }
 } // namespace
 
-void keepToOneThread()
-{
-    const auto lock = alone();
-    openblas_set_num_threads (1);
-}
-
 void addProduct (MatrixOut to, double factor, const MatrixIn& a, const MatrixIn& b)
 {
-    product (to, factor, a, CblasNoTrans, b, CblasNoTrans);
+    product (to, a.cols(), factor, inMemory (a), inMemory (b), false);
 }
 
 void addTransposedLeft (MatrixOut to, double factor, const MatrixIn& a, const MatrixIn& b)
 {
-    product (to, factor, a, CblasTrans, b, CblasNoTrans);
+    product (to, a.rows(), factor, transposed (a), inMemory (b), false);
 }
 
 void addTransposedRight (MatrixOut to, double factor, const MatrixIn& a, const MatrixIn& b)
 {
-    product (to, factor, a, CblasNoTrans, b, CblasTrans);
+    product (to, a.cols(), factor, inMemory (a), transposed (b), false);
 }
 
 void addGram (MatrixOut to, double factor, const MatrixIn& a)
 {
-    if (a.size() == 0)
-        return;
-
-    const auto lock = alone();
-    cblas_dsyrk (CblasColMajor, CblasLower, CblasNoTrans, asInt (to.rows()), asInt (a.cols()), factor, a.data(),
-                 asInt (a.outerStride()), 1, to.data(), asInt (to.outerStride()));
+    product (to, a.cols(), factor, inMemory (a), transposed (a), true);
 }
 
 bool factorLower (Eigen::MatrixXd& a)
 {
-    const int size = asInt (a.rows());
-    int info = 0;
-    const auto lock = alone();
-
-    if (size > 0)
-        dpotrf_ ("L", &size, a.data(), &size, &info);
-
-    return info == 0;
+    return a.rows() == 0 || factor (a);
 }
 
 void solveLower (const MatrixIn& a, MatrixOut x)
 {
-    triangle (CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, a, x);
+    if (x.size() > 0)
+        solveLeft<Eigen::Lower> (a, x);
 }
-
 void solveLowerTransposed (const MatrixIn& a, MatrixOut x)
 {
-    triangle (CblasLeft, CblasLower, CblasTrans, CblasNonUnit, a, x);
+    if (x.size() > 0)
+        solveLeftTransposed<Eigen::Lower> (a, x);
 }
-
 void solveUnitLower (const MatrixIn& a, MatrixOut x)
 {
-    triangle (CblasLeft, CblasLower, CblasNoTrans, CblasUnit, a, x);
+    if (x.size() > 0)
+        solveLeft<Eigen::UnitLower> (a, x);
 }
-
 void solveUnitLowerTransposed (const MatrixIn& a, MatrixOut x)
 {
-    triangle (CblasLeft, CblasLower, CblasTrans, CblasUnit, a, x);
+    if (x.size() > 0)
+        solveLeftTransposed<Eigen::UnitLower> (a, x);
 }
-
 void solveUnitLowerTransposedFromRight (const MatrixIn& a, MatrixOut x)
 {
-    triangle (CblasRight, CblasLower, CblasTrans, CblasUnit, a, x);
+    if (x.size() > 0)
+        solveRightTransposed<Eigen::UnitLower> (a, x);
 }
 
-void solveUpperFromRight (const MatrixIn& a, MatrixOut x)
-{
-    triangle (CblasRight, CblasUpper, CblasNoTrans, CblasNonUnit, a, x);
-}
-
-SymmetricEigen symmetricEigen (Eigen::MatrixXd a)
-{
-    SymmetricEigen result { Eigen::VectorXd (a.rows()), {} };
-    const int size = asInt (a.rows());
-    const auto lock = alone();
-    int info = 0, askSize = -1, integerSize = 0;
-    double workSize = 0;
-    dsyevd_ ("V", "L", &size, a.data(), &size, result.values.data(), &workSize, &askSize, &integerSize, &askSize,
-             &info);
-
-    const auto realSize = static_cast<int> (workSize);
-    std::vector<double> work (static_cast<std::size_t> (realSize));
-    std::vector<int> integerWork (static_cast<std::size_t> (integerSize));
-    dsyevd_ ("V", "L", &size, a.data(), &size, result.values.data(), work.data(), &realSize, integerWork.data(),
-             &integerSize, &info);
-
-    if (info != 0)
-        throw std::runtime_error ("the eigenvalue solver for symmetric matrices did not converge");
-
-    result.vectors = std::move (a);
-    return result;
-}
 } // namespace antinode

@@ -4,14 +4,11 @@
 
 namespace antinode
 {
-// What the solution of plates and the allocation spend their time on, by the system's BLAS and LAPACK: made for the processor it runs on, on one
-// thread. All matrices are column by column, a part of a larger one or whole.
-// Any threads may call; one computes at a time, because Debian's single-threaded library does not support two.
+// What the solution of plates and the allocation spend their time on, by the widest vectors of the processor it runs on, on the thread that
+// calls; any number of threads may. All matrices are column by column, a part of a larger one or whole.
+// Docs/Decisions/0036-dense-kernels.md.
 using MatrixIn = Eigen::Ref<const Eigen::MatrixXd>;
 using MatrixOut = Eigen::Ref<Eigen::MatrixXd>;
-
-/** Limits the threads of the system's BLAS to one: for these small matrices threads cost more than they gain. [worker] */
-void keepToOneThread();
 
 /** to += factor a b. [worker] */
 void addProduct (MatrixOut to, double factor, const MatrixIn& a, const MatrixIn& b);
@@ -45,9 +42,6 @@ void solveUnitLowerTransposed (const MatrixIn& a, MatrixOut x);
 /** x = x L'^-1, L the lower triangle of a with ones on its diagonal. [worker] */
 void solveUnitLowerTransposedFromRight (const MatrixIn& a, MatrixOut x);
 
-/** x = x R^-1, R the upper triangle of a. [worker] */
-void solveUpperFromRight (const MatrixIn& a, MatrixOut x);
-
 /** The eigenvalues of a symmetric matrix, ascending, and its eigenvectors, orthonormal, one a column. */
 struct SymmetricEigen
 {
@@ -56,7 +50,7 @@ struct SymmetricEigen
 };
 
 /** @param a  its lower triangle is used; finite
-    @throws std::runtime_error  when the iteration does not converge
+    @throws std::runtime_error  when the iteration does not converge, or a number is not finite
     [worker] */
 SymmetricEigen symmetricEigen (Eigen::MatrixXd a);
 } // namespace antinode

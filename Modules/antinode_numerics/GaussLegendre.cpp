@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace antinode
 {
@@ -32,16 +33,21 @@ Quadrature onePanel (int points)
 {
     Quadrature panel { Eigen::VectorXd (points), Eigen::VectorXd (points) };
     constexpr int newtonSteps = 8; // quadratic from a start that is good to 1e-2: converged after 4
+    constexpr auto converged = 1e-13;
 
     for (int i = 0; i < points; ++i)
     {
-        auto x = -std::cos (std::numbers::pi * (i + 0.75) / (points + 0.5));
+        auto x = -std::cos (std::numbers::pi * (i + 0.75) / (points + 0.5)), last = 1.0;
 
         for (int step = 0; step < newtonSteps; ++step)
         {
             const auto p = legendre (points, x);
-            x -= p.value / p.slope;
+            last = p.value / p.slope;
+            x -= last;
         }
+
+        if (! (std::abs (last) < converged))
+            throw std::runtime_error ("places of Gauss and Legendre: no convergence");
 
         const auto slope = legendre (points, x).slope;
         panel.nodes[i] = x;

@@ -1,6 +1,7 @@
 #include "Legendre.h"
 
 #include <numbers>
+#include <stdexcept>
 
 namespace antinode
 {
@@ -8,15 +9,21 @@ QuadratureRule gaussLobattoRule (Eigen::Index count)
 {
     // The places are the zeros of (1 - x^2) P'_n (x), n = count - 1: Newton's method, from the zeros of Chebyshev's polynomials.
     constexpr int newtonSteps = 12;
+    constexpr auto converged = 1e-12;
     const auto n = count - 1;
     const auto degree = static_cast<double> (n);
-    Eigen::VectorXd x = -Eigen::ArrayXd::LinSpaced (count, 0, std::numbers::pi).cos();
+    Eigen::VectorXd x = -Eigen::ArrayXd::LinSpaced (count, 0, std::numbers::pi).cos(), change;
 
     for (int step = 0; step < newtonSteps; ++step)
     {
         const Eigen::MatrixXd p = legendrePolynomials (x, count);
-        x -= ((x.array() * p.col (n).array() - p.col (n - 1).array()) / ((degree + 1) * p.col (n).array())).matrix();
+        change =
+            ((x.array() * p.col (n).array() - p.col (n - 1).array()) / ((degree + 1) * p.col (n).array())).matrix();
+        x -= change;
     }
+
+    if (! (change.lpNorm<Eigen::Infinity>() < converged))
+        throw std::runtime_error ("places of Gauss and Lobatto: no convergence");
 
     x[0] = -1;
     x[n] = 1;

@@ -111,6 +111,7 @@ nlohmann::ordered_json paperJson (const std::vector<PaperCell>& cells, const Two
     json["peak_voltage_by_drive_V"] = drivesJson (cells);
     json["lower_bound_voltage_V"] =
         byShape (cells, [] (const PaperCell& cell) { return cell.exact.design.lowerBoundVoltage; });
+    json["lower_bound_gap"] = byShape (cells, [] (const PaperCell& cell) { return cell.exact.design.lowerBoundGap; });
     json["two_mode"] = twoModeJson (study);
 
     for (const auto& figure : figures)

@@ -189,6 +189,7 @@ nlohmann::ordered_json summaryOf (const RenderedFocus& focus)
     summary["voltage_limit_V"] = design.program.voltageLimits.maxCoeff();
     summary["full_scale_V"] = focus.model.fullScaleVoltage;
     summary["lower_bound_voltage_V"] = design.lowerBoundVoltage;
+    summary["lower_bound_gap"] = design.lowerBoundGap;
 
     if (design.program.samples)
         summary["intersample_peak_voltage_V"] = design.intersamplePeakVoltage;

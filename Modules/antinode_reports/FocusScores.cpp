@@ -38,7 +38,8 @@ std::vector<ReportScore> focusScores (const RenderedFocus& focus)
               + " of the wanted velocity at its position." },
         { "Peak voltage", inWords (peakVoltage) + " V",
           "Largest voltage of any ceramic; the limit is " + limit + " V. No waveform can reach this focus below "
-              + inWords (design.lowerBoundVoltage) + " V." },
+              + inWords (design.lowerBoundVoltage) + " V; this bound is tight to "
+              + percentInWords (design.lowerBoundGap) + "." },
         { "Contrast", inWords (focus.contrast),
           "Peak divided by the RMS velocity outside the focal spot at the same instant." },
     };

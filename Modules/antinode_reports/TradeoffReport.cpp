@@ -105,7 +105,8 @@ nlohmann::ordered_json tradeoffToJson (const Tradeoff& tradeoff, const std::stri
     nlohmann::ordered_json json { { "schema", "antinode.tradeoff/1" },
                                   { "focus", focus },
                                   { "device", device },
-                                  { "lower_bound_voltage_V", tradeoff.lowerBoundVoltage } };
+                                  { "lower_bound_voltage_V", tradeoff.lowerBoundVoltage },
+                                  { "lower_bound_gap", tradeoff.lowerBoundGap } };
     json["points"] = nlohmann::ordered_json::array();
 
     for (const auto& point : tradeoff.points)

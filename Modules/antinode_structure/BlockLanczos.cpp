@@ -30,6 +30,9 @@ public:
     Eigen::Index size() const { return filled; }
     bool canGrow() const { return filled + width <= basis.cols(); }
 
+    /** Whether nothing but rounding is left outside. */
+    bool isWhole() const { return filled + width > basis.rows(); }
+
     /** Takes the next block into the basis and applies the shifted inverse to it. */
     void grow()
     {
@@ -156,7 +159,7 @@ Eigenpairs lowestEigenpairs (const BlockBandedFactor& factor, const TensorOperat
 
         if (isConverged || ! space.canGrow())
             return { (shift + pairs.values.head (count).array().inverse()).matrix(),
-                     space.vectors (pairs.vectors.leftCols (count)) };
+                     space.vectors (pairs.vectors.leftCols (count)), isConverged || space.isWhole() };
 
         nextCheck = space.size() + std::max (count / 6, 2 * width);
     }

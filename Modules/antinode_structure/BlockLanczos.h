@@ -7,8 +7,9 @@ namespace antinode
 /** Some eigenpairs of K x = lambda M x at the lower end. */
 struct Eigenpairs
 {
-    Eigen::VectorXd values;  ///< lambda, ascending.
-    Eigen::MatrixXd vectors; ///< One a column, orthonormal in M.
+    Eigen::VectorXd values;   ///< lambda, ascending.
+    Eigen::MatrixXd vectors;  ///< One a column, orthonormal in M.
+    bool areConverged = true; ///< Whether all residuals are below 1e-7 of the eigenvalue of the shifted inverse.
 };
 
 /** The lowest eigenpairs by block Lanczos on the shifted inverse, every block orthogonalised twice against all before it. Not even
@@ -16,7 +17,8 @@ struct Eigenpairs
     (BlockBandedFactor::negativePivots). The start is always the same, so the result is reproducible to the bit.
     Ericsson, Ruhe, Math. Comp. 35 (1980) 1251-1268; Grimes, Lewis, Simon, SIAM J. Matrix Anal. Appl. 15 (1994) 228-272.
     @param factor  of K - shift M with the shift below the lowest eigenvalue
-    @param count   how many, at most the unknowns; all of them are converged
+    @param count   how many, at most the unknowns
+    @return        look at areConverged: the space is limited to 6 times the count and 80 vectors
     @throws std::runtime_error  when there are no such pairs within rounding
     [worker] Docs/Theory.md, section 1.6. */
 Eigenpairs lowestEigenpairs (const BlockBandedFactor& factor, const TensorOperator& mass, double shift,

@@ -86,11 +86,11 @@ private:
 
     void exchange (Placement& placement)
     {
-        constexpr int mostRounds = 20;
         constexpr double worthwhile = 1 + 1e-9;
         auto isBetter = true;
 
-        for (int round = 0; round < mostRounds && isBetter; ++round)
+        // It ends: each exchange is better than the last, and there are only so many choices.
+        while (isBetter)
         {
             isBetter = false;
 

@@ -206,7 +206,7 @@ Eigenpairs solve (const PlateProblem& problem, Eigen::Index count)
         const auto last = widestGap (pairs.values, count - 1);
         const auto below = eigenvaluesBelow (problem, (pairs.values[last] + pairs.values[last + 1]) / 2);
 
-        if (below == last + 1)
+        if (pairs.areConverged && below == last + 1)
         {
             pairs.values.conservativeResize (count);
             pairs.vectors.conservativeResize (Eigen::NoChange, count);

@@ -225,7 +225,6 @@ PlateSolution solutionFor (const PlateDescription& plate, const PlateLayout& lay
 
 PlateSolution solvePlateModes (const PlateDescription& plate, std::optional<int> modeCount)
 {
-    keepToOneThread();
     const auto layout = layoutOf (plate);
     const auto count = wantedCount (plate, layout, modeCount);
     constexpr int resolvedModes = 50; // At least: then few modes are right to many digits, and still cost little.

@@ -34,18 +34,23 @@ Eigen::MatrixXd deflections (const PlateProblem& problem, int rigidBodyModes, co
     constexpr double shift = -1;
     constexpr int steps = 16;
     const BlockBandedFactor factor (problem.stiffness, problem.mass, shift, problem.outer);
-    const auto rigid = lowestEigenpairs (factor, problem.mass, shift, std::max (rigidBodyModes, 1)).vectors;
-    const Eigen::MatrixXd motions = rigid.leftCols (rigidBodyModes);
+    constexpr auto converged = 1e-10; // what the last step may change
+    const auto rigid = lowestEigenpairs (factor, problem.mass, shift, std::max (rigidBodyModes, 1));
+    const Eigen::MatrixXd motions = rigid.vectors.leftCols (rigidBodyModes);
     const Eigen::MatrixXd weighted = problem.mass (motions);
     const Eigen::MatrixXd flexible = loads - weighted * (motions.transpose() * loads);
-    Eigen::MatrixXd x = Eigen::MatrixXd::Zero (loads.rows(), loads.cols());
+    Eigen::MatrixXd x = Eigen::MatrixXd::Zero (loads.rows(), loads.cols()), before;
 
     for (int step = 0; step < steps; ++step)
     {
+        before = x;
         x = flexible + problem.mass (x);
         factor.solveInPlace (x);
         x -= motions * (weighted.transpose() * x);
     }
+
+    if (! rigid.areConverged || ! ((x - before).norm() <= converged * x.norm()))
+        throwNumbersTooFarApart();
 
     return x;
 }

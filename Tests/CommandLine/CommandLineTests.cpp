@@ -99,6 +99,7 @@ TEST_CASE ("render writes what the contract names, and the numbers keep what is 
                              "voltage_limit_V",
                              "full_scale_V",
                              "lower_bound_voltage_V",
+                             "lower_bound_gap",
                              "allocation",
                              "probes" })
         CHECK (summary.contains (key));
@@ -110,6 +111,7 @@ TEST_CASE ("render writes what the contract names, and the numbers keep what is 
     CHECK (summary.at ("field_error_truncated") <= 0.005);
     CHECK (summary.at ("peak_voltage_V") <= summary.at ("voltage_limit_V"));
     CHECK (summary.at ("lower_bound_voltage_V") < summary.at ("peak_voltage_V"));
+    CHECK (summary.at ("lower_bound_gap") <= 0.005);
     CHECK (summary.at ("solver").at ("gap") <= 1e-6);
 
     for (const auto& samples : summary.at ("limited_samples"))

@@ -1,0 +1,163 @@
+#include "PeakRows.h"
+
+#include <antinode_numerics/DenseKernels.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace antinode
+{
+namespace
+{
+/** A positive semidefinite matrix's directions and how long each is, those of rounding left out: T with T' G T = 1. */
+Eigen::MatrixXd whitenedBasis (const Eigen::MatrixXd& gram)
+{
+    constexpr auto smallest = 4 * std::numeric_limits<double>::epsilon();
+    auto [values, vectors] = symmetricEigen (gram);
+    const auto least = smallest * values.sum();
+    Eigen::Index first = 0;
+
+    while (first < values.size() && values[first] <= least)
+        ++first;
+
+    const auto rank = values.size() - first;
+    return vectors.rightCols (rank) * values.tail (rank).cwiseSqrt().cwiseInverse().asDiagonal();
+}
+} // namespace
+
+PeakRows::PeakRows (const LeastPeakProblem& problem) : ceramics (problem.ceramics)
+{
+    const auto rows = problem.wanted.size();
+    Eigen::VectorXd squares = Eigen::VectorXd::Zero (rows);
+    absoluteValues = Eigen::VectorXd::Zero (rows);
+    offsets.push_back (0);
+
+    for (const auto& [gains, weights] : ceramics)
+    {
+        offsets.push_back (offsets.back() + weights->cols());
+        squares += gains.cwiseAbs2().cwiseProduct (weights->rowwise().squaredNorm());
+        absoluteValues += gains.cwiseAbs().cwiseProduct (weights->rowwise().lpNorm<1>());
+    }
+
+    scale = (squares.array() > 0).select (squares.cwiseSqrt().cwiseInverse(), 0);
+
+    for (auto& ceramic : ceramics)
+        ceramic.gains = ceramic.gains.cwiseProduct (scale);
+
+    wantedValues = scale.cwiseProduct (problem.wanted);
+    absoluteValues = absoluteValues.cwiseProduct (scale);
+    basis = whitenedBasis (gram (nullptr));
+}
+
+Eigen::VectorXd PeakRows::pulls (const Eigen::VectorXd& y) const
+{
+    Eigen::VectorXd result (columns());
+
+    for (std::size_t i = 0; i < ceramics.size(); ++i)
+    {
+        const auto& [gains, weights] = ceramics[i];
+        result.segment (offsets[i], weights->cols()).noalias() = weights->transpose() * gains.cwiseProduct (y);
+    }
+
+    return result;
+}
+
+Eigen::VectorXd PeakRows::values (const Eigen::VectorXd& s) const
+{
+    Eigen::VectorXd result = Eigen::VectorXd::Zero (wantedValues.size());
+
+    for (std::size_t i = 0; i < ceramics.size(); ++i)
+    {
+        const auto& [gains, weights] = ceramics[i];
+        result += gains.cwiseProduct (*weights * s.segment (offsets[i], weights->cols()));
+    }
+
+    return result;
+}
+
+/** A diag (weights) A', its lower triangle; without weights those of 1. */
+Eigen::MatrixXd PeakRows::gram (const Eigen::ArrayXd* columnWeights) const
+{
+    const auto rows = wantedValues.size();
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero (rows, rows), part;
+
+    for (std::size_t i = 0; i < ceramics.size(); ++i)
+    {
+        const auto& [gains, weights] = ceramics[i];
+
+        if (columnWeights != nullptr || i == 0 || weights != ceramics[i - 1].weights)
+        {
+            part = Eigen::MatrixXd::Zero (rows, rows);
+
+            if (columnWeights != nullptr)
+                addGram (part, 1,
+                         *weights * columnWeights->segment (offsets[i], weights->cols()).sqrt().matrix().asDiagonal());
+            else
+                addGram (part, 1, *weights);
+        }
+
+        for (Eigen::Index k = 0; k < rows; ++k)
+            sum.col (k).tail (rows - k) += gains[k] * gains.tail (rows - k).cwiseProduct (part.col (k).tail (rows - k));
+    }
+
+    return sum;
+}
+
+Eigen::MatrixXd PeakRows::factored (const Eigen::ArrayXd& weights) const
+{
+    constexpr auto leastLift = 1e-15, mostLift = 1e-6;
+    const Eigen::MatrixXd whole = gram (&weights).selfadjointView<Eigen::Lower>();
+    const Eigen::MatrixXd whitened = basis.transpose() * whole * basis;
+
+    for (auto lift = leastLift; lift < mostLift; lift *= 100)
+    {
+        Eigen::MatrixXd factor = whitened;
+        factor.diagonal() *= 1 + lift;
+
+        if (factorLower (factor) && factor.allFinite())
+            return factor;
+    }
+
+    return {};
+}
+
+Eigen::VectorXd PeakRows::solved (const Eigen::MatrixXd& factor, const Eigen::VectorXd& values) const
+{
+    if (factor.size() == 0)
+        return Eigen::VectorXd::Zero (values.size());
+
+    Eigen::MatrixXd x = basis.transpose() * values;
+    solveLower (factor, x);
+    solveLowerTransposed (factor, x);
+    return basis * x;
+}
+
+Eigen::VectorXd PeakRows::corrected (Eigen::VectorXd s) const
+{
+    constexpr auto mostRefinements = 12;
+    constexpr auto rounding = 1e-3; // of the residual that is accepted
+
+    for (int i = 0; i < mostRefinements && (i < 2 || residual (s) > rounding * metResidual); ++i)
+    {
+        const Eigen::VectorXd missing = wantedValues - values (s);
+        s += pulls (basis * (basis.transpose() * missing));
+    }
+
+    return s;
+}
+
+double PeakRows::residual (const Eigen::VectorXd& s) const
+{
+    constexpr auto rounding = 1e-4; // times the accepted 1e-9: 1e-13 of what is summed
+    const Eigen::ArrayXd error = (wantedValues - values (s)).array().abs();
+    const Eigen::ArrayXd beside =
+        wantedValues.array().abs() + rounding * s.cwiseAbs().maxCoeff() * absoluteValues.array();
+    return (beside > 0).select (error / beside, error).maxCoeff();
+}
+
+Eigen::VectorXd PeakRows::unreachable() const
+{
+    return wantedValues - values (pulls (leastNormMultipliers()));
+}
+} // namespace antinode
