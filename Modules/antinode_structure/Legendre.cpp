@@ -12,16 +12,17 @@ QuadratureRule gaussLobattoRule (Eigen::Index count)
     constexpr auto converged = 1e-12;
     const auto n = count - 1;
     const auto degree = static_cast<double> (n);
-    Eigen::VectorXd x = -Eigen::ArrayXd::LinSpaced (count, 0, std::numbers::pi).cos(), last;
+    Eigen::VectorXd x = -Eigen::ArrayXd::LinSpaced (count, 0, std::numbers::pi).cos(), change;
 
     for (int step = 0; step < newtonSteps; ++step)
     {
         const Eigen::MatrixXd p = legendrePolynomials (x, count);
-        last = ((x.array() * p.col (n).array() - p.col (n - 1).array()) / ((degree + 1) * p.col (n).array())).matrix();
-        x -= last;
+        change =
+            ((x.array() * p.col (n).array() - p.col (n - 1).array()) / ((degree + 1) * p.col (n).array())).matrix();
+        x -= change;
     }
 
-    if (! (last.lpNorm<Eigen::Infinity>() < converged))
+    if (! (change.lpNorm<Eigen::Infinity>() < converged))
         throw std::runtime_error ("places of Gauss and Lobatto: no convergence");
 
     x[0] = -1;
