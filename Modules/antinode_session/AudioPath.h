@@ -4,15 +4,12 @@
 #include "PlaySettings.h"
 #include "ProbeTrace.h"
 
-#include <antinode_engine/PlanarBuffer.h>
 #include <antinode_graph/DesignWorker.h>
 #include <antinode_graph/StandardGraph.h>
 
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <utility>
-#include <vector>
 
 namespace antinode
 {
@@ -57,16 +54,16 @@ public:
     bool isSilentAfter (std::int64_t samples) const;
 
 private:
+    using Outputs = const double* const*; ///< Of the graph: the ceramics, then the probes.
+
     template <typename Sample>
-    void processPart (const OutputBlock<Sample>&, int offset, int count, std::span<const FocusEvent> events);
-    void note (int count, LevelMeters&, ProbeTrace&);
+    void write (const OutputBlock<Sample>&, int offset, int count, Outputs) const;
+    void note (int count, Outputs, LevelMeters&, ProbeTrace&);
 
     std::shared_ptr<const ModalModel> modes;
     double rate;
     StandardGraph standard;
     std::unique_ptr<DesignWorker> designs;
-    PlanarBuffer<double> outputs; ///< Of the graph.
-    std::vector<FocusEvent> partEvents;
     double toFullScale, monitorGain = 1;
 };
 } // namespace antinode
