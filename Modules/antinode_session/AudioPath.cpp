@@ -7,7 +7,8 @@ namespace antinode
 {
 namespace
 {
-constexpr int longestPart = 512; // samples that are processed at once: few enough to stay in the cache
+constexpr int longestPart = 512;    // samples that are processed at once: few enough to stay in the cache
+constexpr int longestOpenPart = 64; // the same where every oscillation has a channel
 
 double peakOf (const double* samples, int count)
 {
@@ -28,12 +29,14 @@ void copyScaled (const double* from, Sample* to, int count, double gain)
 } // namespace
 
 AudioPath::AudioPath (std::shared_ptr<const ModalModel> model, double sampleRateToUse, PlayerSettings settings,
-                      const Eigen::MatrixXd& probeShapes)
-    : modes (std::move (model)), rate (sampleRateToUse), standard (standardGraph (modes, settings, probeShapes)),
+                      const Eigen::MatrixXd& probeShapes, const GraphChoice& graph)
+    : modes (std::move (model)), rate (sampleRateToUse),
+      standard (graph.isOpen ? openGraph (modes, settings, probeShapes, graph.insert)
+                             : standardGraph (modes, settings, probeShapes)),
       toFullScale (1 / modes->fullScaleVoltage)
 {
-    standard.graph.prepare ({ rate, longestPart });
-    designs = std::make_unique<DesignWorker> (standard.playerNode().player().handOver());
+    standard.graph.prepare ({ rate, graph.isOpen ? longestOpenPart : longestPart });
+    designs = std::make_unique<DesignWorker> (standard.voiceNode().voices().handOver());
 }
 
 bool AudioPath::isSilentAfter (std::int64_t passed) const
@@ -90,8 +93,8 @@ void AudioPath::note (int count, Outputs outputs, LevelMeters& meters, ProbeTrac
     for (std::size_t i = 0; i < probes; ++i)
         meters.noteProbe (static_cast<int> (i), static_cast<float> (peakOf (outputs[ceramics + i], count)));
 
-    auto& player = standard.playerNode().player();
-    meters.noteState (limiter.isMuted(), player.activeVoices(), player.counters().triggered);
+    const auto& voices = standard.voiceNode().voices();
+    meters.noteState (limiter.isMuted(), voices.activeVoices(), voices.counters().triggered);
     trace.write (outputs[ceramics], count);
 }
 

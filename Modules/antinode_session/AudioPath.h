@@ -22,18 +22,25 @@ struct OutputBlock
     int count = 0;                     ///< Samples.
 };
 
+/** Whether the nodes of a path are fused or stand apart, and what stands between them. */
+struct GraphChoice
+{
+    bool isOpen = false;
+    InsertNodes insert; ///< Of the open graph; none: nothing.
+};
+
 /** What plays one device at one sample rate: its graph, and the worker that designs its foci. Made by the session, played by the
     audio thread, freed by the session. */
 class AudioPath
 {
 public:
-    static constexpr int probes = LevelMeters::probes;
+    static constexpr int probes = 2;
 
     /** @param probeShapes  2 x N_m, kg^-1/2
         @throws InputError  when the device or the format cannot be played
         [worker] */
-    AudioPath (std::shared_ptr<const ModalModel>, double sampleRate, PlayerSettings,
-               const Eigen::MatrixXd& probeShapes);
+    AudioPath (std::shared_ptr<const ModalModel>, double sampleRate, PlayerSettings, const Eigen::MatrixXd& probeShapes,
+               const GraphChoice& = {});
 
     DesignWorker& worker() { return *designs; }
     PlateNode& plate() { return standard.plateNode(); }

@@ -83,6 +83,13 @@ void Session::designFirst (std::vector<int> notes)
     isFirstNew = true;
 }
 
+void Session::insertNodes (InsertNodes insert)
+{
+    const std::lock_guard lock (mutex);
+    insertion = std::move (insert);
+    isInsertionNew = true;
+}
+
 void Session::fire (double amplitude)
 {
     triggers.push ({ 0, FocusEventKind::trigger, FocusBank::livePlace, amplitude });

@@ -77,7 +77,9 @@ void Session::step()
 
     if (model != nullptr && wanted > 0)
     {
-        const auto needsPath = path == nullptr || isModelNew || rate != wanted || needNewPath (read, settings);
+        const auto isOtherGraph = takeGraphChoice();
+        const auto needsPath =
+            path == nullptr || isModelNew || rate != wanted || isOtherGraph || needNewPath (read, settings);
         const auto needsDesigns = needsPath || isFocusNew || read != settings;
         settings = read;
 
@@ -147,7 +149,7 @@ void Session::buildPath (double sampleRate)
 {
     try
     {
-        auto made = std::make_unique<AudioPath> (model, sampleRate, playerSettingsOf (settings), probeShapes());
+        auto made = std::make_unique<AudioPath> (model, sampleRate, playerSettingsOf (settings), probeShapes(), graph);
         path = made.get();
         rate = sampleRate;
         isModelNew = false;
@@ -160,6 +162,21 @@ void Session::buildPath (double sampleRate)
         deviceError = failure.what();
         isModelNew = false;
     }
+}
+
+/** @return  whether a path must be made for it */
+bool Session::takeGraphChoice()
+{
+    const std::lock_guard lock (mutex);
+    const auto wasOpen = std::exchange (graph.isOpen, wantsOpenGraph.load());
+
+    if (std::exchange (isInsertionNew, false))
+    {
+        graph.insert = insertion;
+        return graph.isOpen || wasOpen;
+    }
+
+    return graph.isOpen != wasOpen;
 }
 
 double Session::wantedSampleRate() const

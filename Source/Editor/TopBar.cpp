@@ -49,8 +49,9 @@ void TopBar::NameButton::paintButton (juce::Graphics& g, bool isOver, bool isDow
     drawText (g, loaded.toStdString(), rows, juce::Justification::centredLeft, nameStyle);
 }
 
-TopBar::TopBar (AntinodeProcessor& processor, History& historyToShow)
-    : history (historyToShow), armLink (processor.parameters().arm(), [this] (float value) { showArm (value >= 0.5f); })
+TopBar::TopBar (AntinodeProcessor& processorToShow, History& historyToShow)
+    : processor (processorToShow), history (historyToShow),
+      armLink (processorToShow.parameters().arm(), [this] (float value) { showArm (value >= 0.5f); })
 {
     setTitle ("Commands");
     undo.setButtonText (juce::String::fromUTF8 ("\xE2\x86\xB6"));
@@ -62,6 +63,12 @@ TopBar::TopBar (AntinodeProcessor& processor, History& historyToShow)
     undo.setTooltip ("Undo. Keys: Ctrl Z");
     redo.setTooltip ("Redo. Keys: Ctrl Shift Z");
     theme.setTooltip ("Light or dark. Key: T");
+    graph.setTitle ("Open graph");
+    graph.setTooltip (
+        "Open graph: forces, allocation, gains, limiter and plate run as separate nodes, with the same samples at a "
+        "higher cost. Needed only where nodes of one's own stand between.");
+    graph.setClickingTogglesState (true);
+    graph.onClick = [this] { processor.session().setGraphOpen (graph.getToggleState()); };
     arm.setTooltip ("Armed, triggers put voltage on the ceramics. Disarmed, all ceramics stay at 0 V. Key: A");
     fire.setTooltip ("Fires the focus at its own place with the next block. Keys: Space, Return on the surface");
     stop.setTooltip ("Fades out all that plays. Key: Escape");
@@ -86,7 +93,8 @@ TopBar::TopBar (AntinodeProcessor& processor, History& historyToShow)
     for (juce::Button* const button :
          { static_cast<juce::Button*> (&device), static_cast<juce::Button*> (&focus),
            static_cast<juce::Button*> (&undo), static_cast<juce::Button*> (&redo), static_cast<juce::Button*> (&theme),
-           static_cast<juce::Button*> (&arm), static_cast<juce::Button*> (&fire), static_cast<juce::Button*> (&stop) })
+           static_cast<juce::Button*> (&graph), static_cast<juce::Button*> (&arm), static_cast<juce::Button*> (&fire),
+           static_cast<juce::Button*> (&stop) })
         addAndMakeVisible (button);
 }
 
@@ -101,6 +109,7 @@ void TopBar::refresh (const juce::String& deviceName, const juce::String& focusN
     armLink.refresh();
     device.setLoaded (deviceName);
     focus.setLoaded (focusName);
+    graph.setToggleState (processor.session().isGraphOpen(), juce::dontSendNotification);
     undo.setEnabled (history.canUndo());
     redo.setEnabled (history.canRedo());
 }
@@ -112,6 +121,7 @@ void TopBar::lookAndFeelChanged()
     for (auto* const button : { &undo, &redo, &theme })
         colour (*button, palette.raised, palette.raised, palette.text, palette.text);
 
+    colour (graph, palette.raised, palette.accent, palette.mutedText, palette.onStrong);
     colour (arm, palette.raised, palette.armed, palette.mutedText, palette.onStrong);
     colour (fire, palette.fire, palette.fire, palette.onStrong, palette.onStrong);
     colour (stop, palette.raised, palette.raised, palette.warning, palette.warning);
@@ -131,6 +141,9 @@ void TopBar::resized()
     area.removeFromRight (gap);
     arm.setBounds (area.removeFromRight (84));
     area.removeFromRight (2 * margin);
+
+    graph.setBounds (area.removeFromRight (54));
+    area.removeFromRight (gap);
 
     for (auto* const button : { &theme, &redo, &undo })
     {

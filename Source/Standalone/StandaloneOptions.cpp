@@ -56,6 +56,8 @@ void addStandaloneOptions (CLI::App& app, StandaloneOptions& options)
     app.add_option ("--instrument,--plate", options.instrument,
                     "The device that vibrates: an embedded name or a .json file");
     app.add_option ("--focus", options.focus, "Focus: an embedded name or a .json file");
+    app.add_flag ("--open-graph", options.opensGraph,
+                  "Plays by separate nodes: the same samples at a higher cost, kept with the settings");
     addTouchOptions (app, options);
     auto* const file = app.add_option ("--settings", options.settings, "Settings file in place of the usual one");
     app.add_flag ("--no-settings", options.ignoresSettings, "Reads and keeps no settings")->excludes (file);
