@@ -1,0 +1,46 @@
+#include "PlateState.h"
+
+#include <antinode_files/JsonReader.h>
+#include <antinode_files/JsonText.h>
+
+#include <nlohmann/json.hpp>
+
+namespace antinode
+{
+namespace
+{
+constexpr auto schema = "antinode.plate/1";
+constexpr double farthest = 1e12; // of a parameter: each cuts it to its own range
+} // namespace
+
+std::string plateStateToText (const PlateState& state)
+{
+    const nlohmann::ordered_json json { { "schema", schema },
+                                        { "device", nlohmann::ordered_json::parse (state.device->text) },
+                                        { "parameters", state.parameters } };
+    return json.dump();
+}
+
+PlateState readPlateState (std::string_view text)
+{
+    const auto json = parseJson (text, "state");
+    const JsonValue value (json, "state");
+    value.requireSchema (schema);
+    const auto state = value.object ({ "schema", "device", "parameters" });
+    const auto device = state.required ("device"), parameters = state.required ("parameters");
+
+    if (! device.isObject())
+        device.fail ("must be a device");
+
+    if (! parameters.isObject())
+        parameters.fail ("must be an object of numbers");
+
+    PlateState read { std::make_shared<const DeviceDocument> (readDeviceDocument (json["device"], "state: device")),
+                      {} };
+
+    for (const auto& [key, ignored] : json["parameters"].items())
+        read.parameters[key] = parameters.required (key).number ({ -farthest, farthest });
+
+    return read;
+}
+} // namespace antinode
