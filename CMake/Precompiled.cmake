@@ -31,4 +31,9 @@ function (antinode_precompile target family)
     endif()
 
     target_precompile_headers (${target} REUSE_FROM ${owner})
+    target_link_libraries (${target} PRIVATE Eigen3::Eigen)
+    get_target_property (type ${target} TYPE)
+    if (type STREQUAL EXECUTABLE)
+        target_compile_options (${target} PRIVATE -fPIC) # as the owner is compiled; by itself it would be -fPIE
+    endif()
 endfunction()

@@ -16,6 +16,12 @@ struct PlayableFocus
     /** @throws InputError  as VoltageSynthesiser, and for a free waveform [worker] allocates */
     PlayableFocus (const VoltageProgram&, Playback);
 
+    /** The number of oscillations, brakes included. [any] */
+    int oscillationCount() const
+    {
+        return synthesiser.oscillationCount() + (brake ? brake->designed().oscillationCount() : 0);
+    }
+
     VoltageSynthesiser synthesiser;     ///< Plays everything but the brakes.
     std::int64_t firstSample = 0;       ///< From the trigger: none of these sounds before it,
     std::int64_t endSample = 0;         ///< and none from it on.

@@ -1,18 +1,13 @@
 #include "FocusPlayer.h"
 
-#include <antinode_base/InputError.h>
-
 #include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
+#include <limits>
+#include <type_traits>
 
 namespace antinode
 {
 namespace
 {
-constexpr double longestFade = 1; // s
-
 template <typename Sample>
 std::vector<Sample*> pointersInto (std::vector<Sample>& samples, std::size_t count, std::size_t stride)
 {
@@ -25,20 +20,9 @@ std::vector<Sample*> pointersInto (std::vector<Sample>& samples, std::size_t cou
 }
 } // namespace
 
-FocusPlayer::FocusPlayer (int ceramicsToUse, double sampleRate, PlayerSettings settingsToUse)
-    : ceramics (ceramicsToUse), settings (settingsToUse),
-      fadeLength (std::max<std::int64_t> (1, std::llround (settings.fadeTime * sampleRate)))
+FocusPlayer::FocusPlayer (int ceramicsToUse, double sampleRate, PlayerSettings playerSettings)
+    : FocusVoices (ceramicsToUse, sampleRate, playerSettings, std::numeric_limits<int>::max())
 {
-    if (ceramics < 1 || ! (sampleRate > 0 && std::isfinite (sampleRate)))
-        throw InputError ("player", "needs at least one ceramic and a positive sample rate");
-
-    if (! (settings.fadeTime >= 0 && settings.fadeTime <= longestFade))
-        throw InputError ("player", "fade time is " + std::to_string (settings.fadeTime) + " s; allowed: 0 to 1 s");
-
-    for (std::int64_t n = 0; n < fadeLength; ++n)
-        fadeGains.push_back (
-            0.5 + 0.5 * std::cos (std::numbers::pi * static_cast<double> (n + 1) / static_cast<double> (fadeLength)));
-
     const auto count = static_cast<std::size_t> (ceramics);
     scratchDouble.resize (count * fadeChunk);
     scratchFloat.resize (count * fadeChunk);
@@ -46,184 +30,108 @@ FocusPlayer::FocusPlayer (int ceramicsToUse, double sampleRate, PlayerSettings s
     channelsFloat = pointersInto (scratchFloat, count, fadeChunk);
     shiftedDouble.resize (count);
     shiftedFloat.resize (count);
-
-    if (settings.noteOff == NoteOffBehaviour::brake)
-        brakeFactors.resize (allVoices);
 }
 
-FocusPlayer::~FocusPlayer()
+template <>
+double* const* FocusPlayer::scratchChannels<double>()
 {
-    for (const auto& used : banks)
-        delete used.bank;
+    std::fill (scratchDouble.begin(), scratchDouble.end(), 0.0);
+    return channelsDouble.data();
 }
 
-std::int64_t FocusPlayer::Voice::end (std::int64_t fadeLength) const
+template <>
+float* const* FocusPlayer::scratchChannels<float>()
 {
-    auto own = trigger + focus->endSample;
-
-    if (const auto& brake = focus->brake)
-        own = std::max (
-            own,
-            trigger + (holdsBrake ? brake->startSample() + brake->longestDelay() : brake->endSample() + brakeDelay));
-
-    return fadeStart == never ? own : std::min (own, fadeStart + fadeLength);
+    std::fill (scratchFloat.begin(), scratchFloat.end(), 0.0F);
+    return channelsFloat.data();
 }
 
-int FocusPlayer::activeVoices() const
+template <typename Sample>
+Sample* const* FocusPlayer::shiftedBy (std::int64_t samples, Sample* const* channels)
 {
-    return static_cast<int> (
-        std::count_if (voices.begin(), voices.end(), [] (const Voice& voice) { return voice.focus != nullptr; }));
+    auto& shifted = [this]() -> auto&
+    {
+        if constexpr (std::is_same_v<Sample, float>)
+            return shiftedFloat;
+        else
+            return shiftedDouble;
+    }
+    ();
+
+    for (int i = 0; i < ceramics; ++i)
+        shifted[static_cast<std::size_t> (i)] = channels[i] + samples;
+
+    return shifted.data();
 }
 
-void FocusPlayer::reset()
+/** Adds samples of the player's clock, as they are without a fade. */
+template <typename Sample>
+void FocusPlayer::add (const Voice& voice, std::int64_t from, std::int64_t to, Sample* const* channels) const
 {
-    for (auto& voice : voices)
+    const auto count = static_cast<int> (to - from);
+
+    if (from < voice.trigger + voice.focus->endSample)
+        voice.focus->synthesiser.add (from - voice.trigger, count, voice.amplitude, channels);
+
+    if (const auto& brake = voice.focus->brake; brake && ! voice.holdsBrake)
+    {
+        const auto start = voice.trigger + voice.brakeDelay;
+
+        if (to > start + brake->startSample())
+            brake->designed().add (from - start, count, voice.amplitude, channels, brakeFactorsOf (voice));
+    }
+}
+
+template <typename Sample>
+void FocusPlayer::renderFade (const Voice& voice, Sample* const* channels, int offset, std::int64_t from,
+                              std::int64_t to)
+{
+    for (auto at = from; at < to; at += fadeChunk)
+    {
+        const auto length = static_cast<int> (std::min<std::int64_t> (fadeChunk, to - at));
+        auto* const* const scratch = scratchChannels<Sample>();
+        add (voice, at, at + length, scratch);
+
+        for (int i = 0; i < ceramics; ++i)
+            for (int n = 0; n < length; ++n)
+            {
+                const auto gain = fadeGains[static_cast<std::size_t> (at + n - voice.fadeStart)];
+                channels[i][offset + (at - clock) + n] += static_cast<Sample> (gain) * scratch[i][n];
+            }
+    }
+}
+
+template <typename Sample>
+void FocusPlayer::renderVoice (const Voice& voice, Sample* const* channels, int offset, int count)
+{
+    const auto begin = std::max (clock, voice.trigger + voice.focus->firstSample);
+    const auto end = std::min (clock + count, voice.end (fadeLength));
+    const auto fadeBegin = std::clamp (voice.fadeStart, begin, std::max (begin, end));
+
+    if (fadeBegin > begin)
+        add (voice, begin, fadeBegin, shiftedBy (offset + (begin - clock), channels));
+
+    renderFade (voice, channels, offset, fadeBegin, end);
+}
+
+template <typename Sample>
+void FocusPlayer::render (Sample* const* channels, int offset, int count)
+{
+    for (const auto& voice : voices)
         if (voice.focus != nullptr)
-            finish (voice);
+            renderVoice (voice, channels, offset, count);
 }
 
-void FocusPlayer::takeBank()
+template <typename Sample>
+void FocusPlayer::process (Sample* const* channels, int count, std::span<const FocusEvent> events)
 {
-    // The last place for a bank is found again only when voices end: until then the newest bank waits where it is.
-    const auto place =
-        std::find_if (banks.begin(), banks.end(), [] (const UsedBank& used) { return used.bank == nullptr; });
+    for (int i = 0; i < ceramics; ++i)
+        std::fill (channels[i], channels[i] + count, Sample (0));
 
-    if (place == banks.end())
-        return;
-
-    if (const auto* const bank = exchange.take())
-    {
-        *place = { bank, 0 };
-        current = static_cast<int> (place - banks.begin());
-        latency = bank->latestFocusSample();
-    }
+    playStretches (count, events, [&] (int offset, int length) { render (channels, offset, length); });
+    giveUnusedBanks();
 }
 
-void FocusPlayer::giveUnusedBanks()
-{
-    for (int i = 0; i < static_cast<int> (banks.size()); ++i)
-    {
-        auto& used = banks[static_cast<std::size_t> (i)];
-
-        if (used.bank != nullptr && used.users == 0 && i != current && exchange.canGiveBack())
-        {
-            exchange.giveBack (used.bank);
-            used.bank = nullptr;
-        }
-    }
-}
-
-void FocusPlayer::finish (Voice& voice)
-{
-    --banks[static_cast<std::size_t> (voice.bank)].users;
-    voice = {};
-}
-
-void FocusPlayer::finishEnded()
-{
-    for (auto& voice : voices)
-        if (voice.focus != nullptr && voice.end (fadeLength) <= clock)
-            finish (voice);
-}
-
-void FocusPlayer::fade (Voice& voice)
-{
-    if (voice.fadeStart == never)
-        voice.fadeStart = clock;
-}
-
-template <typename Condition>
-void FocusPlayer::fadeWhere (Condition condition)
-{
-    for (auto& voice : voices)
-        if (voice.focus != nullptr && condition (voice))
-            fade (voice);
-}
-
-void FocusPlayer::releaseBrake (Voice& voice)
-{
-    const auto& brake = *voice.focus->brake;
-    voice.holdsBrake = false;
-    voice.brakeDelay = std::max<std::int64_t> (0, clock - voice.trigger - brake.startSample());
-
-    if (voice.brakeDelay > 0)
-        brake.factorsAfter (voice.brakeDelay, brakeFactors[indexOf (voice)]);
-}
-
-void FocusPlayer::release (int place)
-{
-    if (settings.noteOff == NoteOffBehaviour::fade)
-        fadeWhere ([&] (const Voice& voice) { return voice.place == place; });
-
-    for (auto& voice : voices)
-        if (voice.holdsBrake && voice.fadeStart == never && voice.place == place)
-            releaseBrake (voice);
-}
-
-void FocusPlayer::handle (const FocusEvent& event)
-{
-    switch (event.kind)
-    {
-        case FocusEventKind::trigger:
-            trigger (event);
-            break;
-        case FocusEventKind::release:
-            release (event.place);
-            break;
-        case FocusEventKind::stopAll:
-            fadeWhere ([] (const Voice&) { return true; });
-            break;
-    }
-}
-
-FocusPlayer::Voice& FocusPlayer::freeVoice()
-{
-    const auto sounds = [] (const Voice& voice) { return voice.focus != nullptr && voice.fadeStart == never; };
-    const auto isOlder = [&] (const Voice& a, const Voice& b)
-    { return sounds (a) != sounds (b) ? sounds (a) : a.order < b.order; };
-
-    if (std::count_if (voices.begin(), voices.end(), sounds) >= soundingVoices)
-    {
-        fade (*std::min_element (voices.begin(), voices.end(), isOlder));
-        ++counts.stolen;
-    }
-
-    const auto unused =
-        std::find_if (voices.begin(), voices.end(), [] (const Voice& voice) { return voice.focus == nullptr; });
-
-    if (unused != voices.end())
-        return *unused;
-
-    // All of them play or fade: the one whose fade began first has the least left.
-    auto& nearlyDone = *std::min_element (voices.begin(), voices.end(),
-                                          [] (const Voice& a, const Voice& b) { return a.fadeStart < b.fadeStart; });
-    finish (nearlyDone);
-    ++counts.cut;
-    return nearlyDone;
-}
-
-void FocusPlayer::trigger (const FocusEvent& event)
-{
-    const auto isPlace = event.place >= 0 && event.place < FocusBank::places && std::isfinite (event.amplitude);
-    const auto* const bank = current >= 0 ? banks[static_cast<std::size_t> (current)].bank : nullptr;
-    const auto* const focus =
-        bank != nullptr && isPlace ? bank->foci[static_cast<std::size_t> (event.place)].get() : nullptr;
-
-    if (focus == nullptr || focus->synthesiser.channelCount() != ceramics)
-    {
-        ++counts.empty;
-        return;
-    }
-
-    if (settings.retrigger == RetriggerBehaviour::restart)
-        fadeWhere ([&] (const Voice& voice) { return voice.place == event.place; });
-
-    auto& voice = freeVoice();
-    const auto delay = settings.focusOnNote ? latency - focus->synthesiser.focusSample() : 0;
-    voice = { focus, current, event.place, event.amplitude, clock + delay, counts.triggered };
-    voice.holdsBrake = settings.noteOff == NoteOffBehaviour::brake && focus->brake.has_value();
-    ++banks[static_cast<std::size_t> (current)].users;
-    ++counts.triggered;
-}
-
+template void FocusPlayer::process (float* const*, int, std::span<const FocusEvent>);
+template void FocusPlayer::process (double* const*, int, std::span<const FocusEvent>);
 } // namespace antinode

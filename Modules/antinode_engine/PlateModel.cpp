@@ -6,13 +6,13 @@ namespace antinode
 {
 namespace
 {
-constexpr double smallest = 1e-200;
+constexpr double smallestMotion = 1e-200;
 
 /** Sets what is too small to matter to 0: denormal numbers cost a hundred times the time of others. */
 template <typename Values>
 void dropDenormals (Values&& values)
 {
-    values = (values.abs() < smallest).select (0.0, values);
+    values = (values.abs() < smallestMotion).select (0.0, values);
 }
 } // namespace
 

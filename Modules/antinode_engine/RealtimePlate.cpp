@@ -84,6 +84,27 @@ void RealtimePlate::takeMotionOf (const RealtimePlate& other)
     std::copy (other.motion.begin(), other.motion.end(), motion.begin());
     std::copy (other.inputVoltages.begin(), other.inputVoltages.end(), inputVoltages.begin());
     position = other.position;
+    newest = other.newest;
+}
+
+void RealtimePlate::modalVelocities (std::span<double> velocities) const
+{
+    const auto ceramics = static_cast<std::size_t> (sizes.ceramics), last = static_cast<std::size_t> (newest);
+
+    for (std::size_t k = 0; k < velocities.size(); ++k)
+    {
+        const auto lane = k % plateModeGroup, group = k - lane;
+        velocities[k] = 0;
+
+        if (k >= static_cast<std::size_t> (sizes.modes))
+            continue;
+
+        // The state has all of what the sample's force adds, its velocity half of it.
+        velocities[k] = state[group * 2 + lane];
+
+        for (std::size_t i = 0; i < ceramics; ++i)
+            velocities[k] -= drive[group * ceramics + i * plateModeGroup + lane] * inputVoltages[i * plateTile + last];
+    }
 }
 
 template <typename Sample>
@@ -104,6 +125,7 @@ void RealtimePlate::process (const Sample* const* voltages, Sample* const* veloc
         tile.samples = std::min (plateTile - position, count - done);
         position = (position + tile.samples) % plateTile;
         tile.last = position == 0;
+        newest = tile.samples - 1;
 
         for (std::ptrdiff_t i = 0; i < tile.ceramics; ++i)
             std::copy_n (voltages[i] + done, tile.samples, inputVoltages.data() + i * plateTile);

@@ -8,6 +8,8 @@
 
 #include <Eigen/Core>
 
+#include <span>
+
 namespace antinode
 {
 /** The plate in real time, for the monitor: planar voltages in, probe velocities out, without latency.
@@ -42,6 +44,11 @@ public:
     /** Goes on from where another plate is, of the same model and rate, but with other probes. [audio thread] */
     void takeMotionOf (const RealtimePlate&);
 
+    /** The modal velocities at the last sample; those that are left out are 0.
+        @param velocities  room for N_m, m/s kg^1/2
+        [audio thread] */
+    void modalVelocities (std::span<double> velocities) const;
+
     /** Back to rest. [audio thread] */
     void reset();
 
@@ -55,5 +62,6 @@ private:
     PlateKernel move;
     ProbeKernel probes;
     int position = 0; // in the tile: tiles do not begin where blocks do
+    int newest = 0;   // the last sample in inputVoltages
 };
 } // namespace antinode

@@ -156,6 +156,58 @@ void VoltageSynthesiser::add (std::int64_t first, int count, double amplitude, S
 template void VoltageSynthesiser::add (std::int64_t, int, double, double* const*, const std::complex<double>*) const;
 template void VoltageSynthesiser::add (std::int64_t, int, double, float* const*, const std::complex<double>*) const;
 
+template <typename Sample>
+void VoltageSynthesiser::addForces (std::int64_t first, int count, double amplitude, Sample* const* forces,
+                                    std::ptrdiff_t offset, const std::complex<double>* factors) const
+{
+    addBlock<Sample> ({ first, count, amplitude, 0, ceramics, forces, factors, true, offset });
+}
+
+template void VoltageSynthesiser::addForces (std::int64_t, int, double, double* const*, std::ptrdiff_t,
+                                             const std::complex<double>*) const;
+template void VoltageSynthesiser::addForces (std::int64_t, int, double, float* const*, std::ptrdiff_t,
+                                             const std::complex<double>*) const;
+
+/** Takes one span of some oscillations; those that are silent in it are left out. */
+template <typename Sample>
+void VoltageSynthesiser::gatherForces (const Sample* const* forces, std::size_t firstVoice, int at, int length,
+                                       SynthesisChunk<Sample>& chunk) const
+{
+    const auto end = std::min (firstVoice + synthesisChunk, voices.size());
+    chunk.count = 0;
+
+    for (auto c = firstVoice; c < end; ++c)
+    {
+        const auto* const force = forces[c] + at;
+
+        if (std::all_of (force, force + length, [] (Sample value) { return value == 0; }))
+            continue;
+
+        auto* const values = chunk.values + chunk.count * chunk.span;
+        std::fill (std::copy_n (force, length, values), values + chunk.span, Sample (0));
+        chunk.records[chunk.count++] = tables<Sample>().records.data() + c * tables<Sample>().recordSize;
+    }
+}
+
+template <typename Sample>
+void VoltageSynthesiser::mix (const Sample* const* forces, int from, int to, Sample* const* channels) const
+{
+    SynthesisChunk<Sample> chunk;
+
+    for (std::size_t voice = 0; voice < voices.size(); voice += synthesisChunk)
+        for (auto at = from; at < to; at += chunk.span)
+        {
+            const auto length = std::min (chunk.span, to - at);
+            gatherForces (forces, voice, at, length, chunk);
+
+            if (chunk.count > 0)
+                tables<Sample>().kernel.addValues (chunk, { 0, length, 0, ceramics, channels, at });
+        }
+}
+
+template void VoltageSynthesiser::mix (const double* const*, int, int, double* const*) const;
+template void VoltageSynthesiser::mix (const float* const*, int, int, float* const*) const;
+
 void VoltageSynthesiser::process (std::int64_t first, Eigen::Ref<Eigen::MatrixXd> voltages) const
 {
     std::array<std::array<double, stripSamples>, ceramicsAtOnce> planar;

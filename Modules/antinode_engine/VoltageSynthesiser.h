@@ -50,6 +50,24 @@ public:
     void add (std::int64_t first, int count, double amplitude, Sample* const* channels,
               const std::complex<double>* factors = nullptr) const;
 
+    /** How many oscillations the program has. [any] */
+    int oscillationCount() const { return static_cast<int> (voices.size()); }
+
+    /** Adds the oscillations themselves, before they are shared out among ceramics: add() in two steps, of which mix() is the second.
+        @param forces  a pointer an oscillation; sample n of the block is added at forces[c][offset + n]
+        @param first, count, amplitude, factors  as add's
+        [audio thread] as add */
+    template <typename Sample>
+    void addForces (std::int64_t first, int count, double amplitude, Sample* const* forces, std::ptrdiff_t offset,
+                    const std::complex<double>* factors = nullptr) const;
+
+    /** Shares oscillations out: adds allocation (i, c) times forces[c] to channels[i], in the samples from .. to - 1 of both.
+        @param forces    a pointer an oscillation
+        @param channels  N_b pointers, V
+        [audio thread] allocates nothing, locks nothing; 20 KiB of stack */
+    template <typename Sample>
+    void mix (const Sample* const* forces, int from, int to, Sample* const* channels) const;
+
     /** Voltages of the samples first .. first + n - 1.
         @param voltages  N_b x n, V
         [audio thread] allocates nothing, locks nothing, any n >= 0, any order of blocks; 40 KiB of stack */
@@ -98,6 +116,9 @@ private:
     const Tables<Sample>& tables() const;
     template <typename Sample>
     void addBlock (const Block<Sample>&) const;
+    template <typename Sample>
+    void gatherForces (const Sample* const* forces, std::size_t firstVoice, int at, int length,
+                       SynthesisChunk<Sample>&) const;
 
     double rate = 0;
     std::int64_t focus = 0;

@@ -19,6 +19,8 @@ struct VoltageSynthesiser::Block
     int firstCeramic = 0, ceramics = 0;
     Sample* const* channels = nullptr;             // of these ceramics
     const std::complex<double>* factors = nullptr; // one for every oscillation, or none
+    bool areForces = false;   // whether there is a channel for every oscillation, to which it is added as it is
+    std::ptrdiff_t shift = 0; // of the first sample in the channels
 };
 
 /** Plays a chunk of the oscillations through the tiles of a block. */
@@ -135,9 +137,11 @@ private:
 
         tables.findPhasors (chunk, static_cast<int> (strip - firstStrip));
         const SynthesisTarget<Sample> target { static_cast<int> (begin), static_cast<int> (end), block.firstCeramic,
-                                               block.ceramics,           block.channels,         offset };
+                                               block.ceramics,           block.channels,         offset + block.shift };
 
-        if (edges)
+        if (block.areForces)
+            addForces (tile, endTile, target);
+        else if (edges)
             addEdges (tile, static_cast<int> (tile - first), target);
         else
             tables.kernel.add (chunk, target);
@@ -154,6 +158,31 @@ private:
                 weigh (voice, tile, values + slot * chunk.span);
 
         tables.kernel.addValues (chunk, target);
+    }
+
+    /** Adds tiles of a strip to the channels of their oscillations. */
+    void addForces (std::int64_t tile, std::int64_t endTile, const SynthesisTarget<Sample>& target)
+    {
+        for (; tile < endTile; ++tile)
+        {
+            const auto start =
+                static_cast<int> (tile % synthesisStrip + synthesisStrip) % synthesisStrip * synthesisTile;
+            const auto begin = std::max (start, target.begin), end = std::min (start + synthesisTile, target.end);
+            tables.kernel.evaluate (chunk, start / synthesisTile);
+
+            for (int slot = 0; slot < chunk.count; ++slot)
+            {
+                auto* const values = chunk.values + slot * chunk.span + start % chunk.span;
+
+                if (const auto& voice = synthesiser.voices[numbers[slot]]; voice.hasEdgeIn (tile))
+                    weigh (voice, tile, values);
+
+                auto* const force = block.channels[numbers[slot]] + target.offset;
+
+                for (auto n = begin; n < end; ++n)
+                    force[n] += values[n - start];
+            }
+        }
     }
 
     /** Silences values before the start and after the end; on an edge they may count half. */

@@ -4,25 +4,19 @@
 
 namespace antinode
 {
-AllocationNode::AllocationNode (Eigen::MatrixXd allocationToUse) : allocation (std::move (allocationToUse)) {}
+AllocationNode::AllocationNode (const ForceNode& forcesToUse, int ceramicsToUse)
+    : forces (forcesToUse), ceramics (ceramicsToUse)
+{
+}
 
 template <typename Sample>
 void AllocationNode::mix (const NodeBlock<Sample>& block) const
 {
-    for (int i = 0; i < outputs(); ++i)
-    {
-        auto* const to = block.outputs[i];
-        std::fill (to, to + block.count, Sample (0));
+    for (int i = 0; i < ceramics; ++i)
+        std::fill_n (block.outputs[i], block.count, Sample (0));
 
-        for (int c = 0; c < inputs(); ++c)
-        {
-            const auto share = static_cast<Sample> (allocation (i, c));
-            const auto* const from = block.inputs[c];
-
-            for (int n = 0; n < block.count; ++n)
-                to[n] += share * from[n];
-        }
-    }
+    for (const auto& stretch : forces.stretches())
+        stretch.design->mix (block.inputs + stretch.first, stretch.from, stretch.to, block.outputs);
 }
 
 void AllocationNode::process (const NodeBlock<float>& block)

@@ -1,21 +1,21 @@
 #pragma once
 
-#include "Node.h"
-
-#include <Eigen/Core>
+#include "ForceNode.h"
 
 namespace antinode
 {
-/** Shares force oscillations out among ceramics: channel i is the sum of allocation (i, c) times input c, in that order. */
+/** Shares force oscillations out among ceramics, those of each voice by the allocation of its own focus. */
 class AllocationNode : public Node
 {
 public:
-    /** @param allocation  N_b x oscillations, V */
-    explicit AllocationNode (Eigen::MatrixXd allocation);
+    /** @param forces    whose voices are shared out; its outputs reach this node in the same block, changed by
+                       other nodes or not. It outlives this
+        @param ceramics  channels, V */
+    AllocationNode (const ForceNode& forces, int ceramics);
 
     std::string name() const override { return "Allocation"; }
-    int inputs() const override { return static_cast<int> (allocation.cols()); }
-    int outputs() const override { return static_cast<int> (allocation.rows()); }
+    int inputs() const override { return forces.outputs(); }
+    int outputs() const override { return ceramics; }
     void prepare (const NodeFormat&) override {}
     void process (const NodeBlock<float>&) override;
     void process (const NodeBlock<double>&) override;
@@ -25,6 +25,7 @@ private:
     template <typename Sample>
     void mix (const NodeBlock<Sample>&) const;
 
-    Eigen::MatrixXd allocation;
+    const ForceNode& forces;
+    int ceramics;
 };
 } // namespace antinode

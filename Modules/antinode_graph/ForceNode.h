@@ -1,39 +1,43 @@
 #pragma once
 
-#include "Node.h"
+#include "VoiceNode.h"
 
-#include <antinode_engine/VoltageSynthesiser.h>
+#include <antinode_engine/ForcePlayer.h>
 
-#include <optional>
+#include <memory>
 
 namespace antinode
 {
-/** The force oscillations of one focus, a channel each: what drives the modes before it is shared out among ceramics. One
-    voice, restarted by every trigger; for display, or for changes before an AllocationNode. */
-class ForceNode : public Node
+/** Events in, force oscillations out: what drives the modes before an AllocationNode shares it out among ceramics.
+    It plays the bank of foci that PlayerNode plays, with all that its voices do; only mixing is left out.
+    Docs/Architecture.md, Nodes. */
+class ForceNode : public VoiceNode
 {
 public:
-    /** @param program  of which the allocation is left to an AllocationNode */
-    explicit ForceNode (VoltageProgram program);
+    /** How many oscillations may sound at once: 24 foci of 340 of them. */
+    static constexpr int usualChannels = 8192;
+
+    /** @param ceramics  of the foci that it plays
+        @param channels  its outputs; ForcePlayer says how voices share them */
+    ForceNode (int ceramics, PlayerSettings, int channels = usualChannels);
 
     std::string name() const override { return "Forces"; }
-    int inputs() const override { return 0; }
-    int outputs() const override { return static_cast<int> (program.oscillations.size()); }
+    int outputs() const override { return channels; }
     void prepare (const NodeFormat&) override;
     void process (const NodeBlock<float>&) override;
     void process (const NodeBlock<double>&) override;
-    void reset() override { isPlaying = false; }
+    void reset() override;
+    FocusVoices& voices() override { return *player; }
+    const FocusVoices& voices() const override { return *player; }
+
+    /** Which of the outputs hold something, and how it is shared out; a node behind this one that changes forces
+        needs to look at no others. Of the last block. [audio thread] */
+    std::span<const ForceStretch> stretches() const { return player->stretches(); }
 
 private:
-    template <typename Sample>
-    void play (const NodeBlock<Sample>&);
-    template <typename Sample>
-    void add (const NodeBlock<Sample>&, int from, int to);
-
-    VoltageProgram program;
-    std::optional<VoltageSynthesiser> synthesiser;
-    bool isPlaying = false;
-    double amplitude = 0;
-    std::int64_t time = 0; ///< Samples since the trigger.
+    int ceramics, channels;
+    PlayerSettings settings;
+    double sampleRate = 0;
+    std::unique_ptr<ForcePlayer> player;
 };
 } // namespace antinode

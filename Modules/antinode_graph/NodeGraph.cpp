@@ -10,7 +10,22 @@ namespace
 {
 constexpr std::size_t mostEvents =
     4096; // of one part of a block: more go to the next part, and are left out at the last
+
+/** Pointers to all channels of the nodes' buffers, one node after the other. */
+template <typename Sample, typename Entries>
+std::vector<const Sample*> pointersTo (const Entries& entries, const std::vector<int>& nodes)
+{
+    std::vector<const Sample*> pointers;
+
+    for (const auto index : nodes)
+    {
+        const auto& buffer = entries[static_cast<std::size_t> (index)].template buffer<Sample>();
+        pointers.insert (pointers.end(), buffer.channels(), buffer.channels() + buffer.size());
+    }
+
+    return pointers;
 }
+} // namespace
 
 template <>
 const PlanarBuffer<float>& NodeGraph::Entry::buffer<float>() const
@@ -65,6 +80,9 @@ void NodeGraph::prepare (const NodeFormat& format)
         entry.floats = PlanarBuffer<float> (entry.node->outputs(), longestBlock);
         entry.doubles = PlanarBuffer<double> (entry.node->outputs(), longestBlock);
     }
+
+    floatOutputs = pointersTo<float> (entries, outputNodes);
+    doubleOutputs = pointersTo<double> (entries, outputNodes);
 }
 
 void NodeGraph::reset()
@@ -73,8 +91,21 @@ void NodeGraph::reset()
         entry.node->reset();
 }
 
+NodeGraph::Events NodeGraph::eventsOfPart (Events::iterator& next, Events::iterator last, int offset, int end)
+{
+    partEvents.clear();
+
+    for (; next != last && (end == noEnd || next->offset < end) && partEvents.size() < mostEvents; ++next)
+    {
+        partEvents.push_back (*next);
+        partEvents.back().offset -= offset;
+    }
+
+    return partEvents;
+}
+
 template <typename Sample>
-void NodeGraph::processPart (Sample* const* channels, int offset, int count, std::span<const FocusEvent> events)
+void NodeGraph::processPart (int count, Events events)
 {
     for (auto& entry : entries)
     {
@@ -88,40 +119,22 @@ void NodeGraph::processPart (Sample* const* channels, int offset, int count, std
 
         entry.node->process (block);
     }
-
-    for (const auto index : outputNodes)
-    {
-        const auto& from = entries[static_cast<std::size_t> (index)].template buffer<Sample>();
-
-        for (std::size_t i = 0; i < from.size(); ++i)
-            std::copy_n (from.channel (i), count, *channels++ + offset);
-    }
 }
 
 template <typename Sample>
 void NodeGraph::process (Sample* const* channels, int count, std::span<const FocusEvent> events)
 {
-    auto offset = 0;
-    auto next = events.begin();
-
-    do
-    {
-        const auto length = std::min (longestBlock, count - offset);
-        const auto isLast = offset + length >= count;
-        partEvents.clear();
-
-        for (; next != events.end() && (isLast || next->offset < offset + length) && partEvents.size() < mostEvents;
-             ++next)
-        {
-            partEvents.push_back (*next);
-            partEvents.back().offset -= offset;
-        }
-
-        processPart (channels, offset, length, partEvents);
-        offset += length;
-    } while (offset < count);
+    const auto width = static_cast<std::size_t> (outputs());
+    processParts<Sample> (count, events,
+                          [&] (int offset, int length, const Sample* const* from)
+                          {
+                              for (std::size_t i = 0; i < width; ++i)
+                                  std::copy_n (from[i], length, channels[i] + offset);
+                          });
 }
 
+template void NodeGraph::processPart<float> (int, Events);
+template void NodeGraph::processPart<double> (int, Events);
 template void NodeGraph::process (float* const*, int, std::span<const FocusEvent>);
 template void NodeGraph::process (double* const*, int, std::span<const FocusEvent>);
 } // namespace antinode

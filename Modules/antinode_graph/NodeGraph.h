@@ -4,13 +4,17 @@
 
 #include <antinode_engine/PlanarBuffer.h>
 
+#include <algorithm>
+#include <limits>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace antinode
 {
-/** Nodes one after the other, compiled into a list with buffers: the real-time path. Each node takes all outputs of one that was
-    added before, or nothing; the graph's outputs are those of the nodes that are named so, in that order. */
+/** Nodes one after the other, compiled into a list with buffers: the real-time path. Each node takes all outputs of
+    one that was added before, or nothing; the graph's outputs are those of the nodes that are named so, in that
+    order. */
 class NodeGraph
 {
 public:
@@ -32,7 +36,29 @@ public:
     /** Prepares all nodes and makes the buffers, for samples of both precisions. [worker] allocates */
     void prepare (const NodeFormat&);
 
-    /** Longer blocks than prepared for are played in parts; events are handed to the part that they lie in.
+    /** Plays a block in parts of at most the prepared length, and hands each event to the part that it lies in.
+        This is the only place that cuts blocks: a part that is longer than the nodes were prepared for never
+        reaches them.
+        @param hear  called after each part with its first sample, its length and outputs() pointers to what it gave
+                       [audio thread] allocates nothing, locks nothing; a block of length 0 is one part, for its
+                       events */
+    template <typename Sample, typename Hear>
+    void processParts (int count, std::span<const FocusEvent> events, Hear&& hear)
+    {
+        auto offset = 0;
+        auto next = events.begin();
+
+        do
+        {
+            const auto length = std::min (longestBlock, count - offset);
+            const auto end = offset + length;
+            processPart<Sample> (length, eventsOfPart (next, events.end(), offset, end < count ? end : noEnd));
+            hear (offset, length, outputPointers<Sample>());
+            offset += length;
+        } while (offset < count);
+    }
+
+    /** The same into channels of one's own.
         @param channels  outputs() pointers
         [audio thread] allocates nothing, locks nothing */
     template <typename Sample>
@@ -53,12 +79,27 @@ private:
         const PlanarBuffer<Sample>& buffer() const;
     };
 
+    using Events = std::span<const FocusEvent>;
+    static constexpr int noEnd =
+        std::numeric_limits<int>::max(); ///< Of the last part: it takes all events that are left.
+
+    Events eventsOfPart (Events::iterator& next, Events::iterator last, int offset, int end);
     template <typename Sample>
-    void processPart (Sample* const* channels, int offset, int count, std::span<const FocusEvent> events);
+    void processPart (int count, Events events);
+    template <typename Sample>
+    const Sample* const* outputPointers() const
+    {
+        if constexpr (std::is_same_v<Sample, float>)
+            return floatOutputs.data();
+        else
+            return doubleOutputs.data();
+    }
 
     std::vector<Entry> entries;
     std::vector<int> outputNodes;
     std::vector<FocusEvent> partEvents;
-    int longestBlock = 0;
+    std::vector<const float*> floatOutputs;
+    std::vector<const double*> doubleOutputs;
+    int longestBlock = 1;
 };
 } // namespace antinode

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Node.h"
+#include "SurfaceNode.h"
 
 #include <antinode_engine/RealtimePlate.h>
 
@@ -10,7 +10,7 @@
 namespace antinode
 {
 /** The plate under the voltages: the velocity at each probe, a channel each, for a monitor. */
-class PlateNode : public Node
+class PlateNode : public SurfaceNode
 {
 public:
     /** @param probeShapes  N_probes x N_m: the rows of mode shapes at the probes (shapesAt), kg^-1/2 */
@@ -27,11 +27,9 @@ public:
     void process (const NodeBlock<double>&) override;
     void reset() override;
 
-    /** Uses other probe positions from the next block on; the plate continues to move.
-        @param probeShapes  as many rows as before
-        @throws InputError  as RealtimePlate
-        [worker, one at a time, not during prepare] allocates */
-    void setProbes (Eigen::MatrixXd probeShapes);
+    /** @throws InputError  as RealtimePlate */
+    void setProbes (Eigen::MatrixXd probeShapes) override;
+    void modalVelocities (std::span<double> velocities) const override { plate->modalVelocities (velocities); }
 
 private:
     RealtimePlate& newestPlate();

@@ -30,9 +30,4 @@ void PlayerNode::reset()
 {
     focusPlayer->reset();
 }
-
-std::int64_t PlayerNode::latencySamples() const
-{
-    return focusPlayer->latencySamples();
-}
 } // namespace antinode

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Node.h"
+#include "VoiceNode.h"
 
 #include <antinode_engine/FocusPlayer.h>
 
@@ -9,19 +9,19 @@
 namespace antinode
 {
 /** Events in, voltages out: voices with their forces and allocations, fused. */
-class PlayerNode : public Node
+class PlayerNode : public VoiceNode
 {
 public:
     PlayerNode (int ceramics, PlayerSettings);
 
     std::string name() const override { return "Player"; }
-    int inputs() const override { return 0; }
     int outputs() const override { return ceramics; }
     void prepare (const NodeFormat&) override;
     void process (const NodeBlock<float>&) override;
     void process (const NodeBlock<double>&) override;
     void reset() override;
-    std::int64_t latencySamples() const override;
+    FocusVoices& voices() override { return *focusPlayer; }
+    const FocusVoices& voices() const override { return *focusPlayer; }
 
     /** The player of the last prepare: a new one is made whenever the rate changes. [worker, not while it processes] */
     FocusPlayer& player() { return *focusPlayer; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "AllocationNode.h"
 #include "ChannelGainNode.h"
 #include "LimiterNode.h"
 #include "NodeGraph.h"
@@ -8,14 +9,21 @@
 
 #include <antinode_model/ModalModel.h>
 
+#include <functional>
+
 namespace antinode
 {
-/** The graph that everything plays: player, channel gains, limiter, plate. */
+/** The graph that everything plays: player, channel gains, limiter, plate. Opened, forces and allocation stand in
+    the player's place. */
 struct StandardGraph
 {
     NodeGraph graph; ///< Outputs: the voltages of all ceramics, then the velocity at each probe.
-    int player = 0, gains = 0, limiter = 0, plate = 0; ///< Indices of its nodes.
+    int player = 0, gains = 0, limiter = 0, plate = 0; ///< Indices of its nodes; player: where the path begins.
 
+    /** The voices of either graph. */
+    VoiceNode& voiceNode() { return static_cast<VoiceNode&> (graph.node (player)); }
+
+    /** Of the graph that is not open. */
     PlayerNode& playerNode() { return static_cast<PlayerNode&> (graph.node (player)); }
     ChannelGainNode& gainNode() { return static_cast<ChannelGainNode&> (graph.node (gains)); }
     LimiterNode& limiterNode() { return static_cast<LimiterNode&> (graph.node (limiter)); }
@@ -27,4 +35,25 @@ struct StandardGraph
     [worker] */
 StandardGraph standardGraph (const std::shared_ptr<const ModalModel>&, const PlayerSettings&,
                              const Eigen::MatrixXd& probeShapes);
+
+/** Between which nodes of the open graph others may stand. */
+enum class GraphPlace
+{
+    afterForces,     ///< A channel an oscillation: ForceNode::stretches() says which are in use.
+    afterAllocation, ///< A channel a ceramic, V, from here on.
+    afterGains,
+    afterLimiter ///< Nodes that only look on: nothing comes between the limiter and the ceramics.
+};
+
+/** Adds nodes of one's own to a graph that is being built.
+    @param last  index of the node that gives what there is at the place
+    @return      index of the node that gives it on, with as many channels; `last` where nothing is changed */
+using InsertNodes = std::function<int (NodeGraph&, GraphPlace, int last)>;
+
+/** The same samples by separate nodes: forces, allocation, gains, limiter, plate.
+    @param insert  called once for every place, in their order; may be empty
+    @throws InputError  when sizes do not agree
+    [worker] Docs/Decisions/0038-open-graph-and-plate.md */
+StandardGraph openGraph (const std::shared_ptr<const ModalModel>&, const PlayerSettings&,
+                         const Eigen::MatrixXd& probeShapes, const InsertNodes& insert);
 } // namespace antinode

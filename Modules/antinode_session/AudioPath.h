@@ -5,14 +5,11 @@
 #include "PlaySettings.h"
 #include "ProbeTrace.h"
 
-#include <antinode_engine/PlanarBuffer.h>
 #include <antinode_graph/StandardGraph.h>
 
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <utility>
-#include <vector>
 
 namespace antinode
 {
@@ -25,18 +22,25 @@ struct OutputBlock
     int count = 0;                     ///< Samples.
 };
 
-/** Plays one device at one sample rate: its graph, and the worker that designs its foci. Made by the session, played by the
+/** Whether the nodes of a path are fused or stand apart, and what stands between them. */
+struct GraphChoice
+{
+    bool isOpen = false;
+    InsertNodes insert; ///< Of the open graph; none: nothing.
+};
+
+/** What plays one device at one sample rate: its graph, and the worker that designs its foci. Made by the session, played by the
     audio thread, freed by the session. */
 class AudioPath
 {
 public:
-    static constexpr int probes = LevelMeters::probes;
+    static constexpr int probes = 2;
 
     /** @param probeShapes  2 x N_m, kg^-1/2
         @throws InputError  when the device or the format cannot be played
         [worker] */
-    AudioPath (std::shared_ptr<const ModalModel>, double sampleRate, PlayerSettings,
-               const Eigen::MatrixXd& probeShapes);
+    AudioPath (std::shared_ptr<const ModalModel>, double sampleRate, PlayerSettings, const Eigen::MatrixXd& probeShapes,
+               const GraphChoice& = {});
 
     DesignWorker& worker() { return *designs; }
     PlateNode& plate() { return standard.plateNode(); }
@@ -57,16 +61,16 @@ public:
     bool isSilentAfter (std::int64_t samples) const;
 
 private:
+    using Outputs = const double* const*; ///< Of the graph: the ceramics, then the probes.
+
     template <typename Sample>
-    void processPart (const OutputBlock<Sample>&, int offset, int count, std::span<const FocusEvent> events);
-    void note (int count, LevelMeters&, ProbeTrace&);
+    void write (const OutputBlock<Sample>&, int offset, int count, Outputs) const;
+    void note (int count, Outputs, LevelMeters&, ProbeTrace&);
 
     std::shared_ptr<const ModalModel> modes;
     double rate;
     StandardGraph standard;
     std::unique_ptr<DesignWorker> designs;
-    PlanarBuffer<double> outputs; ///< Of the graph.
-    std::vector<FocusEvent> partEvents;
     double toFullScale, monitorGain = 1;
 };
 } // namespace antinode

@@ -11,7 +11,7 @@ class LevelMeters
 {
 public:
     static constexpr int ceramics = 64;
-    static constexpr int probes = 2;
+    static constexpr int probes = 8;
 
     /** [audio thread] @param volts  the largest magnitude in a block */
     void notePeak (int ceramic, float volts) { raise (peaks, ceramic, volts); }

@@ -8,7 +8,7 @@ namespace antinode
 {
 namespace
 {
-constexpr auto patience = std::chrono::milliseconds (200); // of a host that prepares us
+constexpr auto preparePatience = std::chrono::milliseconds (200); // of a host that prepares us
 } // namespace
 
 Session::Session (DeviceDocument deviceToLoad, FocusDocument focusToLoad, ReadSettings read,
@@ -54,7 +54,7 @@ void Session::prepare (double sampleRate, bool isOffline)
         wantedRate = sampleRate;
         const auto round = ++roundsAsked;
         wake.notify_all();
-        settled.wait_for (lock, patience,
+        settled.wait_for (lock, preparePatience,
                           [&] { return roundsDone >= round && (designs.designed > 0 || designs.wanted == 0); });
     }
 
@@ -81,6 +81,13 @@ void Session::designFirst (std::vector<int> notes)
     const std::lock_guard lock (mutex);
     firstNotes = std::move (notes);
     isFirstNew = true;
+}
+
+void Session::insertNodes (InsertNodes insert)
+{
+    const std::lock_guard lock (mutex);
+    insertion = std::move (insert);
+    isInsertionNew = true;
 }
 
 void Session::fire (double amplitude)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "AudioPath.h"
 #include "PathExchange.h"
 #include "SessionSnapshot.h"
 #include "TriggerQueue.h"
@@ -56,6 +57,15 @@ public:
         trigger: for offline rendering. One caller at a time. [any but a real-time audio thread] */
     void waitUntilSettled (std::span<const FocusEvent> events = {});
 
+    /** Plays by separate nodes (openGraph), or by the fused ones, which are the same samples at less cost. What plays ramps out when
+        the other path is ready. [any] */
+    void setGraphOpen (bool shouldBeOpen) { wantsOpenGraph = shouldBeOpen; }
+    bool isGraphOpen() const { return wantsOpenGraph; }
+
+    /** What stands between the nodes of the open graph from the next path on, which is made at once.
+        @param insert  called on the session's thread for every path; none: nothing is inserted [any but the audio thread] */
+    void insertNodes (InsertNodes insert);
+
     /** Designs the places of these notes before those of the others, in this order; by default that of middle C.
         [any but the audio thread] */
     void designFirst (std::vector<int> notes);
@@ -101,6 +111,7 @@ private:
     void takeDocuments();
     void solve (const DeviceDocument&);
     void buildPath (double sampleRate);
+    bool takeGraphChoice();
     void requestDesigns();
     void forwardTouches();
     void publish();
@@ -129,7 +140,8 @@ private:
     DesignProgress designs;
     std::vector<int> settlePlaces; ///< Of the bank: what is waited for.
     std::vector<int> firstNotes { spotNote };
-    bool isStopping = false, isSolving = false, isFirstNew = false;
+    bool isStopping = false, isSolving = false, isFirstNew = false, isInsertionNew = false;
+    InsertNodes insertion;
     std::shared_ptr<const SessionSnapshot> published;
 
     std::shared_ptr<const DeviceDocument> device; ///< Of the session's thread, as the next lines.
@@ -138,12 +150,14 @@ private:
     PlaySettings settings;
     double rate = 0;
     AudioPath* path = nullptr; ///< The newest one, which `paths` owns.
+    GraphChoice graph;
     bool isModelNew = false, isFocusNew = false;
     std::string deviceError;
 
+    std::atomic<bool> wantsOpenGraph { false };
     std::atomic<bool> isStopAsked { false };
     TriggerQueue triggers; ///< Workers of paths push to it: so it outlives them.
-    PathExchange paths;
+    PathExchange<AudioPath> paths;
     std::array<FocusEvent, 1024> blockEvents {}; ///< Of the audio thread.
     LevelMeters levels;
     ProbeTrace trace;

@@ -42,11 +42,16 @@ std::string stateToText (const SessionState& state)
         if (((state.mutes >> i) & 1U) != 0)
             muted.push_back (i + 1);
 
-    const nlohmann::ordered_json json { { "schema", schema },
-                                        { "device", nlohmann::ordered_json::parse (state.device->text) },
-                                        { "focus", nlohmann::ordered_json::parse (state.focus->text) },
-                                        { "parameters", state.parameters },
-                                        { "muted_ceramics", muted } };
+    nlohmann::ordered_json json { { "schema", schema },
+                                  { "device", nlohmann::ordered_json::parse (state.device->text) },
+                                  { "focus", nlohmann::ordered_json::parse (state.focus->text) },
+                                  { "parameters", state.parameters },
+                                  { "muted_ceramics", muted } };
+
+    // Left out where it is as ever: such a state loads in versions that do not know of it.
+    if (state.isGraphOpen)
+        json["open_graph"] = true;
+
     return json.dump();
 }
 
@@ -55,7 +60,8 @@ SessionState readState (std::string_view text)
     const auto json = parseJson (text, "state");
     const JsonValue value (json, "state");
     value.requireSchema (schema);
-    const auto state = value.object ({ "schema", "device", "focus", "parameters", "muted_ceramics" });
+    const auto state = value.object ({ "schema", "device", "focus", "parameters", "muted_ceramics", "open_graph" });
+    const auto openGraph = state.optional ("open_graph");
     const auto device = state.required ("device"), focus = state.required ("focus"),
                parameters = state.required ("parameters");
 
@@ -64,6 +70,7 @@ SessionState readState (std::string_view text)
 
     return { std::make_shared<const DeviceDocument> (readDeviceDocument (json["device"], "state: device")),
              std::make_shared<const FocusDocument> (readFocusDocument (json["focus"], "state: focus")),
-             readParameters (parameters, json["parameters"]), readMutes (state.required ("muted_ceramics")) };
+             readParameters (parameters, json["parameters"]), readMutes (state.required ("muted_ceramics")),
+             openGraph && openGraph->boolean() };
 }
 } // namespace antinode

@@ -14,7 +14,7 @@ namespace antinode
 {
 namespace
 {
-constexpr auto interval = std::chrono::milliseconds (4); // between looks at the parameters
+constexpr auto lookInterval = std::chrono::milliseconds (4); // between looks at the parameters
 constexpr double traceEntriesPerSecond = 2000;
 
 PlayerSettings playerSettingsOf (const PlaySettings& settings)
@@ -41,7 +41,7 @@ void Session::run()
         std::vector<int> places;
         {
             std::unique_lock lock (mutex);
-            wake.wait_for (lock, interval,
+            wake.wait_for (lock, lookInterval,
                            [this] {
                                return isStopping || nextDevice || nextFocus || ! touches.empty()
                                       || roundsAsked > roundsDone;
@@ -77,7 +77,9 @@ void Session::step()
 
     if (model != nullptr && wanted > 0)
     {
-        const auto needsPath = path == nullptr || isModelNew || rate != wanted || needNewPath (read, settings);
+        const auto isOtherGraph = takeGraphChoice();
+        const auto needsPath =
+            path == nullptr || isModelNew || rate != wanted || isOtherGraph || needNewPath (read, settings);
         const auto needsDesigns = needsPath || isFocusNew || read != settings;
         settings = read;
 
@@ -146,7 +148,7 @@ void Session::buildPath (double sampleRate)
 {
     try
     {
-        auto made = std::make_unique<AudioPath> (model, sampleRate, playerSettingsOf (settings), probeShapes());
+        auto made = std::make_unique<AudioPath> (model, sampleRate, playerSettingsOf (settings), probeShapes(), graph);
         path = made.get();
         rate = sampleRate;
         isModelNew = false;
@@ -159,6 +161,21 @@ void Session::buildPath (double sampleRate)
         deviceError = failure.what();
         isModelNew = false;
     }
+}
+
+/** @return  whether a path must be made for it */
+bool Session::takeGraphChoice()
+{
+    const std::lock_guard lock (mutex);
+    const auto wasOpen = std::exchange (graph.isOpen, wantsOpenGraph.load());
+
+    if (std::exchange (isInsertionNew, false))
+    {
+        graph.insert = insertion;
+        return graph.isOpen || wasOpen;
+    }
+
+    return graph.isOpen != wasOpen;
 }
 
 double Session::wantedSampleRate() const

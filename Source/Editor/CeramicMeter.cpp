@@ -11,7 +11,7 @@ namespace
 {
 constexpr double lampSeconds = 1.5, fallPerSecond = 1.2, holdPerSecond = 0.25;
 constexpr int steps = 200;          // resolution of a level
-constexpr int roomyWidth = 70;      // from this width on the peak is shown next to the bar
+constexpr int roomyMeterWidth = 70; // from this width on the peak is shown next to the bar
 constexpr double lowestLevel = -48; // dB below the limit
 
 /** Of the bar's height. */
@@ -58,7 +58,7 @@ void CeramicMeter::paintButton (juce::Graphics& g, bool isOver, bool)
 {
     const auto& palette = EditorLook::paletteOf (*this);
     auto area = getLocalBounds().toFloat().reduced (2, 2);
-    const auto isRoomy = getWidth() >= roomyWidth;
+    const auto isRoomy = getWidth() >= roomyMeterWidth;
     const auto label = isRoomy ? area.withTrimmedLeft (24) : area.removeFromBottom (13);
     const auto numberArea = isRoomy ? label.withTrimmedBottom (label.getHeight() / 2) : label;
     paintBar (g, isRoomy ? area.removeFromLeft (18) : area);

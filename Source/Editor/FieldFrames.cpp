@@ -44,6 +44,16 @@ FieldFrames predictFocus (const ModalModel& model, const FocusDesign& design)
     return framesOfFocus (model, velocitiesAt (model, design, 0));
 }
 
+FieldFrames framesOf (const ModalModel& model, const Eigen::MatrixXd& velocities)
+{
+    const Eigen::MatrixXd fields = model.shapes * velocities;
+    Eigen::Index largest = 0;
+    fields.cwiseAbs().colwise().maxCoeff().maxCoeff (&largest);
+    auto frames = framesOfFocus (model, velocities.col (largest));
+    fill (frames, model, velocities);
+    return frames;
+}
+
 FieldFrames stillFrames (const ModalModel& model)
 {
     return framesOfFocus (model, Eigen::VectorXd::Zero (model.modes()));

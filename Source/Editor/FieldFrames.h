@@ -34,6 +34,10 @@ struct FieldFrames
 /** The frame of the focus alone: the quick first answer. [worker] Docs/Theory.md, section 3.1. */
 FieldFrames predictFocus (const ModalModel&, const FocusDesign&);
 
+/** Frames of any motion. @param velocities  N_m x frames: modal velocities, m/s kg^1/2. What is said of the focus is of the frame with the
+    largest velocity anywhere; it gives the range of colours [worker] */
+FieldFrames framesOf (const ModalModel&, const Eigen::MatrixXd& velocities);
+
 /** A surface at rest. [worker] */
 FieldFrames stillFrames (const ModalModel&);
 

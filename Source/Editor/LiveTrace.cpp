@@ -2,6 +2,7 @@
 
 #include "EditorLook.h"
 
+#include <antinode_base/Prefixes.h>
 #include <antinode_charts/BlankImage.h>
 #include <antinode_charts/Curve.h>
 #include <antinode_charts/Lettering.h>
@@ -14,7 +15,7 @@ namespace antinode
 namespace
 {
 constexpr std::size_t shownEntries = 1000; // half a second
-constexpr double milli = 1000, secondsShown = 0.5, leastRange = 0.1;
+constexpr double secondsShown = 0.5, leastRange = 0.1;
 
 /** 1, 2 or 5 times a power of ten: the axis changes seldom. */
 double niceLimit (double value)

@@ -8,7 +8,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int rowHeight = 21, leastGap = 3, largestGap = 8, headingHeight = 22, groupGap = 3, margin = 10;
+constexpr int panelRowHeight = 21, leastGap = 3, largestGap = 8, headingHeight = 22, groupGap = 3, panelMargin = 10;
 } // namespace
 
 ParameterPanel::ParameterPanel (AntinodeProcessor& processor)
@@ -44,19 +44,19 @@ void ParameterPanel::refreshTexts()
 int ParameterPanel::layOut (int width, int leastHeight)
 {
     const auto rows = static_cast<int> (all.size()), parts = static_cast<int> (groups.size());
-    const auto others = margin / 2 + parts * (headingHeight + groupGap) + rows * rowHeight;
+    const auto others = panelMargin / 2 + parts * (headingHeight + groupGap) + rows * panelRowHeight;
     const auto rowGap = rows > 0 ? juce::jlimit (leastGap, largestGap, (leastHeight - others) / rows) : 0;
-    auto y = margin / 2;
+    auto y = panelMargin / 2;
 
     for (auto& group : groups)
     {
-        group.heading = { margin, y, width - 2 * margin, headingHeight };
+        group.heading = { panelMargin, y, width - 2 * panelMargin, headingHeight };
         y += headingHeight;
 
         for (auto i = group.first; i < group.first + group.count; ++i)
         {
-            all[i]->setBounds (margin, y, width - 2 * margin, rowHeight);
-            y += rowHeight + rowGap;
+            all[i]->setBounds (panelMargin, y, width - 2 * panelMargin, panelRowHeight);
+            y += panelRowHeight + rowGap;
         }
 
         y += groupGap;

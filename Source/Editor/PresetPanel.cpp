@@ -1,6 +1,7 @@
 #include "PresetPanel.h"
 
 #include "EditorLook.h"
+#include "JuceText.h"
 
 #include <algorithm>
 
@@ -8,12 +9,8 @@ namespace antinode
 {
 namespace
 {
-constexpr int margin = 14, rowHeight = 26, gap = 8;
+constexpr int presetMargin = 14, presetRowHeight = 26, presetGap = 8;
 
-juce::String fromUtf8 (const std::string& text)
-{
-    return juce::String::fromUTF8 (text.c_str());
-}
 } // namespace
 
 PresetPanel::PresetPanel (Presets& presetsToShow) : presets (presetsToShow)
@@ -24,7 +21,7 @@ PresetPanel::PresetPanel (Presets& presetsToShow) : presets (presetsToShow)
     sentence.setJustificationType (juce::Justification::topLeft);
     sentence.setMinimumHorizontalScale (1);
     list.setModel (this);
-    list.setRowHeight (rowHeight);
+    list.setRowHeight (presetRowHeight);
     list.setTitle ("Presets");
     name.setFont (EditorLook::font());
     name.setTitle ("Name to save as");
@@ -200,25 +197,25 @@ void PresetPanel::paint (juce::Graphics& g)
 
 void PresetPanel::resized()
 {
-    auto area = getLocalBounds().reduced (margin);
-    auto top = area.removeFromTop (rowHeight);
+    auto area = getLocalBounds().reduced (presetMargin);
+    auto top = area.removeFromTop (presetRowHeight);
     close.setBounds (top.removeFromRight (70));
     title.setBounds (top);
-    area.removeFromTop (gap);
-    sentence.setBounds (area.removeFromBottom (2 * rowHeight));
-    area.removeFromBottom (gap);
-    auto saving = area.removeFromBottom (rowHeight);
+    area.removeFromTop (presetGap);
+    sentence.setBounds (area.removeFromBottom (2 * presetRowHeight));
+    area.removeFromBottom (presetGap);
+    auto saving = area.removeFromBottom (presetRowHeight);
     save.setBounds (saving.removeFromRight (90));
-    saving.removeFromRight (gap);
+    saving.removeFromRight (presetGap);
     name.setBounds (saving);
-    area.removeFromBottom (gap);
-    auto buttons = area.removeFromBottom (rowHeight);
+    area.removeFromBottom (presetGap);
+    auto buttons = area.removeFromBottom (presetRowHeight);
     load.setBounds (buttons.removeFromLeft (90));
-    buttons.removeFromLeft (gap);
+    buttons.removeFromLeft (presetGap);
     remove.setBounds (buttons.removeFromLeft (90));
-    buttons.removeFromLeft (gap);
+    buttons.removeFromLeft (presetGap);
     file.setBounds (buttons.removeFromRight (90));
-    area.removeFromBottom (gap);
+    area.removeFromBottom (presetGap);
     list.setBounds (area);
 }
 

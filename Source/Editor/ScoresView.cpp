@@ -1,6 +1,7 @@
 #include "ScoresView.h"
 
 #include "EditorLook.h"
+#include "JuceText.h"
 
 #include <cmath>
 
@@ -8,23 +9,19 @@ namespace antinode
 {
 namespace
 {
-constexpr int margin = 12;
+constexpr int scoresMargin = 12;
 
-juce::String fromUtf8 (const std::string& text)
-{
-    return juce::String::fromUTF8 (text.c_str());
-}
 } // namespace
 
 int ScoresView::Page::layOut (int width)
 {
-    layout.createLayout (words, static_cast<float> (width - 2 * margin));
-    return static_cast<int> (std::ceil (layout.getHeight())) + 2 * margin;
+    layout.createLayout (words, static_cast<float> (width - 2 * scoresMargin));
+    return static_cast<int> (std::ceil (layout.getHeight())) + 2 * scoresMargin;
 }
 
 void ScoresView::Page::paint (juce::Graphics& g)
 {
-    layout.draw (g, getLocalBounds().reduced (margin).toFloat());
+    layout.draw (g, getLocalBounds().reduced (scoresMargin).toFloat());
 }
 
 ScoresView::ScoresView()

@@ -1,6 +1,7 @@
 #include "StatusLine.h"
 
 #include "EditorLook.h"
+#include "JuceText.h"
 
 #include <antinode_charts/Lettering.h>
 #include <antinode_session/DesignSentences.h>
@@ -11,10 +12,6 @@ namespace
 {
 constexpr int cornerWidth = 14; // where a window is resized
 
-juce::String fromUtf8 (const std::string& text)
-{
-    return juce::String::fromUTF8 (text.c_str());
-}
 } // namespace
 
 StatusLine::StatusLine (AntinodeProcessor& processorToShow) : processor (processorToShow)

@@ -1,5 +1,6 @@
 #include "SurfacePainter.h"
 
+#include <antinode_base/Prefixes.h>
 #include <antinode_charts/AnnotationDrawing.h>
 #include <antinode_charts/ColourBar.h>
 #include <antinode_charts/Curve.h>
@@ -16,7 +17,6 @@ namespace antinode
 {
 namespace
 {
-constexpr double milli = 1000; // m to mm
 constexpr std::size_t wanted = 0, reached = 1, carried = 2;
 
 AxisRange symmetrical (double most)

@@ -2,6 +2,8 @@
 
 #include "EditorLook.h"
 
+#include <Processor/ParameterValues.h>
+#include <antinode_base/Prefixes.h>
 #include <antinode_charts/Lettering.h>
 #include <antinode_session/FocusSettings.h>
 
@@ -11,12 +13,7 @@ namespace antinode
 {
 namespace
 {
-constexpr double milli = 1000; // m to mm
 
-float valueOf (const juce::RangedAudioParameter& parameter)
-{
-    return parameter.convertFrom0to1 (parameter.getValue());
-}
 } // namespace
 
 SurfaceView::SurfaceView (AntinodeProcessor& processorToShow) : processor (processorToShow)
@@ -76,14 +73,13 @@ juce::Point<float> SurfaceView::placeOf (const juce::RangedAudioParameter& x, co
         return {};
 
     const auto& surface = picture->question.model->surface;
-    const auto [placeX, placeY] =
-        placeFromPercent (surface, static_cast<double> (valueOf (x)), static_cast<double> (valueOf (y)));
+    const auto [placeX, placeY] = placeFromPercent (surface, valueOf (x), valueOf (y));
     return painter.frame().at (placeX * milli, painter.isLine() ? lineHeight : placeY * milli);
 }
 
 double SurfaceView::shownSpotHeight() const
 {
-    return static_cast<double> (valueOf (*height));
+    return valueOf (*height);
 }
 
 std::unique_ptr<juce::AccessibilityHandler> SurfaceView::createAccessibilityHandler()
@@ -128,7 +124,7 @@ void SurfaceView::paintSpot (juce::Graphics& g) const
     const auto& palette = EditorLook::paletteOf (*this);
     const auto& plot = painter.frame();
     const auto centre = spot();
-    const auto halfWidth = std::abs (plot.xAt (0.5 * static_cast<double> (valueOf (*width))) - plot.xAt (0));
+    const auto halfWidth = std::abs (plot.xAt (0.5 * valueOf (*width)) - plot.xAt (0));
     g.saveState();
     g.reduceClipRegion (plot.plot.expanded (10).getSmallestIntegerContainer());
     g.setColour (palette.fire.withAlpha (0.8f));

@@ -68,6 +68,6 @@ private:
     int frame = FieldFrames::atFocus;
     Handle dragged = Handle::none;
     juce::Point<float> grabbedAt;        ///< From the handle's middle.
-    std::array<float, 6> shownValues {}; ///< Of the parameters above.
+    std::array<double, 6> shownValues {}; ///< Of the parameters above.
 };
 } // namespace antinode

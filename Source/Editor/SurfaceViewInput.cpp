@@ -1,15 +1,12 @@
 #include "SurfaceView.h"
 
+#include <Processor/ParameterValues.h>
+
 namespace antinode
 {
 namespace
 {
 constexpr auto grabRadius = 14.0f;
-
-float valueOf (const juce::RangedAudioParameter& parameter)
-{
-    return parameter.convertFrom0to1 (parameter.getValue());
-}
 
 void setValue (juce::RangedAudioParameter& parameter, float value)
 {
@@ -82,10 +79,10 @@ void SurfaceView::nudge (Handle handle, float xPercent, float yPercent)
     auto& y = handle == Handle::probe ? *probeY : *spotY;
     x.beginChangeGesture();
     y.beginChangeGesture();
-    setValue (x, valueOf (x) + xPercent);
+    setValue (x, static_cast<float> (valueOf (x)) + xPercent);
 
     if (! painter.isLine())
-        setValue (y, valueOf (y) + yPercent);
+        setValue (y, static_cast<float> (valueOf (y)) + yPercent);
 
     x.endChangeGesture();
     y.endChangeGesture();

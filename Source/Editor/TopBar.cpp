@@ -8,7 +8,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int margin = 8, gap = 6;
+constexpr int barMargin = 8, barGap = 6;
 
 void colour (juce::TextButton& button, juce::Colour fill, juce::Colour fillOn, juce::Colour text, juce::Colour textOn)
 {
@@ -49,8 +49,9 @@ void TopBar::NameButton::paintButton (juce::Graphics& g, bool isOver, bool isDow
     drawText (g, loaded.toStdString(), rows, juce::Justification::centredLeft, nameStyle);
 }
 
-TopBar::TopBar (AntinodeProcessor& processor, History& historyToShow)
-    : history (historyToShow), armLink (processor.parameters().arm(), [this] (float value) { showArm (value >= 0.5f); })
+TopBar::TopBar (AntinodeProcessor& processorToShow, History& historyToShow)
+    : processor (processorToShow), history (historyToShow),
+      armLink (processorToShow.parameters().arm(), [this] (float value) { showArm (value >= 0.5f); })
 {
     setTitle ("Commands");
     undo.setButtonText (juce::String::fromUTF8 ("\xE2\x86\xB6"));
@@ -62,6 +63,12 @@ TopBar::TopBar (AntinodeProcessor& processor, History& historyToShow)
     undo.setTooltip ("Undo. Keys: Ctrl Z");
     redo.setTooltip ("Redo. Keys: Ctrl Shift Z");
     theme.setTooltip ("Light or dark. Key: T");
+    graph.setTitle ("Open graph");
+    graph.setTooltip (
+        "Open graph: forces, allocation, gains, limiter and plate run as separate nodes, with the same samples at a "
+        "higher cost. Needed only if custom nodes are inserted");
+    graph.setClickingTogglesState (true);
+    graph.onClick = [this] { processor.session().setGraphOpen (graph.getToggleState()); };
     arm.setTooltip ("If armed, triggers put voltage on the ceramics; if disarmed, all ceramics stay at 0 V. Key: A");
     fire.setTooltip ("Fires the focus at its own position. Keys: Space, Return on the surface");
     stop.setTooltip ("Fades out all playing foci. Key: Escape");
@@ -86,7 +93,8 @@ TopBar::TopBar (AntinodeProcessor& processor, History& historyToShow)
     for (juce::Button* const button :
          { static_cast<juce::Button*> (&device), static_cast<juce::Button*> (&focus),
            static_cast<juce::Button*> (&undo), static_cast<juce::Button*> (&redo), static_cast<juce::Button*> (&theme),
-           static_cast<juce::Button*> (&arm), static_cast<juce::Button*> (&fire), static_cast<juce::Button*> (&stop) })
+           static_cast<juce::Button*> (&graph), static_cast<juce::Button*> (&arm), static_cast<juce::Button*> (&fire),
+           static_cast<juce::Button*> (&stop) })
         addAndMakeVisible (button);
 }
 
@@ -101,6 +109,7 @@ void TopBar::refresh (const juce::String& deviceName, const juce::String& focusN
     armLink.refresh();
     device.setLoaded (deviceName);
     focus.setLoaded (focusName);
+    graph.setToggleState (processor.session().isGraphOpen(), juce::dontSendNotification);
     undo.setEnabled (history.canUndo());
     redo.setEnabled (history.canRedo());
 }
@@ -112,6 +121,7 @@ void TopBar::lookAndFeelChanged()
     for (auto* const button : { &undo, &redo, &theme })
         colour (*button, palette.raised, palette.raised, palette.text, palette.text);
 
+    colour (graph, palette.raised, palette.accent, palette.mutedText, palette.onStrong);
     colour (arm, palette.raised, palette.armed, palette.mutedText, palette.onStrong);
     colour (fire, palette.fire, palette.fire, palette.onStrong, palette.onStrong);
     colour (stop, palette.raised, palette.raised, palette.warning, palette.warning);
@@ -124,23 +134,26 @@ void TopBar::paint (juce::Graphics& g)
 
 void TopBar::resized()
 {
-    auto area = getLocalBounds().reduced (margin, 6);
+    auto area = getLocalBounds().reduced (barMargin, 6);
     stop.setBounds (area.removeFromRight (70));
-    area.removeFromRight (gap);
+    area.removeFromRight (barGap);
     fire.setBounds (area.removeFromRight (100));
-    area.removeFromRight (gap);
+    area.removeFromRight (barGap);
     arm.setBounds (area.removeFromRight (84));
-    area.removeFromRight (2 * margin);
+    area.removeFromRight (2 * barMargin);
+
+    graph.setBounds (area.removeFromRight (54));
+    area.removeFromRight (barGap);
 
     for (auto* const button : { &theme, &redo, &undo })
     {
         button->setBounds (area.removeFromRight (34));
-        area.removeFromRight (gap);
+        area.removeFromRight (barGap);
     }
 
-    const auto each = std::min (240, (area.getWidth() - gap) / 2);
+    const auto each = std::min (240, (area.getWidth() - barGap) / 2);
     device.setBounds (area.removeFromLeft (each));
-    area.removeFromLeft (gap);
+    area.removeFromLeft (barGap);
     focus.setBounds (area.removeFromLeft (each));
 }
 } // namespace antinode

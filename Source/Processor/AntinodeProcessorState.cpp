@@ -16,12 +16,13 @@ SessionState demonstrator()
     return { std::make_shared<const DeviceDocument> (readDeviceDocument (device, "device 'staple'")),
              std::make_shared<const FocusDocument> (readFocusDocument (focus, "focus 'demonstrator'")),
              {},
-             0 };
+             0,
+             false };
 }
 
 SessionState AntinodeProcessor::state() const
 {
-    return { device(), focus(), controls->values(), mutes() };
+    return { device(), focus(), controls->values(), mutes(), player->isGraphOpen() };
 }
 
 void AntinodeProcessor::setState (const SessionState& wanted, bool isRestored)
@@ -40,6 +41,7 @@ void AntinodeProcessor::setState (const SessionState& wanted, bool isRestored)
 
     controls->setValues (values);
     mutedCeramics = wanted.mutes;
+    player->setGraphOpen (wanted.isGraphOpen);
     player->load (isOtherDevice ? wanted.device : nullptr, isOtherFocus ? wanted.focus : nullptr);
 }
 

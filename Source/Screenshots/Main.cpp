@@ -1,3 +1,5 @@
+#include "PlateScreenshot.h"
+
 #include <Standalone/MainComponent.h>
 
 #include <nlohmann/json.hpp>
@@ -122,5 +124,6 @@ int main (int argumentCount, char* arguments[])
     for (const auto& screenshot : screenshots)
         takeEditor (screenshot, folder);
 
+    antinode::takePlate (folder.getChildFile ("plate-plugin.png"));
     takeStandalone ({ "standalone", 1500, 852, "phone", "phone-thumb", true }, folder);
 }

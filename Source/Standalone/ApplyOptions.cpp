@@ -100,6 +100,9 @@ void loadDocuments (StandaloneHost& host, const StandaloneOptions& options)
         focus = std::make_shared<const FocusDocument> (
             readFocusDocument (loadDocument (LibraryKind::focus, name), documentSource (LibraryKind::focus, name)));
 
+    if (options.opensGraph)
+        host.processor().session().setGraphOpen (true);
+
     if (device != nullptr || focus != nullptr)
         host.processor().load (std::move (device), std::move (focus));
 }

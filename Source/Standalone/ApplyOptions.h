@@ -11,7 +11,7 @@ StandaloneSettings withOptions (StandaloneSettings, const StandaloneOptions&);
 /** The file that the options mean. [any] */
 SettingsFile settingsFileOf (const StandaloneOptions&);
 
-/** Loads the focus and the instrument of the options.
+/** Loads the focus and the instrument of the options, and opens the graph where they ask for it.
     @throws InputError  where one cannot be read [message thread] */
 void loadDocuments (StandaloneHost&, const StandaloneOptions&);
 

@@ -1,5 +1,7 @@
 #include "AudioPanel.h"
 
+#include "PanelSizes.h"
+
 #include <Editor/EditorLook.h>
 #include <antinode_base/InputError.h>
 
@@ -10,7 +12,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int rowHeight = 28, margin = 12, nameWidth = 130, buttonWidth = 100;
+constexpr int nameWidth = 130, buttonWidth = 100;
 
 std::string textOf (const juce::ComboBox& box)
 {
@@ -141,17 +143,17 @@ void AudioPanel::lookAndFeelChanged()
 
 void AudioPanel::resized()
 {
-    auto area = getLocalBounds().reduced (margin);
+    auto area = getLocalBounds().reduced (panelMargin);
     const std::array boxes { &type, &device, &rate, &block, &outputs };
 
     for (std::size_t i = 0; i < boxes.size(); ++i)
     {
-        auto row = area.removeFromTop (rowHeight).reduced (0, 2);
+        auto row = area.removeFromTop (panelRowHeight).reduced (0, 2);
         names[i].setBounds (row.removeFromLeft (nameWidth));
         boxes[i]->setBounds (row);
     }
 
-    refresh.setBounds (area.removeFromTop (rowHeight).reduced (0, 2).removeFromRight (buttonWidth));
-    failure.setBounds (area.removeFromTop (3 * rowHeight));
+    refresh.setBounds (area.removeFromTop (panelRowHeight).reduced (0, 2).removeFromRight (buttonWidth));
+    failure.setBounds (area.removeFromTop (3 * panelRowHeight));
 }
 } // namespace antinode

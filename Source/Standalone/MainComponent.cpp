@@ -6,7 +6,8 @@ namespace antinode
 {
 namespace
 {
-constexpr int topHeight = 52, margin = 8, gap = 6, settingsWidth = 430, muteWidth = 200, buttonWidth = 90;
+constexpr int topHeight = 52, windowMargin = 8, windowGap = 6, settingsWidth = 430, muteWidth = 200,
+              barButtonWidth = 90;
 }
 
 MainComponent::MainComponent (StandaloneHost& hostToUse)
@@ -142,16 +143,16 @@ void MainComponent::paint (juce::Graphics& g)
 void MainComponent::resized()
 {
     auto area = getLocalBounds();
-    auto top = area.removeFromTop (topHeight).reduced (margin, margin - 1);
+    auto top = area.removeFromTop (topHeight).reduced (windowMargin, windowMargin - 1);
     mute.setBounds (top.removeFromRight (muteWidth));
-    top.removeFromRight (margin);
-    settingsButton.setBounds (top.removeFromRight (buttonWidth));
-    top.removeFromRight (margin);
+    top.removeFromRight (windowMargin);
+    settingsButton.setBounds (top.removeFromRight (barButtonWidth));
+    top.removeFromRight (windowMargin);
     status.setBounds (top.removeFromTop (top.getHeight() / 2));
     warning.setBounds (top);
 
     if (settings.isVisible())
-        settings.setBounds (area.removeFromRight (settingsWidth).withTrimmedTop (gap));
+        settings.setBounds (area.removeFromRight (settingsWidth).withTrimmedTop (windowGap));
 
     player.setBounds (area);
 }

@@ -1,5 +1,7 @@
 #include "MidiPanel.h"
 
+#include "PanelSizes.h"
+
 #include <Editor/EditorLook.h>
 
 #include <algorithm>
@@ -8,7 +10,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int rowHeight = 28, margin = 12, lookMilliseconds = 1000;
+constexpr int panelLookMilliseconds = 1000;
 }
 
 MidiPanel::MidiPanel (StandaloneHost& hostToUse) : host (hostToUse)
@@ -19,7 +21,7 @@ MidiPanel::MidiPanel (StandaloneHost& hostToUse) : host (hostToUse)
     addAndMakeVisible (all);
     addChildComponent (none);
     update();
-    startTimer (lookMilliseconds);
+    startTimer (panelLookMilliseconds);
 }
 
 void MidiPanel::update()
@@ -74,11 +76,11 @@ void MidiPanel::choose()
 
 void MidiPanel::resized()
 {
-    auto area = getLocalBounds().reduced (margin);
-    all.setBounds (area.removeFromTop (rowHeight));
-    none.setBounds (area.withHeight (rowHeight));
+    auto area = getLocalBounds().reduced (panelMargin);
+    all.setBounds (area.removeFromTop (panelRowHeight));
+    none.setBounds (area.withHeight (panelRowHeight));
 
     for (auto& button : buttons)
-        button->setBounds (area.removeFromTop (rowHeight).withTrimmedLeft (2 * margin));
+        button->setBounds (area.removeFromTop (panelRowHeight).withTrimmedLeft (2 * panelMargin));
 }
 } // namespace antinode

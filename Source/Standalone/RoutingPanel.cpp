@@ -1,5 +1,7 @@
 #include "RoutingPanel.h"
 
+#include "PanelSizes.h"
+
 #include <Editor/EditorLook.h>
 
 #include <algorithm>
@@ -8,7 +10,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int rowHeight = 28, headHeight = 22, margin = 12, levelMilliseconds = 50;
+constexpr int headHeight = 22, levelMilliseconds = 50;
 constexpr int noMonitor = OutputRouting::mostOutputs + 1;
 } // namespace
 
@@ -90,19 +92,19 @@ void RoutingPanel::paint (juce::Graphics& g)
 
 void RoutingPanel::resized()
 {
-    auto area = getLocalBounds().reduced (margin);
+    auto area = getLocalBounds().reduced (panelMargin);
     area.removeFromTop (headHeight);
-    auto foot = area.removeFromBottom (rowHeight).reduced (0, 2);
+    auto foot = area.removeFromBottom (panelRowHeight).reduced (0, 2);
     straight.setBounds (foot.removeFromRight (90));
-    foot.removeFromRight (margin);
+    foot.removeFromRight (panelMargin);
     monitor.setBounds (foot.removeFromRight (110));
     monitorName.setBounds (foot);
-    area.removeFromBottom (margin);
+    area.removeFromBottom (panelMargin);
     viewport.setBounds (area);
-    list.setSize (area.getWidth() - viewport.getScrollBarThickness() - margin / 2,
-                  rowHeight * static_cast<int> (rows.size()));
+    list.setSize (area.getWidth() - viewport.getScrollBarThickness() - panelMargin / 2,
+                  panelRowHeight * static_cast<int> (rows.size()));
 
     for (int k = 0; k < static_cast<int> (rows.size()); ++k)
-        rows[static_cast<std::size_t> (k)]->setBounds (0, k * rowHeight, list.getWidth(), rowHeight);
+        rows[static_cast<std::size_t> (k)]->setBounds (0, k * panelRowHeight, list.getWidth(), panelRowHeight);
 }
 } // namespace antinode

@@ -54,6 +54,8 @@ void addStandaloneOptions (CLI::App& app, StandaloneOptions& options)
     app.add_option ("--instrument,--plate", options.instrument,
                     "Device that vibrates: an embedded name or a .json file");
     app.add_option ("--focus", options.focus, "Focus: an embedded name or a .json file");
+    app.add_flag ("--open-graph", options.opensGraph,
+                  "Plays by separate nodes: the same samples at a higher cost, kept with the settings");
     addTouchOptions (app, options);
     auto* const file = app.add_option ("--settings", options.settings, "Settings file; default: the user's settings");
     app.add_flag ("--no-settings", options.ignoresSettings, "Neither reads nor saves settings")->excludes (file);

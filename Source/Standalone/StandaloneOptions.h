@@ -11,7 +11,7 @@ namespace antinode
 /** The command-line options of antinode-standalone. */
 struct StandaloneOptions
 {
-    bool isHeadless = false, listsDevices = false, isArmed = false, ignoresSettings = false;
+    bool isHeadless = false, listsDevices = false, isArmed = false, ignoresSettings = false, opensGraph = false;
     std::string type, device;       ///< Of the audio device; empty: as in the settings.
     double rate = 0;                ///< Hz; 0: as in the settings.
     int block = 0, channels = 0;    ///< 0: as in the settings.

@@ -13,7 +13,7 @@ namespace
 constexpr auto schema = "antinode.standalone/1";
 constexpr std::size_t longestName = 1000; // bytes
 constexpr int mostBlock = 1 << 16;
-constexpr double highestRate = 2e6, mostVolts = 1e6;
+constexpr double highestStoredRate = 2e6, mostVolts = 1e6;
 
 using Json = nlohmann::ordered_json;
 
@@ -58,7 +58,7 @@ AudioChoice readAudio (const JsonValue& value)
     const auto audio = value.object ({ "type", "device", "sample_rate_Hz", "block_samples", "outputs" });
     AudioChoice choice { audio.required ("type").text (longestName),
                          audio.required ("device").text (longestName),
-                         audio.required ("sample_rate_Hz").number ({ 0, highestRate }),
+                         audio.required ("sample_rate_Hz").number ({ 0, highestStoredRate }),
                          audio.required ("block_samples").integer (0, mostBlock),
                          {} };
 

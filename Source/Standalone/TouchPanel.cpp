@@ -1,5 +1,7 @@
 #include "TouchPanel.h"
 
+#include "PanelSizes.h"
+
 #include <Editor/EditorLook.h>
 #include <antinode_base/InputError.h>
 
@@ -7,7 +9,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int rowHeight = 28, margin = 12, nameWidth = 90, fieldWidth = 80, countMilliseconds = 250;
+constexpr int nameWidth = 90, fieldWidth = 80, countMilliseconds = 250;
 constexpr auto thisComputer = "127.0.0.1", wholeNetwork = "0.0.0.0";
 
 juce::String portText (int port)
@@ -93,18 +95,18 @@ void TouchPanel::lookAndFeelChanged()
 
 void TouchPanel::resized()
 {
-    auto area = getLocalBounds().reduced (margin);
+    auto area = getLocalBounds().reduced (panelMargin);
     const auto place = [&] (juce::Component& name, juce::Component& field)
     {
-        auto row = area.removeFromTop (rowHeight).reduced (0, 2);
+        auto row = area.removeFromTop (panelRowHeight).reduced (0, 2);
         name.setBounds (row.removeFromLeft (nameWidth));
         field.setBounds (row.removeFromLeft (fieldWidth));
     };
     place (oscName, oscPort);
     place (tuioName, tuioPort);
-    network.setBounds (area.removeFromTop (rowHeight));
-    applyButton.setBounds (area.removeFromTop (rowHeight).reduced (0, 2).removeFromLeft (fieldWidth));
-    area.removeFromTop (margin);
-    status.setBounds (area.removeFromTop (4 * rowHeight));
+    network.setBounds (area.removeFromTop (panelRowHeight));
+    applyButton.setBounds (area.removeFromTop (panelRowHeight).reduced (0, 2).removeFromLeft (fieldWidth));
+    area.removeFromTop (panelMargin);
+    status.setBounds (area.removeFromTop (4 * panelRowHeight));
 }
 } // namespace antinode

@@ -14,8 +14,8 @@ using namespace antinode::test;
 
 namespace
 {
-constexpr auto bandLimited = Reconstruction::bandLimited;
-constexpr auto zeroOrderHold = Reconstruction::zeroOrderHold;
+constexpr auto byInterface = Reconstruction::bandLimited;
+constexpr auto byGenerator = Reconstruction::zeroOrderHold;
 
 Eigen::MatrixXd playInBlocks (PlateModel& plate, const Eigen::MatrixXd& voltages, Eigen::Index outputs,
                               Eigen::Index blockSize)
@@ -33,7 +33,7 @@ Eigen::MatrixXd playInBlocks (PlateModel& plate, const Eigen::MatrixXd& voltages
 TEST_CASE ("under a constant voltage every mode comes to rest at psi / omega^2")
 {
     const auto model = modesOf ({ 400, 3000, 20e3, 70e3 }, 5, Eigen::Vector4d (1, -2, 3, 4));
-    for (const auto reconstruction : { zeroOrderHold, bandLimited })
+    for (const auto reconstruction : { byGenerator, byInterface })
     {
         PlateModel plate (model, { reconstruction, 48e3 }, Eigen::MatrixXd::Ones (1, 4));
         const Eigen::MatrixXd voltages = Eigen::MatrixXd::Constant (1, 48000, 10.0);
@@ -41,7 +41,7 @@ TEST_CASE ("under a constant voltage every mode comes to rest at psi / omega^2")
         const Eigen::ArrayXd atRest =
             10 * model.participation.col (0).array() / model.angularFrequencies.array().square();
         // Interpolated samples of a constant ripple by 1e-6 at most: the images at the multiples of the sample rate.
-        const auto tolerance = reconstruction == zeroOrderHold ? 1e-12 : 1e-6;
+        const auto tolerance = reconstruction == byGenerator ? 1e-12 : 1e-6;
         CHECK ((plate.modalDisplacements().array() / atRest - 1).abs().maxCoeff() < tolerance);
         CHECK ((plate.modalVelocities().array() / (atRest * model.angularFrequencies.array())).abs().maxCoeff()
                < tolerance);
@@ -53,7 +53,7 @@ TEST_CASE ("a probe's velocity is the sum of shape times modal velocity")
     const auto model = manyModes();
     Draws draws (5);
     const Eigen::MatrixXd shapes = draws.matrix (3, 34), voltages = draws.matrix (8, 300);
-    PlateModel plate (model, { bandLimited, 48e3 }, shapes), other (model, { bandLimited, 48e3 }, shapes);
+    PlateModel plate (model, { byInterface, 48e3 }, shapes), other (model, { byInterface, 48e3 }, shapes);
     const auto velocities = playInBlocks (plate, voltages, 3, 300);
     Eigen::MatrixXd modal (34, 300);
     other.processModes (voltages, modal);
@@ -67,7 +67,7 @@ TEST_CASE ("plate velocities do not depend on the block size, to the bit, and re
     const auto model = manyModes();
     Draws draws (6);
     const Eigen::MatrixXd shapes = draws.matrix (3, 34), voltages = draws.matrix (8, 9000);
-    for (const auto reconstruction : { bandLimited, zeroOrderHold })
+    for (const auto reconstruction : { byInterface, byGenerator })
     {
         PlateModel plate (model, { reconstruction, 192e3 }, shapes);
         const auto whole = playInBlocks (plate, voltages, 3, 9000);
@@ -88,7 +88,7 @@ TEST_CASE ("the plate is linear and does not change with time")
     const Eigen::MatrixXd shapes = draws.matrix (2, 34), one = draws.matrix (8, 500), other = draws.matrix (8, 500);
     for (const auto rate : usualRates)
     {
-        PlateModel plate (model, { bandLimited, rate }, shapes);
+        PlateModel plate (model, { byInterface, rate }, shapes);
         const auto play = [&] (const Eigen::MatrixXd& voltages)
         {
             plate.reset();
@@ -108,7 +108,7 @@ TEST_CASE ("the plate is linear and does not change with time")
 
 TEST_CASE ("a plate that is left alone becomes exactly still instead of denormal")
 {
-    PlateModel plate (modesOf ({ 500, 5000 }, 1, Eigen::Vector2d (1, 1)), { bandLimited, 48e3 },
+    PlateModel plate (modesOf ({ 500, 5000 }, 1, Eigen::Vector2d (1, 1)), { byInterface, 48e3 },
                       Eigen::MatrixXd::Ones (1, 2));
     Eigen::MatrixXd voltages = Eigen::MatrixXd::Zero (1, 20000);
     voltages (0, 0) = 100;
@@ -121,7 +121,7 @@ TEST_CASE ("a plate that is left alone becomes exactly still instead of denormal
 
 TEST_CASE ("the plate model allocates nothing while it plays")
 {
-    PlateModel plate (manyModes(), { bandLimited, 48e3 }, Draws (8).matrix (3, 34));
+    PlateModel plate (manyModes(), { byInterface, 48e3 }, Draws (8).matrix (3, 34));
     const Eigen::MatrixXd voltages = Draws (9).matrix (8, 100);
     Eigen::MatrixXd velocities (3, 100), modal (34, 100);
     const auto before = mallocCalls();
@@ -139,9 +139,9 @@ TEST_CASE ("a plate model needs a usable rate, sizes that agree and finite numbe
     const Eigen::MatrixXd probe = Eigen::MatrixXd::Ones (1, 34);
     const auto infinite = std::numeric_limits<double>::infinity();
     for (const auto rate : { 0.0, -1.0, infinite, std::numeric_limits<double>::quiet_NaN(), 400.0 })
-        CHECK_THROWS_AS (PlateModel (model, { bandLimited, rate }, probe), InputError);
+        CHECK_THROWS_AS (PlateModel (model, { byInterface, rate }, probe), InputError);
 
-    const Playback playback { bandLimited, 48e3 };
+    const Playback playback { byInterface, 48e3 };
     CHECK_NOTHROW (PlateModel (model, playback, Eigen::MatrixXd (0, 34)));
     CHECK_THROWS_AS (PlateModel (model, playback, Eigen::MatrixXd::Ones (1, 33)), InputError);
     CHECK_THROWS_AS (PlateModel (model, playback, probe * infinite), InputError);

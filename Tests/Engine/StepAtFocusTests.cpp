@@ -17,17 +17,17 @@ using namespace antinode::test;
 
 namespace
 {
-constexpr auto pi = std::numbers::pi;
+constexpr auto piNumber = std::numbers::pi;
 /** kappa: what a band-limited interpolation loses of a step. No unit.
 
     A force psi that is cut on a sample, which then gets half of its value, is smeared by the interpolation K over the cut.
     Until the cut the integral of the force is smaller by kappa T psi (T the sample interval), and as the velocity answers
     at once to an impulse, so is the modal velocity there. With the step s (t) = K (t)/2 + sum_{n < 0} K (t - n), T = 1,
 
-        kappa = integral_{-inf}^0 (1 - s (t)) dt = (1/pi) integral_0^inf [1/w - Khat (w) cot (w/2) / 2] / w dw
+        kappa = integral_{-inf}^0 (1 - s (t)) dt = (1/piNumber) integral_0^inf [1/w - Khat (w) cot (w/2) / 2] / w dw
 
     as 1 - s is odd: the sine transforms of the step and of its samples are 1/w and cot (w/2) / 2. The ideal sinc
-    (Khat = 1 below pi, 0 above) would have (1/pi) [integral_0^pi (1/w - cot (w/2) / 2) / w dw + 1/pi] = 0.190009...
+    (Khat = 1 below piNumber, 0 above) would have (1/piNumber) [integral_0^piNumber (1/w - cot (w/2) / 2) / w dw + 1/piNumber] = 0.190009...
     This is the value of the windowed sinc that the plate model plays with; a test compares them.
     Docs/Theory.md, section 6.3. */
 constexpr double bandLimitedStepConstant = 0.190583570590934662;
@@ -64,7 +64,7 @@ double playedVelocity (const CutForce& cut, double sampleRate)
                                atStart.real() } };
     program.allocation = Eigen::MatrixXd::Ones (1, 1);
 
-    auto model = modesOf ({ cut.modal / (2 * pi) }, cut.modal / (2 * cut.decay), Eigen::MatrixXd::Ones (1, 1));
+    auto model = modesOf ({ cut.modal / (2 * piNumber) }, cut.modal / (2 * cut.decay), Eigen::MatrixXd::Ones (1, 1));
     const Playback playback { Reconstruction::bandLimited, sampleRate };
     const VoltageSynthesiser synthesiser (program, playback);
     PlateModel plate (model, playback, Eigen::MatrixXd (0, 1));
@@ -79,9 +79,9 @@ double playedVelocity (const CutForce& cut, double sampleRate)
 std::vector<CutForce> cutForces (double frequency)
 {
     std::vector<CutForce> cuts;
-    const auto omega = 2 * pi * frequency;
+    const auto omega = 2 * piNumber * frequency;
     for (const auto detuning : { 1.0, 1.6 })
-        for (const auto phase : { 0.0, 1.0, pi / 2 })
+        for (const auto phase : { 0.0, 1.0, piNumber / 2 })
             cuts.push_back ({ omega, omega / 120, std::polar (1.0, phase), { 4 * omega / 120, detuning * omega } });
     return cuts;
 }
@@ -112,10 +112,10 @@ TEST_CASE ("the ideal sinc's step constant is 0.190009 and that of the windowed 
     double integral = 0;
     for (Eigen::Index i = 0; i < quadrature.nodes.size(); ++i)
     {
-        const auto w = pi * quadrature.nodes[i];
-        integral += pi * quadrature.weights[i] * (1 / w - 0.5 / std::tan (w / 2)) / w;
+        const auto w = piNumber * quadrature.nodes[i];
+        integral += piNumber * quadrature.weights[i] * (1 / w - 0.5 / std::tan (w / 2)) / w;
     }
-    const auto ideal = (integral + 1 / pi) / pi;
+    const auto ideal = (integral + 1 / piNumber) / piNumber;
     CHECK (ideal == Approx (0.190009285925941769).epsilon (1e-12)); // by the same integral in 64-bit precision
     CHECK (std::abs (bandLimitedStepConstant / ideal - 1) < 0.004);
 }

@@ -15,7 +15,7 @@ using namespace antinode::test;
 
 namespace
 {
-constexpr auto bandLimited = Reconstruction::bandLimited;
+constexpr auto throughInterface = Reconstruction::bandLimited;
 constexpr auto zeroOrderHold = Reconstruction::zeroOrderHold;
 
 /** One oscillation on one ceramic of 1 V. */
@@ -52,7 +52,7 @@ TEST_CASE ("oscillations are exact to 1e-12 of their envelope after a second at 
             // All times are awkward on purpose: the exact difference of focus time and start counts.
             const Oscillation oscillation { 0, 0.0123456789, 1.2, growth, 2 * std::numbers::pi * frequency, 0.7, -0.4 };
             const auto focusTime = 1.1000013;
-            const VoltageSynthesiser synthesiser (single (oscillation, focusTime), { bandLimited, 192e3 });
+            const VoltageSynthesiser synthesiser (single (oscillation, focusTime), { throughInterface, 192e3 });
             Eigen::MatrixXd voltages (1, 5000);
             const std::int64_t first = 205000;
             synthesiser.process (first, voltages);
@@ -82,9 +82,9 @@ TEST_CASE ("the focus falls on a sample at every rate")
         // cos at its peak at the focus time 10.0037 ms, which is between samples
         const auto omega = 2 * std::numbers::pi * 1000;
         const auto program = single ({ 0, 0.0100037 - 0.005, 1, 0, omega, 0, 1 }, 0.0100037);
-        const VoltageSynthesiser synthesiser (program, { bandLimited, rate });
+        const VoltageSynthesiser synthesiser (program, { throughInterface, rate });
         CHECK (synthesiser.focusSample() == std::llround (0.0100037 * rate));
-        const auto voltages = synthesise (program, { bandLimited, rate }, synthesiser.focusSample() - 1, 3);
+        const auto voltages = synthesise (program, { throughInterface, rate }, synthesiser.focusSample() - 1, 3);
         CHECK (voltages (0, 1) == Approx (1).epsilon (1e-13));
         CHECK (voltages (0, 0) == Approx (std::cos (omega / rate)).epsilon (1e-12));
         CHECK (voltages (0, 2) == Approx (voltages (0, 0)).epsilon (1e-12));
@@ -98,7 +98,7 @@ TEST_CASE (
     Eigen::RowVectorXd smooth (8), held (8);
     smooth << 0, 0, 1.5, 3, 3, 1.5, 0, 0;
     held << 0, 0, 3, 3, 3, 0, 0, 0;
-    CHECK (synthesise (program, { bandLimited, 1000 }, 0, 8) == smooth);
+    CHECK (synthesise (program, { throughInterface, 1000 }, 0, 8) == smooth);
     CHECK (synthesise (program, { zeroOrderHold, 1000 }, 0, 8) == held);
 }
 
@@ -107,7 +107,7 @@ TEST_CASE ("an oscillation between samples starts at the first and ends before t
     const auto program = single ({ 0, 0.0015, 0.0042, 0, 0, 0, 3 }, 0.005);
     Eigen::RowVectorXd wanted (7);
     wanted << 0, 0, 3, 3, 3, 0, 0;
-    CHECK (synthesise (program, { bandLimited, 1000 }, 0, 7) == wanted);
+    CHECK (synthesise (program, { throughInterface, 1000 }, 0, 7) == wanted);
     CHECK (synthesise (program, { zeroOrderHold, 1000 }, 0, 7) == wanted);
 }
 
@@ -118,25 +118,25 @@ TEST_CASE ("where one oscillation ends and another starts on a sample the sample
     program.allocation = Eigen::MatrixXd::Ones (1, 2);
     Eigen::RowVectorXd wanted (7);
     wanted << 0, 1, 2, -1, -4, -2, 0;
-    CHECK (synthesise (program, { bandLimited, 1000 }, 0, 7) == wanted);
+    CHECK (synthesise (program, { throughInterface, 1000 }, 0, 7) == wanted);
 }
 
 TEST_CASE ("an oscillation of no length is silent")
 {
     const auto program = single ({ 0, 0.002, 0.002, 0, 0, 0, 3 }, 0.002);
-    CHECK (synthesise (program, { bandLimited, 1000 }, 0, 5).isZero (0));
+    CHECK (synthesise (program, { throughInterface, 1000 }, 0, 5).isZero (0));
     CHECK (synthesise (program, { zeroOrderHold, 1000 }, 0, 5).isZero (0));
 }
 
 TEST_CASE ("voltages are the allocation times the oscillations")
 {
     auto program = manyOscillations();
-    const auto all = synthesise (program, { bandLimited, 96e3 }, 0, 2300);
+    const auto all = synthesise (program, { throughInterface, 96e3 }, 0, 2300);
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero (8, 2300);
     for (std::size_t c = 0; c < program.oscillations.size(); ++c)
     {
         const auto alone =
-            synthesise (single (program.oscillations[c], program.focusTime), { bandLimited, 96e3 }, 0, 2300);
+            synthesise (single (program.oscillations[c], program.focusTime), { throughInterface, 96e3 }, 0, 2300);
         sum += program.allocation.col (static_cast<Eigen::Index> (c)) * alone;
     }
     CHECK ((all - sum).cwiseAbs().maxCoeff() < 1e-14);
@@ -147,7 +147,7 @@ TEST_CASE ("synthesised voltages do not depend on the block size, to the bit, at
 {
     for (const auto rate : usualRates)
     {
-        for (const auto reconstruction : { bandLimited, zeroOrderHold })
+        for (const auto reconstruction : { throughInterface, zeroOrderHold })
         {
             const VoltageSynthesiser synthesiser (manyOscillations(), { reconstruction, rate });
             const auto whole = synthesiseInBlocks (synthesiser, 9000, 9000);
@@ -163,7 +163,7 @@ TEST_CASE ("synthesised voltages do not depend on the block size, to the bit, at
 
 TEST_CASE ("blocks may come in any order and before the trigger")
 {
-    const VoltageSynthesiser synthesiser (manyOscillations(), { bandLimited, 48e3 });
+    const VoltageSynthesiser synthesiser (manyOscillations(), { throughInterface, 48e3 });
     Eigen::MatrixXd late (8, 100), early (8, 300), again (8, 100);
     synthesiser.process (900, late);
     synthesiser.process (-200, early);
@@ -188,14 +188,14 @@ TEST_CASE ("a program that is shifted by whole samples gives the same voltages s
         oscillation.start += shift;
         oscillation.end += shift;
     }
-    const auto before = synthesise (program, { bandLimited, 48e3 }, 0, 1100);
-    const auto after = synthesise (shifted, { bandLimited, 48e3 }, samples, 1100);
+    const auto before = synthesise (program, { throughInterface, 48e3 }, 0, 1100);
+    const auto after = synthesise (shifted, { throughInterface, 48e3 }, samples, 1100);
     CHECK ((after - before).cwiseAbs().maxCoeff() < 1e-11); // the shifted times are rounded to 1e-18 s
 }
 
 TEST_CASE ("synthesis allocates nothing")
 {
-    const VoltageSynthesiser synthesiser (manyOscillations(), { bandLimited, 48e3 });
+    const VoltageSynthesiser synthesiser (manyOscillations(), { throughInterface, 48e3 });
     Eigen::MatrixXd voltages (8, 700);
     const auto before = mallocCalls();
     synthesiser.process (400, voltages);
@@ -206,14 +206,14 @@ TEST_CASE ("synthesis allocates nothing")
 TEST_CASE ("a voltage program that cannot be played is refused")
 {
     const Oscillation good { 0, 0, 0.01, 10, 1000, 1, 0 };
-    const Playback playback { bandLimited, 48e3 };
+    const Playback playback { throughInterface, 48e3 };
     const auto refuses = [] (const VoltageProgram& program, Playback how)
     { CHECK_THROWS_AS (VoltageSynthesiser (program, how), InputError); };
     CHECK_NOTHROW (VoltageSynthesiser (single (good, 0.01), playback));
 
     for (const auto rate :
          { 0.0, -48e3, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() })
-        refuses (single (good, 0.01), { bandLimited, rate });
+        refuses (single (good, 0.01), { throughInterface, rate });
 
     auto program = single (good, 0.01);
     program.allocation = Eigen::MatrixXd::Ones (1, 2);

@@ -29,11 +29,11 @@ VoltageProgram exampleProgram()
     return designFocus (test::sineBeam (10, ceramics), focus, { Reconstruction::bandLimited, rate }).program;
 }
 
-void giveBank (PlayerNode& node, const VoltageProgram& program)
+void giveBank (VoiceNode& node, const VoltageProgram& program)
 {
     auto bank = std::make_unique<FocusBank>();
     bank->foci[60] = std::make_shared<const PlayableFocus> (program, Playback { Reconstruction::bandLimited, rate });
-    node.player().handOver().give (std::move (bank));
+    node.voices().handOver().give (std::move (bank));
 }
 
 /** All outputs of a graph under one note at sample 100, in blocks. */
@@ -95,10 +95,13 @@ TEST_CASE ("Forces and allocation as nodes of their own give what the player fus
     const auto program = exampleProgram();
     auto fused = playerGraph (program);
     NodeGraph apart;
-    const auto forces = apart.add (std::make_unique<ForceNode> (program), NodeGraph::noSource);
-    const auto voltages = apart.add (std::make_unique<AllocationNode> (program.allocation), forces);
+    auto forceNode = std::make_unique<ForceNode> (ceramics, PlayerSettings {}, 100);
+    auto& player = *forceNode;
+    const auto forces = apart.add (std::move (forceNode), NodeGraph::noSource);
+    const auto voltages = apart.add (std::make_unique<AllocationNode> (player, ceramics), forces);
     apart.setOutputs ({ voltages });
     apart.prepare ({ rate, 256 });
+    giveBank (player, program);
     const auto a = playedBy (fused, 200), b = playedBy (apart, 200);
     CHECK (a.cwiseAbs().maxCoeff() > 0);
     CHECK ((a - b).cwiseAbs().maxCoeff() < 1e-12 * a.cwiseAbs().maxCoeff());
@@ -130,7 +133,7 @@ TEST_CASE ("A node of one's own takes its place with one line", "[graph]")
         CHECK ((b.col (i) - (i + 1) * a.col (i)).norm() <= 1e-15 * b.col (i).norm());
 
     NodeGraph wrong;
-    const auto forces = wrong.add (std::make_unique<ForceNode> (program), NodeGraph::noSource);
+    const auto forces = wrong.add (std::make_unique<ForceNode> (ceramics, PlayerSettings {}, 3), NodeGraph::noSource);
     CHECK_THROWS_AS (wrong.add (std::make_unique<GainNode>(), forces), InputError);
 }
 

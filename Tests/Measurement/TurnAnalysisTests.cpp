@@ -13,7 +13,7 @@ using namespace antinode::test;
 
 namespace
 {
-constexpr double perfect = 300; // dB
+constexpr double perfectCoherence = 300; // dB
 
 SimulatedBenchSettings benchWith (double signalToNoise, double cubic = 0)
 {
@@ -66,7 +66,7 @@ TEST_CASE ("Without noise a periodic multisine is exact, a sweep nearly so, and 
     {
         auto settings = shortSettings (signal, 2);
         settings.settlingPeriods = 4; // Of the first mode 1e-10 is left.
-        return errorOf (excitationOf (settings), benchWith (perfect));
+        return errorOf (excitationOf (settings), benchWith (perfectCoherence));
     };
     CHECK (errorBy (ExcitationSignal::multisine) < -150);
     CHECK (errorBy (ExcitationSignal::sweep) < -75);
@@ -114,7 +114,7 @@ TEST_CASE ("Coherence is 1 without noise and falls where noise covers the respon
         return analyseTurn (excitation, 0, recordTurn (excitation, benchBeam(), 0, benchWith (signalToNoise)))
             .responses.coherence;
     };
-    CHECK (coherenceAt (perfect).minCoeff() > 0.9999);
+    CHECK (coherenceAt (perfectCoherence).minCoeff() > 0.9999);
     CHECK (coherenceAt (0).minCoeff() < 0.2);
     CHECK (coherenceAt (0).maxCoeff() > 0.9);
 }
@@ -186,7 +186,7 @@ TEST_CASE ("A measured reference takes gain and delay of an amplifier out of the
 {
     const auto excitation = excitationOf (shortSettings (ExcitationSignal::multisine, 2));
     const auto model = benchBeam();
-    auto recording = recordTurn (excitation, model, 0, benchWith (perfect));
+    auto recording = recordTurn (excitation, model, 0, benchWith (perfectCoherence));
     // The loop has the same delay; the amplifier has less gain than thought.
     recording.reference = recording.sync * (20 / syncLevel) * 0.8;
     const auto measured = analyseTurn (excitation, 0, recording).responses;

@@ -4,6 +4,7 @@ execute_process (COMMAND ${CMAKE_COMMAND} --install ${BINARY} --prefix ${FOLDER}
 
 set (expected
     bin/antinode
+    "lib/vst3/Antinode Plate.vst3/Contents/x86_64-linux/Antinode Plate.so"
     lib/vst3/Antinode.vst3/Contents/x86_64-linux/Antinode.so
     share/bash-completion/completions/antinode
     share/doc/antinode/CONTRIBUTING.md
@@ -17,8 +18,10 @@ set (expected
     share/man/man1/antinode.1.gz
     share/zsh/vendor-completions/_antinode)
 foreach (ceramics 8 16 32 64)
-    set (bundle "lib/lv2/Antinode ${ceramics}.lv2")
-    list (APPEND expected "${bundle}/dsp.ttl" "${bundle}/libAntinode ${ceramics}.so" "${bundle}/manifest.ttl")
+    foreach (plugin "Antinode ${ceramics}" "Antinode Plate ${ceramics}")
+        set (bundle "lib/lv2/${plugin}.lv2")
+        list (APPEND expected "${bundle}/dsp.ttl" "${bundle}/lib${plugin}.so" "${bundle}/manifest.ttl")
+    endforeach()
 endforeach()
 if (STANDALONE)
     set (identifier example.antinode.Antinode)
@@ -38,7 +41,7 @@ endif()
 file (GLOB_RECURSE installed RELATIVE ${FOLDER} ${FOLDER}/*)
 list (FILTER installed EXCLUDE REGEX "^share/doc/antinode/Docs/")
 # JUCE writes it for plug-ins with an editor.
-list (FILTER installed EXCLUDE REGEX "^lib/lv2/Antinode [0-9]+.lv2/ui.ttl$")
+list (FILTER installed EXCLUDE REGEX "^lib/lv2/Antinode( Plate)? [0-9]+.lv2/ui.ttl$")
 set (missing ${expected})
 list (REMOVE_ITEM missing ${installed})
 set (unexpected ${installed})
@@ -54,8 +57,10 @@ foreach (page Manual/index.md FileFormats.md Theory.md Pictures/focus.png)
 endforeach()
 
 execute_process (COMMAND ${FOLDER}/bin/antinode version COMMAND_ERROR_IS_FATAL ANY)
-file (SIZE "${FOLDER}/lib/lv2/Antinode 8.lv2/dsp.ttl" size)
-if (size LESS 1000)
-    message (FATAL_ERROR "dsp.ttl of the LV2 bundle has ${size} bytes: it describes no ports")
-endif()
+foreach (plugin "Antinode 8" "Antinode Plate 8")
+    file (SIZE "${FOLDER}/lib/lv2/${plugin}.lv2/dsp.ttl" size)
+    if (size LESS 1000)
+        message (FATAL_ERROR "dsp.ttl of the LV2 bundle ${plugin} has ${size} bytes: it describes no ports")
+    endif()
+endforeach()
 file (REMOVE_RECURSE ${FOLDER})

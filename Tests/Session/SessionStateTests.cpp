@@ -20,6 +20,21 @@ TEST_CASE ("A state read and written again is the same text", "[session]")
     CHECK (again.mutes == 0x8000000000000005ULL);
 }
 
+TEST_CASE ("An open graph is kept, and a state of the fused one says nothing of it", "[session]")
+{
+    SessionState state { std::make_shared<const DeviceDocument> (test::deviceNamed ("beam")),
+                         std::make_shared<const FocusDocument> (test::focusNamed ("demonstrator")),
+                         {},
+                         0 };
+    CHECK (stateToText (state).find ("open_graph") == std::string::npos);
+    CHECK_FALSE (readState (stateToText (state)).isGraphOpen);
+    state.isGraphOpen = true;
+    CHECK (readState (stateToText (state)).isGraphOpen);
+    auto json = nlohmann::json::parse (stateToText (state));
+    json["open_graph"] = 1;
+    CHECK_THROWS_WITH (readState (json.dump()), Catch::Contains ("/open_graph"));
+}
+
 TEST_CASE ("A state that is none says where and why", "[session]")
 {
     CHECK_THROWS_WITH (readState ("[]"), Catch::StartsWith ("state"));

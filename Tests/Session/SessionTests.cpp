@@ -142,6 +142,41 @@ TEST_CASE ("Meters tell the peak in volts once", "[session]")
     CHECK (played.session.probeTrace().newest (100).size() == 100);
 }
 
+TEST_CASE ("Opened, a session plays the same samples, and nodes of one's own stand in its path", "[session]")
+{
+    test::PlayedSession played;
+    played.session.prepare (rate, true);
+    const auto fused = played.play (2400, { live });
+    played.play (9600);
+    played.session.setGraphOpen (true);
+    CHECK (played.session.isGraphOpen());
+    played.session.waitUntilSettled (std::array { live });
+    played.play (960); // The fused path ramps out.
+    const auto opened = played.play (2400, { live });
+    CHECK (fused.cwiseAbs().maxCoeff() > 0.01);
+    CHECK ((opened - fused).cwiseAbs().maxCoeff() < 1e-12 * fused.cwiseAbs().maxCoeff());
+
+    // A gain node of 0.5 behind the allocation.
+    played.session.insertNodes (
+        [] (NodeGraph& graph, GraphPlace place, int last)
+        {
+            if (place != GraphPlace::afterAllocation)
+                return last;
+
+            auto gains = std::make_unique<ChannelGainNode> (graph.node (last).outputs());
+            gains->setGain (0.5);
+            return graph.add (std::move (gains), last);
+        });
+    played.session.waitUntilSettled (std::array { live });
+    played.play (960);
+    const auto halved = played.play (2400, { live });
+    CHECK ((halved - fused / 2).cwiseAbs().maxCoeff() < 1e-12 * fused.cwiseAbs().maxCoeff());
+    played.session.setGraphOpen (false);
+    played.session.waitUntilSettled (std::array { live });
+    played.play (960);
+    CHECK (played.play (2400, { live }) == fused);
+}
+
 TEST_CASE ("Sessions end in the middle of anything", "[session]")
 {
     for (int i = 0; i < 20; ++i)

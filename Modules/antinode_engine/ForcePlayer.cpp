@@ -1,0 +1,155 @@
+#include "ForcePlayer.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace antinode
+{
+ForcePlayer::ForcePlayer (int ceramicsToUse, double sampleRate, PlayerSettings playerSettings, int channels)
+    : FocusVoices (ceramicsToUse, sampleRate, playerSettings, channels), stock (channels)
+{
+    // A focus and its brake of every voice that sounds when a block begins, or begins in it.
+    listed.reserve (2 * (allVoices + mostEvents));
+}
+
+bool ForcePlayer::hasRoom (const Voice& voice) const
+{
+    return voice.focus != nullptr && rooms[indexOf (voice)].order == voice.order;
+}
+
+/** The first channel of so many that no voice uses, or -1: they begin at 0 or behind another voice's. */
+int ForcePlayer::freeChannel (const Voice& voice, int size) const
+{
+    const auto isFree = [&] (int first)
+    {
+        return first + size <= stock
+               && std::none_of (voices.begin(), voices.end(),
+                                [&] (const Voice& other)
+                                {
+                                    const auto& room = rooms[indexOf (other)];
+                                    return &other != &voice && hasRoom (other) && first < room.first + room.size
+                                           && room.first < first + size;
+                                });
+    };
+
+    if (isFree (0))
+        return 0;
+
+    auto found = -1;
+
+    for (const auto& other : voices)
+        if (const auto& room = rooms[indexOf (other)]; &other != &voice && hasRoom (other)
+                                                       && (found < 0 || room.first + room.size < found)
+                                                       && isFree (room.first + room.size))
+            found = room.first + room.size;
+
+    return found;
+}
+
+void ForcePlayer::makeRoom (const Voice& voice)
+{
+    const auto size = voice.focus->oscillationCount();
+    auto first = freeChannel (voice, size);
+
+    while (first < 0 && cutAnother (voice))
+        first = freeChannel (voice, size);
+
+    rooms[indexOf (voice)] = { voice.order, std::max (0, first), size };
+}
+
+/** For all that begin to sound in the next samples. Before any of these is written: a voice that is cut leaves
+    nothing in them. */
+void ForcePlayer::makeRooms (int count)
+{
+    for (const auto& voice : voices)
+        if (voice.focus != nullptr && ! hasRoom (voice) && voice.trigger + voice.focus->firstSample < clock + count)
+            makeRoom (voice);
+}
+
+void ForcePlayer::list (const Voice& voice, const Part& part, int first, int offset)
+{
+    const auto from = offset + static_cast<int> (part.from - clock), to = offset + static_cast<int> (part.to - clock);
+    auto& entry = rooms[indexOf (voice)].entries[static_cast<std::size_t> (part.kind)];
+
+    // A voice plays without a gap, also across events.
+    if (entry >= 0)
+    {
+        listed[static_cast<std::size_t> (entry)].to = to;
+        return;
+    }
+
+    entry = std::ssize (listed);
+    listed.push_back ({ &part.design, first, from, to, 2 * static_cast<int> (indexOf (voice)) + part.kind });
+}
+
+template <typename Sample>
+void ForcePlayer::renderPart (const Voice& voice, const Part& part, Sample* const* channels, int offset)
+{
+    const auto first =
+        rooms[indexOf (voice)].first + (part.kind == 0 ? 0 : voice.focus->synthesiser.oscillationCount());
+    list (voice, part, first, offset);
+    const auto begin = offset + (part.from - clock);
+    const auto count = static_cast<int> (part.to - part.from);
+    const auto fadeBegin = std::clamp (voice.fadeStart, part.from, part.to);
+
+    for (int c = first; c < first + part.design.oscillationCount(); ++c)
+        std::fill_n (channels[c] + begin, count, Sample (0));
+
+    part.design.addForces (part.from - part.start, count, voice.amplitude, channels + first, begin, part.factors);
+
+    for (int c = first; c < first + part.design.oscillationCount(); ++c)
+        for (auto n = fadeBegin; n < part.to; ++n)
+            channels[c][offset + (n - clock)] *=
+                static_cast<Sample> (fadeGains[static_cast<std::size_t> (n - voice.fadeStart)]);
+}
+
+template <typename Sample>
+void ForcePlayer::renderVoice (const Voice& voice, Sample* const* channels, int offset, int count)
+{
+    const auto& focus = *voice.focus;
+    const auto from = std::max (clock, voice.trigger + focus.firstSample);
+    const auto to = std::min (clock + count, voice.end (fadeLength));
+
+    if (from >= to)
+        return;
+
+    if (from < voice.trigger + focus.endSample)
+        renderPart<Sample> (voice, { focus.synthesiser, 0, voice.trigger, from, to, nullptr }, channels, offset);
+
+    if (! focus.brake || voice.holdsBrake)
+        return;
+
+    const auto start = voice.trigger + voice.brakeDelay;
+
+    if (to > start + focus.brake->startSample())
+        renderPart<Sample> (voice, { focus.brake->designed(), 1, start, from, to, brakeFactorsOf (voice) }, channels,
+                            offset);
+}
+
+template <typename Sample>
+void ForcePlayer::process (Sample* const* channels, int count, std::span<const FocusEvent> events)
+{
+    // Not at the end of a block: what stands in the list is still looked at behind this.
+    giveUnusedBanks();
+    listed.clear();
+
+    for (auto& room : rooms)
+        room.entries = { -1, -1 };
+
+    playStretches (count, events.first (std::min (events.size(), mostEvents)),
+                   [&] (int offset, int length)
+                   {
+                       makeRooms (length);
+
+                       for (const auto& voice : voices)
+                           if (hasRoom (voice))
+                               renderVoice (voice, channels, offset, length);
+                   });
+    std::sort (listed.begin(), listed.end(),
+               [] (const ForceStretch& a, const ForceStretch& b)
+               { return std::pair (a.rank, a.from) < std::pair (b.rank, b.from); });
+}
+
+template void ForcePlayer::process (float* const*, int, std::span<const FocusEvent>);
+template void ForcePlayer::process (double* const*, int, std::span<const FocusEvent>);
+} // namespace antinode

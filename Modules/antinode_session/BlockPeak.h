@@ -1,0 +1,7 @@
+#pragma once
+
+namespace antinode
+{
+/** The largest absolute value of a block. [audio thread] */
+double peakOf (const double* samples, int count);
+} // namespace antinode

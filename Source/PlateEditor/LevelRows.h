@@ -1,0 +1,48 @@
+#pragma once
+
+#include <juce_gui_basics/juce_gui_basics.h>
+
+#include <vector>
+
+namespace antinode
+{
+/** Levels side by side or one below the other: each with a name, a bar that falls slowly, and the largest value of
+    late. [message thread] */
+class LevelRows final : public juce::Component
+{
+public:
+    /** What a row says. */
+    struct Row
+    {
+        juce::String name, place; ///< "1", "24 mm, 0 mm"; the latter may be empty.
+        double full = 1;          ///< The value of a full bar.
+    };
+
+    /** @param unit      of the values, "mm/s"
+        @param decimals  of the values */
+    LevelRows (const juce::String& title, const juce::String& unit, int decimals);
+
+    /** Other rows; those that keep their number keep their levels. */
+    void setRows (std::vector<Row>);
+
+    /** @param values   one a row: the largest magnitudes since the last call
+        @param seconds  since the last call */
+    void refresh (const std::vector<double>& values, double seconds);
+
+    void paint (juce::Graphics&) override;
+
+private:
+    struct Level
+    {
+        double share = 0, held = 0,
+               heldFor = 0; ///< Of the full bar; a value in its unit, and how long it is still shown, s.
+    };
+
+    void paintRow (juce::Graphics&, juce::Rectangle<float>, const Row&, const Level&) const;
+
+    juce::String unit;
+    int decimals;
+    std::vector<Row> rows;
+    std::vector<Level> levels;
+};
+} // namespace antinode

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Editor/DesignPicture.h>
+
+#include <antinode_session/PlateSession.h>
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+namespace antinode
+{
+/** A captured window of a surface's motion, ready to be drawn. Never changed once it is given. */
+struct MotionPicture
+{
+    std::shared_ptr<const ModalModel> model;
+    std::shared_ptr<const DesignPicture>
+        field; ///< As SurfacePainter takes it: PlatePath::capturedFrames frames, or one at rest.
+    std::shared_ptr<const Chart> spectrum; ///< The largest velocity of every mode in the window.
+    double step = 0;                       ///< s from one frame to the next; 0 where nothing has moved yet.
+};
+
+/** Makes pictures of captured windows on a thread of its own. [message thread] */
+class MotionView
+{
+public:
+    /** Starts the thread. */
+    MotionView();
+    ~MotionView();
+    MotionView (const MotionView&) = delete;
+    MotionView& operator= (const MotionView&) = delete;
+
+    /** What is looked at from now on. A new device is shown at rest at once. */
+    void watch (std::shared_ptr<const PlateSnapshot>);
+
+    /** Asks for the next window, which comes when there is one. */
+    void askForNext();
+
+    /** The newest picture, or none where no device is solved. */
+    std::shared_ptr<const MotionPicture> picture() const;
+
+private:
+    void run();
+    void step();
+    void show (const PlateSnapshot&, const Eigen::MatrixXd& window);
+    void showRest (const std::shared_ptr<const ModalModel>&);
+
+    mutable std::mutex mutex; ///< For the next lines.
+    std::condition_variable changed;
+    std::shared_ptr<const PlateSnapshot> watched;
+    std::shared_ptr<const MotionPicture> newest;
+    bool wantsNext = true, isStopping = false;
+    std::thread thread;
+};
+} // namespace antinode

@@ -1,6 +1,0 @@
-# Configures and builds the core with JUCE hidden. Needs SOURCE, BINARY, BUILD_TYPE.
-execute_process (
-    COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${BINARY} -G Ninja -DCMAKE_BUILD_TYPE=${BUILD_TYPE} -DANTINODE_WITH_JUCE=OFF
-            -DANTINODE_TESTS=OFF -DCMAKE_DISABLE_FIND_PACKAGE_JUCE=ON
-    COMMAND_ERROR_IS_FATAL ANY)
-execute_process (COMMAND ${CMAKE_COMMAND} --build ${BINARY} --target antinode_core COMMAND_ERROR_IS_FATAL ANY)

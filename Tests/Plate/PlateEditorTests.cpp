@@ -1,0 +1,115 @@
+#include "PlayedPlate.h"
+
+#include <PlateEditor/PlateEditor.h>
+
+#include <catch2/catch.hpp>
+
+#include <chrono>
+#include <functional>
+#include <set>
+#include <thread>
+
+using namespace antinode;
+using namespace antinode::test;
+
+namespace
+{
+void refreshUntil (PlateContent& content, const std::function<bool()>& isReached)
+{
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds (20);
+
+    do
+    {
+        REQUIRE (std::chrono::steady_clock::now() < end);
+        std::this_thread::sleep_for (std::chrono::milliseconds (2));
+        content.refresh (0.002);
+    } while (! isReached());
+}
+
+juce::MouseEvent mouseAt (juce::Component& component, juce::Point<float> place)
+{
+    const auto now = juce::Time::getCurrentTime();
+    return { juce::Desktop::getInstance().getMainMouseSource(),
+             place,
+             juce::ModifierKeys::leftButtonModifier,
+             0,
+             0,
+             0,
+             0,
+             0,
+             &component,
+             &component,
+             now,
+             place,
+             now,
+             1,
+             false };
+}
+
+/** How many colours a picture has: nothing drawn has few. */
+int coloursOf (const juce::Image& image)
+{
+    std::set<juce::uint32> colours;
+
+    for (int y = 0; y < image.getHeight(); y += 2)
+        for (int x = 0; x < image.getWidth(); x += 2)
+            colours.insert (image.getPixelAt (x, y).getARGB());
+
+    return static_cast<int> (colours.size());
+}
+} // namespace
+
+TEST_CASE ("The plate's editor shows the surface at rest, then how it moved", "[plate][editor]")
+{
+    const auto device = GENERATE ("staple", "aluminium-200x120");
+    const auto processor = offlinePlate (16, 48000, 480);
+    processor->load (plateDevice (device));
+    processor->session().waitUntilSettled();
+    PlateEditor editor (*processor);
+    auto& content = editor.content();
+    refreshUntil (content, [&] { return content.picture() != nullptr; });
+    CHECK (content.picture()->step == 0);
+    CHECK (content.picture()->field->frames->largest == 0);
+    moved (*processor, sines (16, 9600), 480);
+    refreshUntil (content, [&] { return content.picture()->step > 0; });
+    const auto& frames = *content.picture()->field->frames;
+    CHECK (frames.available() == PlatePath::capturedFrames);
+    CHECK (frames.largest > 0);
+    CHECK (content.picture()->step * (PlatePath::capturedFrames - 1) == Approx (PlatePath::capturedSeconds));
+    content.holdAt (60);
+    const auto middle = editor.createComponentSnapshot (editor.getLocalBounds(), true, 1);
+    content.holdAt (10);
+    const auto early = editor.createComponentSnapshot (editor.getLocalBounds(), true, 1);
+    CHECK (coloursOf (middle) > 40);
+    CHECK (coloursOf (early) > 40);
+}
+
+TEST_CASE ("A probe that is dragged on the surface moves its parameters", "[plate][editor]")
+{
+    const auto processor = offlinePlate (16, 48000, 480);
+    processor->load (plateDevice ("aluminium-200x120"));
+    processor->session().waitUntilSettled();
+    PlateEditor editor (*processor);
+    auto& surface = editor.content().surface();
+    refreshUntil (editor.content(), [&] { return editor.content().picture() != nullptr; });
+    editor.createComponentSnapshot (editor.getLocalBounds(), true, 1); // It is laid out where it is painted.
+    const auto from = surface.probe (3), to = from + juce::Point<float> (40, -30);
+    surface.mouseDown (mouseAt (surface, from));
+    surface.mouseDrag (mouseAt (surface, to));
+    surface.mouseUp (mouseAt (surface, to));
+    CHECK (surface.probe (3).getDistanceFrom (to) < 0.5F);
+    CHECK (processor->parameters().probeX (3).get() > 50.0F);
+    CHECK (processor->parameters().probeY (3).get() > 25.0F);
+}
+
+TEST_CASE ("The plate's editor says what is wrong in its status line", "[plate][editor]")
+{
+    const auto processor = offlinePlate (8, 48000, 480);
+    PlateEditor editor (*processor);
+    auto& content = editor.content();
+    content.loadDevice ("no-such-device");
+    content.refresh (0);
+    CHECK (content.status().contains ("no-such-device"));
+    content.loadDevice ("glass-148x210");
+    refreshUntil (content, [&] { return content.status().contains ("ceramics"); });
+}
