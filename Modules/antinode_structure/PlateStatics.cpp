@@ -1,5 +1,6 @@
 #include "PlateStatics.h"
 
+#include "ElementChain.h"
 #include "PlateModel.h"
 
 #include <antinode_model/DenseKernels.h>
