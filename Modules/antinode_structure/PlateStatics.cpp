@@ -1,5 +1,6 @@
 #include "PlateStatics.h"
 
+#include "ElementChain.h"
 #include "SolvedPlate.h"
 
 #include <antinode_numerics/DenseKernels.h>
