@@ -15,7 +15,7 @@ constexpr double farthestPlateValue = 1e12; // of a parameter: each cuts it to i
 
 std::string plateStateToText (const PlateState& state)
 {
-    const nlohmann::ordered_json json { { "plateSchema", plateSchema },
+    const nlohmann::ordered_json json { { "schema", plateSchema },
                                         { "device", nlohmann::ordered_json::parse (state.device->text) },
                                         { "parameters", state.parameters } };
     return json.dump();
@@ -26,7 +26,7 @@ PlateState readPlateState (std::string_view text)
     const auto json = parseJson (text, "state");
     const JsonValue value (json, "state");
     value.requireSchema (plateSchema);
-    const auto state = value.object ({ "plateSchema", "device", "parameters" });
+    const auto state = value.object ({ "schema", "device", "parameters" });
     const auto device = state.required ("device"), parameters = state.required ("parameters");
 
     if (! device.isObject())

@@ -135,7 +135,7 @@ TEST_CASE ("Designs that cannot be played are refused", "[files]")
            == "design.json: /oscillations/3/mode: is -1; allowed: a whole number from 0 to 4999");
     CHECK (errorWith ("oscillations.40.end_s=-1") == "design.json: /oscillations/40/end_s: is -1; allowed: 0 to 10000");
     CHECK (errorWith ("oscillations.40.frequency_Hz=1")
-               .find ("design.json: /oscillations/40/angular_frequency_rad_s: is 0, ")
+               .find ("design.json: /oscillations/40/angular_frequency_rad_s: is 0; allowed: ")
            == 0);
     CHECK (errorWith ("oscillations.0.gain=1").find ("design.json: /oscillations/0/gain: is an unknown key") == 0);
 }

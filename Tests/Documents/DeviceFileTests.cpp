@@ -130,7 +130,7 @@ TEST_CASE ("Errors for typical mistakes in devices give their position and what 
               "'simply_supported', "
               "'free', 'guided'");
     CHECK (errorWith ("beam", "material=aluminum")
-               .find ("my.json: /material: is the text 'aluminum' (did you mean 'aluminium'?), ")
+               .find ("my.json: /material: is the text 'aluminum' (did you mean 'aluminium'?); allowed: ")
            == 0);
     CHECK (errorWith ("plate", "material.nu12=2.1") == "my.json: /material/nu12: is 2.1; allowed: above -2 to below 2");
     CHECK (errorWith ("plate", "modes.count=2.5")

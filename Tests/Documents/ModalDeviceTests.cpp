@@ -234,6 +234,6 @@ TEST_CASE ("Exact numbers that contradict the keys with units are refused", "[fi
     applyAssignment (document, "points_mm.2.0=41");
     CHECK (errorText ([&] { readModel (document); })
            == "my.json: /exact/points_m/2/0: is 0.04; allowed: 0.041 as in the key with the unit; a file that is "
-              "changed by hand "
-              "should leave out 'exact'");
+              "edited by hand "
+              "should omit 'exact'");
 }

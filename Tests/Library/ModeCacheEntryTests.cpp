@@ -53,7 +53,7 @@ TEST_CASE ("An entry is magic, length, key, model and checksum", "[files][cache]
     CHECK (bytes.substr (24, key.size()) == key);
     CHECK (test::isSameToTheBit (decodeModeCacheEntry (bytes, key), model));
     CHECK (errorText ([&] { decodeModeCacheEntry (bytes, "another"); })
-           == "entry of the mode cache: is of another device");
+           == "entry of the mode cache: belongs to another device");
 }
 
 TEST_CASE ("Sizes that an entry claims and has not are found before anything is allocated", "[files][cache]")
@@ -71,12 +71,12 @@ TEST_CASE ("Sizes that an entry claims and has not are found before anything is 
         }
 
     CHECK (errorOf (withChecksum (good + std::string (8, '\0')))
-           == "entry of the mode cache: has more in it than a model");
+           == "entry of the mode cache: contains data after the model");
     auto longer = good;
     longer[8] = static_cast<char> (longer[8] + 1);
     const std::uint64_t checksum = XXH3_64bits (longer.data(), longer.size() - 8);
     std::memcpy (longer.data() + longer.size() - 8, &checksum, sizeof (checksum));
-    CHECK (errorOf (longer) == "entry of the mode cache: has another length than it says");
+    CHECK (errorOf (longer) == "entry of the mode cache: has a length that differs from its header");
 }
 
 TEST_CASE ("A model that is not valid is not read, though its entry is whole", "[files][cache]")

@@ -71,7 +71,8 @@ TEST_CASE ("Rendered voltages through Antinode Plate are the rendered probe, wit
     REQUIRE (peak > 0.01);
     CHECK ((played.row (2).segment (latency, length) - files.probe.leftCols (length)).cwiseAbs().maxCoeff()
            < 1e-6 * peak);
-    CHECK (played.row (2).head (latency).cwiseAbs().maxCoeff() < 1e-6 * peak);
+    // Band-limited voltages move the surface a little before their first sample.
+    CHECK (played.row (2).head (latency).cwiseAbs().maxCoeff() < 1e-5 * peak);
 }
 
 TEST_CASE ("The quick surface has no latency and is near the rendered one", "[plate]")
@@ -170,7 +171,7 @@ TEST_CASE ("Bypassed, a surface rings out", "[plate]")
     const auto processor = offlinePlate (8, rate, 64);
     CHECK (moved (*processor, sines (8, 6000), 64).rightCols (1000).cwiseAbs().maxCoeff() > 1e-4);
     processor->parameters().bypass() = true;
-    const auto ringing = moved (*processor, sines (8, 48000), 64);
+    const auto ringing = moved (*processor, sines (8, 72000), 64);
     CHECK (ringing.rightCols (1000).cwiseAbs().maxCoeff() < 1e-4 * ringing.leftCols (100).cwiseAbs().maxCoeff());
 }
 
