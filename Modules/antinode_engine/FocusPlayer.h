@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-/** Overlapping foci, each with its own design and amplitude, summed into one channel a ceramic: the voices with their synthesis and
+/** Overlapping foci, each with its own design and amplitude, summed into one channel per ceramic: the voices with their synthesis and
     mixing fused.
 
     Output depends on the samples' and events' places in time only, not, to the bit, on how time is cut into blocks. Limits are not

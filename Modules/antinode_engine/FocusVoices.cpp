@@ -24,7 +24,7 @@ FocusVoices::FocusVoices (int ceramicsToUse, double sampleRate, PlayerSettings s
         throw InputError ("player", "needs at least one ceramic and a positive sample rate");
 
     if (! (settings.fadeTime >= 0 && settings.fadeTime <= longestFade))
-        throw InputError ("player", "fade time is " + std::to_string (settings.fadeTime) + " s, allowed is 0 to 1");
+        throw InputError ("player", "fade time is " + std::to_string (settings.fadeTime) + " s; allowed: 0 to 1 s");
 
     for (std::int64_t n = 0; n < fadeLength; ++n)
         fadeGains.push_back (

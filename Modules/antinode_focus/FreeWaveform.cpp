@@ -106,11 +106,10 @@ BoundedWaveformProblem withGuards (const BoundedWaveformProblem& hard, const Eig
 [[noreturn]] void throwTooNear (double limit, double leastPeakRatio)
 {
     constexpr auto room = 1.01;
-    throw InputError (
-        "focus: /allocation/voltage_limit_V",
-        inWords (limit)
-            + " V lies too close to the least voltage of any samples for the waveform to be found: allowed are "
-            + inWords (room * std::max (1.0, leastPeakRatio) * limit) + " V and more");
+    throw InputError ("focus: voltage limit",
+                      "is " + inWords (limit)
+                          + " V, too close to the lowest feasible voltage of any samples; allowed: at least "
+                          + inWords (room * std::max (1.0, leastPeakRatio) * limit) + " V");
 }
 
 [[noreturn]] void throwBeyondLimit (const BoundedWaveformProblem& hard, const FocusDescription& description)

@@ -58,7 +58,7 @@ public:
         } while (offset < count);
     }
 
-    /** The same into channels of one's own.
+    /** The same into the caller's channels.
         @param channels  outputs() pointers
         [audio thread] allocates nothing, locks nothing */
     template <typename Sample>

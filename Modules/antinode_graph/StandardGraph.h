@@ -40,12 +40,12 @@ StandardGraph standardGraph (const std::shared_ptr<const ModalModel>&, const Pla
 enum class GraphPlace
 {
     afterForces,     ///< A channel an oscillation: ForceNode::stretches() says which are in use.
-    afterAllocation, ///< A channel a ceramic, V, from here on.
+    afterAllocation, ///< One channel per ceramic, V, from here on.
     afterGains,
     afterLimiter ///< Nodes that only look on: nothing comes between the limiter and the ceramics.
 };
 
-/** Adds nodes of one's own to a graph that is being built.
+/** Adds custom nodes to a graph that is being built.
     @param last  index of the node that gives what there is at the place
     @return      index of the node that gives it on, with as many channels; `last` where nothing is changed */
 using InsertNodes = std::function<int (NodeGraph&, GraphPlace, int last)>;

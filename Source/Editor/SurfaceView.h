@@ -67,7 +67,7 @@ private:
     SurfacePainter painter;
     int frame = FieldFrames::atFocus;
     Handle dragged = Handle::none;
-    juce::Point<float> grabbedAt;        ///< From the handle's middle.
+    juce::Point<float> grabbedAt;         ///< From the handle's middle.
     std::array<double, 6> shownValues {}; ///< Of the parameters above.
 };
 } // namespace antinode

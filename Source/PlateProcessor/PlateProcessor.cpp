@@ -126,7 +126,7 @@ juce::String PlateProcessor::warning()
         return juce::String::fromUTF8 (now->error.c_str());
 
     if (surface->meters().isMutedForBadNumbers())
-        return "A voltage was not a finite number: the surface gets 0 V until playback starts anew.";
+        return "A voltage was not a finite number: the surface gets 0 V until playback starts again.";
 
     if (ceramics > channels)
         return "The device has " + juce::String (ceramics) + " ceramics, but the input has only "
