@@ -37,8 +37,8 @@ std::vector<ReportScore> focusScores (const RenderedFocus& focus)
               + " of the wanted one at its place." },
         { "Peak voltage", inWords (peakVoltage) + " V",
           "Largest voltage of any ceramic; the limit is " + limit + " V. No waveform at all could do it below "
-              + inWords (design.lowerBoundVoltage) + " V; this bound is tight to "
-              + percent (design.lowerBoundGap) + "." },
+              + inWords (design.lowerBoundVoltage) + " V; this bound is tight to " + percent (design.lowerBoundGap)
+              + "." },
         { "Contrast", inWords (focus.contrast),
           "Peak over RMS of the motion outside the focal spot at the same instant." },
     };
