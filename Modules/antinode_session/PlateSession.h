@@ -107,7 +107,8 @@ private:
     PathExchange<PlatePath> paths;
     LevelMeters levels;
     std::atomic<double> preparedRate { 0 }, tail { 1 };
-    std::atomic<std::int64_t> latency { 0 };
+    /** Until a path is there: that of the surface as rendered, the reach of its reconstruction. */
+    std::atomic<std::int64_t> latency { 15 };
     std::thread thread;
 };
 } // namespace antinode

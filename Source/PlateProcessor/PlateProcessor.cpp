@@ -47,6 +47,7 @@ PlateProcessor::PlateProcessor (int ceramics, WrapperType wrapperToUse)
         *loadedDevice, [this] { return controls->settings(); }, [this] { changes.post(); });
     inputOrder = orderOf (true);
     outputOrder = orderOf (false);
+    reportLatency(); // Hosts read it before they prepare.
     changes.begin();
 }
 
