@@ -120,8 +120,7 @@ TEST_CASE ("Wire k of a hosted plate is ceramic k, and its outputs are the probe
     CHECK (instance->getLatencySamples() == 15);
 }
 
-// A known defect: through hosts a moved probe is not yet restored to the bit (VST3), or does not arrive at all (LV2). The processor by itself
-// does: "A plate's state comes back to the bit in another instance".
+// A known defect: in the VST3 a moved probe is not restored through a host. The LV2 and the processor by itself do restore it: "A plate's state comes back to the bit in another instance".
 TEST_CASE ("A hosted plate keeps its device and its probes, and a broken state changes nothing",
            "[hosted][plate][!shouldfail]")
 {
