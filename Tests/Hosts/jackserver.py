@@ -1,0 +1,95 @@
+"""A JACK server without hardware, for one attempt of a test, and a recorder at it. The server waits for its clients (synchronous, 5 s), so
+that a busy computer makes a test slower, not wrong; what fails all the same (JACK's recorder may wait for ever) ends the attempt."""
+
+import array
+import contextlib
+import itertools
+import os
+import shutil
+import subprocess
+import time
+
+QUIET = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+ATTEMPTS = 4
+names = itertools.count()
+
+
+def missing(test, tools):
+    """Whether tools are missing, which is printed: the test is then skipped."""
+    absent = [tool for tool in ("jackd", "jack_wait", *tools) if not shutil.which(tool)]
+    if absent:
+        print(f"{test}: {', '.join(absent)} missing; Scripts/packages hosts installs them")
+    return bool(absent)
+
+
+@contextlib.contextmanager
+def server(rate, block, outputs, inputs=2):
+    """A running server, as the environment its clients need; a new one for each attempt, since one that lost a client may stay unusable."""
+    name = f"antinode-{os.getpid()}-{next(names)}"
+    environment = dict(os.environ, JACK_DEFAULT_SERVER=name, JACK_NO_START_SERVER="1")
+    environment.pop("DISPLAY", None)
+    process = subprocess.Popen(["jackd", "-n", name, "-r", "-S", "-t", "5000", "-d", "dummy", "-r", str(rate), "-p", str(block),
+                                "-P", str(outputs), "-C", str(inputs)], **QUIET)
+    try:
+        subprocess.run(["jack_wait", "-w", "-t", "20", "-s", name], env=environment, check=True, **QUIET)
+        yield environment
+    finally:
+        stop(process)
+
+
+def stop(process):
+    """Ends a program, by force where it does not end by itself."""
+    process.terminate()
+    try:
+        process.wait(timeout=10)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.wait()
+
+
+def wait_for_port(environment, name):
+    for _ in range(200):
+        if name in subprocess.run(["jack_lsp"], env=environment, capture_output=True, text=True, check=False).stdout.split("\n"):
+            return
+        time.sleep(0.1)
+    raise RuntimeError(f"the port {name} does not appear")
+
+
+def record(environment, path, seconds, ports):
+    """Records the ports to 24 bits, and gives their samples by channel."""
+    subprocess.run(["jack_rec", "-f", path, "-d", str(seconds), "-b", "24", *ports], env=environment, timeout=6 * seconds + 10, check=False,
+                   **QUIET)
+    return read_wave(path)
+
+
+def attempts(attempt):
+    """Runs attempt(), which gives what it found and whether that is right, until one is right. The exit code of the test."""
+    for count in range(ATTEMPTS):
+        try:
+            found, right = attempt()
+        except (RuntimeError, OSError, subprocess.SubprocessError) as error:
+            found, right = f"failed: {error}", False
+        print(f"attempt {count + 1}: {found}", flush=True)
+        if right:
+            return 0
+    return 1
+
+
+def read_wave(path):
+    """The channels of a WAV file, as lists of numbers: 24-bit integers or 32-bit floats, with the plain or the extensible header."""
+    with open(path, "rb") as file:
+        data = file.read()
+    position, channels, bits, samples = 12, 0, 0, b""
+    while position + 8 <= len(data):
+        name, size = data[position:position + 4], int.from_bytes(data[position + 4:position + 8], "little")
+        body = data[position + 8:position + 8 + size]
+        if name == b"fmt ":
+            channels, bits = int.from_bytes(body[2:4], "little"), int.from_bytes(body[14:16], "little")
+        elif name == b"data":
+            samples = body
+        position += 8 + size + size % 2
+    if bits == 32:
+        values = array.array("f", samples[:len(samples) // 4 * 4])
+    else:
+        values = [int.from_bytes(samples[i:i + 3], "little", signed=True) / 2**23 for i in range(0, len(samples) - 2, 3)]
+    return [list(values[channel::channels]) for channel in range(channels)]
