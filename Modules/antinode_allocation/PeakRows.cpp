@@ -3,6 +3,7 @@
 #include <antinode_numerics/DenseKernels.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -57,7 +58,8 @@ Eigen::VectorXd PeakRows::pulls (const Eigen::VectorXd& y) const
     for (std::size_t i = 0; i < ceramics.size(); ++i)
     {
         const auto& [gains, weights] = ceramics[i];
-        result.segment (offsets[i], weights->cols()).noalias() = weights->transpose() * gains.cwiseProduct (y);
+        const Eigen::VectorXd pull = gains.cwiseProduct (y);
+        result.segment (offsets[i], weights->cols()).noalias() = weights->transpose() * pull;
     }
 
     return result;
@@ -106,11 +108,11 @@ Eigen::MatrixXd PeakRows::gram (const Eigen::ArrayXd* columnWeights) const
 
 Eigen::MatrixXd PeakRows::factored (const Eigen::ArrayXd& weights) const
 {
-    constexpr auto leastLift = 1e-15, mostLift = 1e-6;
+    constexpr std::array lifts { 1e-15, 1e-13, 1e-11, 1e-9, 1e-7 };
     const Eigen::MatrixXd whole = gram (&weights).selfadjointView<Eigen::Lower>();
     const Eigen::MatrixXd whitened = basis.transpose() * whole * basis;
 
-    for (auto lift = leastLift; lift < mostLift; lift *= 100)
+    for (const auto lift : lifts)
     {
         Eigen::MatrixXd factor = whitened;
         factor.diagonal() *= 1 + lift;
