@@ -55,31 +55,34 @@ int cyclesThatFit (double dampedFrequency, double time)
     return static_cast<int> (std::floor ((dampedFrequency * time / std::numbers::pi - 0.5) / 2 + 1e-9));
 }
 
-int chooseCycles (const ModalModel& model, int mode, double a, double b, double growth, double time)
+/** As many cycles as fit and still count. */
+int chooseCycles (const ModalModel& model, const DrivenMode& driven, double time)
 {
+    const auto b = driven.dampedFrequency, rate = driven.growth * driven.decayRate;
     const auto most = cyclesThatFit (b, time);
 
     if (most < 0)
         throw InputError ("focus: focus time", "leaves " + inWords (time * 1000) + " ms to drive "
-                                                   + nameOf (model, mode)
+                                                   + nameOf (model, driven.mode)
                                                    + ", which needs a quarter period; allowed: at least "
                                                    + inWords (driveDuration (b, 0) * 1000) + " ms");
 
-    if (growth * a * time <= chosenGreatestFolds)
+    if (rate * time <= chosenGreatestFolds)
         return most;
 
-    return std::clamp (cyclesThatFit (b, chosenGreatestFolds / (growth * a)), 0, most);
+    return std::clamp (cyclesThatFit (b, chosenGreatestFolds / rate), 0, most);
 }
 
-void checkCycles (const ModalModel& model, int mode, double a, double b, double growth, int cycles, double time)
+void checkCycles (const ModalModel& model, const DrivenMode& driven, double time)
 {
-    const auto most = growth * a * time <= greatestEnvelopeFolds
-                          ? cyclesThatFit (b, time)
-                          : cyclesThatFit (b, greatestEnvelopeFolds / (growth * a));
+    const auto rate = driven.growth * driven.decayRate;
+    const auto most = cyclesThatFit (driven.dampedFrequency,
+                                     rate * time <= greatestEnvelopeFolds ? time : greatestEnvelopeFolds / rate);
 
-    if (cycles > most)
-        throw InputError ("focus: cycles", "is " + std::to_string (cycles) + " for " + nameOf (model, mode)
-                                               + "; allowed: 0 to " + std::to_string (std::max (most, 0))
+    if (driven.cycles > most)
+        throw InputError ("focus: cycles", "is " + std::to_string (driven.cycles) + " for "
+                                               + nameOf (model, driven.mode) + "; allowed: 0 to "
+                                               + std::to_string (std::max (most, 0))
                                                + " with this focus time and growth");
 }
 } // namespace
@@ -107,8 +110,9 @@ std::vector<Oscillation> releaseOf (const Oscillation& oscillation)
     return { part (1, 2 + share), part (2, -1 - share) };
 }
 
-ModeDrive driveMode (int mode, double a, double b, DriveKind kind, double growth, int cycles, double focusTime)
+ModeDrive driveMode (const DrivenMode& driven, DriveKind kind, double focusTime)
 {
+    const auto [mode, a, b, growth, cycles] = driven;
     const auto duration = driveDuration (b, cycles);
     const auto start = focusTime - duration;
     const Complex exponent (growth * a, b);
@@ -127,9 +131,9 @@ ModeDrive driveMode (int mode, double a, double b, DriveKind kind, double growth
     if (kind == DriveKind::paper)
         drive.oscillations.push_back (oscillationFrom (mode, start, focusTime, 0.0, amplitude * b * constantShare));
 
-    const auto driven = drive.oscillations;
+    const auto untilFocus = drive.oscillations;
 
-    for (const auto& oscillation : driven)
+    for (const auto& oscillation : untilFocus)
         for (const auto& release : releaseOf (oscillation))
             drive.oscillations.push_back (release);
 
@@ -148,14 +152,11 @@ std::vector<ModeDrive> driveModes (const ModalModel& model, const std::vector<in
 
     for (std::size_t i = 0; i < modes.size(); ++i)
     {
-        const auto mode = modes[i];
-        const auto a = decay[mode];
-        const auto b = frequency[mode];
-        const auto growth = choice.growth.empty() ? envelopeFolds / (time * a) : valueFor (choice.growth, i);
-        const auto cycles =
-            choice.cycles.empty() ? chooseCycles (model, mode, a, b, growth, time) : valueFor (choice.cycles, i);
-        checkCycles (model, mode, a, b, growth, cycles, time);
-        drives.push_back (driveMode (mode, a, b, choice.drive, growth, cycles, focusTime));
+        DrivenMode driven { modes[i], decay[modes[i]], frequency[modes[i]], 0, 0 };
+        driven.growth = choice.growth.empty() ? envelopeFolds / (time * driven.decayRate) : valueFor (choice.growth, i);
+        driven.cycles = choice.cycles.empty() ? chooseCycles (model, driven, time) : valueFor (choice.cycles, i);
+        checkCycles (model, driven, time);
+        drives.push_back (driveMode (driven, choice.drive, focusTime));
     }
 
     return drives;

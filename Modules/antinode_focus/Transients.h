@@ -19,6 +19,16 @@ struct ModeDrive
     std::vector<Oscillation> oscillations;
 };
 
+/** A mode with the envelope that it is driven with. */
+struct DrivenMode
+{
+    int mode = 0;
+    double decayRate = 0;       ///< a, 1/s
+    double dampedFrequency = 0; ///< b, rad/s
+    double growth = 0;          ///< gamma >= 0
+    int cycles = 0;             ///< N >= 0
+};
+
 /** r, 1/s: how fast drives are released. [any] Docs/Theory.md, section 3.7. */
 double releaseRate();
 
@@ -32,11 +42,8 @@ double releaseDuration();
 std::vector<Oscillation> releaseOf (const Oscillation&);
 
 /** The drive of one mode from rest. Starts at t_f - T, b T = pi/2 + 2 pi N, is released after t_f.
-    @param decayRate, dampedFrequency  a (1/s) and b (rad/s) of the mode
-    @param growth, cycles              gamma >= 0, N >= 0
     [any] Docs/Theory.md, sections 3.2, 3.3 and 3.7; paper (26). */
-ModeDrive driveMode (int mode, double decayRate, double dampedFrequency, DriveKind, double growth, int cycles,
-                     double focusTime);
+ModeDrive driveMode (const DrivenMode&, DriveKind, double focusTime);
 
 /** The drives of all controlled modes, growth and cycles chosen if they are not given: all velocities then grow with one common
     rate of 4 / (time before the focus), with as many cycles as fit.

@@ -33,7 +33,7 @@ Series growthSeries (double a, double b, double growth, int cycles)
 {
     constexpr double focus = 0.05;
     constexpr Eigen::Index points = 4000;
-    const auto drive = driveMode (0, a, b, DriveKind::paper, growth, cycles, focus);
+    const auto drive = driveMode ({ 0, a, b, growth, cycles }, DriveKind::paper, focus);
     const auto start = drive.oscillations.front().start;
     Series series;
     series.name = "growth " + inWords (growth);

@@ -100,7 +100,7 @@ TEST_CASE ("Both drives bring their mode to velocity 1, for growth 0 to 50, as t
     for (const auto kind : { DriveKind::offsetFree, DriveKind::paper })
         for (const auto growth : { 0.0, 1.0, 4.0, 20.0, 50.0 })
         {
-            const auto drive = driveMode (0, mode.a(), mode.b(), kind, growth, 10, 0.025);
+            const auto drive = driveMode ({ 0, mode.a(), mode.b(), growth, 10 }, kind, 0.025);
             INFO ("growth " << growth << (kind == DriveKind::paper ? " paper" : " offset-free"));
             CHECK (drive.oscillations.front().start == Approx (0.025 - (pi / 2 + 20 * pi) / mode.b()));
             CHECK (predicted (mode, drive.oscillations, 0.025)[1] == Approx (1).epsilon (1e-9));
@@ -117,7 +117,7 @@ TEST_CASE ("The paper's drive moves its mode as A e^{gamma a t} sin bt, paper (2
 
     for (const auto growth : { 0.0, 4.0, 20.0 })
     {
-        const auto drive = driveMode (0, mode.a(), mode.b(), DriveKind::paper, growth, 12, 0.025);
+        const auto drive = driveMode ({ 0, mode.a(), mode.b(), growth, 12 }, DriveKind::paper, 0.025);
         const auto start = drive.oscillations.front().start;
         const auto duration = 0.025 - start;
 
@@ -135,7 +135,7 @@ TEST_CASE ("The offset-free drive moves its mode as A (e^{gamma a t} - rho e^{-a
 {
     const Mode mode { 3907, 1.0 / 94 };
     const auto growth = 4.0;
-    const auto drive = driveMode (0, mode.a(), mode.b(), DriveKind::offsetFree, growth, 12, 0.025);
+    const auto drive = driveMode ({ 0, mode.a(), mode.b(), growth, 12 }, DriveKind::offsetFree, 0.025);
     REQUIRE (drive.oscillations.size() == 3); // itself and its release
     const auto duration = 0.025 - drive.oscillations.front().start;
     const auto rho = mode.omega() * mode.omega() / (growth * growth * mode.a() * mode.a() + mode.b() * mode.b());
@@ -149,7 +149,7 @@ TEST_CASE ("The offset-free drive moves its mode as A (e^{gamma a t} - rho e^{-a
     }
 
     // No step: the force begins at (1 - rho) of its scale, here 2e-3, and not at the paper's constant.
-    const auto paper = driveMode (0, mode.a(), mode.b(), DriveKind::paper, growth, 12, 0.025);
+    const auto paper = driveMode ({ 0, mode.a(), mode.b(), growth, 12 }, DriveKind::paper, 0.025);
     REQUIRE (paper.oscillations.size() == 6); // the oscillation, the constant, two parts of release for each
     CHECK (paper.oscillations[1].angularFrequency == 0);
     CHECK (std::abs (drive.oscillations[0].quadrature) < 0.03 * std::abs (drive.oscillations[0].inPhase));
@@ -162,7 +162,7 @@ TEST_CASE ("The release goes on from the drive without a step in value or slope 
     for (const auto kind : { DriveKind::offsetFree, DriveKind::paper })
         for (const auto growth : { 0.0, 4.0, 20.0 })
         {
-            const auto drive = driveMode (0, mode.a(), mode.b(), kind, growth, 20, 0.025);
+            const auto drive = driveMode ({ 0, mode.a(), mode.b(), growth, 20 }, kind, 0.025);
             const auto value = [&] (double time)
             {
                 double sum = 0;
@@ -199,7 +199,7 @@ TEST_CASE ("Held samples: the closed sum is the exact answer to the staircase, t
     const Mode mode { 5719, 1.0 / 126 };
     const auto rate = 96000.0;
     const auto focus = 0.01;
-    const auto drive = driveMode (0, mode.a(), mode.b(), DriveKind::offsetFree, 1.5, 30, focus);
+    const auto drive = driveMode ({ 0, mode.a(), mode.b(), 1.5, 30 }, DriveKind::offsetFree, focus);
     const auto& oscillation = drive.oscillations.front();
     std::complex<double> y = 0;
     const auto step = std::exp (mode.pole() / rate);
