@@ -1,55 +1,97 @@
 #include "ParallelFor.h"
 
-#include <antinode_base/Watch.h>
-
 #include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 namespace antinode
 {
-void parallelFor (std::size_t count, const std::function<void (std::size_t)>& function)
+namespace
 {
-    std::atomic<std::size_t> next { 0 };
-    std::exception_ptr failure;
-    std::mutex mutex;
-    const auto work = [&]
+/** The indices that are left, and the exception of the lowest that threw. All below an index were begun before it, so
+    which exception is kept does not depend on the threads. */
+class SharedIndices
+{
+public:
+    SharedIndices (std::size_t countToUse, const std::function<void (std::size_t)>& workToUse)
+        : count (countToUse), work (workToUse)
     {
-        try
+    }
+
+    void run()
+    {
+        for (auto index = next++; index < count && ! hasFailed; index = next++)
         {
-            for (auto index = next++; index < count; index = next++)
+            try
             {
-                checkWatch();
-                function (index);
+                work (index);
+            }
+            catch (...)
+            {
+                keep (index, std::current_exception());
             }
         }
-        catch (...)
+    }
+
+    void rethrow() const
+    {
+        if (failure)
+            std::rethrow_exception (failure);
+    }
+
+private:
+    void keep (std::size_t index, std::exception_ptr exception)
+    {
+        const std::lock_guard lock (mutex);
+
+        if (! failure || index < failedIndex)
         {
-            next = count;
-            const std::lock_guard lock (mutex);
-            failure = failure ? failure : std::current_exception();
+            failure = std::move (exception);
+            failedIndex = index;
         }
-    };
-    const auto watch = watchOfThread();
-    std::vector<std::thread> others;
 
-    for (std::size_t i = 1; i < std::min<std::size_t> (count, std::thread::hardware_concurrency()); ++i)
-        others.emplace_back (
-            [&]
-            {
-                const WatchScope scope (watch);
-                work();
-            });
+        hasFailed = true;
+    }
 
-    work();
+    const std::size_t count;
+    const std::function<void (std::size_t)>& work;
+    std::atomic<std::size_t> next { 0 };
+    std::atomic<bool> hasFailed { false };
+    std::mutex mutex;
+    std::exception_ptr failure;
+    std::size_t failedIndex = 0;
+};
+} // namespace
 
-    for (auto& other : others)
-        other.join();
+std::size_t processorThreads()
+{
+    return std::max (1U, std::thread::hardware_concurrency());
+}
 
-    if (failure)
-        std::rethrow_exception (failure);
+void parallelFor (std::size_t count, const std::function<void (std::size_t)>& work, std::size_t threads)
+{
+    SharedIndices indices (count, work);
+
+    {
+        std::vector<std::jthread> others;
+
+        try
+        {
+            for (std::size_t n = 1; n < std::min (count, threads); ++n)
+                others.emplace_back ([&indices] { indices.run(); });
+        }
+        catch (const std::system_error&)
+        {
+            // The system gives no more threads: those that there are do all of it.
+        }
+
+        indices.run();
+    }
+
+    indices.rethrow();
 }
 } // namespace antinode

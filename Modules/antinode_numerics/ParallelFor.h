@@ -5,9 +5,14 @@
 
 namespace antinode
 {
-/** Calls a function with each index from 0 to count - 1, on the calling thread and as many others as the processor runs. All look at the
-    watches of the calling thread. After the first exception no further index is begun.
-    @throws  that exception, once all threads are done
+/** How many threads the processor runs at once, at least 1. [any] */
+std::size_t processorThreads();
+
+/** Calls work (0) to work (count - 1), each once, begun in ascending order, on several threads, the calling one among
+    them; returns when all have ended. An exception ends the work: no further index is begun, and the exception of the
+    lowest index reaches the caller.
+    @param threads  how many at most, at least 1
     [worker] */
-void parallelFor (std::size_t count, const std::function<void (std::size_t)>&);
+void parallelFor (std::size_t count, const std::function<void (std::size_t)>& work,
+                  std::size_t threads = processorThreads());
 } // namespace antinode

@@ -1,4 +1,4 @@
-#include "DenseKernels.h"
+#include "Decompositions.h"
 #include "MatrixKernel.h"
 
 #include <Eigen/Eigenvalues>
@@ -106,6 +106,25 @@ void rotateAll (Eigen::MatrixXd& vectors, const std::vector<PlaneRotation>& rota
         vectors.middleRows (first, count) = strip.topRows (count);
     }
 }
+/** A tridiagonal form, of a matrix scaled to a largest entry of 1, and what it was divided by. */
+struct Reduction
+{
+    Eigen::Tridiagonalization<Eigen::MatrixXd> form;
+    double scale;
+
+    Tridiagonal tridiagonal() const { return { form.diagonal(), form.subDiagonal() }; }
+};
+
+Reduction reductionOf (const Eigen::MatrixXd& a)
+{
+    const auto size = a.cwiseAbs().maxCoeff();
+
+    if (! std::isfinite (size))
+        throw std::runtime_error ("eigenvalues of a symmetric matrix: it is not finite");
+
+    const auto scale = size > 0 ? size : 1.0;
+    return { Eigen::Tridiagonalization<Eigen::MatrixXd> (a / scale), scale };
+}
 } // namespace
 
 SymmetricEigen symmetricEigen (Eigen::MatrixXd a)
@@ -113,21 +132,27 @@ SymmetricEigen symmetricEigen (Eigen::MatrixXd a)
     if (a.size() == 0)
         return {};
 
-    const auto size = a.cwiseAbs().maxCoeff();
-
-    if (! std::isfinite (size))
-        throw std::runtime_error ("eigenvalues of a symmetric matrix: it is not finite");
-
-    const auto scale = size > 0 ? size : 1.0;
-    const Eigen::Tridiagonalization<Eigen::MatrixXd> reduced (a / scale);
-    Tridiagonal t { reduced.diagonal(), reduced.subDiagonal() };
-    a = reduced.matrixQ();
+    const auto reduced = reductionOf (a);
+    auto t = reduced.tridiagonal();
+    a = reduced.form.matrixQ();
     rotateAll (a, diagonalise (t));
 
     std::vector<Eigen::Index> order (static_cast<std::size_t> (a.cols()));
     std::iota (order.begin(), order.end(), 0);
     std::stable_sort (order.begin(), order.end(),
                       [&] (auto left, auto right) { return t.diagonal[left] < t.diagonal[right]; });
-    return { scale * t.diagonal (order), a (Eigen::all, order) };
+    return { reduced.scale * t.diagonal (order), a (Eigen::all, order) };
+}
+
+Eigen::VectorXd symmetricEigenvalues (const Eigen::MatrixXd& a)
+{
+    if (a.size() == 0)
+        return {};
+
+    const auto reduced = reductionOf (a);
+    auto t = reduced.tridiagonal();
+    diagonalise (t);
+    std::sort (t.diagonal.begin(), t.diagonal.end());
+    return reduced.scale * t.diagonal;
 }
 } // namespace antinode
