@@ -62,8 +62,9 @@ void appendSlopes (WhitenedAllocation& whitened, const AllocationProblem& proble
     whitened.slopeWeights = problem.voltageLimits.cwiseQuotient (problem.slewLimits);
     whitened.basis.conservativeResize (first + problem.slopes.cols(), Eigen::NoChange);
     whitened.basis.row (first - 1).setZero();
-    whitened.basis.bottomRows (problem.slopes.cols()) =
-        problem.slopes.transpose() * whitened.toShares / whitened.voltageUnit;
+    auto slopes = whitened.basis.bottomRows (problem.slopes.cols());
+    slopes.setZero();
+    addTransposedLeft (slopes, 1 / whitened.voltageUnit, problem.slopes, whitened.toShares);
 }
 
 /** Which rows some ceramic moves. */
@@ -104,7 +105,8 @@ Rows movedHardRows (const AllocationProblem& problem)
 Eigen::VectorXd appendRows (WhitenedAllocation& whitened, const Eigen::MatrixXd& participation,
                             const Eigen::MatrixXd& rows)
 {
-    const Eigen::MatrixXd responses = rows * whitened.toShares;
+    Eigen::MatrixXd responses = Eigen::MatrixXd::Zero (rows.rows(), rows.cols());
+    addProduct (responses, 1, rows, whitened.toShares);
     Eigen::VectorXd scale = responses.rowwise().norm().cwiseProduct (participation.rowwise().norm()).cwiseInverse();
     const auto first = whitened.responses.rows();
     whitened.responses.conservativeResize (first + rows.rows(), rows.cols());
@@ -165,17 +167,25 @@ WhitenedAllocation WhitenedAllocation::withoutGuards() const
 
 Eigen::VectorXd WhitenedAllocation::rowValues (const Eigen::MatrixXd& shares) const
 {
-    return (responses * shares).cwiseProduct (participation).rowwise().sum();
+    Eigen::MatrixXd values = Eigen::MatrixXd::Zero (responses.rows(), shares.cols());
+    addProduct (values, 1, responses, shares);
+    return values.cwiseProduct (participation).rowwise().sum();
 }
 
 Eigen::MatrixXd WhitenedAllocation::rowGram() const
 {
-    return (responses * responses.transpose()).cwiseProduct (participation * participation.transpose());
+    const auto rows = responses.rows();
+    Eigen::MatrixXd ofDrives = Eigen::MatrixXd::Zero (rows, rows), ofCeramics = ofDrives;
+    addTransposedRight (ofDrives, 1, responses, responses);
+    addTransposedRight (ofCeramics, 1, participation, participation);
+    return ofDrives.cwiseProduct (ofCeramics);
 }
 
 Eigen::MatrixXd WhitenedAllocation::weightedRows (const Eigen::VectorXd& multipliers) const
 {
-    return responses.transpose() * (multipliers.asDiagonal() * participation);
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero (responses.cols(), participation.cols());
+    addTransposedLeft (sums, 1, responses, multipliers.asDiagonal() * participation);
+    return sums;
 }
 
 Eigen::VectorXd WhitenedAllocation::direction (Eigen::Index ceramic, Eigen::Index sample) const
@@ -229,7 +239,9 @@ double WhitenedAllocation::objective (const Eigen::MatrixXd& shares) const
 
 Eigen::MatrixXd WhitenedAllocation::matrix (const Eigen::MatrixXd& shares) const
 {
-    return (toShares * shares).transpose();
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero (toShares.rows(), shares.cols());
+    addProduct (result, 1, toShares, shares);
+    return result.transpose();
 }
 
 WhitenedAllocation whiten (const AllocationProblem& problem)

@@ -10,6 +10,7 @@
 
 #include <antinode_allocation/LowerBound.h>
 #include <antinode_base/NumberText.h>
+#include <antinode_base/Watch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,6 +64,7 @@ void addLowerBound (FocusDesign& design, const ModalModel& model)
     {
         problem.wanted = moment.wanted;
         problem.duration = moment.time;
+        checkWatch();
         const auto bound = anyWaveformPeakBound (problem);
         lower = std::max (lower, bound.lower);
         upper = std::max (upper, bound.upper);

@@ -6,6 +6,8 @@
 #include "StateRows.h"
 #include "Transients.h"
 
+#include <antinode_numerics/DenseKernels.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -153,7 +155,8 @@ Allocation allocate (const AllocationProblem& problem, AllocationMethod method, 
     allocation.matrix = method == AllocationMethod::oneToOne
                             ? oneToOneAllocation (problem.participation, problem.wanted)
                             : minimumNormAllocation (problem);
-    const Eigen::MatrixXd voltages = allocation.matrix * problem.waveforms;
+    Eigen::MatrixXd voltages = Eigen::MatrixXd::Zero (allocation.matrix.rows(), problem.waveforms.cols());
+    addProduct (voltages, 1, allocation.matrix, problem.waveforms);
     allocation.certificate.objective = 0.5 * voltages.squaredNorm();
     allocation.certificate.peakVoltage = voltages.cwiseAbs().maxCoeff();
     allocation.certificate.peakRatio =

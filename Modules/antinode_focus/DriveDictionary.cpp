@@ -3,6 +3,8 @@
 #include "DriveGrid.h"
 #include "Transients.h"
 
+#include <antinode_numerics/DenseKernels.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -94,7 +96,8 @@ Allocation allocateDictionary (AllocationProblem problem, const DriveList& drive
     problem.voltageLimits = limits * gridLimitMargin (samplesPerCycle);
     problem.peakRoom = roomForGuards;
     auto allocation = solveAllocation (problem, AllocationGoal::peak);
-    const Eigen::MatrixXd voltages = allocation.matrix * fine;
+    Eigen::MatrixXd voltages = Eigen::MatrixXd::Zero (allocation.matrix.rows(), fine.cols());
+    addProduct (voltages, 1, allocation.matrix, fine);
     auto& certificate = allocation.certificate;
     const Eigen::VectorXd peaks = voltages.cwiseAbs().rowwise().maxCoeff();
     certificate.peakVoltage = peaks.maxCoeff();
@@ -102,7 +105,9 @@ Allocation allocateDictionary (AllocationProblem problem, const DriveList& drive
 
     if (problem.slopes.size() > 0)
     {
-        const Eigen::VectorXd steepest = (allocation.matrix * problem.slopes).cwiseAbs().rowwise().maxCoeff();
+        Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero (allocation.matrix.rows(), problem.slopes.cols());
+        addProduct (slopes, 1, allocation.matrix, problem.slopes);
+        const Eigen::VectorXd steepest = slopes.cwiseAbs().rowwise().maxCoeff();
         certificate.peakRatio =
             std::max (certificate.peakRatio, steepest.cwiseQuotient (problem.slewLimits).maxCoeff());
     }

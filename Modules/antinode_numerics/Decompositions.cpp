@@ -1,5 +1,7 @@
 #include "Decompositions.h"
 
+#include "Householder.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 
@@ -51,9 +53,8 @@ PivotedFactor pivotedFactor (const Eigen::MatrixXd& a)
 Eigen::MatrixXd orthogonalTriangle (const Eigen::MatrixXd& columns)
 {
     const auto size = columns.cols(), filled = std::min (size, columns.rows());
-    const Eigen::HouseholderQR<Eigen::MatrixXd> factors (columns);
     Eigen::MatrixXd triangle = Eigen::MatrixXd::Zero (size, size);
-    triangle.topRows (filled) = factors.matrixQR().topRows (filled).triangularView<Eigen::Upper>();
+    triangle.topRows (filled) = householderTriangle (columns);
     return triangle;
 }
 

@@ -1,5 +1,7 @@
 #include "ParallelFor.h"
 
+#include <antinode_base/Watch.h>
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -28,6 +30,7 @@ public:
         {
             try
             {
+                checkWatch();
                 work (index);
             }
             catch (...)
@@ -75,6 +78,7 @@ std::size_t processorThreads()
 void parallelFor (std::size_t count, const std::function<void (std::size_t)>& work, std::size_t threads)
 {
     SharedIndices indices (count, work);
+    const auto watch = watchOfThread();
 
     {
         std::vector<std::jthread> others;
@@ -82,7 +86,12 @@ void parallelFor (std::size_t count, const std::function<void (std::size_t)>& wo
         try
         {
             for (std::size_t n = 1; n < std::min (count, threads); ++n)
-                others.emplace_back ([&indices] { indices.run(); });
+                others.emplace_back (
+                    [&indices, &watch]
+                    {
+                        const WatchScope scope (watch);
+                        indices.run();
+                    });
         }
         catch (const std::system_error&)
         {

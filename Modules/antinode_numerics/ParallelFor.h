@@ -9,8 +9,8 @@ namespace antinode
 std::size_t processorThreads();
 
 /** Calls work (0) to work (count - 1), each once, begun in ascending order, on several threads, the calling one among
-    them; returns when all have ended. An exception ends the work: no further index is begun, and the exception of the
-    lowest index reaches the caller.
+    them; returns when all have ended. All look at the watches of the calling one. An exception ends the work: no
+    further index is begun, and the exception of the lowest index reaches the caller.
     @param threads  how many at most, at least 1
     [worker] */
 void parallelFor (std::size_t count, const std::function<void (std::size_t)>& work,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <thread>
@@ -16,13 +17,22 @@ namespace antinode::test
 class WatchedWork
 {
 public:
-    /** Runs the work on this thread. */
+    /** Runs the work on this thread. @param most  ms of all threads, after which it is cancelled */
     template <typename Work>
-    explicit WatchedWork (const Work& work)
+    explicit WatchedWork (const Work& work, double mostTime = std::numeric_limits<double>::infinity()) : most (mostTime)
     {
-        const WatchScope scope ([this] { return look(); });
         look();
-        work();
+
+        try
+        {
+            const WatchScope scope ([this] { return look(); });
+            work();
+        }
+        catch (const Cancelled&)
+        {
+            wasCancelled = true;
+        }
+
         look();
     }
 
@@ -33,7 +43,7 @@ public:
         double low = 0, high = worstWait();
 
         for (int i = 0; i < 50; ++i)
-            (timeWaiting (0.5 * (low + high)) > 0.5 * timeWaiting (0) ? low : high) = 0.5 * (low + high);
+            (timeWaiting (0.5 * (low + high)) > 0.5 * total ? low : high) = 0.5 * (low + high);
 
         return low;
     }
@@ -42,7 +52,8 @@ public:
     std::size_t looks() const { return intervals.size(); }
 
     /** ms of all threads together. */
-    double duration() const { return timeWaiting (0); }
+    double duration() const { return total; }
+    bool isCancelled() const { return wasCancelled; }
 
 private:
     bool look()
@@ -53,9 +64,12 @@ private:
         const std::lock_guard lock (mutex);
 
         if (const auto [place, isNew] = last.try_emplace (std::this_thread::get_id(), now); ! isNew)
+        {
             intervals.push_back (now - std::exchange (place->second, now));
+            total += intervals.back();
+        }
 
-        return true;
+        return total <= most;
     }
 
     /** ms of the work from which the next look is more than `wait` away. */

@@ -14,7 +14,7 @@
 
 namespace antinode::test
 {
-/** Something that takes long. */
+/** Something that takes long. Making it takes as long as what it needs. */
 struct LongWork
 {
     std::string name;
@@ -61,13 +61,6 @@ inline FocusDescription largeFocus (AllocationMethod method)
     focus.modes.count = 200;
     focus.allocation.method = method;
     focus.allocation.guardModes = 100;
-    return focus;
-}
-
-/** The same focus by another method, without a limit that it could fail at. */
-inline FocusDescription by (AllocationMethod method, FocusDescription focus)
-{
-    focus.allocation.method = method;
     return focus;
 }
 
