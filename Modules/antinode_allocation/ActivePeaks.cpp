@@ -1,5 +1,6 @@
 #include "ActivePeaks.h"
 
+#include <antinode_base/Watch.h>
 #include <antinode_numerics/DenseKernels.h>
 
 #include <algorithm>
@@ -31,6 +32,7 @@ bool ActivePeaks::solve (std::vector<ActivePeak> peaksToLimit, Eigen::VectorXd m
 
     for (int n = 0; n < mostSteps; ++n)
     {
+        checkWatch();
         const auto slope = gradient();
         auto part = pushedOrWrong (slope);
 

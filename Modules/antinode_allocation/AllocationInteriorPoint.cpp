@@ -1,5 +1,6 @@
 #include "AllocationInteriorPoint.h"
 
+#include <antinode_base/Watch.h>
 #include <antinode_numerics/DenseKernels.h>
 
 #include <algorithm>
@@ -34,6 +35,7 @@ void AllocationInteriorPoint::addSamples (const std::vector<SampleList>& lists)
 
     for (std::size_t i = 0; i < ceramics.size(); ++i)
     {
+        checkWatch();
         const auto ceramic = static_cast<Eigen::Index> (i);
         const auto fresh = ceramics[i].notYetLimited (lists[i]);
         Eigen::MatrixXd directions (problem.drives(), fresh.size());
@@ -88,6 +90,7 @@ bool AllocationInteriorPoint::factor()
 
     for (std::size_t i = 0; i < ceramics.size(); ++i)
     {
+        checkWatch();
         auto& ceramic = ceramics[i];
         ceramic.factor (curvature, problem.responses);
         const auto participation = problem.participation.col (static_cast<Eigen::Index> (i));
@@ -123,6 +126,7 @@ AllocationInteriorPoint::Residuals AllocationInteriorPoint::residuals() const
 
     for (std::size_t i = 0; i < ceramics.size(); ++i)
     {
+        checkWatch();
         const auto& ceramic = ceramics[i];
         const auto column = static_cast<Eigen::Index> (i);
         all[i].share = stationarity.col (column) + ceramic.netPull();
@@ -141,6 +145,7 @@ AllocationInteriorPoint::Direction AllocationInteriorPoint::solve (const Residua
 
     for (std::size_t i = 0; i < ceramics.size(); ++i)
     {
+        checkWatch();
         const auto column = static_cast<Eigen::Index> (i);
         halves.col (column) = ceramics[i].halfSolve (ceramics[i].pull (residuals[i]));
         rows -=
@@ -160,6 +165,7 @@ AllocationInteriorPoint::Direction AllocationInteriorPoint::solve (const Residua
 
     for (std::size_t i = 0; i < ceramics.size(); ++i)
     {
+        checkWatch();
         const auto& ceramic = ceramics[i];
         const auto column = static_cast<Eigen::Index> (i);
         const Eigen::VectorXd half =

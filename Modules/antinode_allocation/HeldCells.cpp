@@ -1,5 +1,7 @@
 #include "HeldCells.h"
 
+#include <antinode_base/Watch.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -36,6 +38,7 @@ Eigen::VectorXd firstEdges (const WaveformBoundProblem& problem, double mostCell
 
         while (edges.back() < problem.duration && static_cast<double> (edges.size()) < mostCells)
         {
+            checkWatch();
             const auto rate = rateAt (problem.poles, edges.back());
             const auto widest = problem.duration / fewestCells;
             edges.push_back (edges.back() + (rate * widest > radians ? radians / rate : widest));
@@ -58,12 +61,16 @@ Eigen::MatrixXd responsesAt (const Eigen::VectorXcd& poles, const Eigen::VectorX
     Eigen::MatrixXd values (poles.size(), edges.size());
 
     for (Eigen::Index n = 0; n < edges.size(); ++n)
+    {
+        checkWatch();
+
         for (Eigen::Index k = 0; k < poles.size(); ++k)
         {
             const auto angle = poles[k].imag() * edges[n];
             values (k, n) = std::exp (poles[k].real() * edges[n])
                             * (std::cos (angle) + poles[k].real() / poles[k].imag() * std::sin (angle));
         }
+    }
 
     return values;
 }
@@ -123,6 +130,7 @@ Eigen::MatrixXd HeldCells::weightsOf (const Eigen::VectorXd& edges) const
 
     for (Eigen::Index k = 0; k < poles.size(); ++k)
     {
+        checkWatch();
         const auto response = [&] (double tau)
         { return std::exp (poles[k].real() * tau) * std::sin (poles[k].imag() * tau) / poles[k].imag(); };
         auto start = response (edges[0]);
@@ -157,6 +165,7 @@ bool HeldCells::split (LeastPeak& peak, double part)
 
     for (std::size_t i = 0; i < ceramics.size(); ++i)
     {
+        checkWatch();
         const auto& ceramic = ceramics[i];
         const Eigen::VectorXd gained = ceramic.gains.cwiseProduct (peak.multipliers);
         const Eigen::VectorXd pulls = ceramic.weights->transpose() * gained;

@@ -1,5 +1,6 @@
 #include "PeakRows.h"
 
+#include <antinode_base/Watch.h>
 #include <antinode_numerics/DenseKernels.h>
 
 #include <algorithm>
@@ -11,6 +12,9 @@ namespace antinode
 {
 namespace
 {
+/** Between two looks at the watch: multiples of what a product takes at once, so that it is the same in pieces. */
+constexpr Eigen::Index columnsAtOnce = 2048;
+
 /** A positive semidefinite matrix's directions and how long each is, those of rounding left out: T with T' G T = 1. */
 Eigen::MatrixXd whitenedBasis (const Eigen::MatrixXd& gram)
 {
@@ -36,6 +40,7 @@ PeakRows::PeakRows (const LeastPeakProblem& problem) : ceramics (problem.ceramic
 
     for (const auto& [gains, weights] : ceramics)
     {
+        checkWatch();
         offsets.push_back (offsets.back() + weights->cols());
         squares += gains.cwiseAbs2().cwiseProduct (weights->rowwise().squaredNorm());
         absoluteValues += gains.cwiseAbs().cwiseProduct (weights->rowwise().lpNorm<1>());
@@ -53,13 +58,12 @@ PeakRows::PeakRows (const LeastPeakProblem& problem) : ceramics (problem.ceramic
 
 Eigen::VectorXd PeakRows::pulls (const Eigen::VectorXd& y) const
 {
-    Eigen::VectorXd result (columns());
+    Eigen::VectorXd result = Eigen::VectorXd::Zero (columns());
 
     for (std::size_t i = 0; i < ceramics.size(); ++i)
     {
         const auto& [gains, weights] = ceramics[i];
-        const Eigen::VectorXd pull = gains.cwiseProduct (y);
-        result.segment (offsets[i], weights->cols()).noalias() = weights->transpose() * pull;
+        addTransposedLeft (result.segment (offsets[i], weights->cols()), 1, *weights, gains.cwiseProduct (y));
     }
 
     return result;
@@ -72,7 +76,16 @@ Eigen::VectorXd PeakRows::values (const Eigen::VectorXd& s) const
     for (std::size_t i = 0; i < ceramics.size(); ++i)
     {
         const auto& [gains, weights] = ceramics[i];
-        result += gains.cwiseProduct (*weights * s.segment (offsets[i], weights->cols()));
+        Eigen::VectorXd sums = Eigen::VectorXd::Zero (result.size());
+
+        for (Eigen::Index first = 0; first < weights->cols(); first += columnsAtOnce)
+        {
+            checkWatch();
+            const auto count = std::min (columnsAtOnce, weights->cols() - first);
+            sums += weights->middleCols (first, count) * s.segment (offsets[i] + first, count);
+        }
+
+        result += gains.cwiseProduct (sums);
     }
 
     return result;
@@ -92,11 +105,17 @@ Eigen::MatrixXd PeakRows::gram (const Eigen::ArrayXd* columnWeights) const
         {
             part = Eigen::MatrixXd::Zero (rows, rows);
 
-            if (columnWeights != nullptr)
-                addGram (part, 1,
-                         *weights * columnWeights->segment (offsets[i], weights->cols()).sqrt().matrix().asDiagonal());
-            else
-                addGram (part, 1, *weights);
+            for (Eigen::Index first = 0; first < weights->cols(); first += columnsAtOnce)
+            {
+                const auto count = std::min (columnsAtOnce, weights->cols() - first);
+                const auto some = weights->middleCols (first, count);
+
+                if (columnWeights != nullptr)
+                    addGram (part, 1,
+                             some * columnWeights->segment (offsets[i] + first, count).sqrt().matrix().asDiagonal());
+                else
+                    addGram (part, 1, some);
+            }
         }
 
         for (Eigen::Index k = 0; k < rows; ++k)
@@ -110,7 +129,10 @@ Eigen::MatrixXd PeakRows::factored (const Eigen::ArrayXd& weights) const
 {
     constexpr std::array lifts { 1e-15, 1e-13, 1e-11, 1e-9, 1e-7 };
     const Eigen::MatrixXd whole = gram (&weights).selfadjointView<Eigen::Lower>();
-    const Eigen::MatrixXd whitened = basis.transpose() * whole * basis;
+    Eigen::MatrixXd half = Eigen::MatrixXd::Zero (whole.rows(), basis.cols());
+    Eigen::MatrixXd whitened = Eigen::MatrixXd::Zero (basis.cols(), basis.cols());
+    addProduct (half, 1, whole, basis);
+    addTransposedLeft (whitened, 1, basis, half);
 
     for (const auto lift : lifts)
     {

@@ -6,19 +6,19 @@ namespace antinode
 {
 RowSystem::RowSystem (const WhitenedAllocation& problemToUse) : problem (problemToUse)
 {
-    Eigen::MatrixXd gram = problem.rowGram();
-    gram.diagonal() += problem.compliance;
-    factors.compute (gram);
+    factor = problem.rowGram();
+    factor.diagonal() += problem.compliance;
+    factorLower (factor);
 }
 
 Eigen::VectorXd RowSystem::multipliers (const Eigen::VectorXd& values) const
 {
-    return factors.solve (values);
+    return solveFactored (factor, values);
 }
 
 Eigen::MatrixXd RowSystem::halfSolve (Eigen::MatrixXd right) const
 {
-    solveLower (factors.matrixLLT(), right);
+    solveLower (factor, right);
     return right;
 }
 
@@ -35,7 +35,7 @@ Eigen::MatrixXd RowSystem::withExactRows (Eigen::MatrixXd shares) const
     {
         Eigen::VectorXd change = Eigen::VectorXd::Zero (problem.wanted.size());
         change.head (problem.hardRows) =
-            problem.hardGram.solve ((problem.wanted - problem.rowValues (shares)).head (problem.hardRows));
+            solveFactored (problem.hardFactor, (problem.wanted - problem.rowValues (shares)).head (problem.hardRows));
         shares += problem.weightedRows (change);
     }
 

@@ -2,8 +2,6 @@
 
 #include "WhitenedAllocation.h"
 
-#include <Eigen/Cholesky>
-
 namespace antinode
 {
 /** The Gram matrix of the rows, with compliance on its diagonal, factored. N_r x N_r. */
@@ -27,6 +25,6 @@ public:
 
 private:
     const WhitenedAllocation& problem;
-    Eigen::LLT<Eigen::MatrixXd> factors;
+    Eigen::MatrixXd factor;
 };
 } // namespace antinode

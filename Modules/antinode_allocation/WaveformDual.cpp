@@ -1,5 +1,6 @@
 #include "WaveformDual.h"
 
+#include <antinode_base/Watch.h>
 #include <antinode_numerics/DenseKernels.h>
 
 #include <cmath>
@@ -81,6 +82,7 @@ Eigen::MatrixXd WaveformDual::curvature (const Eigen::MatrixXd& pulls) const
 
     for (Eigen::Index i = 0; i < pulls.rows(); ++i)
     {
+        checkWatch();
         const Eigen::MatrixXd part = seenBy (freeSamples (pulls, limits, i));
         const auto column = participation.col (i);
 

@@ -1,5 +1,6 @@
 #include "WaveformPrice.h"
 
+#include <antinode_base/Watch.h>
 #include <antinode_numerics/DenseKernels.h>
 
 #include <algorithm>
@@ -88,6 +89,7 @@ std::array<Eigen::MatrixXd, terms> taylor (const Terms& sum, double first, doubl
 
     for (Eigen::Index k = 0; k < modes; ++k)
     {
+        checkWatch();
         const auto turn = std::exp (sum.poles[k] * step);
         values (k, 0) = sum.weights[k] * std::exp (sum.poles[k] * (first + 0.5 * step));
 
@@ -126,6 +128,9 @@ double waveformPrice (const WaveformBoundProblem& problem, const Eigen::VectorXd
         const auto coefficients = taylor (sum, tau, step);
 
         for (Eigen::Index n = 0; n < block; ++n)
+        {
+            checkWatch();
+
             for (Eigen::Index i = 0; i < problem.voltageLimits.size(); ++i)
             {
                 Polynomial p;
@@ -135,6 +140,7 @@ double waveformPrice (const WaveformBoundProblem& problem, const Eigen::VectorXd
 
                 price += 0.5 * step * problem.voltageLimits[i] * absoluteIntegral (p);
             }
+        }
 
         const auto length = step * block;
         price += length * (missed * std::pow (0.5 * step, terms) + rounding * sum.derivativeBound (tau, 0));

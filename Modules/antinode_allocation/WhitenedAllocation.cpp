@@ -1,9 +1,7 @@
 #include "WhitenedAllocation.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_numerics/DenseKernels.h>
-
-#include <Eigen/QR>
+#include <antinode_numerics/Decompositions.h>
 
 #include <algorithm>
 #include <string>
@@ -15,16 +13,11 @@ namespace
 {
 using Rows = std::vector<Eigen::Index>;
 
-bool areIndependent (const Eigen::HouseholderQR<Eigen::MatrixXd>& columns)
+/** Whether columns with this triangle are. */
+bool areIndependent (const Eigen::MatrixXd& triangle)
 {
     constexpr auto dependence = 1e-5;
-    return columns.rows() >= columns.cols() && columns.matrixQR().diagonal().cwiseAbs().minCoeff() > dependence;
-}
-
-Eigen::MatrixXd inverseOf (const Eigen::MatrixXd& upperTriangle)
-{
-    const auto size = upperTriangle.rows();
-    return upperTriangle.triangularView<Eigen::Upper>().solve (Eigen::MatrixXd::Identity (size, size));
+    return triangle.diagonal().cwiseAbs().minCoeff() > dependence;
 }
 
 /** Basis and shares of the drives, orthonormalised twice. Where a drive depends on others each gets a tiny sample of its own, so that
@@ -36,25 +29,27 @@ void whitenDrives (WhitenedAllocation& whitened, const Eigen::MatrixXd& waveform
     Eigen::VectorXd lengths = waveforms.rowwise().norm();
     lengths = (lengths.array() > 0).select (lengths, 1.0);
     Eigen::MatrixXd columns = (lengths.cwiseInverse().asDiagonal() * waveforms).transpose();
-    Eigen::HouseholderQR<Eigen::MatrixXd> factors (columns);
+    auto triangle = orthogonalTriangle (columns);
 
-    if (! areIndependent (factors))
+    if (! areIndependent (triangle))
     {
         columns.conservativeResize (columns.rows() + drives, Eigen::NoChange);
         columns.bottomRows (drives) = Eigen::MatrixXd::Identity (drives, drives) * ownSample;
-        factors.compute (columns);
+        triangle = orthogonalTriangle (columns);
     }
 
-    const Eigen::MatrixXd triangle = factors.matrixQR().topRows (drives);
     whitened.basis = std::move (columns);
     whitened.voltageSamples = whitened.basis.rows();
-    triangle.triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight> (whitened.basis);
-    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero (drives, drives);
-    gram.selfadjointView<Eigen::Lower>().rankUpdate (whitened.basis.transpose());
-    const Eigen::LLT<Eigen::MatrixXd> rounding (gram);
-    rounding.matrixU().solveInPlace<Eigen::OnTheRight> (whitened.basis);
-    whitened.toShares = whitened.voltageUnit * lengths.cwiseInverse().asDiagonal() * inverseOf (triangle)
-                        * inverseOf (rounding.matrixU());
+    const Eigen::MatrixXd lower = triangle.transpose();
+    solveLowerTransposedFromRight (lower, whitened.basis);
+    Eigen::MatrixXd rounding = Eigen::MatrixXd::Zero (drives, drives);
+    addTransposedLeft (rounding, 1, whitened.basis, whitened.basis);
+    factorLower (rounding);
+    solveLowerTransposedFromRight (rounding, whitened.basis);
+    whitened.toShares = Eigen::MatrixXd::Identity (drives, drives);
+    solveLowerTransposedFromRight (lower, whitened.toShares);
+    solveLowerTransposedFromRight (rounding, whitened.toShares);
+    whitened.toShares = whitened.voltageUnit * lengths.cwiseInverse().asDiagonal() * whitened.toShares;
 }
 
 /** Puts the slopes below the voltages' samples. */
@@ -67,8 +62,9 @@ void appendSlopes (WhitenedAllocation& whitened, const AllocationProblem& proble
     whitened.slopeWeights = problem.voltageLimits.cwiseQuotient (problem.slewLimits);
     whitened.basis.conservativeResize (first + problem.slopes.cols(), Eigen::NoChange);
     whitened.basis.row (first - 1).setZero();
-    whitened.basis.bottomRows (problem.slopes.cols()) =
-        problem.slopes.transpose() * whitened.toShares / whitened.voltageUnit;
+    auto slopes = whitened.basis.bottomRows (problem.slopes.cols());
+    slopes.setZero();
+    addTransposedLeft (slopes, 1 / whitened.voltageUnit, problem.slopes, whitened.toShares);
 }
 
 /** Which rows some ceramic moves. */
@@ -109,7 +105,8 @@ Rows movedHardRows (const AllocationProblem& problem)
 Eigen::VectorXd appendRows (WhitenedAllocation& whitened, const Eigen::MatrixXd& participation,
                             const Eigen::MatrixXd& rows)
 {
-    const Eigen::MatrixXd responses = rows * whitened.toShares;
+    Eigen::MatrixXd responses = Eigen::MatrixXd::Zero (rows.rows(), rows.cols());
+    addProduct (responses, 1, rows, whitened.toShares);
     Eigen::VectorXd scale = responses.rowwise().norm().cwiseProduct (participation.rowwise().norm()).cwiseInverse();
     const auto first = whitened.responses.rows();
     whitened.responses.conservativeResize (first + rows.rows(), rows.cols());
@@ -121,15 +118,15 @@ Eigen::VectorXd appendRows (WhitenedAllocation& whitened, const Eigen::MatrixXd&
 
 /** Refuses rows that contradict or repeat those before them: the pivots of their Gram matrix are squared distances from the span of
     those. The shift keeps the factoring from breaking down at the first such row. */
-void checkIndependentRows (const Eigen::MatrixXd& gram, const Rows& names)
+void checkIndependentRows (Eigen::MatrixXd gram, const Rows& names)
 {
     constexpr auto smallestDistance = 1e-6;
     constexpr auto shift = 1e-13;
-    const auto count = gram.rows();
-    const Eigen::LLT<Eigen::MatrixXd> shifted (gram + shift * Eigen::MatrixXd::Identity (count, count));
+    gram.diagonal().array() += shift;
+    factorLower (gram);
 
-    for (Eigen::Index k = 0; k < count; ++k)
-        if (! (shifted.matrixLLT() (k, k) > smallestDistance))
+    for (Eigen::Index k = 0; k < gram.rows(); ++k)
+        if (! (gram (k, k) > smallestDistance))
             throw InputError (
                 "allocation",
                 "controlled mode row " + std::to_string (names[static_cast<std::size_t> (k)] + 1)
@@ -146,7 +143,7 @@ void appendGuards (WhitenedAllocation& whitened, const AllocationProblem& proble
     if (moved.empty() || problem.guardWeight == 0)
         return;
 
-    const auto leastEnergy = whitened.wanted.dot (whitened.hardGram.solve (whitened.wanted));
+    const auto leastEnergy = whitened.wanted.dot (solveFactored (whitened.hardFactor, whitened.wanted).col (0));
     const auto stiffness = problem.guardWeight * leastEnergy / problem.wanted.squaredNorm();
     const auto scale =
         appendRows (whitened, problem.guardParticipation (moved, Eigen::all), problem.guardRows (moved, Eigen::all));
@@ -170,17 +167,25 @@ WhitenedAllocation WhitenedAllocation::withoutGuards() const
 
 Eigen::VectorXd WhitenedAllocation::rowValues (const Eigen::MatrixXd& shares) const
 {
-    return (responses * shares).cwiseProduct (participation).rowwise().sum();
+    Eigen::MatrixXd values = Eigen::MatrixXd::Zero (responses.rows(), shares.cols());
+    addProduct (values, 1, responses, shares);
+    return values.cwiseProduct (participation).rowwise().sum();
 }
 
 Eigen::MatrixXd WhitenedAllocation::rowGram() const
 {
-    return (responses * responses.transpose()).cwiseProduct (participation * participation.transpose());
+    const auto rows = responses.rows();
+    Eigen::MatrixXd ofDrives = Eigen::MatrixXd::Zero (rows, rows), ofCeramics = ofDrives;
+    addTransposedRight (ofDrives, 1, responses, responses);
+    addTransposedRight (ofCeramics, 1, participation, participation);
+    return ofDrives.cwiseProduct (ofCeramics);
 }
 
 Eigen::MatrixXd WhitenedAllocation::weightedRows (const Eigen::VectorXd& multipliers) const
 {
-    return responses.transpose() * (multipliers.asDiagonal() * participation);
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero (responses.cols(), participation.cols());
+    addTransposedLeft (sums, 1, responses, multipliers.asDiagonal() * participation);
+    return sums;
 }
 
 Eigen::VectorXd WhitenedAllocation::direction (Eigen::Index ceramic, Eigen::Index sample) const
@@ -234,7 +239,9 @@ double WhitenedAllocation::objective (const Eigen::MatrixXd& shares) const
 
 Eigen::MatrixXd WhitenedAllocation::matrix (const Eigen::MatrixXd& shares) const
 {
-    return (toShares * shares).transpose();
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero (toShares.rows(), shares.cols());
+    addProduct (result, 1, toShares, shares);
+    return result.transpose();
 }
 
 WhitenedAllocation whiten (const AllocationProblem& problem)
@@ -249,9 +256,9 @@ WhitenedAllocation whiten (const AllocationProblem& problem)
     whitened.hardRows = scale.size();
     whitened.wanted = scale.cwiseProduct (problem.wanted (hard));
     whitened.compliance = Eigen::VectorXd::Zero (scale.size());
-    const auto gram = whitened.rowGram();
-    checkIndependentRows (gram, hard);
-    whitened.hardGram.compute (gram);
+    whitened.hardFactor = whitened.rowGram();
+    checkIndependentRows (whitened.hardFactor, hard);
+    factorLower (whitened.hardFactor);
     appendGuards (whitened, problem);
     return whitened;
 }

@@ -2,7 +2,6 @@
 
 #include "Allocation.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 namespace antinode
@@ -28,7 +27,7 @@ struct WhitenedAllocation
     Eigen::VectorXd wanted;          ///< N_r; 0 for guards.
     Eigen::VectorXd compliance;      ///< N_r; 0 for hard rows.
     Eigen::VectorXd limits;          ///< N_b; the largest is 1.
-    Eigen::LLT<Eigen::MatrixXd> hardGram; ///< Of the hard rows.
+    Eigen::MatrixXd hardFactor;      ///< Of the hard rows' Gram matrix, as factorLower leaves it.
     Eigen::Index hardRows = 0;
     double voltageUnit = 1; ///< V
 

@@ -6,11 +6,11 @@ namespace antinode
 {
 namespace
 {
-volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t arrived = 0;
 
-void note (int)
+void note (int signal)
 {
-    interrupted = 1;
+    arrived = signal;
 }
 } // namespace
 
@@ -25,6 +25,11 @@ void catchInterruptions()
 
 bool isInterrupted()
 {
-    return interrupted != 0;
+    return interruptingSignal() != 0;
+}
+
+int interruptingSignal()
+{
+    return arrived;
 }
 } // namespace antinode

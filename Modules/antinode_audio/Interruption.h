@@ -7,4 +7,7 @@ void catchInterruptions();
 
 /** Whether such a signal has arrived. [any] */
 bool isInterrupted();
+
+/** The signal that has arrived; 0: none. [any] */
+int interruptingSignal();
 } // namespace antinode

@@ -3,6 +3,7 @@
 #include <antinode_audio/Interruption.h>
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
+#include <antinode_base/Watch.h>
 
 #include <algorithm>
 #include <array>
@@ -25,14 +26,14 @@ struct Measuring
     const TurnAnalysisSettings& settings;
 };
 
-/** One run. @throws InputError  also if the user interrupts it: the recording is then incomplete */
+/** One run. @throws Cancelled  if the user interrupts it: the recording is then incomplete */
 TurnRecording playTurn (const Measuring& measuring, const Excitation& excitation, Eigen::Index ceramic,
                         Eigen::Index first, Eigen::Index count)
 {
     auto turn = measuring.bench.play (excitation, ceramic, first, count);
 
     if (isInterrupted())
-        throw InputError ("measurement", "was interrupted; finished points are kept, and the same command resumes it");
+        throw Cancelled();
 
     return turn;
 }
@@ -146,6 +147,7 @@ SurfaceMeasurement measurePoints (Bench& bench, const ExcitationSheet& sheet, co
 
         const auto count = pointsTogether (bench, folder, first, points.rows());
         const auto answer = guide.ask (points, first, count);
+        checkWatch();
 
         if (answer == PointAnswer::end)
             endForNow (folder, points.rows());

@@ -1,5 +1,7 @@
 #include "Contours.h"
 
+#include <antinode_base/Watch.h>
+
 #include <array>
 #include <cmath>
 
@@ -15,8 +17,11 @@ public:
         : values (valuesToUse), level (levelToUse), links (static_cast<std::size_t> (2 * values.size()), { -1, -1 })
     {
         for (Eigen::Index column = 0; column + 1 < values.cols(); ++column)
+        {
+            checkWatch();
             for (Eigen::Index row = 0; row + 1 < values.rows(); ++row)
                 linkSquare (row, column);
+        }
     }
 
     /** Lines with ends at the matrix's border first, then closed ones. */

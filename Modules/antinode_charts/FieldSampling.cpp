@@ -1,5 +1,6 @@
 #include "FieldSampling.h"
 
+#include <antinode_base/Watch.h>
 #include <antinode_model/ShapeInterpolation.h>
 
 #include <algorithm>
@@ -26,6 +27,7 @@ std::vector<Eigen::MatrixXd> mapsOfGrid (const PlateGrid& grid, const Eigen::Mat
 
     for (const auto& field : fields.colwise())
     {
+        checkWatch();
         const Eigen::VectorXd values = field;
         const Eigen::Map<const Eigen::MatrixXd> onGrid (values.data(), rowsX.cols(), rowsY.cols());
         maps.emplace_back (rowsY * (rowsX * onGrid).transpose());
@@ -40,8 +42,11 @@ Eigen::MatrixXd fieldsAt (const Surface& surface, const Eigen::MatrixXd& fields,
     Eigen::MatrixXd values (places.rows(), fields.cols());
 
     for (Eigen::Index i = 0; i < places.rows(); ++i)
+    {
+        checkWatch();
         values.row (i) = surface.grid ? interpolateOnGrid (*surface.grid, fields, places (i, 0), places (i, 1))
                                       : interpolateInPlane (surface.points, fields, places (i, 0), places (i, 1));
+    }
 
     return values;
 }

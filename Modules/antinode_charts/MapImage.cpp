@@ -1,5 +1,7 @@
 #include "MapImage.h"
 
+#include <antinode_base/Watch.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -62,12 +64,15 @@ juce::Image colourImage (const Eigen::MatrixXd& pixels, AxisRange range, const C
     const juce::Image::BitmapData data (image, juce::Image::BitmapData::writeOnly);
     const auto factor = 1 / (range.maximum - range.minimum);
     for (int x = 0; x < width; ++x)
+    {
+        checkWatch();
         for (int y = 0; y < height; ++y)
         {
             const auto value = pixels (height - 1 - y, x);
             if (std::isfinite (value))
                 data.setPixelColour (x, y, map.at ((value - range.minimum) * factor));
         }
+    }
     return image;
 }
 } // namespace antinode

@@ -5,6 +5,7 @@
 #include "Numbers.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/Watch.h>
 
 #include <juce_graphics/juce_graphics.h>
 
@@ -48,12 +49,14 @@ std::string encodePng (const juce::Image& image)
 std::string renderPng (const Chart& chart, int width, int height, float scale, const Theme& theme)
 {
     requireSize (width, height, scale);
+    checkWatch();
     const auto image = blankImage (width, height, scale, theme.background);
     {
         juce::Graphics g (image);
         g.addTransform (juce::AffineTransform::scale (scale));
         draw (g, juce::Rectangle<int> (width, height).toFloat(), chart, theme);
     }
+    checkWatch();
     return encodePng (image);
 }
 } // namespace antinode

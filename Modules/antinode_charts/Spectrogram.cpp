@@ -3,6 +3,7 @@
 #include "Numbers.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/Watch.h>
 
 #include <unsupported/Eigen/FFT>
 
@@ -96,6 +97,7 @@ Spectrogram spectrogram (const Eigen::Ref<const Eigen::VectorXd>& signal, double
     std::vector<std::complex<double>> spectrum;
     for (Eigen::Index column = 0; column < amplitudes.cols(); ++column)
     {
+        checkWatch();
         transform.fwd (spectrum, windowed (signal, window, static_cast<Eigen::Index> (middles[column]), length));
         for (Eigen::Index row = 0; row < rows; ++row)
             amplitudes (row, column) = std::abs (spectrum[static_cast<std::size_t> (row)]);

@@ -4,6 +4,7 @@
 #include "VoltageSynthesiser.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/Watch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -160,6 +161,7 @@ void renderAll (Kernels& kernels, int blockSize, Eigen::Index samples, const std
 
     for (Eigen::Index first = 0; first < samples; first += blockSize)
     {
+        checkWatch();
         const auto count = std::min<Eigen::Index> (blockSize, samples - first);
         renderBlock (kernels, first, count, render.voltages, render.modalVelocities);
         report.reached (first + count);

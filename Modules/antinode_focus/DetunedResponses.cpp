@@ -2,6 +2,8 @@
 
 #include "StateRows.h"
 
+#include <antinode_base/Watch.h>
+
 #include <array>
 #include <cmath>
 
@@ -51,6 +53,7 @@ DetunedResponses detunedResponses (const ModalModel& model, const RowOrigin& ori
 
             for (std::size_t k = 0; k < responses.modes.size(); ++k)
             {
+                checkWatch();
                 const auto at = static_cast<Eigen::Index> (k);
                 responses.values[k].row (row) = root * off.row (at);
                 responses.errors[k].row (row) = responses.values[k].row (row);

@@ -6,6 +6,8 @@
 #include "StateRows.h"
 #include "Transients.h"
 
+#include <antinode_numerics/DenseKernels.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -138,23 +140,23 @@ AllocationProblem allocationProblem (const ModalModel& model, const FocusDescrip
     return problem;
 }
 
-Allocation allocate (const AllocationProblem& problem, AllocationMethod method, const DriveList& drives, DriveSpan span,
-                     const AllocationWatch& watch)
+Allocation allocate (const AllocationProblem& problem, AllocationMethod method, const DriveList& drives, DriveSpan span)
 {
     if (method == AllocationMethod::dictionary)
-        return allocateDictionary (problem, drives, span, watch);
+        return allocateDictionary (problem, drives, span);
 
     if (method == AllocationMethod::minimumPeak)
-        return solveAllocation (problem, AllocationGoal::peak, watch);
+        return solveAllocation (problem, AllocationGoal::peak);
 
     if (method == AllocationMethod::exact || method == AllocationMethod::paper)
-        return solveAllocation (problem, AllocationGoal::norm, watch);
+        return solveAllocation (problem, AllocationGoal::norm);
 
     Allocation allocation;
     allocation.matrix = method == AllocationMethod::oneToOne
                             ? oneToOneAllocation (problem.participation, problem.wanted)
                             : minimumNormAllocation (problem);
-    const Eigen::MatrixXd voltages = allocation.matrix * problem.waveforms;
+    Eigen::MatrixXd voltages = Eigen::MatrixXd::Zero (allocation.matrix.rows(), problem.waveforms.cols());
+    addProduct (voltages, 1, allocation.matrix, problem.waveforms);
     allocation.certificate.objective = 0.5 * voltages.squaredNorm();
     allocation.certificate.peakVoltage = voltages.cwiseAbs().maxCoeff();
     allocation.certificate.peakRatio =
@@ -223,15 +225,14 @@ double longestDrive (const FocusDescription& description)
 }
 
 Allocation allocateDrives (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
-                           const std::vector<FocusMoment>& moments, const DriveList& drives, Playback playback,
-                           const AllocationWatch& watch)
+                           const std::vector<FocusMoment>& moments, const DriveList& drives, Playback playback)
 {
     const auto& choice = description.allocation;
     const auto start = firstStart (drives);
     const auto first = choice.window ? std::max (moments.front().time - *choice.window, start) : start;
     const DriveSpan span { first, moments.back().time + releaseDuration() };
     return allocate (allocationProblem (model, description, modes, moments, drives, span, playback), choice.method,
-                     drives, span, watch);
+                     drives, span);
 }
 
 /** A drive's oscillations share its column of the matrix. */

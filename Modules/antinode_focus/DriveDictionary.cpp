@@ -3,6 +3,8 @@
 #include "DriveGrid.h"
 #include "Transients.h"
 
+#include <antinode_numerics/DenseKernels.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -86,16 +88,16 @@ DriveList dictionaryDrives (const ModalModel& model, const FocusDescription& des
     return drives;
 }
 
-Allocation allocateDictionary (AllocationProblem problem, const DriveList& drives, DriveSpan span,
-                               const AllocationWatch& watch)
+Allocation allocateDictionary (AllocationProblem problem, const DriveList& drives, DriveSpan span)
 {
     constexpr auto samplesPerCycle = gridSamplesPerCycle / 2;
     const Eigen::VectorXd limits = problem.voltageLimits / gridLimitMargin();
     const auto fine = std::exchange (problem.waveforms, sampleDrives (drives, span.first, span.last, samplesPerCycle));
     problem.voltageLimits = limits * gridLimitMargin (samplesPerCycle);
     problem.peakRoom = roomForGuards;
-    auto allocation = solveAllocation (problem, AllocationGoal::peak, watch);
-    const Eigen::MatrixXd voltages = allocation.matrix * fine;
+    auto allocation = solveAllocation (problem, AllocationGoal::peak);
+    Eigen::MatrixXd voltages = Eigen::MatrixXd::Zero (allocation.matrix.rows(), fine.cols());
+    addProduct (voltages, 1, allocation.matrix, fine);
     auto& certificate = allocation.certificate;
     const Eigen::VectorXd peaks = voltages.cwiseAbs().rowwise().maxCoeff();
     certificate.peakVoltage = peaks.maxCoeff();
@@ -103,7 +105,9 @@ Allocation allocateDictionary (AllocationProblem problem, const DriveList& drive
 
     if (problem.slopes.size() > 0)
     {
-        const Eigen::VectorXd steepest = (allocation.matrix * problem.slopes).cwiseAbs().rowwise().maxCoeff();
+        Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero (allocation.matrix.rows(), problem.slopes.cols());
+        addProduct (slopes, 1, allocation.matrix, problem.slopes);
+        const Eigen::VectorXd steepest = slopes.cwiseAbs().rowwise().maxCoeff();
         certificate.peakRatio =
             std::max (certificate.peakRatio, steepest.cwiseQuotient (problem.slewLimits).maxCoeff());
     }

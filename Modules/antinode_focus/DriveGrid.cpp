@@ -1,5 +1,7 @@
 #include "DriveGrid.h"
 
+#include <antinode_base/Watch.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -85,7 +87,10 @@ Eigen::MatrixXd sampleDrives (const std::vector<std::vector<Oscillation>>& drive
 
     for (Eigen::Index l = 0; l < samples.rows(); ++l)
         for (const auto& oscillation : drives[static_cast<std::size_t> (l)])
+        {
+            checkWatch();
             addSamples (samples.row (l), oscillation, times);
+        }
 
     return samples;
 }

@@ -2,6 +2,9 @@
 
 #include "SampledPrediction.h"
 
+#include <antinode_base/Watch.h>
+#include <antinode_numerics/DenseKernels.h>
+
 #include <cmath>
 
 namespace antinode
@@ -100,13 +103,18 @@ Eigen::VectorXd modalDisplacements (const ModalModel& model, const Eigen::Vector
 Eigen::VectorXcd predictStates (const ModalModel& model, const VoltageProgram& program, double time)
 {
     const auto poles = modalPoles (model);
-    const Eigen::MatrixXd forces = model.participation * program.allocation; // N_m x oscillations
+    Eigen::MatrixXd forces = Eigen::MatrixXd::Zero (model.modes(), program.allocation.cols()); // N_m x oscillations
+    addProduct (forces, 1, model.participation, program.allocation);
     Eigen::VectorXcd states = Eigen::VectorXcd::Zero (model.modes());
 
     for (Eigen::Index k = 0; k < states.size(); ++k)
+    {
+        checkWatch();
+
         for (Eigen::Index c = 0; c < forces.cols(); ++c)
             states[k] +=
                 forces (k, c) * modalResponse (poles[k], program.oscillations[static_cast<std::size_t> (c)], time);
+    }
 
     if (program.samples)
         states += sampledStates (model, *program.samples, time);

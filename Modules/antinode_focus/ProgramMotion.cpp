@@ -2,6 +2,8 @@
 
 #include "Prediction.h"
 
+#include <antinode_base/Watch.h>
+
 #include <algorithm>
 #include <set>
 
@@ -34,6 +36,7 @@ ProgramMotion::ProgramMotion (const ModalModel& model, const VoltageProgram& pro
 
     for (Eigen::Index c = 0; c < with.cols(); ++c)
     {
+        checkWatch();
         const auto& oscillation = oscillations[static_cast<std::size_t> (c)];
         const auto p = oscillation.exponent();
         const auto half = 0.5 * oscillation.phasor();
@@ -49,7 +52,10 @@ ProgramMotion::ProgramMotion (const ModalModel& model, const VoltageProgram& pro
     Knot knot { *times.begin(), Eigen::VectorXcd::Zero (poles.size()), {} };
 
     for (const auto time : times)
+    {
+        checkWatch();
         knots.push_back (knot = knotAfter (knot, time));
+    }
 }
 
 /** The particular motion under one oscillation, which begins and ends with a step that free motion makes up for. */
@@ -94,6 +100,7 @@ Eigen::VectorXcd ProgramMotion::statesAt (double time) const
     for (const auto c : knot.playing)
         states += forced (c, time);
 
+    checkWatch();
     return states;
 }
 } // namespace antinode

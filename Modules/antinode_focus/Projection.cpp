@@ -2,8 +2,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
-
-#include <Eigen/Dense>
+#include <antinode_numerics/Decompositions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,11 +15,10 @@ namespace
 constexpr double defaultCapture = 0.99;
 
 /** Coefficients of the fit of a field by the given shapes, in the mass-weighted least-squares sense. */
-Eigen::VectorXd leastSquares (const Eigen::MatrixXd& shapes, const Eigen::VectorXd& masses,
-                              const Eigen::VectorXd& field)
+Eigen::VectorXd fitted (const Eigen::MatrixXd& shapes, const Eigen::VectorXd& masses, const Eigen::VectorXd& field)
 {
     const Eigen::VectorXd root = masses.cwiseSqrt();
-    return (root.asDiagonal() * shapes).completeOrthogonalDecomposition().solve (root.cwiseProduct (field));
+    return leastSquares (root.asDiagonal() * shapes, root.cwiseProduct (field));
 }
 
 std::vector<int> drivableModes (const ModalModel& model)
@@ -152,7 +150,7 @@ ModeSelection restrictToModes (const ModalModel& model, const ProjectedTarget& t
     ModeSelection selection;
     selection.wanted = model.coversWholeBody
                            ? Eigen::VectorXd (target.modalVelocities (modes))
-                           : leastSquares (model.shapes (Eigen::all, modes), model.surface.masses, target.field);
+                           : fitted (model.shapes (Eigen::all, modes), model.surface.masses, target.field);
     selection.truncated = Eigen::VectorXd::Zero (model.points());
 
     for (std::size_t i = 0; i < modes.size(); ++i)

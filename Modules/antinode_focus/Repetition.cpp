@@ -4,6 +4,8 @@
 #include "Prediction.h"
 #include "ProgramMotion.h"
 
+#include <antinode_base/Watch.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,6 +19,7 @@ constexpr int stepsPerCycle = 8;     // of the periods looked at, in the highest
 constexpr int samplesPerStep = gridSamplesPerCycle / stepsPerCycle;
 constexpr double negligible = 1e-3; // of what may be left: later repeats add no more, and no mode that adds less counts
 constexpr double limitTolerance = 1e-6;
+constexpr Eigen::Index samplesAtOnce = 4096; // between two looks at the watch
 
 /** Looks at one period after the other. */
 class Repetition
@@ -156,6 +159,8 @@ private:
 
         Eigen::ArrayXd real = Eigen::ArrayXd::Zero (model.points()), imaginary = real;
 
+        checkWatch();
+
         for (Eigen::Index k = 0; k < sizes.size(); ++k)
             if (sizes[k] > negligible * most / static_cast<double> (sizes.size()))
             {
@@ -177,13 +182,21 @@ private:
 
         for (std::size_t c = 0; c < program.oscillations.size(); ++c)
         {
+            checkWatch();
             const auto& oscillation = program.oscillations[c];
             const auto place = [&] (double time)
             { return static_cast<Eigen::Index> (std::max (0.0, std::floor ((time - motion.first()) / interval))); };
 
-            for (auto n = place (oscillation.start); n <= std::min (place (oscillation.end), count - 1); ++n)
+            const auto last = std::min (place (oscillation.end), count - 1);
+
+            for (auto n = place (oscillation.start); n <= last; ++n)
+            {
+                if (n % samplesAtOnce == 0)
+                    checkWatch();
+
                 voltages.col (n) += oscillationValue (oscillation, motion.first() + static_cast<double> (n) * interval)
                                     * perLimit.col (static_cast<Eigen::Index> (c));
+            }
         }
 
         peaks = voltages.cwiseAbs().colwise().maxCoeff();
@@ -198,6 +211,9 @@ private:
         for (Eigen::Index n = 0; n < std::min (period, count - period); ++n)
         {
             double peak = 0;
+
+            if (n % samplesAtOnce == 0)
+                checkWatch();
 
             for (auto m = n; m < count; m += period)
                 peak += peaks[m];

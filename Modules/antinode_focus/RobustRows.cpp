@@ -2,9 +2,7 @@
 
 #include "DetunedResponses.h"
 
-#include <antinode_numerics/DenseKernels.h>
-
-#include <Eigen/Cholesky>
+#include <antinode_numerics/Decompositions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,20 +28,27 @@ public:
     explicit DriveMetric (const Eigen::MatrixXd& waveforms)
     {
         constexpr auto rounding = 1e-12; // close drives are nearly dependent
-        Eigen::MatrixXd gram = waveforms * waveforms.transpose();
-        gram.diagonal() *= 1 + rounding;
-        factors.compute (gram);
+        factor = Eigen::MatrixXd::Zero (waveforms.rows(), waveforms.rows());
+        addGram (factor, 1, waveforms);
+        factor.diagonal() *= 1 + rounding;
+        factorLower (factor);
     }
 
-    Eigen::MatrixXd whiten (const Eigen::MatrixXd& rows) const
+    Eigen::MatrixXd whiten (Eigen::MatrixXd rows) const
     {
-        return factors.matrixL().solve (rows.transpose()).transpose();
+        solveLowerTransposedFromRight (factor, rows);
+        return rows;
     }
 
-    Eigen::MatrixXd restore (const Eigen::MatrixXd& rows) const { return rows * factors.matrixU(); }
+    Eigen::MatrixXd restore (const Eigen::MatrixXd& rows) const
+    {
+        Eigen::MatrixXd result = Eigen::MatrixXd::Zero (rows.rows(), factor.cols());
+        addTransposedRight (result, 1, rows, factor);
+        return result;
+    }
 
 private:
-    Eigen::LLT<Eigen::MatrixXd> factors;
+    Eigen::MatrixXd factor; ///< L; above its diagonal 0.
 };
 
 /** As few whitened rows as have the same Gram matrix up to a part that does not matter. */
@@ -98,17 +103,12 @@ void addCeramicRows (std::vector<RobustRow>& found, const DetunedResponses& resp
         const Eigen::VectorXd errors = spread * model.participation (modes, i);
         Eigen::MatrixXd gram = Eigen::MatrixXd::Zero (rows.cols(), rows.cols());
         addGram (gram, price, rows.transpose() * errors.asDiagonal());
-        const Eigen::LDLT<Eigen::MatrixXd> factors (gram);
-        const Eigen::VectorXd strengths = factors.vectorD();
-        const Eigen::MatrixXd triangle = factors.matrixL();
+        const auto [strengths, columns] = pivotedFactor (gram);
 
         for (Eigen::Index c = 0; c < strengths.size(); ++c)
             if (strengths[c] > weakest)
-            {
-                const Eigen::VectorXd column = factors.transpositionsP().transpose() * triangle.col (c);
                 found.push_back ({ strengths[c], Eigen::RowVectorXd::Unit (model.actuators(), i),
-                                   std::sqrt (strengths[c] / price) * metric.restore (column.transpose()) });
-            }
+                                   std::sqrt (strengths[c] / price) * metric.restore (columns.col (c).transpose()) });
     }
 }
 

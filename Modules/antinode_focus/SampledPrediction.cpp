@@ -2,7 +2,9 @@
 
 #include "Prediction.h"
 
+#include <antinode_base/Watch.h>
 #include <antinode_model/ModalRecursion.h>
+#include <antinode_numerics/DenseKernels.h>
 #include <antinode_numerics/GaussLegendre.h>
 #include <antinode_numerics/KaiserSinc.h>
 
@@ -69,6 +71,7 @@ Eigen::MatrixXcd sampleResponses (const ModalModel& model, const std::vector<int
 
     for (Eigen::Index k = 0; k < responses.rows(); ++k)
     {
+        checkWatch();
         const auto mode = modes[static_cast<std::size_t> (k)];
         const auto turn = poles[mode] / playback.sampleRate;
         const auto tap = [&] (Eigen::Index l)
@@ -108,7 +111,8 @@ Eigen::VectorXcd sampledStates (const ModalModel& model, const SampledVoltages& 
     const auto below = std::floor (place + onSample);
     const auto responses =
         sampleResponses (model, modes, voltages.playback, voltages.values.cols(), static_cast<Eigen::Index> (below));
-    const Eigen::MatrixXd forces = model.participation * voltages.values;
+    Eigen::MatrixXd forces = Eigen::MatrixXd::Zero (model.modes(), voltages.values.cols());
+    addProduct (forces, 1, model.participation, voltages.values);
     Eigen::VectorXcd states = responses.cwiseProduct (forces.cast<Complex>()).rowwise().sum();
 
     if (place - below > onSample)
@@ -129,8 +133,11 @@ double intersamplePeak (const SampledVoltages& voltages)
     auto peak = voltages.values.size() > 0 ? voltages.values.cwiseAbs().maxCoeff() : 0.0;
 
     for (auto n = first * placesPerSample; n < last * placesPerSample; ++n)
+    {
+        checkWatch();
         peak = std::max (peak,
                          voltagesAtPlace (voltages, static_cast<double> (n) / placesPerSample).cwiseAbs().maxCoeff());
+    }
 
     return peak;
 }

@@ -2,6 +2,8 @@
 
 #include "Prediction.h"
 
+#include <antinode_base/Watch.h>
+
 #include <complex>
 
 namespace antinode
@@ -42,6 +44,9 @@ Eigen::MatrixXd rowResponses (const ModalModel& model, const std::vector<StateRo
     Eigen::MatrixXd responses (rows.size(), drives.size());
 
     for (Eigen::Index l = 0; l < responses.cols(); ++l)
+    {
+        checkWatch();
+
         for (Eigen::Index r = 0; r < responses.rows(); ++r)
         {
             const auto& row = rows[static_cast<std::size_t> (r)];
@@ -53,6 +58,7 @@ Eigen::MatrixXd rowResponses (const ModalModel& model, const std::vector<StateRo
 
             responses (r, l) = quantityOf (state, pole, row.quantity);
         }
+    }
 
     return responses;
 }

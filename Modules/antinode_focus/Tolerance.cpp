@@ -3,8 +3,9 @@
 #include "Detuning.h"
 #include "Prediction.h"
 
+#include <antinode_numerics/ParallelFor.h>
+
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <thread>
 
@@ -46,28 +47,17 @@ std::vector<FocusScore> drawScores (const ModalModel& model, const FocusDesign& 
 {
     const auto modes = modesOf (model);
     std::vector<FocusScore> scores (static_cast<std::size_t> (options.draws));
-    std::atomic<int> next = 0;
-    const auto work = [&] (bool isReporting)
-    {
-        for (auto draw = next++; draw < options.draws; draw = next++)
-        {
-            scores[static_cast<std::size_t> (draw)] =
-                scoreOn (detuned (modes, options.spread, seedOf (options.seed, draw)), model, design);
+    const auto caller = std::this_thread::get_id();
+    parallelFor (scores.size(),
+                 [&] (std::size_t draw)
+                 {
+                     scores[draw] =
+                         scoreOn (detuned (modes, options.spread, seedOf (options.seed, static_cast<int> (draw))),
+                                  model, design);
 
-            if (isReporting)
-                progress (static_cast<double> (draw + 1) / options.draws);
-        }
-    };
-    std::vector<std::thread> others;
-
-    for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
-        others.emplace_back (work, false);
-
-    work (true);
-
-    for (auto& other : others)
-        other.join();
-
+                     if (std::this_thread::get_id() == caller)
+                         progress (static_cast<double> (draw + 1) / options.draws);
+                 });
     return scores;
 }
 

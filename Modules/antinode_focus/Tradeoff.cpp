@@ -5,6 +5,8 @@
 #include "Prediction.h"
 #include "SampledPrediction.h"
 
+#include <antinode_base/Watch.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -156,6 +158,7 @@ double timeInMotion (const ModalModel& model, const VoltageProgram& program, con
 
     for (Eigen::Index n = 0; n < static_cast<Eigen::Index> (steps); ++n)
     {
+        checkWatch();
         const Eigen::VectorXd forces =
             model.participation * voltagesOf (program, (static_cast<double> (n) + 0.5) * interval);
         states = (turn * states.array() + gain * forces.array()).matrix();

@@ -1,5 +1,8 @@
 #include "ComplexModes.h"
 
+#include <antinode_numerics/ComplexKernels.h>
+#include <antinode_numerics/Decompositions.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,8 +14,7 @@ namespace
 /** The strongest product in a table of complex residues, its shape turned to the real axis and as long as the real one. */
 void splitResidues (IdentifiedModes& modes, Eigen::Index mode, const Eigen::MatrixXcd& table)
 {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> eigen (table.adjoint() * table);
-    const Eigen::VectorXcd direction = eigen.eigenvectors().rightCols (1);
+    const auto direction = largestEigenpair (adjointGram (table)).vector;
     Eigen::VectorXcd shape = table * direction;
     const Eigen::VectorXd real = modes.shapes.col (mode).array().isFinite().select (modes.shapes.col (mode), 0);
     const auto squares = (shape.transpose() * shape) (0, 0);

@@ -1,5 +1,8 @@
 #include "ModeAssessment.h"
 
+#include <antinode_numerics/ComplexKernels.h>
+#include <antinode_numerics/Decompositions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -92,10 +95,10 @@ std::vector<ModeQuality> assessResidues (const Eigen::MatrixXcd& residues, const
     {
         const Eigen::RowVectorXcd weighted = residues.row (k).cwiseProduct (data.columnWeights.cwiseSqrt().transpose());
         const Eigen::MatrixXcd table = weighted.reshaped (data.points(), data.drivers());
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> eigen (table.adjoint() * table);
+        const auto [strength, direction] = largestEigenpair (adjointGram (table));
         ModeQuality quality;
-        quality.rankOne = eigen.eigenvalues().tail (1)[0] / std::max (eigen.eigenvalues().sum(), 1e-300);
-        quality.collinearity = collinearity (table * eigen.eigenvectors().rightCols (1));
+        quality.rankOne = strength / std::max (table.squaredNorm(), 1e-300);
+        quality.collinearity = collinearity (table * direction);
         result.push_back (quality);
     }
 

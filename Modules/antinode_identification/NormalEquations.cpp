@@ -1,6 +1,6 @@
 #include "NormalEquations.h"
 
-#include <antinode_numerics/DenseKernels.h>
+#include <antinode_numerics/Decompositions.h>
 
 #include <algorithm>
 #include <array>
@@ -190,7 +190,7 @@ Eigen::MatrixXd bestShapes (const FitState& state, double ridge)
                     group.driverWeights[i]
                     * state.strengths.col (i).cwiseProduct (data.col (i * points + group.points[n]));
 
-        shapes (group.points, Eigen::all) = shapeMatrix (state, group, ridge).ldlt().solve (right).transpose();
+        shapes (group.points, Eigen::all) = solveSemidefinite (shapeMatrix (state, group, ridge), right).transpose();
     }
 
     return shapes;
@@ -259,8 +259,10 @@ NormalEquations normalEquations (const FitState& state, double ridge)
 
 ShapeCoupling shapeCoupling (const FitState& state, const PointGroup& group, double ridge)
 {
-    const Eigen::LDLT<Eigen::MatrixXd> factor (shapeMatrix (state, group, ridge));
-    const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity (state.modes(), state.modes());
-    return { factor.solve (couplingMatrix (state, group)), factor.solve (identity).diagonal() };
+    const auto coupling = couplingMatrix (state, group);
+    Eigen::MatrixXd right (state.modes(), coupling.cols() + state.modes());
+    right << coupling, Eigen::MatrixXd::Identity (state.modes(), state.modes());
+    const auto solved = solveSemidefinite (shapeMatrix (state, group, ridge), right);
+    return { solved.leftCols (coupling.cols()), solved.rightCols (state.modes()).diagonal() };
 }
 } // namespace antinode

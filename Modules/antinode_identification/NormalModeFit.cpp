@@ -161,8 +161,7 @@ Eigen::MatrixXd strongestParticipation (const Eigen::MatrixXd& residues, const P
     {
         const Eigen::RowVectorXd weighted = residues.row (k).cwiseProduct (data.columnWeights.cwiseSqrt().transpose());
         const Eigen::MatrixXd table = weighted.reshaped (points, drivers);
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen (table.transpose() * table);
-        result.row (k) = eigen.eigenvectors().rightCols (1).transpose();
+        result.row (k) = symmetricEigen (table.transpose() * table).vectors.rightCols (1).transpose();
     }
 
     return result;

@@ -1,5 +1,7 @@
 #include "NormalModes.h"
 
+#include <antinode_numerics/Decompositions.h>
+
 #include <cmath>
 
 namespace antinode
@@ -19,7 +21,7 @@ Eigen::MatrixXd solveEven (const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, d
     const Eigen::VectorXd scale = a.diagonal().cwiseMax (1e-300).cwiseSqrt().cwiseInverse();
     Eigen::MatrixXd even = scale.asDiagonal() * a * scale.asDiagonal();
     even.diagonal().array() += ridge;
-    return scale.asDiagonal() * even.ldlt().solve (scale.asDiagonal() * b);
+    return scale.asDiagonal() * solveSemidefinite (even, scale.asDiagonal() * b);
 }
 
 ModalBasis basisOf (const Eigen::VectorXd& angularFrequencies, const Eigen::VectorXd& dampingRatios,

@@ -1,11 +1,10 @@
 #include "PoleSearch.h"
 
+#include <antinode_numerics/ParallelFor.h>
+
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
 #include <numbers>
-#include <thread>
 
 namespace antinode
 {
@@ -85,41 +84,6 @@ std::vector<BandPoles> searchDensely (const PreparedResponses& data, const Searc
     return result;
 }
 
-/** Runs a function of an index for all indices on several threads; the first exception is handed on. */
-template <typename Function>
-void forAll (std::size_t count, const Function& function)
-{
-    std::atomic<std::size_t> next { 0 };
-    std::vector<std::exception_ptr> failures (count);
-    const auto work = [&]
-    {
-        for (auto n = next++; n < count; n = next++)
-        {
-            try
-            {
-                function (n);
-            }
-            catch (...)
-            {
-                failures[n] = std::current_exception();
-            }
-        }
-    };
-    std::vector<std::thread> threads;
-
-    for (unsigned t = 1; t < std::min<std::size_t> (count, std::thread::hardware_concurrency()); ++t)
-        threads.emplace_back (work);
-
-    work();
-
-    for (auto& thread : threads)
-        thread.join();
-
-    for (const auto& failure : failures)
-        if (failure)
-            std::rethrow_exception (failure);
-}
-
 void append (std::vector<StabilisationPoint>& points, const BandPoles& found)
 {
     const auto& band = found.band;
@@ -179,7 +143,7 @@ FoundPoles searchPoles (const PreparedResponses& data, const IdentificationOptio
 {
     const auto bands = searchBands (data, options.bands);
     std::vector<std::vector<BandPoles>> ofChosen (bands.size());
-    forAll (bands.size(), [&] (std::size_t n) { ofChosen[n] = searchDensely (data, bands[n], options); });
+    parallelFor (bands.size(), [&] (std::size_t n) { ofChosen[n] = searchDensely (data, bands[n], options); });
     std::vector<BandPoles> ofBands;
 
     for (auto& parts : ofChosen)

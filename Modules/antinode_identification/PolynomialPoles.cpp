@@ -1,5 +1,8 @@
 #include "PolynomialPoles.h"
 
+#include <antinode_numerics/ComplexKernels.h>
+#include <antinode_numerics/Decompositions.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -53,7 +56,7 @@ LagSums sumOverLines (const CompressedBand& band, Eigen::Index order)
     for (Eigen::Index i = 0; i < references; ++i)
     {
         const auto& values = band.values[static_cast<std::size_t> (i)];
-        const Matrix products = powers.transpose() * values;
+        const auto products = productTransposedLeft (powers, values);
 
         for (Eigen::Index lag = 0; lag <= 2 * order; ++lag)
             sums.numerators[static_cast<std::size_t> (lag)].row (i) = products.row (lag);
@@ -62,10 +65,10 @@ LagSums sumOverLines (const CompressedBand& band, Eigen::Index order)
         {
             const Eigen::VectorXcd between =
                 values.conjugate().cwiseProduct (band.values[static_cast<std::size_t> (j)]).rowwise().sum();
-            const Eigen::VectorXcd sum = powers.rightCols (order + 1).transpose() * between;
+            const auto sum = productTransposedLeft (powers.rightCols (order + 1), between);
 
             for (Eigen::Index lag = 0; lag <= order; ++lag)
-                sums.denominators[static_cast<std::size_t> (lag)](i, j) = sum[lag];
+                sums.denominators[static_cast<std::size_t> (lag)](i, j) = sum (lag, 0);
         }
     }
 
@@ -99,8 +102,9 @@ Matrix normalEquations (const LagSums& sums, Eigen::Index order, Eigen::Index ma
         }
 
     // All outputs side by side: rows are powers of the numerator, columns the denominator's coefficients of one output.
-    const Eigen::LLT<Matrix> factor (toeplitzOfBasis (sums, size));
-    Matrix between (size, size * references);
+    auto factor = toeplitzOfBasis (sums, size);
+    factorLower (factor);
+    Matrix between (size, size * references), ofAll (outputs * size, size * references);
 
     for (Eigen::Index o = 0; o < outputs; ++o)
     {
@@ -109,11 +113,11 @@ Matrix normalEquations (const LagSums& sums, Eigen::Index order, Eigen::Index ma
                 between.block (j, k * references, 1, references) =
                     sums.numerators[static_cast<std::size_t> (k - j + maximum)].col (o).transpose();
 
-        factor.matrixL().solveInPlace (between);
-        result.selfadjointView<Eigen::Lower>().rankUpdate (between.adjoint(), -1);
+        solveLower (factor, between);
+        ofAll.middleRows (o * size, size) = between;
     }
 
-    return result.selfadjointView<Eigen::Lower>();
+    return result - adjointGram (ofAll);
 }
 
 /** The coefficients of z^1 to z^order, that of z^0 being the unit matrix, as blocks of rows. */
@@ -121,7 +125,8 @@ Matrix coefficients (Matrix normal, Eigen::Index references, double ridge)
 {
     const auto unknowns = normal.rows() - references;
     normal.diagonal().array() += ridge * normal.diagonal().real().mean();
-    return -normal.bottomRightCorner (unknowns, unknowns).ldlt().solve (normal.bottomLeftCorner (unknowns, references));
+    return -solveSemidefinite (Matrix (normal.bottomRightCorner (unknowns, unknowns)),
+                               Matrix (normal.bottomLeftCorner (unknowns, references)));
 }
 
 /** Solutions of l' (w^n + w^(n-1) A_1 + ... + A_n) = 0, w = 1 / z, by the companion matrix. */
@@ -135,17 +140,17 @@ OrderPoles polesOf (const Matrix& blocks, Eigen::Index references, const Compres
             -blocks.middleRows (j * references, references).transpose();
 
     companion.bottomLeftCorner (size - references, size - references).setIdentity();
-    const Eigen::ComplexEigenSolver<Matrix> eigen (companion);
+    const auto eigen = complexEigen (companion);
     const auto seconds = secondsOfBasis (band);
     OrderPoles result { static_cast<int> (order), Eigen::VectorXcd (size), Matrix (size, references) };
     Eigen::Index count = 0;
 
-    if (eigen.info() != Eigen::Success)
+    if (! eigen)
         return { static_cast<int> (order), {}, Matrix (0, references) };
 
     for (Eigen::Index n = 0; n < size; ++n)
     {
-        const auto w = eigen.eigenvalues()[n];
+        const auto w = eigen->values[n];
 
         if (std::abs (w) <= 1) // unstable, or exactly 0
             continue;
@@ -159,7 +164,7 @@ OrderPoles polesOf (const Matrix& blocks, Eigen::Index references, const Compres
             continue;
 
         result.poles[count] = pole;
-        result.participation.row (count) = eigen.eigenvectors().col (n).head (references).normalized().transpose();
+        result.participation.row (count) = eigen->vectors.col (n).head (references).normalized().transpose();
         ++count;
     }
 

@@ -4,6 +4,7 @@
 #include "ModeCacheKey.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/Watch.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <xxhash.h>
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view cacheExtension = ".modes";
 constexpr std::string_view hexadecimal = "0123456789abcdef";
+constexpr std::streamoff bytesAtOnce = 1 << 20; // between two looks at the watch
 
 /** The name of the file for a key. Two keys may share one in principle: the entry holds the whole key. */
 std::string nameFor (std::string_view key)
@@ -62,8 +64,14 @@ std::optional<std::string> bytesOf (const fs::path& path, std::uintmax_t maximum
 
     std::string bytes (static_cast<std::size_t> (end), '\0');
     file.seekg (0);
-    file.read (bytes.data(), end);
-    return file && file.gcount() == end ? std::optional (std::move (bytes)) : std::nullopt;
+
+    for (std::streamoff done = 0; file && done < end; done += bytesAtOnce)
+    {
+        checkWatch();
+        file.read (bytes.data() + done, std::min (bytesAtOnce, end - done));
+    }
+
+    return file ? std::optional (std::move (bytes)) : std::nullopt;
 }
 
 void makePrivateFolder (const fs::path& folder)
@@ -125,6 +133,7 @@ std::optional<ModalModel> ModeCache::find (const DeviceDescription& device, std:
         if (! bytes)
             return {};
 
+        checkWatch();
         auto model = decodeModeCacheEntry (*bytes, *key);
         std::error_code ignored;
         fs::last_write_time (path, fs::file_time_type::clock::now(), ignored);

@@ -41,6 +41,6 @@ std::optional<std::filesystem::path> userCacheFolder();
 
 /** solveStructure, unless the cache has it already.
     @param cache  none: always solved
-    @throws InputError  as solveStructure [worker] */
+    @throws InputError, Cancelled  as solveStructure [worker] */
 ModalModel solveCached (const DeviceDescription&, std::optional<int> modeCount, const ModeCache* cache);
 } // namespace antinode

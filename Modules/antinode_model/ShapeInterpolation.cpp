@@ -1,6 +1,6 @@
 #include "ShapeInterpolation.h"
 
-#include <Eigen/Dense>
+#include <antinode_numerics/Decompositions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -142,7 +142,7 @@ Eigen::RowVectorXd interpolateInPlane (const Eigen::MatrixX2d& points, const Eig
 
     // The system is symmetric, so its solution for the kernel's row at the place holds the points' weights. Few or collinear
     // points leave the plane's part undetermined: the least-squares solution of the rank-revealing QR serves there too.
-    const Eigen::VectorXd weights = system.completeOrthogonalDecomposition().solve (right).head (n);
+    const Eigen::VectorXd weights = leastSquares (system, right).head (n);
     Eigen::RowVectorXd result = Eigen::RowVectorXd::Zero (values.cols());
 
     for (Eigen::Index i = 0; i < n; ++i)

@@ -79,7 +79,14 @@ void solveRightTransposed (const MatrixIn& a, MatrixOut x)
 bool factor (MatrixOut a)
 {
     if (a.rows() <= smallTriangle)
-        return Eigen::internal::llt_inplace<double, Eigen::Lower>::unblocked (a) < 0;
+    {
+        const auto failed = Eigen::internal::llt_inplace<double, Eigen::Lower>::unblocked (a);
+
+        if (failed >= 0)
+            a (failed, failed) = 0;
+
+        return failed < 0;
+    }
 
     const auto half = a.rows() / 2, rest = a.rows() - half;
 
@@ -126,6 +133,17 @@ void solveLowerTransposed (const MatrixIn& a, MatrixOut x)
 {
     if (x.size() > 0)
         solveLeftTransposed<Eigen::Lower> (a, x);
+}
+void solveLowerTransposedFromRight (const MatrixIn& a, MatrixOut x)
+{
+    if (x.size() > 0)
+        solveRightTransposed<Eigen::Lower> (a, x);
+}
+Eigen::MatrixXd solveFactored (const MatrixIn& a, Eigen::MatrixXd right)
+{
+    solveLower (a, right);
+    solveLowerTransposed (a, right);
+    return right;
 }
 void solveUnitLower (const MatrixIn& a, MatrixOut x)
 {

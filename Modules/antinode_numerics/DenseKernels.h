@@ -23,7 +23,7 @@ void addTransposedRight (MatrixOut to, double factor, const MatrixIn& a, const M
 void addGram (MatrixOut to, double factor, const MatrixIn& a);
 
 /** Factors a positive definite matrix, a = L L': L replaces the lower triangle of a; above it nothing is read or written.
-    @return  false when it is not positive definite
+    @return  false when it is not positive definite; the first pivot that is not positive is then 0
     [worker] */
 bool factorLower (Eigen::MatrixXd& a);
 
@@ -32,6 +32,12 @@ void solveLower (const MatrixIn& a, MatrixOut x);
 
 /** x = L'^-1 x, L the lower triangle of a. [worker] */
 void solveLowerTransposed (const MatrixIn& a, MatrixOut x);
+
+/** x = x L'^-1, L the lower triangle of a. [worker] */
+void solveLowerTransposedFromRight (const MatrixIn& a, MatrixOut x);
+
+/** The solution of L L' x = right, L the lower triangle of a, as factorLower leaves it. [worker] */
+Eigen::MatrixXd solveFactored (const MatrixIn& a, Eigen::MatrixXd right);
 
 /** x = L^-1 x, L the lower triangle of a with ones on its diagonal. [worker] */
 void solveUnitLower (const MatrixIn& a, MatrixOut x);

@@ -1,5 +1,7 @@
 #include "MatrixKernel.h"
 
+#include <antinode_base/Watch.h>
+
 #include <hwy/aligned_allocator.h>
 
 #include <algorithm>
@@ -159,6 +161,7 @@ void addProduct (const ProductTarget& target, std::ptrdiff_t depth, double facto
 
             for (auto row = target.isLowerOnly ? column / rowRoom * rowRoom : 0; row < target.rows; row += rowRoom)
             {
+                checkWatch();
                 const Range rows { row, std::min (row + rowRoom, target.rows) };
                 pack<tileRows> (across + row * a.rowStep, a.rowStep, a.columnStep, rows.end - row, part, packedA.get());
                 addPanels (target, packedA.get(), packedB.get(), part, factor, rows, columns);
@@ -175,6 +178,9 @@ void addDots (const ProductTarget& target, std::ptrdiff_t depth, double factor, 
     const auto whole = depth / lanes * lanes;
 
     for (std::ptrdiff_t row = 0; row < target.rows; row += dotRows)
+    {
+        checkWatch();
+
         for (std::ptrdiff_t column = 0; column < target.columns; column += dotColumns)
         {
             // Beyond the last, the last once more.
@@ -216,6 +222,7 @@ void addDots (const ProductTarget& target, std::ptrdiff_t depth, double factor, 
                     target.data[row + i + (column + j) * target.stride] += factor * sum;
                 }
         }
+    }
 }
 
 /** Rotations of neighbouring columns, in order, on a strip of rows that stays in the cache. */

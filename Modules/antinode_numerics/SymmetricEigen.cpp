@@ -1,7 +1,8 @@
-#include "DenseKernels.h"
+#include "Decompositions.h"
+#include "Householder.h"
 #include "MatrixKernel.h"
 
-#include <Eigen/Eigenvalues>
+#include <antinode_base/Watch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +15,6 @@ namespace antinode
 {
 namespace
 {
-/** A symmetric tridiagonal matrix. */
-struct Tridiagonal
-{
-    Eigen::VectorXd diagonal, beside;
-};
-
 /** Wilkinson's shift: the eigenvalue of the last 2 x 2 that lies nearer its last entry. */
 double shiftAt (const Tridiagonal& t, Eigen::Index end)
 {
@@ -87,11 +82,15 @@ std::vector<PlaneRotation> diagonalise (Tridiagonal& t)
         if (stepsLeft-- == 0)
             throw std::runtime_error ("eigenvalues of a symmetric matrix: no convergence");
 
+        checkWatch();
         step (t, start, end, rotations);
     }
 
     return rotations;
 }
+
+/** Between two looks at the watch: some hundred microseconds. */
+constexpr std::size_t rotationsAtOnce = 16384;
 
 /** The columns of a matrix turned, strip of rows by strip. */
 void rotateAll (Eigen::MatrixXd& vectors, const std::vector<PlaneRotation>& rotations)
@@ -102,9 +101,27 @@ void rotateAll (Eigen::MatrixXd& vectors, const std::vector<PlaneRotation>& rota
     {
         const auto count = std::min<Eigen::Index> (rotationRows, vectors.rows() - first);
         strip.topRows (count) = vectors.middleRows (first, count);
-        rotateColumns (strip.data(), rotations.data(), static_cast<std::ptrdiff_t> (rotations.size()));
+
+        for (std::size_t next = 0; next < rotations.size(); next += rotationsAtOnce)
+        {
+            checkWatch();
+            rotateColumns (strip.data(), rotations.data() + next,
+                           static_cast<std::ptrdiff_t> (std::min (rotationsAtOnce, rotations.size() - next)));
+        }
+
         vectors.middleRows (first, count) = strip.topRows (count);
     }
+}
+
+/** What a matrix is divided by, so that its largest entry is 1. */
+double scaleOf (const Eigen::MatrixXd& a)
+{
+    const auto size = a.cwiseAbs().maxCoeff();
+
+    if (! std::isfinite (size))
+        throw std::runtime_error ("eigenvalues of a symmetric matrix: it is not finite");
+
+    return size > 0 ? size : 1.0;
 }
 } // namespace
 
@@ -113,21 +130,29 @@ SymmetricEigen symmetricEigen (Eigen::MatrixXd a)
     if (a.size() == 0)
         return {};
 
-    const auto size = a.cwiseAbs().maxCoeff();
+    const auto scale = scaleOf (a);
+    a /= scale;
+    auto t = tridiagonalise (a);
+    auto vectors = reflectionsOf (a, t);
+    rotateAll (vectors, diagonalise (t));
 
-    if (! std::isfinite (size))
-        throw std::runtime_error ("eigenvalues of a symmetric matrix: it is not finite");
-
-    const auto scale = size > 0 ? size : 1.0;
-    const Eigen::Tridiagonalization<Eigen::MatrixXd> reduced (a / scale);
-    Tridiagonal t { reduced.diagonal(), reduced.subDiagonal() };
-    a = reduced.matrixQ();
-    rotateAll (a, diagonalise (t));
-
-    std::vector<Eigen::Index> order (static_cast<std::size_t> (a.cols()));
+    std::vector<Eigen::Index> order (static_cast<std::size_t> (vectors.cols()));
     std::iota (order.begin(), order.end(), 0);
     std::stable_sort (order.begin(), order.end(),
                       [&] (auto left, auto right) { return t.diagonal[left] < t.diagonal[right]; });
-    return { scale * t.diagonal (order), a (Eigen::all, order) };
+    return { scale * t.diagonal (order), vectors (Eigen::all, order) };
+}
+
+Eigen::VectorXd symmetricEigenvalues (const Eigen::MatrixXd& a)
+{
+    if (a.size() == 0)
+        return {};
+
+    const auto scale = scaleOf (a);
+    Eigen::MatrixXd scaled = a / scale;
+    auto t = tridiagonalise (scaled);
+    diagonalise (t);
+    std::sort (t.diagonal.begin(), t.diagonal.end());
+    return scale * t.diagonal;
 }
 } // namespace antinode

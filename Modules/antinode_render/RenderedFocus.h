@@ -59,7 +59,7 @@ struct RenderedFocus
 };
 
 /** Plays a design through synthesiser, limiter and plate model, and scores what the plate did.
-    @throws InputError  when a probe lies outside the surface or the options are not usable
+    @throws InputError  when a probe lies outside the surface or the options are not usable; Cancelled as checkWatch()
     [worker] */
 RenderedFocus renderFocus (ModalModel, FocusDesign, const RenderOptions&,
                            const std::function<void (double)>& progress = {});

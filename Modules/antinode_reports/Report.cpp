@@ -5,11 +5,7 @@
 
 #include <antinode_charts/Picture.h>
 #include <antinode_charts/Theme.h>
-
-#include <algorithm>
-#include <atomic>
-#include <future>
-#include <thread>
+#include <antinode_numerics/ParallelFor.h>
 
 namespace antinode
 {
@@ -37,26 +33,17 @@ std::string pictureOf (const ReportFigure& figure, const Theme& theme)
     return pngDataUri (renderPng (figure.chart, figure.width, figure.height, pictureScale, theme));
 }
 
-// Every picture is a job of its own; each thread takes the next one.
+// Every picture is a job of its own.
 std::vector<Pictures> renderPictures (const std::vector<const ReportFigure*>& figures)
 {
     std::vector<Pictures> pictures (figures.size());
-    std::atomic<std::size_t> next { 0 };
-    const auto work = [&]
-    {
-        for (auto job = next++; job < 2 * figures.size(); job = next++)
-        {
-            auto& [light, dark] = pictures[job / 2];
-            (job % 2 == 0 ? light : dark) =
-                pictureOf (*figures[job / 2], job % 2 == 0 ? Theme::light() : Theme::dark());
-        }
-    };
-    std::vector<std::future<void>> threads;
-    const auto count = std::clamp<std::size_t> (std::thread::hardware_concurrency(), 1, 2 * figures.size() + 1);
-    for (std::size_t k = 0; k < count; ++k)
-        threads.push_back (std::async (std::launch::async, work));
-    for (auto& thread : threads)
-        thread.get();
+    parallelFor (2 * figures.size(),
+                 [&] (std::size_t job)
+                 {
+                     auto& [light, dark] = pictures[job / 2];
+                     (job % 2 == 0 ? light : dark) =
+                         pictureOf (*figures[job / 2], job % 2 == 0 ? Theme::light() : Theme::dark());
+                 });
     return pictures;
 }
 

@@ -1,5 +1,7 @@
 #include "BlockBandedFactor.h"
 
+#include <antinode_base/Watch.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -57,12 +59,16 @@ void BlockBandedFactor::addTerms (const TensorOperator& tensor, double factor)
         const auto band = bandwidth (term.inner);
 
         for (Eigen::Index j = 0; j < term.outer.cols(); ++j)
+        {
+            checkWatch();
+
             for (Eigen::Index i = j; i < term.outer.rows(); ++i)
                 if (term.outer (i, j) != 0)
                     addBand (panels[static_cast<std::size_t> (term.outerColumn + j)].block (
                                  (i - j) * blockSize + term.innerRow, term.innerColumn, term.inner.rows(),
                                  term.inner.cols()),
                              factor * term.outer (i, j), term.inner, band);
+        }
     }
 }
 
@@ -90,6 +96,7 @@ void BlockBandedFactor::factorDiagonal (MatrixOut diagonal, Eigen::Index firstPi
 {
     for (Eigen::Index j = 0; j < blockSize; ++j)
     {
+        checkWatch();
         const auto pivot = diagonal (j, j);
         const auto below = blockSize - j - 1;
         pivots[firstPivot + j] = pivot;

@@ -1,10 +1,7 @@
 #include "ChainModes.h"
 
 #include <antinode_base/InputError.h>
-
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
+#include <antinode_numerics/Decompositions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -65,18 +62,6 @@ Eigen::MatrixXd forbiddenMotions (const ElementChain& chain, const Eigen::Matrix
     return rows.topRows (count);
 }
 
-/** An orthonormal basis of the vectors that a few rows map to zero. */
-Eigen::MatrixXd nullSpace (const Eigen::MatrixXd& rows)
-{
-    const auto size = rows.cols();
-    Eigen::MatrixXd basis = Eigen::MatrixXd::Identity (size, size).rightCols (size - rows.rows());
-
-    if (rows.rows() > 0)
-        basis.applyOnTheLeft (Eigen::HouseholderQR<Eigen::MatrixXd> (rows.transpose()).householderQ());
-
-    return basis;
-}
-
 ChainProblem problemOf (const ElementChain& chain, const ChainBasis& basis, int degree)
 {
     if (basis.unknowns() > maximumUnknowns)
@@ -104,11 +89,13 @@ ChainProblem problemOf (const ElementChain& chain, const ChainBasis& basis, int 
 
 /** The vectors made orthonormal in M, each against those before it. The mass is formed again from their displacements: M itself
     is rounded relative to the lowest modes, which is much for the highest ones. */
-Eigen::MatrixXd massNormalised (const ChainProblem& problem, const Eigen::MatrixXd& vectors)
+Eigen::MatrixXd massNormalised (const ChainProblem& problem, Eigen::MatrixXd vectors)
 {
     const Eigen::MatrixXd moved = problem.displacement * vectors;
-    const Eigen::LLT<Eigen::MatrixXd> gram (moved.transpose() * moved);
-    return gram.matrixU().solve<Eigen::OnTheRight> (vectors);
+    Eigen::MatrixXd gram = moved.transpose() * moved;
+    factorLower (gram);
+    solveLowerTransposedFromRight (gram, vectors);
+    return vectors;
 }
 
 /** An angular frequency below that of any flexible mode of a straight beam: what the loosest supports (pinned and guided,
@@ -148,16 +135,15 @@ ChainModes solveChain (const ElementChain& chain, int degree, double angularFreq
     const auto problem = problemOf (chain, basis, degree);
     const auto lowest = lowestPossibleAngularFrequency (chain);
     const auto shift = lowest * angularFrequency;
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver (problem.mass,
-                                                                            problem.stiffness + shift * problem.mass);
+    const auto solution = generalizedEigen (problem.mass, problem.stiffness + shift * problem.mass);
 
-    if (solver.info() != Eigen::Success || ! solver.eigenvalues().allFinite())
+    if (! solution || ! solution->values.allFinite())
         throwNumbersTooFarApart();
 
-    const Eigen::ArrayXd mu = solver.eigenvalues().reverse();
+    const Eigen::ArrayXd mu = solution->values.reverse();
     const auto rigid = (mu > 1 / (lowest * lowest / 2 + shift)).count();
     const auto flexible = (mu > 1 / (4 * angularFrequency * angularFrequency + shift)).count() - rigid;
-    const Eigen::MatrixXd vectors = solver.eigenvectors().rowwise().reverse().middleCols (rigid, flexible);
+    const Eigen::MatrixXd vectors = solution->vectors.rowwise().reverse().middleCols (rigid, flexible);
 
     ChainModes modes;
     modes.rigidBodyModes = static_cast<int> (rigid);

@@ -1,6 +1,6 @@
 #include "Controllability.h"
 
-#include <Eigen/Eigenvalues>
+#include <antinode_numerics/Decompositions.h>
 
 #include <cmath>
 #include <complex>
@@ -48,6 +48,6 @@ Eigen::MatrixXd velocityKernel (const Eigen::VectorXd& angularFrequencies, const
 double worstControllability (const Eigen::MatrixXd& kernel, const Eigen::MatrixXd& participation)
 {
     const Eigen::MatrixXd gramian = kernel.cwiseProduct (participation * participation.transpose());
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> (gramian, Eigen::EigenvaluesOnly).eigenvalues()[0];
+    return symmetricEigenvalues (gramian)[0];
 }
 } // namespace antinode

@@ -111,7 +111,7 @@ struct DeviceDescription
 
 /** The modal model of a described device: solves a beam, staple or plate; hands a measured model on as it is.
     @param modeCount  how many flexible modes, or none: what the description says, or a default of 40
-    @throws InputError  where the description cannot be solved, saying why
+    @throws InputError  where the description cannot be solved, saying why; Cancelled as checkWatch()
     [worker] Docs/Theory.md, section 1. */
 ModalModel solveStructure (const DeviceDescription&, std::optional<int> modeCount = {});
 } // namespace antinode

@@ -6,6 +6,7 @@
 #include "PlateSolution.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/Watch.h>
 #include <antinode_model/ShapeInterpolation.h>
 
 #include <algorithm>
@@ -90,6 +91,7 @@ struct CandidateFinder
 
         for (std::size_t i = 0; i < candidates.ceramics.size(); ++i)
         {
+            checkWatch();
             const auto& c = candidates.ceramics[i];
             candidates.participation.col (static_cast<Eigen::Index> (i)) =
                 solution.coefficients.transpose()
@@ -132,6 +134,7 @@ private:
 
         for (std::size_t i = 0; i < lefts.size(); ++i)
         {
+            checkWatch();
             auto ceramic = like;
             ceramic.x = lefts[i];
             ceramic.y = -like.sizeY / 2;

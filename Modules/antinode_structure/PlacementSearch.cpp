@@ -1,15 +1,12 @@
 #include "PlacementSearch.h"
 
 #include <antinode_base/InputError.h>
-
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <antinode_numerics/Decompositions.h>
+#include <antinode_numerics/ParallelFor.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <optional>
-#include <thread>
 
 namespace antinode
 {
@@ -130,17 +127,13 @@ private:
     /** The best candidate that does not overlap the others, or none if none exceeds a value. */
     Candidate bestBeside (const std::vector<Eigen::Index>& others, double toExceed, bool mayOverlap = false) const
     {
-        const auto threads = std::max (1U, std::thread::hardware_concurrency());
-        std::vector<Candidate> best (threads);
-        std::vector<std::thread> workers;
-
-        for (unsigned thread = 0; thread < threads; ++thread)
-            workers.emplace_back (
-                [&, thread]
-                { best[thread] = bestOfShare (others, toExceed, mayOverlap, thread, static_cast<int> (threads)); });
-
-        for (auto& worker : workers)
-            worker.join();
+        std::vector<Candidate> best (processorThreads());
+        parallelFor (best.size(),
+                     [&] (std::size_t share)
+                     {
+                         best[share] = bestOfShare (others, toExceed, mayOverlap, static_cast<Eigen::Index> (share),
+                                                    static_cast<Eigen::Index> (best.size()));
+                     });
 
         return *std::max_element (best.begin(), best.end(),
                                   [] (const Candidate& a, const Candidate& b)
@@ -148,7 +141,7 @@ private:
     }
 
     Candidate bestOfShare (const std::vector<Eigen::Index>& others, double toExceed, bool mayOverlap,
-                           Eigen::Index first, int step) const
+                           Eigen::Index first, Eigen::Index step) const
     {
         Candidate best { -1, toExceed };
 
@@ -176,12 +169,11 @@ private:
             Eigen::MatrixXd shifted = gramian;
             shifted.diagonal().array() -= best.value;
 
-            if (Eigen::LLT<Eigen::MatrixXd> (shifted).info() != Eigen::Success)
+            if (! factorLower (shifted))
                 return;
         }
 
-        const auto value =
-            Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> (gramian, Eigen::EigenvaluesOnly).eigenvalues()[0];
+        const auto value = symmetricEigenvalues (gramian)[0];
 
         if (value > best.value)
             best = { candidate, value };

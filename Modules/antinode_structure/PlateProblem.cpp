@@ -3,6 +3,7 @@
 #include "ElementChain.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/Watch.h>
 
 #include <algorithm>
 #include <limits>
@@ -123,6 +124,7 @@ PlateProblem plateProblem (const PlateDescription& plate, const PlateLayout& lay
 
     for (const auto& region : regionsOf (plate, layout, x, y))
     {
+        checkWatch();
         const auto products = productsOf (region, problem, problem);
         addStiffness (problem, region, products);
         addTerm (problem.mass, products, region.section.massPerArea * products.outer.values, products.inner.values);
@@ -156,6 +158,7 @@ TensorOperator massBetween (const PlateDescription& plate, const PlateLayout& la
 
     for (const auto& region : regionsOf (plate, layout, columns.x(), columns.y()))
     {
+        checkWatch();
         const auto products = productsOf (region, rows, columns);
         addTerm (mass, products, region.section.massPerArea * products.outer.values, products.inner.values);
     }

@@ -1,6 +1,6 @@
 #include "PlateSection.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
 namespace antinode
 {

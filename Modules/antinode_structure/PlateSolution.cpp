@@ -5,10 +5,8 @@
 #include "PlateWaves.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_numerics/DenseKernels.h>
+#include <antinode_numerics/Decompositions.h>
 #include <antinode_numerics/GaussLegendre.h>
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <array>
@@ -145,11 +143,14 @@ Eigenpairs coarserPairs (const PlateDescription& plate, const PlateLayout& layou
     factor.solveInPlace (vectors);
 
     // (K - shift M) v = load, so that v' load is the projected operator: of it and v' M v the eigenvalues.
-    const Eigen::LLT<Eigen::MatrixXd> root (innerProducts (vectors, loads));
-    const Eigen::MatrixXd half = root.matrixL().solve (innerProducts (vectors, coarse.mass (vectors)));
-    const auto inverse = symmetricEigen (root.matrixL().solve (half.transpose()));
-    const Eigen::VectorXd inverses = inverse.values.reverse();
-    const Eigen::MatrixXd turn = root.matrixU().solve (inverse.vectors.rowwise().reverse());
+    const auto inverse =
+        generalizedEigen (innerProducts (vectors, coarse.mass (vectors)), innerProducts (vectors, loads));
+
+    if (! inverse)
+        throwNumbersTooFarApart();
+
+    const Eigen::VectorXd inverses = inverse->values.reverse();
+    const Eigen::MatrixXd turn = inverse->vectors.rowwise().reverse();
     Eigenpairs result { (shift + inverses.array().inverse()).matrix(),
                         Eigen::MatrixXd::Zero (vectors.rows(), turn.cols()) };
     addProduct (result.vectors, 1, vectors, turn * inverses.cwiseSqrt().cwiseInverse().asDiagonal());

@@ -3,6 +3,7 @@
 #include "ElementChain.h"
 #include "SolvedPlate.h"
 
+#include <antinode_base/Watch.h>
 #include <antinode_numerics/DenseKernels.h>
 
 namespace antinode
@@ -17,6 +18,7 @@ Eigen::MatrixXd loadsOf (const PlateDescription& plate, const PlateSolution& sol
 
     for (std::size_t i = 0; i < patches.size(); ++i)
     {
+        checkWatch();
         const auto& patch = patches[i];
         const auto section = ceramicSection (plate.common, plate.common.ceramics[i]);
         loads.col (static_cast<Eigen::Index> (i)) =
@@ -69,7 +71,8 @@ Eigen::MatrixXd staticShapes (const PlateDescription& plate, const PlateSolution
 Eigen::MatrixXd staticResidual (const PlateDescription& plate, const PlateSolution& solution, const ModalModel& model)
 {
     const Eigen::VectorXd squares = model.angularFrequencies.cwiseAbs2();
-    return staticShapes (plate, solution, model.surface.grid.value())
-           - model.shapes * (squares.cwiseInverse().asDiagonal() * model.participation);
+    auto shapes = staticShapes (plate, solution, model.surface.grid.value());
+    addProduct (shapes, -1, model.shapes, squares.cwiseInverse().asDiagonal() * model.participation);
+    return shapes;
 }
 } // namespace antinode

@@ -5,6 +5,7 @@
 #include "ElementChain.h"
 #include "PlateWaves.h"
 
+#include <antinode_base/Watch.h>
 #include <antinode_numerics/DenseKernels.h>
 
 #include <algorithm>
@@ -113,6 +114,7 @@ Eigen::MatrixXd participationOf (const PlateDescription& plate, const PlateSolut
 
     for (std::size_t i = 0; i < layout.patches.size(); ++i)
     {
+        checkWatch();
         const auto& patch = layout.patches[i];
         const auto section = ceramicSection (plate.common, plate.common.ceramics[i]);
         const auto load =

@@ -2,6 +2,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
+#include <antinode_base/Watch.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view temporaryPrefix = ".antinode-";
 constexpr std::string_view lastFile = "summary.json";
+constexpr std::size_t bytesAtOnce = 1 << 20; // between two looks at the watch
 
 [[noreturn]] void fail (const fs::path& path, const std::string& wrong)
 {
@@ -118,7 +120,14 @@ void OutputFolder::write (const std::string& fileName, std::string_view content)
     const auto path = pathFor (fileName);
     errno = 0;
     std::ofstream file (path, std::ios::binary);
-    file.write (content.data(), static_cast<std::streamsize> (content.size()));
+
+    for (std::size_t done = 0; done < content.size(); done += bytesAtOnce)
+    {
+        checkWatch();
+        const auto part = content.substr (done, bytesAtOnce);
+        file.write (part.data(), static_cast<std::streamsize> (part.size()));
+    }
+
     file.close();
 
     if (! file)

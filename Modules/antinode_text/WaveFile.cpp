@@ -4,6 +4,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
+#include <antinode_base/Watch.h>
 
 #include <bit>
 #include <cmath>
@@ -94,6 +95,9 @@ std::string encodeWave (const Eigen::MatrixXd& samples, double fullScale, double
     appendHeader (bytes, shape);
 
     for (Eigen::Index n = 0; n < samples.cols(); ++n)
+    {
+        checkWatch();
+
         for (Eigen::Index i = 0; i < samples.rows(); ++i)
         {
             const auto value = static_cast<float> (samples (i, n) / fullScale);
@@ -103,6 +107,7 @@ std::string encodeWave (const Eigen::MatrixXd& samples, double fullScale, double
 
             appendLittleEndian (bytes, std::bit_cast<std::uint32_t> (value));
         }
+    }
 
     return bytes;
 }
@@ -122,6 +127,7 @@ std::string encodeCsv (const Eigen::MatrixXd& samples, const std::vector<std::st
 
     for (Eigen::Index n = 0; n < samples.cols(); ++n)
     {
+        checkWatch();
         text += '\n';
         appendCsvNumber (text, firstTime + static_cast<double> (n) / sampleRate, significantDigits);
 

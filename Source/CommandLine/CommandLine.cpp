@@ -3,7 +3,9 @@
 #include "Commands.h"
 #include "FieldNames.h"
 
+#include <antinode_audio/Interruption.h>
 #include <antinode_base/InputError.h>
+#include <antinode_base/Watch.h>
 
 #include <cstdio>
 #include <exception>
@@ -15,6 +17,14 @@ namespace antinode
 namespace
 {
 constexpr int done = 0, badInput = 1, wrongUsage = 2;
+
+/** @return  the exit code of a program that a signal ended, as shells have it */
+int sayInterrupted()
+{
+    constexpr int bySignal = 128;
+    std::fputs ("Interrupted\n", stderr);
+    return bySignal + interruptingSignal();
+}
 
 int complain (const char* text)
 {
@@ -42,10 +52,16 @@ int runCommandLine (int argumentCount, const char* const* arguments)
     addRetuneCommand (app);
     addVersionCommand (app);
 
+    const WatchScope scope ([] { return ! isInterrupted(); });
+
     try
     {
         app.parse (argumentCount, arguments);
         return done;
+    }
+    catch (const Cancelled&)
+    {
+        return sayInterrupted();
     }
     catch (const CLI::Success& success) // --help
     {

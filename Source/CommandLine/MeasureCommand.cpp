@@ -2,7 +2,6 @@
 #include "ExcitationOptions.h"
 #include "SensorOptions.h"
 
-#include <antinode_audio/Interruption.h>
 #include <antinode_base/InputError.h>
 #include <antinode_bench/AudioBench.h>
 #include <antinode_bench/Measuring.h>
@@ -71,7 +70,6 @@ std::unique_ptr<Bench> audioBench (const MeasureOptions& options, const ModalMod
 
 void measure (const MeasureOptions& options)
 {
-    catchInterruptions();
     const auto model = excitedDevice (options.excitation);
     const auto sheet = excitationFor (model, options.excitation);
     const auto points = readPointsFile (options.pointsFile);

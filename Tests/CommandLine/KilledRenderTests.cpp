@@ -76,3 +76,36 @@ TEST_CASE ("A render that is killed at any moment leaves nothing half-written, a
     for (const auto& entry : std::filesystem::directory_iterator (out))
         CHECK_FALSE (entry.path().filename().string().starts_with ("."));
 }
+
+TEST_CASE ("A render that is interrupted at any moment ends with 130, says so, and leaves nothing", "[command line]")
+{
+    using namespace std::chrono;
+    const TemporaryFolder folder, streams;
+    const auto out = folder.path() / "out";
+    const std::vector<std::string> render { "render", "--quiet", "--no-cache", "--out", out };
+    const auto begin = steady_clock::now();
+    REQUIRE (test::waitForProgram (test::startProgram (render, streams.path())) == 0);
+    const auto whole = steady_clock::now() - begin;
+    std::filesystem::remove_all (out);
+    constexpr int moments = 12;
+    constexpr int interrupted = 128 + SIGINT;
+
+    // Not at its very begin: before the program looks at signals it ends by them, and says nothing.
+    for (int i = 2; i < moments; ++i)
+    {
+        const auto program = test::startProgram (render, streams.path());
+        std::this_thread::sleep_for (whole * i / moments);
+        kill (program, SIGINT);
+
+        if (test::waitForProgram (program) == interrupted)
+        {
+            CHECK (test::contentOf (streams.path() / "stderr") == "Interrupted\n");
+            CHECK_FALSE (std::filesystem::exists (out));
+        }
+        else
+        {
+            checkWhole (out);
+            std::filesystem::remove_all (out);
+        }
+    }
+}

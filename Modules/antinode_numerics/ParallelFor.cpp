@@ -1,0 +1,106 @@
+#include "ParallelFor.h"
+
+#include <antinode_base/Watch.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace antinode
+{
+namespace
+{
+/** The indices that are left, and the exception of the lowest that threw. All below an index were begun before it, so
+    which exception is kept does not depend on the threads. */
+class SharedIndices
+{
+public:
+    SharedIndices (std::size_t countToUse, const std::function<void (std::size_t)>& workToUse)
+        : count (countToUse), work (workToUse)
+    {
+    }
+
+    void run()
+    {
+        for (auto index = next++; index < count && ! hasFailed; index = next++)
+        {
+            try
+            {
+                checkWatch();
+                work (index);
+            }
+            catch (...)
+            {
+                keep (index, std::current_exception());
+            }
+        }
+    }
+
+    void rethrow() const
+    {
+        if (failure)
+            std::rethrow_exception (failure);
+    }
+
+private:
+    void keep (std::size_t index, std::exception_ptr exception)
+    {
+        const std::lock_guard lock (mutex);
+
+        if (! failure || index < failedIndex)
+        {
+            failure = std::move (exception);
+            failedIndex = index;
+        }
+
+        hasFailed = true;
+    }
+
+    const std::size_t count;
+    const std::function<void (std::size_t)>& work;
+    std::atomic<std::size_t> next { 0 };
+    std::atomic<bool> hasFailed { false };
+    std::mutex mutex;
+    std::exception_ptr failure;
+    std::size_t failedIndex = 0;
+};
+} // namespace
+
+std::size_t processorThreads()
+{
+    return std::max (1U, std::thread::hardware_concurrency());
+}
+
+void parallelFor (std::size_t count, const std::function<void (std::size_t)>& work, std::size_t threads)
+{
+    SharedIndices indices (count, work);
+    const auto watch = watchOfThread();
+
+    {
+        std::vector<std::jthread> others;
+
+        try
+        {
+            for (std::size_t n = 1; n < std::min (count, threads); ++n)
+                others.emplace_back (
+                    [&indices, &watch]
+                    {
+                        const WatchScope scope (watch);
+                        indices.run();
+                    });
+        }
+        catch (const std::system_error&)
+        {
+            // The system gives no more threads: those that there are do all of it.
+        }
+
+        indices.run();
+    }
+
+    indices.rethrow();
+}
+} // namespace antinode
