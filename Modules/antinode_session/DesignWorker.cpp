@@ -1,5 +1,6 @@
 #include "DesignWorker.h"
 
+#include <antinode_base/Watch.h>
 #include <antinode_focus/BankPlaces.h>
 #include <antinode_focus/DesignFocus.h>
 
@@ -13,6 +14,8 @@ constexpr auto partInterval = std::chrono::milliseconds (100); ///< Between part
 
 /** Designs younger than this are finished even if outdated, so that a moving parameter is audible. */
 constexpr auto longDesign = std::chrono::milliseconds (250);
+
+constexpr auto lookInterval = std::chrono::milliseconds (5); ///< Between looks at the watch of those who wait.
 } // namespace
 
 DesignWorker::DesignWorker (BankHandOver& handOverToUse) : handOver (handOverToUse), thread ([this] { run(); }) {}
@@ -60,12 +63,15 @@ void DesignWorker::waitFor (std::span<const int> places)
     std::unique_lock lock (mutex);
     urgent.insert (urgent.end(), places.begin(), places.end());
     const auto isPlaceReady = [this] (int place) { return isReady[static_cast<std::size_t> (place)]; };
-    changed.wait (lock,
-                  [&]
-                  {
-                      const auto isIdle = ! next && ! isWorking;
-                      return isIdle || (! next && std::all_of (places.begin(), places.end(), isPlaceReady));
-                  });
+    const auto isReadyOrIdle = [&]
+    {
+        const auto isIdle = ! next && ! isWorking;
+        return isIdle || (! next && std::all_of (places.begin(), places.end(), isPlaceReady));
+    };
+
+    while (! changed.wait_for (lock, lookInterval, isReadyOrIdle))
+        checkWatch();
+
     urgent.clear();
 }
 

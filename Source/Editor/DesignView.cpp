@@ -69,19 +69,11 @@ bool DesignQuestion::operator== (const DesignQuestion& other) const
            && playback.reconstruction == other.playback.reconstruction;
 }
 
-DesignView::DesignView()
+void DesignView::stop()
 {
-    thread = std::thread ([this] { run(); });
-}
-
-DesignView::~DesignView()
-{
-    {
-        const std::lock_guard lock (mutex);
-        isStopping = true;
-    }
+    const std::lock_guard lock (mutex);
+    isStopping = true;
     changed.notify_all();
-    thread.join();
 }
 
 void DesignView::ask (DesignQuestion question)

@@ -62,19 +62,11 @@ BarChart spectrumOf (const Eigen::VectorXd& largest)
 }
 } // namespace
 
-MotionView::MotionView()
+void MotionView::stop()
 {
-    thread = std::thread ([this] { run(); });
-}
-
-MotionView::~MotionView()
-{
-    {
-        const std::lock_guard lock (mutex);
-        isStopping = true;
-    }
+    const std::lock_guard lock (mutex);
+    isStopping = true;
     changed.notify_all();
-    thread.join();
 }
 
 void MotionView::watch (std::shared_ptr<const PlateSnapshot> snapshot)
