@@ -63,9 +63,9 @@ void checkSolved (double error)
 /** The shares by the active set, with status, bound and effort of the certificate. */
 std::optional<Eigen::MatrixXd> activeShares (const WhitenedAllocation& whitened, const RowSystem& rows,
                                              const Eigen::MatrixXd& unlimited, AllocationCertificate& certificate,
-                                             const AllocationWatch& watch)
+                                             const ShowAllocationProgress& show)
 {
-    const auto result = activeSetShares (whitened, rows, 1, unlimited, watch);
+    const auto result = activeSetShares (whitened, rows, 1, unlimited, show);
 
     if (! result || ! (result->gap() <= largestGap))
         return {};
@@ -78,18 +78,18 @@ std::optional<Eigen::MatrixXd> activeShares (const WhitenedAllocation& whitened,
 
 /** The shares by interior points, with status, bound and effort of the certificate. */
 Eigen::MatrixXd limitedShares (const WhitenedAllocation& whitened, const RowSystem& rows, AllocationGoal goal,
-                               double peakRoom, AllocationCertificate& certificate, const AllocationWatch& watch)
+                               double peakRoom, AllocationCertificate& certificate, const ShowAllocationProgress& show)
 {
     const auto hardOnly = whitened.withoutGuards();
     const auto isPeak = goal == AllocationGoal::peak;
-    const auto least = leastPeakShares (hardOnly, RowSystem (hardOnly), isPeak ? 0.0 : easyRatio, watch);
+    const auto least = leastPeakShares (hardOnly, RowSystem (hardOnly), isPeak ? 0.0 : easyRatio, show);
 
     if (isPeak || least.value > easyRatio)
         checkSolved (least.gap());
 
     const auto isInfeasible = ! isPeak && least.value > 1 - leastRoom;
     const auto ratio = isPeak || isInfeasible ? peakRoom * least.bound : 1.0;
-    const auto result = leastNormShares (whitened, rows, ratio, least.shares, watch);
+    const auto result = leastNormShares (whitened, rows, ratio, least.shares, show);
     certificate.status = isInfeasible ? AllocationStatus::infeasible : AllocationStatus::optimal;
     certificate.leastPeakRatio = least.bound;
     certificate.bound = result.bound;
@@ -99,7 +99,7 @@ Eigen::MatrixXd limitedShares (const WhitenedAllocation& whitened, const RowSyst
 }
 } // namespace
 
-Allocation solveAllocation (const AllocationProblem& problem, AllocationGoal goal, const AllocationWatch& watch)
+Allocation solveAllocation (const AllocationProblem& problem, AllocationGoal goal, const ShowAllocationProgress& show)
 {
     const auto begin = std::chrono::steady_clock::now();
     validate (problem);
@@ -117,9 +117,9 @@ Allocation solveAllocation (const AllocationProblem& problem, AllocationGoal goa
 
     if (goal == AllocationGoal::peak || certificate.peakRatio > 1)
     {
-        const auto active = goal == AllocationGoal::norm ? activeShares (whitened, rows, shares, certificate, watch)
+        const auto active = goal == AllocationGoal::norm ? activeShares (whitened, rows, shares, certificate, show)
                                                          : std::optional<Eigen::MatrixXd>();
-        shares = active ? *active : limitedShares (whitened, rows, goal, problem.peakRoom, certificate, watch);
+        shares = active ? *active : limitedShares (whitened, rows, goal, problem.peakRoom, certificate, show);
         certificate.peakRatio = whitened.peakRatio (shares);
     }
     else

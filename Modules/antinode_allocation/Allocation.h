@@ -1,6 +1,6 @@
 #pragma once
 
-#include "AllocationWatch.h"
+#include "AllocationProgress.h"
 
 #include <Eigen/Core>
 
@@ -88,9 +88,10 @@ struct Allocation
     `wanted` all 0 gives M = 0.
     @throws InputError  when the problem is not well-formed, or a row cannot be met at all (a mode that no ceramic moves, or that
                         cannot be steered apart from those before it), naming the row; or when rounding leaves a gap above 1e-6
-    @throws AllocationCancelled  when the watch says no
+    @param  progress  shown before every step
+    @throws Cancelled  when a watch of this thread says no
     [worker] Docs/Theory.md, section 4. */
-Allocation solveAllocation (const AllocationProblem&, AllocationGoal, const AllocationWatch& = {});
+Allocation solveAllocation (const AllocationProblem&, AllocationGoal, const ShowAllocationProgress& = {});
 
 /** The minimum-norm allocation without limits, guards included, closed form.
     @return M, N_b x N_d.

@@ -89,7 +89,7 @@ bool solveWith (ActivePeaks& active, const Peaks& found)
 
 std::optional<LimitedAllocation> activeSetShares (const WhitenedAllocation& problem, const RowSystem& rows,
                                                   double ratio, const Eigen::MatrixXd& start,
-                                                  const AllocationWatch& watch)
+                                                  const ShowAllocationProgress& show)
 {
     const Eigen::VectorXd limits = ratio * problem.limits;
     const auto highest = highestBound * problem.objective (start);
@@ -101,7 +101,7 @@ std::optional<LimitedAllocation> activeSetShares (const WhitenedAllocation& prob
 
     while (best.effort.rounds < mostRounds && best.value < highest)
     {
-        report (watch, { AllocationStage::activeSet, best.effort.rounds, 1 });
+        report (show, { AllocationStage::activeSet, best.effort.rounds, 1 });
         const auto found = beyond (problem.voltages (best.shares), limits, active.peaks());
 
         if (found.empty())

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "AllocationWatch.h"
+#include "AllocationProgress.h"
 #include "LimitedAllocation.h"
 #include "RowSystem.h"
 
@@ -16,5 +16,5 @@ namespace antinode
                   the exchange leads nowhere
     [worker] Docs/Theory.md, section 4.3. */
 std::optional<LimitedAllocation> activeSetShares (const WhitenedAllocation&, const RowSystem&, double ratio,
-                                                  const Eigen::MatrixXd& start, const AllocationWatch&);
+                                                  const Eigen::MatrixXd& start, const ShowAllocationProgress&);
 } // namespace antinode

@@ -93,7 +93,7 @@ constexpr auto neededPeakGap = 5e-7;
 
 /** Improves shares and bound as far as it can. */
 void searchLeastPeak (LimitedAllocation& best, const WhitenedAllocation& problem, const RowSystem& rows, PeakAim aim,
-                      const AllocationWatch& watch)
+                      const ShowAllocationProgress& show)
 {
     constexpr auto wantedGap = 1e-7;
     constexpr auto firstPeaks = 0.2;
@@ -106,7 +106,7 @@ void searchLeastPeak (LimitedAllocation& best, const WhitenedAllocation& problem
 
     while (best.value > aim.easyRatio && ! search.isEnough (best.gap(), wantedGap, neededPeakGap) && search.advance())
     {
-        report (watch, { AllocationStage::leastPeak, best.effort.iterations + search.effort().iterations, best.gap() });
+        report (show, { AllocationStage::leastPeak, best.effort.iterations + search.effort().iterations, best.gap() });
         const auto& state = search.state();
         best.improve (search.shares(), peakRatio (search.voltages(), problem.limits),
                       leastPeakBound (problem, state.rowMultipliers(), state.sampleMultipliers()));
@@ -137,7 +137,7 @@ struct NormAim
 
 /** Improves shares and bound as far as it can. */
 void searchLeastNorm (LimitedAllocation& best, const WhitenedAllocation& problem, const NormAim& aim,
-                      const RowSystem& rows, const AllocationWatch& watch)
+                      const RowSystem& rows, const ShowAllocationProgress& show)
 {
     constexpr auto wantedGap = 1e-9;
     constexpr auto neededGap = 1e-7;
@@ -148,7 +148,7 @@ void searchLeastNorm (LimitedAllocation& best, const WhitenedAllocation& problem
 
     while (! search.isEnough (best.gap(), wantedGap, neededGap) && search.advance())
     {
-        report (watch, { AllocationStage::leastNorm, best.effort.iterations + search.effort().iterations, best.gap() });
+        report (show, { AllocationStage::leastNorm, best.effort.iterations + search.effort().iterations, best.gap() });
         const auto reached = peakRatio (search.voltages(), problem.limits);
         const auto allowed = pulledInside (search.shares(), reached, aim.ratio, aim.inside, insideRatio);
         best.improve (allowed, problem.objective (allowed),
@@ -162,7 +162,7 @@ void searchLeastNorm (LimitedAllocation& best, const WhitenedAllocation& problem
 } // namespace
 
 LimitedAllocation leastPeakShares (const WhitenedAllocation& problem, const RowSystem& rows, double easyRatio,
-                                   const AllocationWatch& watch)
+                                   const ShowAllocationProgress& show)
 {
     LimitedAllocation best;
     best.shares = rows.leastNormShares();
@@ -171,13 +171,13 @@ LimitedAllocation leastPeakShares (const WhitenedAllocation& problem, const RowS
     // The steadiness that helps one problem slows another down: if rounding ends the search too early, it restarts.
     for (const auto steadiness : { 1e-3, 1e-5, 1e-1 })
         if (best.value > easyRatio && best.gap() > neededPeakGap)
-            searchLeastPeak (best, problem, rows, { easyRatio, steadiness }, watch);
+            searchLeastPeak (best, problem, rows, { easyRatio, steadiness }, show);
 
     return best;
 }
 
 LimitedAllocation leastNormShares (const WhitenedAllocation& problem, const RowSystem& rows, double ratio,
-                                   const Eigen::MatrixXd& inside, const AllocationWatch& watch)
+                                   const Eigen::MatrixXd& inside, const ShowAllocationProgress& show)
 {
     constexpr auto acceptedGap = 1e-6;
     LimitedAllocation best;
@@ -187,7 +187,7 @@ LimitedAllocation leastNormShares (const WhitenedAllocation& problem, const RowS
     // Other first samples are another way there: where rounding ends one too early the next one begins.
     for (const auto firstPeaks : { 0.8, 0.3, 0.95 })
         if (best.effort.rounds == 0 || best.gap() > acceptedGap)
-            searchLeastNorm (best, problem, { ratio, firstPeaks, inside }, rows, watch);
+            searchLeastNorm (best, problem, { ratio, firstPeaks, inside }, rows, show);
 
     return best;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "AllocationWatch.h"
+#include "AllocationProgress.h"
 #include "RowSystem.h"
 
 #include <Eigen/Core>
@@ -34,11 +34,11 @@ struct LimitedAllocation
     @param easyRatio  once a ratio below this is reached the search ends early
     [worker] Docs/Theory.md, section 4. */
 LimitedAllocation leastPeakShares (const WhitenedAllocation&, const RowSystem&, double easyRatio,
-                                   const AllocationWatch&);
+                                   const ShowAllocationProgress&);
 
 /** Shares of the least objective within |Q x_i| <= ratio limits (i), which they keep exactly on all samples.
     @param inside  shares that meet the hard rows and stay below those limits
     [worker] Docs/Theory.md, section 4. */
 LimitedAllocation leastNormShares (const WhitenedAllocation&, const RowSystem&, double ratio,
-                                   const Eigen::MatrixXd& inside, const AllocationWatch&);
+                                   const Eigen::MatrixXd& inside, const ShowAllocationProgress&);
 } // namespace antinode

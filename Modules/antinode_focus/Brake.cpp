@@ -49,10 +49,10 @@ BrakeAttempt attemptAsAsked (const FocusDesign& design, const ModalModel& model)
     return { duration, choice.brake, brakeFolds };
 }
 
-Allocation allocate (const BrakeProblem& problem, const ModalModel& model, const AllocationWatch& watch)
+Allocation allocate (const BrakeProblem& problem, const ModalModel& model)
 {
     if (! problem.modes.empty())
-        return solveAllocation (problem.allocation, AllocationGoal::norm, watch);
+        return solveAllocation (problem.allocation, AllocationGoal::norm);
 
     return { Eigen::MatrixXd (model.actuators(), 0), {} };
 }
@@ -103,18 +103,18 @@ bool hasBrake (const TransientChoice& choice)
     return choice.brake.has_value() || choice.brakeDuration.has_value();
 }
 
-void appendBrake (FocusDesign& design, const ModalModel& model, const AllocationWatch& watch)
+void appendBrake (FocusDesign& design, const ModalModel& model)
 {
     const auto asked = attemptAsAsked (design, model);
     auto attempt = asked;
     auto problem = brakeProblem (design, model, attempt);
-    auto allocation = allocate (problem, model, watch);
+    auto allocation = allocate (problem, model);
 
     while (allocation.certificate.status == AllocationStatus::infeasible && ! isEasiest (attempt))
     {
         attempt = easierThan (attempt, allocation.certificate.peakRatio);
         problem = brakeProblem (design, model, attempt);
-        allocation = allocate (problem, model, watch);
+        allocation = allocate (problem, model);
     }
 
     addBrakeRemarks (design, asked, attempt, problem.modes.size());

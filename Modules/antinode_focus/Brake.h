@@ -9,7 +9,7 @@ namespace antinode
     Where the limits do not allow rest in the requested time, the brake takes longer and a warning says so.
     @throws InputError  when the requested time is too short for any brake, or as solveAllocation
     [worker] Docs/Theory.md, section 3.4. */
-void appendBrake (FocusDesign&, const ModalModel&, const AllocationWatch& watch = {});
+void appendBrake (FocusDesign&, const ModalModel&);
 
 /** Whether a focus asks for a brake. [any] */
 bool hasBrake (const TransientChoice&);

@@ -91,8 +91,7 @@ FocusDesign designOf (const FocusDescription& description, const std::vector<int
 }
 
 FocusDesign designDrives (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
-                          std::vector<FocusMoment> moments, Playback playback, double peakVelocity, DesignExtent extent,
-                          const AllocationWatch& watch)
+                          std::vector<FocusMoment> moments, Playback playback, double peakVelocity, DesignExtent extent)
 {
     checkRate (model, modes, playback);
     auto design = designOf (description, modes, std::move (moments), playback, peakVelocity);
@@ -100,13 +99,13 @@ FocusDesign designDrives (const ModalModel& model, const FocusDescription& descr
     if (description.allocation.method == AllocationMethod::freeWaveform)
         sampleProgram (design, model, extent);
     else
-        allocateProgram (design, model, watch);
+        allocateProgram (design, model);
 
     const auto& limits = design.program.voltageLimits;
     design.leastPeakVoltage = design.certificate.leastPeakRatio * limits.maxCoeff();
 
     if (hasBrake (description.transients))
-        appendBrake (design, model, watch);
+        appendBrake (design, model);
 
     if (extent == DesignExtent::complete)
         addLowerBound (design, model);
@@ -128,7 +127,7 @@ double peakVoltage (const FocusDesign& design)
 }
 
 FocusDesign designFocus (const ModalModel& model, const FocusDescription& description, Playback playback,
-                         DesignExtent extent, const AllocationWatch& watch)
+                         DesignExtent extent)
 {
     if (model.actuators() == 0)
         throw InputError ("device '" + model.name + "'", "has no ceramics; a focus needs at least one");
@@ -141,7 +140,7 @@ FocusDesign designFocus (const ModalModel& model, const FocusDescription& descri
     for (const auto& wantedPlace : description.targets)
         peakVelocity = std::max (peakVelocity, wantedPlace.peakVelocity);
 
-    return designDrives (model, description, modes, std::move (moments), playback, peakVelocity, extent, watch);
+    return designDrives (model, description, modes, std::move (moments), playback, peakVelocity, extent);
 }
 
 FocusDesign designModes (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
@@ -150,6 +149,6 @@ FocusDesign designModes (const ModalModel& model, const FocusDescription& descri
     const Eigen::VectorXd field = model.shapes (Eigen::all, modes) * wanted;
     FocusMoment moment { description.focusTime, description.targets, projectField (model, field), wanted, field, 1 };
     return designDrives (model, description, modes, { std::move (moment) }, playback, field.cwiseAbs().maxCoeff(),
-                         DesignExtent::complete, {});
+                         DesignExtent::complete);
 }
 } // namespace antinode

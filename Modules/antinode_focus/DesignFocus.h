@@ -15,12 +15,11 @@ enum class DesignExtent
 
 /** Designs a focus: projects the wanted field, chooses modes and transients, allocates.
     @param playback  what the exact terminal rows are computed for
-    @param watch     looked at by the allocation's solver before every step
-    @throws LimitError  when the voltage limit cannot be met (proven); AllocationCancelled when the watch says no; InputError for all
+    @throws LimitError  when the voltage limit cannot be met (proven); Cancelled when a watch of this thread says no; InputError for all
                         else that cannot be done
     [worker] Docs/Theory.md, sections 2 to 4. */
 FocusDesign designFocus (const ModalModel&, const FocusDescription&, Playback,
-                         DesignExtent extent = DesignExtent::complete, const AllocationWatch& watch = {});
+                         DesignExtent extent = DesignExtent::complete);
 
 /** The second half: modal velocities prescribed instead of projected, for example for tests of single modes.
     @param modes   ascending mode indices

@@ -60,15 +60,14 @@ void addFurtherDrives (DriveList& drives, const FocusDesign& design, const Modal
 }
 } // namespace
 
-void allocateProgram (FocusDesign& design, const ModalModel& model, const AllocationWatch& watch)
+void allocateProgram (FocusDesign& design, const ModalModel& model)
 {
     const auto& choice = design.description.allocation;
     const auto limits = voltageLimits (model, choice);
     auto drives = drivesOf (design, model);
-    const auto allocate = [&]
-    {
+    const auto allocate = [&] {
         return allocateDrives (model, design.description, design.controlledModes, design.moments, drives,
-                               design.playback, watch);
+                               design.playback);
     };
     auto allocation = allocate();
 

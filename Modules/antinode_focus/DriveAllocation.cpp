@@ -138,17 +138,16 @@ AllocationProblem allocationProblem (const ModalModel& model, const FocusDescrip
     return problem;
 }
 
-Allocation allocate (const AllocationProblem& problem, AllocationMethod method, const DriveList& drives, DriveSpan span,
-                     const AllocationWatch& watch)
+Allocation allocate (const AllocationProblem& problem, AllocationMethod method, const DriveList& drives, DriveSpan span)
 {
     if (method == AllocationMethod::dictionary)
-        return allocateDictionary (problem, drives, span, watch);
+        return allocateDictionary (problem, drives, span);
 
     if (method == AllocationMethod::minimumPeak)
-        return solveAllocation (problem, AllocationGoal::peak, watch);
+        return solveAllocation (problem, AllocationGoal::peak);
 
     if (method == AllocationMethod::exact || method == AllocationMethod::paper)
-        return solveAllocation (problem, AllocationGoal::norm, watch);
+        return solveAllocation (problem, AllocationGoal::norm);
 
     Allocation allocation;
     allocation.matrix = method == AllocationMethod::oneToOne
@@ -223,15 +222,14 @@ double longestDrive (const FocusDescription& description)
 }
 
 Allocation allocateDrives (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
-                           const std::vector<FocusMoment>& moments, const DriveList& drives, Playback playback,
-                           const AllocationWatch& watch)
+                           const std::vector<FocusMoment>& moments, const DriveList& drives, Playback playback)
 {
     const auto& choice = description.allocation;
     const auto start = firstStart (drives);
     const auto first = choice.window ? std::max (moments.front().time - *choice.window, start) : start;
     const DriveSpan span { first, moments.back().time + releaseDuration() };
     return allocate (allocationProblem (model, description, modes, moments, drives, span, playback), choice.method,
-                     drives, span, watch);
+                     drives, span);
 }
 
 /** A drive's oscillations share its column of the matrix. */

@@ -49,8 +49,7 @@ double longestDrive (const FocusDescription&);
     @throws InputError  as solveAllocation
     [worker] Docs/Theory.md, section 4. */
 Allocation allocateDrives (const ModalModel&, const FocusDescription&, const std::vector<int>& modes,
-                           const std::vector<FocusMoment>& moments, const DriveList&, Playback,
-                           const AllocationWatch& watch = {});
+                           const std::vector<FocusMoment>& moments, const DriveList&, Playback);
 
 /** Drives mixed by a matrix, N_b x drives, as a program. [any] */
 VoltageProgram programOf (const DriveList&, const Eigen::MatrixXd& matrix, const Eigen::VectorXd& limits,

@@ -86,15 +86,14 @@ DriveList dictionaryDrives (const ModalModel& model, const FocusDescription& des
     return drives;
 }
 
-Allocation allocateDictionary (AllocationProblem problem, const DriveList& drives, DriveSpan span,
-                               const AllocationWatch& watch)
+Allocation allocateDictionary (AllocationProblem problem, const DriveList& drives, DriveSpan span)
 {
     constexpr auto samplesPerCycle = gridSamplesPerCycle / 2;
     const Eigen::VectorXd limits = problem.voltageLimits / gridLimitMargin();
     const auto fine = std::exchange (problem.waveforms, sampleDrives (drives, span.first, span.last, samplesPerCycle));
     problem.voltageLimits = limits * gridLimitMargin (samplesPerCycle);
     problem.peakRoom = roomForGuards;
-    auto allocation = solveAllocation (problem, AllocationGoal::peak, watch);
+    auto allocation = solveAllocation (problem, AllocationGoal::peak);
     const Eigen::MatrixXd voltages = allocation.matrix * fine;
     auto& certificate = allocation.certificate;
     const Eigen::VectorXd peaks = voltages.cwiseAbs().rowwise().maxCoeff();

@@ -28,5 +28,5 @@ DriveList dictionaryDrives (const ModalModel&, const FocusDescription&, const st
     of other methods, with limits that are tightened for it; the certificate's ratios are those on the fine one.
     @throws InputError  as solveAllocation
     [worker] Docs/Theory.md, section 4.8. */
-Allocation allocateDictionary (AllocationProblem, const DriveList&, DriveSpan, const AllocationWatch& watch = {});
+Allocation allocateDictionary (AllocationProblem, const DriveList&, DriveSpan);
 } // namespace antinode

@@ -222,15 +222,14 @@ bool DesignWorker::designPlace (const DesignRequest& request, int place, const F
 {
     std::shared_ptr<const PlayableFocus> focus;
     std::string error;
-    const auto goOn = [this, place, begin = Clock::now()] (const AllocationProgress&)
-    { return mayGoOn (place, begin); };
+    const WatchScope scope ([this, place, begin = Clock::now()] { return mayGoOn (place, begin); });
 
     try
     {
-        const auto design = designFocus (*request.model, description, request.playback, DesignExtent::playable, goOn);
+        const auto design = designFocus (*request.model, description, request.playback, DesignExtent::playable);
         focus = std::make_shared<const PlayableFocus> (design.program, request.playback);
     }
-    catch (const AllocationCancelled&)
+    catch (const Cancelled&)
     {
         return false;
     }

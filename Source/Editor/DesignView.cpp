@@ -17,11 +17,6 @@ namespace
 constexpr auto longDesign = std::chrono::milliseconds (250);
 constexpr auto pause = std::chrono::milliseconds (120); // without a new question before the long part begins
 
-/** Thrown through an outdated render. */
-struct GivenUp
-{
-};
-
 std::vector<std::pair<double, double>> probesOf (const DesignQuestion& question)
 {
     const auto& surface = question.model->surface;
@@ -131,13 +126,9 @@ void DesignView::answer (const DesignQuestion& question)
 
     try
     {
-        answerWith (made, designFocus (*question.model, made.focus, question.playback, DesignExtent::playable,
-                                       watch (longDesign)));
+        answerWith (made, playableDesign (made));
     }
-    catch (const GivenUp&)
-    {
-    }
-    catch (const AllocationCancelled&)
+    catch (const Cancelled&)
     {
     }
     catch (const std::exception& failure)
@@ -150,6 +141,12 @@ void DesignView::answer (const DesignQuestion& question)
         made.stage = DesignPicture::Stage::complete;
         show (made);
     }
+}
+
+FocusDesign DesignView::playableDesign (const DesignPicture& made) const
+{
+    const WatchScope scope (watch (longDesign));
+    return designFocus (*made.question.model, made.focus, made.question.playback, DesignExtent::playable);
 }
 
 void DesignView::answerWith (DesignPicture& made, const FocusDesign& playable)
@@ -168,12 +165,8 @@ void DesignView::answerWith (DesignPicture& made, const FocusDesign& playable)
     if (! isQuietFor (pause))
         return;
 
-    auto frames = predictFrames (model, playable, [this] { return isOutdated(); });
-
-    if (frames == nullptr)
-        return;
-
-    made.frames = std::move (frames);
+    const WatchScope scope (watch ({}));
+    made.frames = predictFrames (model, playable);
     made.stage = DesignPicture::Stage::animated;
     show (made);
     render (made);
@@ -185,14 +178,8 @@ void DesignView::render (DesignPicture& made)
     RenderOptions options;
     options.playback = question.playback;
     options.probes = probesOf (question);
-    auto design = designFocus (*question.model, made.focus, question.playback, DesignExtent::complete, watch ({}));
-    const auto goOn = [this] (double)
-    {
-        if (isOutdated())
-            throw GivenUp {};
-    };
-    goOn (0);
-    const auto focus = renderFocus (*question.model, std::move (design), options, goOn);
+    auto design = designFocus (*question.model, made.focus, question.playback, DesignExtent::complete);
+    const auto focus = renderFocus (*question.model, std::move (design), options);
     auto charts = std::make_shared<RenderedCharts>();
     charts->voltages = std::make_shared<const Chart> (voltagesChart (focus.model, focus.design.program, focus.render));
     charts->probe = std::make_shared<const Chart> (probeChart (focus.render, 0, "probe"));
@@ -214,10 +201,10 @@ void DesignView::show (const DesignPicture& made)
     newest = std::move (shown);
 }
 
-AllocationWatch DesignView::watch (std::chrono::milliseconds grace) const
+Watch DesignView::watch (std::chrono::milliseconds grace) const
 {
-    return [this, last = std::chrono::steady_clock::now() + grace] (const AllocationProgress&)
-    { return ! isOutdated() || std::chrono::steady_clock::now() < last; };
+    return [this, last = std::chrono::steady_clock::now() + grace]
+    { return ! isStopping && (! isOutdated() || std::chrono::steady_clock::now() < last); };
 }
 
 bool DesignView::isQuietFor (std::chrono::milliseconds time)

@@ -2,7 +2,8 @@
 
 #include "DesignPicture.h"
 
-#include <antinode_allocation/AllocationWatch.h>
+#include <antinode_base/Watch.h>
+#include <antinode_focus/FocusDesign.h>
 
 #include <atomic>
 #include <chrono>
@@ -36,11 +37,12 @@ public:
 
 private:
     void answer (const DesignQuestion&);
+    FocusDesign playableDesign (const DesignPicture&) const;
     void answerWith (DesignPicture&, const FocusDesign& playable);
     void render (DesignPicture&);
     void show (const DesignPicture&);
     bool isOutdated() const { return asked != answered || isStopping; }
-    AllocationWatch watch (std::chrono::milliseconds grace) const;
+    Watch watch (std::chrono::milliseconds grace) const;
     bool isQuietFor (std::chrono::milliseconds);
 
     mutable std::mutex mutex;

@@ -1,5 +1,6 @@
 #include "FieldFrames.h"
 
+#include <antinode_base/Watch.h>
 #include <antinode_charts/FieldSampling.h>
 #include <antinode_focus/Prediction.h>
 
@@ -59,17 +60,14 @@ FieldFrames stillFrames (const ModalModel& model)
     return framesOfFocus (model, Eigen::VectorXd::Zero (model.modes()));
 }
 
-std::shared_ptr<const FieldFrames> predictFrames (const ModalModel& model, const FocusDesign& design,
-                                                  const std::function<bool()>& isOutdated)
+std::shared_ptr<const FieldFrames> predictFrames (const ModalModel& model, const FocusDesign& design)
 {
     auto frames = std::make_shared<FieldFrames> (predictFocus (model, design));
     Eigen::MatrixXd velocities (model.modes(), FieldFrames::count);
 
     for (int i = 0; i < FieldFrames::count; ++i)
     {
-        if (isOutdated())
-            return nullptr;
-
+        checkWatch();
         velocities.col (i) = velocitiesAt (model, design, FieldFrames::timeOf (i));
     }
 

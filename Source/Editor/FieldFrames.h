@@ -3,7 +3,6 @@
 #include <antinode_focus/FocusDesign.h>
 #include <antinode_model/ModalModel.h>
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -41,8 +40,6 @@ FieldFrames framesOf (const ModalModel&, const Eigen::MatrixXd& velocities);
 /** A surface at rest. [worker] */
 FieldFrames stillFrames (const ModalModel&);
 
-/** All frames. @param isOutdated  asked between them; then what was done so far is given up
-    @return  none if it was given up [worker] */
-std::shared_ptr<const FieldFrames> predictFrames (const ModalModel&, const FocusDesign&,
-                                                  const std::function<bool()>& isOutdated);
+/** All frames. @throws Cancelled  as checkWatch() [worker] */
+std::shared_ptr<const FieldFrames> predictFrames (const ModalModel&, const FocusDesign&);
 } // namespace antinode
