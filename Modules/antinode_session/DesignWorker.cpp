@@ -25,35 +25,31 @@ DesignWorker::~DesignWorker()
     {
         const std::lock_guard lock (mutex);
         isStopping = true;
+        changed.notify_all();
     }
-    changed.notify_all();
     thread.join();
 }
 
 void DesignWorker::request (DesignRequest request)
 {
     request.places.resize (std::min<std::size_t> (request.places.size(), FocusBank::notePlaces));
-    {
-        const std::lock_guard lock (mutex);
-        state = {};
-        state.wanted = static_cast<int> (request.places.size()) + 1;
-        isReady.fill (false);
-        next = std::move (request);
-        nextAsked = Clock::now();
-    }
+    const std::lock_guard lock (mutex);
+    state = {};
+    state.wanted = static_cast<int> (request.places.size()) + 1;
+    isReady.fill (false);
+    next = std::move (request);
+    nextAsked = Clock::now();
     changed.notify_all();
 }
 
 bool DesignWorker::touch (double x, double y, std::function<void (int)> ready)
 {
-    {
-        const std::lock_guard lock (mutex);
+    const std::lock_guard lock (mutex);
 
-        if (touches.size() >= FocusBank::touchPlaces)
-            return false;
+    if (touches.size() >= FocusBank::touchPlaces)
+        return false;
 
-        touches.push_back ({ x, y, std::move (ready) });
-    }
+    touches.push_back ({ x, y, std::move (ready) });
     changed.notify_all();
     return true;
 }
@@ -170,22 +166,21 @@ BankOrder::Next DesignWorker::nextPlace (BankOrder& order) const
 void DesignWorker::noteReady (const DesignRequest& request, const Places& isDone, Clock::time_point asked)
 {
     const std::chrono::duration<double, std::milli> elapsed = Clock::now() - asked;
-    {
-        const std::lock_guard lock (mutex);
+    const std::lock_guard lock (mutex);
 
-        if (next)
-            return; // The state is the next request's already.
+    if (next)
+        return; // The state is the next request's already.
 
-        isReady = isDone;
-        state.hasFirst = std::all_of (request.first.begin(), request.first.end(),
-                                      [&] (int place) {
-                                          return place >= static_cast<int> (request.places.size())
-                                                 || isDone[static_cast<std::size_t> (place)];
-                                      });
+    isReady = isDone;
+    state.hasFirst =
+        std::all_of (request.first.begin(), request.first.end(),
+                     [&] (int place) {
+                         return place >= static_cast<int> (request.places.size()) || isDone[static_cast<std::size_t> (place)];
+                     });
 
-        if (state.firstMilliseconds == 0)
-            state.firstMilliseconds = elapsed.count();
-    }
+    if (state.firstMilliseconds == 0)
+        state.firstMilliseconds = elapsed.count();
+
     changed.notify_all();
 }
 

@@ -73,11 +73,9 @@ void DesignView::stop()
 
 void DesignView::ask (DesignQuestion question)
 {
-    {
-        const std::lock_guard lock (mutex);
-        next = std::move (question);
-        ++asked;
-    }
+    const std::lock_guard lock (mutex);
+    next = std::move (question);
+    ++asked;
     changed.notify_all();
 }
 
@@ -95,6 +93,8 @@ bool DesignView::isDone() const
 
 void DesignView::run()
 {
+    const WatchScope scope ([this] { return ! isStopping; });
+
     for (;;)
     {
         DesignQuestion question;

@@ -1,6 +1,7 @@
 #include "MotionView.h"
 
 #include <antinode_base/Prefixes.h>
+#include <antinode_base/Watch.h>
 #include <antinode_charts/PlateCharts.h>
 
 #include <chrono>
@@ -89,17 +90,28 @@ std::shared_ptr<const MotionPicture> MotionView::picture() const
 
 void MotionView::run()
 {
-    for (;;)
-    {
+    const WatchScope scope (
+        [this]
         {
-            std::unique_lock lock (mutex);
+            const std::lock_guard lock (mutex);
+            return ! isStopping;
+        });
 
-            if (changed.wait_for (lock, interval, [this] { return isStopping; }))
-                return;
-        }
-
-        step();
+    try
+    {
+        while (! isStoppedWithin (interval))
+            step();
     }
+    catch (const Cancelled&)
+    {
+        // It is stopping.
+    }
+}
+
+bool MotionView::isStoppedWithin (std::chrono::milliseconds time)
+{
+    std::unique_lock lock (mutex);
+    return changed.wait_for (lock, time, [this] { return isStopping; });
 }
 
 void MotionView::step()

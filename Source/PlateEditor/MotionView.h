@@ -4,6 +4,7 @@
 
 #include <antinode_session/PlateSession.h>
 
+#include <chrono>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -40,6 +41,7 @@ public:
     std::shared_ptr<const MotionPicture> picture() const;
 
 private:
+    bool isStoppedWithin (std::chrono::milliseconds);
     void step();
     void show (const PlateSnapshot&, const Eigen::MatrixXd& window);
     void showRest (const std::shared_ptr<const ModalModel>&);
