@@ -1,10 +1,8 @@
 #include <Editor/Editor.h>
 #include <antinode_base/BackgroundThread.h>
-#include <antinode_library/Library.h>
 
 #include <Support/BlockingActions.h>
-
-#include <nlohmann/json.hpp>
+#include <Support/LargestDevice.h>
 
 #include <catch2/catch.hpp>
 
@@ -19,31 +17,6 @@ using namespace antinode::test;
 
 namespace
 {
-nlohmann::json ceramicAt (int row, int column)
-{
-    return { { "name", "C" + std::to_string (8 * row + column + 1) },
-             { "x_mm", 4 + 24.5 * column },
-             { "y_mm", 3 + 14.5 * row },
-             { "size_x_mm", 20 },
-             { "size_y_mm", 11 },
-             { "thickness_mm", 0.5 },
-             { "material", "NCE51" },
-             { "mounting", "one_side" } };
-}
-
-/** A plate with 64 ceramics and 500 modes. */
-nlohmann::json largestDevice()
-{
-    auto json = loadDocument (LibraryKind::device, "aluminium-200x120");
-    json["ceramics"] = nlohmann::json::array();
-
-    for (int i = 0; i < 64; ++i)
-        json["ceramics"].push_back (ceramicAt (i / 8, i % 8));
-
-    json["modes"]["count"] = 500;
-    return json;
-}
-
 /** A host that does what users do to a plug-in, at random moments of its work. */
 class HastyHost
 {
@@ -120,7 +93,7 @@ private:
         static const std::vector<std::string> embedded { "staple", "beam", "phone", "glass-148x210",
                                                          "aluminium-200x120" };
         const auto index = static_cast<std::size_t> (between (0, 6));
-        auto json = index < embedded.size() ? loadDocument (LibraryKind::device, embedded[index]) : largestDevice();
+        auto json = index < embedded.size() ? loadDocument (LibraryKind::device, embedded[index]) : largestDevice (80);
 
         // No cache knows it.
         if (json.contains ("quality_factor") && between (0, 2) < 1)
