@@ -172,11 +172,11 @@ void DesignWorker::noteReady (const DesignRequest& request, const Places& isDone
         return; // The state is the next request's already.
 
     isReady = isDone;
-    state.hasFirst =
-        std::all_of (request.first.begin(), request.first.end(),
-                     [&] (int place) {
-                         return place >= static_cast<int> (request.places.size()) || isDone[static_cast<std::size_t> (place)];
-                     });
+    state.hasFirst = std::all_of (request.first.begin(), request.first.end(),
+                                  [&] (int place) {
+                                      return place >= static_cast<int> (request.places.size())
+                                             || isDone[static_cast<std::size_t> (place)];
+                                  });
 
     if (state.firstMilliseconds == 0)
         state.firstMilliseconds = elapsed.count();

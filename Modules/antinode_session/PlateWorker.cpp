@@ -14,8 +14,8 @@ namespace antinode
 {
 namespace
 {
-constexpr auto interval = std::chrono::milliseconds (4);   // between looks at the parameters
-constexpr auto patience = std::chrono::milliseconds (40);  // of a host that prepares us
+constexpr auto interval = std::chrono::milliseconds (4);  // between looks at the parameters
+constexpr auto patience = std::chrono::milliseconds (40); // of a host that prepares us
 
 /** @throws InputError  where it cannot be solved, or has nothing that moves it */
 std::shared_ptr<const ModalModel> solved (const DeviceDocument& document)

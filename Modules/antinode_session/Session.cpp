@@ -15,7 +15,8 @@ constexpr auto preparePatience = std::chrono::milliseconds (40); // of a host th
 Session::Session (DeviceDocument device, FocusDocument focus, ReadSettings read, std::function<void()> changed)
     : owner (std::make_shared<SessionOwner<PlaySettings>> (std::move (read), std::move (changed))),
       requests (std::make_shared<SessionRequests> (std::make_shared<const DeviceDocument> (std::move (device)),
-                                                   std::make_shared<const FocusDocument> (std::move (focus)), spotNote)),
+                                                   std::make_shared<const FocusDocument> (std::move (focus)),
+                                                   spotNote)),
       entry (std::make_shared<AudioEntry>()),
       thread ([worker = std::make_shared<SessionWorker> (requests, entry, owner)] { worker->run(); })
 {
@@ -83,8 +84,8 @@ Session::TouchResult Session::fireAt (double x, double y, double amplitude)
 
     const auto& surface = now->model->surface;
     const auto isLine = surface.kind == SurfaceKind::line;
-    const auto isInside = x >= surface.xMinimum && x <= surface.xMaximum
-                          && (isLine || (y >= surface.yMinimum && y <= surface.yMaximum));
+    const auto isInside =
+        x >= surface.xMinimum && x <= surface.xMaximum && (isLine || (y >= surface.yMinimum && y <= surface.yMaximum));
 
     if (! isInside)
         return TouchResult::besideSurface;

@@ -70,8 +70,7 @@ void SessionWorker::step (SessionRound round)
 
     if (model != nullptr && round.sampleRate > 0)
     {
-        const auto needsPath =
-            isModelNew || rate != round.sampleRate || isGraphNew || needNewPath (read, settings);
+        const auto needsPath = isModelNew || rate != round.sampleRate || isGraphNew || needNewPath (read, settings);
         const auto needsDesigns = needsPath || isFocusNew || read != settings;
         settings = read;
         rate = round.sampleRate;

@@ -17,10 +17,8 @@ constexpr double silentDecibels = -60, loudestDecibels = 60;
 constexpr float silentText = -60 + 1e-3F; // below which it is called silent
 
 /** Where probes are at first, in % of the surface: in the middle, on its axes, then in its quarters. */
-constexpr std::pair<double, double> firstPlaces[PlatePath::probes] = { { 50, 50 }, { 25, 50 },
-                                                                     { 75, 50 }, { 50, 25 },
-                                                                     { 50, 75 }, { 25, 25 },
-                                                                     { 75, 75 }, { 25, 75 } };
+constexpr std::pair<double, double> firstPlaces[PlatePath::probes] = { { 50, 50 }, { 25, 50 }, { 75, 50 }, { 50, 25 },
+                                                                       { 50, 75 }, { 25, 25 }, { 75, 75 }, { 25, 75 } };
 
 std::unique_ptr<NumberParameter> numberFor (const juce::String& identifier, const juce::String& name, NumberRange range,
                                             double initial, NumberTexts texts)
@@ -67,9 +65,9 @@ PlateParameters::PlateParameters (juce::AudioProcessor& processor, const ModelSo
     }
 
     auto output = std::make_unique<Group> ("output", "Output", " | ");
-    gain = addTo (*output, ordered,
-                  numberFor ("gain", "Gain", { silentDecibels, loudestDecibels }, 0,
-                             unitTexts ("dB", 1, silentText, "silent")));
+    gain = addTo (
+        *output, ordered,
+        numberFor ("gain", "Gain", { silentDecibels, loudestDecibels }, 0, unitTexts ("dB", 1, silentText, "silent")));
     quick = addTo (*output, ordered, flagFor ("quick", "Surface model", "quick", "as rendered"));
     bypassed = addTo (*output, ordered, flagFor ("bypass", "Bypass", "bypassed", "playing"));
     processor.addParameterGroup (std::move (probes));

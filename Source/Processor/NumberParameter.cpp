@@ -20,8 +20,8 @@ juce::NormalisableRange<float> inFloats (NumberRange range)
 
 double NumberRange::valueAt (double share) const
 {
-    const auto between = isLogarithmic ? minimum * std::pow (maximum / minimum, share)
-                                       : minimum + (maximum - minimum) * share;
+    const auto between =
+        isLogarithmic ? minimum * std::pow (maximum / minimum, share) : minimum + (maximum - minimum) * share;
     return std::clamp (between, minimum, maximum);
 }
 

@@ -35,8 +35,8 @@ public:
     {
     }
 
-    NumberParameter* number (const char* identifier, const char* name, const char* unit, NumberRange range, double initial,
-                             NumberTexts texts)
+    NumberParameter* number (const char* identifier, const char* name, const char* unit, NumberRange range,
+                             double initial, NumberTexts texts)
     {
         return add (std::make_unique<NumberParameter> (juce::ParameterID { identifier, 1 }, name, range, initial,
                                                        std::move (texts), juce::String::fromUTF8 (unit)));
@@ -66,8 +66,7 @@ public:
                               .withStringFromValueFunction (std::move (texts.toText))
                               .withValueFromStringFunction (std::move (texts.fromText))
                               .withAutomatable (isAutomatable);
-        return add (
-            std::make_unique<SwitchParameter> (juce::ParameterID { identifier, 1 }, name, initial, attributes));
+        return add (std::make_unique<SwitchParameter> (juce::ParameterID { identifier, 1 }, name, initial, attributes));
     }
 
     void addTo (juce::AudioProcessor& processor) { processor.addParameterGroup (std::move (group)); }
@@ -146,8 +145,7 @@ Parameters::Parameters (juce::AudioProcessor& processor,
     GroupBuilder output ("output", "Output", ordered);
     outputTrim = output.number ("output_trim", "Output trim", "dB", { silentDecibels, 0 }, 0,
                                 unitTexts ("dB", 1, silentText, "silent"));
-    armed = output.flag ("arm", "Arm", true, "armed (not restored where required)", "disarmed",
-                         false);
+    armed = output.flag ("arm", "Arm", true, "armed (not restored where required)", "disarmed", false);
     bypassed = output.flag ("bypass", "Bypass", false, "bypassed", "playing");
     output.addTo (processor);
     steps = std::make_unique<StepReports> (ordered);

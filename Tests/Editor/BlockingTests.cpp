@@ -29,13 +29,27 @@ public:
 
         switch (static_cast<int> (between (0, 7)))
         {
-            case 0: times.measure ("editor closed", [this] { editor.reset(); }); break;
-            case 1: times.measure ("sample rate changed", [this] { prepare(); }); break;
-            case 2: times.measure ("released", [this] { plugin->releaseResources(); }); break;
-            case 3: restore(); break;
-            case 4: changeDevice(); break;
-            case 5: close(); break;
-            default: automate(); break;
+            case 0:
+                times.measure ("editor closed", [this] { editor.reset(); });
+                break;
+            case 1:
+                times.measure ("sample rate changed", [this] { prepare(); });
+                break;
+            case 2:
+                times.measure ("released", [this] { plugin->releaseResources(); });
+                break;
+            case 3:
+                restore();
+                break;
+            case 4:
+                changeDevice();
+                break;
+            case 5:
+                close();
+                break;
+            default:
+                automate();
+                break;
         }
 
         if (plugin == nullptr)
@@ -105,7 +119,8 @@ private:
     std::shared_ptr<const FocusDocument> focus()
     {
         const auto* const name = between (0, 2) < 1 ? "demonstrator" : "aluminium-centre";
-        return std::make_shared<const FocusDocument> (readFocusDocument (loadDocument (LibraryKind::focus, name), name));
+        return std::make_shared<const FocusDocument> (
+            readFocusDocument (loadDocument (LibraryKind::focus, name), name));
     }
 
     double between (double from, double to) { return std::uniform_real_distribution<double> (from, to) (random); }

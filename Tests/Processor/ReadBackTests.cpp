@@ -39,8 +39,8 @@ TEST_CASE ("Who sets a step's neighbourhood is told of the step", "[plugin]")
 
     AntinodeProcessor processor (2, juce::AudioProcessor::wrapperType_Undefined);
     auto& reports = processor.parameters().stepReports();
-    const auto& [identifier, share, step] =
-        GENERATE (table<const char*, float, float> ({ { "focus_on_note", 0.606F, 1.0F }, { "retrigger", 0.3F, 0.0F }, { "note_off", 0.6F, 0.5F } }));
+    const auto& [identifier, share, step] = GENERATE (table<const char*, float, float> (
+        { { "focus_on_note", 0.606F, 1.0F }, { "retrigger", 0.3F, 0.0F }, { "note_off", 0.6F, 0.5F } }));
     auto& parameter = *processor.parameters().find (identifier);
     Heard host;
     parameter.addListener (&host);

@@ -71,7 +71,8 @@ TEST_CASE ("who quits while a device is solved or a focus designed does not wait
     {
         auto host = std::make_unique<StandaloneHost> (SettingsFile ({}), false);
         const auto device = test::largestDevice (50 + i);
-        host->processor().load (std::make_shared<const DeviceDocument> (readDeviceDocument (device, "device")), nullptr);
+        host->processor().load (std::make_shared<const DeviceDocument> (readDeviceDocument (device, "device")),
+                                nullptr);
         host->processor().prepareToPlay (48000, 256);
         std::this_thread::sleep_for (std::chrono::milliseconds (random() % 200));
         times.measure ("sample rate changed", [&] { host->processor().prepareToPlay (96000, 256); });

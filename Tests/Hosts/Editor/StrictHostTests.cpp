@@ -202,7 +202,7 @@ TEST_CASE ("Plug-ins stand what a strict tester does, in any order and again", "
     const auto plugin = GENERATE (BuiltPlugin { PluginKind::vst3, 8 }, BuiltPlugin { PluginKind::lv2, 8 });
     const auto start = Clock::now();
     StrictHost host (plugin, 17);
-    std::vector<std::function<void()>> steps { [&] { host.automateEditor (50); }, [&] { host.restoreInBackground(); },
+    std::vector<std::function<void()>> steps { [&] { host.automateEditor (50); },   [&] { host.restoreInBackground(); },
                                                [&] { host.setFromEightThreads(); }, [&] { host.playLargerBlocks(); },
                                                [&] { host.changeBuses(); },         [&] { host.replace(); } };
     std::mt19937 order (23);
