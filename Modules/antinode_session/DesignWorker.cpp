@@ -1,5 +1,6 @@
 #include "DesignWorker.h"
 
+#include <antinode_base/Watch.h>
 #include <antinode_focus/BankPlaces.h>
 #include <antinode_focus/DesignFocus.h>
 
@@ -13,6 +14,8 @@ constexpr auto partInterval = std::chrono::milliseconds (100); ///< Between part
 
 /** Designs younger than this are finished even if outdated, so that a moving parameter is audible. */
 constexpr auto longDesign = std::chrono::milliseconds (250);
+
+constexpr auto lookInterval = std::chrono::milliseconds (5); ///< Between looks at the watch of those who wait.
 } // namespace
 
 DesignWorker::DesignWorker (BankHandOver& handOverToUse) : handOver (handOverToUse), thread ([this] { run(); }) {}
@@ -22,35 +25,31 @@ DesignWorker::~DesignWorker()
     {
         const std::lock_guard lock (mutex);
         isStopping = true;
+        changed.notify_all();
     }
-    changed.notify_all();
     thread.join();
 }
 
 void DesignWorker::request (DesignRequest request)
 {
     request.places.resize (std::min<std::size_t> (request.places.size(), FocusBank::notePlaces));
-    {
-        const std::lock_guard lock (mutex);
-        state = {};
-        state.wanted = static_cast<int> (request.places.size()) + 1;
-        isReady.fill (false);
-        next = std::move (request);
-        nextAsked = Clock::now();
-    }
+    const std::lock_guard lock (mutex);
+    state = {};
+    state.wanted = static_cast<int> (request.places.size()) + 1;
+    isReady.fill (false);
+    next = std::move (request);
+    nextAsked = Clock::now();
     changed.notify_all();
 }
 
 bool DesignWorker::touch (double x, double y, std::function<void (int)> ready)
 {
-    {
-        const std::lock_guard lock (mutex);
+    const std::lock_guard lock (mutex);
 
-        if (touches.size() >= FocusBank::touchPlaces)
-            return false;
+    if (touches.size() >= FocusBank::touchPlaces)
+        return false;
 
-        touches.push_back ({ x, y, std::move (ready) });
-    }
+    touches.push_back ({ x, y, std::move (ready) });
     changed.notify_all();
     return true;
 }
@@ -60,12 +59,15 @@ void DesignWorker::waitFor (std::span<const int> places)
     std::unique_lock lock (mutex);
     urgent.insert (urgent.end(), places.begin(), places.end());
     const auto isPlaceReady = [this] (int place) { return isReady[static_cast<std::size_t> (place)]; };
-    changed.wait (lock,
-                  [&]
-                  {
-                      const auto isIdle = ! next && ! isWorking;
-                      return isIdle || (! next && std::all_of (places.begin(), places.end(), isPlaceReady));
-                  });
+    const auto isReadyOrIdle = [&]
+    {
+        const auto isIdle = ! next && ! isWorking;
+        return isIdle || (! next && std::all_of (places.begin(), places.end(), isPlaceReady));
+    };
+
+    while (! changed.wait_for (lock, lookInterval, isReadyOrIdle))
+        checkWatch();
+
     urgent.clear();
 }
 
@@ -164,22 +166,21 @@ BankOrder::Next DesignWorker::nextPlace (BankOrder& order) const
 void DesignWorker::noteReady (const DesignRequest& request, const Places& isDone, Clock::time_point asked)
 {
     const std::chrono::duration<double, std::milli> elapsed = Clock::now() - asked;
-    {
-        const std::lock_guard lock (mutex);
+    const std::lock_guard lock (mutex);
 
-        if (next)
-            return; // The state is the next request's already.
+    if (next)
+        return; // The state is the next request's already.
 
-        isReady = isDone;
-        state.hasFirst = std::all_of (request.first.begin(), request.first.end(),
-                                      [&] (int place) {
-                                          return place >= static_cast<int> (request.places.size())
-                                                 || isDone[static_cast<std::size_t> (place)];
-                                      });
+    isReady = isDone;
+    state.hasFirst = std::all_of (request.first.begin(), request.first.end(),
+                                  [&] (int place) {
+                                      return place >= static_cast<int> (request.places.size())
+                                             || isDone[static_cast<std::size_t> (place)];
+                                  });
 
-        if (state.firstMilliseconds == 0)
-            state.firstMilliseconds = elapsed.count();
-    }
+    if (state.firstMilliseconds == 0)
+        state.firstMilliseconds = elapsed.count();
+
     changed.notify_all();
 }
 

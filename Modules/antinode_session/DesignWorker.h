@@ -44,6 +44,7 @@ public:
     bool touch (double x, double y, std::function<void (int place)> ready);
 
     /** Waits until the newest request is designed and handed over at these places, which come before all others.
+        @throws Cancelled  where a watch of this thread says no
         [any but a real-time audio thread] */
     void waitFor (std::span<const int> places);
 

@@ -1,6 +1,6 @@
 #include "FocusSettings.h"
 
-#include <antinode_documents/FocusWords.h>
+#include <antinode_focus/FocusMoments.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,14 +29,6 @@ double fromPercent (double percent, double minimum, double maximum)
     return minimum + (maximum - minimum) * std::clamp (percent, 0.0, 100.0) / 100;
 }
 
-template <typename Words, typename Value>
-int indexOf (const Words& words, Value value)
-{
-    const auto found =
-        std::find_if (words.begin(), words.end(), [&] (const auto& word) { return word.second == value; });
-    return static_cast<int> (found - words.begin());
-}
-
 /** A place that the focus gives stays as it is where the parameters say the same. */
 std::pair<double, double> placeOr (std::pair<double, double> given, const Surface& surface, float xPercent,
                                    float yPercent)
@@ -53,7 +45,7 @@ void applyTarget (FocusDescription& focus, const PlaySettings& settings, const P
     auto& first = focus.targets.front();
     const auto before = first;
     std::tie (first.x, first.y) = placeOr ({ first.x, first.y }, surface, settings.xPercent, settings.yPercent);
-    first.shape = targetShapeWords[static_cast<std::size_t> (settings.shape)].second;
+    first.shape = settings.shape;
 
     if (! isSame (settings.widthMillimetres, loaded.widthMillimetres))
         first.width = static_cast<double> (settings.widthMillimetres) * milli;
@@ -127,12 +119,12 @@ PlaySettings settingsOf (const FocusDescription& focus, const Surface& surface, 
     settings.xPercent = static_cast<float> (x);
     settings.yPercent = static_cast<float> (y);
     settings.widthMillimetres = static_cast<float> (target.width / milli);
-    settings.shape = indexOf (targetShapeWords, target.shape);
+    settings.shape = target.shape;
     settings.peakVelocityMillimetresPerSecond = static_cast<float> (target.peakVelocity / milli);
     settings.focusTimeMilliseconds = static_cast<float> (focus.focusTime / milli);
     settings.growth = -1;
     settings.brake = 0;
-    settings.method = indexOf (allocationMethodWords, focus.allocation.method);
+    settings.method = focus.allocation.method;
     settings.voltageLimitVolts = 0;
     settings.modeCount = 0;
 
@@ -151,7 +143,7 @@ FocusDescription withSettings (const FocusDescription& document, const PlaySetti
     auto focus = document;
     const auto loaded = settingsOf (document, surface, settings);
     applyTarget (focus, settings, loaded, surface);
-    focus.allocation.method = allocationMethodWords[static_cast<std::size_t> (settings.method)].second;
+    focus.allocation.method = settings.method;
 
     if (focus.allocation.method != AllocationMethod::exact)
         focus.allocation.robust.reset();
@@ -181,6 +173,14 @@ FocusDescription withSettings (const FocusDescription& document, const PlaySetti
         focus.transients.cycles.clear();
 
     return focus;
+}
+
+std::int64_t latencyOf (const FocusDescription& document, const PlaySettings& settings, double sampleRate)
+{
+    // Times do not depend on the surface.
+    return settings.focusOnNote
+               ? std::llround (earliestFocusTime (withSettings (document, settings, Surface {})) * sampleRate)
+               : 0;
 }
 
 std::vector<std::pair<double, double>> probePlaces (const FocusDescription& document, const PlaySettings& settings,

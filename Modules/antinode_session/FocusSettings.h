@@ -6,6 +6,7 @@
 #include <antinode_model/Surface.h>
 #include <antinode_structure/DeviceDescription.h>
 
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,9 @@ PlaySettings settingsOf (const FocusDescription&, const Surface&, const PlaySett
     @param document  what was loaded, with at least one target
     [any] */
 FocusDescription withSettings (const FocusDescription& document, const PlaySettings&, const Surface&);
+
+/** Samples from a trigger to its focus where foci are delayed onto notes, else 0. [any] */
+std::int64_t latencyOf (const FocusDescription& document, const PlaySettings&, double sampleRate);
 
 /** A place from percents of the surface's extent. @return  x, y in m [any] */
 std::pair<double, double> placeFromPercent (const Surface&, double xPercent, double yPercent);

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 namespace antinode
 {
@@ -17,12 +18,7 @@ public:
     PathExchange() = default;
 
     /** Frees everything; nothing may be playing. [worker] */
-    ~PathExchange()
-    {
-        delete next.load();
-        delete retired.load();
-        delete playing;
-    }
+    ~PathExchange() { clear(); }
 
     PathExchange (const PathExchange&) = delete;
     PathExchange& operator= (const PathExchange&) = delete;
@@ -36,6 +32,14 @@ public:
 
     /** Frees what came back. [worker] */
     void collect() { delete retired.exchange (nullptr, std::memory_order_acq_rel); }
+
+    /** Frees everything; nothing may be playing. [worker] */
+    void clear()
+    {
+        delete next.exchange (nullptr);
+        delete retired.exchange (nullptr);
+        delete std::exchange (playing, nullptr);
+    }
 
     /** The path for a block of so many samples, or none where there is none for this rate. [audio thread] */
     Path* current (double sampleRate, int count)

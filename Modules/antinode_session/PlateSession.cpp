@@ -1,227 +1,63 @@
 #include "PlateSession.h"
 
-#include "FocusSettings.h"
+#include "PlateWorker.h"
 
-#include <antinode_base/InputError.h>
-#include <antinode_library/Library.h>
-
-#include <algorithm>
-#include <chrono>
-#include <cmath>
+#include <utility>
 
 namespace antinode
 {
-namespace
-{
-constexpr auto interval = std::chrono::milliseconds (4);   // between looks at the parameters
-constexpr auto patience = std::chrono::milliseconds (200); // of a host that prepares us
-
-/** @throws InputError  where it cannot be solved, or has nothing that moves it */
-std::shared_ptr<const ModalModel> solved (const DeviceDocument& document)
-{
-    auto model = std::make_shared<const ModalModel> (solveDevice (document.description, {}, true));
-
-    if (model->actuators() == 0)
-        throw InputError ("device '" + document.description.name + "'", "has no ceramics, so nothing can move it");
-
-    return model;
-}
-} // namespace
-
 PlateSession::PlateSession (DeviceDocument device, ReadSettings read, std::function<void()> changed)
-    : readSettings (std::move (read)), onChange (std::move (changed)),
-      nextDevice (std::make_shared<const DeviceDocument> (std::move (device))),
-      published (std::make_shared<const PlateSnapshot>())
+    : owner (std::make_shared<SessionOwner<SurfaceSettings>> (std::move (read), std::move (changed))),
+      worker (std::make_shared<PlateWorker> (std::make_shared<const DeviceDocument> (std::move (device)), owner)),
+      thread ([kept = worker] { kept->run(); })
 {
-    thread = std::thread ([this] { run(); });
 }
 
 PlateSession::~PlateSession()
 {
-    {
-        const std::lock_guard lock (mutex);
-        isStopping = true;
-    }
-    wake.notify_all();
-    thread.join();
+    worker->stop();
+    owner->leave();
 }
 
 void PlateSession::load (std::shared_ptr<const DeviceDocument> device)
 {
-    {
-        const std::lock_guard lock (mutex);
-        nextDevice = std::move (device);
-    }
-    wake.notify_all();
+    worker->load (std::move (device));
 }
 
-void PlateSession::prepare (double sampleRate, bool isOffline)
+void PlateSession::prepare (double sampleRate)
 {
-    preparedRate = sampleRate;
-    paths.reset();
-    {
-        std::unique_lock lock (mutex);
-        wantedRate = sampleRate;
-        const auto round = ++roundsAsked;
-        wake.notify_all();
-        settled.wait_for (lock, patience, [&] { return roundsDone >= round; });
-    }
-
-    if (isOffline)
-        waitUntilSettled();
-}
-
-void PlateSession::waitUntilSettled()
-{
-    std::unique_lock lock (mutex);
-    const auto round = ++roundsAsked;
-    wake.notify_all();
-    settled.wait (lock, [&] { return roundsDone >= round; });
-}
-
-std::shared_ptr<const PlateSnapshot> PlateSession::snapshot() const
-{
-    const std::lock_guard lock (mutex);
-    return published;
-}
-
-void PlateSession::run()
-{
-    for (;;)
-    {
-        std::uint64_t round = 0;
-        {
-            std::unique_lock lock (mutex);
-            wake.wait_for (lock, interval, [this] { return isStopping || nextDevice || roundsAsked > roundsDone; });
-
-            if (isStopping)
-                return;
-
-            round = roundsAsked;
-        }
-
-        step();
-        const std::lock_guard lock (mutex);
-        roundsDone = round;
-        settled.notify_all();
-    }
-}
-
-/** One round: what was loaded, then the sample rate, then what the parameters say. */
-void PlateSession::step()
-{
-    const auto isOtherDevice = takeDocument();
-    paths.collect();
-    const auto before = std::exchange (settings, readSettings());
-    double wanted = 0;
-    {
-        const std::lock_guard lock (mutex);
-        wanted = wantedRate;
-    }
-
-    if (present.model == nullptr || ! (wanted > 0))
-        return;
-
-    if (isOtherDevice || rate != wanted || before.model != settings.model)
-        buildPath (wanted);
-    else if (path != nullptr && before.probes != settings.probes)
-        moveProbes();
-}
-
-/** @return  whether there is another model now */
-bool PlateSession::takeDocument()
-{
-    {
-        const std::lock_guard lock (mutex);
-
-        if (nextDevice == nullptr)
-            return false;
-
-        present.device = std::exchange (nextDevice, nullptr);
-    }
-
-    present.isSolving = true;
-    publish();
-    auto isOther = false;
-
-    try
-    {
-        present.model = solved (*present.device);
-        present.error.clear();
-        isOther = true;
-    }
-    catch (const std::exception& failure)
-    {
-        present.error = failure.what();
-    }
-
-    present.isSolving = false;
-    publish();
-    return isOther;
-}
-
-void PlateSession::buildPath (double sampleRate)
-{
-    rate = sampleRate; // Also where it fails: nobody shall try it again every few milliseconds.
-
-    try
-    {
-        auto made = std::make_unique<PlatePath> (present.model, sampleRate, probeShapes(), settings.model);
-        path = made.get();
-        latency = path->latencySamples();
-        tail = std::log (1000) / decayRates (*present.model).minCoeff();
-        present.motion = path->motion();
-        present.captureStep = path->captureStep();
-        paths.give (std::move (made));
-    }
-    catch (const std::exception& failure)
-    {
-        present.error = failure.what();
-    }
-
-    publish();
-}
-
-void PlateSession::moveProbes()
-{
-    path->surface().setProbes (probeShapes());
-}
-
-Eigen::MatrixXd PlateSession::probeShapes() const
-{
-    const auto& model = *present.model;
-    Eigen::MatrixXd shapes (PlatePath::probes, model.modes());
-
-    for (std::size_t i = 0; i < settings.probes.size(); ++i)
-    {
-        const auto [x, y] = placeFromPercent (model.surface, static_cast<double> (settings.probes[i].first),
-                                              static_cast<double> (settings.probes[i].second));
-        shapes.row (static_cast<Eigen::Index> (i)) = shapesAt (model, x, y);
-    }
-
-    return shapes;
-}
-
-void PlateSession::publish()
-{
-    {
-        const std::lock_guard lock (mutex);
-        published = std::make_shared<const PlateSnapshot> (present);
-    }
-    onChange();
+    worker->prepare (sampleRate);
 }
 
 template <typename Sample>
 void PlateSession::process (const SurfaceBlock<Sample>& block, const SurfaceControls& controls)
 {
-    if (auto* const current = paths.current (preparedRate, block.count))
-    {
-        current->process (block, controls, paths.isLeaving(), levels);
-        return;
-    }
+    worker->process (block, controls);
+}
 
-    for (auto* const channel : block.probes)
-        std::fill_n (channel, block.count, Sample (0));
+void PlateSession::waitUntilSettled()
+{
+    worker->waitUntilSettled();
+}
+
+std::shared_ptr<const PlateSnapshot> PlateSession::snapshot() const
+{
+    return worker->snapshot();
+}
+
+LevelMeters& PlateSession::meters()
+{
+    return worker->meters();
+}
+
+std::int64_t PlateSession::latencySamples() const
+{
+    return worker->latencySamples();
+}
+
+double PlateSession::tailSeconds() const
+{
+    return worker->tailSeconds();
 }
 
 template void PlateSession::process (const SurfaceBlock<float>&, const SurfaceControls&);

@@ -1,17 +1,16 @@
 #pragma once
 
 #include "Documents.h"
-#include "PathExchange.h"
 #include "PlatePath.h"
+#include "SessionOwner.h"
+
+#include <antinode_base/BackgroundThread.h>
 
 #include <array>
-#include <atomic>
-#include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <string>
-#include <thread>
 #include <utility>
 
 namespace antinode
@@ -36,9 +35,11 @@ struct PlateSnapshot
     std::string error; ///< Why the device that was asked for cannot be played: then the one before plays on.
 };
 
+class PlateWorker;
+
 /** A device as an effect: solves it, and lets voltages from outside move it. As with Session, a thread of its own
     looks at the parameters every few milliseconds, solves and builds; paths go to the audio thread by one atomic
-    exchange. */
+    exchange; and nothing here waits longer than a moment for that thread, which may end after the session. */
 class PlateSession
 {
 public:
@@ -57,9 +58,9 @@ public:
         thread] */
     void load (std::shared_ptr<const DeviceDocument>);
 
-    /** Brings the surface to rest, and asks for the path of a sample rate. Waits for it, but only a moment unless
-        it is offline. Nothing may be processing. [worker] */
-    void prepare (double sampleRate, bool isOffline);
+    /** Brings the surface to rest, and asks for the path of a sample rate. Waits for it, but only a moment. Nothing
+        may be processing. [worker] */
+    void prepare (double sampleRate);
 
     /** Moves the surface, or gives silence where there is none yet. [audio thread] allocates nothing, locks nothing */
     template <typename Sample>
@@ -71,44 +72,17 @@ public:
     /** [any but the audio thread] */
     std::shared_ptr<const PlateSnapshot> snapshot() const;
 
-    LevelMeters& meters() { return levels; }
+    LevelMeters& meters();
 
     /** By how many samples the velocities lag the voltages. [any] */
-    std::int64_t latencySamples() const { return latency; }
+    std::int64_t latencySamples() const;
 
     /** 60 dB of the slowest mode's decay, s. [any] */
-    double tailSeconds() const { return tail; }
+    double tailSeconds() const;
 
 private:
-    void run();
-    void step();
-    bool takeDocument();
-    void buildPath (double sampleRate);
-    void moveProbes();
-    void publish();
-    Eigen::MatrixXd probeShapes() const;
-
-    ReadSettings readSettings;
-    std::function<void()> onChange;
-
-    mutable std::mutex mutex; ///< For the next lines.
-    std::condition_variable wake, settled;
-    std::shared_ptr<const DeviceDocument> nextDevice;
-    double wantedRate = 0; ///< Hz; 0 before the first prepare.
-    std::uint64_t roundsAsked = 0, roundsDone = 0;
-    bool isStopping = false;
-    std::shared_ptr<const PlateSnapshot> published;
-
-    PlateSnapshot present; ///< Of the session's thread, as the next lines.
-    SurfaceSettings settings;
-    double rate = 0;
-    PlatePath* path = nullptr; ///< The newest one, which `paths` owns.
-
-    PathExchange<PlatePath> paths;
-    LevelMeters levels;
-    std::atomic<double> preparedRate { 0 }, tail { 1 };
-    /** Until a path is there: that of the surface as rendered, the reach of its reconstruction. */
-    std::atomic<std::int64_t> latency { 15 };
-    std::thread thread;
+    std::shared_ptr<SessionOwner<SurfaceSettings>> owner;
+    std::shared_ptr<PlateWorker> worker;
+    BackgroundThread thread;
 };
 } // namespace antinode

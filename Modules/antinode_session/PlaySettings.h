@@ -1,6 +1,7 @@
 #pragma once
 
-#include <cmath>
+#include <antinode_engine/FocusVoices.h>
+#include <antinode_focus/FocusDescription.h>
 
 namespace antinode
 {
@@ -16,18 +17,18 @@ struct PlaySettings
 {
     float xPercent = 50, yPercent = 50; ///< Of the surface's extent, from its left and its lower edge.
     float widthMillimetres = 25;
-    int shape = 0; ///< Of the words of focus files, in their order.
+    TargetShape shape = TargetShape::sinc;
     float peakVelocityMillimetresPerSecond = 40;
     float focusTimeMilliseconds = 25;
     float growth = -1;           ///< Below 0: as the focus says, or chosen.
     float brake = 0;             ///< 1 or below: as the focus says, or none.
-    int method = 0;              ///< Of the words of focus files, in their order.
+    AllocationMethod method = AllocationMethod::exact;
     float voltageLimitVolts = 0; ///< 0: as the focus says, or the device's.
     int modeCount = 0;           ///< 0: as the focus says, or chosen.
     float probeXPercent = 50, probeYPercent = 50;
-    int noteLayout = 0; ///< NoteLayout
-    int noteOff = 0;    ///< NoteOffBehaviour
-    int retrigger = 0;  ///< RetriggerBehaviour
+    NoteLayout noteLayout = NoteLayout::spread;
+    NoteOffBehaviour noteOff = NoteOffBehaviour::ignore;
+    RetriggerBehaviour retrigger = RetriggerBehaviour::overlap;
     bool focusOnNote = false;
 
     bool operator== (const PlaySettings&) const = default;

@@ -1,98 +1,78 @@
 #include "Session.h"
 
-#include <algorithm>
-#include <chrono>
+#include "FocusSettings.h"
+#include "SessionWorker.h"
+
 #include <utility>
 
 namespace antinode
 {
 namespace
 {
-constexpr auto preparePatience = std::chrono::milliseconds (200); // of a host that prepares us
+constexpr auto preparePatience = std::chrono::milliseconds (40); // of a host that prepares us
 } // namespace
 
-Session::Session (DeviceDocument deviceToLoad, FocusDocument focusToLoad, ReadSettings read,
-                  std::function<void()> changed)
-    : readSettings (std::move (read)), onChange (std::move (changed)),
-      nextDevice (std::make_shared<const DeviceDocument> (std::move (deviceToLoad))),
-      nextFocus (std::make_shared<const FocusDocument> (std::move (focusToLoad))),
-      published (std::make_shared<const SessionSnapshot>())
+Session::Session (DeviceDocument device, FocusDocument focus, ReadSettings read, std::function<void()> changed)
+    : owner (std::make_shared<SessionOwner<PlaySettings>> (std::move (read), std::move (changed))),
+      requests (std::make_shared<SessionRequests> (std::make_shared<const DeviceDocument> (std::move (device)),
+                                                   std::make_shared<const FocusDocument> (std::move (focus)),
+                                                   spotNote)),
+      entry (std::make_shared<AudioEntry>()),
+      thread ([worker = std::make_shared<SessionWorker> (requests, entry, owner)] { worker->run(); })
 {
-    thread = std::thread ([this] { run(); });
 }
 
 Session::~Session()
 {
-    {
-        const std::lock_guard lock (mutex);
-        isStopping = true;
-    }
-    wake.notify_all();
-    thread.join();
+    requests->stop();
+    owner->leave();
 }
 
-void Session::load (std::shared_ptr<const DeviceDocument> newDevice, std::shared_ptr<const FocusDocument> newFocus)
+void Session::load (std::shared_ptr<const DeviceDocument> device, std::shared_ptr<const FocusDocument> focus)
 {
-    {
-        const std::lock_guard lock (mutex);
-
-        if (newDevice != nullptr)
-            nextDevice = std::move (newDevice);
-
-        if (newFocus != nullptr)
-            nextFocus = std::move (newFocus);
-    }
-    wake.notify_all();
+    requests->load (std::move (device), std::move (focus));
 }
 
-void Session::prepare (double sampleRate, bool isOffline)
+void Session::prepare (double sampleRate)
 {
-    preparedRate = sampleRate;
-    paths.reset();
-    {
-        std::unique_lock lock (mutex);
-        wantedRate = sampleRate;
-        const auto round = ++roundsAsked;
-        wake.notify_all();
-        settled.wait_for (lock, preparePatience,
-                          [&] { return roundsDone >= round && (designs.designed > 0 || designs.wanted == 0); });
-    }
-
-    if (isOffline)
-        waitUntilSettled (std::array { FocusEvent { 0, FocusEventKind::trigger, spotNote, 1 } });
+    entry->prepare (sampleRate);
+    // At once, although the path may come later: hosts ask for it now.
+    requests->setLatencySamples (latencyOf (requests->newestFocus()->description, owner->settings ({}), sampleRate));
+    requests->prepare (sampleRate, preparePatience);
 }
 
 void Session::waitUntilSettled (std::span<const FocusEvent> events)
 {
-    std::unique_lock lock (mutex);
-    settlePlaces.clear();
+    std::vector<int> places;
 
     for (const auto& event : events)
         if (event.kind == FocusEventKind::trigger)
-            settlePlaces.push_back (placeOf (event));
+            places.push_back (entry->placeOf (event));
 
-    const auto round = settleAsked = ++roundsAsked;
-    wake.notify_all();
-    settled.wait (lock, [&] { return roundsDone >= round; });
+    requests->waitUntilSettled (std::move (places));
 }
 
 void Session::designFirst (std::vector<int> notes)
 {
-    const std::lock_guard lock (mutex);
-    firstNotes = std::move (notes);
-    isFirstNew = true;
+    requests->designFirst (std::move (notes));
 }
 
 void Session::insertNodes (InsertNodes insert)
 {
-    const std::lock_guard lock (mutex);
-    insertion = std::move (insert);
-    isInsertionNew = true;
+    if (! insert)
+        return requests->insertNodes ({});
+
+    requests->insertNodes (
+        [kept = owner, insert = std::move (insert)] (NodeGraph& graph, GraphPlace place, int last)
+        {
+            kept->call ([&] { last = insert (graph, place, last); });
+            return last;
+        });
 }
 
 void Session::fire (double amplitude)
 {
-    triggers.push ({ 0, FocusEventKind::trigger, FocusBank::livePlace, amplitude });
+    entry->fire (FocusBank::livePlace, amplitude);
 }
 
 Session::TouchResult Session::fireAt (double x, double y, double amplitude)
@@ -103,86 +83,28 @@ Session::TouchResult Session::fireAt (double x, double y, double amplitude)
         return TouchResult::notTaken;
 
     const auto& surface = now->model->surface;
-    const auto isInside = x >= surface.xMinimum && x <= surface.xMaximum
-                          && (surface.kind == SurfaceKind::line || (y >= surface.yMinimum && y <= surface.yMaximum));
+    const auto isLine = surface.kind == SurfaceKind::line;
+    const auto isInside =
+        x >= surface.xMinimum && x <= surface.xMaximum && (isLine || (y >= surface.yMinimum && y <= surface.yMaximum));
 
     if (! isInside)
         return TouchResult::besideSurface;
 
-    {
-        const std::lock_guard lock (mutex);
-
-        if (touches.size() >= FocusBank::touchPlaces)
-            return TouchResult::notTaken;
-
-        touches.push_back ({ x, surface.kind == SurfaceKind::line ? 0.0 : y, amplitude });
-    }
-    wake.notify_all();
-    return TouchResult::taken;
+    return requests->touch ({ x, isLine ? 0.0 : y, amplitude }) ? TouchResult::taken : TouchResult::notTaken;
 }
 
 void Session::stopAll()
 {
-    isStopAsked = true;
+    entry->stopAll();
 }
 
 std::shared_ptr<const SessionSnapshot> Session::snapshot() const
 {
-    const std::lock_guard lock (mutex);
-    return published;
+    return requests->snapshot();
 }
 
 DesignProgress Session::progress() const
 {
-    const std::lock_guard lock (mutex);
-    return designs;
+    return requests->progress();
 }
-
-int Session::placeOf (const FocusEvent& event) const
-{
-    const auto playsSpot = playsSpotOnly || event.place == spotNote;
-    return playsSpot ? FocusBank::livePlace : std::clamp (event.place, 0, FocusBank::places - 1);
-}
-
-/** The events of the block with those that came from elsewhere before them; a note's place becomes the bank's. */
-std::span<const FocusEvent> Session::gather (std::span<const FocusEvent> events)
-{
-    std::size_t waiting = 0;
-
-    if (isStopAsked.exchange (false))
-        blockEvents[waiting++] = { 0, FocusEventKind::stopAll, 0, 0 };
-
-    waiting +=
-        static_cast<std::size_t> (triggers.pop (std::span (blockEvents).subspan (waiting, blockEvents.size() / 2)));
-    const auto count = std::min (events.size(), blockEvents.size() - waiting);
-    std::copy_n (events.begin(), count, blockEvents.begin() + static_cast<std::ptrdiff_t> (waiting));
-
-    for (auto& event : std::span (blockEvents).subspan (waiting, count))
-        event.place = placeOf (event);
-
-    return { blockEvents.data(), waiting + count };
-}
-
-template <typename Sample>
-void Session::process (const OutputBlock<Sample>& block, std::span<const FocusEvent> events,
-                       const PlayControls& controls)
-{
-    if (auto* const current = paths.current (preparedRate, block.count))
-    {
-        auto now = controls;
-        now.isArmed = controls.isArmed && ! paths.isLeaving();
-        fullScale = current->model().fullScaleVoltage;
-        current->process (block, gather (events), now, levels, trace);
-        return;
-    }
-
-    for (auto* const channel : block.ceramics)
-        std::fill_n (channel, block.count, Sample (0));
-
-    for (auto* const channel : block.monitor)
-        std::fill_n (channel, block.count, Sample (0));
-}
-
-template void Session::process (const OutputBlock<float>&, std::span<const FocusEvent>, const PlayControls&);
-template void Session::process (const OutputBlock<double>&, std::span<const FocusEvent>, const PlayControls&);
 } // namespace antinode

@@ -13,7 +13,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int pollMilliseconds = 50;         ///< Until the thread sees that it is to stop.
+constexpr int pollMilliseconds = 20;         ///< Until the thread sees that it is to stop.
 constexpr std::size_t largestPacket = 65536; ///< More than UDP can transport: nothing is truncated.
 
 void check (const TouchPorts& ports)

@@ -64,28 +64,18 @@ bool DesignQuestion::operator== (const DesignQuestion& other) const
            && playback.reconstruction == other.playback.reconstruction;
 }
 
-DesignView::DesignView()
+void DesignView::stop()
 {
-    thread = std::thread ([this] { run(); });
-}
-
-DesignView::~DesignView()
-{
-    {
-        const std::lock_guard lock (mutex);
-        isStopping = true;
-    }
+    const std::lock_guard lock (mutex);
+    isStopping = true;
     changed.notify_all();
-    thread.join();
 }
 
 void DesignView::ask (DesignQuestion question)
 {
-    {
-        const std::lock_guard lock (mutex);
-        next = std::move (question);
-        ++asked;
-    }
+    const std::lock_guard lock (mutex);
+    next = std::move (question);
+    ++asked;
     changed.notify_all();
 }
 
@@ -103,6 +93,8 @@ bool DesignView::isDone() const
 
 void DesignView::run()
 {
+    const WatchScope scope ([this] { return ! isStopping; });
+
     for (;;)
     {
         DesignQuestion question;

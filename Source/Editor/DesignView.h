@@ -11,22 +11,20 @@
 #include <functional>
 #include <mutex>
 #include <optional>
-#include <thread>
 
 namespace antinode
 {
-/** Computes the picture for the editor on its own thread: first the predicted field, then its frames, then a full render.
-    A newer question replaces an older one, whose work is given up between two steps. */
+/** Computes the picture for the editor on a thread that runs it: first the predicted field, then its frames, then a full render.
+    A newer question replaces an older one, whose work is given up between two steps. The editor may go before the thread: both share
+    it. */
 class DesignView
 {
 public:
-    /** Starts the thread. [worker] */
-    DesignView();
+    /** Answers questions until it is stopped. [worker] */
+    void run();
 
-    /** Abandons unfinished work and joins the thread. [worker] */
-    ~DesignView();
-    DesignView (const DesignView&) = delete;
-    DesignView& operator= (const DesignView&) = delete;
+    /** Abandons unfinished work; returns at once. [any but the audio thread] */
+    void stop();
 
     /** Returns at once. [any but the audio thread] */
     void ask (DesignQuestion);
@@ -38,7 +36,6 @@ public:
     bool isDone() const;
 
 private:
-    void run();
     void answer (const DesignQuestion&);
     FocusDesign playableDesign (const DesignPicture&) const;
     void answerWith (DesignPicture&, const FocusDesign& playable);
@@ -54,6 +51,5 @@ private:
     std::shared_ptr<const DesignPicture> newest;
     std::atomic<std::uint64_t> asked { 0 }, answered { 0 };
     std::atomic<bool> isStopping { false }, isWorking { false };
-    std::thread thread;
 };
 } // namespace antinode

@@ -50,6 +50,7 @@ EditorContent::EditorContent (AntinodeProcessor& processorToShow)
 
 EditorContent::~EditorContent()
 {
+    designs->stop();
     setLookAndFeel (nullptr);
 }
 
@@ -77,7 +78,7 @@ void EditorContent::refresh (double seconds)
     probe.refresh();
     meters.refresh (seconds);
     top.refresh (presets.loadedName (LibraryKind::device), presets.loadedName (LibraryKind::focus));
-    status.refresh (picture.get(), ! designs.isDone());
+    status.refresh (picture.get(), ! designs->isDone());
 }
 
 void EditorContent::showModel()
@@ -112,12 +113,12 @@ void EditorContent::askForPicture()
         return;
 
     asked = question;
-    designs.ask (std::move (question));
+    designs->ask (std::move (question));
 }
 
 void EditorContent::showPicture()
 {
-    auto newest = designs.picture();
+    auto newest = designs->picture();
 
     if (newest == picture)
         return;
@@ -138,7 +139,7 @@ bool EditorContent::isSettled() const
     const auto isShown =
         picture != nullptr && asked && picture->question == *asked && picture->stage == DesignPicture::Stage::complete;
     return ! now->isSolving && now->model != nullptr && now->device->text == processor.device()->text && isShown
-           && designs.isDone();
+           && designs->isDone();
 }
 
 void EditorContent::fire()

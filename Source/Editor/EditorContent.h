@@ -15,6 +15,8 @@
 #include "Timeline.h"
 #include "TopBar.h"
 
+#include <antinode_base/BackgroundThread.h>
+
 #include <functional>
 #include <optional>
 
@@ -88,7 +90,8 @@ private:
     EditorLook look;
     History past;
     Presets presets;
-    DesignView designs;
+    std::shared_ptr<DesignView> designs = std::make_shared<DesignView>();
+    BackgroundThread designThread { [kept = designs] { kept->run(); } };
     TopBar top;
     SurfaceView surfaceView;
     Timeline time;

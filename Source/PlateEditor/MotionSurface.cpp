@@ -15,7 +15,7 @@ namespace
 {
 constexpr auto grabRadius = 14.0F, radius = 8.0F;
 
-void setPercent (juce::AudioParameterFloat& parameter, float percent)
+void setPercent (juce::RangedAudioParameter& parameter, float percent)
 {
     parameter.setValueNotifyingHost (parameter.convertTo0to1 (std::clamp (percent, 0.0F, 100.0F)));
 }

@@ -1,6 +1,7 @@
 #include "MotionView.h"
 
 #include <antinode_base/Prefixes.h>
+#include <antinode_base/Watch.h>
 #include <antinode_charts/PlateCharts.h>
 
 #include <chrono>
@@ -62,19 +63,11 @@ BarChart spectrumOf (const Eigen::VectorXd& largest)
 }
 } // namespace
 
-MotionView::MotionView()
+void MotionView::stop()
 {
-    thread = std::thread ([this] { run(); });
-}
-
-MotionView::~MotionView()
-{
-    {
-        const std::lock_guard lock (mutex);
-        isStopping = true;
-    }
+    const std::lock_guard lock (mutex);
+    isStopping = true;
     changed.notify_all();
-    thread.join();
 }
 
 void MotionView::watch (std::shared_ptr<const PlateSnapshot> snapshot)
@@ -97,17 +90,28 @@ std::shared_ptr<const MotionPicture> MotionView::picture() const
 
 void MotionView::run()
 {
-    for (;;)
-    {
+    const WatchScope scope (
+        [this]
         {
-            std::unique_lock lock (mutex);
+            const std::lock_guard lock (mutex);
+            return ! isStopping;
+        });
 
-            if (changed.wait_for (lock, interval, [this] { return isStopping; }))
-                return;
-        }
-
-        step();
+    try
+    {
+        while (! isStoppedWithin (interval))
+            step();
     }
+    catch (const Cancelled&)
+    {
+        // It is stopping.
+    }
+}
+
+bool MotionView::isStoppedWithin (std::chrono::milliseconds time)
+{
+    std::unique_lock lock (mutex);
+    return changed.wait_for (lock, time, [this] { return isStopping; });
 }
 
 void MotionView::step()

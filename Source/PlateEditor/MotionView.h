@@ -4,10 +4,10 @@
 
 #include <antinode_session/PlateSession.h>
 
+#include <chrono>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
-#include <thread>
 
 namespace antinode
 {
@@ -21,15 +21,15 @@ struct MotionPicture
     double step = 0;                       ///< s from one frame to the next; 0 where nothing has moved yet.
 };
 
-/** Makes pictures of captured windows on a thread of its own. [message thread] */
+/** Makes pictures of captured windows on a thread that runs it. The editor may go before the thread: both share it. */
 class MotionView
 {
 public:
-    /** Starts the thread. */
-    MotionView();
-    ~MotionView();
-    MotionView (const MotionView&) = delete;
-    MotionView& operator= (const MotionView&) = delete;
+    /** Makes pictures until it is stopped. [worker] */
+    void run();
+
+    /** Returns at once. [message thread, as all below] */
+    void stop();
 
     /** What is looked at from now on. A new device is shown at rest at once. */
     void watch (std::shared_ptr<const PlateSnapshot>);
@@ -41,7 +41,7 @@ public:
     std::shared_ptr<const MotionPicture> picture() const;
 
 private:
-    void run();
+    bool isStoppedWithin (std::chrono::milliseconds);
     void step();
     void show (const PlateSnapshot&, const Eigen::MatrixXd& window);
     void showRest (const std::shared_ptr<const ModalModel>&);
@@ -51,6 +51,5 @@ private:
     std::shared_ptr<const PlateSnapshot> watched;
     std::shared_ptr<const MotionPicture> newest;
     bool wantsNext = true, isStopping = false;
-    std::thread thread;
 };
 } // namespace antinode

@@ -55,6 +55,7 @@ PlateContent::PlateContent (PlateProcessor& processorToShow)
 
 PlateContent::~PlateContent()
 {
+    motion->stop();
     setLookAndFeel (nullptr);
 }
 
@@ -88,7 +89,7 @@ void PlateContent::refresh (double seconds)
     if (auto now = processor.session().snapshot(); now != snapshot)
     {
         snapshot = std::move (now);
-        motion.watch (snapshot);
+        motion->watch (snapshot);
         device.setButtonText ("Device: " + fromUtf8 (processor.device()->description.name));
         namedProbes = 0; // Names and places of all rows are those of another device.
     }
@@ -104,7 +105,7 @@ void PlateContent::refresh (double seconds)
 /** Goes through the window; at its end the next one is asked for, and this one is shown again until it comes. */
 void PlateContent::showPicture()
 {
-    auto newest = motion.picture();
+    auto newest = motion->picture();
 
     if (newest == nullptr)
         return;
@@ -121,7 +122,7 @@ void PlateContent::showPicture()
 
     if (position >= secondsOfWindow)
     {
-        motion.askForNext();
+        motion->askForNext();
         position = std::fmod (position, secondsOfWindow);
     }
 

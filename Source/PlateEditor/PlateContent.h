@@ -8,6 +8,8 @@
 #include <Editor/EditorLook.h>
 #include <Editor/LocalTooltips.h>
 
+#include <antinode_base/BackgroundThread.h>
+
 #include <functional>
 #include <memory>
 
@@ -61,7 +63,8 @@ private:
     PlateProcessor& processor;
     juce::SharedResourcePointer<EditorLook> fonts; ///< Of JUCE's own windows: menus and alerts.
     EditorLook look;
-    MotionView motion;
+    std::shared_ptr<MotionView> motion = std::make_shared<MotionView>();
+    BackgroundThread motionThread { [kept = motion] { kept->run(); } };
     juce::TextButton device, hold { "Hold" }, theme;
     juce::Label time;
     MotionSurface surfaceView;

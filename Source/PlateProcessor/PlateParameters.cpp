@@ -13,33 +13,28 @@ namespace
 using Group = juce::AudioProcessorParameterGroup;
 using ModelSource = std::function<std::shared_ptr<const ModalModel>()>;
 
-constexpr float silentDecibels = -60, loudestDecibels = 60;
+constexpr double silentDecibels = -60, loudestDecibels = 60;
+constexpr float silentText = -60 + 1e-3F; // below which it is called silent
 
 /** Where probes are at first, in % of the surface: in the middle, on its axes, then in its quarters. */
-constexpr std::pair<float, float> firstPlaces[PlatePath::probes] = { { 50.0F, 50.0F }, { 25.0F, 50.0F },
-                                                                     { 75.0F, 50.0F }, { 50.0F, 25.0F },
-                                                                     { 50.0F, 75.0F }, { 25.0F, 25.0F },
-                                                                     { 75.0F, 75.0F }, { 25.0F, 75.0F } };
+constexpr std::pair<double, double> firstPlaces[PlatePath::probes] = { { 50, 50 }, { 25, 50 }, { 75, 50 }, { 50, 25 },
+                                                                       { 50, 75 }, { 25, 25 }, { 75, 75 }, { 25, 75 } };
 
-std::unique_ptr<juce::AudioParameterFloat> numberFor (const juce::String& identifier, const juce::String& name,
-                                                      juce::NormalisableRange<float> range, float initial,
-                                                      NumberTexts texts)
+std::unique_ptr<NumberParameter> numberFor (const juce::String& identifier, const juce::String& name, NumberRange range,
+                                            double initial, NumberTexts texts)
 {
-    auto attributes = juce::AudioParameterFloatAttributes()
-                          .withStringFromValueFunction (std::move (texts.toText))
-                          .withValueFromStringFunction (std::move (texts.fromText));
-    return std::make_unique<juce::AudioParameterFloat> (juce::ParameterID { identifier, 1 }, name, std::move (range),
-                                                        initial, attributes);
+    return std::make_unique<NumberParameter> (juce::ParameterID { identifier, 1 }, name, range, initial,
+                                              std::move (texts), "");
 }
 
-std::unique_ptr<juce::AudioParameterBool> flagFor (const juce::String& identifier, const juce::String& name,
-                                                   const char* on, const char* off)
+std::unique_ptr<SwitchParameter> flagFor (const juce::String& identifier, const juce::String& name, const char* on,
+                                          const char* off)
 {
     auto texts = flagTexts (on, off);
     auto attributes = juce::AudioParameterBoolAttributes()
                           .withStringFromValueFunction (std::move (texts.toText))
                           .withValueFromStringFunction (std::move (texts.fromText));
-    return std::make_unique<juce::AudioParameterBool> (juce::ParameterID { identifier, 1 }, name, false, attributes);
+    return std::make_unique<SwitchParameter> (juce::ParameterID { identifier, 1 }, name, false, attributes);
 }
 
 template <typename Parameter>
@@ -63,20 +58,21 @@ PlateParameters::PlateParameters (juce::AudioProcessor& processor, const ModelSo
         auto& place = places[static_cast<std::size_t> (i)];
         place.x = addTo (*probes, ordered,
                          numberFor ("probe" + number + "_x", "Probe " + number + " x", { 0, 100 }, x,
-                                    placeTexts (surface, Axis::x)));
+                                    placeTexts (surface, SurfaceAxis::x)));
         place.y = addTo (*probes, ordered,
                          numberFor ("probe" + number + "_y", "Probe " + number + " y", { 0, 100 }, y,
-                                    placeTexts (surface, Axis::y)));
+                                    placeTexts (surface, SurfaceAxis::y)));
     }
 
     auto output = std::make_unique<Group> ("output", "Output", " | ");
-    gain = addTo (*output, ordered,
-                  numberFor ("gain", "Gain", { silentDecibels, loudestDecibels }, 0,
-                             unitTexts ("dB", 1, silentDecibels + 1e-3F, "silent")));
+    gain = addTo (
+        *output, ordered,
+        numberFor ("gain", "Gain", { silentDecibels, loudestDecibels }, 0, unitTexts ("dB", 1, silentText, "silent")));
     quick = addTo (*output, ordered, flagFor ("quick", "Surface model", "quick", "as rendered"));
     bypassed = addTo (*output, ordered, flagFor ("bypass", "Bypass", "bypassed", "playing"));
     processor.addParameterGroup (std::move (probes));
     processor.addParameterGroup (std::move (output));
+    steps = std::make_unique<StepReports> (ordered);
 }
 
 SurfaceSettings PlateParameters::settings() const
@@ -84,7 +80,7 @@ SurfaceSettings PlateParameters::settings() const
     SurfaceSettings settings;
 
     for (std::size_t i = 0; i < places.size(); ++i)
-        settings.probes[i] = { numberOf (places[i].x), numberOf (places[i].y) };
+        settings.probes[i] = { static_cast<float> (places[i].x->get()), static_cast<float> (places[i].y->get()) };
 
     settings.model = quick->get() ? SurfaceModel::quick : SurfaceModel::asRendered;
     return settings;
@@ -92,8 +88,8 @@ SurfaceSettings PlateParameters::settings() const
 
 SurfaceControls PlateParameters::controls() const
 {
-    const auto decibels = static_cast<double> (numberOf (gain));
-    return { ! bypassed->get(), numberOf (gain) <= silentDecibels ? 0.0 : std::pow (10, decibels / 20) };
+    const auto decibels = gain->get();
+    return { ! bypassed->get(), decibels <= silentDecibels ? 0.0 : std::pow (10, decibels / 20) };
 }
 
 std::map<std::string, double> PlateParameters::values() const

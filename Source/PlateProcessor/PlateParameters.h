@@ -1,5 +1,8 @@
 #pragma once
 
+#include <Processor/NumberParameter.h>
+#include <Processor/StepParameters.h>
+
 #include <antinode_session/PlateSession.h>
 
 #include <juce_audio_processors/juce_audio_processors.h>
@@ -37,8 +40,11 @@ public:
     void setValues (const std::map<std::string, double>&);
 
     juce::AudioParameterBool& bypass() const { return *bypassed; }
-    juce::AudioParameterFloat& probeX (int probe) const { return *places[static_cast<std::size_t> (probe)].x; }
-    juce::AudioParameterFloat& probeY (int probe) const { return *places[static_cast<std::size_t> (probe)].y; }
+    NumberParameter& probeX (int probe) const { return *places[static_cast<std::size_t> (probe)].x; }
+    NumberParameter& probeY (int probe) const { return *places[static_cast<std::size_t> (probe)].y; }
+
+    /** What the host is to be told of steps that its values lay between. */
+    StepReports& stepReports() { return *steps; }
 
     /** All in the order of the groups. [any] */
     const std::vector<juce::RangedAudioParameter*>& all() const { return ordered; }
@@ -46,12 +52,13 @@ public:
 private:
     struct Place
     {
-        juce::AudioParameterFloat *x, *y;
+        NumberParameter *x, *y;
     };
 
     std::array<Place, PlatePath::probes> places {};
-    juce::AudioParameterFloat* gain;
-    juce::AudioParameterBool *quick, *bypassed;
+    NumberParameter* gain;
+    SwitchParameter *quick, *bypassed;
     std::vector<juce::RangedAudioParameter*> ordered;
+    std::unique_ptr<StepReports> steps;
 };
 } // namespace antinode

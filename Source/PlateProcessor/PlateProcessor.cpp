@@ -44,7 +44,7 @@ PlateProcessor::PlateProcessor (int ceramics, WrapperType wrapperToUse)
     controls = std::make_unique<PlateParameters> (
         *this, [this] { return surface != nullptr ? surface->snapshot()->model : nullptr; });
     surface = std::make_unique<PlateSession> (
-        *loadedDevice, [this] { return controls->settings(); }, [this] { changes.post(); });
+        *loadedDevice, [this] { return readSettings(); }, [this] { changes.post(); });
     inputOrder = orderOf (true);
     outputOrder = orderOf (false);
     reportLatency(); // Hosts read it before they prepare.
@@ -160,7 +160,7 @@ void PlateProcessor::prepareToPlay (double sampleRate, int)
 {
     inputOrder = orderOf (true);
     outputOrder = orderOf (false);
-    surface->prepare (sampleRate, isNonRealtime());
+    surface->prepare (sampleRate);
     reportLatency();
     changes.post();
 }
@@ -230,9 +230,19 @@ void PlateProcessor::reportLatency()
         changes.post();
 }
 
+/** As in AntinodeProcessor: a host is told of a step as soon as the session has looked. */
+SurfaceSettings PlateProcessor::readSettings()
+{
+    if (controls->stepReports().isWaiting())
+        changes.post();
+
+    return controls->settings();
+}
+
 void PlateProcessor::tellOfChanges()
 {
     reportLatency();
+    controls->stepReports().tell();
 
     // Texts of places are in mm of the device.
     if (auto model = surface->snapshot()->model; model != describedModel)

@@ -88,6 +88,7 @@ private:
     void play (juce::AudioBuffer<Sample>&, bool isBypassed);
     void reportLatency();
     void tellOfChanges();
+    SurfaceSettings readSettings();
 
     WrapperType wrapper;
     ChangeMessages changes { [this] { tellOfChanges(); } };

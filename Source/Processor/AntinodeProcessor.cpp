@@ -37,7 +37,7 @@ AntinodeProcessor::AntinodeProcessor (int ceramics, WrapperType wrapperToUse)
                                              { return player != nullptr ? player->snapshot()->model : nullptr; });
     controls->setFocus (settingsOf (loadedFocus->description, extentOf (loadedDevice->description), {}));
     player = std::make_unique<Session> (
-        *loadedDevice, *loadedFocus, [this] { return controls->settings(); }, [this] { changes.post(); });
+        *loadedDevice, *loadedFocus, [this] { return readSettings(); }, [this] { changes.post(); });
     bufferChannels.lay (*this, wrapper);
     changes.begin();
 }
@@ -128,7 +128,7 @@ bool AntinodeProcessor::isBusesLayoutSupported (const BusesLayout& layout) const
 void AntinodeProcessor::prepareToPlay (double sampleRate, int)
 {
     bufferChannels.lay (*this, wrapper);
-    player->prepare (sampleRate, isNonRealtime());
+    player->prepare (sampleRate);
     reportLatency();
     changes.post();
 }
@@ -195,9 +195,19 @@ void AntinodeProcessor::reportLatency()
         changes.post();
 }
 
+/** The session looks every few milliseconds: that is how soon a host is told of a step, too. */
+PlaySettings AntinodeProcessor::readSettings()
+{
+    if (controls->stepReports().isWaiting())
+        changes.post();
+
+    return controls->settings();
+}
+
 void AntinodeProcessor::tellOfChanges()
 {
     reportLatency();
+    controls->stepReports().tell();
 
     // Texts of places are in mm of the device.
     if (auto model = player->snapshot()->model; model != describedModel)

@@ -94,6 +94,7 @@ private:
     void play (juce::AudioBuffer<Sample>&, const juce::MidiBuffer&, bool isBypassed);
     void reportLatency();
     void tellOfChanges();
+    PlaySettings readSettings();
     void setWarning (const juce::String&);
 
     WrapperType wrapper;

@@ -4,10 +4,7 @@
 
 namespace antinode
 {
-/** A parameter's value; its least one where a host has sent no number. [any] */
-float numberOf (const juce::AudioParameterFloat*);
-
-/** The same, within its range whatever a host has sent. [any] */
+/** A parameter's value, within its range whatever a host has sent. [any] */
 int integerOf (const juce::AudioParameterInt*);
 
 /** A value in the unit of the parameter's text, to the bit. [any] */

@@ -17,26 +17,12 @@ namespace
 {
 using Group = juce::AudioProcessorParameterGroup;
 
-constexpr float silentDecibels = -60;
+constexpr double silentDecibels = -60;
+constexpr float silentText = -60 + 1e-3F; // below which it is called silent
 
-/** In double precision: then a share that became a value becomes the same share again, and states come back to the letter. */
-juce::NormalisableRange<float> logarithmic (float minimum, float maximum)
+NumberRange logarithmic (double minimum, double maximum)
 {
-    const auto valueAt = [] (double low, double high, double share) { return low * std::pow (high / low, share); };
-    const auto shareOf = [] (double low, double high, double value)
-    { return std::log (value / low) / std::log (high / low); };
-
-    return { minimum, maximum,
-             [=] (float low, float high, float share)
-             {
-                 return static_cast<float> (
-                     valueAt (static_cast<double> (low), static_cast<double> (high), static_cast<double> (share)));
-             },
-             [=] (float low, float high, float value)
-             {
-                 return static_cast<float> (
-                     shareOf (static_cast<double> (low), static_cast<double> (high), static_cast<double> (value)));
-             } };
+    return { minimum, maximum, true };
 }
 
 /** Adds parameters to a group and keeps a plain pointer to each. */
@@ -49,17 +35,11 @@ public:
     {
     }
 
-    juce::AudioParameterFloat* number (const char* identifier, const char* name, const char* unit,
-                                       juce::NormalisableRange<float> range, float initial, NumberTexts texts)
+    NumberParameter* number (const char* identifier, const char* name, const char* unit, NumberRange range,
+                             double initial, NumberTexts texts)
     {
-        auto attributes = juce::AudioParameterFloatAttributes()
-                              .withLabel (juce::String::fromUTF8 (unit))
-                              .withStringFromValueFunction (std::move (texts.toText))
-                              .withValueFromStringFunction (std::move (texts.fromText));
-        // As a host would set it, so that a host can set it again to the bit.
-        const auto reachable = range.convertFrom0to1 (range.convertTo0to1 (initial));
-        return add (std::make_unique<juce::AudioParameterFloat> (juce::ParameterID { identifier, 1 }, name,
-                                                                 std::move (range), reachable, attributes));
+        return add (std::make_unique<NumberParameter> (juce::ParameterID { identifier, 1 }, name, range, initial,
+                                                       std::move (texts), juce::String::fromUTF8 (unit)));
     }
 
     juce::AudioParameterInt* integer (const char* identifier, const char* name, int maximum, IntegerTexts texts)
@@ -78,15 +58,15 @@ public:
         return integer (identifier, name, maximum, wordTexts (words));
     }
 
-    juce::AudioParameterBool* flag (const char* identifier, const char* name, bool initial, const char* on,
-                                    const char* off)
+    SwitchParameter* flag (const char* identifier, const char* name, bool initial, const char* on, const char* off,
+                           bool isAutomatable = true)
     {
         auto texts = flagTexts (on, off);
         auto attributes = juce::AudioParameterBoolAttributes()
                               .withStringFromValueFunction (std::move (texts.toText))
-                              .withValueFromStringFunction (std::move (texts.fromText));
-        return add (std::make_unique<juce::AudioParameterBool> (juce::ParameterID { identifier, 1 }, name, initial,
-                                                                attributes));
+                              .withValueFromStringFunction (std::move (texts.fromText))
+                              .withAutomatable (isAutomatable);
+        return add (std::make_unique<SwitchParameter> (juce::ParameterID { identifier, 1 }, name, initial, attributes));
     }
 
     void addTo (juce::AudioProcessor& processor) { processor.addParameterGroup (std::move (group)); }
@@ -116,18 +96,26 @@ std::vector<juce::String> wordsForHosts (const Words& words)
 
     return texts;
 }
+
+template <typename Words, typename Value>
+int indexOf (const Words& words, Value value)
+{
+    const auto found =
+        std::find_if (words.begin(), words.end(), [&] (const auto& word) { return word.second == value; });
+    return static_cast<int> (found - words.begin());
+}
 } // namespace
 
 Parameters::Parameters (juce::AudioProcessor& processor,
                         const std::function<std::shared_ptr<const ModalModel>()>& model)
 {
     GroupBuilder focus ("focus", "Focus", ordered);
-    x = focus.number ("x", "Focus x", "", { 0, 100 }, 50, placeTexts (model, Axis::x));
-    y = focus.number ("y", "Focus y", "", { 0, 100 }, 50, placeTexts (model, Axis::y));
+    x = focus.number ("x", "Focus x", "", { 0, 100 }, 50, placeTexts (model, SurfaceAxis::x));
+    y = focus.number ("y", "Focus y", "", { 0, 100 }, 50, placeTexts (model, SurfaceAxis::y));
     width = focus.number ("width", "Width", "mm", logarithmic (1, 200), 25, unitTexts ("mm", 2));
     shape = focus.choice ("shape", "Shape", wordsForHosts (targetShapeWords));
     peakVelocity =
-        focus.number ("peak_velocity", "Peak velocity", "mm/s", logarithmic (0.1F, 2000), 40, unitTexts ("mm/s", 2));
+        focus.number ("peak_velocity", "Peak velocity", "mm/s", logarithmic (0.1, 2000), 40, unitTexts ("mm/s", 2));
     focusTime = focus.number ("focus_time", "Focus time", "ms", logarithmic (1, 500), 25, unitTexts ("ms", 2));
     focus.addTo (processor);
 
@@ -148,55 +136,56 @@ Parameters::Parameters (juce::AudioProcessor& processor,
     triggers.addTo (processor);
 
     GroupBuilder monitor ("monitor", "Monitor", ordered);
-    probeX = monitor.number ("probe_x", "Probe x", "", { 0, 100 }, 50, placeTexts (model, Axis::x));
-    probeY = monitor.number ("probe_y", "Probe y", "", { 0, 100 }, 50, placeTexts (model, Axis::y));
+    probeX = monitor.number ("probe_x", "Probe x", "", { 0, 100 }, 50, placeTexts (model, SurfaceAxis::x));
+    probeY = monitor.number ("probe_y", "Probe y", "", { 0, 100 }, 50, placeTexts (model, SurfaceAxis::y));
     monitorGain = monitor.number ("monitor_gain", "Monitor gain", "dB", { silentDecibels, 60 }, 0,
-                                  unitTexts ("dB", 1, silentDecibels + 1e-3F, "silent"));
+                                  unitTexts ("dB", 1, silentText, "silent"));
     monitor.addTo (processor);
 
     GroupBuilder output ("output", "Output", ordered);
     outputTrim = output.number ("output_trim", "Output trim", "dB", { silentDecibels, 0 }, 0,
-                                unitTexts ("dB", 1, silentDecibels + 1e-3F, "silent"));
-    armed = output.flag ("arm", "Arm", true, "armed", "disarmed");
+                                unitTexts ("dB", 1, silentText, "silent"));
+    armed = output.flag ("arm", "Arm", true, "armed (not restored where required)", "disarmed", false);
     bypassed = output.flag ("bypass", "Bypass", false, "bypassed", "playing");
     output.addTo (processor);
+    steps = std::make_unique<StepReports> (ordered);
 }
 
 PlaySettings Parameters::settings() const
 {
     PlaySettings now;
-    now.xPercent = numberOf (x);
-    now.yPercent = numberOf (y);
-    now.widthMillimetres = numberOf (width);
-    now.shape = integerOf (shape);
-    now.peakVelocityMillimetresPerSecond = numberOf (peakVelocity);
-    now.focusTimeMilliseconds = numberOf (focusTime);
-    now.growth = numberOf (growth);
-    now.brake = numberOf (brake);
-    now.method = integerOf (method);
-    now.voltageLimitVolts = numberOf (voltageLimit);
+    now.xPercent = static_cast<float> (x->get());
+    now.yPercent = static_cast<float> (y->get());
+    now.widthMillimetres = static_cast<float> (width->get());
+    now.shape = targetShapeWords[static_cast<std::size_t> (integerOf (shape))].second;
+    now.peakVelocityMillimetresPerSecond = static_cast<float> (peakVelocity->get());
+    now.focusTimeMilliseconds = static_cast<float> (focusTime->get());
+    now.growth = static_cast<float> (growth->get());
+    now.brake = static_cast<float> (brake->get());
+    now.method = allocationMethodWords[static_cast<std::size_t> (integerOf (method))].second;
+    now.voltageLimitVolts = static_cast<float> (voltageLimit->get());
     now.modeCount = integerOf (modes);
-    now.probeXPercent = numberOf (probeX);
-    now.probeYPercent = numberOf (probeY);
-    now.noteLayout = integerOf (notes);
-    now.noteOff = integerOf (noteOff);
-    now.retrigger = integerOf (retrigger);
+    now.probeXPercent = static_cast<float> (probeX->get());
+    now.probeYPercent = static_cast<float> (probeY->get());
+    now.noteLayout = static_cast<NoteLayout> (integerOf (notes));
+    now.noteOff = static_cast<NoteOffBehaviour> (integerOf (noteOff));
+    now.retrigger = static_cast<RetriggerBehaviour> (integerOf (retrigger));
     now.focusOnNote = *focusOnNote;
     return now;
 }
 
 PlayControls Parameters::controls() const
 {
-    const auto gain = [] (float decibels)
-    { return static_cast<double> (juce::Decibels::decibelsToGain (decibels, silentDecibels)); };
+    const auto gain = [] (const NumberParameter* decibels)
+    { return juce::Decibels::decibelsToGain (decibels->get(), silentDecibels); };
 
     PlayControls now;
     now.isArmed = *armed && ! *bypassed;
-    now.outputTrim = gain (numberOf (outputTrim));
-    now.monitorGain = gain (numberOf (monitorGain));
+    now.outputTrim = gain (outputTrim);
+    now.monitorGain = gain (monitorGain);
 
-    if (const auto limit = numberOf (voltageLimit); limit > 0)
-        now.voltageLimit = static_cast<double> (limit);
+    if (const auto limit = voltageLimit->get(); limit > 0)
+        now.voltageLimit = limit;
 
     return now;
 }
@@ -207,12 +196,12 @@ void Parameters::setFocus (const PlaySettings& settings)
         { x, settings.xPercent },
         { y, settings.yPercent },
         { width, settings.widthMillimetres },
-        { shape, static_cast<float> (settings.shape) },
+        { shape, static_cast<float> (indexOf (targetShapeWords, settings.shape)) },
         { peakVelocity, settings.peakVelocityMillimetresPerSecond },
         { focusTime, settings.focusTimeMilliseconds },
         { growth, settings.growth },
         { brake, settings.brake },
-        { method, static_cast<float> (settings.method) },
+        { method, static_cast<float> (indexOf (allocationMethodWords, settings.method)) },
         { voltageLimit, settings.voltageLimitVolts },
         { modes, static_cast<float> (settings.modeCount) },
         { probeX, settings.probeXPercent },

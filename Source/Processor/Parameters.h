@@ -1,5 +1,8 @@
 #pragma once
 
+#include "NumberParameter.h"
+#include "StepParameters.h"
+
 #include <antinode_session/FocusSettings.h>
 #include <antinode_session/PlaySettings.h>
 
@@ -7,6 +10,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -39,6 +43,9 @@ public:
     juce::AudioParameterBool& bypass() const { return *bypassed; }
     juce::AudioParameterBool& arm() const { return *armed; }
 
+    /** What the host is to be told of steps that its values lay between. */
+    StepReports& stepReports() { return *steps; }
+
     /** The parameter of an identifier, for controls of an editor. @return  never null for an identifier of ours [any] */
     juce::RangedAudioParameter* find (const std::string& identifier) const;
 
@@ -46,10 +53,11 @@ public:
     const std::vector<juce::RangedAudioParameter*>& all() const { return ordered; }
 
 private:
-    juce::AudioParameterFloat *x, *y, *width, *peakVelocity, *focusTime, *growth, *brake, *voltageLimit, *probeX,
-        *probeY, *monitorGain, *outputTrim;
+    NumberParameter *x, *y, *width, *peakVelocity, *focusTime, *growth, *brake, *voltageLimit, *probeX, *probeY,
+        *monitorGain, *outputTrim;
     juce::AudioParameterInt *shape, *method, *modes, *notes, *noteOff, *retrigger;
-    juce::AudioParameterBool *focusOnNote, *armed, *bypassed;
+    SwitchParameter *focusOnNote, *armed, *bypassed;
     std::vector<juce::RangedAudioParameter*> ordered;
+    std::unique_ptr<StepReports> steps;
 };
 } // namespace antinode

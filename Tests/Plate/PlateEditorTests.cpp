@@ -2,10 +2,14 @@
 
 #include <PlateEditor/PlateEditor.h>
 
+#include <Support/BlockingActions.h>
+#include <Support/LargestDevice.h>
+
 #include <catch2/catch.hpp>
 
 #include <chrono>
 #include <functional>
+#include <random>
 #include <set>
 #include <thread>
 
@@ -112,4 +116,27 @@ TEST_CASE ("The plate's editor says what is wrong in its status line", "[plate][
     CHECK (content.status().contains ("no-such-device"));
     content.loadDevice ("glass-148x210");
     refreshUntil (content, [&] { return content.status().contains ("ceramics"); });
+}
+
+TEST_CASE ("Closing Antinode Plate or its editor does not wait for what is computed", "[plate][editor][blocking]")
+{
+    BlockingTimes times;
+    std::mt19937 random (3);
+
+    for (int i = 0; i < blockingRounds (10); ++i)
+    {
+        auto processor = std::make_unique<PlateProcessor> (64, juce::AudioProcessor::wrapperType_Undefined);
+        auto editor = std::make_unique<PlateEditor> (*processor);
+        const auto device = i % 3 == 0 ? largestDevice (50 + i) : loadDocument (LibraryKind::device, "glass-148x210");
+        processor->load (std::make_shared<const DeviceDocument> (readDeviceDocument (device, "device")));
+        times.measure ("prepared", [&] { processor->prepareToPlay (48000, 512); });
+        std::this_thread::sleep_for (std::chrono::milliseconds (random() % 200));
+        editor->content().refresh (0.02);
+        times.measure ("sample rate changed", [&] { processor->prepareToPlay (96000, 512); });
+        times.measure ("editor closed", [&] { editor.reset(); });
+        times.measure ("plug-in destroyed", [&] { processor.reset(); });
+    }
+
+    times.print();
+    CHECK (times.longest() <= BlockingTimes::allowed);
 }

@@ -27,6 +27,7 @@ inline std::unique_ptr<PlateProcessor> offlinePlate (int ceramics, double sample
     processor->setNonRealtime (true);
     processor->setRateAndBufferSizeDetails (sampleRate, block);
     processor->prepareToPlay (sampleRate, block);
+    processor->session().waitUntilSettled();
     return processor;
 }
 

@@ -18,6 +18,7 @@ inline std::unique_ptr<AntinodeProcessor> offlineProcessor (int ceramics, double
     processor->setNonRealtime (true);
     processor->setRateAndBufferSizeDetails (sampleRate, block);
     processor->prepareToPlay (sampleRate, block);
+    processor->session().waitUntilSettled();
     return processor;
 }
 

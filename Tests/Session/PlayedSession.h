@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <atomic>
 #include <vector>
 
@@ -45,6 +46,13 @@ struct PlayedSession
     {
         const std::lock_guard lock (mutex);
         apply (settings);
+    }
+
+    /** As an offline host does, which never plays a silent first block. */
+    void prepare (double sampleRate)
+    {
+        session.prepare (sampleRate);
+        session.waitUntilSettled (std::array { FocusEvent { 0, FocusEventKind::trigger, Session::spotNote, 1 } });
     }
 
     /** Plays blocks of 64 samples. @return  8 ceramics and 2 probes x samples */

@@ -30,7 +30,7 @@ bool waitFor (const std::function<bool()>& condition)
 TEST_CASE ("A parameter that moves makes a new design, by itself", "[session]")
 {
     test::PlayedSession played;
-    played.session.prepare (rate, true);
+    played.prepare (rate);
     const auto before = played.play (2400, { live });
     played.play (4800);
     played.change ([] (PlaySettings& settings) { settings.peakVelocityMillimetresPerSecond = 20; });
@@ -45,7 +45,7 @@ TEST_CASE ("Notes that are wanted first play before the bank is designed", "[ses
 {
     test::PlayedSession played ("glass-148x210", "glass-finger");
     played.session.designFirst ({ 20, 90 });
-    played.session.prepare (rate, false);
+    played.session.prepare (rate);
     REQUIRE (waitFor ([&] { return played.session.progress().hasFirst; }));
     CHECK_FALSE (played.session.progress().isDone());
 
@@ -56,7 +56,7 @@ TEST_CASE ("Notes that are wanted first play before the bank is designed", "[ses
 TEST_CASE ("Another device ramps the old voltages to 0 before its own begin", "[session]")
 {
     test::PlayedSession played;
-    played.session.prepare (rate, true);
+    played.prepare (rate);
     played.play (600, { live });
     played.session.load (std::make_shared<const DeviceDocument> (test::deviceNamed ("beam")),
                          std::make_shared<const FocusDocument> (test::focusNamed ("demonstrator")));
@@ -81,7 +81,7 @@ TEST_CASE ("Another device ramps the old voltages to 0 before its own begin", "[
 TEST_CASE ("A device that cannot be solved leaves the old one playing, and says why", "[session]")
 {
     test::PlayedSession played;
-    played.session.prepare (rate, true);
+    played.prepare (rate);
     const auto before = played.play (2400, { live });
     auto json = loadDocument (LibraryKind::device, "beam");
     json["ceramics"] = nlohmann::json::array();
@@ -95,7 +95,7 @@ TEST_CASE ("A device that cannot be solved leaves the old one playing, and says 
 TEST_CASE ("A touch is designed at its own place and fired, a place off the surface is not", "[session]")
 {
     test::PlayedSession played;
-    played.session.prepare (rate, true);
+    played.prepare (rate);
     CHECK (played.session.fireAt (1, 0, 1) == Session::TouchResult::besideSurface);
     REQUIRE (played.session.fireAt (-0.02, 0, 0.5) == Session::TouchResult::taken);
     CHECK (waitFor (
@@ -113,7 +113,7 @@ TEST_CASE ("A touch is designed at its own place and fired, a place off the surf
 TEST_CASE ("Fire plays the focus at its own place with the next block", "[session]")
 {
     test::PlayedSession played;
-    played.session.prepare (rate, true);
+    played.prepare (rate);
     const auto byNote = played.play (2400, { live });
     played.play (9600);
     played.session.fire (1);
@@ -123,7 +123,7 @@ TEST_CASE ("Fire plays the focus at its own place with the next block", "[sessio
 TEST_CASE ("No voltage is beyond the limit of the parameters, whatever overlaps", "[session]")
 {
     test::PlayedSession played;
-    played.session.prepare (rate, true);
+    played.prepare (rate);
     PlayControls controls;
     controls.voltageLimit = 15;
     const auto many = played.play (4800, std::vector<FocusEvent> (8, live), controls);
@@ -134,7 +134,7 @@ TEST_CASE ("No voltage is beyond the limit of the parameters, whatever overlaps"
 TEST_CASE ("Meters tell the peak in volts once", "[session]")
 {
     test::PlayedSession played;
-    played.session.prepare (rate, true);
+    played.prepare (rate);
     const auto voltages = played.play (2400, { live });
     CHECK (played.session.meters().takePeak (2)
            == Approx (voltages.row (2).cwiseAbs().maxCoeff() * 150).epsilon (1e-5));
@@ -145,7 +145,7 @@ TEST_CASE ("Meters tell the peak in volts once", "[session]")
 TEST_CASE ("Opened, a session plays the same samples, and nodes of one's own stand in its path", "[session]")
 {
     test::PlayedSession played;
-    played.session.prepare (rate, true);
+    played.prepare (rate);
     const auto fused = played.play (2400, { live });
     played.play (9600);
     played.session.setGraphOpen (true);
@@ -184,7 +184,7 @@ TEST_CASE ("Sessions end in the middle of anything", "[session]")
         test::PlayedSession played;
 
         if (i % 4 != 0)
-            played.session.prepare (rate, false);
+            played.session.prepare (rate);
 
         if (i % 3 == 0)
             played.session.fireAt (0.01, 0, 1);

@@ -1,8 +1,13 @@
 #include <Standalone/StandaloneHost.h>
 
+#include "Support/BlockingActions.h"
+#include "Support/LargestDevice.h"
 #include "Support/TemporaryFolder.h"
 
 #include <catch2/catch.hpp>
+
+#include <random>
+#include <thread>
 
 using namespace antinode;
 
@@ -55,4 +60,25 @@ TEST_CASE ("a device that cannot be opened is a warning, and all else goes on")
     CHECK (host.warning() == "audio device type 'OSS': does not exist; available: ALSA, JACK");
     host.muteAll();
     CHECK (host.router().isMuted());
+}
+
+TEST_CASE ("who quits while a device is solved or a focus designed does not wait")
+{
+    test::BlockingTimes times;
+    std::mt19937 random (3);
+
+    for (int i = 0; i < test::blockingRounds (10); ++i)
+    {
+        auto host = std::make_unique<StandaloneHost> (SettingsFile ({}), false);
+        const auto device = test::largestDevice (50 + i);
+        host->processor().load (std::make_shared<const DeviceDocument> (readDeviceDocument (device, "device")),
+                                nullptr);
+        host->processor().prepareToPlay (48000, 256);
+        std::this_thread::sleep_for (std::chrono::milliseconds (random() % 200));
+        times.measure ("sample rate changed", [&] { host->processor().prepareToPlay (96000, 256); });
+        times.measure ("quit", [&] { host.reset(); });
+    }
+
+    times.print();
+    CHECK (times.longest() <= test::BlockingTimes::allowed);
 }

@@ -120,9 +120,7 @@ TEST_CASE ("Wire k of a hosted plate is ceramic k, and its outputs are the probe
     CHECK (instance->getLatencySamples() == 15);
 }
 
-// A known defect: in the VST3 a moved probe is not restored through a host. The LV2 and the processor by itself do restore it: "A plate's state comes back to the bit in another instance".
-TEST_CASE ("A hosted plate keeps its device and its probes, and a broken state changes nothing",
-           "[hosted][plate][!shouldfail]")
+TEST_CASE ("A hosted plate keeps its device and its probes, and a broken state changes nothing", "[hosted][plate]")
 {
     const auto plugin = GENERATE (Built { false, 8 }, Built { true, 8 });
     CAPTURE (plugin.isLv2);
@@ -135,6 +133,8 @@ TEST_CASE ("A hosted plate keeps its device and its probes, and a broken state c
             parameter->setValue (0.83F);
 
     moved (*first, plugin, voltages); // Values reach the plug-in with a block.
+    // Released first: a host of JUCE's leaves out a preparation like the one before, and the surface would go on moving.
+    first->releaseResources();
     first->prepareToPlay (rate, block);
     juce::MemoryBlock state;
     first->getStateInformation (state);

@@ -1,9 +1,9 @@
+#include "SessionWorker.h"
+
 #include "FocusSettings.h"
-#include "Session.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_focus/BankPlaces.h>
-#include <antinode_focus/FocusMoments.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +15,11 @@ namespace
 constexpr double bankMargin = 0.1; // of the surface's shorter side, kept from its edges
 } // namespace
 
-void Session::requestDesigns()
+void SessionWorker::requestDesigns (const std::vector<int>& firstNotes)
 {
     const auto description = withSettings (focus->description, settings, model->surface);
-    latency = settings.focusOnNote ? std::llround (earliestFocusTime (description) * rate) : 0;
-    playsSpotOnly = settings.noteLayout == static_cast<int> (NoteLayout::spot);
+    requests->setLatencySamples (latencyOf (focus->description, settings, rate));
+    entry->setPlaysSpotOnly (settings.noteLayout == NoteLayout::spot);
     isFocusNew = false;
 
     try
@@ -31,12 +31,12 @@ void Session::requestDesigns()
         // A focus of another device may have probes outside this surface: the monitor stays where it was.
     }
 
-    path->worker().request ({ model, description, notePlaces(), wantedFirst(), { Reconstruction::bandLimited, rate } });
+    path->worker().request ({ model, description, notePlaces(), firstNotes, { Reconstruction::bandLimited, rate } });
 }
 
-std::vector<std::pair<double, double>> Session::notePlaces() const
+std::vector<std::pair<double, double>> SessionWorker::notePlaces() const
 {
-    if (settings.noteLayout == static_cast<int> (NoteLayout::spot))
+    if (settings.noteLayout == NoteLayout::spot)
         return {};
 
     const auto& surface = model->surface;
@@ -44,11 +44,11 @@ std::vector<std::pair<double, double>> Session::notePlaces() const
     const auto shorter = height > 0 ? std::min (width, height) : width;
     auto places = bankPlaces (surface, FocusBank::notePlaces, bankMargin * shorter);
     const auto spot = withSettings (focus->description, settings, surface).targets.front();
-    places[spotNote] = { spot.x, spot.y };
+    places[AudioEntry::spotNote] = { spot.x, spot.y };
     return places;
 }
 
-Eigen::MatrixXd Session::probeShapes() const
+Eigen::MatrixXd SessionWorker::probeShapes() const
 {
     const auto places = probePlaces (focus->description, settings, model->surface);
     Eigen::MatrixXd shapes (AudioPath::probes, model->modes());
@@ -62,27 +62,18 @@ Eigen::MatrixXd Session::probeShapes() const
     return shapes;
 }
 
-void Session::forwardTouches()
+void SessionWorker::forwardTouches (const std::vector<SessionTouch>& touches)
 {
-    std::vector<Touch> waiting;
-    {
-        const std::lock_guard lock (mutex);
-        waiting.swap (touches);
-    }
+    if (path == nullptr)
+        return;
 
-    for (const auto& touch : waiting)
-        if (path != nullptr)
-            path->worker().touch (touch.x, touch.y,
-                                  [this, amplitude = touch.amplitude] (int place)
-                                  {
-                                      if (place >= 0)
-                                          triggers.push ({ 0, FocusEventKind::trigger, place, amplitude });
-                                  });
-}
-
-std::vector<int> Session::wantedFirst() const
-{
-    const std::lock_guard lock (mutex);
-    return firstNotes;
+    // The path is the entry's: it outlives the path's thread, which calls back.
+    for (const auto& touch : touches)
+        path->worker().touch (touch.x, touch.y,
+                              [&target = *entry, amplitude = touch.amplitude] (int place)
+                              {
+                                  if (place >= 0)
+                                      target.fire (place, amplitude);
+                              });
 }
 } // namespace antinode

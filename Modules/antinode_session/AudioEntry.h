@@ -1,0 +1,66 @@
+#pragma once
+
+#include "AudioPath.h"
+#include "PathExchange.h"
+#include "TriggerQueue.h"
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <span>
+
+namespace antinode
+{
+/** Where the audio thread enters a session: triggers in, the path that plays, meters out. The session's thread gives it paths, by one
+    atomic exchange, and outlives the session if need be, so both share it. */
+class AudioEntry
+{
+public:
+    /** Middle C plays the focus at its own position, whatever the other notes play. */
+    static constexpr int spotNote = 60;
+
+    /** Plays a block, or silence while there is no path. [audio thread] allocates nothing, locks nothing
+        @param events  what came with the block; a note's place is its number */
+    template <typename Sample>
+    void process (const OutputBlock<Sample>&, std::span<const FocusEvent> events, const PlayControls&);
+
+    /** The sample rate from the next block on; what plays comes to rest. Nothing may be processing. [worker] */
+    void prepare (double sampleRate);
+
+    /** Fires a place of the bank with the next block. @param amplitude  0 to 1 [any but the audio thread] */
+    void fire (int place, double amplitude) { triggers.push ({ 0, FocusEventKind::trigger, place, amplitude }); }
+
+    /** Fades all voices out with the next block. [any] */
+    void stopAll() { isStopAsked = true; }
+
+    /** The place of the bank that an event means. [any] */
+    int placeOf (const FocusEvent&) const;
+
+    /** Whether every note plays the focus at its own place. [any] */
+    void setPlaysSpotOnly (bool should) { playsSpotOnly = should; }
+
+    /** [session's thread] PathExchange */
+    void give (std::unique_ptr<AudioPath> path) { paths.give (std::move (path)); }
+    void collect() { paths.collect(); }
+
+    /** Frees all paths, at the end. Nothing may be processing. [session's thread] */
+    void clear() { paths.clear(); }
+
+    LevelMeters& meters() { return levels; }
+    ProbeTrace& probeTrace() { return trace; }
+
+    /** The voltage of a sample of 1.0 in the last block, V; 0 before the first block. [any] */
+    double fullScaleVolts() const { return fullScale; }
+
+private:
+    std::span<const FocusEvent> gather (std::span<const FocusEvent> events);
+
+    std::atomic<bool> isStopAsked { false }, playsSpotOnly { false };
+    std::atomic<double> preparedRate { 0 }, fullScale { 0 };
+    TriggerQueue triggers;
+    std::array<FocusEvent, 1024> blockEvents {}; ///< Of the audio thread.
+    LevelMeters levels;
+    ProbeTrace trace;
+    PathExchange<AudioPath> paths;
+};
+} // namespace antinode

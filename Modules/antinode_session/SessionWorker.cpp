@@ -1,0 +1,192 @@
+#include "SessionWorker.h"
+
+#include "FocusSettings.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/Watch.h>
+#include <antinode_focus/FocusMoments.h>
+#include <antinode_library/Library.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+constexpr double traceEntriesPerSecond = 2000;
+
+PlayerSettings playerSettingsOf (const PlaySettings& settings)
+{
+    return { settings.noteOff, settings.retrigger, settings.focusOnNote };
+}
+
+bool needNewPath (const PlaySettings& one, const PlaySettings& other)
+{
+    return one.noteOff != other.noteOff || one.retrigger != other.retrigger || one.focusOnNote != other.focusOnNote;
+}
+} // namespace
+
+SessionWorker::SessionWorker (std::shared_ptr<SessionRequests> requestsToServe, std::shared_ptr<AudioEntry> entryToUse,
+                              std::shared_ptr<Owner> ownerToAsk)
+    : requests (std::move (requestsToServe)), entry (std::move (entryToUse)), owner (std::move (ownerToAsk))
+{
+}
+
+void SessionWorker::run()
+{
+    const WatchScope scope ([this] { return ! requests->isStopping(); });
+
+    try
+    {
+        while (auto round = requests->next())
+        {
+            const auto number = round->number;
+            const auto awaited = round->awaited;
+            step (*std::move (round));
+
+            if (awaited && path != nullptr)
+                path->worker().waitFor (*awaited);
+
+            requests->finish (number, designs());
+        }
+    }
+    catch (const Cancelled&)
+    {
+        // It is stopping.
+    }
+
+    entry->clear();
+}
+
+/** One round: what was loaded, then what the parameters say, then what was touched. */
+void SessionWorker::step (SessionRound round)
+{
+    takeDocuments (round);
+    takeGraphChoice (round);
+    entry->collect();
+    const auto read = owner->settings (settings);
+
+    if (model != nullptr && round.sampleRate > 0)
+    {
+        const auto needsPath = isModelNew || rate != round.sampleRate || isGraphNew || needNewPath (read, settings);
+        const auto needsDesigns = needsPath || isFocusNew || read != settings;
+        settings = read;
+        rate = round.sampleRate;
+
+        if (needsPath)
+            buildPath();
+
+        if (needsDesigns && path != nullptr)
+            requestDesigns (round.firstNotes);
+
+        if (needsDesigns)
+            publish();
+    }
+
+    forwardTouches (round.touches);
+}
+
+void SessionWorker::takeDocuments (const SessionRound& round)
+{
+    // Another order makes another request too.
+    isFocusNew = isFocusNew || round.focus != nullptr || round.isOrderNew;
+
+    if (round.focus != nullptr)
+        focus = round.focus;
+
+    if (round.device == nullptr)
+        return;
+
+    device = round.device;
+    isSolving = true;
+    publish();
+    solve (*device);
+    isSolving = false;
+    requests->setProgress ({}); // It belongs to the previous device.
+    publish();
+}
+
+/** A newer device ends this one's solving; the next round takes it. */
+void SessionWorker::solve (const DeviceDocument& document)
+{
+    try
+    {
+        const WatchScope scope ([this] { return ! requests->hasDevice(); });
+        auto solved = std::make_shared<const ModalModel> (solveDevice (document.description, {}, true));
+
+        if (solved->actuators() == 0)
+            throw InputError ("device '" + document.description.name + "'", "has no ceramics; nothing can be played");
+
+        model = std::move (solved);
+        isModelNew = true;
+        deviceError.clear();
+    }
+    catch (const Cancelled&)
+    {
+        checkWatch();
+    }
+    catch (const std::exception& failure)
+    {
+        deviceError = failure.what();
+    }
+}
+
+/** One that fails is not tried again before something else is wanted. */
+void SessionWorker::buildPath()
+{
+    path = nullptr;
+
+    try
+    {
+        auto made = std::make_unique<AudioPath> (model, rate, playerSettingsOf (settings), probeShapes(), graph);
+        path = made.get();
+        entry->probeTrace().prepare (std::max (1, static_cast<int> (rate / traceEntriesPerSecond)));
+        entry->give (std::move (made));
+        requests->setTailSeconds (latestFocusTime (focus->description)
+                                  + std::log (1000) / decayRates (*model).minCoeff());
+    }
+    catch (const std::exception& failure)
+    {
+        deviceError = failure.what();
+    }
+
+    isModelNew = isGraphNew = false;
+}
+
+void SessionWorker::takeGraphChoice (const SessionRound& round)
+{
+    const auto wasOpen = std::exchange (graph.isOpen, round.graph.isOpen);
+    isGraphNew = isGraphNew || graph.isOpen != wasOpen || (graph.isOpen && round.isInsertionNew);
+
+    if (round.isInsertionNew)
+        graph.insert = round.graph.insert;
+}
+
+DesignProgress SessionWorker::designs() const
+{
+    return path != nullptr ? path->worker().progress() : DesignProgress {};
+}
+
+void SessionWorker::publish()
+{
+    SessionSnapshot now;
+    now.device = device;
+    now.focusDocument = focus;
+    now.model = model;
+    now.settings = settings;
+    now.isSolving = isSolving;
+    now.deviceError = deviceError;
+    now.playback = { Reconstruction::bandLimited, rate };
+
+    if (model != nullptr)
+    {
+        now.focus = withSettings (focus->description, settings, model->surface);
+        now.notePlaces = notePlaces();
+    }
+
+    requests->publish (std::move (now));
+    owner->tell();
+}
+} // namespace antinode

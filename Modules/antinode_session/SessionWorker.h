@@ -1,0 +1,52 @@
+#pragma once
+
+#include "AudioEntry.h"
+#include "SessionOwner.h"
+#include "SessionRequests.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace antinode
+{
+/** The work of a session's thread: takes documents, solves devices, builds paths, asks their workers for designs. It shares what it needs,
+    so it may go on after the session: then it frees all and ends as soon as its work looks at the watch. Docs/Architecture.md, Session. */
+class SessionWorker
+{
+public:
+    using Owner = SessionOwner<PlaySettings>;
+
+    SessionWorker (std::shared_ptr<SessionRequests>, std::shared_ptr<AudioEntry>, std::shared_ptr<Owner>);
+
+    /** Works until it is stopped; then no path is left. Nothing may be processing by then. [session's thread] */
+    void run();
+
+private:
+    void step (SessionRound);
+    void takeDocuments (const SessionRound&);
+    void solve (const DeviceDocument&);
+    void buildPath();
+    void takeGraphChoice (const SessionRound&);
+    void requestDesigns (const std::vector<int>& firstNotes);
+    void forwardTouches (const std::vector<SessionTouch>&);
+    void publish();
+    DesignProgress designs() const;
+    std::vector<std::pair<double, double>> notePlaces() const;
+    Eigen::MatrixXd probeShapes() const;
+
+    std::shared_ptr<SessionRequests> requests;
+    std::shared_ptr<AudioEntry> entry;
+    std::shared_ptr<Owner> owner;
+    std::shared_ptr<const DeviceDocument> device;
+    std::shared_ptr<const FocusDocument> focus;
+    std::shared_ptr<const ModalModel> model;
+    PlaySettings settings;
+    double rate = 0;           ///< Hz, of the path.
+    AudioPath* path = nullptr; ///< The newest one, which `entry` owns; none where it could not be built.
+    GraphChoice graph;
+    bool isSolving = false, isModelNew = false, isFocusNew = false, isGraphNew = false;
+    std::string deviceError;
+};
+} // namespace antinode

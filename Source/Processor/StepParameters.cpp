@@ -1,0 +1,44 @@
+#include "StepParameters.h"
+
+namespace antinode
+{
+StepReports::StepReports (const std::vector<juce::RangedAudioParameter*>& parameters)
+{
+    for (auto* const parameter : parameters)
+        if (parameter->isDiscrete())
+        {
+            steps.push_back (std::make_unique<Step> (parameter));
+            parameter->addListener (this);
+        }
+}
+
+StepReports::~StepReports()
+{
+    for (const auto& step : steps)
+        step->parameter->removeListener (this);
+}
+
+void StepReports::tell()
+{
+    waits = false;
+
+    for (const auto& step : steps)
+        if (step->waits.exchange (false))
+        {
+            auto& parameter = static_cast<juce::AudioProcessorParameter&> (*step->parameter);
+            parameter.sendValueChangedMessageToListeners (parameter.getValue());
+        }
+}
+
+/** A host may call this on the audio thread. */
+void StepReports::parameterValueChanged (int index, float share)
+{
+    for (const auto& step : steps)
+    {
+        const auto& parameter = static_cast<const juce::AudioProcessorParameter&> (*step->parameter);
+
+        if (parameter.getParameterIndex() == index && parameter.getValue() != share)
+            step->waits = waits = true;
+    }
+}
+} // namespace antinode

@@ -1,0 +1,111 @@
+#include <antinode_session/DesignWorker.h>
+#include <antinode_session/SessionRequests.h>
+
+#include <Support/SineBeam.h>
+
+#include <catch2/catch.hpp>
+
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <thread>
+
+// Waits without a time limit, thousands of them, while the other side is as quick as it can be: where a signal can be lost, one hangs.
+
+using namespace antinode;
+
+namespace
+{
+/** Ends the program where the work does not end: a thread that hangs cannot be joined. */
+template <typename Work>
+void requireEnd (const Work& work)
+{
+    std::atomic<bool> hasEnded { false };
+    std::thread watch (
+        [&]
+        {
+            const auto end = std::chrono::steady_clock::now() + std::chrono::seconds (120);
+
+            while (! hasEnded)
+            {
+                if (std::chrono::steady_clock::now() > end)
+                {
+                    std::fprintf (stderr, "A signal was lost: a wait did not end within 120 s.\n");
+                    std::_Exit (EXIT_FAILURE);
+                }
+
+                std::this_thread::sleep_for (std::chrono::milliseconds (20));
+            }
+        });
+    work();
+    hasEnded = true;
+    watch.join();
+}
+
+DesignRequest smallRequest()
+{
+    DesignRequest request;
+    request.model = std::make_shared<const ModalModel> (test::sineBeam (4, 2));
+    request.focus.targets = { Target {} };
+    request.focus.targets[0].width = 0.03;
+    request.focus.targets[0].peakVelocity = 0.001;
+    request.focus.focusTime = 0.02;
+    request.focus.modes.count = 2;
+    request.playback = { Reconstruction::bandLimited, 48000 };
+    return request;
+}
+} // namespace
+
+TEST_CASE ("Whoever waits for rounds of a session is woken", "[stress]")
+{
+    constexpr int waits = 5000;
+    SessionRequests requests (nullptr, nullptr, 60);
+    requireEnd (
+        [&]
+        {
+            std::atomic<int> prepared { 0 };
+            std::thread session (
+                [&]
+                {
+                    while (const auto round = requests.next())
+                        requests.finish (round->number, {});
+                });
+            std::thread host (
+                [&]
+                {
+                    for (; prepared < waits; ++prepared)
+                        requests.prepare (48000 + prepared % 2, std::chrono::hours (1));
+                });
+
+            for (int i = 0; i < waits; ++i)
+                requests.waitUntilSettled ({ i % 128 });
+
+            host.join();
+            requests.stop();
+            session.join();
+            CHECK (prepared == waits);
+        });
+}
+
+TEST_CASE ("Whoever waits for designs is woken", "[stress]")
+{
+    const auto request = smallRequest();
+    BankHandOver handOver;
+    DesignWorker worker (handOver);
+    int touched = 0;
+    requireEnd (
+        [&]
+        {
+            for (int i = 0; i < 300; ++i)
+            {
+                worker.request (request);
+
+                if (i % 3 == 0)
+                    worker.touch (0.01, 0, [&] (int) { ++touched; });
+
+                worker.waitUntilDone();
+            }
+        });
+    CHECK (worker.progress().isDone());
+    CHECK (touched == 100);
+}
