@@ -63,10 +63,10 @@ PlateParameters::PlateParameters (juce::AudioProcessor& processor, const ModelSo
         auto& place = places[static_cast<std::size_t> (i)];
         place.x = addTo (*probes, ordered,
                          numberFor ("probe" + number + "_x", "Probe " + number + " x", { 0, 100 }, x,
-                                    placeTexts (surface, Axis::x)));
+                                    placeTexts (surface, SurfaceAxis::x)));
         place.y = addTo (*probes, ordered,
                          numberFor ("probe" + number + "_y", "Probe " + number + " y", { 0, 100 }, y,
-                                    placeTexts (surface, Axis::y)));
+                                    placeTexts (surface, SurfaceAxis::y)));
     }
 
     auto output = std::make_unique<Group> ("output", "Output", " | ");

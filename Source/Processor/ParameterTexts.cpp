@@ -32,14 +32,14 @@ double numberIn (const juce::String& text)
 }
 
 /** From where to where the surface goes, mm; both 0 if there is none. */
-std::pair<double, double> extentOf (const ModalModel* model, Axis axis)
+std::pair<double, double> extentOf (const ModalModel* model, SurfaceAxis axis)
 {
     if (model == nullptr)
         return { 0, 0 };
 
     const auto& surface = model->surface;
-    return axis == Axis::x ? std::pair (surface.xMinimum / milli, surface.xMaximum / milli)
-                           : std::pair (surface.yMinimum / milli, surface.yMaximum / milli);
+    return axis == SurfaceAxis::x ? std::pair (surface.xMinimum / milli, surface.xMaximum / milli)
+                                  : std::pair (surface.yMinimum / milli, surface.yMaximum / milli);
 }
 } // namespace
 
@@ -59,7 +59,7 @@ NumberTexts unitTexts (const char* unit, int decimals, float least, const char* 
              { return word.isNotEmpty() && text.trim() == word ? -1e9F : static_cast<float> (numberIn (text)); } };
 }
 
-NumberTexts placeTexts (const std::function<std::shared_ptr<const ModalModel>()>& model, Axis axis)
+NumberTexts placeTexts (const std::function<std::shared_ptr<const ModalModel>()>& model, SurfaceAxis axis)
 {
     return { [=] (float percent, int maximumLength)
              {

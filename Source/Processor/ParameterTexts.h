@@ -29,7 +29,8 @@ struct FlagTexts
     std::function<bool (const juce::String&)> fromText;
 };
 
-enum class Axis
+/** Which coordinate of a place on the surface. */
+enum class SurfaceAxis
 {
     x,
     y
@@ -40,7 +41,7 @@ NumberTexts unitTexts (const char* unit, int decimals, float least = -1e30F, con
 
 /** A share of the surface in percent, as a place in mm: of the model that is played, or in percent if there is none.
     A text that ends in % is read as percent. [any but the audio thread] */
-NumberTexts placeTexts (const std::function<std::shared_ptr<const ModalModel>()>& model, Axis);
+NumberTexts placeTexts (const std::function<std::shared_ptr<const ModalModel>()>& model, SurfaceAxis);
 
 /** A count, with a word for 0. [any] */
 IntegerTexts countTexts (const char* wordForNone);

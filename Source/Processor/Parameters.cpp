@@ -122,8 +122,8 @@ Parameters::Parameters (juce::AudioProcessor& processor,
                         const std::function<std::shared_ptr<const ModalModel>()>& model)
 {
     GroupBuilder focus ("focus", "Focus", ordered);
-    x = focus.number ("x", "Focus x", "", { 0, 100 }, 50, placeTexts (model, Axis::x));
-    y = focus.number ("y", "Focus y", "", { 0, 100 }, 50, placeTexts (model, Axis::y));
+    x = focus.number ("x", "Focus x", "", { 0, 100 }, 50, placeTexts (model, SurfaceAxis::x));
+    y = focus.number ("y", "Focus y", "", { 0, 100 }, 50, placeTexts (model, SurfaceAxis::y));
     width = focus.number ("width", "Width", "mm", logarithmic (1, 200), 25, unitTexts ("mm", 2));
     shape = focus.choice ("shape", "Shape", wordsForHosts (targetShapeWords));
     peakVelocity =
@@ -148,8 +148,8 @@ Parameters::Parameters (juce::AudioProcessor& processor,
     triggers.addTo (processor);
 
     GroupBuilder monitor ("monitor", "Monitor", ordered);
-    probeX = monitor.number ("probe_x", "Probe x", "", { 0, 100 }, 50, placeTexts (model, Axis::x));
-    probeY = monitor.number ("probe_y", "Probe y", "", { 0, 100 }, 50, placeTexts (model, Axis::y));
+    probeX = monitor.number ("probe_x", "Probe x", "", { 0, 100 }, 50, placeTexts (model, SurfaceAxis::x));
+    probeY = monitor.number ("probe_y", "Probe y", "", { 0, 100 }, 50, placeTexts (model, SurfaceAxis::y));
     monitorGain = monitor.number ("monitor_gain", "Monitor gain", "dB", { silentDecibels, 60 }, 0,
                                   unitTexts ("dB", 1, silentDecibels + 1e-3F, "silent"));
     monitor.addTo (processor);
