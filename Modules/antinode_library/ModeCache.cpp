@@ -3,14 +3,13 @@
 #include "ModeCacheEntry.h"
 #include "ModeCacheKey.h"
 
-#include <antinode_base/InputError.h>
+#include <antinode_base/WholeFile.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <xxhash.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <vector>
 
 namespace antinode
@@ -43,27 +42,6 @@ bool isEntryName (const std::string& name)
     const auto digits = 2 * sizeof (XXH128_canonical_t);
     return name.size() == digits + cacheExtension.size() && name.ends_with (cacheExtension)
            && name.find_first_not_of (hexadecimal) == digits;
-}
-
-/** All bytes of a plain file that is not larger than it may be. */
-std::optional<std::string> bytesOf (const fs::path& path, std::uintmax_t maximumBytes)
-{
-    std::error_code error;
-
-    if (! fs::is_regular_file (path, error)) // A pipe, for one, would be waited for.
-        return {};
-
-    // The size of what was opened: under this name there may be another file by now.
-    std::ifstream file (path, std::ios::binary | std::ios::ate);
-    const auto end = file ? static_cast<std::streamoff> (file.tellg()) : -1;
-
-    if (end < 0 || static_cast<std::uintmax_t> (end) > maximumBytes)
-        return {};
-
-    std::string bytes (static_cast<std::size_t> (end), '\0');
-    file.seekg (0);
-    file.read (bytes.data(), end);
-    return file && file.gcount() == end ? std::optional (std::move (bytes)) : std::nullopt;
 }
 
 void makePrivateFolder (const fs::path& folder)
@@ -120,19 +98,14 @@ std::optional<ModalModel> ModeCache::find (const DeviceDescription& device, std:
     try
     {
         const auto path = folder / nameFor (*key);
-        const auto bytes = bytesOf (path, maximumBytes);
-
-        if (! bytes)
-            return {};
-
-        auto model = decodeModeCacheEntry (*bytes, *key);
+        auto model = decodeModeCacheEntry (readWholeFile (path, { "a file", maximumBytes }), *key);
         std::error_code ignored;
         fs::last_write_time (path, fs::file_time_type::clock::now(), ignored);
         return model;
     }
     catch (const std::exception&)
     {
-        return {}; // Damaged, foreign, or too large for this machine: solved again.
+        return {}; // Missing, damaged, foreign, or too large for this machine: solved again.
     }
 }
 

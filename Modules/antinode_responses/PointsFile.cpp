@@ -2,10 +2,10 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
+#include <antinode_base/WholeFile.h>
 #include <antinode_text/PhysicalRanges.h>
 
 #include <charconv>
-#include <fstream>
 #include <optional>
 #include <vector>
 
@@ -84,22 +84,6 @@ Eigen::MatrixX2d decodePoints (std::string_view text, const std::string& source)
 
 Eigen::MatrixX2d readPointsFile (const std::filesystem::path& path)
 {
-    constexpr std::uintmax_t most = 16 << 20;
-    const auto source = printable (path.string(), 300);
-    std::error_code error;
-
-    if (! std::filesystem::is_regular_file (path, error))
-        throw InputError (source, "cannot be read: it is missing or not a plain file");
-
-    if (std::filesystem::file_size (path, error) > most)
-        throw InputError (source, "is too large; allowed: up to 16 MiB");
-
-    std::ifstream file (path, std::ios::binary);
-    const std::string text { std::istreambuf_iterator<char> (file), {} };
-
-    if (! file)
-        throw InputError (source, "cannot be read");
-
-    return decodePoints (text, source);
+    return decodePoints (readWholeFile (path, { "a list of points", 16 << 20 }), printable (path.string(), 300));
 }
 } // namespace antinode
