@@ -42,8 +42,14 @@ MeasurementFile measurementFromWave (std::string_view bytes, const std::string& 
     for (const auto& channel : wave.samples.rowwise())
     {
         const auto spectrum = impulseSpectrum (channel.transpose(), 1 / wave.sampleRate);
-        file.responses.push_back (
-            { source, {}, {}, {}, {}, spectrum.frequencies, spectrum.values, spectrum.recordLength });
+        file.responses.push_back ({ source,
+                                    {},
+                                    {},
+                                    {},
+                                    {},
+                                    sharedFrequencies (spectrum.frequencies, file.responses),
+                                    spectrum.values,
+                                    spectrum.recordLength });
     }
 
     file.remarks.push_back (source + ": the channels are read as impulse responses.");

@@ -18,11 +18,14 @@ std::optional<Eigen::RowVector2d> placeIn (std::string_view line)
 {
     const auto separator = csvSeparator (line);
     const auto cells = csvCells (line, separator);
-    const auto x = cells.empty() ? std::nullopt : csvNumber (cells.front(), separator);
-    const auto y = cells.size() > 1 ? csvNumber (cells[1], separator) : std::optional (0.0);
 
-    if (cells.size() > 2 || ! x || ! y || ! ranges::positionMillimetre.contains (*x)
-        || ! ranges::positionMillimetre.contains (*y))
+    if (cells.empty() || cells.size() > 2)
+        return std::nullopt;
+
+    const auto x = csvNumber (cells.front(), separator);
+    const auto y = csvNumber (cells.size() > 1 ? cells.back() : "0", separator);
+
+    if (! x || ! y || ! ranges::positionMillimetre.contains (*x) || ! ranges::positionMillimetre.contains (*y))
         return std::nullopt;
 
     return Eigen::RowVector2d (*x, *y) / 1000;
