@@ -7,6 +7,7 @@
 #include "Transients.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace antinode
@@ -115,7 +116,7 @@ AllocationProblem allocationProblem (const ModalModel& model, const FocusDescrip
     problem.wanted = wantedOf (moments);
     problem.participation = model.participation (timesOver (modes, moments), Eigen::all);
 
-    if (! hasExactRows (choice.method))
+    if (! traitsOf (choice.method).hasExactRows)
     {
         problem.rows = Eigen::MatrixXd::Identity (problem.wanted.size(), problem.wanted.size());
         return problem;
@@ -138,22 +139,11 @@ AllocationProblem allocationProblem (const ModalModel& model, const FocusDescrip
     return problem;
 }
 
-Allocation allocate (const AllocationProblem& problem, AllocationMethod method, const DriveList& drives, DriveSpan span,
-                     const AllocationWatch& watch)
+/** What a matrix without a certificate needs. */
+Allocation allocationOf (const AllocationProblem& problem, Eigen::MatrixXd matrix)
 {
-    if (method == AllocationMethod::dictionary)
-        return allocateDictionary (problem, drives, span, watch);
-
-    if (method == AllocationMethod::minimumPeak)
-        return solveAllocation (problem, AllocationGoal::peak, watch);
-
-    if (method == AllocationMethod::exact || method == AllocationMethod::paper)
-        return solveAllocation (problem, AllocationGoal::norm, watch);
-
     Allocation allocation;
-    allocation.matrix = method == AllocationMethod::oneToOne
-                            ? oneToOneAllocation (problem.participation, problem.wanted)
-                            : minimumNormAllocation (problem);
+    allocation.matrix = std::move (matrix);
     const Eigen::MatrixXd voltages = allocation.matrix * problem.waveforms;
     allocation.certificate.objective = 0.5 * voltages.squaredNorm();
     allocation.certificate.peakVoltage = voltages.cwiseAbs().maxCoeff();
@@ -161,12 +151,30 @@ Allocation allocate (const AllocationProblem& problem, AllocationMethod method, 
         voltages.cwiseAbs().rowwise().maxCoeff().cwiseQuotient (problem.voltageLimits).maxCoeff();
     return allocation;
 }
-} // namespace
 
-bool asksForLeastPeak (AllocationMethod method)
+Allocation allocate (const AllocationProblem& problem, AllocationMethod method, const DriveList& drives, DriveSpan span,
+                     const AllocationWatch& watch)
 {
-    return method == AllocationMethod::minimumPeak || method == AllocationMethod::dictionary;
+    switch (method)
+    {
+        case AllocationMethod::exact:
+        case AllocationMethod::paper:
+            return solveAllocation (problem, AllocationGoal::norm, watch);
+        case AllocationMethod::minimumPeak:
+            return solveAllocation (problem, AllocationGoal::peak, watch);
+        case AllocationMethod::dictionary:
+            return allocateDictionary (problem, drives, span, watch);
+        case AllocationMethod::oneToOne:
+            return allocationOf (problem, oneToOneAllocation (problem.participation, problem.wanted));
+        case AllocationMethod::minimumNorm:
+            return allocationOf (problem, minimumNormAllocation (problem));
+        case AllocationMethod::freeWaveform:
+            break; // Has no drives.
+    }
+
+    throw std::logic_error ("an allocation of samples is not one of drives");
 }
+} // namespace
 
 Eigen::VectorXd voltageLimits (const ModalModel& model, const AllocationChoice& choice)
 {
