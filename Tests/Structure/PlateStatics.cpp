@@ -1,9 +1,8 @@
 #include "PlateStatics.h"
 
-#include "ElementChain.h"
-#include "SolvedPlate.h"
-
 #include <antinode_numerics/DenseKernels.h>
+#include <antinode_structure/ElementChain.h>
+#include <antinode_structure/SolvedPlate.h>
 
 namespace antinode
 {
@@ -64,12 +63,5 @@ Eigen::MatrixXd staticShapes (const PlateDescription& plate, const PlateSolution
     const auto scale = unit * unit / bareSection (plate.common).d11;
     return shapesOn (grid, problem, unit,
                      scale * deflections (problem, solution.rigidBodyModes, loadsOf (plate, solution)));
-}
-
-Eigen::MatrixXd staticResidual (const PlateDescription& plate, const PlateSolution& solution, const ModalModel& model)
-{
-    const Eigen::VectorXd squares = model.angularFrequencies.cwiseAbs2();
-    return staticShapes (plate, solution, model.surface.grid.value())
-           - model.shapes * (squares.cwiseInverse().asDiagonal() * model.participation);
 }
 } // namespace antinode
