@@ -7,8 +7,8 @@
 
 namespace antinode
 {
-/** Values on their way from one thread to another, in their order. One thread at a time pushes and one pops; neither allocates, locks nor
-    waits. */
+/** Values on their way from one thread to another, in their order. One thread at a time pushes and one pops; neither
+    allocates, locks nor waits. */
 template <typename T, std::size_t capacityToUse>
 class RingQueue
 {
@@ -17,7 +17,8 @@ public:
     static_assert (capacity > 0 && (capacity & (capacity - 1)) == 0, "The counters may wrap: allowed: a power of two");
     static_assert (std::atomic<std::size_t>::is_always_lock_free);
 
-    /** @return  false where `capacity` values wait already: then this one is left out [audio thread] of the one that pushes */
+    /** @return  false where `capacity` values wait already: then this one is left out [audio thread] of the one that
+        pushes */
     bool push (const T& value)
     {
         const auto position = written.load (std::memory_order_relaxed);
@@ -43,7 +44,8 @@ public:
         return value;
     }
 
-    /** How many values wait: for the thread that pops at least so many, for the one that pushes at most. [audio thread] */
+    /** How many values wait: for the thread that pops at least so many, for the one that pushes at most.
+        [audio thread] */
     std::size_t size() const
     {
         const auto begin = read.load (std::memory_order_acquire); // First: it never passes what is written.

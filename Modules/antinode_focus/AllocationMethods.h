@@ -42,8 +42,8 @@ struct AllocationTraits
     bool takesFurtherDrives = false; ///< Where one drive per mode cannot meet the limit.
 };
 
-/** All methods: files, messages and parameters have their words from here. In the order of the plug-in's parameter, of which hosts keep
-    the index: a further one comes last. */
+/** All methods: files, messages and parameters have their words from here. In the order of the plug-in's parameter, of
+    which hosts keep the index: a further one comes last. */
 inline constexpr std::array allocationMethods {
     AllocationTraits { .method = AllocationMethod::exact,
                        .word = "exact",

@@ -21,7 +21,8 @@ std::array<double, 3> linear (juce::Colour colour)
     return { part (colour.getRed()), part (colour.getGreen()), part (colour.getBlue()) };
 }
 
-/** Lightness as seen, 0 black to 1 white: Oklab's L (B. Ottosson, "A perceptual color space for image processing", 2020). */
+/** Lightness as seen, 0 black to 1 white: Oklab's L (B. Ottosson, "A perceptual color space for image processing",
+    2020). */
 double perceivedLightness (juce::Colour colour)
 {
     const auto [r, g, b] = linear (colour);
