@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -54,11 +55,13 @@ void designChange (benchmark::State& state)
     DesignWorker worker (handOver);
     auto best = std::numeric_limits<double>::infinity();
     auto width = 0.024;
+    std::vector<int> all (request.places.size());
+    std::iota (all.begin(), all.end(), 0);
 
     for (auto run : state)
     {
         request.focus.targets[0].width = width += 1e-4;
-        worker.waitUntilDone();
+        worker.waitFor (all);
         delete handOver.take();
         const auto asked = std::chrono::steady_clock::now();
         worker.request (request);

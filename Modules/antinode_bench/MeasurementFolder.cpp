@@ -1,14 +1,13 @@
 #include "MeasurementFolder.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/WholeFile.h>
 #include <antinode_documents/ExcitationFolder.h>
 #include <antinode_responses/PointResponseFile.h>
 #include <antinode_text/CsvText.h>
 
 #include <array>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 namespace antinode
@@ -18,12 +17,6 @@ namespace
 constexpr const char* pointsFile = "points.csv";
 constexpr const char* sheetFile = "excitation.json";
 constexpr const char* signalFile = "signal.wav";
-
-std::string contentOf (const std::filesystem::path& path)
-{
-    std::ifstream file (path, std::ios::binary);
-    return { std::istreambuf_iterator<char> (file), {} };
-}
 
 std::string pointsText (const Eigen::MatrixX2d& points)
 {
@@ -50,7 +43,7 @@ MeasurementFolder::MeasurementFolder (std::filesystem::path folderToUse, const E
 
     if (std::filesystem::exists (folder / sheetFile))
     {
-        if (contentOf (folder / sheetFile) != sheetText || contentOf (folder / pointsFile) != places)
+        if (readWholeFile (folder / sheetFile, {}) != sheetText || readWholeFile (folder / pointsFile, {}) != places)
             throw InputError (folder.string(),
                               "contains a measurement with another excitation or other points; choose another folder");
 
@@ -83,6 +76,6 @@ void MeasurementFolder::keep (const SurfaceMeasurement& measurement, Eigen::Inde
 void MeasurementFolder::restore (SurfaceMeasurement& measurement, Eigen::Index point) const
 {
     const auto file = fileOf (point);
-    restorePoint (measurement, point, contentOf (file), file.string());
+    restorePoint (measurement, point, readWholeFile (file, {}), file.string());
 }
 } // namespace antinode

@@ -11,12 +11,12 @@ namespace
 {
 constexpr auto gap = 14.0f, barWidth = 14.0f, tickRoom = 7.0f;
 
-Axis barAxis (const Axis& axis, float height, const Theme& theme)
+ChartAxis barAxis (const ChartAxis& axis, float height, const Theme& theme)
 {
     return withTicks (axis, height, 2.6f * theme.tickHeight);
 }
 
-float widestTick (const Axis& axis, const TextStyle& style)
+float widestTick (const ChartAxis& axis, const TextStyle& style)
 {
     auto widest = 0.0f;
     for (const auto& tick : axis.ticks)
@@ -25,14 +25,14 @@ float widestTick (const Axis& axis, const TextStyle& style)
 }
 } // namespace
 
-float colourBarWidth (const Axis& axis, float height, const Theme& theme)
+float colourBarWidth (const ChartAxis& axis, float height, const Theme& theme)
 {
     const auto label = axis.label.empty() ? 0 : theme.labelHeight + 4;
     return gap + barWidth + tickRoom + widestTick (barAxis (axis, height, theme), { theme.tickHeight, false, {} })
            + label;
 }
 
-void drawColourBar (juce::Graphics& g, juce::Rectangle<float> area, const Axis& given, const ColourMap& map,
+void drawColourBar (juce::Graphics& g, juce::Rectangle<float> area, const ChartAxis& given, const ColourMap& map,
                     const Theme& theme)
 {
     const auto axis = barAxis (given, area.getHeight(), theme);

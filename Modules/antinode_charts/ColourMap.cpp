@@ -29,7 +29,7 @@ Eigen::Vector3d linearRgb (juce::Colour colour)
              linearFromSrgb (colour.getBlue() / 255.0) };
 }
 
-// The two matrices of Oklab, from B. Ottosson's definition.
+// The two matrices of Oklab: B. Ottosson, "A perceptual color space for image processing", 2020.
 Eigen::Matrix3d coneResponse()
 {
     return (Eigen::Matrix3d() << 0.4122214708, 0.5363325363, 0.0514459929, 0.2119034982, 0.6806995451, 0.1073969566,
@@ -76,18 +76,5 @@ juce::Colour ColourMap::at (double value) const
 {
     const auto inside = value >= 0 ? std::min (value, 1.0) : 0.0;
     return table[static_cast<std::size_t> (std::lround (inside * (tableSize - 1)))];
-}
-
-double perceivedLightness (juce::Colour colour)
-{
-    return toOklab (colour)[0];
-}
-
-double contrastRatio (juce::Colour one, juce::Colour other)
-{
-    const auto luminance = [] (juce::Colour colour)
-    { return linearRgb (colour).dot (Eigen::Vector3d (0.2126, 0.7152, 0.0722)); };
-    const auto ratio = (luminance (one) + 0.05) / (luminance (other) + 0.05);
-    return std::max (ratio, 1 / ratio);
 }
 } // namespace antinode

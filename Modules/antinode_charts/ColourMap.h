@@ -19,11 +19,4 @@ public:
 private:
     std::vector<juce::Colour> table;
 };
-
-/** Lightness as seen, 0 black to 1 white: Oklab's L (B. Ottosson, "A perceptual color space for image processing", 2020).
-    [any] */
-double perceivedLightness (juce::Colour);
-
-/** WCAG 2.1 contrast ratio of two opaque colours, 1 to 21. [any] */
-double contrastRatio (juce::Colour, juce::Colour);
 } // namespace antinode

@@ -22,9 +22,9 @@ AxisRange chosenY (const BarChart& chart)
     return chart.logarithmic ? positiveRange (*chart.yRange) : usableRange (*chart.yRange);
 }
 
-Axis categoryAxis (const BarChart& chart)
+ChartAxis categoryAxis (const BarChart& chart)
 {
-    Axis axis {
+    ChartAxis axis {
         chart.xLabel, { -0.5, std::max (0.5, static_cast<double> (chart.categories.size()) - 0.5) }, false, {}, false
     };
     for (std::size_t k = 0; k < chart.categories.size(); ++k)

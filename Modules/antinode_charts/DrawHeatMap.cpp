@@ -49,11 +49,11 @@ void drawOverlays (juce::Graphics& g, const PlotFrame& frame, const HeatMap& cha
 }
 
 // Names stand at the middles of the cells, which a table numbers from 0.
-Axis axisOf (const std::string& label, AxisRange range, const std::vector<std::string>& names)
+ChartAxis axisOf (const std::string& label, AxisRange range, const std::vector<std::string>& names)
 {
     if (names.empty())
         return { label, usableRange (range), false, {}, false };
-    Axis axis { label, { -0.5, static_cast<double> (names.size()) - 0.5 }, false, {}, false };
+    ChartAxis axis { label, { -0.5, static_cast<double> (names.size()) - 0.5 }, false, {}, false };
     for (std::size_t k = 0; k < names.size(); ++k)
         axis.ticks.push_back ({ static_cast<double> (k), names[k] });
     return axis;
@@ -88,7 +88,7 @@ void draw (juce::Graphics& g, juce::Rectangle<float> area, const HeatMap& chart,
     const auto rest = drawTitle (g, area, chart.title, theme);
     const auto range = chosenValues (chart);
     const auto& map = chart.scale == ColourScale::sequential ? theme.sequential : theme.diverging;
-    const Axis values { chart.valueLabel, range, false, {}, false };
+    const ChartAxis values { chart.valueLabel, range, false, {}, false };
     const auto barWidth = chart.isBare ? 0 : colourBarWidth (values, rest.getHeight(), theme);
     const auto frame = frameOf (chart, rest, barWidth, theme);
     drawGrid (g, frame, theme);

@@ -9,8 +9,8 @@ namespace
 PlotFrame frameOf (const PlanView& chart, juce::Rectangle<float> rest, const Theme& theme)
 {
     const auto hasScale = ! chart.yLabel.empty();
-    const Axis x { chart.xLabel, usableRange (chart.x), false, {}, false };
-    Axis y { chart.yLabel, usableRange (chart.y), false, {}, false };
+    const ChartAxis x { chart.xLabel, usableRange (chart.x), false, {}, false };
+    ChartAxis y { chart.yLabel, usableRange (chart.y), false, {}, false };
     if (! hasScale)
         y.ticks.push_back ({ y.range.minimum, {} });
     const auto frame = layOutPlot (rest, x, y, {}, theme);

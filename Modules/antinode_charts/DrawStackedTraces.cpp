@@ -112,7 +112,7 @@ Lanes layOutLanes (juce::Rectangle<float> rest, const StackedTraces& chart, cons
     rest.removeFromLeft (result.nameWidth + laneGap);
     const PlotMargins margins { heightAbove (chart.markers, {}, theme), result.peakWidth + laneGap };
     // The y axis has no ticks of its own: the lanes have names instead.
-    const Axis laneAxis { {}, { 0, 1 }, false, { { 0, {} } }, false };
+    const ChartAxis laneAxis { {}, { 0, 1 }, false, { { 0, {} } }, false };
     result.frame = layOutPlot (rest, { chart.xLabel, timeRange (chart), false, {}, true }, laneAxis, margins, theme);
     const auto count = static_cast<float> (std::max<Eigen::Index> (1, chart.values.rows()));
     result.height = result.frame.plot.getHeight() / count;

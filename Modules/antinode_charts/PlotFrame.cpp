@@ -31,7 +31,7 @@ std::vector<AxisTick> labelledDecades (const std::vector<double>& values)
     return ticks;
 }
 
-float widestLabel (const Axis& axis, const TextStyle& style)
+float widestLabel (const ChartAxis& axis, const TextStyle& style)
 {
     auto widest = 0.0f;
     for (const auto& tick : axis.ticks)
@@ -40,7 +40,7 @@ float widestLabel (const Axis& axis, const TextStyle& style)
 }
 
 // Categories have given ticks: only every n-th is shown where all of them would touch.
-Axis withThinnedTicks (Axis axis, float length, float labelLength)
+ChartAxis withThinnedTicks (ChartAxis axis, float length, float labelLength)
 {
     const auto needed = labelLength * static_cast<float> (axis.ticks.size());
     const auto stride = static_cast<std::size_t> (niceStep (std::max (1.0f, needed / std::max (1.0f, length)), 1));
@@ -51,7 +51,7 @@ Axis withThinnedTicks (Axis axis, float length, float labelLength)
     return axis;
 }
 
-Axis withFittingTicks (const Axis& axis, float length, const TextStyle& style)
+ChartAxis withFittingTicks (const ChartAxis& axis, float length, const TextStyle& style)
 {
     if (! axis.ticks.empty())
         return withThinnedTicks (axis, length, widestLabel (axis, style) + 6);
@@ -108,7 +108,7 @@ void drawYLabels (juce::Graphics& g, const PlotFrame& frame, const Theme& theme)
 }
 } // namespace
 
-float Axis::fraction (double value) const
+float ChartAxis::fraction (double value) const
 {
     constexpr auto furthest = 20.0;
     if (logarithmic && ! (value > 0))
@@ -132,7 +132,7 @@ AxisRange positiveRange (AxisRange range)
     return high < 1.001 * least ? AxisRange { least / 2, least * 2 } : AxisRange { least, high };
 }
 
-Axis withTicks (Axis axis, float length, float spacing)
+ChartAxis withTicks (ChartAxis axis, float length, float spacing)
 {
     axis.ticks.clear();
     const auto most = std::max (1, static_cast<int> (length / spacing));
@@ -151,7 +151,7 @@ Axis withTicks (Axis axis, float length, float spacing)
     return axis;
 }
 
-PlotFrame layOutPlot (juce::Rectangle<float> area, Axis x, Axis y, PlotMargins margins, const Theme& theme)
+PlotFrame layOutPlot (juce::Rectangle<float> area, ChartAxis x, ChartAxis y, PlotMargins margins, const Theme& theme)
 {
     const TextStyle style { theme.tickHeight, false, theme.mutedText };
     area.removeFromTop (std::max (margins.above, theme.tickHeight / 2));

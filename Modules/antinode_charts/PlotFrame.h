@@ -18,7 +18,7 @@ struct AxisTick
 };
 
 /** One axis of a plot. */
-struct Axis
+struct ChartAxis
 {
     std::string label;
     AxisRange range;
@@ -42,7 +42,7 @@ struct PlotMargins
 struct PlotFrame
 {
     juce::Rectangle<float> plot;
-    Axis x, y;
+    ChartAxis x, y;
 
     float xAt (double value) const { return plot.getX() + x.fraction (value) * plot.getWidth(); }
     float yAt (double value) const { return plot.getBottom() - y.fraction (value) * plot.getHeight(); }
@@ -53,13 +53,13 @@ struct PlotFrame
 AxisRange positiveRange (AxisRange);
 
 /** Gives axes, tick labels and margins their room and chooses ticks whose labels do not touch. [any] */
-PlotFrame layOutPlot (juce::Rectangle<float> area, Axis x, Axis y, PlotMargins, const Theme&);
+PlotFrame layOutPlot (juce::Rectangle<float> area, ChartAxis x, ChartAxis y, PlotMargins, const Theme&);
 
 /** The plot made smaller, in the middle of its place, so that one unit is as long in x as in y. [any] */
 PlotFrame withEqualAspect (PlotFrame);
 
 /** The ticks of an axis of the given number of pixels, and in its label the power of ten that the tick labels leave out. [any] */
-Axis withTicks (Axis, float length, float spacing);
+ChartAxis withTicks (ChartAxis, float length, float spacing);
 
 /** Background and grid: below the data. [any] */
 void drawGrid (juce::Graphics&, const PlotFrame&, const Theme&);

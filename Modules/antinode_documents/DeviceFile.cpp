@@ -11,18 +11,14 @@ namespace antinode
 {
 namespace
 {
-enum class DeviceKind
-{
-    plate,
-    beam,
-    staple,
-    modal
-};
+using DeviceBody = decltype (DeviceDescription::body);
 
-constexpr WordList<DeviceKind, 4> kindWords { { { "plate", DeviceKind::plate },
-                                                { "beam", DeviceKind::beam },
-                                                { "staple", DeviceKind::staple },
-                                                { "modal", DeviceKind::modal } } };
+constexpr WordList<DeviceBody (*) (const JsonValue&), 4> deviceKinds {
+    { { "plate", [] (const JsonValue& device) -> DeviceBody { return readPlate (device); } },
+      { "beam", [] (const JsonValue& device) -> DeviceBody { return readBeam (device); } },
+      { "staple", [] (const JsonValue& device) -> DeviceBody { return readStaple (device); } },
+      { "modal", [] (const JsonValue& device) -> DeviceBody { return readModalModel (device); } } }
+};
 } // namespace
 
 DeviceDescription readDevice (const nlohmann::json& document, const std::string& source)
@@ -30,23 +26,7 @@ DeviceDescription readDevice (const nlohmann::json& document, const std::string&
     const JsonValue device (document, source);
     device.requireSchema ("antinode.device/1");
     DeviceDescription result;
-
-    switch (device.required ("kind").choice (kindWords))
-    {
-        case DeviceKind::plate:
-            result.body = readPlate (device);
-            break;
-        case DeviceKind::beam:
-            result.body = readBeam (device);
-            break;
-        case DeviceKind::staple:
-            result.body = readStaple (device);
-            break;
-        case DeviceKind::modal:
-            result.body = readModalModel (device);
-            break;
-    }
-
+    result.body = device.required ("kind").choice (deviceKinds) (device);
     result.requiresArming = readLimits (device.required ("limits")).requiresArming;
     result.name = device.required ("name").text (ranges::maximumNameBytes);
 

@@ -161,9 +161,9 @@ bool readDisplacement (const JsonValue& value, AllocationMethod method, bool isR
 {
     const auto isZero = value.choice (WordList<bool, 2> { { { "free", false }, { "zero", true } } });
 
-    if (isZero && ! hasExactRows (method))
-        value.fail ("is 'zero' with a method without exact rows; allowed only with 'exact', 'minimum_peak' and "
-                    "'dictionary'");
+    if (isZero && ! traitsOf (method).hasExactRows)
+        value.fail ("is 'zero' with a method without exact rows; allowed only with "
+                    + methodsThat (&AllocationTraits::hasExactRows, "and"));
 
     if (isZero && isRobust)
         value.fail ("is 'zero' together with 'robust'; allowed: one of the two");
@@ -193,8 +193,10 @@ AllocationChoice readAllocation (const JsonValue& value)
 
     if (const auto robust = object.optional ("robust"))
     {
-        if (allocation.method != AllocationMethod::exact)
-            robust->fail ("is given with a method other than 'exact'; allowed only with 'exact'");
+        const auto allowed = methodsThat (&AllocationTraits::takesRobustness, "or");
+
+        if (! traitsOf (allocation.method).takesRobustness)
+            robust->fail ("is given with a method other than " + allowed + "; allowed only with " + allowed);
 
         allocation.robust = readRobustness (*robust);
     }

@@ -4,6 +4,9 @@
 #include <antinode_base/WordList.h>
 #include <antinode_focus/FocusDescription.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace antinode
 {
 /** The words of focus files, in both directions. */
@@ -20,15 +23,13 @@ inline constexpr WordList<ModeOrder, 2> modeOrderWords { { { "energy", ModeOrder
 inline constexpr WordList<DriveKind, 2> driveKindWords { { { "offset_free", DriveKind::offsetFree },
                                                            { "paper", DriveKind::paper } } };
 
-inline constexpr WordList<AllocationMethod, 7> allocationMethodWords {
-    { { "exact", AllocationMethod::exact },
-      { "paper", AllocationMethod::paper },
-      { "one_to_one", AllocationMethod::oneToOne },
-      { "minimum_norm", AllocationMethod::minimumNorm },
-      { "minimum_peak", AllocationMethod::minimumPeak },
-      { "dictionary", AllocationMethod::dictionary },
-      { "free_waveform", AllocationMethod::freeWaveform } }
-};
+inline constexpr auto allocationMethodWords = []
+{
+    WordList<AllocationMethod, allocationMethods.size()> words;
+    std::transform (allocationMethods.begin(), allocationMethods.end(), words.begin(),
+                    [] (const auto& each) { return std::pair (std::string_view (each.word), each.method); });
+    return words;
+}();
 
 inline constexpr WordList<AllocationStatus, 3> allocationStatusWords {
     { { "unconstrained", AllocationStatus::unconstrained },

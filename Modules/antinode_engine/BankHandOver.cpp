@@ -16,23 +16,17 @@ void BankHandOver::give (std::unique_ptr<const FocusBank> bank)
 
 void BankHandOver::collect()
 {
-    auto at = read.load (std::memory_order_relaxed);
-
-    for (const auto end = written.load (std::memory_order_acquire); at != end; ++at)
-        delete returned[at % capacity];
-
-    read.store (at, std::memory_order_release);
+    while (const auto bank = returned.pop())
+        delete *bank;
 }
 
 bool BankHandOver::canGiveBack() const
 {
-    return written.load (std::memory_order_relaxed) - read.load (std::memory_order_acquire) < capacity;
+    return returned.size() < returned.capacity;
 }
 
 void BankHandOver::giveBack (const FocusBank* bank)
 {
-    const auto at = written.load (std::memory_order_relaxed);
-    returned[at % capacity] = bank;
-    written.store (at + 1, std::memory_order_release);
+    returned.push (bank);
 }
 } // namespace antinode

@@ -2,9 +2,9 @@
 
 #include "FocusBank.h"
 
-#include <array>
+#include <antinode_base/RingQueue.h>
+
 #include <atomic>
-#include <cstddef>
 
 namespace antinode
 {
@@ -37,10 +37,7 @@ public:
     void giveBack (const FocusBank*);
 
 private:
-    static constexpr std::size_t capacity = 64;
-
     std::atomic<const FocusBank*> next { nullptr };
-    std::array<const FocusBank*, capacity> returned {};
-    std::atomic<std::size_t> written { 0 }, read { 0 }; // of the ring: by the audio thread, and by the worker
+    RingQueue<const FocusBank*, 64> returned;
 };
 } // namespace antinode

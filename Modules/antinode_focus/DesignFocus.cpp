@@ -98,7 +98,7 @@ FocusDesign designDrives (const ModalModel& model, const FocusDescription& descr
     checkRate (model, modes, playback);
     auto design = designOf (description, modes, std::move (moments), playback, peakVelocity);
 
-    if (description.allocation.method == AllocationMethod::freeWaveform)
+    if (traitsOf (description.allocation.method).waveforms == AllocatedWaveforms::samples)
         sampleProgram (design, model, extent);
     else
         allocateProgram (design, model);

@@ -19,34 +19,6 @@ constexpr double leastMove = 1e-9;             // s
 constexpr double wholeCapture = 0.99;          // what the default choice of modes asks for
 constexpr double reliableShareOfNyquist = 0.8; // the interpolation of the plate model and of real converters
 
-std::string methodName (AllocationMethod method)
-{
-    switch (method)
-    {
-        case AllocationMethod::oneToOne:
-            return "one ceramic per mode, the one that excites it most; ignores other modes and the limit";
-        case AllocationMethod::minimumNorm:
-            return "least norm of all voltages, only each mode's own row, without a limit";
-        case AllocationMethod::paper:
-            return "the paper's problem: least norm within the voltage limit, only each mode's own row";
-        case AllocationMethod::exact:
-            return "exact terminal velocities of all controlled modes at the least norm within the voltage limit; "
-                   "other "
-                   "modes are guarded";
-        case AllocationMethod::minimumPeak:
-            return "exact terminal velocities of all controlled modes at the least peak voltage; other modes are "
-                   "guarded";
-        case AllocationMethod::dictionary:
-            return "exact terminal velocities of all controlled modes at the least peak voltage, with several growth "
-                   "rates and both quadratures per mode; other modes are guarded";
-        case AllocationMethod::freeWaveform:
-            return "exact terminal velocities of all controlled modes by freely chosen samples of least energy within "
-                   "the voltage limit; other modes are guarded";
-    }
-
-    return {};
-}
-
 std::string robustnessInWords (const Robustness& robustness)
 {
     const auto percent = [] (double share) { return inWords (100 * share) + " %"; };
@@ -79,11 +51,12 @@ void addChoices (FocusDesign& design, const ModalModel& model)
         design.choices.push_back (
             "The growth is chosen so that all modes rise together, by 4 e-folds before the focus.");
 
-    if (hasDrives && description.transients.cycles.empty()
-        && description.allocation.method != AllocationMethod::dictionary)
+    const auto& method = traitsOf (description.allocation.method);
+
+    if (hasDrives && description.transients.cycles.empty() && method.waveforms == AllocatedWaveforms::drives)
         design.choices.push_back ("The number of cycles is the largest that fits before the focus.");
 
-    design.choices.push_back ("Allocation: " + methodName (description.allocation.method) + ".");
+    design.choices.push_back (std::string ("Allocation: ") + method.sentence + ".");
 
     if (description.allocation.robust)
         design.choices.push_back (robustnessInWords (*description.allocation.robust));
@@ -101,7 +74,7 @@ void warnOfPeak (FocusDesign& design)
                                    + " times the voltage limit; the limiter will clip it and change the field. "
                                      "Use the allocation 'exact' or 'paper', a lower velocity or a higher limit.");
     else if (design.certificate.status == AllocationStatus::optimal
-             && ! asksForLeastPeak (design.description.allocation.method))
+             && ! traitsOf (design.description.allocation.method).asksForLeastPeak)
         design.warnings.push_back (
             "The voltage limit is reached: the voltages are spread over more ceramics than without it.");
 }
@@ -110,10 +83,9 @@ void warnOfPeak (FocusDesign& design)
 void warnOfUnusedDrives (FocusDesign& design)
 {
     const auto& description = design.description;
-    const auto method = description.allocation.method;
-    const auto isDictionary = method == AllocationMethod::dictionary;
+    const auto waveforms = traitsOf (description.allocation.method).waveforms;
 
-    if (! isDictionary && method != AllocationMethod::freeWaveform)
+    if (waveforms == AllocatedWaveforms::drives)
         return;
 
     std::string unused;
@@ -122,7 +94,7 @@ void warnOfUnusedDrives (FocusDesign& design)
         unused = "'cycles'";
     else if (description.transients.drive == DriveKind::paper)
         unused = "'drive'";
-    else if (! isDictionary && ! description.transients.growth.empty())
+    else if (waveforms == AllocatedWaveforms::samples && ! description.transients.growth.empty())
         unused = "'growth'";
 
     if (! unused.empty())

@@ -36,7 +36,7 @@ DriveList drivesOf (FocusDesign& design, const ModalModel& model)
              fasterDrives (model, design.controlledModes, description.focusTime, description.transients))
             drives.push_back (drive);
 
-    if (description.allocation.method == AllocationMethod::dictionary)
+    if (traitsOf (description.allocation.method).waveforms == AllocatedWaveforms::dictionary)
         return dictionaryDrives (model, description, design.controlledModes, design.growth);
 
     return drives;
@@ -46,7 +46,7 @@ DriveList drivesOf (FocusDesign& design, const ModalModel& model)
 bool mayTakeFurtherDrives (const FocusDescription& description, const AllocationCertificate& certificate)
 {
     const auto& choice = description.allocation;
-    return choice.method == AllocationMethod::exact && ! choice.robust
+    return traitsOf (choice.method).takesFurtherDrives && ! choice.robust
            && description.transients.drive == DriveKind::offsetFree
            && certificate.status == AllocationStatus::infeasible && leastShareToTry * certificate.leastPeakRatio < 1;
 }

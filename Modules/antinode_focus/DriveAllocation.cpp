@@ -9,6 +9,7 @@
 #include <antinode_numerics/DenseKernels.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace antinode
@@ -117,7 +118,7 @@ AllocationProblem allocationProblem (const ModalModel& model, const FocusDescrip
     problem.wanted = wantedOf (moments);
     problem.participation = model.participation (timesOver (modes, moments), Eigen::all);
 
-    if (! hasExactRows (choice.method))
+    if (! traitsOf (choice.method).hasExactRows)
     {
         problem.rows = Eigen::MatrixXd::Identity (problem.wanted.size(), problem.wanted.size());
         return problem;
@@ -140,21 +141,11 @@ AllocationProblem allocationProblem (const ModalModel& model, const FocusDescrip
     return problem;
 }
 
-Allocation allocate (const AllocationProblem& problem, AllocationMethod method, const DriveList& drives, DriveSpan span)
+/** What a matrix without a certificate needs. */
+Allocation allocationOf (const AllocationProblem& problem, Eigen::MatrixXd matrix)
 {
-    if (method == AllocationMethod::dictionary)
-        return allocateDictionary (problem, drives, span);
-
-    if (method == AllocationMethod::minimumPeak)
-        return solveAllocation (problem, AllocationGoal::peak);
-
-    if (method == AllocationMethod::exact || method == AllocationMethod::paper)
-        return solveAllocation (problem, AllocationGoal::norm);
-
     Allocation allocation;
-    allocation.matrix = method == AllocationMethod::oneToOne
-                            ? oneToOneAllocation (problem.participation, problem.wanted)
-                            : minimumNormAllocation (problem);
+    allocation.matrix = std::move (matrix);
     Eigen::MatrixXd voltages = Eigen::MatrixXd::Zero (allocation.matrix.rows(), problem.waveforms.cols());
     addProduct (voltages, 1, allocation.matrix, problem.waveforms);
     allocation.certificate.objective = 0.5 * voltages.squaredNorm();
@@ -163,12 +154,29 @@ Allocation allocate (const AllocationProblem& problem, AllocationMethod method, 
         voltages.cwiseAbs().rowwise().maxCoeff().cwiseQuotient (problem.voltageLimits).maxCoeff();
     return allocation;
 }
-} // namespace
 
-bool asksForLeastPeak (AllocationMethod method)
+Allocation allocate (const AllocationProblem& problem, AllocationMethod method, const DriveList& drives, DriveSpan span)
 {
-    return method == AllocationMethod::minimumPeak || method == AllocationMethod::dictionary;
+    switch (method)
+    {
+        case AllocationMethod::exact:
+        case AllocationMethod::paper:
+            return solveAllocation (problem, AllocationGoal::norm);
+        case AllocationMethod::minimumPeak:
+            return solveAllocation (problem, AllocationGoal::peak);
+        case AllocationMethod::dictionary:
+            return allocateDictionary (problem, drives, span);
+        case AllocationMethod::oneToOne:
+            return allocationOf (problem, oneToOneAllocation (problem.participation, problem.wanted));
+        case AllocationMethod::minimumNorm:
+            return allocationOf (problem, minimumNormAllocation (problem));
+        case AllocationMethod::freeWaveform:
+            break; // Has no drives.
+    }
+
+    throw std::logic_error ("an allocation of samples is not one of drives");
 }
+} // namespace
 
 Eigen::VectorXd voltageLimits (const ModalModel& model, const AllocationChoice& choice)
 {

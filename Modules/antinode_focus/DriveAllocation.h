@@ -33,9 +33,6 @@ bool hasSlewLimits (const ModalModel&);
     [worker] Docs/Theory.md, sections 4.1 and 4.6. */
 void limitDrives (AllocationProblem&, const ModalModel&, const Eigen::VectorXd& limits, const DriveList&, DriveSpan);
 
-/** Whether a method asks for the least peak voltage, whatever the limit. [any] */
-bool asksForLeastPeak (AllocationMethod);
-
 /** The modes that are guarded: the lowest of those that are not controlled, as many as requested. [any] */
 std::vector<int> guardModes (const ModalModel&, const std::vector<int>& controlled, const AllocationChoice&);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "AllocationMethods.h"
 #include "Robustness.h"
 
 #include <optional>
@@ -67,24 +68,6 @@ struct TransientChoice
     std::optional<double> brake;              ///< gamma' > 1: decay after the focus, as a multiple of the free decay.
     std::optional<double> brakeDuration = {}; ///< T_b, s: all is at rest so long after the focus.
 };
-
-enum class AllocationMethod
-{
-    oneToOne,    ///< Each mode by the one ceramic that excites it most.
-    minimumNorm, ///< Rows (29), least norm, no limit: closed form.
-    paper,       ///< Rows (29) within the voltage limit: the paper's problem.
-    exact,       ///< Exact terminal rows within the voltage limit, soft guard modes: the default.
-    minimumPeak, ///< Exact terminal rows at the least peak voltage.
-    dictionary,  ///< The same with several drives per mode: near the least voltage of any waveform.
-    freeWaveform ///< Samples of any form, of the least energy within the voltage limit; offline only.
-};
-
-/** Whether a method asks for the very velocities at the focus, by rows of drives in any number. [any] */
-constexpr bool hasExactRows (AllocationMethod method)
-{
-    return method == AllocationMethod::exact || method == AllocationMethod::minimumPeak
-           || method == AllocationMethod::dictionary;
-}
 
 struct AllocationChoice
 {

@@ -28,10 +28,10 @@ double onSample (double time, double first, Playback playback)
 
 void checkMethod (AllocationMethod method, std::size_t times)
 {
-    if (times > 1 && method != AllocationMethod::exact && method != AllocationMethod::minimumPeak)
+    if (times > 1 && ! traitsOf (method).takesTrains)
         throw InputError ("focus: targets", "have " + std::to_string (times)
                                                 + " different times; allowed: one time, or the allocation method "
-                                                  "'exact' or 'minimum_peak'");
+                                                + methodsThat (&AllocationTraits::takesTrains, "or"));
 }
 
 void checkRobustness (const AllocationChoice& choice, std::size_t times)

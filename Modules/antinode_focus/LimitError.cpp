@@ -1,7 +1,5 @@
 #include "LimitError.h"
 
-#include "DriveAllocation.h"
-
 #include <antinode_base/NumberText.h>
 
 namespace antinode
@@ -23,8 +21,8 @@ LimitError::LimitError (const std::string& where, const std::string& wrong, doub
 void throwWhereBeyondLimit (const AllocationCertificate& certificate, AllocationMethod method,
                             const Eigen::VectorXd& limits, double peakVelocity, bool hasSlewLimits)
 {
-    const auto isBeyond =
-        certificate.status == AllocationStatus::infeasible || (asksForLeastPeak (method) && certificate.peakRatio > 1);
+    const auto isBeyond = certificate.status == AllocationStatus::infeasible
+                          || (traitsOf (method).asksForLeastPeak && certificate.peakRatio > 1);
 
     if (! isBeyond)
         return;
@@ -34,8 +32,9 @@ void throwWhereBeyondLimit (const AllocationCertificate& certificate, Allocation
     const auto reachable = peakVelocity / ratio;
     const auto needed = hasSlewLimits ? "these drives need " + inWords (ratio) + " times these limits, which allow "
                                       : "these drives need at least " + inWords (least) + " V; this limit allows ";
-    const auto* const wayOut =
-        method == AllocationMethod::dictionary ? "" : "; the allocation 'dictionary' may reach more"; // has most drives
+    const auto* const wayOut = traitsOf (method).waveforms == AllocatedWaveforms::dictionary
+                                   ? ""
+                                   : "; the allocation 'dictionary' may reach more"; // has most drives
     throw LimitError ("focus: voltage limit",
                       "is " + inWords (limits.maxCoeff()) + (hasSlewLimits ? " V within the slew limits" : " V")
                           + ", too low for " + inWords (millimetresPerSecond (peakVelocity)) + " mm/s: " + needed

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/StructFields.h>
 
 #include <Eigen/Core>
 
 #include <bit>
 #include <cmath>
-#include <concepts>
 #include <cstdint>
 #include <cstring>
 #include <optional>
@@ -19,15 +19,8 @@ namespace antinode
 {
 static_assert (std::endian::native == std::endian::little, "numbers are streamed as they lie in memory");
 
-/** A struct of type T, const or not: what `fields` functions are written for. */
-template <typename Type, typename T>
-concept Struct = std::same_as<std::remove_const_t<Type>, T>;
-
-/** Appends values to bytes, little-endian: numbers raw, lengths before what has some, structs by their `fields` function.
-
-    A struct is streamed by `void fields (auto& stream, Struct<T> auto&)`, which takes it apart by a structured binding: a field
-    that is added to the struct and forgotten there does not compile.
-*/
+/** Appends values to bytes, little-endian: numbers raw, lengths before what has some,
+    structs by their `fields` function. */
 class FieldWriter
 {
 public:

@@ -3,15 +3,13 @@
 #include "ModeCacheEntry.h"
 #include "ModeCacheKey.h"
 
-#include <antinode_base/InputError.h>
-#include <antinode_base/Watch.h>
+#include <antinode_base/WholeFile.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <xxhash.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <vector>
 
 namespace antinode
@@ -22,7 +20,6 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view cacheExtension = ".modes";
 constexpr std::string_view hexadecimal = "0123456789abcdef";
-constexpr std::streamoff bytesAtOnce = 1 << 20; // between two looks at the watch
 
 /** The name of the file for a key. Two keys may share one in principle: the entry holds the whole key. */
 std::string nameFor (std::string_view key)
@@ -45,33 +42,6 @@ bool isEntryName (const std::string& name)
     const auto digits = 2 * sizeof (XXH128_canonical_t);
     return name.size() == digits + cacheExtension.size() && name.ends_with (cacheExtension)
            && name.find_first_not_of (hexadecimal) == digits;
-}
-
-/** All bytes of a plain file that is not larger than it may be. */
-std::optional<std::string> bytesOf (const fs::path& path, std::uintmax_t maximumBytes)
-{
-    std::error_code error;
-
-    if (! fs::is_regular_file (path, error)) // A pipe, for one, would be waited for.
-        return {};
-
-    // The size of what was opened: under this name there may be another file by now.
-    std::ifstream file (path, std::ios::binary | std::ios::ate);
-    const auto end = file ? static_cast<std::streamoff> (file.tellg()) : -1;
-
-    if (end < 0 || static_cast<std::uintmax_t> (end) > maximumBytes)
-        return {};
-
-    std::string bytes (static_cast<std::size_t> (end), '\0');
-    file.seekg (0);
-
-    for (std::streamoff done = 0; file && done < end; done += bytesAtOnce)
-    {
-        checkWatch();
-        file.read (bytes.data() + done, std::min (bytesAtOnce, end - done));
-    }
-
-    return file ? std::optional (std::move (bytes)) : std::nullopt;
 }
 
 void makePrivateFolder (const fs::path& folder)
@@ -128,20 +98,14 @@ std::optional<ModalModel> ModeCache::find (const DeviceDescription& device, std:
     try
     {
         const auto path = folder / nameFor (*key);
-        const auto bytes = bytesOf (path, maximumBytes);
-
-        if (! bytes)
-            return {};
-
-        checkWatch();
-        auto model = decodeModeCacheEntry (*bytes, *key);
+        auto model = decodeModeCacheEntry (readWholeFile (path, { "a file", maximumBytes }), *key);
         std::error_code ignored;
         fs::last_write_time (path, fs::file_time_type::clock::now(), ignored);
         return model;
     }
     catch (const std::exception&)
     {
-        return {}; // Damaged, foreign, or too large for this machine: solved again.
+        return {}; // Missing, damaged, foreign, or too large for this machine: solved again.
     }
 }
 

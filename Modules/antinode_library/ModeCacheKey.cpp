@@ -1,6 +1,8 @@
 #include "ModeCacheKey.h"
 
-#include "DescriptionFields.h"
+#include "FieldStream.h"
+
+#include <antinode_structure/DescriptionFields.h>
 
 namespace antinode
 {

@@ -97,35 +97,6 @@ ModalModel withSplineSlopes (ModalModel model)
     return model;
 }
 
-ModalModel withGridDensity (ModalModel model, double density)
-{
-    require (model.surface.grid.has_value(), model, "has no grid; its density cannot be changed");
-    const auto old = std::exchange (model.surface.grid, std::nullopt).value();
-    const PlateGrid grid { withDensity (old.x, density), withDensity (old.y, density) };
-    const auto rowsX = interpolationRows (old.x, grid.x.places);
-    const auto rowsY = interpolationRows (old.y, grid.y.places);
-    const auto oldX = old.x.places.size(), newX = grid.x.places.size();
-    const auto oldY = old.y.places.size(), newY = grid.y.places.size();
-    Eigen::MatrixXd shapes (newX * newY, model.modes());
-
-    for (Eigen::Index k = 0; k < model.modes(); ++k)
-        Eigen::Map<Eigen::MatrixXd> (shapes.col (k).data(), newX, newY) =
-            rowsX * Eigen::Map<const Eigen::MatrixXd> (model.shapes.col (k).data(), oldX, oldY) * rowsY.transpose();
-
-    const Eigen::VectorXd massPerArea = model.surface.masses.cwiseQuotient (model.surface.areas);
-    placeOnGrid (model.surface, grid);
-
-    // Within a segment the mass per area is constant: that of its first old point is that of all its new ones.
-    for (Eigen::Index j = 0; j < newY; ++j)
-        for (Eigen::Index i = 0; i < newX; ++i)
-            model.surface.masses[i + j * newX] =
-                model.surface.areas[i + j * newX]
-                * massPerArea[firstOfSegment (old.x, grid.x, i) + firstOfSegment (old.y, grid.y, j) * oldX];
-
-    model.shapes = std::move (shapes);
-    return model;
-}
-
 void validate (const ModalModel& model)
 {
     const auto modes = model.modes();

@@ -55,11 +55,6 @@ Eigen::RowVectorXd shapesAt (const ModalModel&, double x, double y);
     @throws InputError  when points do not ascend in x */
 ModalModel withSplineSlopes (ModalModel);
 
-/** A model of a computed plate on another grid of the same segments: more points to look at, or fewer. Weights stay exact.
-    @param density  how many times as many points along either axis, more than 0
-    [worker] Docs/Theory.md, section 1.5. */
-ModalModel withGridDensity (ModalModel, double density);
-
 /** Checks a model: sizes agree, numbers are finite, 0 < xi < 1, frequencies ascend and are positive.
     @throws InputError  naming the first thing that is wrong. [worker] */
 void validate (const ModalModel&);

@@ -58,21 +58,6 @@ GridAxis gridAxis (const Eigen::VectorXd& edges, const Eigen::VectorXi& counts)
     return axis;
 }
 
-GridAxis withDensity (const GridAxis& axis, double density)
-{
-    const auto segments = axis.first.size() - 1;
-    const Eigen::VectorXi old = axis.first.tail (segments) - axis.first.head (segments);
-    const Eigen::ArrayXd counts = (density * old.cast<double>().array()).round().max (1);
-    return gridAxis (axis.edges, counts.cast<int>().matrix());
-}
-
-Eigen::Index firstOfSegment (const GridAxis& axis, const GridAxis& other, Eigen::Index placeOfOther)
-{
-    const auto* const begin = other.first.data();
-    const auto after = std::upper_bound (begin, begin + other.first.size(), static_cast<int> (placeOfOther)) - begin;
-    return axis.first[after - 1];
-}
-
 Eigen::MatrixXd interpolationRows (const GridAxis& axis, const Eigen::VectorXd& at)
 {
     Eigen::MatrixXd rows = Eigen::MatrixXd::Zero (at.size(), axis.places.size());

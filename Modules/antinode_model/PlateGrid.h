@@ -25,12 +25,6 @@ struct PlateGrid
     @param counts  places in each, at least 1 */
 GridAxis gridAxis (const Eigen::VectorXd& edges, const Eigen::VectorXi& counts);
 
-/** An axis of the same segments with a multiple of the places in each, at least one. [any] */
-GridAxis withDensity (const GridAxis&, double density);
-
-/** Of a place of a finer or coarser axis with the same segments: the first place of its segment on the given axis. [any] */
-Eigen::Index firstOfSegment (const GridAxis&, const GridAxis& other, Eigen::Index placeOfOther);
-
 /** The rows that take values at the places of an axis to other places on it: Lagrange's polynomials in barycentric form.
     @param at  m; beyond the ends the polynomial of the last segment is extrapolated
     @return    one row per position of `at`, one column per position of the axis

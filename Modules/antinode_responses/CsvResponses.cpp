@@ -201,7 +201,7 @@ void addImpulseResponses (const CsvTable& table, const std::vector<CsvHeading>& 
         const auto spectrum = impulseSpectrum (table.numbers.col (c), interval);
         common.point = heading.point;
         common.driver = heading.driver;
-        common.frequencies = spectrum.frequencies;
+        common.frequencies = sharedFrequencies (spectrum.frequencies, file.responses);
         common.values = spectrum.values;
         common.recordLength = spectrum.recordLength;
         file.responses.push_back (common);
@@ -223,7 +223,7 @@ MeasurementFile measurementFromCsv (std::string_view text, const std::string& so
     MeasuredResponse response;
     response.source = source;
     response.unit = unit.value_or (ResponseUnit {});
-    response.frequencies = abscissae;
+    response.frequencies = sharedFrequencies (abscissae, {});
 
     if (isTime (words))
     {

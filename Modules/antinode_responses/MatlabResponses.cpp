@@ -211,8 +211,8 @@ MeasurementFile measurementFromMatlab (const std::vector<MatlabVariable>& variab
     MeasuredResponse response;
     response.source = source;
     response.unit = unitOf (variables, array);
-    response.frequencies =
-        factor * Eigen::Map<const Eigen::VectorXd> (abscissa.real.data(), static_cast<Eigen::Index> (lines));
+    response.frequencies = sharedFrequencies (
+        factor * Eigen::Map<const Eigen::VectorXd> (abscissa.real.data(), static_cast<Eigen::Index> (lines)), {});
     response.values.resize (static_cast<Eigen::Index> (lines));
 
     for (std::size_t driver = 0; driver < axes[2].size; ++driver)

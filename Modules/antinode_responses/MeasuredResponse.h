@@ -3,6 +3,7 @@
 #include "ResponseUnit.h"
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,15 @@ struct MeasuredResponse
     std::string point, driver; ///< Names; empty if the file does not say.
     std::string driverPoint;   ///< Name of the point at which a force acts; empty if it is not known.
     ResponseUnit unit;
-    Eigen::VectorXd frequencies; ///< N_f: Hz
-    Eigen::VectorXcd values;     ///< N_f, motion per drive; NaN where not measured.
-    double recordLength = 0;     ///< s, of the impulse response it was made from; 0 where it was none.
+    std::shared_ptr<const Eigen::VectorXd> frequencies =
+        std::make_shared<const Eigen::VectorXd>(); ///< N_f: Hz. Responses of one file share theirs.
+    Eigen::VectorXcd values;                       ///< N_f, motion per drive; NaN where not measured.
+    double recordLength = 0; ///< s, of the impulse response it was made from; 0 where it was none.
 };
+
+/** Frequencies for a further response of a file: those of the last one where they are the same. [worker] */
+std::shared_ptr<const Eigen::VectorXd> sharedFrequencies (Eigen::VectorXd,
+                                                          const std::vector<MeasuredResponse>& earlier);
 
 /** Places of points by their names, m. */
 using PointPlaces = std::map<std::string, Eigen::Vector2d>;

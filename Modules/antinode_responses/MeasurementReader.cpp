@@ -7,12 +7,12 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
+#include <antinode_base/WholeFile.h>
 #include <antinode_text/WaveReader.h>
 #include <antinode_universal/UniversalFile.h>
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 
 namespace antinode
 {
@@ -42,8 +42,14 @@ MeasurementFile measurementFromWave (std::string_view bytes, const std::string& 
     for (const auto& channel : wave.samples.rowwise())
     {
         const auto spectrum = impulseSpectrum (channel.transpose(), 1 / wave.sampleRate);
-        file.responses.push_back (
-            { source, {}, {}, {}, {}, spectrum.frequencies, spectrum.values, spectrum.recordLength });
+        file.responses.push_back ({ source,
+                                    {},
+                                    {},
+                                    {},
+                                    {},
+                                    sharedFrequencies (spectrum.frequencies, file.responses),
+                                    spectrum.values,
+                                    spectrum.recordLength });
     }
 
     file.remarks.push_back (source + ": the channels are read as impulse responses.");
@@ -90,20 +96,7 @@ MeasurementFile decodeMeasurement (std::string_view bytes, const std::string& so
 
 MeasurementFile readMeasurement (const std::filesystem::path& path, CsvForm form)
 {
-    constexpr std::uintmax_t most = std::uintmax_t { 4 } << 30;
-    std::error_code failed;
-    const auto size = std::filesystem::is_regular_file (path, failed) ? std::filesystem::file_size (path, failed) : 0;
-    std::ifstream stream (path, std::ios::binary);
-
-    if (failed || ! stream || ! std::filesystem::is_regular_file (path, failed))
-        throw InputError (path.string(), "cannot be read");
-
-    if (size > most)
-        throw InputError (path.string(), "is too large; allowed: up to 4 GiB");
-
-    std::string bytes (static_cast<std::size_t> (size), '\0');
-    stream.read (bytes.data(), static_cast<std::streamsize> (size));
-    bytes.resize (static_cast<std::size_t> (stream.gcount()));
-    return decodeMeasurement (bytes, path.filename().string(), form);
+    constexpr FileKind measurement { "a measurement", std::uintmax_t { 4 } << 30, "cannot be read" };
+    return decodeMeasurement (readWholeFile (path, measurement), path.filename().string(), form);
 }
 } // namespace antinode

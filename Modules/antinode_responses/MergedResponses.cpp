@@ -66,13 +66,13 @@ DriveQuantity commonDrive (const Responses& responses, const MeasurementOptions&
 void requireSameFrequencies (const MeasuredResponse& first, const MeasuredResponse& other)
 {
     constexpr double tolerance = 1e-4; // Of a line's width: files print frequencies with six digits.
-    const auto lines = first.frequencies.size();
-    const auto width = std::abs (first.frequencies[lines - 1] - first.frequencies[0]) / static_cast<double> (lines - 1);
-    const auto printed = 1e-5 * first.frequencies.cwiseAbs().maxCoeff();
+    const auto &wanted = *first.frequencies, &found = *other.frequencies;
+    const auto lines = wanted.size();
+    const auto width = std::abs (wanted[lines - 1] - wanted[0]) / static_cast<double> (lines - 1);
+    const auto printed = 1e-5 * wanted.cwiseAbs().maxCoeff();
 
-    if (other.frequencies.size() != lines
-        || (other.frequencies - first.frequencies).cwiseAbs().maxCoeff()
-               > std::max (tolerance * width, std::min (printed, 0.1 * width)))
+    if (found.size() != lines
+        || (found - wanted).cwiseAbs().maxCoeff() > std::max (tolerance * width, std::min (printed, 0.1 * width)))
         throw InputError (other.source,
                           "has different frequencies from " + inQuotes (first.source)
                               + "; allowed: responses with the same lines; identify the files separately");
@@ -160,8 +160,9 @@ void fillTable (const Responses& responses, const MeasurementOptions& options, c
     constexpr std::size_t fewest = 64,
                           share = 8; // Of the table; one that is much emptier is a mistake, and takes memory.
     auto& table = measurement.responses;
-    const auto lines = responses.front().frequencies.size();
-    const Eigen::Index skipped = responses.front().frequencies[0] <= 0 ? 1 : 0; // At 0 Hz nothing has a velocity.
+    const auto& frequencies = *responses.front().frequencies;
+    const auto lines = frequencies.size();
+    const Eigen::Index skipped = frequencies[0] <= 0 ? 1 : 0; // At 0 Hz nothing has a velocity.
     const auto points = measurement.pointNames.size();
 
     if (points * drivers.size() > fewest + share * responses.size())
@@ -170,7 +171,7 @@ void fillTable (const Responses& responses, const MeasurementOptions& options, c
                                                         + " references, but only " + std::to_string (responses.size())
                                                         + " responses between them");
 
-    table.frequencies = responses.front().frequencies.tail (lines - skipped);
+    table.frequencies = frequencies.tail (lines - skipped);
     const auto empty = std::complex<double> (std::numeric_limits<double>::quiet_NaN(), 0);
     table.values.assign (drivers.size(),
                          Eigen::MatrixXcd::Constant (lines - skipped, static_cast<Eigen::Index> (points), empty));
@@ -238,6 +239,15 @@ std::vector<Driver> driversOf (const Responses& responses, const std::vector<std
 }
 } // namespace
 
+std::shared_ptr<const Eigen::VectorXd> sharedFrequencies (Eigen::VectorXd frequencies,
+                                                          const std::vector<MeasuredResponse>& earlier)
+{
+    if (! earlier.empty() && *earlier.back().frequencies == frequencies)
+        return earlier.back().frequencies;
+
+    return std::make_shared<const Eigen::VectorXd> (std::move (frequencies));
+}
+
 Measurement mergedResponses (const std::vector<MeasurementFile>& files, const MeasurementOptions& options)
 {
     Measurement measurement;
@@ -247,7 +257,7 @@ Measurement mergedResponses (const std::vector<MeasurementFile>& files, const Me
         throw InputError ("the files", "contain no frequency response");
 
     for (const auto& response : responses)
-        if (response.frequencies.size() < 2 || response.values.size() != response.frequencies.size())
+        if (response.frequencies->size() < 2 || response.values.size() != response.frequencies->size())
             throw InputError (response.source, "has a response with less than two lines");
 
     for (const auto& file : files)

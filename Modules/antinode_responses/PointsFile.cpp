@@ -2,10 +2,10 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
+#include <antinode_base/WholeFile.h>
+#include <antinode_text/CsvLines.h>
 #include <antinode_text/PhysicalRanges.h>
 
-#include <charconv>
-#include <fstream>
 #include <optional>
 #include <vector>
 
@@ -13,29 +13,17 @@ namespace antinode
 {
 namespace
 {
-std::string_view trimmed (std::string_view text)
-{
-    constexpr std::string_view blanks = " \t\r";
-    const auto first = text.find_first_not_of (blanks);
-    return first == std::string_view::npos ? std::string_view()
-                                           : text.substr (first, text.find_last_not_of (blanks) - first + 1);
-}
-
-std::optional<double> numberIn (std::string_view text)
-{
-    double value = 0;
-    text = trimmed (text);
-    const auto [end, error] = std::from_chars (text.data(), text.data() + text.size(), value);
-    return error == std::errc() && end == text.data() + text.size() && ! text.empty() ? std::optional (value)
-                                                                                      : std::nullopt;
-}
-
 /** x and y of a line, or x alone; nothing if it holds anything else. */
 std::optional<Eigen::RowVector2d> placeIn (std::string_view line)
 {
-    const auto separator = line.find_first_of (",;\t");
-    const auto x = numberIn (line.substr (0, separator));
-    const auto y = separator == std::string_view::npos ? std::optional (0.0) : numberIn (line.substr (separator + 1));
+    const auto separator = csvSeparator (line);
+    const auto cells = csvCells (line, separator);
+
+    if (cells.empty() || cells.size() > 2)
+        return std::nullopt;
+
+    const auto x = csvNumber (cells.front(), separator);
+    const auto y = csvNumber (cells.size() > 1 ? cells.back() : "0", separator);
 
     if (! x || ! y || ! ranges::positionMillimetre.contains (*x) || ! ranges::positionMillimetre.contains (*y))
         return std::nullopt;
@@ -47,23 +35,18 @@ std::optional<Eigen::RowVector2d> placeIn (std::string_view line)
 Eigen::MatrixX2d decodePoints (std::string_view text, const std::string& source)
 {
     std::vector<Eigen::RowVector2d> places;
-    std::size_t number = 0;
     bool mayBeHeading = true;
 
-    for (auto rest = text; ! rest.empty(); ++number)
+    for (const auto& [line, number] : csvLines (text))
     {
-        const auto end = std::min (rest.find ('\n'), rest.size());
-        const auto line = trimmed (rest.substr (0, end));
-        rest.remove_prefix (std::min (end + 1, rest.size()));
-
-        if (line.empty() || line.front() == '#')
+        if (csvCommentMark (line) > 0)
             continue;
 
         if (const auto place = placeIn (line))
             places.push_back (*place);
         else if (! mayBeHeading)
-            throw InputError (source + ": line " + std::to_string (number + 1),
-                              "is " + inQuotes (line) + "; allowed: x and y in mm, for example 12.5,30");
+            throw InputError (source + ": line " + std::to_string (number),
+                              "is " + inQuotes (trimmedText (line)) + "; allowed: x and y in mm, for example 12.5,30");
 
         mayBeHeading = false;
 
@@ -84,22 +67,6 @@ Eigen::MatrixX2d decodePoints (std::string_view text, const std::string& source)
 
 Eigen::MatrixX2d readPointsFile (const std::filesystem::path& path)
 {
-    constexpr std::uintmax_t most = 16 << 20;
-    const auto source = printable (path.string(), 300);
-    std::error_code error;
-
-    if (! std::filesystem::is_regular_file (path, error))
-        throw InputError (source, "cannot be read: it is missing or not a plain file");
-
-    if (std::filesystem::file_size (path, error) > most)
-        throw InputError (source, "is too large; allowed: up to 16 MiB");
-
-    std::ifstream file (path, std::ios::binary);
-    const std::string text { std::istreambuf_iterator<char> (file), {} };
-
-    if (! file)
-        throw InputError (source, "cannot be read");
-
-    return decodePoints (text, source);
+    return decodePoints (readWholeFile (path, { "a list of points", 16 << 20 }), printable (path.string(), 300));
 }
 } // namespace antinode

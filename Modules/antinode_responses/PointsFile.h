@@ -8,8 +8,8 @@
 
 namespace antinode
 {
-/** Places of a surface from CSV text: lines of x and y, or of x alone on a line, in mm; after a heading line or none. Empty lines and those
-    that begin with # are skipped.
+/** Places of a surface from CSV text: lines of x and y, or of x alone on a line, in mm; after a heading line or none.
+    Lines, comments and cells as readCsvTable knows them; each line may have a separator of its own.
     @param source  how errors name it
     @return        N x 2: x and y, m
     @throws InputError  source, line, what is wrong, what is allowed

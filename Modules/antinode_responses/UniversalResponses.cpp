@@ -145,7 +145,8 @@ Eigen::VectorXd abscissaeOf (const UniversalFunction& function)
                            : function.abscissae;
 }
 
-MeasuredResponse responseOf (const UniversalFunction& function, const UniversalUnits& units, const std::string& source)
+MeasuredResponse responseOf (const UniversalFunction& function, const UniversalUnits& units, const std::string& source,
+                             const std::vector<MeasuredResponse>& earlier)
 {
     MeasuredResponse response;
     response.source = source;
@@ -159,13 +160,13 @@ MeasuredResponse responseOf (const UniversalFunction& function, const UniversalU
                               "has an impulse response without a constant time step; allowed: a step above 0 s");
 
         const auto spectrum = impulseSpectrum (function.values.real(), function.step);
-        response.frequencies = spectrum.frequencies;
+        response.frequencies = sharedFrequencies (spectrum.frequencies, earlier);
         response.values = spectrum.values;
         response.recordLength = spectrum.recordLength;
     }
     else
     {
-        response.frequencies = abscissaeOf (function);
+        response.frequencies = sharedFrequencies (abscissaeOf (function), earlier);
         response.values = function.values;
     }
 
@@ -234,7 +235,7 @@ MeasurementFile measurementOf (const std::vector<UniversalSet>& sets, const std:
 
     for (const auto* function : functions)
     {
-        auto response = responseOf (*function, units, source);
+        auto response = responseOf (*function, units, source, file.responses);
         response.point = points.of (function->response);
         response.driver = drivers.of (function->reference);
 

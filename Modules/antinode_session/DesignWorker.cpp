@@ -71,12 +71,6 @@ void DesignWorker::waitFor (std::span<const int> places)
     urgent.clear();
 }
 
-void DesignWorker::waitUntilDone()
-{
-    std::unique_lock lock (mutex);
-    changed.wait (lock, [this] { return ! next && touches.empty() && ! isWorking; });
-}
-
 DesignProgress DesignWorker::progress() const
 {
     const std::lock_guard lock (mutex);

@@ -48,9 +48,6 @@ public:
         [any but a real-time audio thread] */
     void waitFor (std::span<const int> places);
 
-    /** Waits until the newest request is designed and handed over at all places. [any but a real-time audio thread] */
-    void waitUntilDone();
-
     /** [any but the audio thread] */
     DesignProgress progress() const;
 

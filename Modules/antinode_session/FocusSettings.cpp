@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
-#include <variant>
 
 namespace antinode
 {
@@ -82,35 +81,6 @@ std::pair<double, double> percentFromPlace (const Surface& surface, double x, do
     return { percentOf (x, surface.xMinimum, surface.xMaximum), percentOf (y, surface.yMinimum, surface.yMaximum) };
 }
 
-Surface extentOf (const DeviceDescription& device)
-{
-    struct Extent
-    {
-        Surface operator() (const BeamDescription& beam) const { return line (beam.length); }
-        Surface operator() (const StapleDescription& staple) const { return line (staple.topLength); }
-        Surface operator() (const ModalModel& model) const { return model.surface; }
-
-        Surface operator() (const PlateDescription& plate) const
-        {
-            Surface surface;
-            surface.kind = SurfaceKind::plate;
-            surface.xMaximum = plate.lengthX;
-            surface.yMaximum = plate.lengthY;
-            return surface;
-        }
-
-        static Surface line (double length)
-        {
-            Surface surface;
-            surface.xMinimum = -length / 2;
-            surface.xMaximum = length / 2;
-            return surface;
-        }
-    };
-
-    return std::visit (Extent {}, device.body);
-}
-
 PlaySettings settingsOf (const FocusDescription& focus, const Surface& surface, const PlaySettings& present)
 {
     auto settings = present;
@@ -145,10 +115,10 @@ FocusDescription withSettings (const FocusDescription& document, const PlaySetti
     applyTarget (focus, settings, loaded, surface);
     focus.allocation.method = settings.method;
 
-    if (focus.allocation.method != AllocationMethod::exact)
+    if (! traitsOf (focus.allocation.method).takesRobustness)
         focus.allocation.robust.reset();
 
-    focus.allocation.isUndisplaced = focus.allocation.isUndisplaced && hasExactRows (focus.allocation.method);
+    focus.allocation.isUndisplaced = focus.allocation.isUndisplaced && traitsOf (focus.allocation.method).hasExactRows;
 
     if (! isSame (settings.focusTimeMilliseconds, loaded.focusTimeMilliseconds))
         moveInTime (focus, static_cast<double> (settings.focusTimeMilliseconds) * milli);

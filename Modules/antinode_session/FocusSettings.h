@@ -12,9 +12,6 @@
 
 namespace antinode
 {
-/** The extent of the surface of a described device, before it is solved. [any] */
-Surface extentOf (const DeviceDescription&);
-
 /** The parameters of a loaded focus. [any] */
 PlaySettings settingsOf (const FocusDescription&, const Surface&, const PlaySettings& present);
 

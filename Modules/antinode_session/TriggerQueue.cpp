@@ -1,30 +1,22 @@
 #include "TriggerQueue.h"
 
+#include <algorithm>
+
 namespace antinode
 {
 bool TriggerQueue::push (const FocusEvent& event)
 {
     const std::lock_guard lock (pushing);
-    const auto position = written.load (std::memory_order_relaxed);
-
-    if (position - read.load (std::memory_order_acquire) >= capacity)
-        return false;
-
-    ring[position % capacity] = event;
-    written.store (position + 1, std::memory_order_release);
-    return true;
+    return waiting.push (event);
 }
 
 int TriggerQueue::pop (std::span<FocusEvent> events)
 {
-    const auto end = written.load (std::memory_order_acquire);
-    auto position = read.load (std::memory_order_relaxed);
-    int count = 0;
+    std::size_t count = 0;
 
-    for (; position != end && count < static_cast<int> (events.size()); ++position)
-        events[static_cast<std::size_t> (count++)] = ring[position % capacity];
+    for (auto left = std::min (waiting.size(), events.size()); left > 0; --left)
+        events[count++] = waiting.pop().value();
 
-    read.store (position, std::memory_order_release);
-    return count;
+    return static_cast<int> (count);
 }
 } // namespace antinode

@@ -1,10 +1,8 @@
 #pragma once
 
+#include <antinode_base/RingQueue.h>
 #include <antinode_engine/FocusEvent.h>
 
-#include <array>
-#include <atomic>
-#include <cstddef>
 #include <mutex>
 #include <span>
 
@@ -22,10 +20,7 @@ public:
     int pop (std::span<FocusEvent> events);
 
 private:
-    static constexpr std::size_t capacity = 256;
-
     std::mutex pushing;
-    std::array<FocusEvent, capacity> ring {};
-    std::atomic<std::size_t> written { 0 }, read { 0 };
+    RingQueue<FocusEvent, 256> waiting;
 };
 } // namespace antinode

@@ -109,6 +109,9 @@ struct DeviceDescription
     bool requiresArming = false; ///< Stays silent after loading until the user arms the output.
 };
 
+/** The extent of the surface of a described device, before it is solved. [any] */
+Surface extentOf (const DeviceDescription&);
+
 /** The modal model of a described device: solves a beam, staple or plate; hands a measured model on as it is.
     @param modeCount  how many flexible modes, or none: what the description says, or a default of 40
     @throws InputError  where the description cannot be solved, saying why; Cancelled as checkWatch()

@@ -107,7 +107,7 @@ struct CandidateFinder
 
     PlacementCandidates operator() (const ModalModel&) const
     {
-        throw InputError ("device '" + device.name + "'", "is of kind modal; allowed: beam, staple or plate");
+        throw InputError ("device '" + device.name + "'", "is of kind modal; allowed: a kind whose modes are computed");
     }
 
 private:

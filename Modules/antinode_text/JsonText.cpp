@@ -2,11 +2,9 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
+#include <antinode_base/WholeFile.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <vector>
 
 namespace antinode
@@ -16,7 +14,6 @@ namespace
 using Json = nlohmann::json;
 
 constexpr std::size_t maximumDepth = 64;
-constexpr std::size_t maximumBytes = std::size_t { 64 } << 20;
 constexpr std::size_t longestName = 300; ///< Of a source in a message, in bytes.
 
 std::string lineAndColumn (std::string_view text, std::size_t position)
@@ -140,34 +137,6 @@ private:
     std::vector<Json*> containers; ///< The open ones, outermost first.
     std::vector<std::string> keys; ///< The key last seen in each of them.
 };
-
-/** All bytes of a file, read in pieces: what the system says of a file's size is not to be relied on. */
-std::string readBytes (const std::filesystem::path& path, const std::string& source)
-{
-    errno = 0;
-    std::ifstream file (path, std::ios::binary);
-
-    if (! file)
-        throw InputError (source, std::string ("cannot be read: ") + std::strerror (errno));
-
-    std::string bytes;
-    std::vector<char> piece (std::size_t { 1 } << 16);
-
-    while (file && bytes.size() <= maximumBytes)
-    {
-        errno = 0;
-        file.read (piece.data(), static_cast<std::streamsize> (piece.size()));
-        bytes.append (piece.data(), static_cast<std::size_t> (file.gcount()));
-    }
-
-    if (file.bad())
-        throw InputError (source, std::string ("cannot be read: ") + std::strerror (errno));
-
-    if (bytes.size() > maximumBytes)
-        throw InputError (source, "is too large; allowed: up to " + std::to_string (maximumBytes >> 20) + " MiB");
-
-    return bytes;
-}
 } // namespace
 
 nlohmann::json parseJson (std::string_view text, const std::string& source)
@@ -188,16 +157,6 @@ nlohmann::json parseJson (std::string_view text, const std::string& source)
 
 nlohmann::json readJsonFile (const std::filesystem::path& path)
 {
-    const auto name = printable (path.string(), longestName);
-    std::error_code error;
-    const auto status = std::filesystem::status (path, error);
-
-    if (status.type() == std::filesystem::file_type::not_found)
-        throw InputError (name, "does not exist");
-
-    if (std::filesystem::is_directory (status))
-        throw InputError (name, "is a directory; allowed: a JSON file");
-
-    return parseJson (readBytes (path, name), name);
+    return parseJson (readWholeFile (path, { "a JSON file" }), path.string());
 }
 } // namespace antinode

@@ -15,7 +15,8 @@ namespace antinode
 nlohmann::json parseJson (std::string_view text, const std::string& source);
 
 /** JSON from a file of at most 64 MiB.
-    @throws InputError  when it is missing, a directory, unreadable, too large, or not JSON as parseJson wants it
+    @throws InputError  when it is missing, a directory, a pipe, unreadable, too large, or not JSON as
+                        parseJson wants it
     [worker] */
 nlohmann::json readJsonFile (const std::filesystem::path&);
 

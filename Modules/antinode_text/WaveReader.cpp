@@ -2,11 +2,11 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
+#include <antinode_base/WholeFile.h>
 
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 
 namespace antinode
 {
@@ -138,23 +138,7 @@ WaveSamples decodeWave (std::string_view bytes, const std::string& source)
 
 WaveSamples readWaveFile (const std::filesystem::path& path)
 {
-    constexpr std::uintmax_t most = std::uintmax_t (1) << 32;
-    const auto source = printable (path.string(), 300);
-    std::error_code error;
-    const auto size = std::filesystem::file_size (path, error);
-
-    if (error || ! std::filesystem::is_regular_file (path, error))
-        fail (source, "cannot be read: it is missing or not a plain file");
-
-    if (size > most)
-        fail (source, "is too large; allowed: up to 4 GiB");
-
-    std::string bytes (size, '\0');
-    std::ifstream file (path, std::ios::binary);
-
-    if (! file.read (bytes.data(), static_cast<std::streamsize> (size)))
-        fail (source, "cannot be read");
-
-    return decodeWave (bytes, source);
+    return decodeWave (readWholeFile (path, { "a WAV file", std::uintmax_t { 4 } << 30 }),
+                       printable (path.string(), 300));
 }
 } // namespace antinode

@@ -107,7 +107,7 @@ CeramicDescription describedCeramic (nlohmann::json document, const nlohmann::js
         [] (const auto& body) -> CeramicDescription
         {
             if constexpr (std::is_same_v<std::decay_t<decltype (body)>, ModalModel>)
-                throw InputError ("device", "is of kind modal; allowed: beam, staple or plate");
+                throw InputError ("device", "is of kind modal; allowed: a kind whose modes are computed");
             else
                 return body.common.ceramics.front();
         },
@@ -138,7 +138,7 @@ void place (PlaceOptions options)
     checkAssignments (options.assignments);
     auto document = loadDeviceDocument (options.device, options.assignments);
     const auto device = loadDevice (options.device, options.assignments);
-    const auto isPlate = std::holds_alternative<PlateDescription> (device.body);
+    const auto isPlate = extentOf (device).kind == SurfaceKind::plate;
     const auto like = ceramicLike (document, isPlate, options.size);
     const auto ceramic = describedCeramic (document, like);
 

@@ -139,7 +139,7 @@ void SurfacePainter::layOutPlate (const HeatMap& chart, juce::Graphics& g)
     g.fillAll (colours->panel);
     const auto rest = area.withZeroOrigin().toFloat().reduced (theme.padding);
     const auto most = picture->frames->largest * milli;
-    const Axis values { chart.valueLabel, usableRange ({ -most, most }), false, {}, false };
+    const ChartAxis values { chart.valueLabel, usableRange ({ -most, most }), false, {}, false };
     const auto barWidth = colourBarWidth (values, rest.getHeight(), theme);
     plot = withEqualAspect (layOutPlot (rest, { chart.xLabel, chart.x, false, {}, false },
                                         { chart.yLabel, chart.y, false, {}, false }, { 0, barWidth }, theme));

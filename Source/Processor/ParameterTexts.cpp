@@ -39,7 +39,7 @@ std::pair<double, double> extentOf (const ModalModel* model, SurfaceAxis axis)
 
     const auto& surface = model->surface;
     return axis == SurfaceAxis::x ? std::pair (surface.xMinimum / milli, surface.xMaximum / milli)
-                           : std::pair (surface.yMinimum / milli, surface.yMaximum / milli);
+                                  : std::pair (surface.yMinimum / milli, surface.yMaximum / milli);
 }
 } // namespace
 

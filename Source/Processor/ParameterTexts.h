@@ -29,6 +29,7 @@ struct FlagTexts
     std::function<bool (const juce::String&)> fromText;
 };
 
+/** Which coordinate of a place on the surface. */
 enum class SurfaceAxis
 {
     x,

@@ -1,6 +1,7 @@
 #include "EventSchedule.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/WholeFile.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,12 +41,9 @@ std::vector<int> EventSchedule::noteNumbers() const
 
 std::vector<TimedNote> readMidiFile (const std::filesystem::path& path)
 {
-    const juce::File file (juce::File::getCurrentWorkingDirectory().getChildFile (path.string()));
-    juce::FileInputStream stream (file);
+    const auto bytes = readWholeFile (path, { "a MIDI file", FileKind().maximumBytes, "cannot be opened" });
+    juce::MemoryInputStream stream (bytes.data(), bytes.size(), false);
     juce::MidiFile midi;
-
-    if (stream.failedToOpen())
-        throw InputError (path.string(), "cannot be opened");
 
     if (! midi.readFrom (stream))
         throw InputError (path.string(), "is not a standard MIDI file");

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <antinode_base/RingQueue.h>
+
 #include <juce_audio_basics/juce_audio_basics.h>
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <mutex>
 
@@ -36,7 +37,6 @@ private:
     };
 
     std::mutex pushing;
-    std::array<Entry, capacity> ring {};
-    std::atomic<std::size_t> written { 0 }, read { 0 };
+    RingQueue<Entry, capacity> waiting;
 };
 } // namespace antinode

@@ -1,10 +1,10 @@
 #include "SettingsFile.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/WholeFile.h>
 #include <antinode_library/Library.h>
 
 #include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include <unistd.h>
@@ -26,16 +26,6 @@ fs::path freeName (const fs::path& file)
 
     return name;
 }
-
-std::string contentOf (const fs::path& file)
-{
-    std::ifstream stream (file, std::ios::binary);
-
-    if (! stream || fs::is_directory (file))
-        throw InputError ("", "it cannot be opened");
-
-    return { std::istreambuf_iterator<char> (stream), {} };
-}
 } // namespace
 
 fs::path usualSettingsFile()
@@ -53,7 +43,7 @@ StandaloneSettings SettingsFile::load()
 
     try
     {
-        auto text = contentOf (file);
+        auto text = readWholeFile (file, {});
         auto settings = readSettings (text);
         written = std::move (text);
         return settings;

@@ -82,12 +82,12 @@ TEST_CASE ("A value that is not finite splits a curve")
 
 TEST_CASE ("An axis places values from 0 to 1 and bounds what lies far outside")
 {
-    const Axis linear { "", { -10, 30 }, false, {}, true };
+    const ChartAxis linear { "", { -10, 30 }, false, {}, true };
     CHECK (linear.fraction (0) == Approx (0.25));
     CHECK (linear.fraction (1e300) == Approx (21));
     CHECK (std::isnan (linear.fraction (std::nan (""))));
     CHECK (std::isnan (linear.fraction (INFINITY)));
-    const Axis logarithmic { "", { 1e-3, 10 }, true, {}, true };
+    const ChartAxis logarithmic { "", { 1e-3, 10 }, true, {}, true };
     CHECK (logarithmic.fraction (0.1) == Approx (0.5));
     CHECK (std::isnan (logarithmic.fraction (0)));
     CHECK (std::isnan (logarithmic.fraction (-1)));
@@ -95,8 +95,8 @@ TEST_CASE ("An axis places values from 0 to 1 and bounds what lies far outside")
 
 TEST_CASE ("A plot leaves its labels room inside the area, and equal aspect makes units equally long")
 {
-    const Axis x { "place (mm)", { 0, 200 }, false, {}, true };
-    const Axis y { "height (mm)", { 0, 100 }, false, {}, true };
+    const ChartAxis x { "place (mm)", { 0, 200 }, false, {}, true };
+    const ChartAxis y { "height (mm)", { 0, 100 }, false, {}, true };
     const juce::Rectangle<float> area (0, 0, 900, 360);
     const auto frame = layOutPlot (area, x, y, { 20, 80 }, Theme::light());
     CHECK (area.contains (frame.plot));

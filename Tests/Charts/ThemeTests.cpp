@@ -2,9 +2,47 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace antinode;
+
+namespace
+{
+/** Of red, green and blue, linear: IEC 61966-2-1. */
+std::array<double, 3> linear (juce::Colour colour)
+{
+    const auto part = [] (juce::uint8 byte)
+    {
+        const auto value = byte / 255.0;
+        return value <= 0.04045 ? value / 12.92 : std::pow ((value + 0.055) / 1.055, 2.4);
+    };
+    return { part (colour.getRed()), part (colour.getGreen()), part (colour.getBlue()) };
+}
+
+/** Lightness as seen, 0 black to 1 white: Oklab's L (B. Ottosson, "A perceptual color space for image processing",
+    2020). */
+double perceivedLightness (juce::Colour colour)
+{
+    const auto [r, g, b] = linear (colour);
+    return 0.2104542553 * std::cbrt (0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b)
+           + 0.7936177850 * std::cbrt (0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b)
+           - 0.0040720468 * std::cbrt (0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
+}
+
+/** WCAG 2.1 contrast ratio of two opaque colours, 1 to 21. */
+double contrastRatio (juce::Colour one, juce::Colour other)
+{
+    const auto luminance = [] (juce::Colour colour)
+    {
+        const auto [r, g, b] = linear (colour);
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    };
+    const auto ratio = (luminance (one) + 0.05) / (luminance (other) + 0.05);
+    return std::max (ratio, 1 / ratio);
+}
+} // namespace
 
 TEST_CASE ("Oklab's lightness is 0 for black and 1 for white")
 {

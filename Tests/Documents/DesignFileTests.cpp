@@ -1,5 +1,3 @@
-#include "Support/ErrorText.h"
-
 #include <antinode_documents/DesignFile.h>
 #include <antinode_documents/FocusFile.h>
 #include <antinode_text/JsonText.h>
@@ -64,34 +62,40 @@ FocusDesign irregularDesign()
     return design;
 }
 
-std::string errorWith (std::string_view assignment)
+double counterShare (const nlohmann::json& oscillation, std::size_t part)
 {
-    nlohmann::json document = designToJson (irregularDesign(), smallModel());
-    applyAssignment (document, assignment);
-    return errorText ([&] { readProgram (document, "design.json"); });
+    return oscillation.contains ("counter_share") ? oscillation["counter_share"][part].get<double>() : 0;
 }
 } // namespace
 
-TEST_CASE ("A program written in a design and read again is the same to the bit", "[files]")
+TEST_CASE ("Other programs read what is played from a design to the bit", "[files]")
 {
     const auto program = irregularDesign().program;
-    const auto text = designToJson (irregularDesign(), smallModel()).dump (1);
-    const auto read = readProgram (parseJson (text, "design.json"), "design.json");
-    CHECK (read.focusTime == program.focusTime);
-    CHECK (read.voltageLimits == program.voltageLimits);
-    CHECK (read.allocation == program.allocation);
-    REQUIRE (read.oscillations.size() == program.oscillations.size());
+    const auto read = nlohmann::json::parse (designToJson (irregularDesign(), smallModel()).dump (1));
+    CHECK (read["schema"] == "antinode.design/1");
+    CHECK (read["focus_time_s"] == program.focusTime);
+    CHECK (read["voltage_limits_V"] == std::vector (program.voltageLimits.begin(), program.voltageLimits.end()));
+    REQUIRE (read["allocation"].size() == 2);
 
-    for (std::size_t c = 0; c < read.oscillations.size(); ++c)
+    for (Eigen::Index i = 0; i < 2; ++i)
+        CHECK (read["allocation"][static_cast<std::size_t> (i)]
+               == std::vector (program.allocation.row (i).begin(), program.allocation.row (i).end()));
+
+    REQUIRE (read["oscillations"].size() == program.oscillations.size());
+
+    for (std::size_t c = 0; c < program.oscillations.size(); ++c)
     {
-        const auto& a = read.oscillations[c];
+        const auto& a = read["oscillations"][c];
         const auto& b = program.oscillations[c];
-        CHECK (a.mode == b.mode);
-        CHECK (std::tie (a.start, a.end, a.growth) == std::tie (b.start, b.end, b.growth));
-        CHECK (std::tie (a.angularFrequency, a.inPhase, a.quadrature)
-               == std::tie (b.angularFrequency, b.inPhase, b.quadrature));
-        CHECK (a.freeDecay == b.freeDecay);
-        CHECK (a.counterShare == b.counterShare);
+        CHECK (a["mode"] == b.mode);
+        CHECK (a["start_s"] == b.start);
+        CHECK (a["end_s"] == b.end);
+        CHECK (a["growth_per_s"] == b.growth);
+        CHECK (a.value ("angular_frequency_rad_s", 0.0) == b.angularFrequency);
+        CHECK (a["in_phase"] == b.inPhase);
+        CHECK (a["quadrature"] == b.quadrature);
+        CHECK (a.value ("free_decay_per_s", 0.0) == b.freeDecay);
+        CHECK (std::complex<double> (counterShare (a, 0), counterShare (a, 1)) == b.counterShare);
     }
 }
 
@@ -123,19 +127,4 @@ TEST_CASE ("The focus inside a design is a focus file of its own", "[files]")
     const auto focus = readFocus (json["focus"], "design.json");
     CHECK (focus.targets[0].x == 0.024);
     CHECK (focus.focusTime == 0.025);
-}
-
-TEST_CASE ("Designs that cannot be played are refused", "[files]")
-{
-    CHECK (errorWith ("schema=antinode.design/2")
-           == "design.json: /schema: is the text 'antinode.design/2'; allowed: 'antinode.design/1'");
-    CHECK (errorWith ("allocation.1=[1, 2]") == "design.json: /allocation/1: has 2 entries; allowed: a list of 42");
-    CHECK (errorWith ("allocation=[]") == "design.json: /allocation: has 0 entries; allowed: a list of 2");
-    CHECK (errorWith ("oscillations.3.mode=-1")
-           == "design.json: /oscillations/3/mode: is -1; allowed: a whole number from 0 to 4999");
-    CHECK (errorWith ("oscillations.40.end_s=-1") == "design.json: /oscillations/40/end_s: is -1; allowed: 0 to 10000");
-    CHECK (errorWith ("oscillations.40.frequency_Hz=1")
-               .find ("design.json: /oscillations/40/angular_frequency_rad_s: is 0; allowed: ")
-           == 0);
-    CHECK (errorWith ("oscillations.0.gain=1").find ("design.json: /oscillations/0/gain: is an unknown key") == 0);
 }

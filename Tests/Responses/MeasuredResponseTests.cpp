@@ -54,7 +54,14 @@ double scaleOf (std::string_view unit)
 
 MeasuredResponse simpleResponse (const std::string& point, const std::string& driver, ResponseUnit unit)
 {
-    return { "file", point, driver, {}, unit, Eigen::Vector2d (50, 100), Eigen::Vector2cd (1, Complex (0, 2)), 0 };
+    return { "file",
+             point,
+             driver,
+             {},
+             unit,
+             sharedFrequencies (Eigen::Vector2d (50, 100), {}),
+             Eigen::Vector2cd (1, Complex (0, 2)),
+             0 };
 }
 } // namespace
 

@@ -1,4 +1,5 @@
 #include "Support/SineBeam.h"
+#include "Support/WaitForBank.h"
 
 #include <antinode_focus/BankPlaces.h>
 #include <antinode_graph/PlayerNode.h>
@@ -52,7 +53,7 @@ TEST_CASE ("A worker designs a bank and hands it over", "[graph]")
     FocusPlayer player (ceramics, rate, {});
     DesignWorker worker (player.handOver());
     worker.request (requestFor (12));
-    worker.waitUntilDone();
+    test::waitForBank (worker, 12);
     CHECK (worker.progress().designed == 13); // The focus at its own place among them.
     CHECK (worker.progress().failed == 0);
     CHECK (firstChannel (player, 3, 2000).cwiseAbs().maxCoeff() > 0);
@@ -69,8 +70,8 @@ TEST_CASE ("Rapid requests coalesce: the last one wins", "[graph]")
         second.request (requestFor (20, 0.02 + 0.0002 * i));
 
     first.request (requestFor (20, 0.02 + 0.0002 * 49));
-    first.waitUntilDone();
-    second.waitUntilDone();
+    test::waitForBank (first, 20);
+    test::waitForBank (second, 20);
     CHECK (second.progress().designed == 21);
     CHECK (firstChannel (once, 7, 2000) == firstChannel (often, 7, 2000));
 }
@@ -127,7 +128,7 @@ TEST_CASE ("The focus at its own place is handed over first, then the place that
         bank = std::move (newer);
 
     CHECK (bank->foci[77] != nullptr);
-    worker.waitUntilDone();
+    test::waitForBank (worker, 128);
     CHECK (worker.progress().designed == 129);
     CHECK (worker.progress().firstMilliseconds > 0);
 }
@@ -170,7 +171,11 @@ TEST_CASE ("A touched position is designed in addition to the bank and reported 
     std::atomic<int> place { -2 }, failed { -2 };
     REQUIRE (worker.touch (0.031, 0, [&] (int ready) { place = ready; }));
     REQUIRE (worker.touch (5, 0, [&] (int ready) { failed = ready; }));
-    worker.waitUntilDone();
+    test::waitForBank (worker, 5);
+
+    while (place == -2 || failed == -2)
+        std::this_thread::yield();
+
     CHECK (place == FocusBank::firstTouchPlace);
     CHECK (failed == -1);
     CHECK (worker.progress().designed == 6);
@@ -186,7 +191,7 @@ TEST_CASE ("A place that cannot be designed stays silent and says why", "[graph]
     auto request = requestFor (3);
     request.places[1] = { 5.0, 0.0 };
     worker.request (request);
-    worker.waitUntilDone();
+    test::waitForBank (worker, 3);
     CHECK (worker.progress().failed == 1);
     CHECK (worker.progress().failedNotes == std::vector { 1 });
     CHECK_THAT (worker.progress().error, Catch::Contains ("outside the surface"));

@@ -6,6 +6,7 @@
 #include <Support/AudioThreadGuards.h>
 
 #include <Support/SineBeam.h>
+#include <Support/WaitForBank.h>
 
 #include <array>
 #include <atomic>
@@ -151,7 +152,7 @@ void soak (const PlayerSettings& settings, double seconds, Findings& findings)
     auto& player = standard.playerNode().player();
     DesignWorker worker (player.handOver());
     worker.request (requestOf (model, 0));
-    worker.waitUntilDone();
+    test::waitForBank (worker, FocusBank::places);
     std::atomic<bool> isPlaying { true };
     std::thread audio (
         [&]

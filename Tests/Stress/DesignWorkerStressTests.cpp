@@ -4,6 +4,7 @@
 #include <antinode_session/DesignWorker.h>
 
 #include <Support/SineBeam.h>
+#include <Support/WaitForBank.h>
 
 #include <catch2/catch.hpp>
 
@@ -107,7 +108,7 @@ TEST_CASE ("Requests, designs, progress and the whole graph at once, and an end 
             std::this_thread::sleep_for (std::chrono::milliseconds (i % 7));
 
             if (i % 20 == 10)
-                worker.waitUntilDone();
+                test::waitForBank (worker, places);
         }
 
         worker.request (stress.request (0.025));

@@ -1,10 +1,9 @@
 #include "PlateStatics.h"
 
-#include "ElementChain.h"
-#include "SolvedPlate.h"
-
 #include <antinode_base/Watch.h>
 #include <antinode_numerics/DenseKernels.h>
+#include <antinode_structure/ElementChain.h>
+#include <antinode_structure/SolvedPlate.h>
 
 namespace antinode
 {
@@ -66,13 +65,5 @@ Eigen::MatrixXd staticShapes (const PlateDescription& plate, const PlateSolution
     const auto scale = unit * unit / bareSection (plate.common).d11;
     return shapesOn (grid, problem, unit,
                      scale * deflections (problem, solution.rigidBodyModes, loadsOf (plate, solution)));
-}
-
-Eigen::MatrixXd staticResidual (const PlateDescription& plate, const PlateSolution& solution, const ModalModel& model)
-{
-    const Eigen::VectorXd squares = model.angularFrequencies.cwiseAbs2();
-    auto shapes = staticShapes (plate, solution, model.surface.grid.value());
-    addProduct (shapes, -1, model.shapes, squares.cwiseInverse().asDiagonal() * model.participation);
-    return shapes;
 }
 } // namespace antinode

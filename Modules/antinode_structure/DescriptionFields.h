@@ -1,13 +1,12 @@
 #pragma once
 
-#include "FieldStream.h"
+#include "DeviceDescription.h"
 
-#include <antinode_structure/DeviceDescription.h>
+#include <antinode_base/StructFields.h>
 
 namespace antinode
 {
-/** All fields of a described body, in the order of their declaration, to be written. A field that is missing here does not
-    compile. [worker] */
+/** All fields of a described body, in the order of their declaration: what the cache of modes knows it by. [any] */
 void fields (auto& stream, Struct<ElasticMaterial> auto& material)
 {
     auto& [youngsModulus1, youngsModulus2, shearModulus, poissonRatio12, density] = material;

@@ -1,0 +1,36 @@
+#include "DeviceDescription.h"
+
+namespace antinode
+{
+namespace
+{
+struct Extent
+{
+    Surface operator() (const BeamDescription& beam) const { return line (beam.length); }
+    Surface operator() (const StapleDescription& staple) const { return line (staple.topLength); }
+    Surface operator() (const ModalModel& model) const { return model.surface; }
+
+    Surface operator() (const PlateDescription& plate) const
+    {
+        Surface surface;
+        surface.kind = SurfaceKind::plate;
+        surface.xMaximum = plate.lengthX;
+        surface.yMaximum = plate.lengthY;
+        return surface;
+    }
+
+    static Surface line (double length)
+    {
+        Surface surface;
+        surface.xMinimum = -length / 2;
+        surface.xMaximum = length / 2;
+        return surface;
+    }
+};
+} // namespace
+
+Surface extentOf (const DeviceDescription& device)
+{
+    return std::visit (Extent {}, device.body);
+}
+} // namespace antinode
