@@ -140,7 +140,7 @@ ProjectedTarget projectField (const ModalModel& model, const Eigen::VectorXd& fi
     target.energy = model.surface.masses.dot (field.cwiseAbs2());
     target.modalVelocities =
         model.coversWholeBody ? Eigen::VectorXd (model.shapes.transpose() * model.surface.masses.cwiseProduct (field))
-                              : leastSquares (model.shapes, model.surface.masses, field);
+                              : fitted (model.shapes, model.surface.masses, field);
     return target;
 }
 

@@ -8,7 +8,6 @@
 #include <map>
 #include <mutex>
 #include <thread>
-#include <utility>
 #include <vector>
 
 namespace antinode::test
@@ -21,7 +20,7 @@ public:
     template <typename Work>
     explicit WatchedWork (const Work& work, double mostTime = std::numeric_limits<double>::infinity()) : most (mostTime)
     {
-        look();
+        last[std::this_thread::get_id()] = processorTime();
 
         try
         {
@@ -56,19 +55,25 @@ public:
     bool isCancelled() const { return wasCancelled; }
 
 private:
-    bool look()
+    /** ms of this thread. */
+    static double processorTime()
     {
         timespec time {};
         clock_gettime (CLOCK_THREAD_CPUTIME_ID, &time);
-        const auto now = 1e3 * static_cast<double> (time.tv_sec) + 1e-6 * static_cast<double> (time.tv_nsec);
+        return 1e3 * static_cast<double> (time.tv_sec) + 1e-6 * static_cast<double> (time.tv_nsec);
+    }
+
+    bool look()
+    {
+        const auto now = processorTime();
         const std::lock_guard lock (mutex);
 
-        if (const auto [place, isNew] = last.try_emplace (std::this_thread::get_id(), now); ! isNew)
-        {
-            intervals.push_back (now - std::exchange (place->second, now));
-            total += intervals.back();
-        }
+        auto& before = last[std::this_thread::get_id()]; // 0: the thread has just begun
 
+        // The name of a thread that has ended may be given to another.
+        intervals.push_back (now < before ? now : now - before);
+        before = now;
+        total += intervals.back();
         return total <= most;
     }
 
@@ -86,5 +91,7 @@ private:
     std::mutex mutex;
     std::map<std::thread::id, double> last; ///< ms
     std::vector<double> intervals;          ///< ms
+    double most, total = 0;                 ///< ms
+    bool wasCancelled = false;
 };
 } // namespace antinode::test
