@@ -16,8 +16,8 @@ AllocationProblem instance (const benchmark::State& state)
 void allocation (benchmark::State& state)
 {
     auto problem = instance (state);
-    const auto least = solveAllocation (problem, AllocationGoal::peak).certificate.leastPeakRatio;
-    problem = test::withLimits (problem, 0.01 * static_cast<double> (state.range (3)), least);
+    const auto minimum = solveAllocation (problem, AllocationGoal::peak).certificate.minimumPeakRatio;
+    problem = test::withLimits (problem, 0.01 * static_cast<double> (state.range (3)), minimum);
     const bench::ReferenceRatio ratio (state);
     double gap = 0;
 
@@ -32,15 +32,15 @@ BENCHMARK (allocation)
     ->ArgNames ({ "s", "plate", "exact", "slack_percent" })
     ->Unit (benchmark::kMillisecond);
 
-void leastPeak (benchmark::State& state)
+void minimumPeak (benchmark::State& state)
 {
     const auto problem = instance (state);
     const bench::ReferenceRatio ratio (state);
 
     for (auto run : state)
-        benchmark::DoNotOptimize (solveAllocation (problem, AllocationGoal::peak).certificate.leastPeakRatio);
+        benchmark::DoNotOptimize (solveAllocation (problem, AllocationGoal::peak).certificate.minimumPeakRatio);
 }
-BENCHMARK (leastPeak)
+BENCHMARK (minimumPeak)
     ->ArgsProduct ({ { 1, 2, 3, 4, 5, 6 }, { 1 }, { 1 } })
     ->ArgNames ({ "s", "plate", "exact" })
     ->Unit (benchmark::kMillisecond);

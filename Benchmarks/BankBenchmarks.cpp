@@ -8,8 +8,8 @@
 #include <numbers>
 #include <stk/BiQuad.h>
 
-// One input, 64 modes, one output: the filter bank that others have too. 512 samples, 192 kHz, counted as 6 operations a
-// mode-sample, what the coupled form needs: input, four for the state, output.
+// One input, 64 modes, one output: the filter bank that others have too. 512 samples, 192 kHz, counted as 6 operations
+// a mode-sample, what the coupled form needs: input, four for the state, output.
 
 namespace antinode
 {
@@ -18,18 +18,18 @@ namespace
 constexpr int modes = 64, samples = 512;
 constexpr double rate = 192e3, operations = 6.0 * modes * samples, items = 1.0 * modes * samples;
 
-double frequencyOf (int mode)
+double modeFrequency (int mode)
 {
     return 100.0 * (mode + 1);
 }
 
-ModalModel modelOf()
+ModalModel makeModel()
 {
     ModalModel model;
     model.angularFrequencies.resize (modes);
 
     for (int k = 0; k < modes; ++k)
-        model.angularFrequencies[k] = 2 * std::numbers::pi * frequencyOf (k);
+        model.angularFrequencies[k] = 2 * std::numbers::pi * modeFrequency (k);
 
     model.dampingRatios = Eigen::VectorXd::Constant (modes, 0.01);
     model.participation = Eigen::MatrixXd::Ones (modes, 1);
@@ -38,7 +38,7 @@ ModalModel modelOf()
 
 void bankOfAntinode (benchmark::State& state)
 {
-    RealtimePlate plate (modelOf(), rate, Eigen::MatrixXd::Ones (1, modes));
+    RealtimePlate plate (makeModel(), rate, Eigen::MatrixXd::Ones (1, modes));
     std::vector<double> in (samples, 1.0), out (samples);
     const double* voltages = in.data();
     double* velocities = out.data();
@@ -46,8 +46,8 @@ void bankOfAntinode (benchmark::State& state)
 }
 BENCHMARK (bankOfAntinode)->Iterations (200);
 
-/** Structure of arrays, as one would write it; the compiler vectorises over the modes, for each instruction set. On a cache
-    line: else its speed would depend on where the stack happens to be. */
+/** Structure of arrays, as one would write it; the compiler vectorises over the modes, for each instruction set. On a
+   cache line: else its speed would depend on where the stack happens to be. */
 struct alignas (64) PlainBank
 {
     double real[modes], imaginary[modes], turnReal[modes], turnImaginary[modes], gain[modes];
@@ -80,7 +80,7 @@ void bankOfPlainLoop (benchmark::State& state)
 
     for (int k = 0; k < modes; ++k)
     {
-        const auto phase = 2 * std::numbers::pi * frequencyOf (k) / rate;
+        const auto phase = 2 * std::numbers::pi * modeFrequency (k) / rate;
         bank.turnReal[k] = 0.999 * std::cos (phase);
         bank.turnImaginary[k] = 0.999 * std::sin (phase);
         bank.gain[k] = 1;
@@ -97,7 +97,7 @@ void bankOfStk (benchmark::State& state)
     std::vector<stk::BiQuad> filters (modes);
 
     for (int k = 0; k < modes; ++k)
-        filters[static_cast<std::size_t> (k)].setResonance (frequencyOf (k), 0.999, true);
+        filters[static_cast<std::size_t> (k)].setResonance (modeFrequency (k), 0.999, true);
 
     std::vector<double> in (samples, 1.0), out (samples);
     const auto block = [&]

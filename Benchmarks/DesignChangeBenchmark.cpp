@@ -31,7 +31,7 @@ std::shared_ptr<const ModalModel> glassPlate()
 }
 
 /** A bank of 25 places on the glass plate, by 64 controlled modes. */
-DesignRequest requestOf (const std::shared_ptr<const ModalModel>& model)
+DesignRequest makeRequest (const std::shared_ptr<const ModalModel>& model)
 {
     DesignRequest request;
     request.model = model;
@@ -46,11 +46,11 @@ DesignRequest requestOf (const std::shared_ptr<const ModalModel>& model)
     return request;
 }
 
-/** From a changed request to the moment at which the audio thread can take the new design: 50 ms at most are promised. The
-    counter best_ms is the least of all runs, that of an undisturbed one. */
+/** From a changed request to the moment at which the audio thread can take the new design: 50 ms at most are promised.
+   The counter best_ms is the least of all runs, that of an undisturbed one. */
 void designChange (benchmark::State& state)
 {
-    auto request = requestOf (glassPlate());
+    auto request = makeRequest (glassPlate());
     BankHandOver handOver;
     DesignWorker worker (handOver);
     auto best = std::numeric_limits<double>::infinity();

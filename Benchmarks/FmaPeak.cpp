@@ -56,7 +56,7 @@ HWY_EXPORT (bytesOfVector);
 
 double fmaVectorsPerSecond()
 {
-    const auto seconds = secondsOf ([] { benchmark::DoNotOptimize (HWY_DYNAMIC_DISPATCH (runChains)()); }, 1);
+    const auto seconds = measureSeconds ([] { benchmark::DoNotOptimize (HWY_DYNAMIC_DISPATCH (runChains)()); }, 1);
     return 12.0 * 20000 / seconds;
 }
 

@@ -4,8 +4,8 @@
 
 namespace antinode::bench
 {
-/** Fused multiplications with additions of whole vectors that the processor does a second now, of independent numbers in
-    registers, in the best instruction set: what kernels are measured against. */
+/** Fused multiplications with additions of whole vectors that the processor does a second now, of independent numbers
+   in registers, in the best instruction set: what kernels are measured against. */
 double fmaVectorsPerSecond();
 
 /** Lanes of such a vector. */
@@ -13,8 +13,8 @@ template <typename Sample>
 int fmaLanes();
 
 /** Runs something in slices of about a millisecond, each between two measurements of the peak, and sets the counters
-    "fma_fraction", the part of the peak, and "ns", per item. A slice whose two peaks differ by more than 2 % was disturbed
-    and is dropped; of the others the median counts.
+    "fma_fraction", the part of the peak, and "ns", per item. A slice whose two peaks differ by more than 2 % was
+   disturbed and is dropped; of the others the median counts.
     @param fmas   fused multiplications with additions of single numbers a run
     @param items  mode-samples a run */
 template <typename Sample, typename Work>

@@ -9,7 +9,7 @@ namespace antinode::bench
 {
 /** Seconds that some runs take. */
 template <typename Work>
-double secondsOf (const Work& work, int runs)
+double measureSeconds (const Work& work, int runs)
 {
     const auto begin = std::chrono::steady_clock::now();
 
@@ -20,7 +20,7 @@ double secondsOf (const Work& work, int runs)
     return std::chrono::duration<double> (std::chrono::steady_clock::now() - begin).count();
 }
 
-inline double medianOf (std::vector<double> values)
+inline double computeMedian (std::vector<double> values)
 {
     if (values.empty())
         return std::nan ("");
@@ -33,13 +33,13 @@ template <typename Sample, typename Work>
 void measure (benchmark::State& state, double fmas, double items, const Work& work)
 {
     constexpr double slice = 1e-3; // s: short beside what disturbs, long beside the clock
-    const auto runs = std::max (1, static_cast<int> (slice / std::max (1e-9, secondsOf (work, 1))));
+    const auto runs = std::max (1, static_cast<int> (slice / std::max (1e-9, measureSeconds (work, 1))));
     std::vector<double> fractions, nanoseconds;
     auto before = fmaVectorsPerSecond();
 
     for (auto iteration : state)
     {
-        const auto seconds = secondsOf (work, runs);
+        const auto seconds = measureSeconds (work, runs);
         const auto after = fmaVectorsPerSecond();
 
         if (std::abs (after - before) < 0.02 * after)
@@ -52,8 +52,8 @@ void measure (benchmark::State& state, double fmas, double items, const Work& wo
         before = after;
     }
 
-    state.counters["fma_fraction"] = medianOf (fractions);
-    state.counters["ns"] = medianOf (nanoseconds);
+    state.counters["fma_fraction"] = computeMedian (fractions);
+    state.counters["ns"] = computeMedian (nanoseconds);
     state.counters["slices"] = static_cast<double> (fractions.size());
 }
 } // namespace antinode::bench

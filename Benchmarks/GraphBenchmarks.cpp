@@ -9,8 +9,8 @@
 
 #include <benchmark/benchmark.h>
 
-// The graph that is played, fused and open, with so many foci at once: 512 samples at 48 kHz. And the surface as Antinode
-// Plate has it.
+// The graph that is played, fused and open, with so many foci at once: 512 samples at 48 kHz. And the surface as
+// Antinode Plate has it.
 
 namespace antinode
 {

@@ -22,7 +22,7 @@ Eigen::MatrixXd draws (Eigen::Index rows, Eigen::Index columns)
                                          [&] { return static_cast<double> (generator()) / 2147483647.5 - 1; });
 }
 
-VoltageProgram programOf (int modes, int ceramics)
+VoltageProgram makeProgram (int modes, int ceramics)
 {
     VoltageProgram program;
 
@@ -35,7 +35,7 @@ VoltageProgram programOf (int modes, int ceramics)
     return program;
 }
 
-ModalModel modelOf (int modes, int ceramics)
+ModalModel makeModel (int modes, int ceramics)
 {
     ModalModel model;
     model.angularFrequencies =
@@ -50,7 +50,7 @@ template <typename Sample>
 void synthesis (benchmark::State& state)
 {
     const auto modes = static_cast<int> (state.range (0)), ceramics = static_cast<int> (state.range (1));
-    const VoltageSynthesiser synthesiser (programOf (modes, ceramics), { Reconstruction::bandLimited, rate });
+    const VoltageSynthesiser synthesiser (makeProgram (modes, ceramics), { Reconstruction::bandLimited, rate });
     const PlanarBuffer<Sample> channels (ceramics, blockSize);
     std::int64_t first = 0;
     const auto items = static_cast<double> (modes) * blockSize;
@@ -64,14 +64,14 @@ void synthesis (benchmark::State& state)
     state.counters["of_a_core"] = state.counters["ns"] * 1e-9 * modes * rate;
 }
 
-/** Arguments: modes, ceramics, probes. Counts two operations for a mode, one a ceramic and one a probe; it needs four for
-    the mode. Double precision within, whatever the samples are. */
+/** Arguments: modes, ceramics, probes. Counts two operations for a mode, one a ceramic and one a probe; it needs four
+   for the mode. Double precision within, whatever the samples are. */
 template <typename Sample>
 void plate (benchmark::State& state)
 {
     const auto modes = static_cast<int> (state.range (0)), ceramics = static_cast<int> (state.range (1));
     const auto probes = static_cast<int> (state.range (2));
-    RealtimePlate played (modelOf (modes, ceramics), rate, draws (probes, modes));
+    RealtimePlate played (makeModel (modes, ceramics), rate, draws (probes, modes));
     PlanarBuffer<Sample> voltages (ceramics, blockSize), velocities (probes, blockSize);
     const auto items = static_cast<double> (modes) * blockSize;
 

@@ -29,12 +29,12 @@ double oneRun()
 
 double referenceSeconds()
 {
-    auto least = oneRun();
+    auto minimum = oneRun();
 
     for (int i = 0; i < 4; ++i)
-        least = std::min (least, oneRun());
+        minimum = std::min (minimum, oneRun());
 
-    return least;
+    return minimum;
 }
 
 ReferenceRatio::ReferenceRatio (benchmark::State& stateToUse)

@@ -6,8 +6,8 @@
 
 namespace antinode::bench
 {
-/** Seconds that a fixed loop of dependent multiplications and additions takes now: what other times are divided by, because
-    machines are shared and differ. The least of several runs. */
+/** Seconds that a fixed loop of dependent multiplications and additions takes now: what other times are divided by,
+   because machines are shared and differ. The least of several runs. */
 double referenceSeconds();
 
 /** Adds to a benchmark what it costs in runs of the reference loop, measured just before it. */

@@ -9,7 +9,7 @@ namespace antinode::bench
 namespace
 {
 /** Rows first, then the samples ceramic by ceramic, all written out. */
-alglib::real_2d_array constraintsOf (const PeerProblem& problem)
+alglib::real_2d_array makeConstraints (const PeerProblem& problem)
 {
     const auto hard = problem.rows.rows();
     const auto drives = problem.whitened.drives();
@@ -28,7 +28,7 @@ alglib::real_2d_array constraintsOf (const PeerProblem& problem)
     return constraints;
 }
 
-alglib::real_1d_array boundsOf (const PeerProblem& problem, double sign)
+alglib::real_1d_array makeBounds (const PeerProblem& problem, double sign)
 {
     const auto hard = problem.rows.rows();
     alglib::real_1d_array bounds;
@@ -56,7 +56,7 @@ void solve (const PeerProblem& problem, double tolerance, PeerResult& result)
 
     alglib::minqpcreate (unknowns, state);
     alglib::minqpsetquadraticterm (state, curvature);
-    alglib::minqpsetlc2dense (state, constraintsOf (problem), boundsOf (problem, -1), boundsOf (problem, 1));
+    alglib::minqpsetlc2dense (state, makeConstraints (problem), makeBounds (problem, -1), makeBounds (problem, 1));
     alglib::minqpsetalgodenseipm (state, tolerance);
     alglib::minqpoptimize (state);
     alglib::minqpresults (state, x, report);

@@ -26,7 +26,7 @@ struct Entries
 };
 
 /** Rows first, then for each sample q x - p limit <= 0 and q x + p limit >= 0. */
-Entries entriesOf (const PeerProblem& problem)
+Entries makeEntries (const PeerProblem& problem)
 {
     Entries entries;
     const auto& basis = problem.whitened.basis;
@@ -52,7 +52,7 @@ Entries entriesOf (const PeerProblem& problem)
 }
 
 /** The bounds of the constraints: equal for the rows, one-sided for the samples. */
-std::pair<std::vector<double>, std::vector<double>> boundsOf (const PeerProblem& problem)
+std::pair<std::vector<double>, std::vector<double>> makeBounds (const PeerProblem& problem)
 {
     constexpr auto unlimited = std::numeric_limits<double>::max();
     const auto& wanted = problem.whitened.wanted;
@@ -68,13 +68,13 @@ std::pair<std::vector<double>, std::vector<double>> boundsOf (const PeerProblem&
 }
 } // namespace
 
-PeerResult leastPeakByClp (const PeerProblem& problem, double tolerance)
+PeerResult minimumPeakByClp (const PeerProblem& problem, double tolerance)
 {
     PeerResult result;
     const auto begin = std::clock();
     const auto columns = problem.unknowns() + 1;
-    const auto entries = entriesOf (problem);
-    const auto [low, high] = boundsOf (problem);
+    const auto entries = makeEntries (problem);
+    const auto [low, high] = makeBounds (problem);
     const CoinPackedMatrix matrix (false, entries.rows.data(), entries.columns.data(), entries.values.data(),
                                    static_cast<CoinBigIndex> (entries.values.size()));
     std::vector<double> columnLow (static_cast<std::size_t> (columns), -std::numeric_limits<double>::max());

@@ -4,7 +4,7 @@
 
 namespace antinode::bench
 {
-/** Ipopt (Debian's, with MUMPS) on the quadratic programme with all samples, told that it is one: constant Jacobian and Hessian,
-    Mehrotra's steps. */
+/** Ipopt (Debian's, with MUMPS) on the quadratic programme with all samples, told that it is one: constant Jacobian and
+   Hessian, Mehrotra's steps. */
 PeerResult solveByIpopt (const PeerProblem&, double tolerance);
 } // namespace antinode::bench

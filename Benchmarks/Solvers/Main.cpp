@@ -30,7 +30,7 @@ struct Peer
 const Peer normPeers[] = { { "Ipopt", 4, solveByIpopt },
                            { "ALGLIB", 3, solveByAlglib },
                            { "NLopt SLSQP", 1, solveByNlopt } };
-const Peer peakPeers[] = { { "Clp", 3, leastPeakByClp } };
+const Peer peakPeers[] = { { "Clp", 3, minimumPeakByClp } };
 
 double secondsSince (std::clock_t begin)
 {
@@ -41,17 +41,17 @@ double secondsSince (std::clock_t begin)
 std::pair<double, Allocation> ours (const AllocationProblem& problem, AllocationGoal goal)
 {
     constexpr auto runs = 3;
-    auto least = 1e9;
+    auto minimum = 1e9;
     Allocation allocation;
 
     for (int n = 0; n < runs; ++n)
     {
         const auto begin = std::clock();
         allocation = solveAllocation (problem, goal);
-        least = std::min (least, secondsSince (begin));
+        minimum = std::min (minimum, secondsSince (begin));
     }
 
-    return { least, allocation };
+    return { minimum, allocation };
 }
 
 void printOurs (int size, const char* what, double seconds, double gap)
@@ -82,7 +82,7 @@ void compareNorm (int size, const AllocationProblem& problem)
             continue;
 
         const auto result = peer.solve (written, tolerance);
-        const auto quality = qualityOf (written, result.x);
+        const auto quality = assessQuality (written, result.x);
         printPeer (size, "least norm", peer.name, result, seconds,
                    quality.objective * volts / allocation.certificate.objective - 1, quality);
     }
@@ -92,7 +92,7 @@ void comparePeak (int size, const AllocationProblem& problem)
 {
     const PeerProblem written (problem);
     const auto [seconds, allocation] = ours (problem, AllocationGoal::peak);
-    const auto least = allocation.certificate.leastPeakRatio;
+    const auto minimum = allocation.certificate.minimumPeakRatio;
     printOurs (size, "least peak", seconds, allocation.certificate.gap);
 
     for (const auto& peer : peakPeers)
@@ -101,8 +101,8 @@ void comparePeak (int size, const AllocationProblem& problem)
             continue;
 
         const auto result = peer.solve (written, tolerance);
-        auto quality = qualityOf (written, result.x.head (written.unknowns()));
-        const auto excess = quality.peakRatio / least - 1;
+        auto quality = assessQuality (written, result.x.head (written.unknowns()));
+        const auto excess = quality.peakRatio / minimum - 1;
         quality.peakRatio = 1;
         printPeer (size, "least peak", peer.name, result, seconds, excess, quality);
     }
@@ -117,16 +117,16 @@ void compare (int largest)
     {
         const auto problem =
             test::instance (test::ModePattern::plate, test::RowKind::terminal, test::standardSizes[size - 1], 1);
-        const auto least = solveAllocation (problem, AllocationGoal::peak).certificate.leastPeakRatio;
-        compareNorm (size, test::withLimits (problem, slack, least));
+        const auto minimum = solveAllocation (problem, AllocationGoal::peak).certificate.minimumPeakRatio;
+        compareNorm (size, test::withLimits (problem, slack, minimum));
         comparePeak (size, problem);
     }
 }
 } // namespace
 } // namespace antinode::bench
 
-/** Processor time of one thread, as tables. `antinode_solver_peers peers 4`: the same instances up to s4, solved by Antinode and by
-    general solvers. `antinode_solver_peers own 6`: Antinode alone on all kinds of instances up to s6. */
+/** Processor time of one thread, as tables. `antinode_solver_peers peers 4`: the same instances up to s4, solved by
+   Antinode and by general solvers. `antinode_solver_peers own 6`: Antinode alone on all kinds of instances up to s6. */
 int main (int count, char** arguments)
 {
     const std::string what = count == 3 ? arguments[1] : "";

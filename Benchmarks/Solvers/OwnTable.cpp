@@ -20,12 +20,12 @@ struct Timed
 
 Timed timed (const AllocationProblem& problem, AllocationGoal goal)
 {
-    constexpr auto mostRuns = 5;
+    constexpr auto maximumRuns = 5;
     constexpr auto enough = 2.0; // s in all
     Timed result;
     double sum = 0;
 
-    for (int n = 0; n < mostRuns && sum < enough; ++n)
+    for (int n = 0; n < maximumRuns && sum < enough; ++n)
     {
         const auto begin = std::clock();
         result.allocation = solveAllocation (problem, goal);
@@ -52,12 +52,12 @@ void printKind (int size, test::ModePattern pattern, test::RowKind kind)
 {
     const auto problem = test::instance (pattern, kind, test::standardSizes[size - 1], 1);
     auto peak = timed (problem, AllocationGoal::peak);
-    const auto least = peak.allocation.certificate.leastPeakRatio;
+    const auto minimum = peak.allocation.certificate.minimumPeakRatio;
     peak.allocation.certificate.peakRatio = 1; // Nothing is limited.
     print (size, pattern, kind, "least peak", peak);
 
     for (const auto& [slack, name] : { std::pair (1.3, "1.3"), std::pair (1.05, "1.05"), std::pair (0.8, "0.8") })
-        print (size, pattern, kind, name, timed (test::withLimits (problem, slack, least), AllocationGoal::norm));
+        print (size, pattern, kind, name, timed (test::withLimits (problem, slack, minimum), AllocationGoal::norm));
 }
 } // namespace
 

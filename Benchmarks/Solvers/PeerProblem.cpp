@@ -11,7 +11,7 @@ PeerProblem::PeerProblem (const AllocationProblem& problem) : whitened (whiten (
         rows.middleCols (i * drives, drives) = whitened.participation.col (i).asDiagonal() * whitened.responses;
 }
 
-PeerQuality qualityOf (const PeerProblem& problem, const Eigen::VectorXd& x)
+PeerQuality assessQuality (const PeerProblem& problem, const Eigen::VectorXd& x)
 {
     const Eigen::Map<const Eigen::MatrixXd> shares (x.data(), problem.whitened.drives(), problem.whitened.ceramics());
     const auto& wanted = problem.whitened.wanted;

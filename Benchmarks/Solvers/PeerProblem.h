@@ -38,5 +38,5 @@ struct PeerQuality
     double peakRatio = 0;
 };
 
-PeerQuality qualityOf (const PeerProblem&, const Eigen::VectorXd& x);
+PeerQuality assessQuality (const PeerProblem&, const Eigen::VectorXd& x);
 } // namespace antinode::bench

@@ -1,5 +1,5 @@
-// Precompiled for the rooms that need no JUCE: headers of others that most files read. A file still includes what it uses; Scripts/check
-// compiles each without this.
+// Precompiled for the rooms that need no JUCE: headers of others that most files read. A file still includes what it
+// uses; Scripts/check compiles each without this.
 #include <Eigen/Dense>
 
 #include <algorithm>

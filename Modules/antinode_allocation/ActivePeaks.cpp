@@ -10,14 +10,14 @@ namespace antinode
 {
 namespace
 {
-/** Of a peak's own norm, added to the matrix so that samples which repeat each other share a multiplier; refinement takes its effect
-    on the others away. */
+/** Of a peak's own norm, added to the matrix so that samples which repeat each other share a multiplier; refinement
+   takes its effect on the others away. */
 constexpr auto softness = 1e-12;
 
 /** Voltages, in parts of the largest limit, which rounding hides in the matrix. */
 constexpr auto rounding = 1e-10;
 
-constexpr auto mostSteps = 20;
+constexpr auto maximumSteps = 20;
 } // namespace
 
 ActivePeaks::ActivePeaks (const WhitenedAllocation& problemToUse, const RowSystem& rowsToUse,
@@ -30,7 +30,7 @@ bool ActivePeaks::solve (std::vector<ActivePeak> peaksToLimit, Eigen::VectorXd m
 {
     set (std::move (peaksToLimit), std::move (multipliersToUse));
 
-    for (int n = 0; n < mostSteps; ++n)
+    for (int n = 0; n < maximumSteps; ++n)
     {
         checkWatch();
         const auto slope = gradient();
@@ -103,7 +103,7 @@ Eigen::VectorXd ActivePeaks::risingStep (Indices part, const Eigen::VectorXd& sl
 
 void ActivePeaks::ascend (const Eigen::VectorXd& step, const Eigen::VectorXd& slope)
 {
-    constexpr auto least = 0.01; // Of the gain that the slope promises.
+    constexpr auto minimum = 0.01; // Of the gain that the slope promises.
     const auto straight = (step.array() < 0).select (-z.array() / step.array(), 1.0).minCoeff();
 
     auto length = 1.0;
@@ -115,7 +115,7 @@ void ActivePeaks::ascend (const Eigen::VectorXd& step, const Eigen::VectorXd& sl
         const auto promised = slope.dot (change);
 
         if (promised - 0.5 * change.dot (matrix.selfadjointView<Eigen::Lower>() * change)
-            >= least * std::abs (promised))
+            >= minimum * std::abs (promised))
         {
             z = next;
             return;

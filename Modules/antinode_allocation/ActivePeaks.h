@@ -17,10 +17,10 @@ struct ActivePeak
 
 /** The least objective where sign q_n' x_i <= limit (i) is imposed on some peaks only, by their multipliers z >= 0.
 
-    The shares are E' y - Z with the rows E, their multipliers y and column i of Z the sum of z sign q_n over the peaks of ceramic i. With
-    y eliminated the dual is d' z - z' K z / 2 with K = A' A - V' V and d the voltage beyond the limit without any z. A are the peaks'
-    directions, which overlap only within a ceramic; V = L^-1 E A, L L' the rows' Gram matrix. It is maximised by projected Newton steps.
-    Docs/Theory.md, section 4.3.
+    The shares are E' y - Z with the rows E, their multipliers y and column i of Z the sum of z sign q_n over the peaks
+   of ceramic i. With y eliminated the dual is d' z - z' K z / 2 with K = A' A - V' V and d the voltage beyond the limit
+   without any z. A are the peaks' directions, which overlap only within a ceramic; V = L^-1 E A, L L' the rows' Gram
+   matrix. It is maximised by projected Newton steps. Docs/Theory.md, section 4.3.
 */
 class ActivePeaks
 {

@@ -23,7 +23,7 @@ constexpr auto easyRatio = 0.97;
 constexpr auto largestGap = 1e-6;
 
 /** What the limits must have to spare for the least norm within them to be looked for. */
-constexpr auto leastRoom = 1e-6;
+constexpr auto minimumMargin = 1e-6;
 
 double secondsSince (std::chrono::steady_clock::time_point begin)
 {
@@ -82,18 +82,18 @@ Eigen::MatrixXd limitedShares (const WhitenedAllocation& whitened, const RowSyst
 {
     const auto hardOnly = whitened.withoutGuards();
     const auto isPeak = goal == AllocationGoal::peak;
-    const auto least = leastPeakShares (hardOnly, RowSystem (hardOnly), isPeak ? 0.0 : easyRatio, show);
+    const auto minimum = minimumPeakShares (hardOnly, RowSystem (hardOnly), isPeak ? 0.0 : easyRatio, show);
 
-    if (isPeak || least.value > easyRatio)
-        checkSolved (least.gap());
+    if (isPeak || minimum.value > easyRatio)
+        checkSolved (minimum.gap());
 
-    const auto isInfeasible = ! isPeak && least.value > 1 - leastRoom;
-    const auto ratio = isPeak || isInfeasible ? peakRoom * least.bound : 1.0;
-    const auto result = leastNormShares (whitened, rows, ratio, least.shares, show);
+    const auto isInfeasible = ! isPeak && minimum.value > 1 - minimumMargin;
+    const auto ratio = isPeak || isInfeasible ? peakRoom * minimum.bound : 1.0;
+    const auto result = leastNormShares (whitened, rows, ratio, minimum.shares, show);
     certificate.status = isInfeasible ? AllocationStatus::infeasible : AllocationStatus::optimal;
-    certificate.leastPeakRatio = least.bound;
+    certificate.minimumPeakRatio = minimum.bound;
     certificate.bound = result.bound;
-    addEffort (certificate, least.effort);
+    addEffort (certificate, minimum.effort);
     addEffort (certificate, result.effort);
     return result.shares;
 }

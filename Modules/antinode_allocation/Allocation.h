@@ -18,10 +18,10 @@ namespace antinode
     A guard row is built like a hard row, from guardParticipation and guardRows, in the same unit, and wants 0.
     `rows` is the identity for the paper's rows (29) and the matrix C of terminal velocities for exact rows.
 
-    So that guardWeight has no unit, scale = E / |wanted|^2, where E = ||M Psi||_F^2 is the least energy that meets the hard rows without
-    guards and limits: guards that end as large as all that is wanted cost guardWeight times that energy. At weight 100 a
-    guard error of 1 % of the wanted velocities costs as much as 1 % of the drive energy. The units of voltages,
-    velocities and participations and the number of samples do not matter.
+    So that guardWeight has no unit, scale = E / |wanted|^2, where E = ||M Psi||_F^2 is the least energy that meets the
+   hard rows without guards and limits: guards that end as large as all that is wanted cost guardWeight times that
+   energy. At weight 100 a guard error of 1 % of the wanted velocities costs as much as 1 % of the drive energy. The
+   units of voltages, velocities and participations and the number of samples do not matter.
 */
 struct AllocationProblem
 {
@@ -42,7 +42,8 @@ struct AllocationProblem
 enum class AllocationGoal
 {
     norm, ///< The norm, guards included, within the limits.
-    peak ///< The largest |U_i| / voltageLimits (i) and |dU_i/dt| / slewLimits (i), guards ignored; then the norm, guards included, within peakRoom times it.
+    peak  ///< The largest |U_i| / voltageLimits (i) and |dU_i/dt| / slewLimits (i), guards ignored; then the norm,
+          ///< guards included, within peakRoom times it.
 };
 
 enum class AllocationStatus
@@ -60,15 +61,15 @@ struct AllocationCertificate
     int rounds = 0;       ///< Rounds of peak constraint generation.
     double objective = 0; ///< The minimised value, including the guards' part, V^2.
     /** A value that no M can go below which meets the rows and the limits (weak duality), V^2. Where the least peak was
-        asked for, or the limits cannot be kept, the limits are those times peakRoom leastPeakRatio. */
+        asked for, or the limits cannot be kept, the limits are those times peakRoom minimumPeakRatio. */
     double bound = 0;
     double gap = 0; ///< (objective - bound) / objective.
     double peakRatio =
         0; ///< The larger of max |U_i| / voltageLimits (i) and max |dU_i/dt| / slewLimits (i) on the grids.
     double peakVoltage = 0; ///< max |U_i| on the grid, V.
-    /** Certified: no M has a smaller peakRatio. The least there is, to 1e-6, for AllocationGoal::peak and infeasible limits;
-        otherwise only what came up on the way to knowing that the limits can be kept, or 0. */
-    double leastPeakRatio = 0;
+    /** Certified: no M has a smaller peakRatio. The least there is, to 1e-6, for AllocationGoal::peak and infeasible
+       limits; otherwise only what came up on the way to knowing that the limits can be kept, or 0. */
+    double minimumPeakRatio = 0;
     double rowResidual = 0; ///< max |row error| / max |wanted|.
     double milliseconds = 0;
 };
@@ -79,15 +80,16 @@ struct Allocation
     AllocationCertificate certificate;
 };
 
-/** The best allocation, with its certificate: closed form where that keeps the limits, else an active set of the voltages'
-    peaks, and where that does not end a primal-dual interior point method. Deterministic. Limits are kept to 1e-9 and rows met to 1e-9,
-    or to what rounding the matrix to doubles leaves where drives almost coincide. The gap is at most 1e-6, mostly 1e-9.
-    Where the limits cannot be kept (status infeasible) the matrix is that of the least peak: the caller decides what to say;
-    all is linear in `wanted`, so wanted / certificate.leastPeakRatio can be reached.
-    Where drives are combinations of others (to 1e-5 of their length) each counts as if 1e-4 of its length were in a sample of its own.
-    `wanted` all 0 gives M = 0.
-    @throws InputError  when the problem is not well-formed, or a row cannot be met at all (a mode that no ceramic moves, or that
-                        cannot be steered apart from those before it), naming the row; or when rounding leaves a gap above 1e-6
+/** The best allocation, with its certificate: closed form where that keeps the limits, else an active set of the
+   voltages' peaks, and where that does not end a primal-dual interior point method. Deterministic. Limits are kept to
+   1e-9 and rows met to 1e-9, or to what rounding the matrix to doubles leaves where drives almost coincide. The gap is
+   at most 1e-6, mostly 1e-9. Where the limits cannot be kept (status infeasible) the matrix is that of the least peak:
+   the caller decides what to say; all is linear in `wanted`, so wanted / certificate.minimumPeakRatio can be reached.
+    Where drives are combinations of others (to 1e-5 of their length) each counts as if 1e-4 of its length were in a
+   sample of its own. `wanted` all 0 gives M = 0.
+    @throws InputError  when the problem is not well-formed, or a row cannot be met at all (a mode that no ceramic
+   moves, or that cannot be steered apart from those before it), naming the row; or when rounding leaves a gap above
+   1e-6
     @param  progress  shown before every step
     @throws Cancelled  when a watch of this thread says no
     [worker] Docs/Theory.md, section 4. */

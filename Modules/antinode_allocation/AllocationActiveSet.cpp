@@ -16,9 +16,9 @@ namespace
 using Peaks = std::vector<ActivePeak>;
 
 /** New peaks beyond which their matrix costs more than an interior point. */
-constexpr Eigen::Index mostPeaks = 700;
+constexpr Eigen::Index maximumPeaks = 700;
 
-constexpr auto mostRounds = 30;
+constexpr auto maximumRounds = 30;
 
 /** Of the objective without limits: beyond this they are taken to be out of reach, or nearly so. */
 constexpr auto highestBound = 100.0;
@@ -94,12 +94,12 @@ std::optional<LimitedAllocation> activeSetShares (const WhitenedAllocation& prob
     const Eigen::VectorXd limits = ratio * problem.limits;
     const auto highest = highestBound * problem.objective (start);
     const auto freedom = problem.drives() * problem.ceramics() - problem.hardRows;
-    const auto most = static_cast<std::size_t> (std::min (mostPeaks, 2 * freedom));
+    const auto maximum = static_cast<std::size_t> (std::min (maximumPeaks, 2 * freedom));
     ActivePeaks active (problem, rows, start, (1 - margin) * limits);
     LimitedAllocation best;
     best.shares = start;
 
-    while (best.effort.rounds < mostRounds && best.value < highest)
+    while (best.effort.rounds < maximumRounds && best.value < highest)
     {
         report (show, { AllocationStage::activeSet, best.effort.rounds, 1 });
         const auto found = beyond (problem.voltages (best.shares), limits, active.peaks());
@@ -113,7 +113,7 @@ std::optional<LimitedAllocation> activeSetShares (const WhitenedAllocation& prob
             return best;
         }
 
-        if (found.size() > most || ! solveWith (active, found))
+        if (found.size() > maximum || ! solveWith (active, found))
             return {};
 
         best.shares = active.shares();

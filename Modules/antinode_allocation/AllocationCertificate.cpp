@@ -24,8 +24,8 @@ double leastNormBound (const WhitenedAllocation& problem, const RowSystem& rows,
            * (problem.wanted.dot (y) - 0.5 * (shares + guards) - ratio * price (problem, sampleMultipliers));
 }
 
-double leastPeakBound (const WhitenedAllocation& problem, const Eigen::VectorXd& rowMultipliers,
-                       Eigen::MatrixXd sampleMultipliers)
+double minimumPeakBound (const WhitenedAllocation& problem, const Eigen::VectorXd& rowMultipliers,
+                         Eigen::MatrixXd sampleMultipliers)
 {
     sampleMultipliers += problem.balancing (problem.weightedRows (rowMultipliers) - problem.pull (sampleMultipliers));
     const auto all = price (problem, sampleMultipliers);

@@ -11,10 +11,11 @@ namespace antinode
 {
 namespace
 {
-/** Exponent with which the next barrier follows what the predictor reaches; 3 is Mehrotra's, less is steadier when samples join. */
+/** Exponent with which the next barrier follows what the predictor reaches; 3 is Mehrotra's, less is steadier when
+ * samples join. */
 constexpr auto centring = 1.5;
 
-constexpr auto shortOfBoundary = 0.999;
+constexpr auto fractionToBoundary = 0.999;
 constexpr auto shortestStep = 1e-10;
 } // namespace
 
@@ -72,7 +73,7 @@ bool AllocationInteriorPoint::step()
         targets[i].complementarity += product - predictor.ceramics[i].slack * predictor.ceramics[i].multiplier;
 
     const auto direction = solve (targets);
-    const auto length = std::min (1.0, shortOfBoundary * longestStep (direction));
+    const auto length = std::min (1.0, fractionToBoundary * longestStep (direction));
 
     if (! (length > shortestStep))
         return false;

@@ -14,9 +14,9 @@ namespace antinode
         minimise    curvature (1/2 |X|^2 + guards' part), or ratio where it is free
         subject to  hard rows,  |Q x_i| <= ratio limits (i)  on the working set of samples
 
-    With a free ratio this gives the least peak: there the curvature pulls each step to where it starts, not to 0, so that it steadies
-    the steps and leaves the optimum alone. With a fixed ratio and curvature 1 it gives the least norm. A step costs
-    N_d^2 x working samples + N_b N_r^2 N_d + N_r^3 / 6. Docs/Theory.md, section 4.
+    With a free ratio this gives the least peak: there the curvature pulls each step to where it starts, not to 0, so
+   that it steadies the steps and leaves the optimum alone. With a fixed ratio and curvature 1 it gives the least norm.
+   A step costs N_d^2 x working samples + N_b N_r^2 N_d + N_r^3 / 6. Docs/Theory.md, section 4.
 */
 class AllocationInteriorPoint
 {

@@ -9,9 +9,9 @@ namespace antinode
 /** The stage of the solver. */
 enum class AllocationStage
 {
-    activeSet, ///< The least norm by the voltages' peaks.
-    leastPeak, ///< The least peak by interior points.
-    leastNorm  ///< The least norm by interior points.
+    activeSet,   ///< The least norm by the voltages' peaks.
+    minimumPeak, ///< The least peak by interior points.
+    leastNorm    ///< The least norm by interior points.
 };
 
 /** The progress of a solver. */

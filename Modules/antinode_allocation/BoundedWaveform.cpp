@@ -1,6 +1,6 @@
 #include "BoundedWaveform.h"
 
-#include "LeastPeak.h"
+#include "MinimumPeak.h"
 #include "WaveformDual.h"
 
 #include <antinode_numerics/DenseKernels.h>
@@ -15,7 +15,7 @@ namespace
 {
 constexpr auto rowTolerance = 1e-12;     // aimed at
 constexpr auto acceptedResidual = 1e-10; // taken where rounding leaves no less
-constexpr auto mostWaveformSteps = 40;
+constexpr auto maximumWaveformSteps = 40;
 
 /** Where a solution stands. */
 struct DualPoint
@@ -112,10 +112,10 @@ double worstHardRow (const WaveformDual& dual, const Eigen::VectorXd& slope)
 }
 
 /** What multipliers of the hard rows alone prove: wanted' y / sum_i limits (i) sum_n |pull|. */
-double peakBoundOf (const WaveformDual& dual, const Eigen::VectorXd& y, const Eigen::VectorXd& limits)
+double computePeakBound (const WaveformDual& dual, const Eigen::VectorXd& y, const Eigen::VectorXd& limits)
 {
     const Eigen::VectorXd hard = (dual.compliance.array() == 0).select (y, 0.0);
-    const auto price = dual.pullsOf (hard).cwiseAbs().rowwise().sum().dot (limits);
+    const auto price = dual.computePulls (hard).cwiseAbs().rowwise().sum().dot (limits);
     return price > 0 ? std::max (0.0, dual.wanted.dot (hard) / price) : 0;
 }
 
@@ -131,23 +131,23 @@ struct DualSummit
 DualSummit climb (const WaveformDual& dual, const Eigen::VectorXd& start)
 {
     DualSummit summit;
-    summit.point = pointAt (dual, start, dual.pullsOf (start));
+    summit.point = pointAt (dual, start, dual.computePulls (start));
     auto& point = summit.point;
     const auto look = [&]
     {
         summit.residual = worstHardRow (dual, point.slope);
-        summit.peakBound = std::max (summit.peakBound, peakBoundOf (dual, point.multipliers, dual.limits));
+        summit.peakBound = std::max (summit.peakBound, computePeakBound (dual, point.multipliers, dual.limits));
     };
     const auto isOpen = [&]
     { return summit.residual > rowTolerance || point.slope.norm() > rowTolerance * dual.wanted.norm(); };
     look();
 
-    for (; isOpen() && summit.peakBound <= 1 && summit.iterations < mostWaveformSteps; ++summit.iterations)
+    for (; isOpen() && summit.peakBound <= 1 && summit.iterations < maximumWaveformSteps; ++summit.iterations)
     {
         const auto step = newtonStep (dual, point);
-        const auto change = dual.pullsOf (step);
+        const auto change = dual.computePulls (step);
         const Eigen::VectorXd next = point.multipliers + bestLength (dual, point, step, change) * step;
-        point = pointAt (dual, next, dual.pullsOf (next));
+        point = pointAt (dual, next, dual.computePulls (next));
         look();
     }
 
@@ -158,7 +158,7 @@ DualSummit climb (const WaveformDual& dual, const Eigen::VectorXd& start)
 Eigen::VectorXd unlimitedMultipliers (const WaveformDual& dual)
 {
     const Eigen::VectorXd none = Eigen::VectorXd::Zero (dual.wanted.size());
-    return newtonStep (dual, { none, dual.wanted, dual.pullsOf (none) });
+    return newtonStep (dual, { none, dual.wanted, dual.computePulls (none) });
 }
 } // namespace
 
@@ -179,16 +179,16 @@ BoundedWaveform solveBoundedWaveform (const BoundedWaveformProblem& problem)
     return result;
 }
 
-PeakBracket leastWaveformPeak (const BoundedWaveformProblem& problem, double tolerance)
+PeakBracket minimumWaveformPeak (const BoundedWaveformProblem& problem, double tolerance)
 {
-    LeastPeakProblem peak;
+    MinimumPeakProblem peak;
     peak.wanted = problem.wanted;
     const auto weights = std::make_shared<const Eigen::MatrixXd> (problem.weights);
 
     for (Eigen::Index i = 0; i < problem.limits.size(); ++i)
         peak.ceramics.push_back ({ problem.participation.col (i) * problem.limits[i], weights });
 
-    const auto found = leastPeak (peak, tolerance / (1 + tolerance));
+    const auto found = minimumPeak (peak, tolerance / (1 + tolerance));
     return { found.lower, found.upper, found.multipliers };
 }
 } // namespace antinode

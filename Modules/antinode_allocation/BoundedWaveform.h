@@ -45,8 +45,8 @@ struct PeakBracket
     Eigen::VectorXd multipliers; ///< N_r: what proves the lower one.
 };
 
-/** The bracket, closed until upper <= (1 + tolerance) lower, or as far as rounding lets it; upper is infinite where no samples meet the
-    rows. All rows are to be hard.
-    [worker] 10 to 25 steps of an interior point (LeastPeak.h). Docs/Theory.md, sections 4.5 and 4.9. */
-PeakBracket leastWaveformPeak (const BoundedWaveformProblem&, double tolerance);
+/** The bracket, closed until upper <= (1 + tolerance) lower, or as far as rounding lets it; upper is infinite where no
+   samples meet the rows. All rows are to be hard. [worker] 10 to 25 steps of an interior point (MinimumPeak.h).
+   Docs/Theory.md, sections 4.5 and 4.9. */
+PeakBracket minimumWaveformPeak (const BoundedWaveformProblem&, double tolerance);
 } // namespace antinode

@@ -53,10 +53,10 @@ SampleList CeramicBarrier::notYetLimited (const SampleList& samples) const
 void CeramicBarrier::add (const SampleList& fresh, const Eigen::MatrixXd& freshDirections, const Eigen::VectorXd& share,
                           double ratio, double barrier)
 {
-    constexpr auto leastSlack = 0.02; // Of the limit: smaller ones would tie the next steps to a barely kept limit.
+    constexpr auto minimumSlack = 0.02; // Of the limit: smaller ones would tie the next steps to a barely kept limit.
     const auto count = freshDirections.cols();
     const Eigen::ArrayX2d freshSlacks =
-        (ratio * limit - bothSigns (freshDirections.transpose() * share)).max (leastSlack * ratio * limit);
+        (ratio * limit - bothSigns (freshDirections.transpose() * share)).max (minimumSlack * ratio * limit);
     workingSet.insert (workingSet.end(), fresh.begin(), fresh.end());
     const auto total = static_cast<Eigen::Index> (workingSet.size());
     directions.conservativeResize (Eigen::NoChange, total);

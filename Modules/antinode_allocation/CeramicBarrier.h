@@ -9,8 +9,9 @@ namespace antinode
 /** Samples of one ceramic's voltage, by index, in the order in which they were limited. */
 using SampleList = std::vector<Eigen::Index>;
 
-/** The limits |q_n' x| <= ratio limit of one ceramic in an interior point method, on its working set of samples n: slacks and
-    multipliers (column 0 of the upper limit, 1 of the lower) and the Newton system that they give. Docs/Theory.md, section 4. */
+/** The limits |q_n' x| <= ratio limit of one ceramic in an interior point method, on its working set of samples n:
+   slacks and multipliers (column 0 of the upper limit, 1 of the lower) and the Newton system that they give.
+   Docs/Theory.md, section 4. */
 class CeramicBarrier
 {
 public:

@@ -10,9 +10,9 @@ namespace antinode
 {
 namespace
 {
-constexpr auto mostWeights = 128.0 * 1024 * 1024; // 1 GiB
+constexpr auto maximumWeights = 128.0 * 1024 * 1024; // 1 GiB
 constexpr auto fewestCells = 32.0;
-constexpr auto mostPieces = 8;
+constexpr auto maximumPieces = 8;
 
 /** 1/s: the fastest of the modes that ring at tau. */
 double rateAt (const Eigen::VectorXcd& poles, double tau)
@@ -27,7 +27,7 @@ double rateAt (const Eigen::VectorXcd& poles, double tau)
     return rate;
 }
 
-Eigen::VectorXd firstEdges (const WaveformBoundProblem& problem, double mostCells)
+Eigen::VectorXd firstEdges (const WaveformBoundProblem& problem, double maximumCells)
 {
     constexpr auto cellsPerCycle = 6.0;
     auto radians = 2 * std::numbers::pi / cellsPerCycle;
@@ -36,7 +36,7 @@ Eigen::VectorXd firstEdges (const WaveformBoundProblem& problem, double mostCell
     {
         std::vector<double> edges { 0 };
 
-        while (edges.back() < problem.duration && static_cast<double> (edges.size()) < mostCells)
+        while (edges.back() < problem.duration && static_cast<double> (edges.size()) < maximumCells)
         {
             checkWatch();
             const auto rate = rateAt (problem.poles, edges.back());
@@ -44,7 +44,7 @@ Eigen::VectorXd firstEdges (const WaveformBoundProblem& problem, double mostCell
             edges.push_back (edges.back() + (rate * widest > radians ? radians / rate : widest));
         }
 
-        if (edges.back() < problem.duration && static_cast<double> (edges.size()) >= mostCells)
+        if (edges.back() < problem.duration && static_cast<double> (edges.size()) >= maximumCells)
             continue;
 
         // The last cell, cut off at the end, is as long as the others.
@@ -75,8 +75,8 @@ Eigen::MatrixXd responsesAt (const Eigen::VectorXcd& poles, const Eigen::VectorX
     return values;
 }
 
-/** integral |q| - |integral q| over a cell of width 1, q the parabola with these values at its ends and this mean; 0 where q keeps its
-    sign. */
+/** integral |q| - |integral q| over a cell of width 1, q the parabola with these values at its ends and this mean; 0
+   where q keeps its sign. */
 double signLoss (double left, double right, double mean)
 {
     constexpr int parts = 8;
@@ -116,14 +116,14 @@ Eigen::VectorXd signLosses (const Eigen::VectorXd& pulls, const Eigen::VectorXd&
 HeldCells::HeldCells (const WaveformBoundProblem& problem) : poles (problem.poles), wanted (problem.wanted)
 {
     const auto rows = static_cast<double> (problem.participation.size());
-    const auto edges = firstEdges (problem, std::max (fewestCells + 2, mostWeights / (4 * rows)));
-    const auto weights = std::make_shared<const Eigen::MatrixXd> (weightsOf (edges));
+    const auto edges = firstEdges (problem, std::max (fewestCells + 2, maximumWeights / (4 * rows)));
+    const auto weights = std::make_shared<const Eigen::MatrixXd> (computeWeights (edges));
 
     for (Eigen::Index i = 0; i < problem.voltageLimits.size(); ++i)
         ceramics.push_back ({ edges, problem.participation.col (i) * problem.voltageLimits[i], weights });
 }
 
-Eigen::MatrixXd HeldCells::weightsOf (const Eigen::VectorXd& edges) const
+Eigen::MatrixXd HeldCells::computeWeights (const Eigen::VectorXd& edges) const
 {
     const auto cells = edges.size() - 1;
     Eigen::MatrixXd weights (poles.size(), cells);
@@ -146,9 +146,9 @@ Eigen::MatrixXd HeldCells::weightsOf (const Eigen::VectorXd& edges) const
     return weights;
 }
 
-LeastPeakProblem HeldCells::problem() const
+MinimumPeakProblem HeldCells::problem() const
 {
-    LeastPeakProblem result;
+    MinimumPeakProblem result;
     result.wanted = wanted;
 
     for (const auto& ceramic : ceramics)
@@ -157,7 +157,7 @@ LeastPeakProblem HeldCells::problem() const
     return result;
 }
 
-bool HeldCells::split (LeastPeak& peak, double part)
+bool HeldCells::split (MinimumPeak& peak, double part)
 {
     std::vector<Eigen::VectorXd> losses;
     Eigen::MatrixXd responses;
@@ -181,9 +181,10 @@ bool HeldCells::split (LeastPeak& peak, double part)
     }
 
     const auto worth = 0.3 * part * price / std::max (losers, 1.0);
-    const auto pieces = std::clamp (static_cast<int> (std::ceil (std::sqrt (lost / (part * price)))), 2, mostPieces);
+    const auto pieces = std::clamp (static_cast<int> (std::ceil (std::sqrt (lost / (part * price)))), 2, maximumPieces);
 
-    if (lost < 0.5 * part * price || (cells + losers * (pieces - 1)) * static_cast<double> (poles.size()) > mostWeights)
+    if (lost < 0.5 * part * price
+        || (cells + losers * (pieces - 1)) * static_cast<double> (poles.size()) > maximumWeights)
         return false;
 
     std::vector<double> samples;
@@ -208,7 +209,7 @@ bool HeldCells::split (LeastPeak& peak, double part)
 
         first += losses[i].size();
         ceramic.edges = Eigen::Map<const Eigen::VectorXd> (edges.data(), static_cast<Eigen::Index> (edges.size()));
-        ceramic.weights = std::make_shared<const Eigen::MatrixXd> (weightsOf (ceramic.edges));
+        ceramic.weights = std::make_shared<const Eigen::MatrixXd> (computeWeights (ceramic.edges));
     }
 
     peak.samples = Eigen::Map<const Eigen::VectorXd> (samples.data(), static_cast<Eigen::Index> (samples.size()));

@@ -92,8 +92,8 @@ struct PeakAim
 constexpr auto neededPeakGap = 5e-7;
 
 /** Improves shares and bound as far as it can. */
-void searchLeastPeak (LimitedAllocation& best, const WhitenedAllocation& problem, const RowSystem& rows, PeakAim aim,
-                      const ShowAllocationProgress& show)
+void searchMinimumPeak (LimitedAllocation& best, const WhitenedAllocation& problem, const RowSystem& rows, PeakAim aim,
+                        const ShowAllocationProgress& show)
 {
     constexpr auto wantedGap = 1e-7;
     constexpr auto firstPeaks = 0.2;
@@ -106,10 +106,11 @@ void searchLeastPeak (LimitedAllocation& best, const WhitenedAllocation& problem
 
     while (best.value > aim.easyRatio && ! search.isEnough (best.gap(), wantedGap, neededPeakGap) && search.advance())
     {
-        report (show, { AllocationStage::leastPeak, best.effort.iterations + search.effort().iterations, best.gap() });
+        report (show,
+                { AllocationStage::minimumPeak, best.effort.iterations + search.effort().iterations, best.gap() });
         const auto& state = search.state();
         best.improve (search.shares(), peakRatio (search.voltages(), problem.limits),
-                      leastPeakBound (problem, state.rowMultipliers(), state.sampleMultipliers()));
+                      minimumPeakBound (problem, state.rowMultipliers(), state.sampleMultipliers()));
         search.limitPeaks (state.peakRatio() * problem.limits);
     }
 
@@ -161,8 +162,8 @@ void searchLeastNorm (LimitedAllocation& best, const WhitenedAllocation& problem
 }
 } // namespace
 
-LimitedAllocation leastPeakShares (const WhitenedAllocation& problem, const RowSystem& rows, double easyRatio,
-                                   const ShowAllocationProgress& show)
+LimitedAllocation minimumPeakShares (const WhitenedAllocation& problem, const RowSystem& rows, double easyRatio,
+                                     const ShowAllocationProgress& show)
 {
     LimitedAllocation best;
     best.shares = rows.leastNormShares();
@@ -171,7 +172,7 @@ LimitedAllocation leastPeakShares (const WhitenedAllocation& problem, const RowS
     // The steadiness that helps one problem slows another down: if rounding ends the search too early, it restarts.
     for (const auto steadiness : { 1e-3, 1e-5, 1e-1 })
         if (best.value > easyRatio && best.gap() > neededPeakGap)
-            searchLeastPeak (best, problem, rows, { easyRatio, steadiness }, show);
+            searchMinimumPeak (best, problem, rows, { easyRatio, steadiness }, show);
 
     return best;
 }

@@ -33,8 +33,8 @@ struct LimitedAllocation
 /** Shares whose largest |voltage| / limit is the least that these drives allow, to 5e-7, for a problem without guards.
     @param easyRatio  once a ratio below this is reached the search ends early
     [worker] Docs/Theory.md, section 4. */
-LimitedAllocation leastPeakShares (const WhitenedAllocation&, const RowSystem&, double easyRatio,
-                                   const ShowAllocationProgress&);
+LimitedAllocation minimumPeakShares (const WhitenedAllocation&, const RowSystem&, double easyRatio,
+                                     const ShowAllocationProgress&);
 
 /** Shares of the least objective within |Q x_i| <= ratio limits (i), which they keep exactly on all samples.
     @param inside  shares that meet the hard rows and stay below those limits

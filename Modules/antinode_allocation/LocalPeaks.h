@@ -6,7 +6,8 @@
 
 namespace antinode
 {
-/** Local maxima of |voltage| above a threshold each, one list of samples per ceramic: between two zeros only they can break a limit.
+/** Local maxima of |voltage| above a threshold each, one list of samples per ceramic: between two zeros only they can
+   break a limit.
     @param voltages    N_s x N_b
     @param thresholds  N_b
     [worker] */

@@ -48,7 +48,8 @@ double certifiedBound (const WaveformBoundProblem& problem, const Eigen::VectorX
     const auto value = problem.wanted.dot (y) - rounding * problem.wanted.cwiseAbs().dot (y.cwiseAbs());
     return value > 0 ? value / waveformPrice (problem, y, about) : 0;
 }
-void improve (WaveformBound& bound, const WaveformBoundProblem& problem, const LeastPeak& peak, const HeldCells& cells)
+void improve (WaveformBound& bound, const WaveformBoundProblem& problem, const MinimumPeak& peak,
+              const HeldCells& cells)
 {
     const auto price = peak.lower > 0 ? problem.wanted.dot (peak.multipliers) / peak.lower : 0;
     bound.lower = std::max (bound.lower, certifiedBound (problem, peak.multipliers, price));
@@ -65,7 +66,7 @@ void improve (WaveformBound& bound, const WaveformBoundProblem& problem, const L
 
 WaveformBound anyWaveformPeakBound (const WaveformBoundProblem& problem)
 {
-    constexpr auto mostRounds = 12;
+    constexpr auto maximumRounds = 12;
     constexpr auto firstTolerance = 0.08, laterTolerance = 0.3 * waveformBoundTolerance;
     validate (problem);
 
@@ -75,12 +76,12 @@ WaveformBound anyWaveformPeakBound (const WaveformBoundProblem& problem)
     HeldCells cells (problem);
     WaveformBound bound;
     bound.upper = std::numeric_limits<double>::infinity();
-    LeastPeak peak;
+    MinimumPeak peak;
     auto tolerance = firstTolerance, lostPart = laterTolerance;
 
-    for (int round = 0; round < mostRounds; ++round)
+    for (int round = 0; round < maximumRounds; ++round)
     {
-        peak = leastPeak (cells.problem(), tolerance, round > 0 ? &peak : nullptr);
+        peak = minimumPeak (cells.problem(), tolerance, round > 0 ? &peak : nullptr);
         improve (bound, problem, peak, cells);
 
         if (bound.gap <= waveformBoundTolerance || ! std::isfinite (bound.upper))

@@ -35,16 +35,17 @@ struct WaveformBound
 /** The gap that is asked for, and above which a design warns. */
 inline constexpr double waveformBoundTolerance = 0.005;
 
-/** A certified lower bound of max |u_i (t)| / voltageLimits (i) over all waveforms on [0, t_f] that bring the modes from rest to the
-    wanted velocities, and a waveform that comes close to it. With h_k (tau) = e^{-a tau} (cos b tau - a/b sin b tau), the velocity
-    after an impulse, and any y
+/** A certified lower bound of max |u_i (t)| / voltageLimits (i) over all waveforms on [0, t_f] that bring the modes
+   from rest to the wanted velocities, and a waveform that comes close to it. With h_k (tau) = e^{-a tau} (cos b tau -
+   a/b sin b tau), the velocity after an impulse, and any y
 
-        max |u_i| / limit_i >= sum_k wanted_k y_k / sum_i limit_i integral_0^t_f |f_i|,   f_i (tau) = sum_k y_k participation_ki h_k (tau)
+        max |u_i| / limit_i >= sum_k wanted_k y_k / sum_i limit_i integral_0^t_f |f_i|,   f_i (tau) = sum_k y_k
+   participation_ki h_k (tau)
 
-    y are the multipliers of the least peak of voltages that are held from edge to edge (LeastPeak.h), whose velocities are closed
-    forms. Cells in which f_i changes its sign are split until both sides are within 0.5 %, as far as memory (1 GiB) lets them.
-    The integrals are bounded from above: Taylor polynomials of f_i with the most that they can miss (WaveformPrice.h), so the bound
-    holds for the continuous waveform.
+    y are the multipliers of the least peak of voltages that are held from edge to edge (MinimumPeak.h), whose
+   velocities are closed forms. Cells in which f_i changes its sign are split until both sides are within 0.5 %, as far
+   as memory (1 GiB) lets them. The integrals are bounded from above: Taylor polynomials of f_i with the most that they
+   can miss (WaveformPrice.h), so the bound holds for the continuous waveform.
     @return  0 on both sides where nothing is wanted; look at gap
     @throws InputError  when sizes or numbers are not usable, or no ceramic moves a wanted mode
     [worker] Docs/Theory.md, section 4.5. */

@@ -20,10 +20,10 @@ Eigen::MatrixXd whitenedBasis (const Eigen::MatrixXd& gram)
 {
     constexpr auto smallest = 4 * std::numeric_limits<double>::epsilon();
     auto [values, vectors] = symmetricEigen (gram);
-    const auto least = smallest * values.sum();
+    const auto minimum = smallest * values.sum();
     Eigen::Index first = 0;
 
-    while (first < values.size() && values[first] <= least)
+    while (first < values.size() && values[first] <= minimum)
         ++first;
 
     const auto rank = values.size() - first;
@@ -31,7 +31,7 @@ Eigen::MatrixXd whitenedBasis (const Eigen::MatrixXd& gram)
 }
 } // namespace
 
-PeakRows::PeakRows (const LeastPeakProblem& problem) : ceramics (problem.ceramics)
+PeakRows::PeakRows (const MinimumPeakProblem& problem) : ceramics (problem.ceramics)
 {
     const auto rows = problem.wanted.size();
     Eigen::VectorXd squares = Eigen::VectorXd::Zero (rows);
@@ -159,10 +159,10 @@ Eigen::VectorXd PeakRows::solved (const Eigen::MatrixXd& factor, const Eigen::Ve
 
 Eigen::VectorXd PeakRows::corrected (Eigen::VectorXd s) const
 {
-    constexpr auto mostRefinements = 12;
+    constexpr auto maximumRefinements = 12;
     constexpr auto rounding = 1e-3; // of the residual that is accepted
 
-    for (int i = 0; i < mostRefinements && (i < 2 || residual (s) > rounding * metResidual); ++i)
+    for (int i = 0; i < maximumRefinements && (i < 2 || residual (s) > rounding * metResidual); ++i)
     {
         const Eigen::VectorXd missing = wantedValues - values (s);
         s += pulls (basis * (basis.transpose() * missing));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "LeastPeak.h"
+#include "MinimumPeak.h"
 
 namespace antinode
 {
@@ -12,7 +12,7 @@ inline constexpr double metResidual = 1e-9;
 class PeakRows
 {
 public:
-    explicit PeakRows (const LeastPeakProblem&);
+    explicit PeakRows (const MinimumPeakProblem&);
 
     Eigen::Index columns() const { return offsets.back(); }
     const Eigen::VectorXd& wanted() const { return wantedValues; }
@@ -32,7 +32,8 @@ public:
     /** s and the least norm that makes up for its row errors. */
     Eigen::VectorXd corrected (Eigen::VectorXd s) const;
 
-    /** The largest row error beside what is wanted of the row, or beside 1e-4 of what the row can take from such samples, where that is more. */
+    /** The largest row error beside what is wanted of the row, or beside 1e-4 of what the row can take from such
+     * samples, where that is more. */
     double residual (const Eigen::VectorXd& s) const;
 
     /** What of the wanted values no samples bring. */

@@ -20,7 +20,8 @@ public:
     /** The shares of least objective without limits. [worker] */
     Eigen::MatrixXd leastNormShares() const;
 
-    /** Shares with their hard row values brought back to the wanted ones, to rounding, by the smallest change. [worker] */
+    /** Shares with their hard row values brought back to the wanted ones, to rounding, by the smallest change. [worker]
+     */
     Eigen::MatrixXd withExactRows (Eigen::MatrixXd shares) const;
 
 private:

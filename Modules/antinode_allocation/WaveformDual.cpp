@@ -37,7 +37,7 @@ WaveformDual::WaveformDual (const BoundedWaveformProblem& problem)
     addGram (gram, 1, weights);
 }
 
-Eigen::MatrixXd WaveformDual::pullsOf (const Eigen::VectorXd& y) const
+Eigen::MatrixXd WaveformDual::computePulls (const Eigen::VectorXd& y) const
 {
     const Eigen::MatrixXd gains = y.asDiagonal() * participation;
     Eigen::MatrixXd pulls = Eigen::MatrixXd::Zero (gains.cols(), weights.cols());

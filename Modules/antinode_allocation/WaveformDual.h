@@ -6,14 +6,15 @@
 
 namespace antinode
 {
-/** The dual of a bounded waveform and its pieces, rows scaled so that each has a Gram entry of 1. Docs/Theory.md, section 4.9. [worker] */
+/** The dual of a bounded waveform and its pieces, rows scaled so that each has a Gram entry of 1. Docs/Theory.md,
+ * section 4.9. [worker] */
 class WaveformDual
 {
 public:
     explicit WaveformDual (const BoundedWaveformProblem&);
 
     /** A' y: what multipliers pull each sample to, N_b x N_s. */
-    Eigen::MatrixXd pullsOf (const Eigen::VectorXd& y) const;
+    Eigen::MatrixXd computePulls (const Eigen::VectorXd& y) const;
 
     Eigen::MatrixXd clipped (const Eigen::MatrixXd& pulls) const;
     Eigen::VectorXd rowValues (const Eigen::MatrixXd& samples) const;
@@ -24,7 +25,8 @@ public:
     /** The minimised value, over samples. */
     double objective (const Eigen::MatrixXd& samples) const;
 
-    /** The matrix of the Newton step: compliance and the rows as the samples within the limits see them. Lower triangle. */
+    /** The matrix of the Newton step: compliance and the rows as the samples within the limits see them. Lower
+     * triangle. */
     Eigen::MatrixXd curvature (const Eigen::MatrixXd& pulls) const;
 
     Eigen::VectorXd limits;

@@ -66,7 +66,8 @@ struct Terms
     Eigen::MatrixXd gains;
     Eigen::VectorXd limits;
 
-    /** sum_i limit_i sum_k |gain weight s^order| e^{-a tau}: never less than what the order-th derivatives sum to from tau on. */
+    /** sum_i limit_i sum_k |gain weight s^order| e^{-a tau}: never less than what the order-th derivatives sum to from
+     * tau on. */
     double derivativeBound (double tau, int order) const
     {
         const Eigen::ArrayXd sizes =

@@ -20,8 +20,8 @@ bool areIndependent (const Eigen::MatrixXd& triangle)
     return triangle.diagonal().cwiseAbs().minCoeff() > dependence;
 }
 
-/** Basis and shares of the drives, orthonormalised twice. Where a drive depends on others each gets a tiny sample of its own, so that
-    no matrix lives from the cancellation of huge shares. */
+/** Basis and shares of the drives, orthonormalised twice. Where a drive depends on others each gets a tiny sample of
+   its own, so that no matrix lives from the cancellation of huge shares. */
 void whitenDrives (WhitenedAllocation& whitened, const Eigen::MatrixXd& waveforms)
 {
     constexpr auto ownSample = 1e-4;
@@ -116,8 +116,8 @@ Eigen::VectorXd appendRows (WhitenedAllocation& whitened, const Eigen::MatrixXd&
     return scale;
 }
 
-/** Refuses rows that contradict or repeat those before them: the pivots of their Gram matrix are squared distances from the span of
-    those. The shift keeps the factoring from breaking down at the first such row. */
+/** Refuses rows that contradict or repeat those before them: the pivots of their Gram matrix are squared distances from
+   the span of those. The shift keeps the factoring from breaking down at the first such row. */
 void checkIndependentRows (Eigen::MatrixXd gram, const Rows& names)
 {
     constexpr auto smallestDistance = 1e-6;
@@ -137,21 +137,21 @@ void checkIndependentRows (Eigen::MatrixXd gram, const Rows& names)
 /** Guards beyond a stiffness are as good as hard; the floor keeps the system solvable. */
 void appendGuards (WhitenedAllocation& whitened, const AllocationProblem& problem)
 {
-    constexpr auto leastCompliance = 1e-12;
+    constexpr auto minimumCompliance = 1e-12;
     const auto moved = movedRows (problem.guardParticipation, problem.guardRows);
 
     if (moved.empty() || problem.guardWeight == 0)
         return;
 
-    const auto leastEnergy = whitened.wanted.dot (solveFactored (whitened.hardFactor, whitened.wanted).col (0));
-    const auto stiffness = problem.guardWeight * leastEnergy / problem.wanted.squaredNorm();
+    const auto minimumEnergy = whitened.wanted.dot (solveFactored (whitened.hardFactor, whitened.wanted).col (0));
+    const auto stiffness = problem.guardWeight * minimumEnergy / problem.wanted.squaredNorm();
     const auto scale =
         appendRows (whitened, problem.guardParticipation (moved, Eigen::all), problem.guardRows (moved, Eigen::all));
     const auto count = static_cast<Eigen::Index> (moved.size());
     whitened.wanted.conservativeResize (whitened.hardRows + count);
     whitened.wanted.tail (count).setZero();
     whitened.compliance.conservativeResize (whitened.hardRows + count);
-    whitened.compliance.tail (count) = (scale.array().square() / stiffness).max (leastCompliance);
+    whitened.compliance.tail (count) = (scale.array().square() / stiffness).max (minimumCompliance);
 }
 } // namespace
 

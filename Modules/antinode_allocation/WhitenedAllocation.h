@@ -8,13 +8,16 @@ namespace antinode
 {
 /** The allocation problem in coordinates in which the norm is Euclidean. Docs/Theory.md, section 4.
 
-    With the drives scaled to unit length, diag (1/|psi|) Psi = R' Q' (thin QR), the share of ceramic i is x_i = R diag (|psi|) m_i,
-    its voltages are Q x_i and their norm is |x_i|. All x_i together are a matrix X, N_d x N_b. Voltages count in the largest
-    limit. The first hardRows rows are the wanted ones, the others the guards; each is scaled so that its Gram entry is 1:
+    With the drives scaled to unit length, diag (1/|psi|) Psi = R' Q' (thin QR), the share of ceramic i is x_i = R diag
+   (|psi|) m_i, its voltages are Q x_i and their norm is |x_i|. All x_i together are a matrix X, N_d x N_b. Voltages
+   count in the largest limit. The first hardRows rows are the wanted ones, the others the guards; each is scaled so
+   that its Gram entry is 1:
 
-        minimise 1/2 |X|^2 + sum over guards (row value)^2 / (2 compliance),  hard row values = wanted,  |Q x_i| <= limits (i)
+        minimise 1/2 |X|^2 + sum over guards (row value)^2 / (2 compliance),  hard row values = wanted,  |Q x_i| <=
+   limits (i)
 
-    Slopes count as further samples below those of Q, in parts of the slew limit times the voltage limit. A sample of 0 parts them.
+    Slopes count as further samples below those of Q, in parts of the slew limit times the voltage limit. A sample of 0
+   parts them.
 */
 struct WhitenedAllocation
 {
@@ -68,8 +71,9 @@ struct WhitenedAllocation
     Eigen::MatrixXd matrix (const Eigen::MatrixXd& shares) const;
 };
 
-/** Whitens a valid problem that wants something. Where drives are combinations of others (to 1e-5 of their length) each gets a sample
-    of 1e-4 of its length that no other drive has, at the end of the basis. Rows that nothing moves and that want 0 are left out.
+/** Whitens a valid problem that wants something. Where drives are combinations of others (to 1e-5 of their length) each
+   gets a sample of 1e-4 of its length that no other drive has, at the end of the basis. Rows that nothing moves and
+   that want 0 are left out.
     @throws InputError  when a hard row cannot be met, naming it
     [worker] 4 N_s N_d^2 */
 WhitenedAllocation whiten (const AllocationProblem&);

@@ -75,7 +75,7 @@ juce::String inputDevice (juce::AudioIODeviceType& type, const juce::String& dev
     return names.contains (device) ? device : names[0];
 }
 
-juce::AudioDeviceManager::AudioDeviceSetup setupOf (const AudioChoice& choice, const std::string& device)
+juce::AudioDeviceManager::AudioDeviceSetup makeSetup (const AudioChoice& choice, const std::string& device)
 {
     juce::AudioDeviceManager::AudioDeviceSetup setup;
     setup.outputDeviceName = juce::String::fromUTF8 (device.c_str());
@@ -91,7 +91,7 @@ juce::AudioDeviceManager::AudioDeviceSetup setupOf (const AudioChoice& choice, c
         setup.inputChannels.setBit (input);
 
     if (choice.outputs.empty())
-        setup.outputChannels.setRange (0, mostDeviceOutputs, true);
+        setup.outputChannels.setRange (0, maximumDeviceOutputs, true);
 
     return setup;
 }
@@ -153,7 +153,7 @@ void openAudio (juce::AudioDeviceManager& manager, const AudioChoice& choice)
     const auto type = found.getTypeName();
     const auto device = chosenDevice (manager, choice, type.toStdString());
     manager.setCurrentAudioDeviceType (type, true);
-    auto setup = setupOf (choice, device);
+    auto setup = makeSetup (choice, device);
 
     if (! choice.inputs.empty())
         setup.inputDeviceName = inputDevice (found, setup.outputDeviceName);

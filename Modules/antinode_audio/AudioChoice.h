@@ -27,11 +27,11 @@ std::vector<std::string> outputDevices (juce::AudioDeviceManager&, const std::st
 std::vector<std::string> deviceTypes (juce::AudioDeviceManager&);
 
 /** The largest number of outputs opened on a device. */
-constexpr int mostDeviceOutputs = 128;
+constexpr int maximumDeviceOutputs = 128;
 
 /** Opens what was chosen.
-    @throws InputError  if there is none, or it does not open, or not with that rate, block or so many channels; then it is closed
-    [message thread] */
+    @throws InputError  if there is none, or it does not open, or not with that rate, block or so many channels; then it
+   is closed [message thread] */
 void openAudio (juce::AudioDeviceManager&, const AudioChoice&);
 
 /** The open device and its settings; `type` is empty if no device is open. [message thread] */

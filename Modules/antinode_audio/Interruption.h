@@ -2,7 +2,8 @@
 
 namespace antinode
 {
-/** From now on the first SIGINT or SIGTERM only sets a flag; a second one ends the program as usual. [message thread] */
+/** From now on the first SIGINT or SIGTERM only sets a flag; a second one ends the program as usual. [message thread]
+ */
 void catchInterruptions();
 
 /** Whether such a signal has arrived. [any] */

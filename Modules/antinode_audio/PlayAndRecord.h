@@ -18,7 +18,8 @@ struct Take
     std::atomic<bool> isDone = false;      ///< Once true, the audio thread no longer accesses the take.
 };
 
-/** Plays takes on an audio device, one after the other, and silence between them. A take that is stopped goes to 0 V on a ramp. */
+/** Plays takes on an audio device, one after the other, and silence between them. A take that is stopped goes to 0 V on
+ * a ramp. */
 class PlayAndRecord : public juce::AudioIODeviceCallback
 {
 public:

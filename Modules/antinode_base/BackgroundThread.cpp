@@ -34,8 +34,8 @@ namespace
 {
 std::atomic<int> threadsInLibrary { 0 };
 
-/** While a thread has one, the C library does not unmap the library whose code its destructor is: a host may unload us while a thread
-    without an owner runs. */
+/** While a thread has one, the C library does not unmap the library whose code its destructor is: a host may unload us
+   while a thread without an owner runs. */
 struct LibraryInUse
 {
     LibraryInUse() { ++threadsInLibrary; }

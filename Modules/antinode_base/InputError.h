@@ -5,8 +5,9 @@
 
 namespace antinode
 {
-/** Bad input of any kind: a file, an option, a state. The text is a sentence for the user: where, what is wrong, what is
-    allowed. Lower modules name fields ("focus: growth"), the command line turns them into keys and options; exit code 1.
+/** Bad input of any kind: a file, an option, a state. The text is a sentence for the user: where, what is wrong, what
+   is allowed. Lower modules name fields ("focus: growth"), the command line turns them into keys and options; exit
+   code 1.
 */
 class InputError : public std::runtime_error
 {

@@ -10,8 +10,8 @@ namespace antinode
 /** True when all bytes form valid UTF-8 (no overlong forms, no surrogates, nothing beyond U+10FFFF). [any] */
 bool isUtf8 (std::string_view text);
 
-/** External text made printable on one line of a message: control characters, line separators and bytes that are not UTF-8
-    become '?', and what is longer than maximumLength bytes is cut and ends in "...". [any] */
+/** External text made printable on one line of a message: control characters, line separators and bytes that are not
+   UTF-8 become '?', and what is longer than maximumLength bytes is cut and ends in "...". [any] */
 std::string printable (std::string_view text, std::size_t maximumLength = 60);
 
 /** The printable text between single quotation marks. [any] */
@@ -26,6 +26,7 @@ std::string numberText (double value);
 /** The most likely candidate for a misspelt word, as " (did you mean 'x'?)"; empty if none is close. [any] */
 std::string didYouMean (std::string_view word, const std::vector<std::string_view>& candidates);
 
-/** Text of unknown encoding as UTF-8, without the blanks around it; bytes that are not UTF-8 are read as Latin-1. [any] */
+/** Text of unknown encoding as UTF-8, without the blanks around it; bytes that are not UTF-8 are read as Latin-1. [any]
+ */
 std::string trimmedText (std::string_view);
 } // namespace antinode

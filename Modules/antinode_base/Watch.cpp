@@ -34,7 +34,7 @@ void checkWatch()
         throw Cancelled();
 }
 
-Watch watchOfThread()
+Watch threadWatch()
 {
     return [scope = innermostScope] { return WatchScope::allGoOn (scope); };
 }

@@ -4,12 +4,12 @@
 
 namespace antinode
 {
-/** Whether to go on. Asked every few milliseconds, by every thread that takes part in the work, also by several at once: it must be quick and
-    safe for that, and must not throw. */
+/** Whether to go on. Asked every few milliseconds, by every thread that takes part in the work, also by several at
+   once: it must be quick and safe for that, and must not throw. */
 using Watch = std::function<bool()>;
 
-/** Thrown where a watch says no: there is no result, and nothing is wrong. No std::exception, so that what handles errors, a cache that
-    cannot be read for one, lets it pass. */
+/** Thrown where a watch says no: there is no result, and nothing is wrong. No std::exception, so that what handles
+   errors, a cache that cannot be read for one, lets it pass. */
 class Cancelled
 {
 };
@@ -28,18 +28,19 @@ public:
 
 private:
     friend void checkWatch();
-    friend Watch watchOfThread();
+    friend Watch threadWatch();
     static bool allGoOn (const WatchScope* innermost);
 
     Watch watch;
     const WatchScope* around;
 };
 
-/** Looks at the watches of this thread. Work calls it at least every 20 ms, better every 2 ms; without a watch it costs 1 ns.
+/** Looks at the watches of this thread. Work calls it at least every 20 ms, better every 2 ms; without a watch it costs
+   1 ns.
     @throws Cancelled  where one says no
     [worker] */
 void checkWatch();
 
 /** All watches of this thread as one, for threads that work for it; valid as long as their scopes. [worker] */
-Watch watchOfThread();
+Watch threadWatch();
 } // namespace antinode

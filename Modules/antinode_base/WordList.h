@@ -14,7 +14,7 @@ using WordList = std::array<std::pair<std::string_view, T>, count>;
 
 /** The words alone. [any] */
 template <typename T, std::size_t count>
-std::vector<std::string_view> wordsOf (const WordList<T, count>& list)
+std::vector<std::string_view> listWords (const WordList<T, count>& list)
 {
     std::vector<std::string_view> words;
 

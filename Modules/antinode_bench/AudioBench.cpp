@@ -29,7 +29,7 @@ std::vector<int> distinct (std::vector<int> wanted, const std::string& kind)
     return wanted;
 }
 
-std::vector<int> outputsOf (const BenchChannels& channels, Eigen::Index ceramics)
+std::vector<int> usedOutputs (const BenchChannels& channels, Eigen::Index ceramics)
 {
     std::vector<int> outputs (static_cast<std::size_t> (ceramics));
     std::iota (outputs.begin(), outputs.end(), 0);
@@ -37,7 +37,7 @@ std::vector<int> outputsOf (const BenchChannels& channels, Eigen::Index ceramics
     return distinct (outputs, "output");
 }
 
-std::vector<int> inputsOf (const BenchChannels& channels)
+std::vector<int> usedInputs (const BenchChannels& channels)
 {
     auto inputs = channels.sensors;
 
@@ -48,16 +48,16 @@ std::vector<int> inputsOf (const BenchChannels& channels)
 }
 
 /** Where an open channel stands among the open ones. */
-Eigen::Index placeOf (const std::vector<int>& open, int channel)
+Eigen::Index channelColumn (const std::vector<int>& open, int channel)
 {
     return std::find (open.begin(), open.end(), channel) - open.begin();
 }
 } // namespace
 
 AudioBench::AudioBench (AudioChoice choice, BenchChannels channelsToUse, Eigen::Index ceramics, double fullScale,
-                        double velocityOfFullScale)
-    : channels (std::move (channelsToUse)), openOutputs (outputsOf (channels, ceramics)),
-      openInputs (inputsOf (channels)), outputFullScale (fullScale), velocity (velocityOfFullScale)
+                        double fullScaleVelocity)
+    : channels (std::move (channelsToUse)), openOutputs (usedOutputs (channels, ceramics)),
+      openInputs (usedInputs (channels)), outputFullScale (fullScale), velocity (fullScaleVelocity)
 {
     silenceAudioLibraries();
     choice.outputs = openOutputs;
@@ -77,28 +77,28 @@ Eigen::Index AudioBench::sensors() const
     return std::ssize (channels.sensors);
 }
 
-TurnRecording AudioBench::play (const Excitation& excitation, Eigen::Index ceramic, Eigen::Index, Eigen::Index points)
+RunRecording AudioBench::play (const Excitation& excitation, Eigen::Index ceramic, Eigen::Index, Eigen::Index points)
 {
     constexpr int attempts = 3;
-    const auto turn = playedTurn (excitation, ceramic, outputFullScale);
-    Eigen::MatrixXf played = Eigen::MatrixXf::Zero (turn.cols(), std::ssize (openOutputs));
+    const auto run = playedRun (excitation, ceramic, outputFullScale);
+    Eigen::MatrixXf played = Eigen::MatrixXf::Zero (run.cols(), std::ssize (openOutputs));
 
     for (Eigen::Index i = 0; i < excitation.ceramics(); ++i)
-        played.col (placeOf (openOutputs, static_cast<int> (i))) = turn.row (i).transpose().cast<float>();
+        played.col (channelColumn (openOutputs, static_cast<int> (i))) = run.row (i).transpose().cast<float>();
 
-    played.col (placeOf (openOutputs, channels.syncOutput)) = turn.bottomRows (1).transpose().cast<float>();
+    played.col (channelColumn (openOutputs, channels.syncOutput)) = run.bottomRows (1).transpose().cast<float>();
 
     for (int attempt = 0; attempt < attempts; ++attempt)
     {
         Take take;
         take.played = played;
-        take.recorded = Eigen::MatrixXf::Zero (turn.cols(), std::ssize (openInputs));
+        take.recorded = Eigen::MatrixXf::Zero (run.cols(), std::ssize (openInputs));
         const auto lostBefore = manager.getXRunCount();
         player.begin (take);
         waitFor (take);
 
         if (manager.getXRunCount() == lostBefore || isInterrupted())
-            return recordingOf (take, points);
+            return toRecording (take, points);
     }
 
     throw InputError ("audio device", "keeps losing samples; choose a larger --block, or stop other programs");
@@ -134,20 +134,20 @@ void AudioBench::waitFor (Take& take)
     }
 }
 
-TurnRecording AudioBench::recordingOf (const Take& take, Eigen::Index points) const
+RunRecording AudioBench::toRecording (const Take& take, Eigen::Index points) const
 {
-    TurnRecording recording;
+    RunRecording recording;
     recording.sensors.resize (points, take.recorded.rows());
 
     for (Eigen::Index sensor = 0; sensor < points; ++sensor)
         recording.sensors.row (sensor) =
-            take.recorded.col (placeOf (openInputs, channels.sensors[static_cast<std::size_t> (sensor)]))
+            take.recorded.col (channelColumn (openInputs, channels.sensors[static_cast<std::size_t> (sensor)]))
                 .cast<double>()
                 .transpose()
             * velocity;
 
     if (channels.syncInput >= 0)
-        recording.sync = take.recorded.col (placeOf (openInputs, channels.syncInput)).cast<double>();
+        recording.sync = take.recorded.col (channelColumn (openInputs, channels.syncInput)).cast<double>();
 
     return recording;
 }

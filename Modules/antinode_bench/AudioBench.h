@@ -17,26 +17,28 @@ struct BenchChannels
     int syncInput = -1; ///< -1: none.
 };
 
-/** The real bench: an audio device, its outputs on the amplifiers, its inputs on the sensors, one output looped back to one input. */
+/** The real bench: an audio device, its outputs on the amplifiers, its inputs on the sensors, one output looped back to
+ * one input. */
 class AudioBench : public Bench
 {
 public:
     /** Opens the device.
         @param fullScale            The voltage of an output of 1, V
-        @param velocityOfFullScale  The velocity of an input of 1, m/s
+        @param fullScaleVelocity  The velocity of an input of 1, m/s
         @throws InputError  where it does not open as requested, or two roles have one channel [message thread] */
-    AudioBench (AudioChoice, BenchChannels, Eigen::Index ceramics, double fullScale, double velocityOfFullScale);
+    AudioBench (AudioChoice, BenchChannels, Eigen::Index ceramics, double fullScale, double fullScaleVelocity);
     ~AudioBench() override;
 
     Eigen::Index sensors() const override;
-    double velocityOfFullScale() const override { return velocity; }
+    double fullScaleVelocity() const override { return velocity; }
 
-    /** A run that lost samples is repeated, at most twice; an interrupted run ramps to 0 V and is incomplete. [message thread] */
-    TurnRecording play (const Excitation&, Eigen::Index ceramic, Eigen::Index firstPoint, Eigen::Index points) override;
+    /** A run that lost samples is repeated, at most twice; an interrupted run ramps to 0 V and is incomplete. [message
+     * thread] */
+    RunRecording play (const Excitation&, Eigen::Index ceramic, Eigen::Index firstPoint, Eigen::Index points) override;
 
 private:
     void waitFor (Take&);
-    TurnRecording recordingOf (const Take&, Eigen::Index points) const;
+    RunRecording toRecording (const Take&, Eigen::Index points) const;
 
     juce::ScopedJuceInitialiser_GUI juce;
     juce::AudioDeviceManager manager;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <antinode_measurement/Excitation.h>
-#include <antinode_measurement/TurnRecording.h>
+#include <antinode_measurement/RunRecording.h>
 
 namespace antinode
 {
@@ -18,13 +18,13 @@ public:
     virtual Eigen::Index sensors() const = 0;
 
     /** The velocity beyond which a sensor's input clips, m/s. */
-    virtual double velocityOfFullScale() const = 0;
+    virtual double fullScaleVelocity() const = 0;
 
     /** Plays a run while the sensors are at consecutive points.
         @return  as many sensors as points, and the sync channel where it is recorded
         @throws InputError  where it cannot be played
         [worker] takes as long as the run on a real bench */
-    virtual TurnRecording play (const Excitation&, Eigen::Index ceramic, Eigen::Index firstPoint,
-                                Eigen::Index points) = 0;
+    virtual RunRecording play (const Excitation&, Eigen::Index ceramic, Eigen::Index firstPoint,
+                               Eigen::Index points) = 0;
 };
 } // namespace antinode

@@ -56,7 +56,7 @@ MeasurementFolder::MeasurementFolder (std::filesystem::path folderToUse, const E
     output.commit();
 }
 
-std::filesystem::path MeasurementFolder::fileOf (Eigen::Index point) const
+std::filesystem::path MeasurementFolder::pointFile (Eigen::Index point) const
 {
     std::array<char, 32> name {};
     std::snprintf (name.data(), name.size(), "point-%04td.uff", point + 1);
@@ -65,17 +65,17 @@ std::filesystem::path MeasurementFolder::fileOf (Eigen::Index point) const
 
 bool MeasurementFolder::has (Eigen::Index point) const
 {
-    return std::filesystem::exists (fileOf (point));
+    return std::filesystem::exists (pointFile (point));
 }
 
 void MeasurementFolder::keep (const SurfaceMeasurement& measurement, Eigen::Index point) const
 {
-    writeWholeFile (fileOf (point), encodePoint (measurement, point));
+    writeWholeFile (pointFile (point), encodePoint (measurement, point));
 }
 
 void MeasurementFolder::restore (SurfaceMeasurement& measurement, Eigen::Index point) const
 {
-    const auto file = fileOf (point);
+    const auto file = pointFile (point);
     restorePoint (measurement, point, readWholeFile (file, {}), file.string());
 }
 } // namespace antinode

@@ -8,8 +8,8 @@
 
 namespace antinode
 {
-/** A measurement on disk: its sheet, its points, and a file for each point that is finished. An interrupted measurement is
-    resumed where it ended. */
+/** A measurement on disk: its sheet, its points, and a file for each point that is finished. An interrupted measurement
+   is resumed where it ended. */
 class MeasurementFolder
 {
 public:
@@ -28,7 +28,7 @@ public:
     void restore (SurfaceMeasurement&, Eigen::Index point) const;
 
 private:
-    std::filesystem::path fileOf (Eigen::Index point) const;
+    std::filesystem::path pointFile (Eigen::Index point) const;
 
     std::filesystem::path folder;
 };

@@ -23,19 +23,19 @@ struct Measuring
     const ExcitationSheet& sheet;
     const Eigen::MatrixX2d& points;
     const PointGuide& guide;
-    const TurnAnalysisSettings& settings;
+    const RunAnalysisSettings& settings;
 };
 
 /** One run. @throws Cancelled  if the user interrupts it: the recording is then incomplete */
-TurnRecording playTurn (const Measuring& measuring, const Excitation& excitation, Eigen::Index ceramic,
-                        Eigen::Index first, Eigen::Index count)
+RunRecording playRun (const Measuring& measuring, const Excitation& excitation, Eigen::Index ceramic,
+                      Eigen::Index first, Eigen::Index count)
 {
-    auto turn = measuring.bench.play (excitation, ceramic, first, count);
+    auto run = measuring.bench.play (excitation, ceramic, first, count);
 
     if (isInterrupted())
         throw Cancelled();
 
-    return turn;
+    return run;
 }
 
 /** A short excitation in the same band at a tenth of the levels. */
@@ -56,15 +56,15 @@ Excitation quietExcitation (const ExcitationSheet& sheet)
 void checkLevels (const Measuring& measuring, Eigen::Index first, Eigen::Index count)
 {
     const auto quiet = quietExcitation (measuring.sheet);
-    const auto fullScale = measuring.bench.velocityOfFullScale();
+    const auto fullScale = measuring.bench.fullScaleVelocity();
     double largest = 0, latency = measuring.settings.latency;
 
     for (Eigen::Index ceramic = 0; ceramic < quiet.ceramics(); ++ceramic)
     {
-        const auto turn = playTurn (measuring, quiet, ceramic, first, count);
-        latency = analyseTurn (quiet, ceramic, turn, measuring.settings).latency;
+        const auto run = playRun (measuring, quiet, ceramic, first, count);
+        latency = analyseRun (quiet, ceramic, run, measuring.settings).latency;
         largest =
-            std::max (largest, turn.sensors.cwiseAbs().maxCoeff() * measuring.sheet.excitation.settings.levels[ceramic]
+            std::max (largest, run.sensors.cwiseAbs().maxCoeff() * measuring.sheet.excitation.settings.levels[ceramic]
                                    / quiet.settings.levels[ceramic]);
     }
 
@@ -91,13 +91,12 @@ bool measureAt (const Measuring& measuring, SurfaceMeasurement& measurement, Eig
 
     for (Eigen::Index ceramic = 0; ceramic < measuring.sheet.excitation.ceramics(); ++ceramic)
     {
-        const auto turn = playTurn (measuring, measuring.sheet.excitation, ceramic, first, count);
-        largest = std::max (largest, turn.sensors.cwiseAbs().maxCoeff());
-        place (measurement, ceramic, first,
-               analyseTurn (measuring.sheet.excitation, ceramic, turn, measuring.settings));
+        const auto run = playRun (measuring, measuring.sheet.excitation, ceramic, first, count);
+        largest = std::max (largest, run.sensors.cwiseAbs().maxCoeff());
+        place (measurement, ceramic, first, analyseRun (measuring.sheet.excitation, ceramic, run, measuring.settings));
     }
 
-    const auto share = largest / measuring.bench.velocityOfFullScale();
+    const auto share = largest / measuring.bench.fullScaleVelocity();
     const auto coherence = meanCoherence (measurement).middleRows (first, count).mean();
     measuring.guide.tell (formatted ("  at most %.3g mm/s, coherence %.5f%s", largest * 1000, coherence,
                                      share > clipping ? ", CLIPPED: not kept" : ""));
@@ -130,7 +129,7 @@ Eigen::Index pointsTogether (const Bench& bench, const MeasurementFolder& folder
 
 SurfaceMeasurement measurePoints (Bench& bench, const ExcitationSheet& sheet, const Eigen::MatrixX2d& points,
                                   const MeasurementFolder& folder, const PointGuide& guide,
-                                  const TurnAnalysisSettings& settings)
+                                  const RunAnalysisSettings& settings)
 {
     const Measuring measuring { bench, sheet, points, guide, settings };
     auto measurement = unmeasured (sheet.excitation, sheet.ceramics, points);

@@ -19,11 +19,11 @@ enum class PointAnswer
 class PointGuide
 {
 public:
-    /** @param asksNothing  everything is measured as it comes */
-    explicit PointGuide (bool asksNothing) : silent (asksNothing) {}
+    /** @param asksNoQuestions  everything is measured as it comes */
+    explicit PointGuide (bool asksNoQuestions) : silent (asksNoQuestions) {}
 
-    /** Asks for the sensors to be put at consecutive points, and waits for an answer that it understands; the end of the input
-        means the end.
+    /** Asks for the sensors to be put at consecutive points, and waits for an answer that it understands; the end of
+       the input means the end.
         @param places     N_p x 2, m
         [worker] */
     PointAnswer ask (const Eigen::MatrixX2d& places, Eigen::Index first, Eigen::Index count) const;

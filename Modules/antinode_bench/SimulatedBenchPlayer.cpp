@@ -17,22 +17,22 @@ SimulatedBenchPlayer::SimulatedBenchPlayer (ModalModel modelToMeasure, const Eig
 
 Eigen::Index SimulatedBenchPlayer::sensors() const
 {
-    constexpr Eigen::Index most = 16; // The memory for a recording of a long run stays below some 100 MB.
-    return std::min (most, shapes.rows());
+    constexpr Eigen::Index maximum = 16; // The memory for a recording of a long run stays below some 100 MB.
+    return std::min (maximum, shapes.rows());
 }
 
-double SimulatedBenchPlayer::velocityOfFullScale() const
+double SimulatedBenchPlayer::fullScaleVelocity() const
 {
     return std::numeric_limits<double>::infinity();
 }
 
-TurnRecording SimulatedBenchPlayer::play (const Excitation& excitation, Eigen::Index ceramic, Eigen::Index firstPoint,
-                                          Eigen::Index points)
+RunRecording SimulatedBenchPlayer::play (const Excitation& excitation, Eigen::Index ceramic, Eigen::Index firstPoint,
+                                         Eigen::Index points)
 {
     if (ceramic >= model.actuators())
         throw InputError ("device '" + model.name + "'", "has fewer ceramics than the measurement");
 
-    Eigen::MatrixXd played = playedTurn (excitation, ceramic, 1);
+    Eigen::MatrixXd played = playedRun (excitation, ceramic, 1);
     auto own = settings;
     own.sampleRate = excitation.settings.sampleRate;
     // No two runs have the same noise.

@@ -15,8 +15,8 @@ public:
     SimulatedBenchPlayer (ModalModel, const Eigen::MatrixX2d& points, SimulatedBenchSettings);
 
     Eigen::Index sensors() const override;
-    double velocityOfFullScale() const override;
-    TurnRecording play (const Excitation&, Eigen::Index ceramic, Eigen::Index firstPoint, Eigen::Index points) override;
+    double fullScaleVelocity() const override;
+    RunRecording play (const Excitation&, Eigen::Index ceramic, Eigen::Index firstPoint, Eigen::Index points) override;
 
 private:
     ModalModel model;

@@ -19,8 +19,9 @@ struct BarSeries
     int colour = series_colour::byOrder;
 };
 
-/** Bars of each category side by side, for example a modal spectrum: wanted and achieved for each mode. Where they would be too thin for
-    that, series are drawn over each other in their order, with marks at the ends of those below. */
+/** Bars of each category side by side, for example a modal spectrum: wanted and achieved for each mode. Where they
+   would be too thin for that, series are drawn over each other in their order, with marks at the ends of those below.
+ */
 struct BarChart
 {
     std::string title, xLabel, yLabel; ///< Labels include the unit.

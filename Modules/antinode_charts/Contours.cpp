@@ -36,7 +36,7 @@ public:
     }
 
 private:
-    Eigen::Index edgeOf (Eigen::Index row, Eigen::Index column, bool isUpwards) const
+    Eigen::Index edgeIndex (Eigen::Index row, Eigen::Index column, bool isUpwards) const
     {
         return 2 * (row + column * values.rows()) + (isUpwards ? 1 : 0);
     }
@@ -56,8 +56,8 @@ private:
         if (! square.allFinite())
             return;
         const auto isAbove = [&] (int i, int j) { return square (i, j) > level; };
-        const std::array<Eigen::Index, 4> edges { edgeOf (row, column, false), edgeOf (row, column + 1, true),
-                                                  edgeOf (row + 1, column, false), edgeOf (row, column, true) };
+        const std::array<Eigen::Index, 4> edges { edgeIndex (row, column, false), edgeIndex (row, column + 1, true),
+                                                  edgeIndex (row + 1, column, false), edgeIndex (row, column, true) };
         const std::array<bool, 4> crossed { isAbove (0, 0) != isAbove (0, 1), isAbove (0, 1) != isAbove (1, 1),
                                             isAbove (1, 0) != isAbove (1, 1), isAbove (0, 0) != isAbove (1, 0) };
         std::vector<Eigen::Index> found;
@@ -74,7 +74,7 @@ private:
         link (edges[2], edges[joinsFirst ? 3 : 1]);
     }
 
-    Eigen::Vector2d placeOf (Eigen::Index edge) const
+    Eigen::Vector2d pointOnEdge (Eigen::Index edge) const
     {
         const auto row = edge / 2 % values.rows(), column = edge / 2 / values.rows();
         const auto isUpwards = edge % 2 == 1;
@@ -88,13 +88,13 @@ private:
     // Takes the links that it follows away, so that no line is found twice.
     ContourLine lineFrom (Eigen::Index edge)
     {
-        ContourLine line { placeOf (edge) };
+        ContourLine line { pointOnEdge (edge) };
         for (auto next = takeLink (edge); next >= 0; next = takeLink (edge))
         {
             auto& back = links[static_cast<std::size_t> (next)];
             (back[0] == edge ? back[0] : back[1]) = -1;
             edge = next;
-            line.push_back (placeOf (edge));
+            line.push_back (pointOnEdge (edge));
         }
         return line;
     }

@@ -20,7 +20,8 @@ bool haveNoGaps (const std::vector<CurveColumn>& columns, float columnWidth)
     return std::adjacent_find (columns.begin(), columns.end(), isWideStep) == columns.end();
 }
 
-// Without points that lie on the one before, as far as one can see: what remains has the same shape and is quick to stroke.
+// Without points that lie on the one before, as far as one can see: what remains has the same shape and is quick to
+// stroke.
 CurvePiece withoutRepeats (const CurvePiece& piece, float pixel)
 {
     CurvePiece points;
@@ -43,7 +44,8 @@ juce::Path pathThrough (const CurvePiece& points)
     return path;
 }
 
-// Each column takes the extremes of its neighbours, up to half a line's width away: steep parts get the width of a line.
+// Each column takes the extremes of its neighbours, up to half a line's width away: steep parts get the width of a
+// line.
 std::vector<CurveColumn> broadened (const std::vector<CurveColumn>& columns, std::size_t reach)
 {
     auto broad = columns;

@@ -12,8 +12,8 @@ namespace antinode
 {
 namespace
 {
-constexpr float groupShare = 0.78f; // of the room of a category, for its bars
-constexpr float leastBar = 2;       // pixels at scale 1: the colours of thinner bars side by side mix in the eye
+constexpr float groupShare = 0.78f;  // of the room of a category, for its bars
+constexpr float minimumBarWidth = 2; // pixels at scale 1: the colours of thinner bars side by side mix in the eye
 
 AxisRange chosenY (const BarChart& chart)
 {
@@ -53,21 +53,21 @@ private:
     float scale;
 };
 
-float baseOf (const PlotFrame& frame)
+float baselineY (const PlotFrame& frame)
 {
     return frame.y.logarithmic ? frame.plot.getBottom() : frame.yAt (0);
 }
 
 /** From the base to the value; empty if it has no place. */
-juce::Rectangle<float> barOf (const PlotFrame& frame, float left, float width, double value)
+juce::Rectangle<float> barRectangle (const PlotFrame& frame, float left, float width, double value)
 {
-    const auto y = frame.yAt (value), base = baseOf (frame);
+    const auto y = frame.yAt (value), base = baselineY (frame);
     const auto top = std::min (y, base);
     return std::isfinite (y) ? juce::Rectangle<float> (left, top, width, std::max (y, base) - top)
                              : juce::Rectangle<float>();
 }
 
-float pitchOf (const PlotFrame& frame, const BarChart& chart)
+float groupPitch (const PlotFrame& frame, const BarChart& chart)
 {
     return frame.plot.getWidth() / static_cast<float> (chart.categories.size());
 }
@@ -76,7 +76,7 @@ float pitchOf (const PlotFrame& frame, const BarChart& chart)
 void drawGroups (juce::Graphics& g, const PlotFrame& frame, const BarChart& chart, const Theme& theme)
 {
     const PixelGrid grid (g);
-    const auto groupWidth = groupShare * pitchOf (frame, chart);
+    const auto groupWidth = groupShare * groupPitch (frame, chart);
     const auto each = groupWidth / static_cast<float> (chart.series.size());
     const auto width = grid.below (each - std::min (1.0f, each * 0.1f));
 
@@ -88,14 +88,15 @@ void drawGroups (juce::Graphics& g, const PlotFrame& frame, const BarChart& char
         for (Eigen::Index k = 0; k < series.values.size(); ++k)
         {
             const auto left = frame.xAt (static_cast<double> (k)) - groupWidth / 2 + static_cast<float> (s) * each;
-            g.fillRect (barOf (frame, grid.nearest (left), width, series.values[k]));
+            g.fillRect (barRectangle (frame, grid.nearest (left), width, series.values[k]));
         }
     }
 }
 
-/** A series' bars over the whole width of their categories; where several share a column of pixels, what all of them cover. */
-std::vector<juce::Rectangle<float>> columnsOf (const PixelGrid& grid, const PlotFrame& frame,
-                                               const Eigen::VectorXd& values)
+/** A series' bars over the whole width of their categories; where several share a column of pixels, what all of them
+ * cover. */
+std::vector<juce::Rectangle<float>> columnRectangles (const PixelGrid& grid, const PlotFrame& frame,
+                                                      const Eigen::VectorXd& values)
 {
     std::vector<juce::Rectangle<float>> columns;
 
@@ -105,7 +106,7 @@ std::vector<juce::Rectangle<float>> columnsOf (const PixelGrid& grid, const Plot
         const auto room = grid.nearest (frame.xAt (static_cast<double> (k) + 0.5)) - left;
         const auto gap =
             room > 2.5f * grid.pixel() ? std::max (grid.pixel(), grid.nearest ((1 - groupShare) * room)) : 0;
-        const auto bar = grid.nearest (barOf (frame, left, std::max (grid.pixel(), room - gap), values[k]));
+        const auto bar = grid.nearest (barRectangle (frame, left, std::max (grid.pixel(), room - gap), values[k]));
 
         if (! columns.empty() && columns.back().getX() == bar.getX())
             columns.back() = columns.back().getUnion (bar);
@@ -116,17 +117,18 @@ std::vector<juce::Rectangle<float>> columnsOf (const PixelGrid& grid, const Plot
     return columns;
 }
 
-/** The series over each other, in their order. Where one is covered its ends are drawn again, across the bars above it. */
+/** The series over each other, in their order. Where one is covered its ends are drawn again, across the bars above it.
+ */
 void drawColumns (juce::Graphics& g, const PlotFrame& frame, const BarChart& chart, const Theme& theme)
 {
     const PixelGrid grid (g);
     const auto endHeight = std::max (grid.pixel(), grid.nearest (theme.lineWidth));
-    const auto base = grid.nearest (baseOf (frame));
+    const auto base = grid.nearest (baselineY (frame));
     std::vector<std::vector<juce::Rectangle<float>>> columns;
 
     for (std::size_t s = 0; s < chart.series.size(); ++s)
     {
-        columns.push_back (columnsOf (grid, frame, chart.series[s].values));
+        columns.push_back (columnRectangles (grid, frame, chart.series[s].values));
         g.setColour (seriesColour (theme, chart.series[s].colour, s));
 
         for (const auto& column : columns.back())
@@ -150,7 +152,7 @@ void drawBars (juce::Graphics& g, const PlotFrame& frame, const BarChart& chart,
     const juce::Graphics::ScopedSaveState state (g);
     g.reduceClipRegion (frame.plot.getSmallestIntegerContainer());
 
-    if (groupShare * pitchOf (frame, chart) < leastBar * static_cast<float> (chart.series.size()))
+    if (groupShare * groupPitch (frame, chart) < minimumBarWidth * static_cast<float> (chart.series.size()))
         drawColumns (g, frame, chart, theme);
     else
         drawGroups (g, frame, chart, theme);
@@ -161,7 +163,7 @@ void draw (juce::Graphics& g, juce::Rectangle<float> area, const BarChart& chart
 {
     requireMatchingSizes (chart);
     auto rest = drawTitle (g, area, chart.title, theme);
-    rest = drawLegend (g, rest, legendOf (chart, theme), chart.legend, theme);
+    rest = drawLegend (g, rest, legendEntries (chart, theme), chart.legend, theme);
     const auto frame =
         layOutPlot (rest, categoryAxis (chart), { chart.yLabel, chosenY (chart), chart.logarithmic, {}, true },
                     { 0, widthBeside (chart.limits, theme) }, theme);

@@ -11,7 +11,7 @@ namespace antinode
 {
 namespace
 {
-std::optional<AxisRange> yRangeOf (const Panel& panel)
+std::optional<AxisRange> findYRange (const Panel& panel)
 {
     if (const auto* lines = std::get_if<LineChart> (&panel))
         return yDataRange (*lines);
@@ -31,7 +31,7 @@ std::vector<Panel> withSharedScale (std::vector<Panel> panels)
 {
     std::optional<AxisRange> range;
     for (const auto& panel : panels)
-        range = united (range, yRangeOf (panel));
+        range = united (range, findYRange (panel));
     for (auto& panel : panels)
     {
         const auto nice = niceDataRange (range, isLogarithmic (panel));
@@ -62,9 +62,9 @@ std::vector<LegendEntry> sharedLegend (const ChartGrid& grid, const Theme& theme
     for (auto panel = grid.panels.begin(); grid.sharedLegend && entries.empty() && panel != grid.panels.end(); ++panel)
     {
         if (const auto* lines = std::get_if<LineChart> (&*panel))
-            entries = legendOf (*lines, theme);
+            entries = legendEntries (*lines, theme);
         if (const auto* bars = std::get_if<BarChart> (&*panel))
-            entries = legendOf (*bars, theme);
+            entries = legendEntries (*bars, theme);
     }
     return entries;
 }

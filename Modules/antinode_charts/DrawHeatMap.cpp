@@ -25,8 +25,8 @@ AxisRange chosenValues (const HeatMap& chart)
     const auto range = usableRange (chart.valueRange ? *chart.valueRange : dataRange (chart).value_or (AxisRange {}));
     if (chart.scale == ColourScale::sequential)
         return range;
-    const auto most = std::max (std::abs (range.minimum), std::abs (range.maximum));
-    return { -most, most };
+    const auto maximum = std::max (std::abs (range.minimum), std::abs (range.maximum));
+    return { -maximum, maximum };
 }
 
 void drawMap (juce::Graphics& g, const PlotFrame& frame, const HeatMap& chart, AxisRange range, const ColourMap& map)
@@ -49,7 +49,7 @@ void drawOverlays (juce::Graphics& g, const PlotFrame& frame, const HeatMap& cha
 }
 
 // Names stand at the middles of the cells, which a table numbers from 0.
-ChartAxis axisOf (const std::string& label, AxisRange range, const std::vector<std::string>& names)
+ChartAxis makeAxis (const std::string& label, AxisRange range, const std::vector<std::string>& names)
 {
     if (names.empty())
         return { label, usableRange (range), false, {}, false };
@@ -71,10 +71,10 @@ void requireMatchingSizes (const HeatMap& chart)
                                                                + " column names; allowed: one name for each, or none");
 }
 
-PlotFrame frameOf (const HeatMap& chart, juce::Rectangle<float> rest, float barWidth, const Theme& theme)
+PlotFrame makeFrame (const HeatMap& chart, juce::Rectangle<float> rest, float barWidth, const Theme& theme)
 {
-    const auto x = axisOf (chart.xLabel, chart.x, chart.columnNames);
-    const auto y = axisOf (chart.yLabel, chart.y, chart.rowNames);
+    const auto x = makeAxis (chart.xLabel, chart.x, chart.columnNames);
+    const auto y = makeAxis (chart.yLabel, chart.y, chart.rowNames);
     const auto frame = chart.isBare
                            ? PlotFrame { rest, x, y }
                            : layOutPlot (rest, x, y, { heightAbove (chart.markers, {}, theme), barWidth }, theme);
@@ -90,7 +90,7 @@ void draw (juce::Graphics& g, juce::Rectangle<float> area, const HeatMap& chart,
     const auto& map = chart.scale == ColourScale::sequential ? theme.sequential : theme.diverging;
     const ChartAxis values { chart.valueLabel, range, false, {}, false };
     const auto barWidth = chart.isBare ? 0 : colourBarWidth (values, rest.getHeight(), theme);
-    const auto frame = frameOf (chart, rest, barWidth, theme);
+    const auto frame = makeFrame (chart, rest, barWidth, theme);
     drawGrid (g, frame, theme);
     if (dataRange (chart))
         drawMap (g, frame, chart, range, map);

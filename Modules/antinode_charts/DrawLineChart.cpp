@@ -22,7 +22,7 @@ AxisRange chosenY (const LineChart& chart)
     return chart.logarithmicY ? positiveRange (*chart.yRange) : usableRange (*chart.yRange);
 }
 
-CurvePiece pixelsOf (const Series& series, const PlotFrame& frame)
+CurvePiece toPixels (const Series& series, const PlotFrame& frame)
 {
     CurvePiece points;
     points.reserve (static_cast<std::size_t> (series.x.size()));
@@ -41,7 +41,7 @@ void drawSeries (juce::Graphics& g, const PlotFrame& frame, const LineChart& cha
     {
         const auto& series = chart.series[k];
         const auto colour = seriesColour (theme, series.colour, k);
-        const auto points = pixelsOf (series, frame);
+        const auto points = toPixels (series, frame);
         if (series.filled)
             fillBelowCurve (g, points, baseline, colour.withAlpha (0.16f));
         drawCurve (g, points, { colour, theme.lineWidth, series.style });
@@ -55,7 +55,7 @@ void draw (juce::Graphics& g, juce::Rectangle<float> area, const LineChart& char
 {
     requireMatchingSizes (chart);
     auto rest = drawTitle (g, area, chart.title, theme);
-    rest = drawLegend (g, rest, legendOf (chart, theme), chart.legend, theme);
+    rest = drawLegend (g, rest, legendEntries (chart, theme), chart.legend, theme);
     const PlotMargins margins { heightAbove (chart.markers, chart.spans, theme), widthBeside (chart.limits, theme) };
     const auto frame = layOutPlot (rest, { chart.xLabel, chosenX (chart), chart.logarithmicX, {}, true },
                                    { chart.yLabel, chosenY (chart), chart.logarithmicY, {}, true }, margins, theme);

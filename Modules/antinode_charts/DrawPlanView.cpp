@@ -6,7 +6,7 @@ namespace antinode
 {
 namespace
 {
-PlotFrame frameOf (const PlanView& chart, juce::Rectangle<float> rest, const Theme& theme)
+PlotFrame makeFrame (const PlanView& chart, juce::Rectangle<float> rest, const Theme& theme)
 {
     const auto hasScale = ! chart.yLabel.empty();
     const ChartAxis x { chart.xLabel, usableRange (chart.x), false, {}, false };
@@ -20,7 +20,7 @@ PlotFrame frameOf (const PlanView& chart, juce::Rectangle<float> rest, const The
 
 void draw (juce::Graphics& g, juce::Rectangle<float> area, const PlanView& chart, const Theme& theme)
 {
-    const auto frame = frameOf (chart, drawTitle (g, area, chart.title, theme), theme);
+    const auto frame = makeFrame (chart, drawTitle (g, area, chart.title, theme), theme);
     g.setColour (theme.axis);
     g.drawRect (frame.plot, theme.lineWidth);
     g.setColour (theme.span);

@@ -17,7 +17,7 @@ namespace antinode
 namespace
 {
 constexpr auto laneGap = 8.0f;
-constexpr int heightOfTheRest = 100, comfortableLane = 26;
+constexpr int heightOfRest = 100, comfortableLane = 26;
 
 void requireMatchingSizes (const StackedTraces& chart)
 {
@@ -38,7 +38,7 @@ AxisRange timeRange (const StackedTraces& chart)
 }
 
 // Of each lane the value of largest magnitude, with its sign; 0 where nothing is finite.
-Eigen::VectorXd peaksOf (const Eigen::MatrixXd& values)
+Eigen::VectorXd lanePeaks (const Eigen::MatrixXd& values)
 {
     Eigen::VectorXd peaks = Eigen::VectorXd::Zero (values.rows());
     for (const auto& sample : values.colwise())
@@ -48,20 +48,20 @@ Eigen::VectorXd peaksOf (const Eigen::MatrixXd& values)
     return peaks;
 }
 
-double limitOf (const StackedTraces& chart, Eigen::Index lane)
+double laneLimit (const StackedTraces& chart, Eigen::Index lane)
 {
     const auto limit = chart.limits.size() > 0 ? chart.limits[lane] : 0.0;
     return std::isfinite (limit) ? std::max (0.0, limit) : 0.0;
 }
 
 // One scale for all: the largest peak, and the largest limit where that is not so far away that all would look flat.
-double scaleOf (const StackedTraces& chart, const Eigen::VectorXd& peaks)
+double commonScale (const StackedTraces& chart, const Eigen::VectorXd& peaks)
 {
     auto peak = 0.0, limit = 0.0;
     for (Eigen::Index lane = 0; lane < peaks.size(); ++lane)
     {
         peak = std::max (peak, std::abs (peaks[lane]));
-        limit = std::max (limit, limitOf (chart, lane));
+        limit = std::max (limit, laneLimit (chart, lane));
     }
     const auto scale = limit > 4 * peak && peak > 0 ? peak : std::max (peak, limit);
     return scale > 0 ? scale : 1;
@@ -103,12 +103,12 @@ Lanes layOutLanes (juce::Rectangle<float> rest, const StackedTraces& chart, cons
 {
     const TextStyle style { theme.tickHeight, false, {} };
     Lanes result;
-    result.peaks = peaksOf (chart.values);
+    result.peaks = lanePeaks (chart.values);
     for (const auto peak : result.peaks)
         result.peakTexts.push_back (formatNumber (peak) + " " + chart.unit);
     result.nameWidth = std::min (widest (chart.names, style), 0.25f * rest.getWidth());
     result.peakWidth = widest (result.peakTexts, style);
-    result.scale = scaleOf (chart, result.peaks);
+    result.scale = commonScale (chart, result.peaks);
     rest.removeFromLeft (result.nameWidth + laneGap);
     const PlotMargins margins { heightAbove (chart.markers, {}, theme), result.peakWidth + laneGap };
     // The y axis has no ticks of its own: the lanes have names instead.
@@ -120,7 +120,7 @@ Lanes layOutLanes (juce::Rectangle<float> rest, const StackedTraces& chart, cons
     return result;
 }
 
-void drawLimitsOf (juce::Graphics& g, const Lanes& lanes, Eigen::Index lane, double limit, const Theme& theme)
+void drawLaneLimits (juce::Graphics& g, const Lanes& lanes, Eigen::Index lane, double limit, const Theme& theme)
 {
     const auto area = lanes.at (lane);
     if (limit <= 0 || limit > 1.05 * lanes.scale || lanes.height < 10)
@@ -147,7 +147,7 @@ void drawLabels (juce::Graphics& g, const Lanes& lanes, const StackedTraces& cha
 {
     if (static_cast<std::size_t> (lane) % lanes.labelStride != 0)
         return;
-    const auto limit = limitOf (chart, lane);
+    const auto limit = laneLimit (chart, lane);
     const auto isBeyond = limit > 0 && std::abs (lanes.peaks[lane]) > limit * (1 + 1e-9);
     const auto row = lanes.at (lane).withSizeKeepingCentre (lanes.frame.plot.getWidth(), theme.tickHeight);
     const auto left = row.withX (row.getX() - laneGap - lanes.nameWidth).withWidth (lanes.nameWidth);
@@ -158,7 +158,7 @@ void drawLabels (juce::Graphics& g, const Lanes& lanes, const StackedTraces& cha
               { theme.tickHeight, false, isBeyond ? theme.limit : theme.mutedText });
 }
 
-std::string captionOf (const StackedTraces& chart)
+std::string makeCaption (const StackedTraces& chart)
 {
     if (chart.limits.size() == 0 || ! (chart.limits.maxCoeff() > 0))
         return "peak at the right";
@@ -172,7 +172,7 @@ std::string captionOf (const StackedTraces& chart)
 
 int comfortableHeight (const StackedTraces& chart)
 {
-    return heightOfTheRest + comfortableLane * static_cast<int> (std::max<Eigen::Index> (3, chart.values.rows()));
+    return heightOfRest + comfortableLane * static_cast<int> (std::max<Eigen::Index> (3, chart.values.rows()));
 }
 
 void draw (juce::Graphics& g, juce::Rectangle<float> area, const StackedTraces& chart, const Theme& theme)
@@ -180,7 +180,7 @@ void draw (juce::Graphics& g, juce::Rectangle<float> area, const StackedTraces& 
     requireMatchingSizes (chart);
     auto rest = drawTitle (g, area, chart.title, theme);
     const auto captionRow = rest.removeFromTop (theme.tickHeight * 1.3f);
-    drawText (g, captionOf (chart), captionRow, juce::Justification::centredLeft,
+    drawText (g, makeCaption (chart), captionRow, juce::Justification::centredLeft,
               { theme.tickHeight, false, theme.mutedText });
     const auto lanes = layOutLanes (rest, chart, theme);
     drawGrid (g, lanes.frame, theme);
@@ -192,7 +192,7 @@ void draw (juce::Graphics& g, juce::Rectangle<float> area, const StackedTraces& 
     {
         g.setColour (theme.grid);
         drawHorizontal (g, lanes.at (lane).getBottom(), lanes.frame.plot.getX(), lanes.frame.plot.getRight());
-        drawLimitsOf (g, lanes, lane, limitOf (chart, lane), theme);
+        drawLaneLimits (g, lanes, lane, laneLimit (chart, lane), theme);
         drawTrace (g, lanes, chart, lane, theme);
         drawLabels (g, lanes, chart, lane, theme);
     }

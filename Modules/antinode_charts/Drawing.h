@@ -7,8 +7,8 @@
 
 namespace antinode
 {
-/** Draws a chart into an area, background included. Nothing but the Graphics is touched: any number of threads may draw,
-    each on its own. Data that is empty or not finite is drawn as what it is: a gap, or "no data".
+/** Draws a chart into an area, background included. Nothing but the Graphics is touched: any number of threads may
+   draw, each on its own. Data that is empty or not finite is drawn as what it is: a gap, or "no data".
     @throws InputError  where parts of a chart that belong together differ in size [any] */
 void draw (juce::Graphics&, juce::Rectangle<float> area, const LineChart&, const Theme&);
 void draw (juce::Graphics&, juce::Rectangle<float> area, const BarChart&, const Theme&);

@@ -10,7 +10,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int mostScatteredCells = 64;
+constexpr int maximumScatteredCells = 64;
 
 /** The middles of equal cells. */
 Eigen::VectorXd middles (double minimum, double maximum, Eigen::Index cells)
@@ -51,10 +51,10 @@ Eigen::MatrixXd fieldsAt (const Surface& surface, const Eigen::MatrixXd& fields,
     return values;
 }
 
-std::vector<Eigen::MatrixXd> fieldMaps (const Surface& surface, const Eigen::MatrixXd& fields, int mostCells)
+std::vector<Eigen::MatrixXd> fieldMaps (const Surface& surface, const Eigen::MatrixXd& fields, int maximumCells)
 {
     const auto width = surface.xMaximum - surface.xMinimum, height = surface.yMaximum - surface.yMinimum;
-    const auto cells = surface.grid ? mostCells : std::min (mostCells, mostScatteredCells);
+    const auto cells = surface.grid ? maximumCells : std::min (maximumCells, maximumScatteredCells);
     const auto along = [&] (double length)
     { return std::max<Eigen::Index> (1, std::lround (cells * length / std::max (width, height))); };
     const auto x = middles (surface.xMinimum, surface.xMaximum, along (width));

@@ -155,7 +155,8 @@ HeatMap spectrogramChart (const Render& render, Eigen::Index probe, double maxim
     map.xLabel = "time (ms)";
     map.yLabel = "frequency (kHz)";
     map.valueLabel = "level (dB re largest)";
-    // Before the trigger there is silence, but after the last sample the plate continues to move: windows that reach beyond it would show a cut.
+    // Before the trigger there is silence, but after the last sample the plate continues to move: windows that reach
+    // beyond it would show a cut.
     const auto end = static_cast<double> (signal.size() - 1) / render.sampleRate;
     const auto shown = (result.times.array() <= end - 0.5 * settings.windowDuration).count();
     map.values = result.decibels.leftCols (std::max<Eigen::Index> (shown, 1));

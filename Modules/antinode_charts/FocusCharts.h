@@ -22,7 +22,8 @@ LineChart profileChart (const Eigen::VectorXd& places, const Eigen::MatrixX3d& v
 LineChart fieldChart (const ModalModel&, const Eigen::VectorXd& wanted, const Eigen::VectorXd& truncated,
                       const Eigen::VectorXd& reached);
 
-/** Modal velocities at the focus, a group of bars a mode: wanted of the controlled ones, reached of all up to a little above them.
+/** Modal velocities at the focus, a group of bars a mode: wanted of the controlled ones, reached of all up to a little
+   above them.
     @param reached  N_m, m/s kg^1/2
     [any] */
 BarChart spectrumChart (const ModalModel&, const FocusDesign&, const Eigen::VectorXd& reached);
@@ -45,7 +46,8 @@ StackedTraces transientsChart (const ModalModel&, const FocusDesign&, const Rend
     [worker] */
 HeatMap spectrogramChart (const Render&, Eigen::Index probe, double maximumFrequency);
 
-/** The velocity around the focus as a map over place and time: on a line all of it, on a plate along x through the first focus.
+/** The velocity around the focus as a map over place and time: on a line all of it, on a plate along x through the
+   first focus.
     @param span  s before and after the focus
     [worker] */
 HeatMap fieldOverTimeChart (const ModalModel&, const FocusDesign&, const Render&, double span);

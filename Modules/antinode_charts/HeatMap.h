@@ -40,7 +40,8 @@ struct MapContours
         nodalLinesFrom; ///< Zero lines, thinner, where neighbouring values reach this; none: no such lines.
 };
 
-/** A matrix as colours: a spectrogram, or a field over the plane or over time. Values that are not finite stay empty. */
+/** A matrix as colours: a spectrogram, or a field over the plane or over time. Values that are not finite stay empty.
+ */
 struct HeatMap
 {
     std::string title, xLabel, yLabel, valueLabel; ///< Labels include the unit.

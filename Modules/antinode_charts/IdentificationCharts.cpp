@@ -32,7 +32,7 @@ Series dots (const std::string& name, const std::vector<StabilisationPoint>& poi
     return series;
 }
 
-/** Root of the mean square over points and drivers at each line. */
+/** Root of the mean square over points and references at each line. */
 Eigen::VectorXd meanMagnitude (const FrequencyResponses& responses)
 {
     Eigen::ArrayXd sum = Eigen::ArrayXd::Zero (responses.frequencies.size());
@@ -105,11 +105,11 @@ LineChart stabilisationChart (const IdentifiedModes& modes, const FrequencyRespo
 }
 
 ChartGrid responseChart (const FrequencyResponses& measured, const FrequencyResponses& synthesised, Eigen::Index point,
-                         Eigen::Index driver)
+                         Eigen::Index reference)
 {
     const auto perDrive = measured.drive == DriveQuantity::force ? "(m/s)/N" : "(m/s)/V";
-    const Eigen::VectorXcd was = measured.values[static_cast<std::size_t> (driver)].col (point);
-    const Eigen::VectorXcd is = synthesised.values[static_cast<std::size_t> (driver)].col (point);
+    const Eigen::VectorXcd was = measured.values[static_cast<std::size_t> (reference)].col (point);
+    const Eigen::VectorXcd is = synthesised.values[static_cast<std::size_t> (reference)].col (point);
     auto magnitude =
         comparison (measured.frequencies, was.cwiseAbs(), is.cwiseAbs(), std::string ("magnitude (") + perDrive + ")");
     auto phase = comparison (measured.frequencies, phaseDegrees (was), phaseDegrees (is), "phase (degrees)");

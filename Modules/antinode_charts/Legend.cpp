@@ -11,7 +11,7 @@ namespace
 {
 constexpr auto lineSwatch = 24.0f, barSwatch = 12.0f, swatchGap = 6.0f, entryGap = 18.0f;
 
-TextStyle styleOf (const Theme& theme)
+TextStyle legendStyle (const Theme& theme)
 {
     return { theme.tickHeight, false, theme.text };
 }
@@ -26,9 +26,9 @@ float swatchWidth (const LegendEntry& entry)
     return entry.isBar ? barSwatch : lineSwatch;
 }
 
-float widthOf (const LegendEntry& entry, const Theme& theme)
+float entryWidth (const LegendEntry& entry, const Theme& theme)
 {
-    return swatchWidth (entry) + swatchGap + textWidth (entry.name, styleOf (theme));
+    return swatchWidth (entry) + swatchGap + textWidth (entry.name, legendStyle (theme));
 }
 
 void drawEntry (juce::Graphics& g, juce::Rectangle<float> row, const LegendEntry& entry, const Theme& theme)
@@ -45,7 +45,7 @@ void drawEntry (juce::Graphics& g, juce::Rectangle<float> row, const LegendEntry
                    { entry.colour, theme.lineWidth * 1.3f, entry.line });
     }
     row.removeFromLeft (swatchGap);
-    drawText (g, entry.name, row, juce::Justification::centredLeft, styleOf (theme));
+    drawText (g, entry.name, row, juce::Justification::centredLeft, legendStyle (theme));
 }
 
 juce::Rectangle<float> drawAbove (juce::Graphics& g, juce::Rectangle<float> area,
@@ -55,9 +55,9 @@ juce::Rectangle<float> drawAbove (juce::Graphics& g, juce::Rectangle<float> area
     for (const auto& entry : entries)
     {
         const auto isFirst = row.getWidth() >= area.getWidth();
-        if (! isFirst && widthOf (entry, theme) > row.getWidth())
+        if (! isFirst && entryWidth (entry, theme) > row.getWidth())
             row = area.removeFromTop (rowHeight (theme));
-        drawEntry (g, row.removeFromLeft (std::min (widthOf (entry, theme), row.getWidth())), entry, theme);
+        drawEntry (g, row.removeFromLeft (std::min (entryWidth (entry, theme), row.getWidth())), entry, theme);
         row.removeFromLeft (entryGap);
     }
     area.removeFromTop (theme.tickHeight * 0.3f);
@@ -69,7 +69,7 @@ juce::Rectangle<float> drawBeside (juce::Graphics& g, juce::Rectangle<float> are
 {
     auto width = 0.0f;
     for (const auto& entry : entries)
-        width = std::max (width, widthOf (entry, theme));
+        width = std::max (width, entryWidth (entry, theme));
     auto column = area.removeFromRight (std::min (width, area.getWidth() * 0.35f));
     area.removeFromRight (entryGap);
     for (const auto& entry : entries)
@@ -78,7 +78,7 @@ juce::Rectangle<float> drawBeside (juce::Graphics& g, juce::Rectangle<float> are
 }
 } // namespace
 
-std::vector<LegendEntry> legendOf (const LineChart& chart, const Theme& theme)
+std::vector<LegendEntry> legendEntries (const LineChart& chart, const Theme& theme)
 {
     std::vector<LegendEntry> entries;
     for (std::size_t k = 0; k < chart.series.size(); ++k)
@@ -88,7 +88,7 @@ std::vector<LegendEntry> legendOf (const LineChart& chart, const Theme& theme)
     return entries;
 }
 
-std::vector<LegendEntry> legendOf (const BarChart& chart, const Theme& theme)
+std::vector<LegendEntry> legendEntries (const BarChart& chart, const Theme& theme)
 {
     std::vector<LegendEntry> entries;
     for (std::size_t k = 0; k < chart.series.size(); ++k)

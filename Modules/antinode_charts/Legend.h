@@ -21,8 +21,8 @@ struct LegendEntry
 };
 
 /** The named series of a chart. [any] */
-std::vector<LegendEntry> legendOf (const LineChart&, const Theme&);
-std::vector<LegendEntry> legendOf (const BarChart&, const Theme&);
+std::vector<LegendEntry> legendEntries (const LineChart&, const Theme&);
+std::vector<LegendEntry> legendEntries (const BarChart&, const Theme&);
 
 /** Draws the entries above or at the right, in as many rows as they need; gives what remains of the area. [any] */
 juce::Rectangle<float> drawLegend (juce::Graphics&, juce::Rectangle<float> area, const std::vector<LegendEntry>&,

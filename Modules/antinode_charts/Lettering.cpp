@@ -79,17 +79,17 @@ public:
 
 JUCE_IMPLEMENT_SINGLETON (Fonts)
 
-GlyphStore& glyphsOf (const TextStyle& style)
+GlyphStore& findGlyphs (const TextStyle& style)
 {
     auto& all = *Fonts::getInstance();
     return style.bold ? all.bold : all.regular;
 }
 
-float widthOf (const std::u32string& text, const TextStyle& style)
+float measureWidth (const std::u32string& text, const TextStyle& style)
 {
     auto width = 0.0f;
     for (const auto codePoint : text)
-        width += glyphsOf (style).find (codePoint).advance * style.height;
+        width += findGlyphs (style).find (codePoint).advance * style.height;
     return width;
 }
 
@@ -97,20 +97,20 @@ std::u32string shortened (std::u32string text, float width, const TextStyle& sty
 {
     constexpr char32_t ellipsis = 0x2026;
     // A little tolerance: areas are often measured with the very text that goes into them.
-    if (widthOf (text, style) <= width + 0.5f)
+    if (measureWidth (text, style) <= width + 0.5f)
         return text;
-    while (! text.empty() && widthOf (text + ellipsis, style) > width)
+    while (! text.empty() && measureWidth (text + ellipsis, style) > width)
         text.pop_back();
     return text.empty() ? text : text + ellipsis;
 }
 
-juce::Path outlineOf (const std::u32string& text, const TextStyle& style)
+juce::Path textOutline (const std::u32string& text, const TextStyle& style)
 {
     juce::Path outline;
     auto x = 0.0f;
     for (const auto codePoint : text)
     {
-        const auto& glyph = glyphsOf (style).find (codePoint);
+        const auto& glyph = findGlyphs (style).find (codePoint);
         outline.addPath (glyph.outline, juce::AffineTransform::scale (style.height).translated (x, 0));
         x += glyph.advance * style.height;
     }
@@ -120,17 +120,17 @@ juce::Path outlineOf (const std::u32string& text, const TextStyle& style)
 
 float textWidth (std::string_view utf8, const TextStyle& style)
 {
-    return widthOf (decodeUtf8 (utf8), style);
+    return measureWidth (decodeUtf8 (utf8), style);
 }
 
 void drawText (juce::Graphics& g, std::string_view utf8, juce::Rectangle<float> area, juce::Justification justification,
                const TextStyle& style)
 {
     const auto text = shortened (decodeUtf8 (utf8), area.getWidth(), style);
-    const auto line = justification.appliedToRectangle ({ widthOf (text, style), style.height }, area);
-    const auto baseline = line.getY() + glyphsOf (style).ascent() * style.height;
+    const auto line = justification.appliedToRectangle ({ measureWidth (text, style), style.height }, area);
+    const auto baseline = line.getY() + findGlyphs (style).ascent() * style.height;
     g.setColour (style.colour);
-    g.fillPath (outlineOf (text, style), juce::AffineTransform::translation (line.getX(), baseline));
+    g.fillPath (textOutline (text, style), juce::AffineTransform::translation (line.getX(), baseline));
 }
 
 void drawTextUpwards (juce::Graphics& g, std::string_view utf8, juce::Rectangle<float> area, const TextStyle& style)

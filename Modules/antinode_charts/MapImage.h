@@ -9,7 +9,8 @@
 
 namespace antinode
 {
-/** A matrix brought to the given number of pixels: interpolated between cells where it is coarser, averaged where it is finer.
+/** A matrix brought to the given number of pixels: interpolated between cells where it is coarser, averaged where it is
+   finer.
     @param values  one or more rows and columns
     @return        rows x columns; not finite where a value that takes part is not [any] */
 Eigen::MatrixXd resampled (const Eigen::MatrixXd& values, int rows, int columns);

@@ -69,7 +69,7 @@ void drawPoint (juce::Graphics& g, const PlotFrame& frame, const MapPoint& point
 }
 
 // With its outer values repeated, so that lines go on to the edge of the map: half a cell beyond the outer values.
-Eigen::MatrixXd withRim (const Eigen::MatrixXd& values)
+Eigen::MatrixXd withBorder (const Eigen::MatrixXd& values)
 {
     const auto repeated = [] (Eigen::Index count)
     {
@@ -79,7 +79,8 @@ Eigen::MatrixXd withRim (const Eigen::MatrixXd& values)
     return values (repeated (values.rows()), repeated (values.cols()));
 }
 
-// Where hardly anything moves the sign is chance: values that neither reach the bound nor have a neighbour that does are left out.
+// Where hardly anything moves the sign is chance: values that neither reach the bound nor have a neighbour that does
+// are left out.
 Eigen::MatrixXd withoutStill (const Eigen::MatrixXd& values, double bound)
 {
     Eigen::MatrixXd kept = Eigen::MatrixXd::Constant (values.rows(), values.cols(), std::nan (""));
@@ -102,16 +103,16 @@ double placeInRange (double index, Eigen::Index count, AxisRange range)
     return range.minimum + share * (range.maximum - range.minimum);
 }
 
-void drawLevel (juce::Graphics& g, const PlotFrame& frame, const Eigen::MatrixXd& rimmed, double level,
+void drawLevel (juce::Graphics& g, const PlotFrame& frame, const Eigen::MatrixXd& bordered, double level,
                 const CurveStyle& style)
 {
-    for (const auto& line : contourLines (rimmed, level))
+    for (const auto& line : contourLines (bordered, level))
     {
         CurvePiece piece;
         piece.reserve (line.size());
         for (const auto& place : line)
-            piece.push_back (frame.at (placeInRange (place.x(), rimmed.cols() - 2, frame.x.range),
-                                       placeInRange (place.y(), rimmed.rows() - 2, frame.y.range)));
+            piece.push_back (frame.at (placeInRange (place.x(), bordered.cols() - 2, frame.x.range),
+                                       placeInRange (place.y(), bordered.rows() - 2, frame.y.range)));
         drawCurve (g, piece, style);
     }
 }
@@ -122,12 +123,13 @@ void drawContours (juce::Graphics& g, const PlotFrame& frame, const HeatMap& cha
     const auto& contours = chart.contours;
     if (chart.values.size() == 0 || (contours.levels.empty() && ! contours.nodalLinesFrom))
         return;
-    const auto rimmed = withRim (chart.values);
+    const auto bordered = withBorder (chart.values);
     if (contours.nodalLinesFrom)
-        drawLevel (g, frame, withoutStill (rimmed, *contours.nodalLinesFrom), 0,
+        drawLevel (g, frame, withoutStill (bordered, *contours.nodalLinesFrom), 0,
                    { theme.text.withAlpha (0.5f), 0.5f * theme.lineWidth, LineStyle::solid });
     for (const auto level : contours.levels)
-        drawLevel (g, frame, rimmed, level, { theme.text.withAlpha (0.9f), 0.75f * theme.lineWidth, LineStyle::solid });
+        drawLevel (g, frame, bordered, level,
+                   { theme.text.withAlpha (0.9f), 0.75f * theme.lineWidth, LineStyle::solid });
 }
 
 void drawPlaces (juce::Graphics& g, const PlotFrame& frame, const std::vector<MapRectangle>& rectangles,

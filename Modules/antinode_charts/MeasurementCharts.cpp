@@ -10,7 +10,7 @@ namespace antinode
 {
 namespace
 {
-constexpr std::size_t mostCurves = 6;
+constexpr std::size_t maximumCurves = 6;
 
 /** Rows' means of what is known. */
 Eigen::VectorXd meansOfKnown (const Eigen::ArrayXXd& values)
@@ -34,11 +34,11 @@ std::vector<std::size_t> shownCeramics (const SurfaceMeasurement& measurement)
     std::transform (ceramics.begin(), ceramics.end(), strengths.begin(),
                     [&] (auto ceramic) { return effectiveVelocity (measurement, ceramic).norm(); });
 
-    if (ceramics.size() > mostCurves)
+    if (ceramics.size() > maximumCurves)
         std::stable_sort (ceramics.begin(), ceramics.end(),
                           [&] (auto one, auto other) { return strengths[one] > strengths[other]; });
 
-    ceramics.resize (std::min (mostCurves, ceramics.size()));
+    ceramics.resize (std::min (maximumCurves, ceramics.size()));
     return ceramics;
 }
 
@@ -52,7 +52,7 @@ LineChart curves (const SurfaceMeasurement& measurement, const Values& values)
     for (const auto ceramic : shownCeramics (measurement))
     {
         Series series;
-        series.name = measurement.responses.drivers[ceramic].name;
+        series.name = measurement.responses.references[ceramic].name;
         series.x = measurement.responses.frequencies;
         series.y = values (ceramic);
         chart.series.push_back (std::move (series));
@@ -98,8 +98,8 @@ HeatMap signalToNoiseChart (const SurfaceMeasurement& measurement)
     for (Eigen::Index p = 0; p < coherence.rows(); ++p)
         chart.columnNames.push_back (std::to_string (p + 1));
 
-    for (const auto& driver : measurement.responses.drivers)
-        chart.rowNames.push_back (driver.name);
+    for (const auto& reference : measurement.responses.references)
+        chart.rowNames.push_back (reference.name);
 
     return chart;
 }

@@ -6,7 +6,8 @@
 
 namespace antinode
 {
-/** The RMS velocity of all points over frequency, one curve per ceramic; of many ceramics the strongest ones. [worker] */
+/** The RMS velocity of all points over frequency, one curve per ceramic; of many ceramics the strongest ones. [worker]
+ */
 LineChart responseChart (const SurfaceMeasurement&);
 
 /** The coherence over frequency, averaged over the points, one curve per ceramic; the same ceramics. [worker] */

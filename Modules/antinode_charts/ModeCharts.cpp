@@ -29,7 +29,7 @@ Eigen::Index shownModes (const ModalModel& model, int count)
     return std::min<Eigen::Index> (count, model.modes());
 }
 
-std::string titleOf (const ModalModel& model, Eigen::Index mode)
+std::string modeTitle (const ModalModel& model, Eigen::Index mode)
 {
     const auto frequency = model.frequencyHz (mode);
     return std::to_string (mode + 1) + ": " + formatFixed (frequency, frequency < 100 ? 1 : 0) + " Hz";
@@ -54,7 +54,7 @@ std::vector<Panel> plateShapes (const ModalModel& model, Eigen::Index count)
     for (Eigen::Index mode = 0; mode < count; ++mode)
     {
         HeatMap map;
-        map.title = titleOf (model, mode);
+        map.title = modeTitle (model, mode);
         map.values = scaledToOne (maps[static_cast<std::size_t> (mode)]);
         map.x = alongX (model.surface);
         map.y = { model.surface.yMinimum * milli, model.surface.yMaximum * milli };
@@ -75,7 +75,7 @@ std::vector<Panel> lineShapes (const ModalModel& model, Eigen::Index count)
     for (Eigen::Index mode = 0; mode < count; ++mode)
     {
         LineChart chart;
-        chart.title = titleOf (model, mode);
+        chart.title = modeTitle (model, mode);
         chart.series = { { {}, model.surface.points.col (0) * milli, scaledToOne (model.shapes.col (mode)) } };
         chart.xRange = alongX (model.surface);
         chart.yRange = AxisRange { 1.08 * scaledRange.minimum, 1.08 * scaledRange.maximum };

@@ -9,8 +9,8 @@ namespace antinode
 /** A device from above: its surface and where the ceramics lie. [any] */
 PlanView deviceChart (const ModalModel&);
 
-/** The shapes of the lowest modes, each scaled to its own largest value and named with its number and frequency: small maps with
-    nodal lines of a plate, curves of a line.
+/** The shapes of the lowest modes, each scaled to its own largest value and named with its number and frequency: small
+   maps with nodal lines of a plate, curves of a line.
     @param count  how many at most
     [worker] */
 ChartGrid modeGallery (const ModalModel&, int count);
@@ -18,7 +18,7 @@ ChartGrid modeGallery (const ModalModel&, int count);
 /** A height at which the gallery's pictures are well shaped, in pixels at scale 1. [any] */
 int comfortableGalleryHeight (const ModalModel&, int count, int width);
 
-/** How strongly each ceramic drives each mode, relative to the mode's strongest: a table in colours, one column per mode. The model has
-    ceramics. [any] */
+/** How strongly each ceramic drives each mode, relative to the mode's strongest: a table in colours, one column per
+   mode. The model has ceramics. [any] */
 HeatMap participationChart (const ModalModel&);
 } // namespace antinode

@@ -26,7 +26,8 @@ void requireSize (int width, int height, float scale)
         throw InputError ("picture", "has scale " + formatNumber (scale) + "; allowed: 0.25 to 8");
 }
 
-// libpng's quick setting: up to twice the bytes of JUCE's writer in a fifth of its time. Encoding, not drawing, dominates.
+// libpng's quick setting: up to twice the bytes of JUCE's writer in a fifth of its time. Encoding, not drawing,
+// dominates.
 std::string encodePng (const juce::Image& image)
 {
     const juce::Image::BitmapData pixels (image, juce::Image::BitmapData::readOnly);

@@ -12,8 +12,8 @@ struct Theme;
     @param width, height  pixels at scale 1, 16 to 8192
     @param scale          pixels of the file for each of these, for crisp pictures on dense screens, 0.25 to 8
     @throws InputError    where a size is not allowed, or what draw() throws
-    Any number of threads may call it at the same time: each draws on an image of its own, glyphs are shared behind a lock.
-    A juce::ScopedJuceInitialiser_GUI that lives as long as the program frees what is shared; nothing else needs it.
-    [worker] */
+    Any number of threads may call it at the same time: each draws on an image of its own, glyphs are shared behind a
+   lock. A juce::ScopedJuceInitialiser_GUI that lives as long as the program frees what is shared; nothing else needs
+   it. [worker] */
 std::string renderPng (const Chart&, int width, int height, float scale, const Theme&);
 } // namespace antinode

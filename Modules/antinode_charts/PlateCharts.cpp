@@ -36,7 +36,7 @@ HeatMap velocityMap (const ModalModel& model, const Eigen::MatrixXd& velocities,
     return chart;
 }
 
-MapContours halfOfPeak (const Eigen::MatrixXd& values)
+MapContours halfPeakContour (const Eigen::MatrixXd& values)
 {
     const auto peak = values.cwiseAbs().maxCoeff();
     return { { 0.5 * peak, -0.5 * peak }, {} };
@@ -50,7 +50,7 @@ HeatMap plateFieldChart (const ModalModel& model, const Eigen::VectorXd& field, 
     chart.xLabel = "x (mm)";
     chart.yLabel = "y (mm)";
     chart.valueLabel = label + " (mm/s)";
-    chart.contours = halfOfPeak (chart.values);
+    chart.contours = halfPeakContour (chart.values);
     chart.contours.nodalLinesFrom = still * chart.values.cwiseAbs().maxCoeff();
     return chart;
 }
@@ -82,7 +82,7 @@ ChartGrid plateFieldsChart (const ModalModel& model, const FocusDesign& design, 
 
         panel.valueLabel = "mm/s";
         panel.valueRange = isDifference ? std::nullopt : std::optional (AxisRange { -peak, peak });
-        panel.contours = isDifference ? MapContours {} : halfOfPeak (panel.values);
+        panel.contours = isDifference ? MapContours {} : halfPeakContour (panel.values);
         grid.panels.emplace_back (std::move (panel));
     }
 

@@ -10,16 +10,16 @@
 
 namespace antinode
 {
-/** A velocity field over a plate: ceramics outlined, a cross on every focus, contours at plus and minus half of the peak, nodal
-    lines thin.
+/** A velocity field over a plate: ceramics outlined, a cross on every focus, contours at plus and minus half of the
+   peak, nodal lines thin.
     @param field  N_p values, m/s
     @param label  the meaning of the colours; the unit mm/s is added
     [worker] */
 HeatMap plateFieldChart (const ModalModel&, const Eigen::VectorXd& field, const std::string& label,
                          const std::vector<Target>&);
 
-/** The wanted, the truncated and the reached field of a plate in the same colours, and the difference of reached and wanted in its
-    own: two by two.
+/** The wanted, the truncated and the reached field of a plate in the same colours, and the difference of reached and
+   wanted in its own: two by two.
     @param reached  N_p values, m/s
     [worker] */
 ChartGrid plateFieldsChart (const ModalModel&, const FocusDesign&, const Eigen::VectorXd& reached);
@@ -39,6 +39,7 @@ LineChart crossSectionChart (const ModalModel&, const FocusDesign&, const Eigen:
 /** The ceramics of a plate in mm, with their names. [any] */
 std::vector<MapRectangle> ceramicRectangles (const ModalModel&);
 
-/** The height at which maps of a plate, in the given number of columns and rows, fill a picture of this width with their axes. [any] */
+/** The height at which maps of a plate, in the given number of columns and rows, fill a picture of this width with
+ * their axes. [any] */
 int plateFigureHeight (const Surface&, int width, int columns, int rows);
 } // namespace antinode

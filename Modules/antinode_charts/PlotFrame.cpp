@@ -13,7 +13,7 @@ namespace
 {
 constexpr auto tickLength = 4.0f, labelGap = 4.0f;
 
-int exponentOf (double powerOfTenValue)
+int tickExponent (double powerOfTenValue)
 {
     return static_cast<int> (std::lround (std::log10 (powerOfTenValue)));
 }
@@ -21,13 +21,13 @@ int exponentOf (double powerOfTenValue)
 // 0.01 to 1000 as they are, beyond that all as powers of ten.
 std::vector<AxisTick> labelledDecades (const std::vector<double>& values)
 {
-    const auto isShort = [] (double value) { return exponentOf (value) >= -2 && exponentOf (value) <= 3; };
+    const auto isShort = [] (double value) { return tickExponent (value) >= -2 && tickExponent (value) <= 3; };
     const auto areShort = std::all_of (values.begin(), values.end(), isShort);
     std::vector<AxisTick> ticks;
     ticks.reserve (values.size());
     for (const auto value : values)
-        ticks.push_back ({ value, areShort ? formatFixed (value, std::max (0, -exponentOf (value)))
-                                           : "10" + superscript (exponentOf (value)) });
+        ticks.push_back ({ value, areShort ? formatFixed (value, std::max (0, -tickExponent (value)))
+                                           : "10" + superscript (tickExponent (value)) });
     return ticks;
 }
 
@@ -128,21 +128,21 @@ AxisRange positiveRange (AxisRange range)
     const auto [low, high] = usableRange (range);
     if (high < 1e6 * smallest)
         return { 0.1, 1 };
-    const auto least = low > 0 ? std::max (low, smallest) : high * 1e-6;
-    return high < 1.001 * least ? AxisRange { least / 2, least * 2 } : AxisRange { least, high };
+    const auto minimum = low > 0 ? std::max (low, smallest) : high * 1e-6;
+    return high < 1.001 * minimum ? AxisRange { minimum / 2, minimum * 2 } : AxisRange { minimum, high };
 }
 
 ChartAxis withTicks (ChartAxis axis, float length, float spacing)
 {
     axis.ticks.clear();
-    const auto most = std::max (1, static_cast<int> (length / spacing));
+    const auto maximumTicks = std::max (1, static_cast<int> (length / spacing));
     if (axis.logarithmic)
     {
-        axis.ticks = labelledDecades (decadeTicks (axis.range, most));
+        axis.ticks = labelledDecades (decadeTicks (axis.range, maximumTicks));
         return axis;
     }
     const auto exponent = commonExponent (axis.range);
-    const auto values = linearTicks (axis.range, most);
+    const auto values = linearTicks (axis.range, maximumTicks);
     const auto labels = tickLabels (values, exponent);
     for (std::size_t k = 0; k < values.size(); ++k)
         axis.ticks.push_back ({ values[k], labels[k] });

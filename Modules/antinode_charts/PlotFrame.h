@@ -27,8 +27,8 @@ struct ChartAxis
         ticks; ///< Chosen at layout where empty; those that are given are thinned out until labels fit.
     bool grid = true;
 
-    /** The position of a value: 0 at the minimum, 1 at the maximum, never beyond +-20; NaN for values without a position.
-        [any] */
+    /** The position of a value: 0 at the minimum, 1 at the maximum, never beyond +-20; NaN for values without a
+       position. [any] */
     float fraction (double value) const;
 };
 
@@ -58,7 +58,8 @@ PlotFrame layOutPlot (juce::Rectangle<float> area, ChartAxis x, ChartAxis y, Plo
 /** The plot made smaller, in the middle of its place, so that one unit is as long in x as in y. [any] */
 PlotFrame withEqualAspect (PlotFrame);
 
-/** The ticks of an axis of the given number of pixels, and in its label the power of ten that the tick labels leave out. [any] */
+/** The ticks of an axis of the given number of pixels, and in its label the power of ten that the tick labels leave
+ * out. [any] */
 ChartAxis withTicks (ChartAxis, float length, float spacing);
 
 /** Background and grid: below the data. [any] */

@@ -65,14 +65,14 @@ std::vector<double> windowed (const Eigen::Ref<const Eigen::VectorXd>& signal, c
     return frame;
 }
 
-Eigen::MatrixXd decibelsOf (const Eigen::MatrixXd& amplitudes, const SpectrogramSettings& settings)
+Eigen::MatrixXd toDecibels (const Eigen::MatrixXd& amplitudes, const SpectrogramSettings& settings)
 {
     const auto largest = amplitudes.maxCoeff();
     const auto reference = settings.reference > 0 ? settings.reference : largest;
     if (! (reference > 0))
         return Eigen::MatrixXd::Constant (amplitudes.rows(), amplitudes.cols(), settings.floorDecibels);
-    const auto least = std::pow (10.0, settings.floorDecibels / 20);
-    return (20 * (amplitudes.array() / reference).max (least).log10()).matrix();
+    const auto minimum = std::pow (10.0, settings.floorDecibels / 20);
+    return (20 * (amplitudes.array() / reference).max (minimum).log10()).matrix();
 }
 } // namespace
 
@@ -104,7 +104,7 @@ Spectrogram spectrogram (const Eigen::Ref<const Eigen::VectorXd>& signal, double
     }
     // A constant has one line where a sine has two.
     amplitudes.row (0) /= 2;
-    result.decibels = decibelsOf (amplitudes, settings);
+    result.decibels = toDecibels (amplitudes, settings);
     return result;
 }
 } // namespace antinode

@@ -22,8 +22,8 @@ struct Spectrogram
     Eigen::VectorXd frequencies; ///< Hz
 };
 
-/** The short-time Fourier transform of a signal as an amplitude spectrum: a sine of amplitude A reads A on its line, at most
-    0.4 dB less where the line lies between two frequencies. Before and after the signal there is silence.
+/** The short-time Fourier transform of a signal as an amplitude spectrum: a sine of amplitude A reads A on its line, at
+   most 0.4 dB less where the line lies between two frequencies. Before and after the signal there is silence.
     @param signal      any unit; samples that are not finite count as 0
     @param sampleRate  Hz, more than 0
     @throws InputError  where a setting is not usable

@@ -10,8 +10,8 @@
 namespace antinode
 {
 /** The look of all drawings: one value for the screen, the report and print. Sizes in pixels at scale 1.
-    The series' colours are those of Okabe and Ito ("Color Universal Design", 2008), distinguished with every kind of colour
-    vision, made darker or lighter where the background needs it. */
+    The series' colours are those of Okabe and Ito ("Color Universal Design", 2008), distinguished with every kind of
+   colour vision, made darker or lighter where the background needs it. */
 struct Theme
 {
     juce::Colour background, plotBackground, grid, axis, text, mutedText;

@@ -11,7 +11,7 @@ namespace
 constexpr double largest = 1e150;
 
 // Below this fraction of its values a span has too few digits left to tell ticks apart.
-constexpr double leastRelativeSpan = 1e-9;
+constexpr double minimumRelativeSpan = 1e-9;
 } // namespace
 
 AxisRange usableRange (AxisRange range)
@@ -24,14 +24,14 @@ AxisRange usableRange (AxisRange range)
     const auto magnitude = std::max (std::abs (low), std::abs (high));
     if (magnitude < 1 / largest)
         return { -1, 1 };
-    if (high - low >= leastRelativeSpan * magnitude)
+    if (high - low >= minimumRelativeSpan * magnitude)
         return { low, high };
     return { low - 0.1 * magnitude, high + 0.1 * magnitude };
 }
 
-double niceStep (double span, int mostParts)
+double niceStep (double span, int maximumParts)
 {
-    const auto raw = span / std::max (1, mostParts);
+    const auto raw = span / std::max (1, maximumParts);
     const auto decade = std::pow (10.0, std::floor (std::log10 (raw)));
     for (const auto factor : { 1.0, 2.0, 5.0 })
         if (factor * decade >= raw * (1 - 1e-9))
@@ -39,11 +39,11 @@ double niceStep (double span, int mostParts)
     return 10 * decade;
 }
 
-std::vector<double> linearTicks (AxisRange range, int most)
+std::vector<double> linearTicks (AxisRange range, int maximumTicks)
 {
     const auto [low, high] = usableRange (range);
     std::vector<double> ticks;
-    for (auto parts = std::max (1, most); ticks.size() < 2 && parts <= 4 * std::max (1, most); ++parts)
+    for (auto parts = std::max (1, maximumTicks); ticks.size() < 2 && parts <= 4 * std::max (1, maximumTicks); ++parts)
     {
         const auto step = niceStep (high - low, parts);
         const auto first = std::ceil (low / step - 1e-6);
@@ -55,11 +55,11 @@ std::vector<double> linearTicks (AxisRange range, int most)
     return ticks;
 }
 
-std::vector<double> decadeTicks (AxisRange range, int most)
+std::vector<double> decadeTicks (AxisRange range, int maximumTicks)
 {
     const auto first = static_cast<int> (std::ceil (std::log10 (range.minimum) - 1e-9));
     const auto last = static_cast<int> (std::floor (std::log10 (range.maximum) + 1e-9));
-    const auto parts = std::max (1, most);
+    const auto parts = std::max (1, maximumTicks);
     const auto stride = std::max (1, (last - first + parts) / parts);
     std::vector<double> ticks;
     for (auto exponent = first; exponent <= last; exponent += stride)
@@ -67,10 +67,10 @@ std::vector<double> decadeTicks (AxisRange range, int most)
     return ticks;
 }
 
-AxisRange niceRange (AxisRange range, int mostParts)
+AxisRange niceRange (AxisRange range, int maximumParts)
 {
     const auto [low, high] = usableRange (range);
-    const auto step = niceStep (high - low, mostParts);
+    const auto step = niceStep (high - low, maximumParts);
     return { std::floor (low / step + 1e-6) * step, std::ceil (high / step - 1e-6) * step };
 }
 } // namespace antinode

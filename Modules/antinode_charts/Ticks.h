@@ -16,15 +16,15 @@ AxisRange usableRange (AxisRange);
 
 /** The smallest of 1, 2, 5 times a power of ten that divides the span into no more than this many parts.
     @param span  more than 0 [any] */
-double niceStep (double span, int mostParts);
+double niceStep (double span, int maximumParts);
 
 /** All multiples of a nice step inside a range: at least 2 of them for most = 2 or more, and never more than most + 1.
     [any] */
-std::vector<double> linearTicks (AxisRange, int most);
+std::vector<double> linearTicks (AxisRange, int maximumTicks);
 
 /** Powers of ten inside a range of positive values, thinned out evenly to no more than most. [any] */
-std::vector<double> decadeTicks (AxisRange, int most);
+std::vector<double> decadeTicks (AxisRange, int maximumTicks);
 
 /** The range widened to multiples of its nice step. [any] */
-AxisRange niceRange (AxisRange, int mostParts);
+AxisRange niceRange (AxisRange, int maximumParts);
 } // namespace antinode

@@ -13,10 +13,12 @@ namespace antinode
     [any] */
 LineChart toleranceHistogram (const std::vector<DesignTolerance>& designs);
 
-/** Cumulative distribution of the field error over the devices, one curve per design, with the percentiles marked. [any] */
+/** Cumulative distribution of the field error over the devices, one curve per design, with the percentiles marked.
+ * [any] */
 LineChart toleranceShares (const std::vector<DesignTolerance>& designs);
 
-/** The largest causes of error: the modes with the largest field errors, each split into frequency, damping and participation.
+/** The largest causes of error: the modes with the largest field errors, each split into frequency, damping and
+   participation.
     @param count  how many modes at most
     [any] */
 BarChart toleranceCauseChart (const Tolerance&, int count);

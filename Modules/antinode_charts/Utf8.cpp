@@ -14,9 +14,9 @@ struct Decoded
 
 bool isAllowed (char32_t codePoint, std::size_t bytes)
 {
-    const char32_t least = bytes == 2 ? 0x80 : bytes == 3 ? 0x800 : 0x10000;
+    const char32_t minimum = bytes == 2 ? 0x80 : bytes == 3 ? 0x800 : 0x10000;
     const auto isSurrogate = codePoint >= 0xD800 && codePoint < 0xE000;
-    return codePoint >= least && codePoint <= 0x10FFFF && ! isSurrogate;
+    return codePoint >= minimum && codePoint <= 0x10FFFF && ! isSurrogate;
 }
 
 Decoded decodeFirst (std::string_view text)

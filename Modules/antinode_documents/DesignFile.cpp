@@ -65,7 +65,7 @@ Json samplesToJson (const SampledVoltages& samples)
 {
     auto json = playbackToJson (samples.playback);
     json["first_time_s"] = samples.firstTime;
-    json["voltages_V"] = rowsOf (samples.values);
+    json["voltages_V"] = toJsonRows (samples.values);
     return json;
 }
 
@@ -96,7 +96,7 @@ Json certificateToJson (const AllocationCertificate& certificate)
              { "bound", certificate.bound },
              { "gap", certificate.gap },
              { "peak_ratio", certificate.peakRatio },
-             { "least_peak_ratio", certificate.leastPeakRatio },
+             { "least_peak_ratio", certificate.minimumPeakRatio },
              { "row_residual", certificate.rowResidual },
              { "time_ms", certificate.milliseconds } };
 }
@@ -111,9 +111,9 @@ Json laterFociToJson (const FocusDesign& design)
         const auto& moment = design.moments[i];
         list.push_back ({ { "time_s", moment.time },
                           { "captured", moment.captured },
-                          { "wanted_velocities_m_s_sqrt_kg", listOf (moment.wanted) },
-                          { "wanted_mm_s", listOf (moment.target.field * 1000) },
-                          { "truncated_mm_s", listOf (moment.truncatedField * 1000) } });
+                          { "wanted_velocities_m_s_sqrt_kg", toJsonList (moment.wanted) },
+                          { "wanted_mm_s", toJsonList (moment.target.field * 1000) },
+                          { "truncated_mm_s", toJsonList (moment.truncatedField * 1000) } });
     }
 
     return list;
@@ -122,10 +122,10 @@ Json laterFociToJson (const FocusDesign& design)
 Json fieldToJson (const FocusDesign& design, const ModalModel& model)
 {
     constexpr double millimetres = 1000;
-    return { { "x_mm", listOf (model.surface.points.col (0) * millimetres) },
-             { "y_mm", listOf (model.surface.points.col (1) * millimetres) },
-             { "wanted_mm_s", listOf (design.target.field * millimetres) },
-             { "truncated_mm_s", listOf (design.truncatedField * millimetres) } };
+    return { { "x_mm", toJsonList (model.surface.points.col (0) * millimetres) },
+             { "y_mm", toJsonList (model.surface.points.col (1) * millimetres) },
+             { "wanted_mm_s", toJsonList (design.target.field * millimetres) },
+             { "truncated_mm_s", toJsonList (design.truncatedField * millimetres) } };
 }
 } // namespace
 
@@ -151,10 +151,10 @@ nlohmann::ordered_json designToJson (const FocusDesign& design, const ModalModel
     for (const auto& ceramic : model.ceramics)
         json["ceramics"].push_back (ceramic.name);
 
-    json["voltage_limits_V"] = listOf (design.program.voltageLimits);
+    json["voltage_limits_V"] = toJsonList (design.program.voltageLimits);
 
     if (json.contains ("oscillations"))
-        json["allocation"] = rowsOf (design.program.allocation);
+        json["allocation"] = toJsonRows (design.program.allocation);
 
     if (design.program.samples)
     {
@@ -163,7 +163,7 @@ nlohmann::ordered_json designToJson (const FocusDesign& design, const ModalModel
     }
 
     json["certificate"] = certificateToJson (design.certificate);
-    json["least_peak_voltage_V"] = design.leastPeakVoltage;
+    json["least_peak_voltage_V"] = design.minimumPeakVoltage;
     json["reachable_peak_velocity_mm_s"] = toMillimetres (design.reachablePeakVelocity);
     json["lower_bound_voltage_V"] = design.lowerBoundVoltage;
     json["lower_bound_gap"] = design.lowerBoundGap;

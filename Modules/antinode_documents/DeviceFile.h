@@ -14,7 +14,7 @@ namespace antinode
     [worker] */
 DeviceDescription readDevice (const nlohmann::json&, const std::string& source);
 
-/** A device of kind modal as JSON: what any other program can read. Written and read again it is the same to the bit: what Hz and
-    mm cannot express is added in SI units, under "exact". [worker] */
+/** A device of kind modal as JSON: what any other program can read. Written and read again it is the same to the bit:
+   what Hz and mm cannot express is added in SI units, under "exact". [worker] */
 nlohmann::ordered_json modalDeviceToJson (const ModalModel&, const std::string& description);
 } // namespace antinode

@@ -28,15 +28,15 @@ JsonObject sheetObject (const nlohmann::json& document, const std::string& sourc
 ExcitationSettings readSettings (const JsonObject& sheet)
 {
     constexpr NumberRange frequency { 0, 1e6 }, duration { 0, 1e4 };
-    constexpr int most = 10000, largestSeed = 2000000000;
+    constexpr int maximum = 10000, largestSeed = 2000000000;
     ExcitationSettings settings;
     settings.signal = sheet.required ("signal").choice (signalWords);
     settings.sampleRate = sheet.required ("sample_rate_Hz").number ({ 8000, 2e6 });
     settings.lowestFrequency = sheet.required ("lowest_frequency_Hz").number (frequency);
     settings.highestFrequency = sheet.required ("highest_frequency_Hz").number (frequency);
     settings.resolution = sheet.required ("resolution_Hz").number (frequency);
-    settings.periods = sheet.required ("periods").integer (1, most);
-    settings.settlingPeriods = sheet.required ("settling_periods").integer (1, most);
+    settings.periods = sheet.required ("periods").integer (1, maximum);
+    settings.settlingPeriods = sheet.required ("settling_periods").integer (1, maximum);
     settings.sweepDuration = sheet.required ("sweep_duration_s").number (duration);
     settings.hasOddGrid = sheet.required ("odd_lines").boolean();
     settings.seed = static_cast<std::uint64_t> (sheet.required ("seed").integer (0, largestSeed));
@@ -87,12 +87,12 @@ nlohmann::ordered_json excitationToJson (const ExcitationSheet& sheet, const std
              { "seed", settings.seed },
              { "crest_factor", excitation.crestFactor },
              { "signal_samples", excitation.signal.size() },
-             { "turn_samples", excitation.turn },
+             { "turn_samples", excitation.runLength },
              { "full_scale_V", sheet.fullScaleVoltage },
              { "ceramics", ceramics } };
 }
 
-std::string signalFileOf (const nlohmann::json& document, const std::string& source)
+std::string readSignalFileName (const nlohmann::json& document, const std::string& source)
 {
     const auto value = sheetObject (document, source).required ("signal_file");
     auto name = value.text (ranges::maximumNameBytes);

@@ -25,11 +25,11 @@ struct ExcitationSheet
 nlohmann::ordered_json excitationToJson (const ExcitationSheet&, const std::string& signalFile);
 
 /** The name of the file with the signal. @throws InputError  as readExcitation [worker] */
-std::string signalFileOf (const nlohmann::json&, const std::string& source);
+std::string readSignalFileName (const nlohmann::json&, const std::string& source);
 
 /** A sheet from its JSON and the signal of a run.
     @param signal  as the file in the folder of the sheet has it, peak 1
-    @throws InputError  source, JSON pointer, what is wrong, what is allowed, "did you mean"; or where the signal does not fit
-    [worker] */
+    @throws InputError  source, JSON pointer, what is wrong, what is allowed, "did you mean"; or where the signal does
+   not fit [worker] */
 ExcitationSheet readExcitation (const nlohmann::json&, const std::string& source, const Eigen::VectorXd& signal);
 } // namespace antinode

@@ -22,7 +22,7 @@ ExcitationSheet readSheet (const std::filesystem::path& path)
 {
     const auto source = path.string();
     const auto document = readJsonFile (path);
-    const auto signal = readWaveFile (path.parent_path() / signalFileOf (document, source));
+    const auto signal = readWaveFile (path.parent_path() / readSignalFileName (document, source));
     return readExcitation (document, source, signal.samples.row (0));
 }
 } // namespace antinode

@@ -161,7 +161,7 @@ bool readDisplacement (const JsonValue& value, AllocationMethod method, bool isR
 {
     const auto isZero = value.choice (WordList<bool, 2> { { { "free", false }, { "zero", true } } });
 
-    if (isZero && ! traitsOf (method).hasExactRows)
+    if (isZero && ! methodTraits (method).hasExactRows)
         value.fail ("is 'zero' with a method without exact rows; allowed only with "
                     + methodsThat (&AllocationTraits::hasExactRows, "and"));
 
@@ -195,7 +195,7 @@ AllocationChoice readAllocation (const JsonValue& value)
     {
         const auto allowed = methodsThat (&AllocationTraits::takesRobustness, "or");
 
-        if (! traitsOf (allocation.method).takesRobustness)
+        if (! methodTraits (allocation.method).takesRobustness)
             robust->fail ("is given with a method other than " + allowed + "; allowed only with " + allowed);
 
         allocation.robust = readRobustness (*robust);

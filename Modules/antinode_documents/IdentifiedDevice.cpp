@@ -28,7 +28,7 @@ nlohmann::ordered_json identifiedDeviceToJson (const ModalModel& model, const Id
             mode["damping_ratio_standard_deviation"] = deviations.dampingRatios[k];
 
         if (areKnown (deviations.participation))
-            mode["participation_standard_deviation_per_V"] = listOf (deviations.participation.row (k));
+            mode["participation_standard_deviation_per_V"] = toJsonList (deviations.participation.row (k));
     }
 
     return device;

@@ -7,8 +7,8 @@
 
 namespace antinode
 {
-/** An identified device as JSON of kind modal: as modalDeviceToJson(), with the standard deviations of frequency, damping ratio and
-    participation of every mode where they are known, and the delay of the measurement.
+/** An identified device as JSON of kind modal: as modalDeviceToJson(), with the standard deviations of frequency,
+   damping ratio and participation of every mode where they are known, and the delay of the measurement.
     @param model  made of these modes, in their order
     [worker] Docs/FileFormats.md. */
 nlohmann::ordered_json identifiedDeviceToJson (const ModalModel& model, const IdentifiedModes&,

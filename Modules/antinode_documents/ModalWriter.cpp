@@ -34,11 +34,11 @@ Json modesToJson (const ModalModel& model)
         if (model.frequencyErrors.size() > 0)
             mode["frequency_error_relative"] = model.frequencyErrors[k];
 
-        mode["participation_per_V"] = listOf (model.participation.row (k));
-        mode["shape"] = listOf (model.shapes.col (k));
+        mode["participation_per_V"] = toJsonList (model.participation.row (k));
+        mode["shape"] = toJsonList (model.shapes.col (k));
 
         if (model.slopes.size() > 0)
-            mode["slope"] = listOf (model.slopes.col (k));
+            mode["slope"] = toJsonList (model.slopes.col (k));
 
         modes.push_back (std::move (mode));
     }
@@ -81,8 +81,8 @@ Json exactToJson (const ModalModel& model)
     for (const auto& ceramic : model.ceramics)
         extents.push_back ({ ceramic.xMinimum, ceramic.xMaximum, ceramic.yMinimum, ceramic.yMaximum });
 
-    return { { "angular_frequencies_rad_s", listOf (model.angularFrequencies) },
-             { "points_m", rowsOf (surface.points) },
+    return { { "angular_frequencies_rad_s", toJsonList (model.angularFrequencies) },
+             { "points_m", toJsonRows (surface.points) },
              { "extent_m", { surface.xMinimum, surface.xMaximum, surface.yMinimum, surface.yMaximum } },
              { "ceramic_extents_m", std::move (extents) } };
 }
@@ -107,8 +107,8 @@ nlohmann::ordered_json modalDeviceToJson (const ModalModel& model, const std::st
     device["covers_whole_body"] = model.coversWholeBody;
     device["modes"] = modesToJson (model);
     device["points_mm"] = std::move (points);
-    device["weights_kg"] = listOf (model.surface.masses);
-    device["areas_m2"] = listOf (model.surface.areas);
+    device["weights_kg"] = toJsonList (model.surface.masses);
+    device["areas_m2"] = toJsonList (model.surface.areas);
     device["exact"] = exactToJson (model);
     return device;
 }

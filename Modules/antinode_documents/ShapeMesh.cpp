@@ -8,7 +8,7 @@ namespace antinode
 {
 namespace
 {
-constexpr Eigen::Index mostPoints = 4000;
+constexpr Eigen::Index maximumPoints = 4000;
 
 /** How often a row of values changes its sign where it is not small relative to the largest value of its mode. */
 Eigen::Index signChanges (const auto& values, double largest)
@@ -47,11 +47,11 @@ Eigen::Array2<Eigen::Index> evenCounts (const PlateGrid& grid, const Eigen::Matr
 
     Eigen::Array2<Eigen::Index> counts = pointsAHalfWave * (changes + 1) + 1;
 
-    if (counts.prod() > mostPoints)
+    if (counts.prod() > maximumPoints)
     {
-        const auto scale = std::sqrt (static_cast<double> (mostPoints) / static_cast<double> (counts.prod()));
+        const auto scale = std::sqrt (static_cast<double> (maximumPoints) / static_cast<double> (counts.prod()));
         counts = (counts.cast<double>() * scale).cast<Eigen::Index>().max (fewest);
-        counts = counts.min (mostPoints / counts.minCoeff());
+        counts = counts.min (maximumPoints / counts.minCoeff());
     }
 
     return counts;

@@ -15,8 +15,8 @@ struct ShapeMesh
         traces; ///< Lines of neighbouring points, from 0; each has two points or more.
 };
 
-/** The shapes of a model on the points of its surface; those of a computed plate on an even grid from edge to edge, with about eight
-    points a wavelength of the most rippled mode and at most 4000. Traces join the points that share an x or a y.
-    [worker] */
+/** The shapes of a model on the points of its surface; those of a computed plate on an even grid from edge to edge,
+   with about eight points a wavelength of the most rippled mode and at most 4000. Traces join the points that share an
+   x or a y. [worker] */
 ShapeMesh shapeMesh (const ModalModel&);
 } // namespace antinode

@@ -16,8 +16,8 @@ struct GivenSurface
 };
 
 /** The surface of a modal device: "points_mm", "weights_kg", "areas_m2".
-    Points with one common y are a line, with y = 0 and ascending in x. Where areas are not given, those of a line are half the
-    distance to the neighbours and those of a plate go with the weights.
+    Points with one common y are a line, with y = 0 and ascending in x. Where areas are not given, those of a line are
+   half the distance to the neighbours and those of a plate go with the weights.
     @param exact  SI numbers to the last bit, or none
     @throws InputError [worker] */
 GivenSurface readSurface (const JsonObject& device, const std::optional<JsonObject>& exact);

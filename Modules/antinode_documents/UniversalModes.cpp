@@ -14,7 +14,7 @@ namespace
 constexpr std::string_view program = "Antinode " ANTINODE_VERSION;
 constexpr int colour = 8, loadCase = 1;
 
-UniversalHeader headerOf (const ModalModel& model)
+UniversalHeader makeHeader (const ModalModel& model)
 {
     const std::string noDate (20, ' '), writer (program);
     return { { "Device " + model.name, "Normal modes of the surface of a haptic device", writer,
@@ -27,7 +27,7 @@ UniversalUnits metresAndNewtons()
     return { 1, "SI: Meter (newton)", relativeTemperature, 1, 1, 1, 273.14999999999998 };
 }
 
-UniversalNodes nodesOf (const ShapeMesh& mesh)
+UniversalNodes makeNodes (const ShapeMesh& mesh)
 {
     UniversalNodes nodes;
     nodes.isDouble = false;
@@ -46,13 +46,13 @@ UniversalNodes nodesOf (const ShapeMesh& mesh)
 /** Long traces go into several sets, each of which begins with the last node of the one before. */
 void appendTraces (std::vector<UniversalSet>& sets, const ShapeMesh& mesh)
 {
-    constexpr std::size_t mostNodes = 125; // Of the format 250, of old readers of it 125.
+    constexpr std::size_t maximumNodes = 125; // Of the format 250, of old readers of it 125.
     int number = 0;
 
     for (const auto& trace : mesh.traces)
-        for (std::size_t first = 0; first + 1 < trace.size(); first += mostNodes - 1)
+        for (std::size_t first = 0; first + 1 < trace.size(); first += maximumNodes - 1)
         {
-            const auto end = std::min (first + mostNodes, trace.size());
+            const auto end = std::min (first + maximumNodes, trace.size());
             UniversalTrace line { ++number, colour, "Line " + std::to_string (number), {} };
 
             for (auto i = first; i < end; ++i)
@@ -62,7 +62,8 @@ void appendTraces (std::vector<UniversalSet>& sets, const ShapeMesh& mesh)
         }
 }
 
-UniversalShape shapeOf (const ModalModel& model, const ShapeMesh& mesh, const UniversalNodes& nodes, Eigen::Index mode)
+UniversalShape makeShape (const ModalModel& model, const ShapeMesh& mesh, const UniversalNodes& nodes,
+                          Eigen::Index mode)
 {
     constexpr int structural = 1, normalMode = 2, translations = 2, displacement = 8, alongZ = 2;
     constexpr double modalMass = 1, hystereticDamping = 0;
@@ -90,12 +91,12 @@ UniversalShape shapeOf (const ModalModel& model, const ShapeMesh& mesh, const Un
 std::vector<UniversalSet> modeSets (const ModalModel& model)
 {
     const auto mesh = shapeMesh (model);
-    const auto nodes = nodesOf (mesh);
-    std::vector<UniversalSet> sets { headerOf (model), metresAndNewtons(), nodes };
+    const auto nodes = makeNodes (mesh);
+    std::vector<UniversalSet> sets { makeHeader (model), metresAndNewtons(), nodes };
     appendTraces (sets, mesh);
 
     for (Eigen::Index mode = 0; mode < model.modes(); ++mode)
-        sets.emplace_back (shapeOf (model, mesh, nodes, mode));
+        sets.emplace_back (makeShape (model, mesh, nodes, mode));
 
     return sets;
 }

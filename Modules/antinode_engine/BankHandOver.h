@@ -8,9 +8,9 @@
 
 namespace antinode
 {
-/** Banks on their way from a worker to the audio thread and back: one atomic exchange each way, no lock, no wait. A bank that was given
-    and not yet taken is replaced by the next one. Banks come back when no voice plays them any more, and are freed by
-    the worker. One worker thread at a time, one audio thread at a time. */
+/** Banks on their way from a worker to the audio thread and back: one atomic exchange each way, no lock, no wait. A
+   bank that was given and not yet taken is replaced by the next one. Banks come back when no voice plays them any more,
+   and are freed by the worker. One worker thread at a time, one audio thread at a time. */
 class BankHandOver
 {
 public:

@@ -10,7 +10,7 @@ namespace antinode
 namespace
 {
 /** The brakes of a program, or all its other oscillations. */
-VoltageProgram partOf (const VoltageProgram& program, bool brakes)
+VoltageProgram selectPart (const VoltageProgram& program, bool brakes)
 {
     auto part = program;
     std::vector<Eigen::Index> columns;
@@ -41,7 +41,7 @@ bool hasBrake (const VoltageProgram& program)
 {
     const auto count = std::count_if (program.oscillations.begin(), program.oscillations.end(),
                                       [] (const Oscillation& oscillation) { return oscillation.isBrake(); });
-    return count > 0 && count <= static_cast<std::ptrdiff_t> (PlayableBrake::mostOscillations);
+    return count > 0 && count <= static_cast<std::ptrdiff_t> (PlayableBrake::maximumOscillations);
 }
 } // namespace
 
@@ -51,7 +51,7 @@ PlayableFocus::PlayableFocus (const VoltageProgram& program, Playback playback)
 }
 
 PlayableFocus::PlayableFocus (const VoltageProgram& program, Playback playback, bool isBraked)
-    : synthesiser (isBraked ? partOf (program, false) : program, playback)
+    : synthesiser (isBraked ? selectPart (program, false) : program, playback)
 {
     auto first = program.focusTime, last = program.focusTime;
 
@@ -67,7 +67,7 @@ PlayableFocus::PlayableFocus (const VoltageProgram& program, Playback playback, 
     endSample = static_cast<std::int64_t> (std::ceil (last * playback.sampleRate)) + 2;
 
     if (isBraked)
-        brake.emplace (partOf (program, true), playback);
+        brake.emplace (selectPart (program, true), playback);
 }
 
 std::int64_t FocusBank::latestFocusSample() const

@@ -31,8 +31,8 @@ private:
     PlayableFocus (const VoltageProgram&, Playback, bool isBraked);
 };
 
-/** The foci of the triggers, each place with a focus or none: 128 places of notes, the one that is edited, and some that were touched
-    last. Made on a worker, handed over whole, never changed. */
+/** The foci of the triggers, each place with a focus or none: 128 places of notes, the one that is edited, and some
+   that were touched last. Made on a worker, handed over whole, never changed. */
 struct FocusBank
 {
     static constexpr int notePlaces = 128;
@@ -43,7 +43,8 @@ struct FocusBank
 
     std::array<std::shared_ptr<const PlayableFocus>, places> foci;
 
-    /** The latest focus of all, in samples after its trigger: the delay that lets every focus fall on its note. [any] */
+    /** The latest focus of all, in samples after its trigger: the delay that lets every focus fall on its note. [any]
+     */
     std::int64_t latestFocusSample() const;
 };
 } // namespace antinode

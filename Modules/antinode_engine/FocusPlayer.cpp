@@ -78,7 +78,7 @@ void FocusPlayer::add (const Voice& voice, std::int64_t from, std::int64_t to, S
         const auto start = voice.trigger + voice.brakeDelay;
 
         if (to > start + brake->startSample())
-            brake->designed().add (from - start, count, voice.amplitude, channels, brakeFactorsOf (voice));
+            brake->designed().add (from - start, count, voice.amplitude, channels, findBrakeFactors (voice));
     }
 }
 

@@ -4,11 +4,11 @@
 
 namespace antinode
 {
-/** Overlapping foci, each with its own design and amplitude, summed into one channel per ceramic: the voices with their synthesis and
-    mixing fused.
+/** Overlapping foci, each with its own design and amplitude, summed into one channel per ceramic: the voices with their
+   synthesis and mixing fused.
 
-    Output depends on the samples' and events' places in time only, not, to the bit, on how time is cut into blocks. Limits are not
-    its concern: VoltageLimiter stands behind it. */
+    Output depends on the samples' and events' places in time only, not, to the bit, on how time is cut into blocks.
+   Limits are not its concern: VoltageLimiter stands behind it. */
 class FocusPlayer : public FocusVoices
 {
 public:

@@ -15,10 +15,11 @@ namespace
 constexpr double longestFade = 1; // s
 } // namespace
 
-FocusVoices::FocusVoices (int ceramicsToUse, double sampleRate, PlayerSettings settingsToUse, int mostOscillationsToUse)
+FocusVoices::FocusVoices (int ceramicsToUse, double sampleRate, PlayerSettings settingsToUse,
+                          int maximumOscillationsToUse)
     : ceramics (ceramicsToUse),
       fadeLength (std::max<std::int64_t> (1, std::llround (settingsToUse.fadeTime * sampleRate))),
-      settings (settingsToUse), mostOscillations (mostOscillationsToUse)
+      settings (settingsToUse), maximumOscillations (maximumOscillationsToUse)
 {
     if (ceramics < 1 || ! (sampleRate > 0 && std::isfinite (sampleRate)))
         throw InputError ("player", "needs at least one ceramic and a positive sample rate");
@@ -130,7 +131,7 @@ void FocusVoices::releaseBrake (Voice& voice)
     voice.brakeDelay = std::max<std::int64_t> (0, clock - voice.trigger - brake.startSample());
 
     if (voice.brakeDelay > 0)
-        brake.factorsAfter (voice.brakeDelay, brakeFactors[indexOf (voice)]);
+        brake.factorsAfter (voice.brakeDelay, brakeFactors[voiceIndex (voice)]);
 }
 
 void FocusVoices::release (int place)
@@ -187,18 +188,19 @@ FocusVoices::Voice& FocusVoices::freeVoice()
 
 bool FocusVoices::cutAnother (const Voice& kept)
 {
-    Voice* least = nullptr;
+    Voice* leastImportant = nullptr;
 
     for (auto& voice : voices)
         if (voice.focus != nullptr && &voice != &kept
-            && (least == nullptr
-                || std::pair (voice.fadeStart, voice.order) < std::pair (least->fadeStart, least->order)))
-            least = &voice;
+            && (leastImportant == nullptr
+                || std::pair (voice.fadeStart, voice.order)
+                       < std::pair (leastImportant->fadeStart, leastImportant->order)))
+            leastImportant = &voice;
 
-    if (least == nullptr)
+    if (leastImportant == nullptr)
         return false;
 
-    finish (*least);
+    finish (*leastImportant);
     ++counts.cut;
     return true;
 }
@@ -211,7 +213,7 @@ void FocusVoices::trigger (const FocusEvent& event)
         bank != nullptr && isPlace ? bank->foci[static_cast<std::size_t> (event.place)].get() : nullptr;
 
     if (focus == nullptr || focus->synthesiser.channelCount() != ceramics
-        || focus->oscillationCount() > mostOscillations)
+        || focus->oscillationCount() > maximumOscillations)
     {
         ++counts.empty;
         return;

@@ -17,7 +17,8 @@ enum class NoteOffBehaviour
 {
     ignore, ///< A focus plays to its end: the default, notes are mostly shorter than foci.
     fade,   ///< It fades out.
-    brake ///< While the note is held, the plate rings on after the focus; then the brake begins, not before its own time.
+    brake   ///< While the note is held, the plate rings on after the focus; then the brake begins, not before its own
+            ///< time.
 };
 
 /** What a trigger does where its place sounds already. */
@@ -92,10 +93,10 @@ protected:
     };
 
     /** @param ceramics          of the foci that are played: others count as empty
-        @param mostOscillations  foci with more count as empty
+        @param maximumOscillations  foci with more count as empty
         @throws InputError       as FocusPlayer
         [worker] allocates */
-    FocusVoices (int ceramics, double sampleRate, PlayerSettings, int mostOscillations);
+    FocusVoices (int ceramics, double sampleRate, PlayerSettings, int maximumOscillations);
 
     /** Nothing may be processing. [worker] */
     ~FocusVoices();
@@ -135,12 +136,12 @@ protected:
         there is none but this one [audio thread] */
     bool cutAnother (const Voice&);
 
-    std::size_t indexOf (const Voice& voice) const { return static_cast<std::size_t> (&voice - voices.data()); }
+    std::size_t voiceIndex (const Voice& voice) const { return static_cast<std::size_t> (&voice - voices.data()); }
 
     /** What a late brake is to be multiplied with; none where it begins as designed. */
-    const std::complex<double>* brakeFactorsOf (const Voice& voice) const
+    const std::complex<double>* findBrakeFactors (const Voice& voice) const
     {
-        return voice.brakeDelay > 0 ? brakeFactors[indexOf (voice)].data() : nullptr;
+        return voice.brakeDelay > 0 ? brakeFactors[voiceIndex (voice)].data() : nullptr;
     }
 
     int ceramics;
@@ -149,7 +150,7 @@ protected:
     std::array<Voice, allVoices> voices {};
 
 private:
-    using Factors = std::array<std::complex<double>, PlayableBrake::mostOscillations>;
+    using Factors = std::array<std::complex<double>, PlayableBrake::maximumOscillations>;
 
     struct UsedBank
     {
@@ -169,7 +170,7 @@ private:
     void fadeWhere (Condition);
 
     PlayerSettings settings;
-    int mostOscillations;
+    int maximumOscillations;
     std::int64_t latency = 0;
     BankHandOver exchange;
     std::array<UsedBank, allVoices + 2> banks {};

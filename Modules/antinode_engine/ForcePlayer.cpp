@@ -9,12 +9,12 @@ ForcePlayer::ForcePlayer (int ceramicsToUse, double sampleRate, PlayerSettings p
     : FocusVoices (ceramicsToUse, sampleRate, playerSettings, channels), stock (channels)
 {
     // A focus and its brake of every voice that sounds when a block begins, or begins in it.
-    listed.reserve (2 * (allVoices + mostEvents));
+    listed.reserve (2 * (allVoices + maximumEvents));
 }
 
 bool ForcePlayer::hasRoom (const Voice& voice) const
 {
-    return voice.focus != nullptr && rooms[indexOf (voice)].order == voice.order;
+    return voice.focus != nullptr && rooms[voiceIndex (voice)].order == voice.order;
 }
 
 /** The first channel of so many that no voice uses, or -1: they begin at 0 or behind another voice's. */
@@ -26,7 +26,7 @@ int ForcePlayer::freeChannel (const Voice& voice, int size) const
                && std::none_of (voices.begin(), voices.end(),
                                 [&] (const Voice& other)
                                 {
-                                    const auto& room = rooms[indexOf (other)];
+                                    const auto& room = rooms[voiceIndex (other)];
                                     return &other != &voice && hasRoom (other) && first < room.first + room.size
                                            && room.first < first + size;
                                 });
@@ -38,9 +38,9 @@ int ForcePlayer::freeChannel (const Voice& voice, int size) const
     auto found = -1;
 
     for (const auto& other : voices)
-        if (const auto& room = rooms[indexOf (other)]; &other != &voice && hasRoom (other)
-                                                       && (found < 0 || room.first + room.size < found)
-                                                       && isFree (room.first + room.size))
+        if (const auto& room = rooms[voiceIndex (other)]; &other != &voice && hasRoom (other)
+                                                          && (found < 0 || room.first + room.size < found)
+                                                          && isFree (room.first + room.size))
             found = room.first + room.size;
 
     return found;
@@ -54,7 +54,7 @@ void ForcePlayer::makeRoom (const Voice& voice)
     while (first < 0 && cutAnother (voice))
         first = freeChannel (voice, size);
 
-    rooms[indexOf (voice)] = { voice.order, std::max (0, first), size };
+    rooms[voiceIndex (voice)] = { voice.order, std::max (0, first), size };
 }
 
 /** For all that begin to sound in the next samples. Before any of these is written: a voice that is cut leaves
@@ -69,7 +69,7 @@ void ForcePlayer::makeRooms (int count)
 void ForcePlayer::list (const Voice& voice, const Part& part, int first, int offset)
 {
     const auto from = offset + static_cast<int> (part.from - clock), to = offset + static_cast<int> (part.to - clock);
-    auto& entry = rooms[indexOf (voice)].entries[static_cast<std::size_t> (part.kind)];
+    auto& entry = rooms[voiceIndex (voice)].entries[static_cast<std::size_t> (part.kind)];
 
     // A voice plays without a gap, also across events.
     if (entry >= 0)
@@ -79,14 +79,14 @@ void ForcePlayer::list (const Voice& voice, const Part& part, int first, int off
     }
 
     entry = std::ssize (listed);
-    listed.push_back ({ &part.design, first, from, to, 2 * static_cast<int> (indexOf (voice)) + part.kind });
+    listed.push_back ({ &part.design, first, from, to, 2 * static_cast<int> (voiceIndex (voice)) + part.kind });
 }
 
 template <typename Sample>
 void ForcePlayer::renderPart (const Voice& voice, const Part& part, Sample* const* channels, int offset)
 {
     const auto first =
-        rooms[indexOf (voice)].first + (part.kind == 0 ? 0 : voice.focus->synthesiser.oscillationCount());
+        rooms[voiceIndex (voice)].first + (part.kind == 0 ? 0 : voice.focus->synthesiser.oscillationCount());
     list (voice, part, first, offset);
     const auto begin = offset + (part.from - clock);
     const auto count = static_cast<int> (part.to - part.from);
@@ -122,7 +122,7 @@ void ForcePlayer::renderVoice (const Voice& voice, Sample* const* channels, int 
     const auto start = voice.trigger + voice.brakeDelay;
 
     if (to > start + focus.brake->startSample())
-        renderPart<Sample> (voice, { focus.brake->designed(), 1, start, from, to, brakeFactorsOf (voice) }, channels,
+        renderPart<Sample> (voice, { focus.brake->designed(), 1, start, from, to, findBrakeFactors (voice) }, channels,
                             offset);
 }
 
@@ -136,7 +136,7 @@ void ForcePlayer::process (Sample* const* channels, int count, std::span<const F
     for (auto& room : rooms)
         room.entries = { -1, -1 };
 
-    playStretches (count, events.first (std::min (events.size(), mostEvents)),
+    playStretches (count, events.first (std::min (events.size(), maximumEvents)),
                    [&] (int offset, int length)
                    {
                        makeRooms (length);

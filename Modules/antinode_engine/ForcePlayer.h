@@ -24,7 +24,7 @@ struct ForceStretch
 class ForcePlayer : public FocusVoices
 {
 public:
-    static constexpr std::size_t mostEvents = 4096; ///< Of one block: those beyond are left out.
+    static constexpr std::size_t maximumEvents = 4096; ///< Of one block: those beyond are left out.
 
     /** @param channels  the stock, 1 or more
         @throws InputError  as FocusPlayer

@@ -7,8 +7,8 @@ namespace antinode
 {
 namespace
 {
-constexpr double smallest = 1e-30; // of a sum of squares: below, a surface is still
-constexpr double least = 0.25;     // of the largest sum of squares of late: below, a window is not worth a look
+constexpr double smallest = 1e-30;         // of a sum of squares: below, a surface is still
+constexpr double minimumPowerShare = 0.25; // of the largest sum of squares of late: below, a window is not worth a look
 } // namespace
 
 MotionCapture::MotionCapture (int modesToKeep, int framesOfWindow, double memory)
@@ -52,7 +52,7 @@ void MotionCapture::findPeak (double energy)
 
     if (peak > smallest && now - peakAt >= frames / 2)
     {
-        if (peak >= least * recent && now >= frames)
+        if (peak >= minimumPowerShare * recent && now >= frames)
             ready.store (now, std::memory_order_release);
 
         peak = 0;

@@ -16,9 +16,9 @@ namespace antinode
 {
 namespace
 {
-constexpr double lowestRate = 8e3, highestRate = 2e6; // Hz
-constexpr double longestDuration = 60;                // s
-constexpr double mostMemory = 1024.0 * 1024 * 1024;   // bytes
+constexpr double lowestRate = 8e3, highestRate = 2e6;  // Hz
+constexpr double longestDuration = 60;                 // s
+constexpr double maximumMemory = 1024.0 * 1024 * 1024; // bytes
 
 template <typename... Parts>
 std::string text (const Parts&... parts)
@@ -50,9 +50,9 @@ Eigen::Index countSamples (const RenderSettings& settings, Eigen::Index rows, st
     const auto count = std::max (1.0, std::round (settings.duration * settings.playback.sampleRate));
     const auto bytes = count * static_cast<double> (rows) * sizeof (double);
 
-    if (bytes > mostMemory)
+    if (bytes > maximumMemory)
         throw InputError ("duration", text ("needs ", std::ceil (bytes / (1024 * 1024)),
-                                            " MiB at this sample rate; allowed: ", mostMemory / (1024 * 1024),
+                                            " MiB at this sample rate; allowed: ", maximumMemory / (1024 * 1024),
                                             " MiB; take a shorter duration or a lower rate"));
 
     if (focusSample < 0 || static_cast<double> (focusSample) >= count)
@@ -110,12 +110,13 @@ PlacedSamples placedSamples (const VoltageProgram& program, Playback playback, s
 
     if (made.sampleRate != playback.sampleRate || made.reconstruction != playback.reconstruction)
     {
-        const auto nameOf = [] (Reconstruction reconstruction)
+        const auto reconstructionName = [] (Reconstruction reconstruction)
         { return reconstruction == Reconstruction::bandLimited ? "band_limited" : "zero_order_hold"; };
         throw InputError ("sample rate",
-                          text ("is ", playback.sampleRate, " Hz, ", nameOf (playback.reconstruction),
+                          text ("is ", playback.sampleRate, " Hz, ", reconstructionName (playback.reconstruction),
                                 ", but this free waveform was designed for ", made.sampleRate, " Hz, ",
-                                nameOf (made.reconstruction), "; design it again for ", playback.sampleRate, " Hz"));
+                                reconstructionName (made.reconstruction), "; design it again for ", playback.sampleRate,
+                                " Hz"));
     }
 
     if (samples.values.rows() != program.voltageLimits.size())
@@ -134,8 +135,8 @@ struct Kernels
     PlateModel plate;
 };
 
-/** Fills samples first .. first + count - 1 of the voltages, and as many modal velocities as that gives: they lag, so those
-    before the first sample are dropped. */
+/** Fills samples first .. first + count - 1 of the voltages, and as many modal velocities as that gives: they lag, so
+   those before the first sample are dropped. */
 void renderBlock (Kernels& kernels, Eigen::Index first, Eigen::Index count, Eigen::MatrixXd& voltages,
                   Eigen::MatrixXd& modalVelocities)
 {

@@ -31,13 +31,12 @@ struct Render
     std::vector<std::int64_t> limitedSamples; ///< Per ceramic, how many samples the limiter had to clamp.
 };
 
-/** Plays a program through synthesiser, limiter and plate model, offline. The plate is at rest before the first sample; the
-    voltages before it are 0, those after the last one are what the program goes on with.
+/** Plays a program through synthesiser, limiter and plate model, offline. The plate is at rest before the first sample;
+   the voltages before it are 0, those after the last one are what the program goes on with.
     @param progress  called with 0..1 after about every hundredth; may be empty
-    @throws InputError  when the rate is not 8 kHz to 2 MHz, the duration not above 0 to 60 s or too long for 1 GiB of results or
-                        too short for the focus, the block size below 1, sizes do not agree, voltages overflow double precision, or
-                        a free waveform was made for another rate or reconstruction
-    [worker] Docs/Theory.md, section 6. */
+    @throws InputError  when the rate is not 8 kHz to 2 MHz, the duration not above 0 to 60 s or too long for 1 GiB of
+   results or too short for the focus, the block size below 1, sizes do not agree, voltages overflow double precision,
+   or a free waveform was made for another rate or reconstruction [worker] Docs/Theory.md, section 6. */
 Render renderOffline (const ModalModel&, const VoltageProgram&, const RenderSettings&,
                       const std::function<void (double)>& progress = {});
 } // namespace antinode

@@ -28,11 +28,11 @@ HWY_INLINE void storeAs (Tag wide, Vector values, double* target)
 }
 
 template <typename Sample>
-HWY_INLINE void findPhasorsOf (const SoundingOscillation& oscillation, int strip, Sample* phasors)
+HWY_INLINE void findStripPhasors (const SoundingOscillation& oscillation, int strip, Sample* phasors)
 {
     const hn::CappedTag<double, synthesisStrip> wide;
     const hn::Rebind<Sample, decltype (wide)> narrow;
-    const auto least = hn::Set (
+    const auto minimum = hn::Set (
         wide, static_cast<double> (std::numeric_limits<Sample>::min() / std::numeric_limits<Sample>::epsilon()));
     const auto* turns = oscillation.turns + strip * 2 * synthesisStrip;
     const auto anchorReal = hn::Set (wide, oscillation.anchorReal);
@@ -44,7 +44,7 @@ HWY_INLINE void findPhasorsOf (const SoundingOscillation& oscillation, int strip
         const auto turnImaginary = hn::Load (wide, turns + synthesisStrip + t);
         const auto real = hn::NegMulAdd (anchorImaginary, turnImaginary, hn::Mul (anchorReal, turnReal));
         const auto imaginary = hn::MulAdd (anchorImaginary, turnReal, hn::Mul (anchorReal, turnImaginary));
-        const auto audible = hn::Ge (hn::Max (hn::Abs (real), hn::Abs (imaginary)), least);
+        const auto audible = hn::Ge (hn::Max (hn::Abs (real), hn::Abs (imaginary)), minimum);
         storeAs (narrow, hn::IfThenElseZero (audible, real), phasors + t);
         storeAs (narrow, hn::IfThenElseZero (audible, imaginary), phasors + synthesisStrip + t);
     }
@@ -55,7 +55,7 @@ template <typename Sample>
 void findPhasors (SynthesisChunk<Sample>& chunk, int strip)
 {
     for (int c = 0; c < chunk.count; ++c)
-        findPhasorsOf (chunk.sounding[c], strip, chunk.phasors + c * 2 * synthesisStrip);
+        findStripPhasors (chunk.sounding[c], strip, chunk.phasors + c * 2 * synthesisStrip);
 }
 } // namespace
 

@@ -8,8 +8,8 @@
 
 namespace antinode
 {
-/** Channels of samples, each of which starts on a cache line: kernels are some points quicker there. Channels are not a power of two apart, or
-    they would drive each other out of the first cache. */
+/** Channels of samples, each of which starts on a cache line: kernels are some points quicker there. Channels are not a
+   power of two apart, or they would drive each other out of the first cache. */
 template <typename Sample>
 class PlanarBuffer
 {

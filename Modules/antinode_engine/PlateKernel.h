@@ -11,9 +11,9 @@ inline constexpr int plateTile = 16, plateModeGroup = 32;
 /** The largest number of modes summed at once for the probes, and the number of probes at once if there are enough. */
 inline constexpr int plateModesHeard = 128, plateProbeGroup = 8;
 
-/** The modes of a plate and one tile of its samples. All arrays start on a cache line; modes are padded with zeros. Where
-    many rows belong to a mode, a group of 32 modes has its rows in one place: rows that are far apart by a power of two would
-    drive each other out of the first cache.
+/** The modes of a plate and one tile of its samples. All arrays start on a cache line; modes are padded with zeros.
+   Where many rows belong to a mode, a group of 32 modes has its rows in one place: rows that are far apart by a power
+   of two would drive each other out of the first cache.
 
     In the coordinates (q', Im y) of section 6.5 of Docs/Theory.md a mode goes from one sample to the next with
 
@@ -62,8 +62,9 @@ inline std::ptrdiff_t plateModesEnd (const PlateTile& tile, std::ptrdiff_t first
     return std::min<std::ptrdiff_t> (tile.modes, firstMode + plateModesHeard);
 }
 
-/** Advances up to 128 modes of the plate by the samples of a tile, in the form for this processor: AVX-512, AVX2 with FMA, SSSE3 or
-    plain C++. Every sample is computed by the same operations in the same order, wherever it lies in a tile. */
+/** Advances up to 128 modes of the plate by the samples of a tile, in the form for this processor: AVX-512, AVX2 with
+   FMA, SSSE3 or plain C++. Every sample is computed by the same operations in the same order, wherever it lies in a
+   tile. */
 using PlateKernel = void (*) (const PlateTile&, std::ptrdiff_t firstMode);
 
 /** The kernel for the processor that runs; hwy::SetSupportedTargetsForTest chooses another one. [worker] */

@@ -23,7 +23,7 @@ PlayableBrake::PlayableBrake (const VoltageProgram& brakes, Playback playback)
         first = std::min (first, oscillation.start);
         last = std::max (last, oscillation.end);
         slowest = std::min (slowest, oscillation.freeDecay);
-        modes.push_back (modeOf (oscillation));
+        modes.push_back (toMode (oscillation));
     }
 
     // The focus is on a sample, the brakes keep their distance to it; a sample within 1e-6 of a step belongs to it.
@@ -34,7 +34,7 @@ PlayableBrake::PlayableBrake (const VoltageProgram& brakes, Playback playback)
     longest = static_cast<std::int64_t> (std::min (-std::log (nothingLeft) / slowest * rate, longestSamples));
 }
 
-PlayableBrake::Mode PlayableBrake::modeOf (const Oscillation& brake)
+PlayableBrake::Mode PlayableBrake::toMode (const Oscillation& brake)
 {
     const auto rho = brake.counterShare;
     const auto scale = 1 / (1 - std::norm (rho));

@@ -10,14 +10,14 @@
 
 namespace antinode
 {
-/** The brakes of a focus, ready to be begun when they were designed to, or later, when a note ends: they meet their modes where free
-    decay has taken them. Read only once made. Docs/Theory.md, section 6.6. */
+/** The brakes of a focus, ready to be begun when they were designed to, or later, when a note ends: they meet their
+   modes where free decay has taken them. Read only once made. Docs/Theory.md, section 6.6. */
 class PlayableBrake
 {
 public:
-    static constexpr std::size_t mostOscillations = 2048;
+    static constexpr std::size_t maximumOscillations = 2048;
 
-    /** @param brakes  a program of brakes only, 1 to mostOscillations of them
+    /** @param brakes  a program of brakes only, 1 to maximumOscillations of them
         @throws InputError  as VoltageSynthesiser
         [worker] allocates */
     PlayableBrake (const VoltageProgram& brakes, Playback);
@@ -31,7 +31,8 @@ public:
     /** Nothing sounds from this sample on where they begin as designed. [any] */
     std::int64_t endSample() const { return end; }
 
-    /** The number of samples of free decay after which every mode is down to 0.1 %, with nothing left to brake. [any] */
+    /** The number of samples of free decay after which every mode is down to 0.1 %, with nothing left to brake. [any]
+     */
     std::int64_t longestDelay() const { return longest; }
 
     /** The factors of the brakes if they start later.
@@ -54,7 +55,7 @@ private:
         }
     };
 
-    static Mode modeOf (const Oscillation&);
+    static Mode toMode (const Oscillation&);
 
     VoltageSynthesiser synthesiser;
     double rate;

@@ -134,8 +134,8 @@ HWY_INLINE Vector addLanes (const double* sums)
     return parts[0];
 }
 
-/** Writes as many samples of as many probes as a vector has lanes. Each round takes the lowest bit of the lanes' numbers to the top of
-    the vectors' numbers. */
+/** Writes as many samples of as many probes as a vector has lanes. Each round takes the lowest bit of the lanes'
+   numbers to the top of the vectors' numbers. */
 HWY_INLINE void transpose (const double* sums, double* velocities)
 {
     Vector from[lanes];

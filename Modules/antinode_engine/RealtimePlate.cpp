@@ -78,7 +78,7 @@ void RealtimePlate::reset()
     position = 0;
 }
 
-void RealtimePlate::takeMotionOf (const RealtimePlate& other)
+void RealtimePlate::copyMotion (const RealtimePlate& other)
 {
     std::copy (other.state.begin(), other.state.end(), state.begin());
     std::copy (other.motion.begin(), other.motion.end(), motion.begin());

@@ -8,9 +8,9 @@ namespace antinode
 {
 /** A gain for all ceramics that goes to its target on a straight line: arming, disarming, emergency stop.
 
-    The gain of a sample is computed from how many samples of the ramp are left, so the output does not depend, to the bit, on
-    the blocks, and the last sample of a ramp has the target itself. What is not finite stays so: VoltageLimiter mutes it.
-    Docs/Theory.md, section 6.4. */
+    The gain of a sample is computed from how many samples of the ramp are left, so the output does not depend, to the
+   bit, on the blocks, and the last sample of a ramp has the target itself. What is not finite stays so: VoltageLimiter
+   mutes it. Docs/Theory.md, section 6.4. */
 class SafetyRamp
 {
 public:

@@ -17,9 +17,9 @@ namespace
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Blocks of ceramics x vectors of sums: as many as the registers hold in addition to the factors. Two units with a latency of
-// four cycles need eight.
-constexpr int mostCeramics = HWY_TARGET <= HWY_AVX3 ? 8 : 4;
+// Blocks of ceramics x vectors of sums: as many as the registers hold in addition to the factors. Two units with a
+// latency of four cycles need eight.
+constexpr int maximumCeramics = HWY_TARGET <= HWY_AVX3 ? 8 : 4;
 constexpr int vectors = 2;
 
 template <typename Sample>
@@ -83,8 +83,8 @@ HWY_INLINE void findValues (const Sample* phasors, const Sample* record, int sam
             values[v] = hn::Load (tag, kept + v * lanes<Sample>);
 }
 
-/** The same pointer, of which the compiler knows nothing. Otherwise g++ keeps an offset for each ceramic in a register of its
-    own, and saves and restores them with each block: 3 points of the limit. */
+/** The same pointer, of which the compiler knows nothing. Otherwise g++ keeps an offset for each ceramic in a register
+   of its own, and saves and restores them with each block: 3 points of the limit. */
 template <typename Sample>
 HWY_INLINE const Sample* opaque (const Sample* pointer)
 {
@@ -139,7 +139,7 @@ using AddBlock = void (*) (SynthesisChunk<Sample>&, int sample, int firstCeramic
 
 /** The forms of addBlock for 1, 2, ... ceramics. */
 template <Source source, typename Sample, int... counts>
-constexpr std::array<AddBlock<Sample>, sizeof...(counts)> blocksOf (std::integer_sequence<int, counts...>)
+constexpr std::array<AddBlock<Sample>, sizeof...(counts)> makeBlocks (std::integer_sequence<int, counts...>)
 {
     return { &addBlock<counts + 1, source, Sample>... };
 }
@@ -149,10 +149,10 @@ template <typename Sample>
 HWY_NOINLINE void addPart (AddBlock<Sample> add, SynthesisChunk<Sample>& chunk, const SynthesisTarget<Sample>& target,
                            int sample, int i)
 {
-    const auto ceramics = std::min (mostCeramics, target.ceramics - i);
+    const auto ceramics = std::min (maximumCeramics, target.ceramics - i);
     const auto begin = std::max (sample, target.begin), end = std::min (sample + blockSamples<Sample>, target.end);
-    Sample copies[mostCeramics][blockSamples<Sample>] = {};
-    Sample* pointers[mostCeramics] = {};
+    Sample copies[maximumCeramics][blockSamples<Sample>] = {};
+    Sample* pointers[maximumCeramics] = {};
 
     for (int k = 0; k < ceramics; ++k)
     {
@@ -170,8 +170,8 @@ HWY_NOINLINE void addPart (AddBlock<Sample> add, SynthesisChunk<Sample>& chunk, 
 template <Source source, typename Sample>
 HWY_INLINE void addGroup (SynthesisChunk<Sample>& chunk, const SynthesisTarget<Sample>& target, int sample, int i)
 {
-    static constexpr auto blocks = blocksOf<source, Sample> (std::make_integer_sequence<int, mostCeramics>());
-    const auto add = blocks[static_cast<std::size_t> (std::min (mostCeramics, target.ceramics - i) - 1)];
+    static constexpr auto blocks = makeBlocks<source, Sample> (std::make_integer_sequence<int, maximumCeramics>());
+    const auto add = blocks[static_cast<std::size_t> (std::min (maximumCeramics, target.ceramics - i) - 1)];
 
     if (sample >= target.begin && sample + blockSamples<Sample> <= target.end)
         add (chunk, sample, target.firstCeramic + i, target.channels + i, target.offset + sample);
@@ -188,7 +188,7 @@ void addBlocks (SynthesisChunk<Sample>& chunk, const SynthesisTarget<Sample>& ta
     {
         addGroup<source> (chunk, target, sample, 0);
 
-        for (auto i = mostCeramics; i < target.ceramics; i += mostCeramics)
+        for (auto i = maximumCeramics; i < target.ceramics; i += maximumCeramics)
             addGroup<Source::values> (chunk, target, sample, i);
     }
 }

@@ -26,8 +26,8 @@ struct SynthesisChunk
     int count = 0;
     SoundingOscillation sounding[synthesisChunk];
 
-    /** One an oscillation, on a cache line: e^{p j T}, j = 0..15, 16 real parts, then 16 imaginary ones; then what the ceramics
-        get of it, V. All in one place, as all is read together. */
+    /** One an oscillation, on a cache line: e^{p j T}, j = 0..15, 16 real parts, then 16 imaginary ones; then what the
+       ceramics get of it, V. All in one place, as all is read together. */
     const Sample* records[synthesisChunk];
 
     alignas (
@@ -47,7 +47,8 @@ struct SynthesisTarget
 
 /** The loops of the synthesis, in the form for this processor: AVX-512, AVX2 with FMA, SSSE3 or plain C++.
 
-    Every sample is computed by the same operations in the same order, in whichever lane and for whichever range of samples. */
+    Every sample is computed by the same operations in the same order, in whichever lane and for whichever range of
+   samples. */
 template <typename Sample>
 struct SynthesisKernel
 {

@@ -16,8 +16,8 @@ Long longExponential (const Oscillation& oscillation, long double time)
     return { size * std::cos (phase), size * std::sin (phase) };
 }
 
-/** e^{p n step} for n below a power of 4: products of two exact ones, rounded from extended precision, which is as good as exact and takes
-    a tenth of the time of exponentials. */
+/** e^{p n step} for n below a power of 4: products of two exact ones, rounded from extended precision, which is as good
+   as exact and takes a tenth of the time of exponentials. */
 template <typename Take>
 void eachPower (const Oscillation& oscillation, long double step, int count, const Take& take)
 {
@@ -53,7 +53,7 @@ TilePhasors::TilePhasors (const Oscillation& oscillation, std::complex<double> f
     : first (firstPhasor)
 {
     // Entries beyond the oscillation's end may be infinite, but are unused.
-    const auto timeOf = [&] (std::int64_t tile) { return static_cast<long double> (tile * synthesisTile) / rate; };
+    const auto tileTime = [&] (std::int64_t tile) { return static_cast<long double> (tile * synthesisTile) / rate; };
     turnsOfGroup.resize (2UL * synthesisGroup * synthesisStrip);
     const auto takeTurn = [this] (int tile, std::complex<double> turn)
     {
@@ -62,10 +62,10 @@ TilePhasors::TilePhasors (const Oscillation& oscillation, std::complex<double> f
         strip[tile % synthesisStrip] = turn.real();
         strip[tile % synthesisStrip + synthesisStrip] = turn.imag();
     };
-    eachPower (oscillation, timeOf (1), synthesisGroup * synthesisStrip, takeTurn);
+    eachPower (oscillation, tileTime (1), synthesisGroup * synthesisStrip, takeTurn);
 
     for (std::int64_t step = synthesisGroup; step < strips; step *= digitBase)
-        eachPower (oscillation, timeOf (step * synthesisStrip), digitBase,
+        eachPower (oscillation, tileTime (step * synthesisStrip), digitBase,
                    [this] (int, std::complex<double> power) { powers.push_back (power); });
 }
 } // namespace antinode

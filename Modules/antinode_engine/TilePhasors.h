@@ -23,13 +23,13 @@ inline constexpr int stripSamples = synthesisStrip * synthesisTile;
 inline constexpr int synthesisGroup = 8;
 
 /** The tile of a sample. [any] */
-inline std::int64_t tileOf (std::int64_t sample)
+inline std::int64_t tileIndex (std::int64_t sample)
 {
     return sample >= 0 ? sample / synthesisTile : -((-sample + synthesisTile - 1) / synthesisTile);
 }
 
 /** The strip of a tile. [any] */
-inline std::int64_t stripOf (std::int64_t tile)
+inline std::int64_t stripIndex (std::int64_t tile)
 {
     return tile >= 0 ? tile / synthesisStrip : -((-tile + synthesisStrip - 1) / synthesisStrip);
 }
@@ -46,11 +46,13 @@ inline std::complex<double> product (std::complex<double> one, std::complex<doub
     [worker] */
 std::complex<double> exponential (const Oscillation&, long double time);
 
-/** The phasor X e^{p tau} of an oscillation at the start of any tile, without a transcendental function and without drift.
+/** The phasor X e^{p tau} of an oscillation at the start of any tile, without a transcendental function and without
+   drift.
 
-    The groups of 64 tiles from the first strip on are counted in digits of base 64; the phasor is the one at the first strip
-    times an exact table entry for every digit that is not 0, times one for the tile in its group. Each factor is rounded once, so
-    the error is some 2e-16 for every digit, which is 1e-15 after an hour. Docs/Theory.md, section 6.1. */
+    The groups of 64 tiles from the first strip on are counted in digits of base 64; the phasor is the one at the first
+   strip times an exact table entry for every digit that is not 0, times one for the tile in its group. Each factor is
+   rounded once, so the error is some 2e-16 for every digit, which is 1e-15 after an hour. Docs/Theory.md, section 6.1.
+ */
 class TilePhasors
 {
 public:

@@ -45,12 +45,12 @@ template <typename Sample>
 void VoltageLimiter::limit (std::size_t ceramic, Sample* samples, int valid, int count)
 {
     const auto exact = std::min (common, limits[static_cast<Eigen::Index> (ceramic)]);
-    auto most = static_cast<Sample> (exact);
+    auto maximum = static_cast<Sample> (exact);
 
-    if (! (static_cast<double> (most) <= exact)) // rounding must not raise a limit
-        most = std::nextafter (most, Sample (0));
+    if (! (static_cast<double> (maximum) <= exact)) // rounding must not raise a limit
+        maximum = std::nextafter (maximum, Sample (0));
 
-    clamped[ceramic] += kernel<Sample>().clamp (samples, valid, most);
+    clamped[ceramic] += kernel<Sample>().clamp (samples, valid, maximum);
     std::fill (samples + valid, samples + count, Sample (0));
 }
 

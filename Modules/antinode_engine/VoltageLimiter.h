@@ -12,8 +12,8 @@ namespace antinode
 {
 /** The last guard before the outputs: no sample above its ceramic's limit, no NaN, no Inf.
 
-    A sample beyond its limit is clamped to it and counted per ceramic. A sample that is not finite latches a mute of all
-    ceramics: from that sample on all outputs are 0 until reset. Docs/Theory.md, section 6.4.
+    A sample beyond its limit is clamped to it and counted per ceramic. A sample that is not finite latches a mute of
+   all ceramics: from that sample on all outputs are 0 until reset. Docs/Theory.md, section 6.4.
 */
 class VoltageLimiter
 {

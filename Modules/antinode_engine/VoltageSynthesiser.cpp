@@ -77,10 +77,10 @@ VoltageSynthesiser::VoltageSynthesiser (const VoltageProgram& program, Playback 
     ceramics = static_cast<int> (program.allocation.rows());
 
     for (const auto& oscillation : program.oscillations)
-        voices.push_back (voiceOf (oscillation, program.focusTime, playback.reconstruction));
+        voices.push_back (makeVoice (oscillation, program.focusTime, playback.reconstruction));
 
-    doubles = tablesOf<double> (program);
-    floats = tablesOf<float> (program);
+    doubles = makeTables<double> (program);
+    floats = makeTables<float> (program);
 }
 
 VoltageSynthesiser::Edge VoltageSynthesiser::edgeAt (double time, double focusTime, Reconstruction reconstruction) const
@@ -94,23 +94,24 @@ VoltageSynthesiser::Edge VoltageSynthesiser::edgeAt (double time, double focusTi
     return { static_cast<std::int64_t> (std::ceil (position)), 1.0 };
 }
 
-VoltageSynthesiser::Voice VoltageSynthesiser::voiceOf (const Oscillation& oscillation, double focusTime,
-                                                       Reconstruction reconstruction) const
+VoltageSynthesiser::Voice VoltageSynthesiser::makeVoice (const Oscillation& oscillation, double focusTime,
+                                                         Reconstruction reconstruction) const
 {
     const auto start = edgeAt (oscillation.start, focusTime, reconstruction);
     const auto end = edgeAt (oscillation.end, focusTime, reconstruction);
-    const auto firstTile = tileOf (start.sample), lastTile = tileOf (end.sample), firstStrip = stripOf (firstTile);
+    const auto firstTile = tileIndex (start.sample), lastTile = tileIndex (end.sample),
+               firstStrip = stripIndex (firstTile);
 
     // Extended precision: 1e-16 of a phase of 1e5 rad would already be more than the 1e-12 that are promised.
     const auto tau = static_cast<long double> (firstStrip * stripSamples - focus) / rate
                      + (static_cast<long double> (focusTime) - oscillation.start);
     const auto first = oscillation.phasor() * exponential (oscillation, tau);
     return { start,    end,        firstTile,
-             lastTile, firstStrip, TilePhasors (oscillation, first, rate, stripOf (lastTile) - firstStrip + 1) };
+             lastTile, firstStrip, TilePhasors (oscillation, first, rate, stripIndex (lastTile) - firstStrip + 1) };
 }
 
 template <typename Sample>
-VoltageSynthesiser::Tables<Sample> VoltageSynthesiser::tablesOf (const VoltageProgram& program) const
+VoltageSynthesiser::Tables<Sample> VoltageSynthesiser::makeTables (const VoltageProgram& program) const
 {
     constexpr auto line = cacheLine / sizeof (Sample);
     const auto used = 2UL * synthesisTile + static_cast<std::size_t> (ceramics);

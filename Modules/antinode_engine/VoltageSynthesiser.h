@@ -19,20 +19,19 @@ namespace antinode
 /** Force oscillations and the allocation mixer: a VoltageProgram as samples.
 
     Sample n stands for the time t = focusTime + (n - focusSample) / rate, so that the focus falls exactly on a sample.
-    Where an oscillation starts or ends on a sample (within 1e-6 of the interval), a band-limited playback gets the mean of
-    both sides (the value a band-limited signal has at a step), a zero-order hold the value from there on. Each sample is
-    computed from its absolute index, so the output does not depend, to the bit, on the blocks.
+    Where an oscillation starts or ends on a sample (within 1e-6 of the interval), a band-limited playback gets the mean
+   of both sides (the value a band-limited signal has at a step), a zero-order hold the value from there on. Each sample
+   is computed from its absolute index, so the output does not depend, to the bit, on the blocks.
 
-    An oscillation Re[X e^{p tau}] is a phasor factored in two: X e^{p tau} at the first sample of a tile of 16, from exact
-    tables (TilePhasors), times e^{p j / rate} from another one. So its error does not grow with time: below 1e-12 of the
-    envelope after 1 s at 192 kHz in double, 3e-7 in float (where long double is wider than double). Instruction sets differ
-    by as much. Docs/Theory.md, section 6.1; Docs/Decisions/0015-kernels.md. */
+    An oscillation Re[X e^{p tau}] is a phasor factored in two: X e^{p tau} at the first sample of a tile of 16, from
+   exact tables (TilePhasors), times e^{p j / rate} from another one. So its error does not grow with time: below 1e-12
+   of the envelope after 1 s at 192 kHz in double, 3e-7 in float (where long double is wider than double). Instruction
+   sets differ by as much. Docs/Theory.md, section 6.1; Docs/Decisions/0015-kernels.md. */
 class VoltageSynthesiser
 {
 public:
-    /** @throws InputError  when the rate is not finite and positive, sizes do not agree, a number of the program is not finite, an
-                            oscillation ends before it starts, or its envelope overflows double precision
-        [worker] allocates */
+    /** @throws InputError  when the rate is not finite and positive, sizes do not agree, a number of the program is not
+       finite, an oscillation ends before it starts, or its envelope overflows double precision [worker] allocates */
     VoltageSynthesiser (const VoltageProgram&, Playback);
 
     /** The sample on which the focus falls: round (focusTime * rate). [any] */
@@ -53,7 +52,8 @@ public:
     /** How many oscillations the program has. [any] */
     int oscillationCount() const { return static_cast<int> (voices.size()); }
 
-    /** Adds the oscillations themselves, before they are shared out among ceramics: add() in two steps, of which mix() is the second.
+    /** Adds the oscillations themselves, before they are shared out among ceramics: add() in two steps, of which mix()
+       is the second.
         @param forces  a pointer an oscillation; sample n of the block is added at forces[c][offset + n]
         @param first, count, amplitude, factors  as add's
         [audio thread] as add */
@@ -61,7 +61,8 @@ public:
     void addForces (std::int64_t first, int count, double amplitude, Sample* const* forces, std::ptrdiff_t offset,
                     const std::complex<double>* factors = nullptr) const;
 
-    /** Shares oscillations out: adds allocation (i, c) times forces[c] to channels[i], in the samples from .. to - 1 of both.
+    /** Shares oscillations out: adds allocation (i, c) times forces[c] to channels[i], in the samples from .. to - 1 of
+       both.
         @param forces    a pointer an oscillation
         @param channels  N_b pointers, V
         [audio thread] allocates nothing, locks nothing; 20 KiB of stack */
@@ -109,9 +110,9 @@ private:
     class ChunkPlayer;
 
     Edge edgeAt (double time, double focusTime, Reconstruction) const;
-    Voice voiceOf (const Oscillation&, double focusTime, Reconstruction) const;
+    Voice makeVoice (const Oscillation&, double focusTime, Reconstruction) const;
     template <typename Sample>
-    Tables<Sample> tablesOf (const VoltageProgram&) const;
+    Tables<Sample> makeTables (const VoltageProgram&) const;
     template <typename Sample>
     const Tables<Sample>& tables() const;
     template <typename Sample>

@@ -36,15 +36,15 @@ public:
 
     void addAll()
     {
-        const auto end = tileOf (block.first + block.count - 1) + 1;
+        const auto end = tileIndex (block.first + block.count - 1) + 1;
 
-        for (auto tile = tileOf (block.first); tile < end;)
+        for (auto tile = tileIndex (block.first); tile < end;)
         {
             const auto runEnd = std::min (end, gather (tile));
 
             for (auto next = tile; chunk.count > 0 && tile < runEnd; tile = next)
             {
-                next = std::min (runEnd, (stripOf (tile) + 1) * synthesisStrip);
+                next = std::min (runEnd, (stripIndex (tile) + 1) * synthesisStrip);
                 addStrip (tile, next);
             }
 
@@ -59,7 +59,7 @@ private:
         auto runEnd = std::numeric_limits<std::int64_t>::max();
         chunk.count = 0;
         edges = false;
-        firstStrip = stripOf (tile);
+        firstStrip = stripIndex (tile);
         nextAnchor = std::numeric_limits<std::int64_t>::max();
 
         for (auto c = firstVoice; c < lastVoice; ++c)
@@ -126,7 +126,7 @@ private:
     /** Adds a few tiles of a run, all in one strip, or what of them lies in the block. */
     void addStrip (std::int64_t tile, std::int64_t endTile)
     {
-        const auto strip = stripOf (tile);
+        const auto strip = stripIndex (tile);
         const auto first = strip * synthesisStrip;
         const auto offset = first * synthesisTile - block.first;
         const auto begin = std::max (-offset, (tile - first) * synthesisTile);
@@ -148,10 +148,10 @@ private:
     }
 
     /** Adds a tile in which some oscillations start or end. */
-    void addEdges (std::int64_t tile, int tileOfStrip, const SynthesisTarget<Sample>& target)
+    void addEdges (std::int64_t tile, int tileInStrip, const SynthesisTarget<Sample>& target)
     {
-        tables.kernel.evaluate (chunk, tileOfStrip);
-        auto* values = chunk.values + tileOfStrip * synthesisTile % chunk.span;
+        tables.kernel.evaluate (chunk, tileInStrip);
+        auto* values = chunk.values + tileInStrip * synthesisTile % chunk.span;
 
         for (int slot = 0; slot < chunk.count; ++slot)
             if (const auto& voice = synthesiser.voices[numbers[slot]]; voice.hasEdgeIn (tile))

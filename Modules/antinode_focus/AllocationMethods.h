@@ -36,7 +36,7 @@ struct AllocationTraits
     const char* sentence; ///< For the choices of a design, without a full stop.
     AllocatedWaveforms waveforms = AllocatedWaveforms::drives;
     bool hasExactRows = false;       ///< Asks for the very velocities at the focus, by rows of drives in any number.
-    bool asksForLeastPeak = false;   ///< Whatever the limit.
+    bool asksForMinimumPeak = false; ///< Whatever the limit.
     bool takesTrains = false;        ///< Targets with several times.
     bool takesRobustness = false;    ///< A design that is robust against errors of the model.
     bool takesFurtherDrives = false; ///< Where one drive per mode cannot meet the limit.
@@ -71,7 +71,7 @@ inline constexpr std::array allocationMethods {
                            "exact terminal velocities of all controlled modes at the least peak voltage; other modes "
                            "are guarded",
                        .hasExactRows = true,
-                       .asksForLeastPeak = true,
+                       .asksForMinimumPeak = true,
                        .takesTrains = true },
     AllocationTraits { .method = AllocationMethod::dictionary,
                        .word = "dictionary",
@@ -80,7 +80,7 @@ inline constexpr std::array allocationMethods {
                            "growth rates and both quadratures per mode; other modes are guarded",
                        .waveforms = AllocatedWaveforms::dictionary,
                        .hasExactRows = true,
-                       .asksForLeastPeak = true },
+                       .asksForMinimumPeak = true },
     AllocationTraits { .method = AllocationMethod::freeWaveform,
                        .word = "free_waveform",
                        .sentence =
@@ -90,7 +90,7 @@ inline constexpr std::array allocationMethods {
 };
 
 /** The row of a method. [any] */
-constexpr const AllocationTraits& traitsOf (AllocationMethod method)
+constexpr const AllocationTraits& methodTraits (AllocationMethod method)
 {
     return *std::find_if (allocationMethods.begin(), allocationMethods.end(),
                           [method] (const auto& each) { return each.method == method; });

@@ -17,7 +17,7 @@ namespace
 constexpr double restOfDecay = 1e-3; // of the slowest mode's envelope at the end, where no duration is given
 constexpr double brakeFolds = 4;     // by which brakes fall where no decay is given: as the drives rose
 constexpr double longest = 1;        // s: what is chosen or lengthened ends there
-constexpr double sparedRatio = 1.02, leastLengthening = 1.05, mostLengthening = 2;
+constexpr double sparedRatio = 1.02, minimumLengthening = 1.05, maximumLengthening = 2;
 
 void append (VoltageProgram& program, const VoltageProgram& more)
 {
@@ -32,7 +32,7 @@ std::string milliseconds (double time)
     return inWords (time * 1000) + " ms";
 }
 
-BrakeAttempt attemptAsAsked (const FocusDesign& design, const ModalModel& model)
+BrakeAttempt requestedAttempt (const FocusDesign& design, const ModalModel& model)
 {
     const auto& choice = design.description.transients;
     const auto shortest = 3 * releaseDuration();
@@ -62,13 +62,14 @@ bool isEasiest (const BrakeAttempt& attempt)
     return ! attempt.brake && attempt.folds == 0 && attempt.duration >= longest;
 }
 
-/** The next attempt where the limits do not allow this one: first brakes without decay, which need least, then longer ones. */
+/** The next attempt where the limits do not allow this one: first brakes without decay, which need least, then longer
+ * ones. */
 BrakeAttempt easierThan (const BrakeAttempt& attempt, double peakRatio)
 {
     if (attempt.brake || attempt.folds > 0)
         return { attempt.duration, {}, 0 };
 
-    const auto lengthening = std::clamp (sparedRatio * peakRatio, leastLengthening, mostLengthening);
+    const auto lengthening = std::clamp (sparedRatio * peakRatio, minimumLengthening, maximumLengthening);
     return { std::min (attempt.duration * lengthening, longest), {}, 0 };
 }
 
@@ -105,7 +106,7 @@ bool hasBrake (const TransientChoice& choice)
 
 void appendBrake (FocusDesign& design, const ModalModel& model)
 {
-    const auto asked = attemptAsAsked (design, model);
+    const auto asked = requestedAttempt (design, model);
     auto attempt = asked;
     auto problem = brakeProblem (design, model, attempt);
     auto allocation = allocate (problem, model);
@@ -130,6 +131,6 @@ void appendBrake (FocusDesign& design, const ModalModel& model)
     design.restTime = attempt.duration;
     addCounterShares (problem, model, allocation.matrix);
     append (design.program,
-            programOf (problem.drives, allocation.matrix, design.program.voltageLimits, design.program.focusTime));
+            makeProgram (problem.drives, allocation.matrix, design.program.voltageLimits, design.program.focusTime));
 }
 } // namespace antinode

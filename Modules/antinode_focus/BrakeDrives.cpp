@@ -24,7 +24,7 @@ std::vector<Oscillation> brakeDrive (int mode, double a, double b, const BrakeWi
     std::vector<Oscillation> drive { part (0, 1, window.end - releaseDuration()), part (1, -2, onsetEnd),
                                      part (2, 1, onsetEnd) };
 
-    for (const auto& release : releaseOf (drive.front()))
+    for (const auto& release : makeRelease (drive.front()))
         drive.push_back (release);
 
     for (auto& oscillation : drive)

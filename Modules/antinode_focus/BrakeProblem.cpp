@@ -44,7 +44,7 @@ Eigen::MatrixXd stateParticipation (const ModalModel& model, const std::vector<i
 }
 
 /** Velocities of modes, then their displacements as rows have them. */
-Eigen::VectorXd motionOf (const Eigen::VectorXcd& states, const ModalModel& model, const std::vector<int>& modes)
+Eigen::VectorXd stackMotion (const Eigen::VectorXcd& states, const ModalModel& model, const std::vector<int>& modes)
 {
     const Eigen::VectorXd velocities = modalVelocities (model, states) (modes), displacements = states.imag() (modes);
     Eigen::VectorXd motion (velocities.size() + displacements.size());
@@ -57,7 +57,7 @@ Eigen::VectorXd freeMotion (const FocusDesign& design, const ModalModel& model, 
                             const std::vector<int>& modes)
 {
     if (design.program.samples)
-        return motionOf (predictStates (model, design.program, time), model, modes);
+        return stackMotion (predictStates (model, design.program, time), model, modes);
 
     DriveList single;
 

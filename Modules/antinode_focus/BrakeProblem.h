@@ -24,8 +24,8 @@ struct BrakeProblem
     AllocationProblem allocation;
 };
 
-/** The problem that brings the modes of a design to rest by the end of an attempt: drives, hard rows of velocities and displacements, guards for the
-    other modes, limits. Without modes there is no allocation problem.
+/** The problem that brings the modes of a design to rest by the end of an attempt: drives, hard rows of velocities and
+   displacements, guards for the other modes, limits. Without modes there is no allocation problem.
     @throws InputError  as rowResponses
     [worker] Docs/Theory.md, section 3.4. */
 BrakeProblem brakeProblem (const FocusDesign&, const ModalModel&, const BrakeAttempt&);

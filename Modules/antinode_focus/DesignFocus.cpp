@@ -75,8 +75,8 @@ void addLowerBound (FocusDesign& design, const ModalModel& model)
 }
 
 /** What does not depend on what is played. */
-FocusDesign designOf (const FocusDescription& description, const std::vector<int>& modes,
-                      std::vector<FocusMoment> moments, Playback playback, double peakVelocity)
+FocusDesign makeDesign (const FocusDescription& description, const std::vector<int>& modes,
+                        std::vector<FocusMoment> moments, Playback playback, double peakVelocity)
 {
     FocusDesign design;
     design.description = description;
@@ -96,15 +96,15 @@ FocusDesign designDrives (const ModalModel& model, const FocusDescription& descr
                           std::vector<FocusMoment> moments, Playback playback, double peakVelocity, DesignExtent extent)
 {
     checkRate (model, modes, playback);
-    auto design = designOf (description, modes, std::move (moments), playback, peakVelocity);
+    auto design = makeDesign (description, modes, std::move (moments), playback, peakVelocity);
 
-    if (traitsOf (description.allocation.method).waveforms == AllocatedWaveforms::samples)
+    if (methodTraits (description.allocation.method).waveforms == AllocatedWaveforms::samples)
         sampleProgram (design, model, extent);
     else
         allocateProgram (design, model);
 
     const auto& limits = design.program.voltageLimits;
-    design.leastPeakVoltage = design.certificate.leastPeakRatio * limits.maxCoeff();
+    design.minimumPeakVoltage = design.certificate.minimumPeakRatio * limits.maxCoeff();
 
     if (hasBrake (description.transients))
         appendBrake (design, model);
@@ -113,7 +113,7 @@ FocusDesign designDrives (const ModalModel& model, const FocusDescription& descr
         addLowerBound (design, model);
 
     if (extent == DesignExtent::complete && ! design.program.samples)
-        design.shortestPeriod = shortestPeriod (model, design.program, timesOf (design.moments));
+        design.shortestPeriod = shortestPeriod (model, design.program, momentTimes (design.moments));
 
     addRemarks (design, model);
     return design;

@@ -15,9 +15,8 @@ enum class DesignExtent
 
 /** Designs a focus: projects the wanted field, chooses modes and transients, allocates.
     @param playback  what the exact terminal rows are computed for
-    @throws LimitError  when the voltage limit cannot be met (proven); Cancelled when a watch of this thread says no; InputError for all
-                        else that cannot be done
-    [worker] Docs/Theory.md, sections 2 to 4. */
+    @throws LimitError  when the voltage limit cannot be met (proven); Cancelled when a watch of this thread says no;
+   InputError for all else that cannot be done [worker] Docs/Theory.md, sections 2 to 4. */
 FocusDesign designFocus (const ModalModel&, const FocusDescription&, Playback,
                          DesignExtent extent = DesignExtent::complete);
 
@@ -29,6 +28,7 @@ FocusDesign designFocus (const ModalModel&, const FocusDescription&, Playback,
 FocusDesign designModes (const ModalModel&, const FocusDescription&, const std::vector<int>& modes,
                          const Eigen::VectorXd& wanted, Playback);
 
-/** The largest voltage of any ceramic that the drives of a design and their release ask for, before any limiter. V. [any] */
+/** The largest voltage of any ceramic that the drives of a design and their release ask for, before any limiter. V.
+ * [any] */
 double peakVoltage (const FocusDesign&);
 } // namespace antinode

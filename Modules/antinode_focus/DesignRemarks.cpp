@@ -15,7 +15,7 @@ namespace antinode
 namespace
 {
 constexpr double poorCapture = 0.9;
-constexpr double leastMove = 1e-9;             // s
+constexpr double minimumMove = 1e-9;           // s
 constexpr double wholeCapture = 0.99;          // what the default choice of modes asks for
 constexpr double reliableShareOfNyquist = 0.8; // the interpolation of the plate model and of real converters
 
@@ -40,7 +40,7 @@ void addChoices (FocusDesign& design, const ModalModel& model)
 
     for (const auto& moment : design.moments)
         for (const auto& target : moment.targets)
-            if (const auto asked = target.time.value_or (moment.time); std::abs (asked - moment.time) > leastMove)
+            if (const auto asked = target.time.value_or (moment.time); std::abs (asked - moment.time) > minimumMove)
                 design.choices.push_back ("The focus at " + inWords (asked * 1000)
                                           + " ms is moved to the nearest sample, at " + inWords (moment.time * 1000)
                                           + " ms.");
@@ -51,7 +51,7 @@ void addChoices (FocusDesign& design, const ModalModel& model)
         design.choices.push_back (
             "The growth is chosen so that all modes rise together, by 4 e-folds before the focus.");
 
-    const auto& method = traitsOf (description.allocation.method);
+    const auto& method = methodTraits (description.allocation.method);
 
     if (hasDrives && description.transients.cycles.empty() && method.waveforms == AllocatedWaveforms::drives)
         design.choices.push_back ("The number of cycles is the largest that fits before the focus.");
@@ -74,7 +74,7 @@ void warnOfPeak (FocusDesign& design)
                                    + " times the voltage limit; the limiter will clip it and change the field. "
                                      "Use the allocation 'exact' or 'paper', a lower velocity or a higher limit.");
     else if (design.certificate.status == AllocationStatus::optimal
-             && ! traitsOf (design.description.allocation.method).asksForLeastPeak)
+             && ! methodTraits (design.description.allocation.method).asksForMinimumPeak)
         design.warnings.push_back (
             "The voltage limit is reached: the voltages are spread over more ceramics than without it.");
 }
@@ -83,7 +83,7 @@ void warnOfPeak (FocusDesign& design)
 void warnOfUnusedDrives (FocusDesign& design)
 {
     const auto& description = design.description;
-    const auto waveforms = traitsOf (description.allocation.method).waveforms;
+    const auto waveforms = methodTraits (description.allocation.method).waveforms;
 
     if (waveforms == AllocatedWaveforms::drives)
         return;

@@ -11,10 +11,10 @@ namespace antinode
 namespace
 {
 /** Further drives seldom lower the least peak below this ratio; lower limits are refused at once. */
-constexpr auto leastShareToTry = 0.35;
+constexpr auto minimumShareToTry = 0.35;
 
 /** The drives of every moment, each before its own time. Growth and cycles are those of the first. */
-DriveList drivesOf (FocusDesign& design, const ModalModel& model)
+DriveList makeDrives (FocusDesign& design, const ModalModel& model)
 {
     const auto& description = design.description;
     DriveList drives;
@@ -36,7 +36,7 @@ DriveList drivesOf (FocusDesign& design, const ModalModel& model)
              fasterDrives (model, design.controlledModes, description.focusTime, description.transients))
             drives.push_back (drive);
 
-    if (traitsOf (description.allocation.method).waveforms == AllocatedWaveforms::dictionary)
+    if (methodTraits (description.allocation.method).waveforms == AllocatedWaveforms::dictionary)
         return dictionaryDrives (model, description, design.controlledModes, design.growth);
 
     return drives;
@@ -46,9 +46,10 @@ DriveList drivesOf (FocusDesign& design, const ModalModel& model)
 bool mayTakeFurtherDrives (const FocusDescription& description, const AllocationCertificate& certificate)
 {
     const auto& choice = description.allocation;
-    return traitsOf (choice.method).takesFurtherDrives && ! choice.robust
+    return methodTraits (choice.method).takesFurtherDrives && ! choice.robust
            && description.transients.drive == DriveKind::offsetFree
-           && certificate.status == AllocationStatus::infeasible && leastShareToTry * certificate.leastPeakRatio < 1;
+           && certificate.status == AllocationStatus::infeasible
+           && minimumShareToTry * certificate.minimumPeakRatio < 1;
 }
 
 void addFurtherDrives (DriveList& drives, const FocusDesign& design, const ModalModel& model)
@@ -64,7 +65,7 @@ void allocateProgram (FocusDesign& design, const ModalModel& model)
 {
     const auto& choice = design.description.allocation;
     const auto limits = voltageLimits (model, choice);
-    auto drives = drivesOf (design, model);
+    auto drives = makeDrives (design, model);
     const auto allocate = [&] {
         return allocateDrives (model, design.description, design.controlledModes, design.moments, drives,
                                design.playback);
@@ -82,7 +83,7 @@ void allocateProgram (FocusDesign& design, const ModalModel& model)
 
     throwWhereBeyondLimit (allocation.certificate, choice.method, limits, design.reachablePeakVelocity,
                            hasSlewLimits (model));
-    design.program = programOf (drives, allocation.matrix, limits, design.moments.front().time);
+    design.program = makeProgram (drives, allocation.matrix, limits, design.moments.front().time);
     design.certificate = allocation.certificate;
 }
 

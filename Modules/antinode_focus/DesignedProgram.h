@@ -4,8 +4,8 @@
 
 namespace antinode
 {
-/** Gives a design its program: drives and their allocation, with the certificate. Where one drive per mode cannot meet the limit,
-    exact rows get further drives before they are refused.
+/** Gives a design its program: drives and their allocation, with the certificate. Where one drive per mode cannot meet
+   the limit, exact rows get further drives before they are refused.
     @param design  with what is wanted, when, and of which modes
     @throws LimitError  when the limits cannot be kept; Cancelled, InputError as solveAllocation
     [worker] Docs/Theory.md, sections 3 and 4. */

@@ -9,8 +9,8 @@
 
 namespace antinode
 {
-/** The responses of modes at the focus to each drive on deviating devices: rows, each weighted by the root of its share, whose squares, summed,
-    are expected squares over errors of frequency and damping. */
+/** The responses of modes at the focus to each drive on deviating devices: rows, each weighted by the root of its
+   share, whose squares, summed, are expected squares over errors of frequency and damping. */
 struct DetunedResponses
 {
     std::vector<int> modes;              ///< Controlled ones, then guards.
@@ -20,8 +20,7 @@ struct DetunedResponses
     std::vector<Eigen::MatrixXd> errors;
 };
 
-/** By the product of two Gauss-Hermite rules of three points, for frequency and damping: exact where responses are polynomials of degree 2
-    in either.
-    [worker] Docs/Theory.md, section 7.5. */
+/** By the product of two Gauss-Hermite rules of three points, for frequency and damping: exact where responses are
+   polynomials of degree 2 in either. [worker] Docs/Theory.md, section 7.5. */
 DetunedResponses detunedResponses (const ModalModel&, const RowOrigin&, const DetuningSpread&);
 } // namespace antinode

@@ -8,9 +8,9 @@
 
 namespace antinode
 {
-/** A device whose modes differ from the given ones by normally distributed relative errors, each mode's frequency and damping and
-    each participation by its own, and all frequencies by one drift. The same seed gives the same device on any machine. Damping stays between 0 and 1 and frequencies
-    positive; modes keep their order even where frequencies cross.
-    [worker] Docs/Theory.md, section 7. */
+/** A device whose modes differ from the given ones by normally distributed relative errors, each mode's frequency and
+   damping and each participation by its own, and all frequencies by one drift. The same seed gives the same device on
+   any machine. Damping stays between 0 and 1 and frequencies positive; modes keep their order even where frequencies
+   cross. [worker] Docs/Theory.md, section 7. */
 ModalModel detuned (const ModalModel&, const DetuningSpread&, std::uint64_t seed);
 } // namespace antinode

@@ -82,7 +82,7 @@ std::vector<int> timesOver (const std::vector<int>& modes, const std::vector<Foc
     return all;
 }
 
-Eigen::VectorXd wantedOf (const std::vector<FocusMoment>& moments)
+Eigen::VectorXd stackWanted (const std::vector<FocusMoment>& moments)
 {
     Eigen::VectorXd wanted (0);
 
@@ -115,10 +115,10 @@ AllocationProblem allocationProblem (const ModalModel& model, const FocusDescrip
 
     AllocationProblem problem;
     limitDrives (problem, model, voltageLimits (model, choice), drives, span);
-    problem.wanted = wantedOf (moments);
+    problem.wanted = stackWanted (moments);
     problem.participation = model.participation (timesOver (modes, moments), Eigen::all);
 
-    if (! traitsOf (choice.method).hasExactRows)
+    if (! methodTraits (choice.method).hasExactRows)
     {
         problem.rows = Eigen::MatrixXd::Identity (problem.wanted.size(), problem.wanted.size());
         return problem;
@@ -142,7 +142,7 @@ AllocationProblem allocationProblem (const ModalModel& model, const FocusDescrip
 }
 
 /** What a matrix without a certificate needs. */
-Allocation allocationOf (const AllocationProblem& problem, Eigen::MatrixXd matrix)
+Allocation toAllocation (const AllocationProblem& problem, Eigen::MatrixXd matrix)
 {
     Allocation allocation;
     allocation.matrix = std::move (matrix);
@@ -167,9 +167,9 @@ Allocation allocate (const AllocationProblem& problem, AllocationMethod method, 
         case AllocationMethod::dictionary:
             return allocateDictionary (problem, drives, span);
         case AllocationMethod::oneToOne:
-            return allocationOf (problem, oneToOneAllocation (problem.participation, problem.wanted));
+            return toAllocation (problem, oneToOneAllocation (problem.participation, problem.wanted));
         case AllocationMethod::minimumNorm:
-            return allocationOf (problem, minimumNormAllocation (problem));
+            return toAllocation (problem, minimumNormAllocation (problem));
         case AllocationMethod::freeWaveform:
             break; // Has no drives.
     }
@@ -244,8 +244,8 @@ Allocation allocateDrives (const ModalModel& model, const FocusDescription& desc
 }
 
 /** A drive's oscillations share its column of the matrix. */
-VoltageProgram programOf (const DriveList& drives, const Eigen::MatrixXd& matrix, const Eigen::VectorXd& limits,
-                          double focusTime)
+VoltageProgram makeProgram (const DriveList& drives, const Eigen::MatrixXd& matrix, const Eigen::VectorXd& limits,
+                            double focusTime)
 {
     VoltageProgram program;
     std::vector<Eigen::Index> columns;

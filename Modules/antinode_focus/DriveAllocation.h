@@ -28,7 +28,8 @@ Eigen::VectorXd voltageLimits (const ModalModel&, const AllocationChoice&);
 /** Whether any ceramic has a slew limit. [any] */
 bool hasSlewLimits (const ModalModel&);
 
-/** Puts drives into a problem, with all limits that they have to keep while they last, on the grid that these are tightened for.
+/** Puts drives into a problem, with all limits that they have to keep while they last, on the grid that these are
+   tightened for.
     @param limits  N_b, V
     [worker] Docs/Theory.md, sections 4.1 and 4.6. */
 void limitDrives (AllocationProblem&, const ModalModel&, const Eigen::VectorXd& limits, const DriveList&, DriveSpan);
@@ -36,8 +37,8 @@ void limitDrives (AllocationProblem&, const ModalModel&, const Eigen::VectorXd& 
 /** The modes that are guarded: the lowest of those that are not controlled, as many as requested. [any] */
 std::vector<int> guardModes (const ModalModel&, const std::vector<int>& controlled, const AllocationChoice&);
 
-/** How long before the focus a waveform may begin that is not bound to cycles: the focus time, or less where a maximum duration or a window
-    says so. s [any] */
+/** How long before the focus a waveform may begin that is not bound to cycles: the focus time, or less where a maximum
+   duration or a window says so. s [any] */
 double longestDrive (const FocusDescription&);
 
 /** Allocates drives to ceramics so that the controlled modes have the wanted velocities at the time of every focus.
@@ -49,6 +50,6 @@ Allocation allocateDrives (const ModalModel&, const FocusDescription&, const std
                            const std::vector<FocusMoment>& moments, const DriveList&, Playback);
 
 /** Drives mixed by a matrix, N_b x drives, as a program. [any] */
-VoltageProgram programOf (const DriveList&, const Eigen::MatrixXd& matrix, const Eigen::VectorXd& limits,
-                          double focusTime);
+VoltageProgram makeProgram (const DriveList&, const Eigen::MatrixXd& matrix, const Eigen::VectorXd& limits,
+                            double focusTime);
 } // namespace antinode

@@ -16,13 +16,14 @@ namespace
 {
 using Complex = std::complex<double>;
 
-/** A thousandth is not enough where modes that are not controlled are near: the field error of the aluminium plate falls from 12 % to
-    0.04 %, and nothing is gained beyond. */
+/** A thousandth is not enough where modes that are not controlled are near: the field error of the aluminium plate
+   falls from 12 % to 0.04 %, and nothing is gained beyond. */
 constexpr double roomForGuards = 1.005;
 
 constexpr double greatestFolds = 40; // beyond, an earlier start adds less than 1e-17
 
-/** Re[X e^{p tau} (1 - e^{-r tau})^2] as three oscillations; those that only shape the onset end where they have died away. */
+/** Re[X e^{p tau} (1 - e^{-r tau})^2] as three oscillations; those that only shape the onset end where they have died
+ * away. */
 std::vector<Oscillation> risingOscillation (int mode, double start, double end, Complex exponent, Complex phasor)
 {
     const auto part = [&] (int folds, double weight)
@@ -47,7 +48,7 @@ std::vector<Oscillation> dictionaryDrive (int mode, double start, double end, Co
 
     for (const auto& oscillation : rising)
         if (oscillation.end == end)
-            for (const auto& release : releaseOf (oscillation))
+            for (const auto& release : makeRelease (oscillation))
                 drive.push_back (release);
 
     return drive;
@@ -112,7 +113,7 @@ Allocation allocateDictionary (AllocationProblem problem, const DriveList& drive
             std::max (certificate.peakRatio, steepest.cwiseQuotient (problem.slewLimits).maxCoeff());
     }
 
-    certificate.leastPeakRatio *= gridLimitMargin (samplesPerCycle) / gridLimitMargin();
+    certificate.minimumPeakRatio *= gridLimitMargin (samplesPerCycle) / gridLimitMargin();
     return allocation;
 }
 } // namespace antinode

@@ -45,7 +45,7 @@ void addSamples (Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> samples
 }
 
 /** The oscillation whose value is the slope of the given one. */
-Oscillation slopeOf (Oscillation oscillation)
+Oscillation differentiated (Oscillation oscillation)
 {
     const auto phasor = oscillation.exponent() * oscillation.phasor();
     oscillation.inPhase = -phasor.imag();
@@ -66,7 +66,7 @@ Eigen::MatrixXd sampleSlopes (const std::vector<std::vector<Oscillation>>& drive
 
     for (auto& drive : slopes)
         for (auto& oscillation : drive)
-            oscillation = slopeOf (oscillation);
+            oscillation = differentiated (oscillation);
 
     return sampleDrives (slopes, first, last, samplesPerCycle);
 }

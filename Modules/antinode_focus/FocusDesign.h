@@ -51,10 +51,10 @@ struct FocusDesign
         shortestPeriod; ///< s: the program may be repeated so often and less. None if it was not computed.
     VoltageProgram program;
     AllocationCertificate certificate;
-    double leastPeakVoltage = 0; ///< V: the least peak of these drives and rows where the solver computed it, else 0.
+    double minimumPeakVoltage = 0; ///< V: the least peak of these drives and rows where the solver computed it, else 0.
     double reachablePeakVelocity = 0; ///< m/s: what the limit allows where it cannot be met; else the wanted one.
-    double lowerBoundVoltage =
-        0; ///< V: certified; no waveform reaches the terminal velocities within t_f below it; 0 where it was not computed.
+    double lowerBoundVoltage = 0; ///< V: certified; no waveform reaches the terminal velocities within t_f below it; 0
+                                  ///< where it was not computed.
     double lowerBoundGap =
         0; ///< (upper - lower) / upper, upper the peak of a waveform that was found; 1: none was found.
     double intersamplePeakVoltage =

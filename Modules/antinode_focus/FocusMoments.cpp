@@ -15,7 +15,7 @@ namespace antinode
 {
 namespace
 {
-double timeOf (const Target& target, const FocusDescription& description)
+double targetTime (const Target& target, const FocusDescription& description)
 {
     return target.time.value_or (description.focusTime);
 }
@@ -28,7 +28,7 @@ double onSample (double time, double first, Playback playback)
 
 void checkMethod (AllocationMethod method, std::size_t times)
 {
-    if (times > 1 && ! traitsOf (method).takesTrains)
+    if (times > 1 && ! methodTraits (method).takesTrains)
         throw InputError ("focus: targets", "have " + std::to_string (times)
                                                 + " different times; allowed: one time, or the allocation method "
                                                 + methodsThat (&AllocationTraits::takesTrains, "or"));
@@ -57,25 +57,25 @@ ProjectedTarget jointTarget (const std::vector<FocusMoment>& moments)
 
 double earliestFocusTime (const FocusDescription& description)
 {
-    auto time = timeOf (description.targets.front(), description);
+    auto time = targetTime (description.targets.front(), description);
 
     for (const auto& target : description.targets)
-        time = std::min (time, timeOf (target, description));
+        time = std::min (time, targetTime (target, description));
 
     return time;
 }
 
 double latestFocusTime (const FocusDescription& description)
 {
-    auto time = timeOf (description.targets.front(), description);
+    auto time = targetTime (description.targets.front(), description);
 
     for (const auto& target : description.targets)
-        time = std::max (time, timeOf (target, description));
+        time = std::max (time, targetTime (target, description));
 
     return time;
 }
 
-std::vector<double> timesOf (const std::vector<FocusMoment>& moments)
+std::vector<double> momentTimes (const std::vector<FocusMoment>& moments)
 {
     std::vector<double> times (moments.size());
     std::transform (moments.begin(), moments.end(), times.begin(),
@@ -89,7 +89,8 @@ std::vector<FocusMoment> focusMoments (const ModalModel& model, const FocusDescr
     std::map<double, std::vector<Target>> byTime;
 
     for (const auto& target : description.targets)
-        byTime[onSample (timeOf (target, description), earliestFocusTime (description), playback)].push_back (target);
+        byTime[onSample (targetTime (target, description), earliestFocusTime (description), playback)].push_back (
+            target);
 
     checkMethod (description.allocation.method, byTime.size());
     checkRobustness (description.allocation, byTime.size());

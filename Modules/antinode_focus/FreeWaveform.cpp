@@ -17,8 +17,8 @@ namespace antinode
 {
 namespace
 {
-constexpr auto most = 128.0 * 1024 * 1024; // row weights: 1 GiB
-constexpr auto largestGap = 1e-6;          // beyond it the least energy was not found
+constexpr auto maximumWeights = 128.0 * 1024 * 1024; // row weights: 1 GiB
+constexpr auto largestGap = 1e-6;                    // beyond it the least energy was not found
 
 /** Which samples there are: how many before the focus, and how many in all. */
 struct SampleRange
@@ -26,7 +26,7 @@ struct SampleRange
     Eigen::Index focus = 0, count = 0;
 };
 
-SampleRange rangeOf (const FocusDescription& description, Playback playback, std::size_t rows)
+SampleRange findSampleRange (const FocusDescription& description, Playback playback, std::size_t rows)
 {
     constexpr auto onSample = 1e-6;
 
@@ -35,7 +35,7 @@ SampleRange rangeOf (const FocusDescription& description, Playback playback, std
 
     const auto before = std::floor (longestDrive (description) * playback.sampleRate + onSample);
 
-    if (before * static_cast<double> (rows) > most)
+    if (before * static_cast<double> (rows) > maximumWeights)
         throw InputError ("sample rate", "is too high for this focus time: a free waveform would need more than 1 GiB; "
                                          "choose a lower rate, a shorter focus time or fewer guard modes");
 
@@ -74,7 +74,7 @@ BoundedWaveformProblem hardRows (const ModalModel& model, const std::vector<int>
 }
 
 /** The least energy of the hard rows alone, without limits: what the guards' weight is measured with. */
-double leastEnergy (BoundedWaveformProblem problem)
+double minimumEnergy (BoundedWaveformProblem problem)
 {
     problem.limits.setConstant (std::numeric_limits<double>::infinity());
     return solveBoundedWaveform (problem).samples.squaredNorm();
@@ -83,7 +83,7 @@ double leastEnergy (BoundedWaveformProblem problem)
 BoundedWaveformProblem withGuards (const BoundedWaveformProblem& hard, const Eigen::MatrixXd& weights,
                                    const Eigen::MatrixXd& participation, double weight)
 {
-    const auto stiffness = weight * leastEnergy (hard) / hard.wanted.squaredNorm();
+    const auto stiffness = weight * minimumEnergy (hard) / hard.wanted.squaredNorm();
 
     if (! (stiffness > 0) || weights.rows() == 0)
         return hard;
@@ -103,19 +103,19 @@ BoundedWaveformProblem withGuards (const BoundedWaveformProblem& hard, const Eig
 }
 
 /** Whether such a limit can be kept is not known, or it can and the search for the least energy did not end. */
-[[noreturn]] void throwTooNear (double limit, double leastPeakRatio)
+[[noreturn]] void throwTooNear (double limit, double minimumPeakRatio)
 {
     constexpr auto room = 1.01;
     throw InputError ("focus: voltage limit",
                       "is " + inWords (limit)
                           + " V, too close to the lowest feasible voltage of any samples; allowed: at least "
-                          + inWords (room * std::max (1.0, leastPeakRatio) * limit) + " V");
+                          + inWords (room * std::max (1.0, minimumPeakRatio) * limit) + " V");
 }
 
 [[noreturn]] void throwBeyondLimit (const BoundedWaveformProblem& hard, const FocusDescription& description)
 {
     constexpr auto tolerance = 0.001;
-    const auto bracket = leastWaveformPeak (hard, tolerance);
+    const auto bracket = minimumWaveformPeak (hard, tolerance);
 
     if (! std::isfinite (bracket.upper))
         throw InputError ("focus: controlled modes",
@@ -138,8 +138,8 @@ BoundedWaveformProblem withGuards (const BoundedWaveformProblem& hard, const Eig
                       limit * bracket.upper, reachable);
 }
 
-AllocationCertificate certificateOf (const BoundedWaveform& solution, const Eigen::VectorXd& limits,
-                                     std::chrono::duration<double, std::milli> time)
+AllocationCertificate makeCertificate (const BoundedWaveform& solution, const Eigen::VectorXd& limits,
+                                       std::chrono::duration<double, std::milli> time)
 {
     AllocationCertificate certificate;
     certificate.peakRatio = solution.samples.cwiseAbs().rowwise().maxCoeff().cwiseQuotient (limits).maxCoeff();
@@ -149,7 +149,7 @@ AllocationCertificate certificateOf (const BoundedWaveform& solution, const Eige
     certificate.bound = solution.bound;
     certificate.gap =
         solution.objective > 0 ? std::max (0.0, (solution.objective - solution.bound) / solution.objective) : 0;
-    certificate.leastPeakRatio = solution.peakBound;
+    certificate.minimumPeakRatio = solution.peakBound;
     certificate.rowResidual = solution.rowResidual;
     certificate.milliseconds = time.count();
     return certificate;
@@ -161,7 +161,7 @@ FreeWaveform freeWaveform (const ModalModel& model, const FocusDescription& desc
 {
     const auto start = std::chrono::steady_clock::now();
     const auto guards = guardModes (model, modes, description.allocation);
-    const auto range = rangeOf (description, playback, modes.size() + guards.size());
+    const auto range = findSampleRange (description, playback, modes.size() + guards.size());
     const auto hard = hardRows (model, modes, wanted, limits, playback, range);
     const auto solution = solveBoundedWaveform (withGuards (hard, velocityWeights (model, guards, playback, range),
                                                             model.participation (guards, Eigen::all),
@@ -170,7 +170,7 @@ FreeWaveform freeWaveform (const ModalModel& model, const FocusDescription& desc
     if (! solution.isMet)
         throwBeyondLimit (hard, description);
 
-    auto certificate = certificateOf (solution, limits, std::chrono::steady_clock::now() - start);
+    auto certificate = makeCertificate (solution, limits, std::chrono::steady_clock::now() - start);
 
     if (! (certificate.gap <= largestGap))
         throwTooNear (limits.maxCoeff(), 1);

@@ -18,13 +18,13 @@ struct FreeWaveform
         certificate; ///< Its peak ratio is that of the samples, its objective 1/2 sum u^2 with the guards' part.
 };
 
-/** Every sample is free: from the beginning (the trigger, or where a window or the maximum duration says) up to the last one that playback
-    lets act before the focus. Rows are exact for the playback; guards are soft.
+/** Every sample is free: from the beginning (the trigger, or where a window or the maximum duration says) up to the
+   last one that playback lets act before the focus. Rows are exact for the playback; guards are soft.
     @param modes   the controlled modes, ascending
     @param wanted  their modal velocities at t_f, m/s kg^1/2
     @param limits  N_b, V
-    @throws LimitError  where no waveform at all keeps the limits; InputError where there is no sample rate, or a mode cannot be moved
-    [worker] Docs/Theory.md, section 4.9. */
+    @throws LimitError  where no waveform at all keeps the limits; InputError where there is no sample rate, or a mode
+   cannot be moved [worker] Docs/Theory.md, section 4.9. */
 FreeWaveform freeWaveform (const ModalModel&, const FocusDescription&, const std::vector<int>& modes,
                            const Eigen::VectorXd& wanted, const Eigen::VectorXd& limits, Playback);
 } // namespace antinode

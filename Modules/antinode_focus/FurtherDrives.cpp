@@ -33,7 +33,7 @@ std::vector<Oscillation> shifted (const ModeDrive& drive)
 
     std::vector<Oscillation> result { oscillation };
 
-    for (const auto& release : releaseOf (oscillation))
+    for (const auto& release : makeRelease (oscillation))
         result.push_back (release);
 
     return result;

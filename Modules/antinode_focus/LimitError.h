@@ -7,15 +7,16 @@
 
 namespace antinode
 {
-/** The wanted focus cannot be reached within the voltage limit. The text gives the lowest feasible voltage and the highest feasible velocity. */
+/** The wanted focus cannot be reached within the voltage limit. The text gives the lowest feasible voltage and the
+ * highest feasible velocity. */
 class LimitError : public InputError
 {
 public:
-    LimitError (const std::string& where, const std::string& wrong, double leastPeakVoltageToUse,
+    LimitError (const std::string& where, const std::string& wrong, double minimumPeakVoltageToUse,
                 double reachableVelocityToUse);
 
-    double leastPeakVoltage;  ///< V: the least peak of these drives that reaches the wanted field.
-    double reachableVelocity; ///< m/s: the peak velocity that the limit allows.
+    double minimumPeakVoltage; ///< V: the least peak of these drives that reaches the wanted field.
+    double reachableVelocity;  ///< m/s: the peak velocity that the limit allows.
 };
 
 /** @param limits        N_b, V

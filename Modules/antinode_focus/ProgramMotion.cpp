@@ -13,8 +13,8 @@ namespace
 {
 using Complex = std::complex<double>;
 
-/** An oscillation so near a pole that 1 / (p - s) would leave no digit is moved off it, by too little to be seen in the motion: after a second
-    it has changed by 1e-5, and ten digits are left. */
+/** An oscillation so near a pole that 1 / (p - s) would leave no digit is moved off it, by too little to be seen in the
+   motion: after a second it has changed by 1e-5, and ten digits are left. */
 Oscillation offPoles (Oscillation oscillation, const Eigen::VectorXcd& poles)
 {
     constexpr double nearest = 1e-5; // 1/s

@@ -9,8 +9,8 @@
 
 namespace antinode
 {
-/** The motion of all modes under a program, prepared for many times: what is free at all begins and ends of oscillations is
-    kept, so that a time costs only what plays then. Docs/Theory.md, section 3.1. */
+/** The motion of all modes under a program, prepared for many times: what is free at all begins and ends of
+   oscillations is kept, so that a time costs only what plays then. Docs/Theory.md, section 3.1. */
 class ProgramMotion
 {
 public:

@@ -52,14 +52,14 @@ double capturedShare (double represented, const ProjectedTarget& target)
     return target.energy > 0 ? std::sqrt (std::min (represented / target.energy, 1.0)) : 0.0;
 }
 
-/** The energy of the part of a field that a growing set of shapes represents, mass-weighted least squares: each shape's part
-    that is orthogonal to those before it adds its own. */
+/** The energy of the part of a field that a growing set of shapes represents, mass-weighted least squares: each shape's
+   part that is orthogonal to those before it adds its own. */
 class FittedEnergy
 {
 public:
-    FittedEnergy (const ModalModel& modelToUse, const ProjectedTarget& target, std::size_t mostModes)
+    FittedEnergy (const ModalModel& modelToUse, const ProjectedTarget& target, std::size_t maximumModes)
         : model (modelToUse), root (model.surface.masses.cwiseSqrt()), field (root.cwiseProduct (target.field)),
-          basis (model.points(), std::min (model.points(), static_cast<Eigen::Index> (mostModes)))
+          basis (model.points(), std::min (model.points(), static_cast<Eigen::Index> (maximumModes)))
     {
     }
 

@@ -8,8 +8,8 @@
 
 namespace antinode
 {
-/** The modal velocities of a field: by mass weights (24) where the shapes cover the whole body, else by weighted least squares over
-    all modes.
+/** The modal velocities of a field: by mass weights (24) where the shapes cover the whole body, else by weighted least
+   squares over all modes.
     @param field  N_p values, m/s
     [worker] Docs/Theory.md, section 2.2; paper (24). */
 ProjectedTarget projectField (const ModalModel&, const Eigen::VectorXd& field);
@@ -24,10 +24,11 @@ struct ModeSelection
 };
 
 /** Chooses the modes to control. Modes that no ceramic excites (participation below 1e-9 of the largest) are left out.
-    @throws InputError  when no mode is left, more are requested than exist, or the requested captured fraction cannot be reached
-    [worker] Docs/Theory.md, section 2.3. */
+    @throws InputError  when no mode is left, more are requested than exist, or the requested captured fraction cannot
+   be reached [worker] Docs/Theory.md, section 2.3. */
 ModeSelection selectModes (const ModalModel&, const ProjectedTarget&, const ModeChoice&);
 
-/** The part of a target that given modes represent: the last step of selectModes, for modes chosen by other means. [worker] */
+/** The part of a target that given modes represent: the last step of selectModes, for modes chosen by other means.
+ * [worker] */
 ModeSelection restrictToModes (const ModalModel&, const ProjectedTarget&, std::vector<int> modes);
 } // namespace antinode

@@ -65,7 +65,8 @@ public:
     }
 
 private:
-    /** Steps of a period so long that no phase of any mode matters, which is easily found since what is left then only falls. */
+    /** Steps of a period so long that no phase of any mode matters, which is easily found since what is left then only
+     * falls. */
     std::optional<std::int64_t> certainlyEnough() const
     {
         const Eigen::VectorXd left = motion.statesAt (motion.last()).cwiseAbs().cwiseProduct (reach);
@@ -111,50 +112,51 @@ private:
     }
 
     /** Whether all others leave a focus alone, in a train of any length and at any place of it. */
-    bool leavesEnough (double period, double time, double most) const
+    bool leavesEnough (double period, double time, double maximum) const
     {
         Eigen::VectorXcd later = Eigen::VectorXcd::Zero (model.modes());
 
         for (int n = 1; time - n * period > motion.first(); ++n)
             later += motion.statesAt (time - n * period);
 
-        const auto isFirstFree = amplitude (later, most) <= most;
-        return isFirstFree && staysWithin (Eigen::VectorXcd::Zero (model.modes()), period, time, most)
-               && (later.isZero (0) || staysWithin (later, period, time, most));
+        const auto isFirstFree = amplitude (later, maximum) <= maximum;
+        return isFirstFree && staysWithin (Eigen::VectorXcd::Zero (model.modes()), period, time, maximum)
+               && (later.isZero (0) || staysWithin (later, period, time, maximum));
     }
 
     /** Whether the states and what more and more earlier repeats add to them stay within an amplitude. */
-    bool staysWithin (Eigen::VectorXcd states, double period, double time, double most) const
+    bool staysWithin (Eigen::VectorXcd states, double period, double time, double maximum) const
     {
         const Eigen::ArrayXd repeats = 1 - (-decay * period).array().exp();
-        auto reached = amplitude (states, most);
+        auto reached = amplitude (states, maximum);
 
         for (auto t = time + period;; t += period)
         {
             const auto more = motion.statesAt (t);
             const Eigen::ArrayXd sizes = more.cwiseAbs().cwiseProduct (reach).array();
 
-            if (t > motion.last() && reached + (sizes / repeats).sum() <= most)
+            if (t > motion.last() && reached + (sizes / repeats).sum() <= maximum)
                 return true;
 
             states += more;
-            reached = reached + sizes.sum() <= most ? reached + sizes.sum() : amplitude (states, most);
+            reached = reached + sizes.sum() <= maximum ? reached + sizes.sum() : amplitude (states, maximum);
 
-            if (reached > most)
+            if (reached > maximum)
                 return false;
 
-            if (t > motion.last() && (sizes / repeats).sum() < negligible * most)
+            if (t > motion.last() && (sizes / repeats).sum() < negligible * maximum)
                 return true;
         }
     }
 
-    /** The largest amplitude of the velocity anywhere on the surface, whatever the phase; a bound of it where that is at most `most`. */
-    double amplitude (const Eigen::VectorXcd& states, double most) const
+    /** The largest amplitude of the velocity anywhere on the surface, whatever the phase; a bound of it where that is
+     * at most `most`. */
+    double amplitude (const Eigen::VectorXcd& states, double maximum) const
     {
         const Eigen::VectorXd sizes = states.cwiseAbs().cwiseProduct (reach);
         const auto bound = sizes.sum();
 
-        if (bound <= most)
+        if (bound <= maximum)
             return bound;
 
         Eigen::ArrayXd real = Eigen::ArrayXd::Zero (model.points()), imaginary = real;
@@ -162,7 +164,7 @@ private:
         checkWatch();
 
         for (Eigen::Index k = 0; k < sizes.size(); ++k)
-            if (sizes[k] > negligible * most / static_cast<double> (sizes.size()))
+            if (sizes[k] > negligible * maximum / static_cast<double> (sizes.size()))
             {
                 const auto velocity = states[k] * toVelocity[k];
                 real += velocity.real() * model.shapes.col (k).array();
@@ -206,7 +208,7 @@ private:
     bool keepsLimits (Eigen::Index period) const
     {
         const auto count = voltages.cols();
-        const auto most = std::max (gridLimitMargin(), peaks.maxCoeff()) + limitTolerance;
+        const auto maximum = std::max (gridLimitMargin(), peaks.maxCoeff()) + limitTolerance;
 
         for (Eigen::Index n = 0; n < std::min (period, count - period); ++n)
         {
@@ -218,7 +220,7 @@ private:
             for (auto m = n; m < count; m += period)
                 peak += peaks[m];
 
-            if (peak <= most)
+            if (peak <= maximum)
                 continue;
 
             Eigen::VectorXd sum = voltages.col (n);
@@ -226,7 +228,7 @@ private:
             for (auto m = n + period; m < count; m += period)
                 sum += voltages.col (m);
 
-            if (sum.cwiseAbs().maxCoeff() > most)
+            if (sum.cwiseAbs().maxCoeff() > maximum)
                 return false;
         }
 

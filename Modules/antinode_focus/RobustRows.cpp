@@ -11,7 +11,7 @@ namespace antinode
 {
 namespace
 {
-constexpr std::size_t mostRows = 4000;
+constexpr std::size_t maximumRows = 4000;
 constexpr double weakest = 1; // what costs less than the energy that moves it does not shape the answer
 
 /** A guard row, and what its penalty is to the energy of the drives that move it most. */
@@ -91,8 +91,8 @@ std::pair<Eigen::MatrixXd, std::vector<int>> stacked (const DetunedResponses& re
     return stack;
 }
 
-/** The participations of each ceramic: errors of different ceramics do not cancel, so that each has rows of its own, of which pivoted
-    elimination leaves as few as there are drives. */
+/** The participations of each ceramic: errors of different ceramics do not cancel, so that each has rows of its own, of
+   which pivoted elimination leaves as few as there are drives. */
 void addCeramicRows (std::vector<RobustRow>& found, const DetunedResponses& responses, const ModalModel& model,
                      const DriveMetric& metric, double spread, double price)
 {
@@ -113,21 +113,22 @@ void addCeramicRows (std::vector<RobustRow>& found, const DetunedResponses& resp
 }
 
 /** What a squared error of 1 costs, in the unit of the drives' energy. */
-double priceOf (AllocationProblem problem, double weight)
+double computePrice (AllocationProblem problem, double weight)
 {
     problem.guardRows.resize (0, problem.rows.cols());
     problem.guardParticipation.resize (0, problem.participation.cols());
-    const auto leastEnergy = (minimumNormAllocation (problem) * problem.waveforms).squaredNorm();
-    return weight * leastEnergy / problem.wanted.squaredNorm();
+    const auto minimumEnergy = (minimumNormAllocation (problem) * problem.waveforms).squaredNorm();
+    return weight * minimumEnergy / problem.wanted.squaredNorm();
 }
 
-/** The strongest rows below the guards that are there. All guards share one weight: those that are there are scaled to keep theirs. */
+/** The strongest rows below the guards that are there. All guards share one weight: those that are there are scaled to
+ * keep theirs. */
 void append (AllocationProblem& problem, std::vector<RobustRow> found, double weight)
 {
     std::erase_if (found, [] (const RobustRow& row) { return ! (row.strength > weakest); });
     std::stable_sort (found.begin(), found.end(),
                       [] (const RobustRow& a, const RobustRow& b) { return a.strength > b.strength; });
-    found.resize (std::min (found.size(), mostRows));
+    found.resize (std::min (found.size(), maximumRows));
     const auto guards = problem.guardRows.rows();
     const auto count = guards + static_cast<Eigen::Index> (found.size());
     problem.guardRows *= std::sqrt (problem.guardWeight / weight);
@@ -150,7 +151,7 @@ AllocationProblem withRobustRows (AllocationProblem problem, const ModalModel& m
     if (! (robustness.weight > 0) || problem.wanted.isZero (0))
         return problem;
 
-    const auto price = priceOf (problem, robustness.weight);
+    const auto price = computePrice (problem, robustness.weight);
     const auto responses = detunedResponses (model, origin, robustness.spread);
     const DriveMetric metric (problem.waveforms);
     std::vector<RobustRow> found;

@@ -9,8 +9,8 @@
 
 namespace antinode
 {
-/** The states y of modes at the instant of one sample per unit of modal force in each sample, exact for the playback: a held sample in
-    closed form, a band-limited one by the integral of its kernel up to that instant.
+/** The states y of modes at the instant of one sample per unit of modal force in each sample, exact for the playback: a
+   held sample in closed form, a band-limited one by the integral of its kernel up to that instant.
     @param samples  N_s, how many there are
     @param focus    which of them the instant is that of, counted from 0; it may lie beyond them
     @return         modes x N_s, s

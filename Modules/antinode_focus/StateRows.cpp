@@ -20,7 +20,7 @@ Complex stateAt (Complex pole, const Oscillation& oscillation, double time, Play
     return modalResponse (pole, oscillation, time);
 }
 
-double quantityOf (Complex state, Complex pole, ModalQuantity quantity)
+double evaluateQuantity (Complex state, Complex pole, ModalQuantity quantity)
 {
     return quantity == ModalQuantity::velocity ? state.real() + pole.real() / pole.imag() * state.imag() : state.imag();
 }
@@ -56,7 +56,7 @@ Eigen::MatrixXd rowResponses (const ModalModel& model, const std::vector<StateRo
             for (const auto& oscillation : drives[static_cast<std::size_t> (l)])
                 state += stateAt (pole, oscillation, row.time, playback);
 
-            responses (r, l) = quantityOf (state, pole, row.quantity);
+            responses (r, l) = evaluateQuantity (state, pole, row.quantity);
         }
     }
 

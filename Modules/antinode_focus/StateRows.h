@@ -28,9 +28,9 @@ struct StateRow
 /** One row of a quantity a mode, at one time. [any] */
 std::vector<StateRow> rowsAt (double time, const std::vector<int>& modes, ModalQuantity);
 
-/** The response of each row to each drive per unit participation: C (r, l), the quantity of row r when drive l alone acts on its mode with
-    participation 1. Played band-limited, a drive and its release are what they are as continuous waveforms, so one closed form serves
-    both; held samples have their own exact sum.
+/** The response of each row to each drive per unit participation: C (r, l), the quantity of row r when drive l alone
+   acts on its mode with participation 1. Played band-limited, a drive and its release are what they are as continuous
+   waveforms, so one closed form serves both; held samples have their own exact sum.
     @param drives  the oscillations of each drive l
     @return        rows x drives, (m/s kg^1/2) / (N kg^-1/2)
     [worker] Docs/Theory.md, sections 4.1 and 6.3. */

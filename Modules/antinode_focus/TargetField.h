@@ -18,14 +18,14 @@ namespace antinode
 double targetProfile (TargetShape, double distance, double width);
 
 /** The wanted velocity v* on the surface's points: the sum of all targets.
-    @param edgeWindow  Tukey taper, the share of the surface's length that is tapered (half of it at either end where the edge is held),
-                       or none
+    @param edgeWindow  Tukey taper, the share of the surface's length that is tapered (half of it at either end where
+   the edge is held), or none
     @return            N_p values, m/s
     [any] Docs/Theory.md, section 2.1. */
 Eigen::VectorXd targetField (const Surface&, const std::vector<Target>&, std::optional<double> edgeWindow);
 
-/** Peak over RMS, weighted by area, outside the focal spots: farther than a width from every target's centre, each axis in its own
-    width. 0 where nothing lies outside or moves.
+/** Peak over RMS, weighted by area, outside the focal spots: farther than a width from every target's centre, each axis
+   in its own width. 0 where nothing lies outside or moves.
     @param field  N_p values, m/s
     [any] Docs/Theory.md, section 5. */
 double fieldContrast (const Surface&, const Eigen::VectorXd& field, const std::vector<Target>&);

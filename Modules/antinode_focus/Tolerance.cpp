@@ -14,7 +14,7 @@ namespace antinode
 namespace
 {
 /** Without shapes, which detuning does not change: cheap to copy. */
-ModalModel modesOf (const ModalModel& model)
+ModalModel withoutShapes (const ModalModel& model)
 {
     ModalModel modes;
     modes.angularFrequencies = model.angularFrequencies;
@@ -24,7 +24,7 @@ ModalModel modesOf (const ModalModel& model)
 }
 
 /** A seed for each draw (SplitMix64, Steele et al. 2014): those of neighbouring seeds have nothing in common. */
-std::uint64_t seedOf (std::uint64_t seed, int draw)
+std::uint64_t seedForDraw (std::uint64_t seed, int draw)
 {
     constexpr std::uint64_t odd = 0x9e3779b97f4a7c15, first = 0xbf58476d1ce4e5b9, second = 0x94d049bb133111eb;
     const auto mix = [] (std::uint64_t z)
@@ -45,14 +45,14 @@ FocusScore scoreOn (const ModalModel& modes, const ModalModel& model, const Focu
 std::vector<FocusScore> drawScores (const ModalModel& model, const FocusDesign& design, const ToleranceOptions& options,
                                     const std::function<void (double)>& progress)
 {
-    const auto modes = modesOf (model);
+    const auto modes = withoutShapes (model);
     std::vector<FocusScore> scores (static_cast<std::size_t> (options.draws));
     const auto caller = std::this_thread::get_id();
     parallelFor (scores.size(),
                  [&] (std::size_t draw)
                  {
                      scores[draw] =
-                         scoreOn (detuned (modes, options.spread, seedOf (options.seed, static_cast<int> (draw))),
+                         scoreOn (detuned (modes, options.spread, seedForDraw (options.seed, static_cast<int> (draw))),
                                   model, design);
 
                      if (std::this_thread::get_id() == caller)
@@ -66,11 +66,11 @@ Percentiles scorePercentiles (const std::vector<FocusScore>& scores, double Focu
     std::vector<double> values (scores.size());
     std::transform (scores.begin(), scores.end(), values.begin(),
                     [&] (const FocusScore& score) { return score.*member; });
-    return percentilesOf (std::move (values));
+    return computePercentiles (std::move (values));
 }
 } // namespace
 
-Percentiles percentilesOf (std::vector<double> values)
+Percentiles computePercentiles (std::vector<double> values)
 {
     constexpr double whole = 100;
     std::sort (values.begin(), values.end());
@@ -92,7 +92,7 @@ Tolerance evaluateTolerance (const ModalModel& model, const FocusDesign& design,
 {
     Tolerance tolerance;
     tolerance.options = options;
-    tolerance.known = scoreOn (modesOf (model), model, design);
+    tolerance.known = scoreOn (withoutShapes (model), model, design);
     tolerance.draws = drawScores (model, design, options, progress);
     tolerance.vScore = scorePercentiles (tolerance.draws, &FocusScore::vScore);
     tolerance.fieldError = scorePercentiles (tolerance.draws, &FocusScore::fieldError);

@@ -28,7 +28,8 @@ inline constexpr std::array<double, 5> tolerancePercents { 5, 25, 50, 75, 95 };
 /** A value at each of tolerancePercents. */
 using Percentiles = std::array<double, tolerancePercents.size()>;
 
-/** The tolerance of a design to devices that differ from the model. Fields are compared with what the controlled modes represent. */
+/** The tolerance of a design to devices that differ from the model. Fields are compared with what the controlled modes
+ * represent. */
 struct Tolerance
 {
     ToleranceOptions options;
@@ -40,8 +41,9 @@ struct Tolerance
     std::vector<ToleranceCause> causes; ///< Causes of error, the largest first.
 };
 
-/** The field of a design at the focus, in closed form, on devices drawn around the model. The same options draw the same devices for every
-    design, so that designs can be compared. The result does not depend on the number of threads, which is that of the machine.
+/** The field of a design at the focus, in closed form, on devices drawn around the model. The same options draw the
+   same devices for every design, so that designs can be compared. The result does not depend on the number of threads,
+   which is that of the machine.
     @param progress  called on the calling thread with 0 to 1
     [worker] Docs/Theory.md, section 7.4. */
 Tolerance evaluateTolerance (const ModalModel&, const FocusDesign&, const ToleranceOptions&,
@@ -50,5 +52,5 @@ Tolerance evaluateTolerance (const ModalModel&, const FocusDesign&, const Tolera
 /** Percentiles by linear interpolation between the ordered values, the least at 0 and the largest at 100 %.
     @param values  not empty
     [any] */
-Percentiles percentilesOf (std::vector<double> values);
+Percentiles computePercentiles (std::vector<double> values);
 } // namespace antinode

@@ -14,8 +14,8 @@ namespace antinode
 {
 namespace
 {
-/** Gauss and Hermite's rule of five points, the middle one left out: there nothing is off. Abramowitz and Stegun, 25.4.46, for the
-    standard normal distribution. */
+/** Gauss and Hermite's rule of five points, the middle one left out: there nothing is off. Abramowitz and
+   Stegun, 25.4.46, for the standard normal distribution. */
 struct Node
 {
     double place, share;
@@ -26,7 +26,8 @@ constexpr std::array<Node, 4> gaussHermite { { { 1.3556261799742659, 0.222075922
                                                { 2.8569700138728056, 0.0112574113277207 },
                                                { -2.8569700138728056, 0.0112574113277207 } } };
 
-/** The velocity of every mode at the focus that each ceramic alone gives it, N_m x N_b, with all frequencies and dampings times a factor. */
+/** The velocity of every mode at the focus that each ceramic alone gives it, N_m x N_b, with all frequencies and
+ * dampings times a factor. */
 Eigen::MatrixXd velocitiesByCeramic (const ModalModel& model, const FocusDesign& design, double frequencyFactor,
                                      double dampingFactor)
 {
@@ -52,7 +53,8 @@ struct Changes
     double together = 0;  ///< The RMS over the errors of the field's RMS where all are off by the same, m/s.
 };
 
-Changes changesOf (const ModalModel& model, const FocusDesign& design, double frequencySpread, double dampingSpread)
+Changes computeChanges (const ModalModel& model, const FocusDesign& design, double frequencySpread,
+                        double dampingSpread)
 {
     const Eigen::VectorXd share = model.surface.areas / model.surface.areas.sum();
     const Eigen::VectorXd known = velocitiesByCeramic (model, design, 1, 1).rowwise().sum();
@@ -93,11 +95,11 @@ std::vector<ToleranceCause> toleranceCauses (const ModalModel& model, const Focu
 
     if (spread.frequency > 0)
         append (causes, ToleranceKind::frequency,
-                changesOf (model, design, spread.frequency, 0).each.cwiseProduct (shapeSizes));
+                computeChanges (model, design, spread.frequency, 0).each.cwiseProduct (shapeSizes));
 
     if (spread.damping > 0)
         append (causes, ToleranceKind::damping,
-                changesOf (model, design, 0, spread.damping).each.cwiseProduct (shapeSizes));
+                computeChanges (model, design, 0, spread.damping).each.cwiseProduct (shapeSizes));
 
     if (spread.participation > 0)
         append (causes, ToleranceKind::participation,
@@ -105,14 +107,15 @@ std::vector<ToleranceCause> toleranceCauses (const ModalModel& model, const Focu
                     * velocitiesByCeramic (model, design, 1, 1).rowwise().norm().cwiseProduct (shapeSizes));
 
     if (spread.drift > 0)
-        causes.push_back ({ {}, ToleranceKind::drift, changesOf (model, design, spread.drift, 0).together / wanted });
+        causes.push_back (
+            { {}, ToleranceKind::drift, computeChanges (model, design, spread.drift, 0).together / wanted });
 
     std::stable_sort (causes.begin(), causes.end(),
                       [] (const ToleranceCause& a, const ToleranceCause& b) { return a.fieldError > b.fieldError; });
     return causes;
 }
 
-std::string sentenceOf (const ToleranceCause& cause, const ModalModel& model)
+std::string causeSentence (const ToleranceCause& cause, const ModalModel& model)
 {
     constexpr double percent = 100;
     const auto cost = std::round (percent * percent * cause.fieldError) / percent;

@@ -23,7 +23,7 @@ constexpr std::array limitMultiples { 1.02, 1.1, 1.3, 1.6, 2.0, 0.0 };
 constexpr std::array methods { AllocationMethod::minimumNorm, AllocationMethod::paper, AllocationMethod::exact,
                                AllocationMethod::minimumPeak, AllocationMethod::dictionary };
 
-Eigen::VectorXd voltagesOf (const VoltageProgram& program, double time)
+Eigen::VectorXd evaluateVoltages (const VoltageProgram& program, double time)
 {
     Eigen::VectorXd values (program.oscillations.size());
 
@@ -160,7 +160,7 @@ double timeInMotion (const ModalModel& model, const VoltageProgram& program, con
     {
         checkWatch();
         const Eigen::VectorXd forces =
-            model.participation * voltagesOf (program, (static_cast<double> (n) + 0.5) * interval);
+            model.participation * evaluateVoltages (program, (static_cast<double> (n) + 0.5) * interval);
         states = (turn * states.array() + gain * forces.array()).matrix();
         norms.push_back (modalVelocities (model, states).norm());
     }

@@ -36,8 +36,8 @@ struct Tradeoff
     double lowerBoundGap = 0;          ///< As FocusDesign has it.
 };
 
-/** Designs a focus by minimum_norm, paper, exact, minimum_peak and dictionary with each growth, and by free_waveform with each limit, all
-    without the voltage limit, and looks at each in closed form.
+/** Designs a focus by minimum_norm, paper, exact, minimum_peak and dictionary with each growth, and by free_waveform
+   with each limit, all without the voltage limit, and looks at each in closed form.
     @param playback  with a rate, for the free waveforms
     @param progress  called with 0..1 after each design; may be empty
     @throws InputError  as designFocus, where not even the first design can be made
@@ -45,8 +45,8 @@ struct Tradeoff
 Tradeoff sweepTradeoff (const ModalModel&, const FocusDescription&, Playback,
                         const std::function<void (double)>& progress = {});
 
-/** How long before the focus the norm of all modal velocities is above half of what it is at the focus. The voltages are taken as constant
-    over a tenth of the period of the fastest mode listed. s
-    [worker] Docs/Theory.md, section 4.10. */
+/** How long before the focus the norm of all modal velocities is above half of what it is at the focus. The voltages
+   are taken as constant over a tenth of the period of the fastest mode listed. s [worker] Docs/Theory.md, section 4.10.
+ */
 double timeInMotion (const ModalModel&, const VoltageProgram&, const std::vector<int>& modes);
 } // namespace antinode

@@ -30,7 +30,7 @@ Oscillation oscillationFrom (int mode, double start, double end, Complex exponen
     return { mode, start, end, exponent.real(), exponent.imag(), -phasor.imag(), phasor.real() };
 }
 
-std::string nameOf (const ModalModel& model, int mode)
+std::string modeName (const ModalModel& model, int mode)
 {
     return "mode " + std::to_string (mode + 1) + " (" + std::to_string (std::lround (model.frequencyHz (mode)))
            + " Hz)";
@@ -59,30 +59,30 @@ int cyclesThatFit (double dampedFrequency, double time)
 int chooseCycles (const ModalModel& model, const DrivenMode& driven, double time)
 {
     const auto b = driven.dampedFrequency, rate = driven.growth * driven.decayRate;
-    const auto most = cyclesThatFit (b, time);
+    const auto maximum = cyclesThatFit (b, time);
 
-    if (most < 0)
+    if (maximum < 0)
         throw InputError ("focus: focus time", "leaves " + inWords (time * 1000) + " ms to drive "
-                                                   + nameOf (model, driven.mode)
+                                                   + modeName (model, driven.mode)
                                                    + ", which needs a quarter period; allowed: at least "
                                                    + inWords (driveDuration (b, 0) * 1000) + " ms");
 
     if (rate * time <= chosenGreatestFolds)
-        return most;
+        return maximum;
 
-    return std::clamp (cyclesThatFit (b, chosenGreatestFolds / rate), 0, most);
+    return std::clamp (cyclesThatFit (b, chosenGreatestFolds / rate), 0, maximum);
 }
 
 void checkCycles (const ModalModel& model, const DrivenMode& driven, double time)
 {
     const auto rate = driven.growth * driven.decayRate;
-    const auto most = cyclesThatFit (driven.dampedFrequency,
-                                     rate * time <= greatestEnvelopeFolds ? time : greatestEnvelopeFolds / rate);
+    const auto maximum = cyclesThatFit (driven.dampedFrequency,
+                                        rate * time <= greatestEnvelopeFolds ? time : greatestEnvelopeFolds / rate);
 
-    if (driven.cycles > most)
+    if (driven.cycles > maximum)
         throw InputError ("focus: cycles", "is " + std::to_string (driven.cycles) + " for "
-                                               + nameOf (model, driven.mode) + "; allowed: 0 to "
-                                               + std::to_string (std::max (most, 0))
+                                               + modeName (model, driven.mode) + "; allowed: 0 to "
+                                               + std::to_string (std::max (maximum, 0))
                                                + " with this focus time and growth");
 }
 } // namespace
@@ -97,7 +97,7 @@ double releaseDuration()
     return -std::log (releaseDecay) / releaseRate();
 }
 
-std::vector<Oscillation> releaseOf (const Oscillation& oscillation)
+std::vector<Oscillation> makeRelease (const Oscillation& oscillation)
 {
     const auto phasor =
         oscillation.phasor() * std::exp (oscillation.exponent() * (oscillation.end - oscillation.start));
@@ -134,7 +134,7 @@ ModeDrive driveMode (const DrivenMode& driven, DriveKind kind, double focusTime)
     const auto untilFocus = drive.oscillations;
 
     for (const auto& oscillation : untilFocus)
-        for (const auto& release : releaseOf (oscillation))
+        for (const auto& release : makeRelease (oscillation))
             drive.oscillations.push_back (release);
 
     return drive;

@@ -9,8 +9,8 @@
 
 namespace antinode
 {
-/** The drive of one mode: an oscillation up to the focus (and a constant where the paper's drive is requested), then its release.
-    Normalised: alone in its own mode it brings the modal velocity 1 (m/s kg^1/2) at t_f. */
+/** The drive of one mode: an oscillation up to the focus (and a constant where the paper's drive is requested), then
+   its release. Normalised: alone in its own mode it brings the modal velocity 1 (m/s kg^1/2) at t_f. */
 struct ModeDrive
 {
     int mode = 0;
@@ -35,18 +35,18 @@ double releaseRate();
 /** How long a drive takes to be released after the focus, s: its envelope has then fallen by 2e-6. [any] */
 double releaseDuration();
 
-/** What follows an oscillation that ends at the focus, so that neither it nor its slope jumps there: the oscillation continues with the
-    envelope (2 + g/r) e^{-r tau} - (1 + g/r) e^{-2 r tau}, g its growth, r = 20000/s. A drive that is cut would ring in any
-    band-limited playback, and the ringing before t_f would shake high modes at the very instant of the focus.
-    [any] Docs/Theory.md, section 3.7. */
-std::vector<Oscillation> releaseOf (const Oscillation&);
+/** What follows an oscillation that ends at the focus, so that neither it nor its slope jumps there: the oscillation
+   continues with the envelope (2 + g/r) e^{-r tau} - (1 + g/r) e^{-2 r tau}, g its growth, r = 20000/s. A drive that is
+   cut would ring in any band-limited playback, and the ringing before t_f would shake high modes at the very instant of
+   the focus. [any] Docs/Theory.md, section 3.7. */
+std::vector<Oscillation> makeRelease (const Oscillation&);
 
 /** The drive of one mode from rest. Starts at t_f - T, b T = pi/2 + 2 pi N, is released after t_f.
     [any] Docs/Theory.md, sections 3.2, 3.3 and 3.7; paper (26). */
 ModeDrive driveMode (const DrivenMode&, DriveKind, double focusTime);
 
-/** The drives of all controlled modes, growth and cycles chosen if they are not given: all velocities then grow with one common
-    rate of 4 / (time before the focus), with as many cycles as fit.
+/** The drives of all controlled modes, growth and cycles chosen if they are not given: all velocities then grow with
+   one common rate of 4 / (time before the focus), with as many cycles as fit.
     @param modes  mode indices
     @throws InputError  when a list has a wrong length, the requested cycles do not fit before the focus, or an envelope
                         would grow beyond what a drive can start from

@@ -11,7 +11,7 @@ ChannelGainNode::ChannelGainNode (int channelsToUse)
 {
 }
 
-double ChannelGainNode::targetOf (int channel) const
+double ChannelGainNode::targetGain (int channel) const
 {
     const auto isMuted = channel < 64 && ((wantedMutes.load (std::memory_order_relaxed) >> channel) & 1U) != 0;
     return isMuted ? 0.0 : wantedGain.load (std::memory_order_relaxed);
@@ -24,7 +24,7 @@ void ChannelGainNode::prepare (const NodeFormat& format)
     for (int i = 0; i < channels; ++i)
     {
         const auto channel = static_cast<std::size_t> (i);
-        targets[channel] = targetOf (i);
+        targets[channel] = targetGain (i);
         ramps[channel] = SafetyRamp (targets[channel]);
     }
 }
@@ -37,7 +37,7 @@ void ChannelGainNode::apply (const NodeBlock<Sample>& block)
         const auto channel = static_cast<std::size_t> (i);
         std::copy (block.inputs[i], block.inputs[i] + block.count, block.outputs[i]);
 
-        if (const auto target = targetOf (i); target != targets[channel])
+        if (const auto target = targetGain (i); target != targets[channel])
         {
             targets[channel] = target;
             ramps[channel].setTarget (target, rampSamples);

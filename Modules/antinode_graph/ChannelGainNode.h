@@ -10,8 +10,8 @@
 
 namespace antinode
 {
-/** One gain for all ceramics, and a mute for each: changes are ramps of 5 ms. It stands before the limiter, so it can never raise
-    a voltage beyond its limit. */
+/** One gain for all ceramics, and a mute for each: changes are ramps of 5 ms. It stands before the limiter, so it can
+   never raise a voltage beyond its limit. */
 class ChannelGainNode : public Node
 {
 public:
@@ -35,7 +35,7 @@ public:
 private:
     template <typename Sample>
     void apply (const NodeBlock<Sample>&);
-    double targetOf (int channel) const;
+    double targetGain (int channel) const;
 
     static constexpr double rampTime = 0.005; // s
 

@@ -10,8 +10,8 @@
 
 namespace antinode
 {
-/** The last guard: silence by a ramp where it is disarmed, no voltage beyond its ceramic's limit, and a latched mute where
-    one is not finite. */
+/** The last guard: silence by a ramp where it is disarmed, no voltage beyond its ceramic's limit, and a latched mute
+   where one is not finite. */
 class LimiterNode : public Node
 {
 public:
@@ -29,8 +29,8 @@ public:
     /** The duration of a ramp, s. */
     static constexpr double rampTime = 0.005;
 
-    /** From the next block on, ramps all voltages to 0 or back, within rampTime. Armed at first; after prepare() there is no
-        ramp, but silence or not, as was said before. [any] */
+    /** From the next block on, ramps all voltages to 0 or back, within rampTime. Armed at first; after prepare() there
+       is no ramp, but silence or not, as was said before. [any] */
     void setArmed (bool shouldBeArmed) { wantsArmed = shouldBeArmed; }
 
     /** From the next block on, no ceramic gets more than this, and its own limit. [any] @param volts  at least 0 */

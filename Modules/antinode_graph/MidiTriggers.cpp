@@ -27,7 +27,7 @@ std::optional<FocusEvent> eventFrom (const juce::MidiMessage& message, const Vel
 double VelocityCurve::amplitude (int velocity) const
 {
     const auto share = std::pow (std::clamp (velocity, 1, 127) / 127.0, exponent);
-    return std::clamp (least + (1 - least) * share, 0.0, 1.0);
+    return std::clamp (minimum + (1 - minimum) * share, 0.0, 1.0);
 }
 
 std::span<const FocusEvent> MidiTriggers::read (const juce::MidiBuffer& midi, int blockLength)

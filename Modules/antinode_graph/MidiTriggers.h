@@ -13,7 +13,7 @@ namespace antinode
 struct VelocityCurve
 {
     double exponent = 1; ///< amplitude = (velocity / 127)^exponent: 0 makes all notes equal, 2 spreads them.
-    double least = 0;    ///< Amplitude of the softest note; the loudest has 1.
+    double minimum = 0;  ///< Amplitude of the softest note; the loudest has 1.
 
     /** @param velocity  1 to 127. [any] */
     double amplitude (int velocity) const;

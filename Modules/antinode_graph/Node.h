@@ -25,8 +25,8 @@ struct NodeBlock
     std::span<const FocusEvent> events;    ///< Of this block, for nodes that play.
 };
 
-/** A step of the signal path: a number of channels in, a number of channels out. A new kind of node is a class of this in a file of its own and one line
-    where a graph is put together (Docs/Architecture.md, Nodes). */
+/** A step of the signal path: a number of channels in, a number of channels out. A new kind of node is a class of this
+   in a file of its own and one line where a graph is put together (Docs/Architecture.md, Nodes). */
 class Node
 {
 public:
@@ -42,7 +42,8 @@ public:
     /** Before the first block and after every change of the format. [worker] allocates @throws InputError */
     virtual void prepare (const NodeFormat&) = 0;
 
-    /** [audio thread] allocates nothing, locks nothing; the result does not depend on how samples are cut into blocks */
+    /** [audio thread] allocates nothing, locks nothing; the result does not depend on how samples are cut into blocks
+     */
     virtual void process (const NodeBlock<float>&) = 0;
     virtual void process (const NodeBlock<double>&) = 0;
 

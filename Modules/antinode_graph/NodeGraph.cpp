@@ -8,7 +8,7 @@ namespace antinode
 {
 namespace
 {
-constexpr std::size_t mostEvents =
+constexpr std::size_t maximumEvents =
     4096; // of one part of a block: more go to the next part, and are left out at the last
 
 /** Pointers to all channels of the nodes' buffers, one node after the other. */
@@ -72,7 +72,7 @@ int NodeGraph::outputs() const
 void NodeGraph::prepare (const NodeFormat& format)
 {
     longestBlock = std::max (1, format.longestBlock);
-    partEvents.reserve (mostEvents);
+    partEvents.reserve (maximumEvents);
 
     for (auto& entry : entries)
     {
@@ -91,11 +91,11 @@ void NodeGraph::reset()
         entry.node->reset();
 }
 
-NodeGraph::Events NodeGraph::eventsOfPart (Events::iterator& next, Events::iterator last, int offset, int end)
+NodeGraph::Events NodeGraph::takePartEvents (Events::iterator& next, Events::iterator last, int offset, int end)
 {
     partEvents.clear();
 
-    for (; next != last && (end == noEnd || next->offset < end) && partEvents.size() < mostEvents; ++next)
+    for (; next != last && (end == noEnd || next->offset < end) && partEvents.size() < maximumEvents; ++next)
     {
         partEvents.push_back (*next);
         partEvents.back().offset -= offset;

@@ -52,7 +52,7 @@ public:
         {
             const auto length = std::min (longestBlock, count - offset);
             const auto end = offset + length;
-            processPart<Sample> (length, eventsOfPart (next, events.end(), offset, end < count ? end : noEnd));
+            processPart<Sample> (length, takePartEvents (next, events.end(), offset, end < count ? end : noEnd));
             hear (offset, length, outputPointers<Sample>());
             offset += length;
         } while (offset < count);
@@ -83,7 +83,7 @@ private:
     static constexpr int noEnd =
         std::numeric_limits<int>::max(); ///< Of the last part: it takes all events that are left.
 
-    Events eventsOfPart (Events::iterator& next, Events::iterator last, int offset, int end);
+    Events takePartEvents (Events::iterator& next, Events::iterator last, int offset, int end);
     template <typename Sample>
     void processPart (int count, Events events);
     template <typename Sample>

@@ -3,11 +3,11 @@
 namespace antinode
 {
 NodeProcessor::NodeProcessor (std::unique_ptr<Node> node, VelocityCurve curve)
-    : AudioProcessor (busesOf (*node)), wrapped (std::move (node)), triggers (curve)
+    : AudioProcessor (makeBuses (*node)), wrapped (std::move (node)), triggers (curve)
 {
 }
 
-juce::AudioProcessor::BusesProperties NodeProcessor::busesOf (const Node& node)
+juce::AudioProcessor::BusesProperties NodeProcessor::makeBuses (const Node& node)
 {
     BusesProperties buses;
 

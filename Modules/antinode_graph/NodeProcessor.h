@@ -10,8 +10,8 @@
 
 namespace antinode
 {
-/** A node as a juce::AudioProcessor, with a bus of its inputs and one of its outputs: for a juce::AudioProcessorGraph, or to be
-    loaded on its own. The real-time path of Antinode is NodeGraph, with the same nodes and the same samples. */
+/** A node as a juce::AudioProcessor, with a bus of its inputs and one of its outputs: for a juce::AudioProcessorGraph,
+   or to be loaded on its own. The real-time path of Antinode is NodeGraph, with the same nodes and the same samples. */
 class NodeProcessor : public juce::AudioProcessor
 {
 public:
@@ -40,7 +40,7 @@ public:
     void setStateInformation (const void*, int) override {}
 
 private:
-    static BusesProperties busesOf (const Node&);
+    static BusesProperties makeBuses (const Node&);
     template <typename Sample>
     void processParts (juce::AudioBuffer<Sample>&, juce::AudioBuffer<Sample>& inputs, const juce::MidiBuffer&);
 

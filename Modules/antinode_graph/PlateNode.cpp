@@ -40,7 +40,7 @@ RealtimePlate& PlateNode::newestPlate()
     {
         if (auto* const taken = next.exchange (nullptr, std::memory_order_acq_rel))
         {
-            taken->takeMotionOf (*plate);
+            taken->copyMotion (*plate);
             replaced.store (plate.release(), std::memory_order_release);
             plate.reset (taken);
         }
@@ -53,7 +53,8 @@ void PlateNode::process (const NodeBlock<float>& block)
 {
     newestPlate().process (block.inputs, block.outputs, block.count);
 
-    // The plate's states pass through what floats cannot hold long before they are still: that must not slow down what comes behind.
+    // The plate's states pass through what floats cannot hold long before they are still: that must not slow down what
+    // comes behind.
     for (int i = 0; i < outputs(); ++i)
         std::replace_if (
             block.outputs[i], block.outputs[i] + block.count,

@@ -4,7 +4,7 @@ namespace antinode
 {
 namespace
 {
-Eigen::VectorXd limitsOf (const ModalModel& model)
+Eigen::VectorXd ceramicLimits (const ModalModel& model)
 {
     Eigen::VectorXd limits (model.actuators());
 
@@ -22,7 +22,7 @@ void addOutputs (StandardGraph& standard, int voltages, const std::shared_ptr<co
     const auto ceramics = static_cast<int> (model->actuators());
     standard.gains = graph.add (std::make_unique<ChannelGainNode> (ceramics), voltages);
     const auto last = insert (graph, GraphPlace::afterGains, standard.gains);
-    standard.limiter = graph.add (std::make_unique<LimiterNode> (limitsOf (*model)), last);
+    standard.limiter = graph.add (std::make_unique<LimiterNode> (ceramicLimits (*model)), last);
     insert (graph, GraphPlace::afterLimiter, standard.limiter);
     standard.plate = graph.add (std::make_unique<PlateNode> (model, probeShapes), standard.limiter);
     graph.setOutputs ({ standard.limiter, standard.plate });

@@ -12,7 +12,7 @@ class ShortestPaths
 public:
     explicit ShortestPaths (const Eigen::MatrixXd& costsToUse)
         : costs (costsToUse), rowPrice (Eigen::VectorXd::Zero (costs.rows() + 1)),
-          columnPrice (Eigen::VectorXd::Zero (costs.cols() + 1)), rowOf (columnCount(), 0)
+          columnPrice (Eigen::VectorXd::Zero (costs.cols() + 1)), assignedRows (columnCount(), 0)
     {
     }
 
@@ -20,30 +20,33 @@ public:
     {
         std::vector<Eigen::Index> before (columnCount(), 0);
         std::vector<bool> seen (columnCount(), false);
-        std::vector<double> least (columnCount(), std::numeric_limits<double>::infinity());
-        rowOf[0] = row + 1;
+        std::vector<double> minimumCost (columnCount(), std::numeric_limits<double>::infinity());
+        assignedRows[0] = row + 1;
         std::size_t column = 0;
 
         do
         {
             seen[column] = true;
-            column = advance (column, before, seen, least);
-        } while (rowOf[column] != 0);
+            column = advance (column, before, seen, minimumCost);
+        } while (assignedRows[column] != 0);
 
         for (; column != 0; column = static_cast<std::size_t> (before[column]))
-            rowOf[column] = rowOf[static_cast<std::size_t> (before[column])];
+            assignedRows[column] = assignedRows[static_cast<std::size_t> (before[column])];
     }
 
-    Eigen::Index rowOfColumn (Eigen::Index column) const { return rowOf[static_cast<std::size_t> (column + 1)] - 1; }
+    Eigen::Index assignedRow (Eigen::Index column) const
+    {
+        return assignedRows[static_cast<std::size_t> (column + 1)] - 1;
+    }
 
 private:
     std::size_t columnCount() const { return static_cast<std::size_t> (costs.cols() + 1); }
 
     /** One step of Dijkstra's method over reduced costs. @return the next column */
     std::size_t advance (std::size_t column, std::vector<Eigen::Index>& before, const std::vector<bool>& seen,
-                         std::vector<double>& least)
+                         std::vector<double>& minimumCost)
     {
-        const auto row = rowOf[column];
+        const auto row = assignedRows[column];
         auto delta = std::numeric_limits<double>::infinity();
         std::size_t next = 0;
 
@@ -54,15 +57,16 @@ private:
 
             const auto index = static_cast<Eigen::Index> (j);
 
-            if (const auto cost = costs (row - 1, index - 1) - rowPrice[row] - columnPrice[index]; cost < least[j])
+            if (const auto cost = costs (row - 1, index - 1) - rowPrice[row] - columnPrice[index];
+                cost < minimumCost[j])
             {
-                least[j] = cost;
+                minimumCost[j] = cost;
                 before[j] = static_cast<Eigen::Index> (column);
             }
 
-            if (least[j] < delta)
+            if (minimumCost[j] < delta)
             {
-                delta = least[j];
+                delta = minimumCost[j];
                 next = j;
             }
         }
@@ -71,12 +75,12 @@ private:
         {
             if (seen[j])
             {
-                rowPrice[rowOf[j]] += delta;
+                rowPrice[assignedRows[j]] += delta;
                 columnPrice[static_cast<Eigen::Index> (j)] -= delta;
             }
             else
             {
-                least[j] -= delta;
+                minimumCost[j] -= delta;
             }
         }
 
@@ -85,7 +89,7 @@ private:
 
     const Eigen::MatrixXd& costs;
     Eigen::VectorXd rowPrice, columnPrice;
-    std::vector<Eigen::Index> rowOf;
+    std::vector<Eigen::Index> assignedRows;
 };
 } // namespace
 
@@ -100,7 +104,7 @@ std::vector<Eigen::Index> assign (const Eigen::MatrixXd& scores)
         paths.add (row);
 
     for (Eigen::Index column = 0; column < costs.cols(); ++column)
-        if (const auto row = paths.rowOfColumn (column); row >= 0)
+        if (const auto row = paths.assignedRow (column); row >= 0)
             result[static_cast<std::size_t> (isWide ? row : column)] = isWide ? column : row;
 
     return result;

@@ -10,9 +10,9 @@ namespace antinode
 {
 namespace
 {
-constexpr double leastComparedAssurance = 0.5;
+constexpr double minimumComparedAssurance = 0.5;
 /** What a relative difference of frequencies costs, in units of MAC: one of 10 % costs 0.2. */
-constexpr double priceOfDifference = 2;
+constexpr double differencePenalty = 2;
 
 Eigen::MatrixXd shapesAtPoints (const ModalModel& model, const Eigen::MatrixX2d& points)
 {
@@ -52,14 +52,14 @@ ModeComparison compareModes (const IdentifiedModes& identified, const ModalModel
 
     for (Eigen::Index k = 0; k < scores.rows(); ++k)
         for (Eigen::Index l = 0; l < scores.cols(); ++l)
-            scores (k, l) -= priceOfDifference
+            scores (k, l) -= differencePenalty
                              * std::abs (std::log (identified.angularFrequencies[k] / computed.angularFrequencies[l]));
 
     const auto partners = assign (scores);
 
     for (Eigen::Index k = 0; k < scores.rows(); ++k)
         if (const auto l = partners[static_cast<std::size_t> (k)];
-            l >= 0 && result.assurance (k, l) >= leastComparedAssurance)
+            l >= 0 && result.assurance (k, l) >= minimumComparedAssurance)
             result.pairs.push_back ({ k, l, result.assurance (k, l),
                                       identified.angularFrequencies[k] / computed.angularFrequencies[l] - 1 });
 

@@ -6,7 +6,8 @@
 
 namespace antinode
 {
-/** Modal assurance criterion of every column of one with every column of the other: squared cosine of the angle between them.
+/** Modal assurance criterion of every column of one with every column of the other: squared cosine of the angle between
+   them.
     @param one, other  N_p x N, N_p x M; rows that are not finite in either do not count
     @param weights     N_p, at least 0; empty: all alike
     @return            N x M, 0 to 1
@@ -35,8 +36,8 @@ struct ModeComparison
     [worker] Docs/Theory.md, section 8.7. */
 ModeComparison compareModes (const IdentifiedModes&, const ModalModel& computed);
 
-/** A computed model with the frequencies and dampings of the identified modes paired with its own; modes without a partner move with
-    their neighbours' relative difference. Shapes and participation stay. Ascending again.
-    [worker] Docs/Theory.md, section 8.7. */
+/** A computed model with the frequencies and dampings of the identified modes paired with its own; modes without a
+   partner move with their neighbours' relative difference. Shapes and participation stay. Ascending again. [worker]
+   Docs/Theory.md, section 8.7. */
 ModalModel transferred (const ModalModel& computed, const IdentifiedModes&, const ModeComparison&);
 } // namespace antinode

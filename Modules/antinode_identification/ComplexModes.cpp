@@ -11,7 +11,8 @@ namespace antinode
 {
 namespace
 {
-/** The strongest product in a table of complex residues, its shape turned to the real axis and as long as the real one. */
+/** The strongest product in a table of complex residues, its shape turned to the real axis and as long as the real one.
+ */
 void splitResidues (IdentifiedModes& modes, Eigen::Index mode, const Eigen::MatrixXcd& table)
 {
     const auto direction = largestEigenpair (adjointGram (table)).vector;
@@ -30,8 +31,8 @@ void splitResidues (IdentifiedModes& modes, Eigen::Index mode, const Eigen::Matr
 /** Coefficients of the modes' functions: velocity and delay; together with a constant they are any complex residue. */
 Eigen::MatrixXd functionAmplitudes (const IdentifiedModes& modes, const ModalBasis& basis)
 {
-    const auto points = modes.complexShapes.rows(), drivers = modes.complexParticipation.cols();
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero (basis.modalColumns(), points * drivers);
+    const auto points = modes.complexShapes.rows(), references = modes.complexParticipation.cols();
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero (basis.modalColumns(), points * references);
 
     for (Eigen::Index k = 0; k < basis.modes(); ++k)
     {
@@ -130,30 +131,30 @@ ModalBasis stepped (ModalBasis basis, const Eigen::VectorXd& step)
 
 FreeResidues fitFreeResidues (const PreparedResponses& data, const NormalModes& start, double ridge)
 {
-    constexpr int mostIterations = 12;
-    constexpr int mostHalvings = 6;
-    constexpr double leastGain = 1e-9;  // relative, of the cost
-    constexpr double negligible = 1e-7; // the same, of what a step promises
-    auto basis = basisOf (start.angularFrequencies, start.dampingRatios, data);
-    basis.functions = functionsOfComplexMode;
+    constexpr int maximumIterations = 12;
+    constexpr int maximumHalvings = 6;
+    constexpr double minimumGain = 1e-9; // relative, of the cost
+    constexpr double negligible = 1e-7;  // the same, of what a step promises
+    auto basis = makeBasis (start.angularFrequencies, start.dampingRatios, data);
+    basis.functions = complexModeFunctions;
     auto products = modalProducts (basis, data, start.delay);
     auto equations = poleEquations (basis, products, data.columnWeights, ridge);
 
     auto isConverged = false;
 
-    for (int iteration = 0; iteration < mostIterations && ! isConverged; ++iteration)
+    for (int iteration = 0; iteration < maximumIterations && ! isConverged; ++iteration)
     {
         Eigen::VectorXd step = solveEven (equations.matrix, equations.gradient, 1e-9);
         const auto promised = step.dot (equations.gradient);
         auto isBetter = false;
 
         // Where poles are far from theirs, a whole step may lead away.
-        for (int halved = 0; halved < mostHalvings && ! isBetter && ! isConverged; ++halved, step *= 0.5)
+        for (int halved = 0; halved < maximumHalvings && ! isBetter && ! isConverged; ++halved, step *= 0.5)
         {
             const auto next = stepped (basis, step);
             auto nextProducts = modalProducts (next, data, start.delay);
             auto nextEquations = poleEquations (next, nextProducts, data.columnWeights, ridge);
-            isBetter = nextEquations.cost <= equations.cost * (1 - leastGain);
+            isBetter = nextEquations.cost <= equations.cost * (1 - minimumGain);
 
             if (isBetter)
             {
@@ -180,13 +181,13 @@ FreeResidues freeResidues (const FitState& state, double ridge)
 
 Eigen::MatrixXd addComplexModes (IdentifiedModes& modes, const FreeResidues& fit, const PreparedResponses& data)
 {
-    const auto points = data.points(), drivers = data.drivers();
+    const auto points = data.points(), references = data.references();
     const auto& basis = fit.basis;
     modes.complexShapes.resize (points, basis.modes());
-    modes.complexParticipation.resize (basis.modes(), drivers);
+    modes.complexParticipation.resize (basis.modes(), references);
 
     for (Eigen::Index k = 0; k < basis.modes(); ++k)
-        splitResidues (modes, k, fit.residues.row (k).reshaped (points, drivers));
+        splitResidues (modes, k, fit.residues.row (k).reshaped (points, references));
 
     const auto amplitudes = functionAmplitudes (modes, basis);
     Eigen::MatrixXd coefficients (basis.size(), data.columns());
@@ -203,7 +204,7 @@ Eigen::MatrixXd addComplexModes (IdentifiedModes& modes, const FreeResidues& fit
             for (Eigen::Index k = 0; k < basis.modes(); ++k)
                 row -= amplitudes.row (basis.column (k, ModalFunction::delay));
 
-        modes.residuals.push_back ({ power, row.reshaped (points, drivers) / std::pow (basis.scale, power) });
+        modes.residuals.push_back ({ power, row.reshaped (points, references) / std::pow (basis.scale, power) });
     }
 
     return coefficients;

@@ -5,7 +5,8 @@
 
 namespace antinode
 {
-/** Modes whose residues are free: any complex number for each point and reference, by least squares; only the poles are common. */
+/** Modes whose residues are free: any complex number for each point and reference, by least squares; only the poles are
+ * common. */
 struct FreeResidues
 {
     ModalBasis basis; ///< With the fitted poles.
@@ -14,8 +15,8 @@ struct FreeResidues
     bool isConverged = true;   ///< Whether no step of the poles promises more than 1e-7 of the cost.
 };
 
-/** Fits the poles by Gauss and Newton's method, residues and powers eliminated (variable projection). What structures whose damping is not
-    proportional need; where modes are real it knows less than the fit of normal modes.
+/** Fits the poles by Gauss and Newton's method, residues and powers eliminated (variable projection). What structures
+   whose damping is not proportional need; where modes are real it knows less than the fit of normal modes.
     @param start  its poles, and the delay that is taken out of the data
     [worker] Docs/Theory.md, section 8.4; Golub and Pereyra, SIAM Journal on Numerical Analysis 10 (1973) 413. */
 FreeResidues fitFreeResidues (const PreparedResponses&, const NormalModes& start, double ridge);
@@ -23,8 +24,8 @@ FreeResidues fitFreeResidues (const PreparedResponses&, const NormalModes& start
 /** The same for the poles of real modes as they are. [worker] */
 FreeResidues freeResidues (const FitState&, double ridge);
 
-/** Adds complex shapes and participations to the real ones: the strongest product of the free residues of each mode. Residual terms
-    become those that belong to them.
+/** Adds complex shapes and participations to the real ones: the strongest product of the free residues of each mode.
+   Residual terms become those that belong to them.
     @return  coefficients of all functions of the basis for these modes, functions x C
     [worker] Docs/Theory.md, section 8.4. */
 Eigen::MatrixXd addComplexModes (IdentifiedModes&, const FreeResidues&, const PreparedResponses&);

@@ -18,13 +18,14 @@ Eigen::MatrixXd strongest (Eigen::MatrixXd gram, Eigen::Index count)
     return eigen.vectors.rightCols (std::min (count, eigen.vectors.cols())).rowwise().reverse();
 }
 
-Eigen::MatrixXd gramOfPoints (const DataBlock& values, Eigen::Index points, Eigen::Index drivers, Eigen::Index stride)
+Eigen::MatrixXd pointGram (const DataBlock& values, Eigen::Index points, Eigen::Index allReferences,
+                           Eigen::Index stride)
 {
     const auto lines = (values.real.rows() + stride - 1) / stride;
     Eigen::MatrixXd gram = Eigen::MatrixXd::Zero (points, points);
     Eigen::MatrixXd rows (points, 2 * lines);
 
-    for (Eigen::Index i = 0; i < drivers; ++i)
+    for (Eigen::Index i = 0; i < allReferences; ++i)
     {
         for (Eigen::Index f = 0; f < lines; ++f)
         {
@@ -38,12 +39,12 @@ Eigen::MatrixXd gramOfPoints (const DataBlock& values, Eigen::Index points, Eige
     return gram;
 }
 
-Eigen::MatrixXd gramOfDrivers (const std::vector<Eigen::MatrixXcd>& values)
+Eigen::MatrixXd referenceGram (const std::vector<Eigen::MatrixXcd>& values)
 {
-    const auto drivers = static_cast<Eigen::Index> (values.size());
-    Eigen::MatrixXd gram (drivers, drivers);
+    const auto allReferences = static_cast<Eigen::Index> (values.size());
+    Eigen::MatrixXd gram (allReferences, allReferences);
 
-    for (Eigen::Index i = 0; i < drivers; ++i)
+    for (Eigen::Index i = 0; i < allReferences; ++i)
         for (Eigen::Index j = 0; j <= i; ++j)
             gram (i, j) =
                 (values[static_cast<std::size_t> (i)].conjugate().cwiseProduct (values[static_cast<std::size_t> (j)]))
@@ -53,16 +54,17 @@ Eigen::MatrixXd gramOfDrivers (const std::vector<Eigen::MatrixXcd>& values)
     return gram;
 }
 
-/** Outputs in the place of references, by reciprocity of the poles: shapes then distinguish modes that few references cannot. */
+/** Outputs in the place of references, by reciprocity of the poles: shapes then distinguish modes that few references
+ * cannot. */
 CompressedBand exchanged (CompressedBand band, const std::vector<Eigen::MatrixXcd>& projected, Eigen::Index references)
 {
-    const auto drivers = static_cast<Eigen::Index> (projected.size());
+    const auto allReferences = static_cast<Eigen::Index> (projected.size());
 
     for (Eigen::Index r = 0; r < std::min (references, projected.front().cols()); ++r)
     {
-        Eigen::MatrixXcd values (band.lines(), drivers);
+        Eigen::MatrixXcd values (band.lines(), allReferences);
 
-        for (Eigen::Index i = 0; i < drivers; ++i)
+        for (Eigen::Index i = 0; i < allReferences; ++i)
             values.col (i) = projected[static_cast<std::size_t> (i)].col (r);
 
         band.values.push_back (std::move (values));
@@ -75,7 +77,7 @@ CompressedBand exchanged (CompressedBand band, const std::vector<Eigen::MatrixXc
 CompressedBand compress (const PreparedResponses& data, Eigen::Index first, Eigen::Index count, Eigen::Index outputs,
                          Eigen::Index references)
 {
-    const auto points = data.points(), drivers = data.drivers();
+    const auto points = data.points(), allReferences = data.references();
     auto values = dataBlock (data, first, Eigen::VectorXcd::Ones (count));
     const Eigen::VectorXd roots = data.columnWeights.cwiseSqrt();
     const auto scale = data.lineScale.segment (first, count).asDiagonal();
@@ -83,11 +85,11 @@ CompressedBand compress (const PreparedResponses& data, Eigen::Index first, Eige
     values.imaginary = scale * values.imaginary * roots.asDiagonal();
 
     // Directions need no more than some thousand samples; the values themselves keep every line.
-    const auto stride = std::max<Eigen::Index> (1, count * drivers / 8192);
-    const auto directions = strongest (gramOfPoints (values, points, drivers, stride), outputs);
+    const auto stride = std::max<Eigen::Index> (1, count * allReferences / 8192);
+    const auto directions = strongest (pointGram (values, points, allReferences, stride), outputs);
     std::vector<Eigen::MatrixXcd> projected;
 
-    for (Eigen::Index i = 0; i < drivers; ++i)
+    for (Eigen::Index i = 0; i < allReferences; ++i)
     {
         Eigen::MatrixXd real = Eigen::MatrixXd::Zero (count, directions.cols()), imaginary = real;
         addProduct (real, 1, values.real.middleCols (i * points, points), directions);
@@ -100,22 +102,22 @@ CompressedBand compress (const PreparedResponses& data, Eigen::Index first, Eige
     CompressedBand band;
     band.omega = data.omega.segment (first, count);
 
-    if (drivers < fewestReferences && directions.cols() > drivers)
+    if (allReferences < fewestReferences && directions.cols() > allReferences)
         return exchanged (std::move (band), projected, references);
 
-    if (drivers <= references)
+    if (allReferences <= references)
     {
         band.values = std::move (projected);
         return band;
     }
 
-    const auto mixture = strongest (gramOfDrivers (projected), references);
+    const auto mixture = strongest (referenceGram (projected), references);
 
     for (Eigen::Index j = 0; j < mixture.cols(); ++j)
     {
         band.values.emplace_back (Eigen::MatrixXcd::Zero (count, directions.cols()));
 
-        for (Eigen::Index i = 0; i < drivers; ++i)
+        for (Eigen::Index i = 0; i < allReferences; ++i)
             band.values.back() += mixture (i, j) * projected[static_cast<std::size_t> (i)];
     }
 

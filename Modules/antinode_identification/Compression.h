@@ -15,8 +15,8 @@ struct CompressedBand
     Eigen::Index references() const { return static_cast<Eigen::Index> (values.size()); }
 };
 
-/** Projects the lines of a band on the strongest real directions of points and of references: noise outside of them is gone, and real modes
-    stay real. Weights of points and references are in the values.
+/** Projects the lines of a band on the strongest real directions of points and of references: noise outside of them is
+   gone, and real modes stay real. Weights of points and references are in the values.
     @param first, count   lines
     @param outputs, references  the largest numbers
     [worker] Docs/Theory.md, section 8.2. */

@@ -15,14 +15,14 @@ namespace
 Eigen::VectorXd lengthChange (const FitState& state, const std::vector<ShapeCoupling>& couplings, Eigen::Index mode)
 {
     const auto modes = state.modes(), others = state.unknowns() - 1;
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero (modes * (state.drivers() + 3));
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero (modes * (state.references() + 3));
 
     for (std::size_t g = 0; g < state.groups.size(); ++g)
     {
         const Eigen::MatrixXd shapes = state.shapes (state.groups[g].points, Eigen::all);
         const Eigen::VectorXd withOthers = shapes.transpose() * shapes.col (mode);
 
-        for (Eigen::Index a = 0; a < state.drivers() + 3; ++a)
+        for (Eigen::Index a = 0; a < state.references() + 3; ++a)
             sum.segment (a * modes, modes) +=
                 couplings[g].perUnknown.row (mode).segment (a * modes, modes).transpose().cwiseProduct (withOthers);
     }
@@ -45,7 +45,8 @@ double ownLengthVariance (const FitState& state, const std::vector<ShapeCoupling
     return sum / std::pow (state.shapes.col (mode).squaredNorm(), 2);
 }
 
-/** What the data do not tell apart is lifted until it can be factored: it is then known badly, all else as well as it is. */
+/** What the data do not tell apart is lifted until it can be factored: it is then known badly, all else as well as it
+ * is. */
 Eigen::MatrixXd inverse (Eigen::MatrixXd matrix)
 {
     const Eigen::VectorXd scale = matrix.diagonal().cwiseMax (1e-300).cwiseSqrt().cwiseInverse();
@@ -83,7 +84,7 @@ void addShapes (ModeDeviations& result, const FitState& state, const std::vector
 }
 } // namespace
 
-ModeDeviations deviationsOf (const FitState& state, double variance, bool delayIsKnown, double ridge)
+ModeDeviations computeDeviations (const FitState& state, double variance, bool delayIsKnown, double ridge)
 {
     auto equations = normalEquations (state, ridge);
     holdWhatIsNotSeen (equations, state, delayIsKnown);
@@ -97,21 +98,21 @@ ModeDeviations deviationsOf (const FitState& state, double variance, bool delayI
     ModeDeviations result { Eigen::VectorXd (state.modes()),
                             Eigen::VectorXd (state.modes()),
                             {},
-                            Eigen::MatrixXd (state.modes(), state.drivers()),
+                            Eigen::MatrixXd (state.modes(), state.references()),
                             0 };
     const auto deviation = [&covariance] (Eigen::Index n) { return std::sqrt (covariance (n, n)); };
 
     for (Eigen::Index k = 0; k < state.modes(); ++k)
     {
         const auto resonance = state.basis.angularFrequencies[k], damping = state.basis.dampingRatios[k];
-        result.angularFrequencies[k] = damping * resonance * deviation (state.unknown (k, state.drivers()));
-        result.dampingRatios[k] = damping * deviation (state.unknown (k, state.drivers() + 1));
+        result.angularFrequencies[k] = damping * resonance * deviation (state.unknown (k, state.references()));
+        result.dampingRatios[k] = damping * deviation (state.unknown (k, state.references() + 1));
         const auto change = lengthChange (state, couplings, k);
         const Eigen::VectorXd withAll = covariance * change;
         const auto own = ownLengthVariance (state, couplings, k) * variance / 2;
 
         // A strength at fixed length of the shape: itself plus what the length changed by, in units of itself.
-        for (Eigen::Index i = 0; i < state.drivers(); ++i)
+        for (Eigen::Index i = 0; i < state.references(); ++i)
         {
             const auto strength = state.strengths (k, i);
             const auto n = state.unknown (k, i);

@@ -11,7 +11,8 @@ namespace antinode
 {
 namespace
 {
-/** What the coefficients give on the lines of a segment whose weights are 1; of functions that are 0 nothing is computed. */
+/** What the coefficients give on the lines of a segment whose weights are 1; of functions that are 0 nothing is
+ * computed. */
 DataBlock synthesised (const LineSegment& segment, const Eigen::MatrixXd& coefficients, Eigen::Index lines)
 {
     const auto columns = coefficients.cols();
@@ -90,17 +91,17 @@ Eigen::VectorXd interpolated (const Eigen::VectorXd& at, const Eigen::VectorXd& 
     return result;
 }
 
-Eigen::VectorXd energiesOf (const Eigen::MatrixXd& real, const Eigen::MatrixXd& imaginary)
+Eigen::VectorXd columnEnergies (const Eigen::MatrixXd& real, const Eigen::MatrixXd& imaginary)
 {
     return (real.colwise().squaredNorm() + imaginary.colwise().squaredNorm()).transpose();
 }
 } // namespace
 
-Eigen::MatrixXd coefficientsOf (const FitState& state)
+Eigen::MatrixXd fitCoefficients (const FitState& state)
 {
     const auto& basis = state.basis;
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero (basis.size(), state.columnWeights.size());
-    result (Eigen::seqN (0, basis.modes(), Eigen::fix<functionsOfRealMode>), Eigen::all) = amplitudes (state);
+    result (Eigen::seqN (0, basis.modes(), Eigen::fix<realModeFunctions>), Eigen::all) = amplitudes (state);
     result.bottomRows (static_cast<Eigen::Index> (basis.powers.size())) = residualCoefficients (state);
     return result;
 }
@@ -127,19 +128,19 @@ FitErrors fitErrors (PreparedResponses& data, const ModalBasis& basis, const Eig
         fillMissing (data, first, count, delay, given);
         auto error = dataBlock (data, first, advances (data, first, count, delay));
         const auto scale = data.lineScale.segment (first, count).asDiagonal();
-        errors.velocityDataEnergies += energiesOf (error.real, error.imaginary);
-        errors.dataEnergies += energiesOf (scale * error.real, scale * error.imaginary);
+        errors.velocityDataEnergies += columnEnergies (error.real, error.imaginary);
+        errors.dataEnergies += columnEnergies (scale * error.real, scale * error.imaginary);
         error.real -= given.real;
         error.imaginary -= given.imaginary;
-        errors.velocityEnergies += energiesOf (error.real, error.imaginary);
+        errors.velocityEnergies += columnEnergies (error.real, error.imaginary);
         error.real = scale * error.real;
         error.imaginary = scale * error.imaginary;
         errors.frequencies[s] = (omega[0] + omega[count - 1]) / 2;
         errors.lines[s] = static_cast<double> (count);
-        errors.energies.row (s) = energiesOf (error.real, error.imaginary).transpose();
+        errors.energies.row (s) = columnEnergies (error.real, error.imaginary).transpose();
         errors.roughness.row (s) =
-            energiesOf (error.real.bottomRows (count - 1) - error.real.topRows (count - 1),
-                        error.imaginary.bottomRows (count - 1) - error.imaginary.topRows (count - 1))
+            columnEnergies (error.real.bottomRows (count - 1) - error.real.topRows (count - 1),
+                            error.imaginary.bottomRows (count - 1) - error.imaginary.topRows (count - 1))
                 .transpose()
             * (static_cast<double> (count) / (2.0 * static_cast<double> (count - 1)));
     }
@@ -160,8 +161,8 @@ void weighByErrors (PreparedResponses& data, const FitErrors& errors)
             (errors.roughness.array().colwise() / errors.lines.array()).max (std::max (floor, 1e-300));
         const auto bySpan =
             separate (variances.array().log().matrix(), Eigen::VectorXd::Ones (variances.rows()) * active.transpose());
-        const Eigen::MatrixXd ofColumns = bySpan.columns.reshaped (data.points(), data.drivers());
-        const auto byPoint = separate (ofColumns, active.reshaped (data.points(), data.drivers()));
+        const Eigen::MatrixXd ofColumns = bySpan.columns.reshaped (data.points(), data.references());
+        const auto byPoint = separate (ofColumns, active.reshaped (data.points(), data.references()));
         data.lineWeights = data.lineScale.array().square()
                            * (-interpolated (errors.frequencies, bySpan.rows, data.omega)).array().exp();
 

@@ -4,8 +4,8 @@
 
 namespace antinode
 {
-/** The residual of a fit, summed over some tens to hundreds of lines at a time. S spans of lines, C columns. Of what was measured
-    (PreparedResponses::lineScale), without weights. */
+/** The residual of a fit, summed over some tens to hundreds of lines at a time. S spans of lines, C columns. Of what
+   was measured (PreparedResponses::lineScale), without weights. */
 struct FitErrors
 {
     Eigen::VectorXd frequencies; ///< S: rad/s, the middle of each span.
@@ -18,15 +18,14 @@ struct FitErrors
 };
 
 /** Coefficients of all functions of a basis: what a fit of real modes gives, functions x C. [worker] */
-Eigen::MatrixXd coefficientsOf (const FitState&);
+Eigen::MatrixXd fitCoefficients (const FitState&);
 
 /** Data less a fit, everywhere; single missing values are replaced by what the fit gives there.
     @param coefficients  functions x C
     [worker] Docs/Theory.md, section 8.5. */
 FitErrors fitErrors (PreparedResponses&, const ModalBasis&, const Eigen::MatrixXd& coefficients, double delay);
 
-/** Weights 1 / variance from what a fit leaves: a product of one for each line, point and reference. Where variances were given they stay, as
-    far as the errors confirm them.
-    [worker] Docs/Theory.md, section 8.5. */
+/** Weights 1 / variance from what a fit leaves: a product of one for each line, point and reference. Where variances
+   were given they stay, as far as the errors confirm them. [worker] Docs/Theory.md, section 8.5. */
 void weighByErrors (PreparedResponses&, const FitErrors&);
 } // namespace antinode

@@ -82,9 +82,9 @@ NormalModeStart startFrom (const PreparedResponses& data, const std::vector<Pole
         start.dampingRatios[k] = -pole.real() / std::abs (pole);
     }
 
-    const auto basis = basisOf (start.angularFrequencies, start.dampingRatios, data);
+    const auto basis = makeBasis (start.angularFrequencies, start.dampingRatios, data);
     const auto residues = complexResidues (basis, modalProducts (basis, data, 0), options.ridge);
-    start.delay = options.delay.value_or (delayOf (start.angularFrequencies, residues, data.columnWeights));
+    start.delay = options.delay.value_or (estimateDelay (start.angularFrequencies, residues, data.columnWeights));
     start.participation =
         strongestParticipation (residuesWithout (start.delay, residues, start.angularFrequencies).real(), data);
     return start;
@@ -96,11 +96,11 @@ NormalModeStart continued (const NormalModes& modes, bool delayIsKnown)
 }
 
 /** E |error|^2 of a value of weight 1: as the errors are; where variances were given, at least 1. */
-double varianceOf (const NormalModeFit& fit, const PreparedResponses& data)
+double estimateVariance (const NormalModeFit& fit, const PreparedResponses& data)
 {
     const auto columns = static_cast<double> ((data.columnWeights.array() > 0).count());
     const auto parameters =
-        static_cast<double> (fit.modes.modes() * (data.points() + data.drivers() + 1)) + 2 * columns;
+        static_cast<double> (fit.modes.modes() * (data.points() + data.references() + 1)) + 2 * columns;
     const auto freedom = std::max (static_cast<double> (data.lines()) * columns - parameters / 2, 1.0);
     const auto found = fit.cost / freedom;
     return data.responses->variances.empty() ? found : std::max (1.0, found);
@@ -110,15 +110,15 @@ double varianceOf (const NormalModeFit& fit, const PreparedResponses& data)
 NormalModeFit fitWhatStandsOut (const PreparedResponses& data, NormalModeStart start,
                                 std::vector<PoleCluster>& clusters, const Patience& patience, double ridge)
 {
-    constexpr int mostRounds = 100;
+    constexpr int maximumRounds = 100;
 
     for (int round = 0;; ++round)
     {
         auto fit = fitNormalModes (data, start, ridge, patience.precision, patience.iterations);
-        const auto kept = standOut (fit.state, varianceOf (fit, data), ridge);
+        const auto kept = standOut (fit.state, estimateVariance (fit, data), ridge);
 
         // Modes that passed each other while they were fitted are put in order once more.
-        if (kept.size() == clusters.size() && (round == mostRounds || std::is_sorted (kept.begin(), kept.end())))
+        if (kept.size() == clusters.size() && (round == maximumRounds || std::is_sorted (kept.begin(), kept.end())))
             return fit;
 
         if (kept.empty())
@@ -129,12 +129,14 @@ NormalModeFit fitWhatStandsOut (const PreparedResponses& data, NormalModeStart s
     }
 }
 
-/** The modes that are seen at most orders, or known well. What is neither is misfit of measured data more often than a mode. */
+/** The modes that are seen at most orders, or known well. What is neither is misfit of measured data more often than a
+ * mode. */
 std::vector<Eigen::Index> trustworthy (const NormalModeFit& fit, const PreparedResponses& data,
                                        const std::vector<PoleCluster>& clusters, const IdentificationOptions& options)
 {
     constexpr double often = 0.6, uncertain = 0.1;
-    const auto deviations = deviationsOf (fit.state, varianceOf (fit, data), options.delay.has_value(), options.ridge);
+    const auto deviations =
+        computeDeviations (fit.state, estimateVariance (fit, data), options.delay.has_value(), options.ridge);
     std::vector<Eigen::Index> kept;
 
     for (Eigen::Index k = 0; k < fit.modes.modes(); ++k)
@@ -145,7 +147,7 @@ std::vector<Eigen::Index> trustworthy (const NormalModeFit& fit, const PreparedR
     return kept;
 }
 
-std::vector<ResidualTerm> residualTerms (const FitState& state, Eigen::Index points, Eigen::Index drivers)
+std::vector<ResidualTerm> residualTerms (const FitState& state, Eigen::Index points, Eigen::Index references)
 {
     const auto coefficients = residualCoefficients (state);
     std::vector<ResidualTerm> terms;
@@ -153,7 +155,7 @@ std::vector<ResidualTerm> residualTerms (const FitState& state, Eigen::Index poi
 
     for (const auto power : state.basis.powers)
         terms.push_back (
-            { power, coefficients.row (row++).reshaped (points, drivers) / std::pow (state.basis.scale, power) });
+            { power, coefficients.row (row++).reshaped (points, references) / std::pow (state.basis.scale, power) });
 
     return terms;
 }
@@ -161,7 +163,7 @@ std::vector<ResidualTerm> residualTerms (const FitState& state, Eigen::Index poi
 void describeData (IdentifiedModes& result, const PreparedResponses& data)
 {
     result.drive = data.responses->drive;
-    result.drivers = data.responses->drivers;
+    result.references = data.responses->references;
     result.points = data.responses->points;
     result.minimumFrequency = data.omega[0] / (2 * std::numbers::pi);
     result.maximumFrequency = data.omega[data.lines() - 1] / (2 * std::numbers::pi);
@@ -182,7 +184,7 @@ void describeErrors (IdentifiedModes& result, const PreparedResponses& data, con
 void blankUnmeasured (Eigen::MatrixXd& shapes, const PreparedResponses& data)
 {
     for (Eigen::Index p = 0; p < shapes.rows(); ++p)
-        if (data.columnWeights (Eigen::seqN (p, data.drivers(), data.points())).maxCoeff() <= 0)
+        if (data.columnWeights (Eigen::seqN (p, data.references(), data.points())).maxCoeff() <= 0)
             shapes.row (p).setConstant (std::numeric_limits<double>::quiet_NaN());
 }
 
@@ -198,9 +200,9 @@ IdentifiedModes described (const NormalModeFit& fit, const FreeResidues& residue
     blankUnmeasured (result.shapes, data);
     result.participation = modes.participation;
     result.delay = modes.delay;
-    const auto variance = varianceOf (fit, data);
-    result.deviations = deviationsOf (fit.state, variance, options.delay.has_value(), options.ridge);
-    result.residuals = residualTerms (fit.state, data.points(), data.drivers());
+    const auto variance = estimateVariance (fit, data);
+    result.deviations = computeDeviations (fit.state, variance, options.delay.has_value(), options.ridge);
+    result.residuals = residualTerms (fit.state, data.points(), data.references());
     result.quality = assessResidues (residues.residues, data);
     const auto strengths = signalToNoise (fit.state, variance, options.ridge);
 
@@ -211,10 +213,10 @@ IdentifiedModes described (const NormalModeFit& fit, const FreeResidues& residue
     }
 
     const auto coefficients =
-        options.complexModes ? addComplexModes (result, residues, data) : coefficientsOf (fit.state);
+        options.complexModes ? addComplexModes (result, residues, data) : fitCoefficients (fit.state);
     describeErrors (result, data, fitErrors (data, residues.basis, coefficients, modes.delay));
     scaleShapes (result, options.pointMasses);
-    addDoubts (result);
+    addWarnings (result);
     return result;
 }
 
@@ -247,7 +249,7 @@ IdentifiedModes fitModes (const FrequencyResponses& responses, const Identificat
     auto fit = fitWhatStandsOut (data, startFrom (data, clusters, options), clusters, coarse, options.ridge);
 
     if (options.pointWeights.size() == 0)
-        weighByErrors (data, fitErrors (data, fit.state.basis, coefficientsOf (fit.state), fit.modes.delay));
+        weighByErrors (data, fitErrors (data, fit.state.basis, fitCoefficients (fit.state), fit.modes.delay));
 
     fit = fitWhatStandsOut (data, continued (fit.modes, delayIsKnown), clusters, fine, options.ridge);
 
@@ -274,7 +276,7 @@ IdentifiedModes fitModes (const FrequencyResponses& responses, const Identificat
     auto result = described (fit, residues, data, clusters, options);
 
     if (! isConverged)
-        result.doubts.emplace_back ("the fit of the modes did not converge: select modes, or limit the band");
+        result.warnings.emplace_back ("the fit of the modes did not converge: select modes, or limit the band");
 
     result.stabilisation = std::move (found.stabilisation);
     return result;

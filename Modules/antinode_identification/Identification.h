@@ -38,8 +38,8 @@ struct IdentificationOptions
         false; ///< Shapes made orthogonal as the paper did, participation with them: spoils shapes of a part.
 };
 
-/** Modes from measured responses, without hints: bands, compression across points, polynomials of rising order whose poles
-    are clustered, then one maximum-likelihood fit of all real normal modes, residual terms and the common delay.
+/** Modes from measured responses, without hints: bands, compression across points, polynomials of rising order whose
+   poles are clustered, then one maximum-likelihood fit of all real normal modes, residual terms and the common delay.
     @throws InputError  when the responses are not valid, options contradict them, or no mode is found
     [worker] Docs/Theory.md, sections 8.2 to 8.5. */
 IdentifiedModes identify (const FrequencyResponses&, const IdentificationOptions&);

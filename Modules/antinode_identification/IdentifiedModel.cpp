@@ -12,7 +12,7 @@ namespace antinode
 namespace
 {
 /** Largest part of a shape that another one may seem to hold where the points cover the whole body. */
-constexpr double leastOverlap = 0.02;
+constexpr double minimumOverlap = 0.02;
 
 bool isLine (const Eigen::MatrixX2d& points)
 {
@@ -47,7 +47,7 @@ void checkDistances (const Eigen::MatrixX2d& points)
                                   "have the same position; allowed: distinct positions");
 }
 
-Surface surfaceOf (const Eigen::MatrixX2d& points)
+Surface makeSurface (const Eigen::MatrixX2d& points)
 {
     checkDistances (points);
     Surface surface;
@@ -82,20 +82,20 @@ Eigen::VectorXd massesByShapes (const Eigen::MatrixXd& shapes, const Eigen::Vect
 bool areOrthonormal (const Eigen::MatrixXd& shapes, const Eigen::VectorXd& masses)
 {
     const Eigen::MatrixXd gram = shapes.transpose() * masses.asDiagonal() * shapes;
-    return (gram - Eigen::MatrixXd::Identity (gram.rows(), gram.cols())).cwiseAbs().maxCoeff() < leastOverlap;
+    return (gram - Eigen::MatrixXd::Identity (gram.rows(), gram.cols())).cwiseAbs().maxCoeff() < minimumOverlap;
 }
 
-std::vector<Ceramic> ceramicsOf (const IdentifiedModes& modes, const MappedSurface& mapped)
+std::vector<Ceramic> makeCeramics (const IdentifiedModes& modes, const MappedSurface& mapped)
 {
     if (! mapped.ceramics.empty())
         return mapped.ceramics;
 
     std::vector<Ceramic> ceramics;
 
-    for (const auto& driver : modes.drivers)
+    for (const auto& reference : modes.references)
     {
         Ceramic ceramic;
-        ceramic.name = driver.name;
+        ceramic.name = reference.name;
         ceramic.voltageLimit = mapped.voltageLimit;
         ceramics.push_back (ceramic);
     }
@@ -108,9 +108,9 @@ void check (const IdentifiedModes& modes, const MappedSurface& mapped)
     if (modes.drive != DriveQuantity::voltage)
         throw InputError ("identified modes", "were excited by forces; allowed for a device: voltages of ceramics");
 
-    if (! mapped.ceramics.empty() && mapped.ceramics.size() != modes.drivers.size())
+    if (! mapped.ceramics.empty() && mapped.ceramics.size() != modes.references.size())
         throw InputError ("ceramics", "are " + std::to_string (mapped.ceramics.size())
-                                          + "; allowed: one for each of the " + std::to_string (modes.drivers.size())
+                                          + "; allowed: one for each of the " + std::to_string (modes.references.size())
                                           + " references");
 
     if (mapped.masses.size() != 0 && mapped.masses.size() != modes.points.rows())
@@ -125,18 +125,18 @@ ModalModel toModalModel (const IdentifiedModes& modes, const MappedSurface& mapp
     const auto used = usedPoints (modes);
     ModalModel model;
     model.name = mapped.name;
-    model.surface = surfaceOf (modes.points (used, Eigen::all));
+    model.surface = makeSurface (modes.points (used, Eigen::all));
     model.angularFrequencies = modes.angularFrequencies;
     model.dampingRatios = modes.dampingRatios;
     model.shapes = modes.shapes (used, Eigen::all);
     model.participation = modes.participation;
-    model.ceramics = ceramicsOf (modes, mapped);
+    model.ceramics = makeCeramics (modes, mapped);
     model.fullScaleVoltage = mapped.fullScaleVoltage;
     model.surface.masses = mapped.masses.size() > 0 ? Eigen::VectorXd (mapped.masses (used))
                                                     : massesByShapes (model.shapes, model.surface.areas);
     model.coversWholeBody = mapped.coversWholeBody.value_or (areOrthonormal (model.shapes, model.surface.masses));
     model.frequencyErrors = modes.deviations.angularFrequencies.cwiseQuotient (modes.angularFrequencies);
-    model.warnings = modes.doubts;
+    model.warnings = modes.warnings;
 
     if (model.surface.kind == SurfaceKind::line && model.points() > 1)
         model = withSplineSlopes (std::move (model));

@@ -20,9 +20,9 @@ struct MappedSurface
 
 /** A device as its identified modes: what focus designs on.
 
-    Points are areas of their own (on a line the half distances between neighbours, in the plane Voronoi cells); masses are as
-    given, or proportional to them. Points without data are left out. Where all y are equal it is a line.
-    @throws InputError  when references are forces, ceramics or masses are not one per reference or point, or two points coincide
-    [worker] Docs/Theory.md, section 8.6. */
+    Points are areas of their own (on a line the half distances between neighbours, in the plane Voronoi cells); masses
+   are as given, or proportional to them. Points without data are left out. Where all y are equal it is a line.
+    @throws InputError  when references are forces, ceramics or masses are not one per reference or point, or two points
+   coincide [worker] Docs/Theory.md, section 8.6. */
 ModalModel toModalModel (const IdentifiedModes&, const MappedSurface&);
 } // namespace antinode

@@ -4,16 +4,19 @@
 
 namespace antinode
 {
-/** How the shapes are scaled: responses alone determine only the products phi_pk alpha_ki. Docs/Theory.md, section 8.6. */
+/** How the shapes are scaled: responses alone determine only the products phi_pk alpha_ki. Docs/Theory.md, section 8.6.
+ */
 enum class ShapeScaling
 {
     drivingPoint, ///< A force acts at a measured point q: alpha_k = phi_qk, and the modal mass is 1.
     knownMass,    ///< sum over points of mass phi_pk^2 = 1 with given masses.
-    convention ///< As if the points stood for 1 kg in all, evenly: sum phi_pk^2 = N_p. Products are right, sizes are not known.
+    convention    ///< As if the points stood for 1 kg in all, evenly: sum phi_pk^2 = N_p. Products are right, sizes are
+                  ///< not known.
 };
 
-/** The uncertainty of an estimate: standard deviations from the curvature of the likelihood, the Cramer-Rao bound for the noise
-    that is given or was found in the residuals. N_m modes, N_b references, N_p points. Docs/Theory.md, section 8.5. */
+/** The uncertainty of an estimate: standard deviations from the curvature of the likelihood, the Cramer-Rao bound for
+   the noise that is given or was found in the residuals. N_m modes, N_b references, N_p points. Docs/Theory.md,
+   section 8.5. */
 struct ModeDeviations
 {
     Eigen::VectorXd angularFrequencies; ///< N_m: rad/s.
@@ -30,10 +33,11 @@ struct ModeQuality
     double collinearity = 1;  ///< Modal phase collinearity (MPC): 1 where all points move in phase or against it.
     double presence = 1;      ///< Share of the model orders at which it was found.
     double signalToNoise = 0; ///< Its energy over that of the noise in its estimate, as amplitudes.
-    std::vector<std::string> doubts; ///< Warnings, as sentences; empty if there are none.
+    std::vector<std::string> warnings; ///< Warnings, as sentences; empty if there are none.
 };
 
-/** Residual terms of modes outside the band: coefficients (i omega)^power to the velocity per drive, behind the delay. */
+/** Residual terms of modes outside the band: coefficients (i omega)^power to the velocity per drive, behind the delay.
+ */
 struct ResidualTerm
 {
     int power =
@@ -58,7 +62,7 @@ struct StabilisationPoint
 struct IdentifiedModes
 {
     DriveQuantity drive = DriveQuantity::voltage;
-    std::vector<Driver> drivers;        ///< N_b
+    std::vector<Reference> references;  ///< N_b
     Eigen::MatrixX2d points;            ///< N_p x 2, m.
     Eigen::VectorXd angularFrequencies; ///< N_m: omega_k, rad/s, undamped.
     Eigen::VectorXd dampingRatios;      ///< N_m
@@ -79,7 +83,7 @@ struct IdentifiedModes
     double measuredReconstructionError = 0; ///< The same of what was measured, accelerations or displacements.
     double noise =
         0; ///< RMS of the residual, (m/s)/V or (m/s)/N; at the geometric middle of the lines where it is not white.
-    std::vector<std::string> doubts; ///< Warnings about the whole identification, as sentences.
+    std::vector<std::string> warnings; ///< Warnings about the whole identification, as sentences.
 
     Eigen::Index modes() const { return angularFrequencies.size(); }
 };

@@ -69,13 +69,13 @@ LineSegment lineSegment (const ModalBasis& basis, const Eigen::VectorXd& omega, 
 
     for (std::size_t n = 0; n < nearModes.size(); ++n)
         near.middleCols (basis.functions * static_cast<Eigen::Index> (n), basis.functions) =
-            functionsOf (basis, nearModes[n], omega);
+            evaluateModalFunctions (basis, nearModes[n], omega);
 
     for (std::size_t n = 0; n < farModes.size(); ++n)
         far.middleCols (basis.functions * static_cast<Eigen::Index> (n), basis.functions) =
-            functionsOf (basis, farModes[n], nodesAt);
+            evaluateModalFunctions (basis, farModes[n], nodesAt);
 
-    near.rightCols (powers) = powersOf (basis, omega);
+    near.rightCols (powers) = evaluatePowers (basis, omega);
     segment.nearReal = roots.asDiagonal() * near.real();
     segment.nearImaginary = roots.asDiagonal() * near.imag();
     segment.farReal = far.real();

@@ -7,9 +7,9 @@ namespace antinode
 /** The number of lines processed at once. */
 constexpr Eigen::Index linesOfSegment = 512;
 
-/** All functions of a basis on neighbouring lines, times a root of weights. Those of modes far from them are smooth there: they are
-    interpolated from 16 Chebyshev nodes, to 1e-12, so that work grows with the modes near a line, not with all.
-    Docs/Theory.md, section 8.4. */
+/** All functions of a basis on neighbouring lines, times a root of weights. Those of modes far from them are smooth
+   there: they are interpolated from 16 Chebyshev nodes, to 1e-12, so that work grows with the modes near a line, not
+   with all. Docs/Theory.md, section 8.4. */
 struct LineSegment
 {
     std::vector<Eigen::Index> near, far;     ///< Columns of the basis.

@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-Eigen::MatrixXcd functionsOf (const ModalBasis& basis, Eigen::Index mode, const Eigen::VectorXd& omega)
+Eigen::MatrixXcd evaluateModalFunctions (const ModalBasis& basis, Eigen::Index mode, const Eigen::VectorXd& omega)
 {
     using std::complex;
     const auto resonance = basis.angularFrequencies[mode], damping = basis.dampingRatios[mode];
@@ -29,7 +29,7 @@ Eigen::MatrixXcd functionsOf (const ModalBasis& basis, Eigen::Index mode, const 
     return result;
 }
 
-Eigen::MatrixXcd powersOf (const ModalBasis& basis, const Eigen::VectorXd& omega)
+Eigen::MatrixXcd evaluatePowers (const ModalBasis& basis, const Eigen::VectorXd& omega)
 {
     Eigen::MatrixXcd result (omega.size(), static_cast<Eigen::Index> (basis.powers.size()));
 

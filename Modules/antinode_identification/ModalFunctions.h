@@ -19,16 +19,16 @@ enum class ModalFunction
 };
 
 /** The number of functions in a fit: real residues need four, complex ones all. */
-constexpr Eigen::Index functionsOfRealMode = 4, functionsOfComplexMode = 6;
+constexpr Eigen::Index realModeFunctions = 4, complexModeFunctions = 6;
 
 /** The poles and powers of a fit. N_m modes. */
 struct ModalBasis
 {
-    Eigen::VectorXd angularFrequencies;           ///< N_m: rad/s
-    Eigen::VectorXd dampingRatios;                ///< N_m
-    std::vector<int> powers;                      ///< Of i omega / scale.
-    double scale = 1;                             ///< rad/s: keeps powers near 1.
-    Eigen::Index functions = functionsOfRealMode; ///< Of each mode.
+    Eigen::VectorXd angularFrequencies;         ///< N_m: rad/s
+    Eigen::VectorXd dampingRatios;              ///< N_m
+    std::vector<int> powers;                    ///< Of i omega / scale.
+    double scale = 1;                           ///< rad/s: keeps powers near 1.
+    Eigen::Index functions = realModeFunctions; ///< Of each mode.
 
     Eigen::Index modes() const { return angularFrequencies.size(); }
     Eigen::Index modalColumns() const { return functions * modes(); }
@@ -40,8 +40,8 @@ struct ModalBasis
 };
 
 /** The functions of one mode. @param omega N lines, rad/s @return N x functions [any] Docs/Theory.md, section 8.4. */
-Eigen::MatrixXcd functionsOf (const ModalBasis&, Eigen::Index mode, const Eigen::VectorXd& omega);
+Eigen::MatrixXcd evaluateModalFunctions (const ModalBasis&, Eigen::Index mode, const Eigen::VectorXd& omega);
 
 /** The powers of i omega / scale. @param omega N lines, rad/s, above 0 @return N x powers [any] */
-Eigen::MatrixXcd powersOf (const ModalBasis&, const Eigen::VectorXd& omega);
+Eigen::MatrixXcd evaluatePowers (const ModalBasis&, const Eigen::VectorXd& omega);
 } // namespace antinode

@@ -37,7 +37,7 @@ void addProducts (Eigen::MatrixXd& to, const LineSegment& segment, const Eigen::
         to.row (segment.far[n]) += far.row (static_cast<Eigen::Index> (n));
 }
 
-void addGramOf (Eigen::MatrixXd& gram, const LineSegment& segment)
+void addSegmentGram (Eigen::MatrixXd& gram, const LineSegment& segment)
 {
     const auto nearCount = static_cast<Eigen::Index> (segment.near.size());
     Eigen::MatrixXd withNear = Eigen::MatrixXd::Zero (gram.rows(), nearCount);
@@ -78,7 +78,7 @@ ModalProducts modalProducts (const ModalBasis& basis, const PreparedResponses& d
         const Eigen::VectorXd roots = data.lineWeights.segment (first, count).cwiseSqrt();
         const auto segment = lineSegment (basis, data.omega.segment (first, count), roots);
         const auto values = dataBlock (data, first, roots.asDiagonal() * advances (data, first, count, delay));
-        addGramOf (result.gram, segment);
+        addSegmentGram (result.gram, segment);
         addProducts (result.data, segment, values.real, values.imaginary);
         result.energies += (values.real.colwise().squaredNorm() + values.imaginary.colwise().squaredNorm()).transpose();
     }

@@ -28,35 +28,35 @@ double collinearity (const Eigen::VectorXcd& vector)
     return sum > 0 ? (std::pow (real - imaginary, 2) + 4 * between * between) / (sum * sum) : 1;
 }
 
-void doubtMode (IdentifiedModes& modes, Eigen::Index k)
+void warnOfMode (IdentifiedModes& modes, Eigen::Index k)
 {
     auto& quality = modes.quality[static_cast<std::size_t> (k)];
-    auto& doubts = quality.doubts;
+    auto& warnings = quality.warnings;
     const auto halfWidth = modes.dampingRatios[k] * modes.angularFrequencies[k];
 
     if (quality.presence < 0.6)
-        doubts.push_back ("it was found at only " + percent (quality.presence) + " of the model orders");
+        warnings.push_back ("it was found at only " + percent (quality.presence) + " of the model orders");
 
     if (quality.signalToNoise < 4)
-        doubts.emplace_back ("it is close to the noise level");
+        warnings.emplace_back ("it is close to the noise level");
 
     if (quality.collinearity < 0.9)
-        doubts.push_back ("its points do not move in phase (MPC " + percent (quality.collinearity)
-                          + "): damping is not proportional, or the responses are inconsistent");
+        warnings.push_back ("its points do not move in phase (MPC " + percent (quality.collinearity)
+                            + "): damping is not proportional, or the responses are inconsistent");
 
     if (quality.rankOne < 0.9 && quality.signalToNoise > 4)
-        doubts.push_back ("one shape explains only " + percent (quality.rankOne)
-                          + " of its residues: it may be two modes, or references measured differently");
+        warnings.push_back ("one shape explains only " + percent (quality.rankOne)
+                            + " of its residues: it may be two modes, or references measured differently");
 
     if (modes.deviations.dampingRatios[k] > 0.1 * modes.dampingRatios[k])
-        doubts.push_back ("its damping is uncertain by "
-                          + percent (modes.deviations.dampingRatios[k] / modes.dampingRatios[k]));
+        warnings.push_back ("its damping is uncertain by "
+                            + percent (modes.deviations.dampingRatios[k] / modes.dampingRatios[k]));
 
     for (const auto other : { k - 1, k + 1 })
         if (other >= 0 && other < modes.modes()
             && std::abs (modes.angularFrequencies[other] - modes.angularFrequencies[k]) < halfWidth / 4)
-            doubts.push_back ("mode " + std::to_string (other + 1)
-                              + " is within a quarter of its half-power half width");
+            warnings.push_back ("mode " + std::to_string (other + 1)
+                                + " is within a quarter of its half-power half width");
 }
 
 /** Points of one half wave of the most rippled shape on a line, or of the wave that as many modes have in the plane. */
@@ -94,7 +94,7 @@ std::vector<ModeQuality> assessResidues (const Eigen::MatrixXcd& residues, const
     for (Eigen::Index k = 0; k < residues.rows(); ++k)
     {
         const Eigen::RowVectorXcd weighted = residues.row (k).cwiseProduct (data.columnWeights.cwiseSqrt().transpose());
-        const Eigen::MatrixXcd table = weighted.reshaped (data.points(), data.drivers());
+        const Eigen::MatrixXcd table = weighted.reshaped (data.points(), data.references());
         const auto [strength, direction] = largestEigenpair (adjointGram (table));
         ModeQuality quality;
         quality.rankOne = strength / std::max (table.squaredNorm(), 1e-300);
@@ -105,23 +105,23 @@ std::vector<ModeQuality> assessResidues (const Eigen::MatrixXcd& residues, const
     return result;
 }
 
-void addDoubts (IdentifiedModes& modes)
+void addWarnings (IdentifiedModes& modes)
 {
     for (Eigen::Index k = 0; k < modes.modes(); ++k)
-        doubtMode (modes, k);
+        warnOfMode (modes, k);
 
     if (modes.points.rows() > 1 && pointsPerHalfWave (modes) < 2.5)
-        modes.doubts.emplace_back (
+        modes.warnings.emplace_back (
             "there may be less than 2.5 points per half wave of the highest modes: points on nodal lines hide modes");
 
-    if (modes.drivers.size() == 1 && modes.points.rows() > 1)
-        modes.doubts.emplace_back ("a single reference misses modes that it cannot excite");
+    if (modes.references.size() == 1 && modes.points.rows() > 1)
+        modes.warnings.emplace_back ("a single reference misses modes that it cannot excite");
 
     const auto error = std::min (modes.reconstructionError, modes.measuredReconstructionError);
 
     if (error > -20)
-        modes.doubts.push_back ("the reconstruction error of the responses is "
-                                + std::to_string (static_cast<int> (std::lround (error)))
-                                + " dB; a good fit reaches -20 dB or less");
+        modes.warnings.push_back ("the reconstruction error of the responses is "
+                                  + std::to_string (static_cast<int> (std::lround (error)))
+                                  + " dB; a good fit reaches -20 dB or less");
 }
 } // namespace antinode

@@ -11,11 +11,12 @@ namespace antinode
     [worker] Docs/Theory.md, section 8.5. */
 Eigen::VectorXd signalToNoise (const FitState&, double variance, double ridge);
 
-/** How well one shape times one participation explains the free residues of each mode, and how collinear they are in the complex plane.
+/** How well one shape times one participation explains the free residues of each mode, and how collinear they are in
+   the complex plane.
     @param residues   N_m x C: phi alpha, complex, without delay
     [worker] Docs/Theory.md, section 8.5. */
 std::vector<ModeQuality> assessResidues (const Eigen::MatrixXcd& residues, const PreparedResponses&);
 
 /** Adds warnings about single modes and about the whole identification, as sentences, to those that exist. [worker] */
-void addDoubts (IdentifiedModes&);
+void addWarnings (IdentifiedModes&);
 } // namespace antinode

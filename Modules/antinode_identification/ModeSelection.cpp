@@ -12,9 +12,9 @@ namespace antinode
 {
 namespace
 {
-constexpr double mostDamping = 0.15;
+constexpr double maximumDamping = 0.15;
 
-double frequencyOf (const PoleCluster& cluster)
+double clusterFrequency (const PoleCluster& cluster)
 {
     return std::abs (cluster.pole) / (2 * std::numbers::pi);
 }
@@ -24,15 +24,16 @@ std::size_t nearest (const std::vector<PoleCluster>& clusters, double frequency)
     std::size_t best = 0;
 
     for (std::size_t k = 1; k < clusters.size(); ++k)
-        if (std::abs (frequencyOf (clusters[k]) - frequency) < std::abs (frequencyOf (clusters[best]) - frequency))
+        if (std::abs (clusterFrequency (clusters[k]) - frequency)
+            < std::abs (clusterFrequency (clusters[best]) - frequency))
             best = k;
 
-    if (clusters.empty() || std::abs (frequencyOf (clusters[best]) - frequency) > 0.02 * frequency)
+    if (clusters.empty() || std::abs (clusterFrequency (clusters[best]) - frequency) > 0.02 * frequency)
     {
         auto allowed = std::string ("there are no candidates");
 
         if (! clusters.empty())
-            allowed = "the nearest candidate is at " + std::to_string (frequencyOf (clusters[best])) + " Hz";
+            allowed = "the nearest candidate is at " + std::to_string (clusterFrequency (clusters[best])) + " Hz";
 
         throw InputError ("frequency " + std::to_string (frequency) + " Hz", "has no candidate within 2 %; " + allowed);
     }
@@ -45,8 +46,8 @@ double assurance (const Eigen::VectorXd& one, const Eigen::VectorXd& other)
     return std::pow (one.dot (other), 2) / std::max (one.squaredNorm() * other.squaredNorm(), 1e-300);
 }
 
-/** Whether two modes are one that was split: poles within half a half width, and one product of shape and participation. Two modes of
-    one frequency differ in either. */
+/** Whether two modes are one that was split: poles within half a half width, and one product of shape and
+   participation. Two modes of one frequency differ in either. */
 bool areTwins (const FitState& state, Eigen::Index k, Eigen::Index l)
 {
     const auto& omega = state.basis.angularFrequencies;
@@ -81,22 +82,23 @@ std::vector<PoleCluster> picked (const std::vector<PoleCluster>& clusters, const
 std::vector<Eigen::Index> standOut (const FitState& state, double variance, double ridge)
 {
     const auto ratios = signalToNoise (state, variance, ridge);
-    // The strongest direction of pure noise has (sqrt (N_p) + sqrt (N_b))^2 / N_p times its mean energy; the poles were chosen among many.
+    // The strongest direction of pure noise has (sqrt (N_p) + sqrt (N_b))^2 / N_p times its mean energy; the poles were
+    // chosen among many.
     const auto points =
         static_cast<double> (std::max<Eigen::Index> (1, (state.shapes.rowwise().squaredNorm().array() > 0).count()));
-    const auto drivers = static_cast<double> (state.drivers());
-    const auto least = std::sqrt (1.5 * std::pow (1 + std::sqrt (drivers / points), 2) + 30 / points);
+    const auto references = static_cast<double> (state.references());
+    const auto minimum = std::sqrt (1.5 * std::pow (1 + std::sqrt (references / points), 2) + 30 / points);
     // What is damped so heavily is no resonance, but misfit that has taken its form.
-    const auto isMisfit = [&state] (Eigen::Index k) { return state.basis.dampingRatios[k] > mostDamping; };
+    const auto isMisfit = [&state] (Eigen::Index k) { return state.basis.dampingRatios[k] > maximumDamping; };
     std::vector<Eigen::Index> kept;
     bool lastFell = false;
 
     for (Eigen::Index k = 0; k < state.modes(); ++k)
     {
         // Of two that represent one mode each looks superfluous: only the weaker one is removed.
-        const auto isWeaker = k + 1 == state.modes() || ratios[k] <= ratios[k + 1] || ratios[k + 1] >= least;
+        const auto isWeaker = k + 1 == state.modes() || ratios[k] <= ratios[k + 1] || ratios[k + 1] >= minimum;
         const auto isSplit = k + 1 < state.modes() && areTwins (state, k, k + 1);
-        lastFell = isMisfit (k) || isSplit || (ratios[k] < least && isWeaker && ! lastFell);
+        lastFell = isMisfit (k) || isSplit || (ratios[k] < minimum && isWeaker && ! lastFell);
 
         if (! lastFell)
             kept.push_back (k);

@@ -5,13 +5,14 @@
 
 namespace antinode
 {
-/** The candidates picked by the user: those nearest to the selected frequencies, if there are any, without those nearest to the
-    rejected ones.
+/** The candidates picked by the user: those nearest to the selected frequencies, if there are any, without those
+   nearest to the rejected ones.
     @throws InputError  when no candidate lies within 2 % of a frequency
     [worker] */
 std::vector<PoleCluster> picked (const std::vector<PoleCluster>&, const IdentificationOptions&);
 
-/** Modes whose energy noise alone would not give, in ascending order; of neighbours that fail together the stronger stays for now.
+/** Modes whose energy noise alone would not give, in ascending order; of neighbours that fail together the stronger
+   stays for now.
     @param variance  E |error|^2 of a value of weight 1
     [worker] Docs/Theory.md, section 8.5. */
 std::vector<Eigen::Index> standOut (const FitState&, double variance, double ridge);

@@ -7,13 +7,14 @@ namespace antinode
 /** Points whose references have weights in the same proportion: they share every matrix of a fit. */
 struct PointGroup
 {
-    Eigen::VectorXd driverWeights;    ///< N_b, the largest 1.
+    Eigen::VectorXd referenceWeights; ///< N_b, the largest 1.
     std::vector<Eigen::Index> points; ///< N
     Eigen::VectorXd pointWeights;     ///< N
 };
 
 /** All points with any weight, in groups. @param columnWeights C [worker] */
-std::vector<PointGroup> groupPoints (const Eigen::VectorXd& columnWeights, Eigen::Index points, Eigen::Index drivers);
+std::vector<PointGroup> groupPoints (const Eigen::VectorXd& columnWeights, Eigen::Index points,
+                                     Eigen::Index references);
 
 /** The state of a fit: its products, and all fitted values. N_m modes, N_b references, N_p points. */
 struct FitState
@@ -26,10 +27,10 @@ struct FitState
     Eigen::MatrixXd shapes;        ///< N_p x N_m; 0 at points without weight.
 
     Eigen::Index modes() const { return strengths.rows(); }
-    Eigen::Index drivers() const { return strengths.cols(); }
+    Eigen::Index references() const { return strengths.cols(); }
     /** Unknown a of mode k: strengths of the references, then frequency in half widths, damping relative to itself. */
     Eigen::Index unknown (Eigen::Index mode, Eigen::Index a) const { return a * modes() + mode; }
-    Eigen::Index unknowns() const { return modes() * (drivers() + 2) + 1; }      ///< The last one is the delay.
+    Eigen::Index unknowns() const { return modes() * (references() + 2) + 1; }   ///< The last one is the delay.
     double delayUnit() const { return 1 / basis.angularFrequencies.maxCoeff(); } ///< s
 };
 
@@ -50,12 +51,12 @@ struct NormalEquations
     double cost = 0;          ///< Weighted sum of squared errors.
 };
 
-/** The matrix is a sum over groups of (Phi' W Phi)_kl times small sums that no more know the points: its cost does not grow with them.
-    [worker] Docs/Theory.md, section 8.4. */
+/** The matrix is a sum over groups of (Phi' W Phi)_kl times small sums that no more know the points: its cost does not
+   grow with them. [worker] Docs/Theory.md, section 8.4. */
 NormalEquations normalEquations (const FitState&, double ridge);
 
-/** The coupling of the unknowns of one group with the shapes of one of its points, per unit of the shape: K^-1 X, N_m x N_m (N_b + 3),
-    the last N_m columns for a delay of each mode on its own; and the diagonal of K^-1. */
+/** The coupling of the unknowns of one group with the shapes of one of its points, per unit of the shape: K^-1 X, N_m x
+   N_m (N_b + 3), the last N_m columns for a delay of each mode on its own; and the diagonal of K^-1. */
 struct ShapeCoupling
 {
     Eigen::MatrixXd perUnknown;

@@ -17,10 +17,10 @@ constexpr double gaugeWeight = 1; // of the mean diagonal: fixes lengths that th
 FitState stateAt (const PreparedResponses& data, const NormalModes& modes, double ridge)
 {
     FitState state;
-    state.basis = basisOf (modes.angularFrequencies, modes.dampingRatios, data);
+    state.basis = makeBasis (modes.angularFrequencies, modes.dampingRatios, data);
     state.products = modalProducts (state.basis, data, modes.delay);
     state.reduced = withoutPowers (state.basis, state.products);
-    state.groups = groupPoints (data.columnWeights, data.points(), data.drivers());
+    state.groups = groupPoints (data.columnWeights, data.points(), data.references());
     state.columnWeights = data.columnWeights;
     state.strengths = modes.angularFrequencies.cwiseInverse().asDiagonal() * modes.participation;
     state.shapes = bestShapes (state, ridge);
@@ -35,10 +35,10 @@ void holdLengths (Eigen::MatrixXd& matrix, const FitState& state)
         const Eigen::VectorXd direction = state.strengths.row (k).normalized();
         double weight = 0;
 
-        for (Eigen::Index i = 0; i < state.drivers(); ++i)
+        for (Eigen::Index i = 0; i < state.references(); ++i)
             weight += gaugeWeight * matrix (state.unknown (k, i), state.unknown (k, i));
 
-        for (Eigen::Index i = 0; i < state.drivers(); ++i)
+        for (Eigen::Index i = 0; i < state.references(); ++i)
             for (Eigen::Index j = 0; j <= i; ++j)
                 matrix (state.unknown (k, i), state.unknown (k, j)) += weight * direction[i] * direction[j];
     }
@@ -76,13 +76,13 @@ NormalModes stepped (const NormalModes& modes, const FitState& state, const Eige
     {
         const auto resonance = modes.angularFrequencies[k];
 
-        for (Eigen::Index i = 0; i < state.drivers(); ++i)
+        for (Eigen::Index i = 0; i < state.references(); ++i)
             result.participation (k, i) += resonance * step[state.unknown (k, i)];
 
         result.angularFrequencies[k] +=
-            modes.dampingRatios[k] * resonance * std::clamp (step[state.unknown (k, state.drivers())], -1.0, 1.0);
+            modes.dampingRatios[k] * resonance * std::clamp (step[state.unknown (k, state.references())], -1.0, 1.0);
         result.dampingRatios[k] = std::clamp (
-            modes.dampingRatios[k] * std::exp (std::clamp (step[state.unknown (k, state.drivers() + 1)], -0.7, 0.7)),
+            modes.dampingRatios[k] * std::exp (std::clamp (step[state.unknown (k, state.references() + 1)], -0.7, 0.7)),
             1e-9, 0.999);
     }
 
@@ -101,7 +101,7 @@ void holdWhatIsNotSeen (NormalEquations& equations, const FitState& state, bool 
 }
 
 NormalModeFit fitNormalModes (const PreparedResponses& data, const NormalModeStart& start, double ridge,
-                              double precision, int most)
+                              double precision, int maximum)
 {
     NormalModes modes { start.angularFrequencies, start.dampingRatios, {}, start.participation, start.delay };
     auto state = stateAt (data, modes, ridge);
@@ -112,7 +112,7 @@ NormalModeFit fitNormalModes (const PreparedResponses& data, const NormalModeSta
     int iteration = 0;
     auto isConverged = false;
 
-    for (; iteration < most; ++iteration)
+    for (; iteration < maximum; ++iteration)
     {
         auto held = equations;
         holdWhatIsNotSeen (held, state, start.delayIsKnown);
@@ -154,13 +154,13 @@ NormalModeFit fitNormalModes (const PreparedResponses& data, const NormalModeSta
 }
 Eigen::MatrixXd strongestParticipation (const Eigen::MatrixXd& residues, const PreparedResponses& data)
 {
-    const auto points = data.points(), drivers = data.drivers();
-    Eigen::MatrixXd result (residues.rows(), drivers);
+    const auto points = data.points(), references = data.references();
+    Eigen::MatrixXd result (residues.rows(), references);
 
     for (Eigen::Index k = 0; k < residues.rows(); ++k)
     {
         const Eigen::RowVectorXd weighted = residues.row (k).cwiseProduct (data.columnWeights.cwiseSqrt().transpose());
-        const Eigen::MatrixXd table = weighted.reshaped (points, drivers);
+        const Eigen::MatrixXd table = weighted.reshaped (points, references);
         result.row (k) = symmetricEigen (table.transpose() * table).vectors.rightCols (1).transpose();
     }
 

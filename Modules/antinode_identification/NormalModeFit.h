@@ -23,18 +23,19 @@ struct NormalModeStart
     bool delayIsKnown = false;
 };
 
-/** All poles, shapes, participations and the common delay at once, by Levenberg and Marquardt's method. Shapes and residual terms
-    are eliminated in each step (variable projection), so that only sums over frequencies and points remain.
+/** All poles, shapes, participations and the common delay at once, by Levenberg and Marquardt's method. Shapes and
+   residual terms are eliminated in each step (variable projection), so that only sums over frequencies and points
+   remain.
     @param ridge      relative, on the diagonal of the normal equations
     @param precision  it ends where a step would be worth less than this many squared standard deviations
-    @param most       iterations
+    @param maximum       iterations
     @return           look at isConverged
     [worker] Docs/Theory.md, section 8.4. */
 NormalModeFit fitNormalModes (const PreparedResponses&, const NormalModeStart&, double ridge, double precision,
-                              int most);
+                              int maximum);
 
-/** Makes equations regular: fixes the lengths of participations, which the data leave free, and the delay where it is known.
-    [worker] Docs/Theory.md, section 8.4. */
+/** Makes equations regular: fixes the lengths of participations, which the data leave free, and the delay where it is
+   known. [worker] Docs/Theory.md, section 8.4. */
 void holdWhatIsNotSeen (NormalEquations&, const FitState&, bool delayIsKnown);
 
 /** The start of a fit from unconstrained residues: the strongest product of shape and participation of each mode.

@@ -10,7 +10,7 @@ namespace
 {
 using Indices = std::vector<Eigen::Index>;
 
-auto columnsOfPowers (const ModalBasis& basis)
+auto powerColumns (const ModalBasis& basis)
 {
     return Eigen::seq (basis.modalColumns(), basis.size() - 1);
 }
@@ -24,8 +24,8 @@ Eigen::MatrixXd solveEven (const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, d
     return scale.asDiagonal() * solveSemidefinite (even, scale.asDiagonal() * b);
 }
 
-ModalBasis basisOf (const Eigen::VectorXd& angularFrequencies, const Eigen::VectorXd& dampingRatios,
-                    const PreparedResponses& data)
+ModalBasis makeBasis (const Eigen::VectorXd& angularFrequencies, const Eigen::VectorXd& dampingRatios,
+                      const PreparedResponses& data)
 {
     const auto scale = std::sqrt (data.omega[0] * data.omega[data.lines() - 1]);
     return { angularFrequencies, dampingRatios, { -1, 0, 1, 2, 3 }, scale };
@@ -34,7 +34,7 @@ ModalBasis basisOf (const Eigen::VectorXd& angularFrequencies, const Eigen::Vect
 ModalProducts withoutPowers (const ModalBasis& basis, const ModalProducts& products)
 {
     const auto kept = Eigen::seqN (0, basis.modalColumns());
-    const auto taken = columnsOfPowers (basis);
+    const auto taken = powerColumns (basis);
     const Eigen::MatrixXd between = products.gram (taken, kept), data = products.data (taken, Eigen::all);
     Eigen::MatrixXd both (between.rows(), between.cols() + data.cols());
     both << between, data;
@@ -71,13 +71,13 @@ Eigen::MatrixXcd complexResidues (const ModalBasis& basis, const ModalProducts& 
 Eigen::MatrixXd powerCoefficients (const ModalBasis& basis, const ModalProducts& products,
                                    const Eigen::MatrixXd& amplitudes)
 {
-    const auto taken = columnsOfPowers (basis);
+    const auto taken = powerColumns (basis);
     const Eigen::MatrixXd toModes = products.gram (taken, Eigen::seqN (0, basis.modalColumns()));
     return solveEven (products.gram (taken, taken), products.data (taken, Eigen::all) - toModes * amplitudes, 1e-13);
 }
 
-double delayOf (const Eigen::VectorXd& angularFrequencies, const Eigen::MatrixXcd& residues,
-                const Eigen::VectorXd& columnWeights)
+double estimateDelay (const Eigen::VectorXd& angularFrequencies, const Eigen::MatrixXcd& residues,
+                      const Eigen::VectorXd& columnWeights)
 {
     // Squares have twice the phase, so that signs of shapes do not matter; each mode counts as far as it has one phase.
     const Eigen::VectorXcd squares = residues.array().square().matrix() * columnWeights;
@@ -93,8 +93,8 @@ double delayOf (const Eigen::VectorXd& angularFrequencies, const Eigen::MatrixXc
         return sum;
     };
 
-    // No measurement is late by more than some milliseconds. Among many delays a few modes agree on a wrong one by chance: a long
-    // one must be clearly better than a short one.
+    // No measurement is late by more than some milliseconds. Among many delays a few modes agree on a wrong one by
+    // chance: a long one must be clearly better than a short one.
     constexpr double longest = 3e-3, price = 0.4, longDelay = 2e-4;
     const auto step = 0.25 / angularFrequencies.maxCoeff();
     const auto highest = squares.cwiseAbs().cwiseQuotient (energies.cwiseMax (1e-300)).sum();

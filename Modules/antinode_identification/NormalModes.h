@@ -17,17 +17,19 @@ struct NormalModes
 };
 
 /** The functions of modes' poles, and the powers of i omega that represent modes outside the band. */
-ModalBasis basisOf (const Eigen::VectorXd& angularFrequencies, const Eigen::VectorXd& dampingRatios,
-                    const PreparedResponses&);
+ModalBasis makeBasis (const Eigen::VectorXd& angularFrequencies, const Eigen::VectorXd& dampingRatios,
+                      const PreparedResponses&);
 
-/** x of a x = b for a symmetric positive matrix, made even on its diagonal first. @param ridge on that diagonal [worker] */
+/** x of a x = b for a symmetric positive matrix, made even on its diagonal first. @param ridge on that diagonal
+ * [worker] */
 Eigen::MatrixXd solveEven (const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double ridge);
 
 /** Products with the powers fitted and taken out of data and functions; what is left are the functions of the modes.
     [worker] Docs/Theory.md, section 8.4. */
 ModalProducts withoutPowers (const ModalBasis&, const ModalProducts&);
 
-/** Residues of all modes by least squares, each reference and point on its own: complex, so that no delay need be known.
+/** Residues of all modes by least squares, each reference and point on its own: complex, so that no delay need be
+   known.
     @return  N_m x C: r with r / (i omega - s) + conj; times 2 j b / s they are phi alpha for real modes without delay
     [worker] Docs/Theory.md, section 8.4. */
 Eigen::MatrixXcd complexResidues (const ModalBasis&, const ModalProducts&, double ridge);
@@ -42,6 +44,6 @@ Eigen::MatrixXd powerCoefficients (const ModalBasis&, const ModalProducts& produ
 /** The delay that makes residues of all modes as real as can be; the smallest where several do.
     @param residues  phi alpha times exp (-i omega_k delay), N_m x C
     [worker] Docs/Theory.md, section 8.4. */
-double delayOf (const Eigen::VectorXd& angularFrequencies, const Eigen::MatrixXcd& residues,
-                const Eigen::VectorXd& columnWeights);
+double estimateDelay (const Eigen::VectorXd& angularFrequencies, const Eigen::MatrixXcd& residues,
+                      const Eigen::VectorXd& columnWeights);
 } // namespace antinode

@@ -13,7 +13,7 @@ namespace antinode
 {
 namespace
 {
-constexpr double leastProminence = 4; // of powers: 6 dB above both valleys
+constexpr double minimumProminence = 4; // of powers: 6 dB above both valleys
 
 struct Peak
 {
@@ -61,7 +61,7 @@ bool isProminent (const Eigen::VectorXd& power, Eigen::Index peak)
     {
         auto f = peak;
 
-        while (f >= 0 && f < power.size() && power[f] <= power[peak] && power[f] * leastProminence > power[peak])
+        while (f >= 0 && f < power.size() && power[f] <= power[peak] && power[f] * minimumProminence > power[peak])
             f += step;
 
         if (f < 0 || f >= power.size() || power[f] > power[peak])
@@ -81,7 +81,7 @@ Peak measured (const Eigen::VectorXd& power, const Eigen::VectorXd& omega, Eigen
     return { line, omega[line], std::clamp (width / (2 * omega[line]), 1e-6, 0.7) };
 }
 
-std::vector<Peak> peaksOf (const PreparedResponses& data, const std::vector<double>& selected)
+std::vector<Peak> findPeaks (const PreparedResponses& data, const std::vector<double>& selected)
 {
     const auto power = powers (data);
     std::vector<Peak> peaks;
@@ -116,7 +116,7 @@ std::vector<Peak> peaksOf (const PreparedResponses& data, const std::vector<doub
 IdentifiedModes pickPeaks (const FrequencyResponses& responses, const IdentificationOptions& options)
 {
     const auto data = prepare (responses, options.minimumFrequency, options.maximumFrequency);
-    const auto peaks = peaksOf (data, options.selected);
+    const auto peaks = findPeaks (data, options.selected);
 
     if (peaks.empty())
         throw InputError ("frequency responses", "have no peak with a prominence of at least 6 dB on both sides");
@@ -124,7 +124,7 @@ IdentifiedModes pickPeaks (const FrequencyResponses& responses, const Identifica
     const auto modes = static_cast<Eigen::Index> (peaks.size());
     IdentifiedModes result;
     result.drive = responses.drive;
-    result.drivers = responses.drivers;
+    result.references = responses.references;
     result.points = responses.points;
     result.delay = options.delay.value_or (0);
     result.angularFrequencies.resize (modes);
@@ -146,12 +146,12 @@ IdentifiedModes pickPeaks (const FrequencyResponses& responses, const Identifica
 
     for (Eigen::Index k = 0; k < modes; ++k)
         result.shapes.col (k) =
-            residues.row (k).reshaped (data.points(), data.drivers()) * result.participation.row (k).transpose();
+            residues.row (k).reshaped (data.points(), data.references()) * result.participation.row (k).transpose();
 
     const auto unknown = std::numeric_limits<double>::quiet_NaN();
     result.deviations = { Eigen::VectorXd::Constant (modes, unknown), Eigen::VectorXd::Constant (modes, unknown),
                           Eigen::MatrixXd::Constant (data.points(), modes, unknown),
-                          Eigen::MatrixXd::Constant (modes, data.drivers(), unknown), 0 };
+                          Eigen::MatrixXd::Constant (modes, data.references(), unknown), 0 };
     result.quality.resize (peaks.size());
     result.minimumFrequency = data.omega[0] / (2 * std::numbers::pi);
     result.maximumFrequency = data.omega[data.lines() - 1] / (2 * std::numbers::pi);

@@ -9,9 +9,9 @@ namespace antinode
 {
 namespace
 {
-/** Poles belong together when they differ by less than this share of the half width, and of the frequency, and their participations
-    by this MAC. Poles of noise are broad: shares of their widths would hold anything. */
-constexpr double shareOfHalfWidth = 0.35, shareOfFrequency = 0.01, leastAssurance = 0.8;
+/** Poles belong together when they differ by less than this share of the half width, and of the frequency, and their
+   participations by this MAC. Poles of noise are broad: shares of their widths would hold anything. */
+constexpr double shareOfHalfWidth = 0.35, shareOfFrequency = 0.01, minimumAssurance = 0.8;
 
 struct Candidate
 {
@@ -21,22 +21,22 @@ struct Candidate
     bool used = false;
 };
 
-double reachOf (std::complex<double> pole)
+double clusterRadius (std::complex<double> pole)
 {
     return std::min (-shareOfHalfWidth * pole.real(), shareOfFrequency * pole.imag());
 }
 
 double distance (const Candidate& a, const Candidate& b)
 {
-    return std::abs (a.pole - b.pole) / std::min (reachOf (a.pole), reachOf (b.pole));
+    return std::abs (a.pole - b.pole) / std::min (clusterRadius (a.pole), clusterRadius (b.pole));
 }
 
 bool belongTogether (const Candidate& a, const Candidate& b)
 {
-    return distance (a, b) < 1 && std::norm (a.participation.dot (b.participation)) > leastAssurance;
+    return distance (a, b) < 1 && std::norm (a.participation.dot (b.participation)) > minimumAssurance;
 }
 
-std::vector<Candidate> candidatesOf (const std::vector<OrderPoles>& orders)
+std::vector<Candidate> collectCandidates (const std::vector<OrderPoles>& orders)
 {
     std::vector<Candidate> result;
 
@@ -55,7 +55,7 @@ std::vector<std::size_t> clusterAround (const std::vector<Candidate>& candidates
 {
     std::vector<std::size_t> nearest (orders, candidates.size());
     const auto& middle = candidates[centre];
-    const auto reach = reachOf (middle.pole);
+    const auto reach = clusterRadius (middle.pole);
     const auto consider = [&] (std::size_t n)
     {
         const auto& candidate = candidates[n];
@@ -94,8 +94,8 @@ PoleCluster summary (const std::vector<Candidate>& candidates, const std::vector
 
 std::vector<PoleCluster> clusterPoles (const std::vector<OrderPoles>& orders, double presence)
 {
-    auto candidates = candidatesOf (orders);
-    const auto least = std::max<std::size_t> (
+    auto candidates = collectCandidates (orders);
+    const auto minimum = std::max<std::size_t> (
         1, static_cast<std::size_t> (std::ceil (presence * static_cast<double> (orders.size()))));
     std::vector<PoleCluster> result;
 
@@ -109,7 +109,7 @@ std::vector<PoleCluster> clusterPoles (const std::vector<OrderPoles>& orders, do
                 if (auto members = clusterAround (candidates, n, orders.size()); members.size() > largest.size())
                     largest = std::move (members);
 
-        if (largest.size() < least)
+        if (largest.size() < minimum)
             break;
 
         for (const auto n : largest)

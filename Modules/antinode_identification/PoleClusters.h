@@ -11,8 +11,8 @@ struct PoleCluster
     double presence = 0;       ///< Share of the orders at which it was found.
 };
 
-/** Poles that return: at least at a share of the orders, with nearly the same frequency, damping and participation. Two modes of
-    one frequency stay two where their participations differ.
+/** Poles that return: at least at a share of the orders, with nearly the same frequency, damping and participation. Two
+   modes of one frequency stay two where their participations differ.
     @param presence  least share of the orders, 0 to 1
     @return          ascending in frequency
     [worker] Docs/Theory.md, section 8.3. */

@@ -10,22 +10,23 @@ namespace antinode
 {
 namespace
 {
-constexpr Eigen::Index mostOutputs = 24, mostReferences = 8;
-constexpr double leastPresence = 0.4;
+constexpr Eigen::Index maximumOutputs = 24, maximumReferences = 8;
+constexpr double minimumPresence = 0.4;
 /** Where the user picks, also poles that are seen rarely are candidates. */
 constexpr double presenceForPicks = 0.15;
 
-double frequencyOf (std::complex<double> pole)
+double poleFrequency (std::complex<double> pole)
 {
     return std::abs (pole) / (2 * std::numbers::pi);
 }
 
-/** Enough for all modes of a band and its noise: to 96 poles with many references, 18 to 72 with few. No more unknowns than the lines determine. */
+/** Enough for all modes of a band and its noise: to 96 poles with many references, 18 to 72 with few. No more unknowns
+ * than the lines determine. */
 int highestOrder (const CompressedBand& band, const IdentificationOptions& options)
 {
-    const auto bearable = std::max (1, static_cast<int> (band.lines() / 4));
+    const auto affordable = std::max (1, static_cast<int> (band.lines() / 4));
     const auto chosen = band.references() > 4 ? 12 : 18;
-    return std::min (options.maximumOrder > 0 ? options.maximumOrder : chosen, bearable);
+    return std::min (options.maximumOrder > 0 ? options.maximumOrder : chosen, affordable);
 }
 
 struct BandPoles
@@ -37,11 +38,12 @@ struct BandPoles
 
 BandPoles searchBand (const PreparedResponses& data, const SearchBand& band, const IdentificationOptions& options)
 {
-    const auto compressed = compress (data, band.firstLine, band.lines, mostOutputs, mostReferences);
+    const auto compressed = compress (data, band.firstLine, band.lines, maximumOutputs, maximumReferences);
     const auto highest = highestOrder (compressed, options);
     BandPoles result { band, {}, {} };
     result.orders = polynomialPoles (compressed, std::min (options.minimumOrder, highest), highest, options.ridge);
-    // A mode at the edge of two bands may seem to lie in either, or in none: somewhat beyond the edge it counts for now.
+    // A mode at the edge of two bands may seem to lie in either, or in none: somewhat beyond the edge it counts for
+    // now.
     const auto isWithin = [&] (const PoleCluster& cluster)
     {
         const auto frequency = std::abs (cluster.pole), margin = -0.2 * cluster.pole.real();
@@ -55,7 +57,7 @@ BandPoles searchBand (const PreparedResponses& data, const SearchBand& band, con
                || cluster.pole.real() < -0.7 * std::abs (cluster.pole);
     };
 
-    for (auto& cluster : clusterPoles (result.orders, options.selected.empty() ? leastPresence : presenceForPicks))
+    for (auto& cluster : clusterPoles (result.orders, options.selected.empty() ? minimumPresence : presenceForPicks))
         if (isWithin (cluster) && ! isBroad (cluster))
             result.clusters.push_back (cluster);
 
@@ -66,13 +68,13 @@ BandPoles searchBand (const PreparedResponses& data, const SearchBand& band, con
 std::vector<BandPoles> searchDensely (const PreparedResponses& data, const SearchBand& band,
                                       const IdentificationOptions& options)
 {
-    constexpr std::size_t mostModes = 12;
+    constexpr std::size_t maximumModes = 12;
     std::vector<BandPoles> result { searchBand (data, band, options) };
 
-    if (! options.bands.empty() || result.front().clusters.size() <= mostModes)
+    if (! options.bands.empty() || result.front().clusters.size() <= maximumModes)
         return result;
 
-    const auto halves = halvesOf (data, band);
+    const auto halves = splitBand (data, band);
 
     if (! halves.empty())
         result.clear();
@@ -96,7 +98,7 @@ void append (std::vector<StabilisationPoint>& points, const BandPoles& found)
 
             const auto isNear = [pole] (const PoleCluster& cluster)
             { return std::abs (cluster.pole - pole) < -0.35 * cluster.pole.real(); };
-            points.push_back ({ order.order, frequencyOf (pole), -pole.real() / std::abs (pole),
+            points.push_back ({ order.order, poleFrequency (pole), -pole.real() / std::abs (pole),
                                 std::any_of (found.clusters.begin(), found.clusters.end(), isNear) });
         }
 }

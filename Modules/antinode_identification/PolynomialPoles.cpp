@@ -20,7 +20,8 @@ double secondsOfBasis (const CompressedBand& band)
     return 2 * std::numbers::pi * circleShare / (band.omega[band.lines() - 1] - band.omega[0]);
 }
 
-/** Sums over the lines for all differences of powers of z = exp ((s - i omega_0) T): they make every normal equation. */
+/** Sums over the lines for all differences of powers of z = exp ((s - i omega_0) T): they make every normal equation.
+ */
 struct LagSums
 {
     Eigen::VectorXcd basis;         ///< Of z^lag, lag 0 to order.
@@ -130,7 +131,7 @@ Matrix coefficients (Matrix normal, Eigen::Index references, double ridge)
 }
 
 /** Solutions of l' (w^n + w^(n-1) A_1 + ... + A_n) = 0, w = 1 / z, by the companion matrix. */
-OrderPoles polesOf (const Matrix& blocks, Eigen::Index references, const CompressedBand& band)
+OrderPoles computePoles (const Matrix& blocks, Eigen::Index references, const CompressedBand& band)
 {
     const auto size = blocks.rows(), order = size / references;
     Matrix companion = Matrix::Zero (size, size);
@@ -182,7 +183,7 @@ std::vector<OrderPoles> polynomialPoles (const CompressedBand& band, int minimum
     for (auto order = minimumOrder; order <= maximumOrder; ++order)
     {
         const auto normal = normalEquations (sums, order, maximumOrder);
-        result.push_back (polesOf (coefficients (normal, band.references(), ridge), band.references(), band));
+        result.push_back (computePoles (coefficients (normal, band.references(), ridge), band.references(), band));
     }
 
     return result;

@@ -13,9 +13,10 @@ struct OrderPoles
 };
 
 /** Poles by the poly-reference least-squares complex-frequency method (pLSCF) in a right matrix fraction with complex
-    coefficients, for each order of a range from one set of sums. The lowest coefficient is the unit matrix: then poles that stand
-    for noise are unstable, and those that are left are nearly all physical.
+    coefficients, for each order of a range from one set of sums. The lowest coefficient is the unit matrix: then poles
+   that stand for noise are unstable, and those that are left are nearly all physical.
     @param ridge  relative, on the diagonal of the normal equations
-    [worker] Docs/Theory.md, section 8.2; Peeters, Van der Auweraer, Guillaume, Leuridan, Shock and Vibration 11 (2004) 395. */
+    [worker] Docs/Theory.md, section 8.2; Peeters, Van der Auweraer, Guillaume, Leuridan, Shock and Vibration 11 (2004)
+   395. */
 std::vector<OrderPoles> polynomialPoles (const CompressedBand&, int minimumOrder, int maximumOrder, double ridge);
 } // namespace antinode

@@ -18,7 +18,7 @@ bool isMeasured (const std::complex<double>& value)
     return std::isfinite (value.real()) && std::isfinite (value.imag());
 }
 
-Column columnOf (const PreparedResponses& data, Eigen::Index column)
+Column responseColumn (const PreparedResponses& data, Eigen::Index column)
 {
     const auto& values = data.responses->values[static_cast<std::size_t> (column / data.points())];
     return values.col (column % data.points()).segment (data.firstLine, data.lines());
@@ -49,7 +49,7 @@ void findMissing (PreparedResponses& data)
 {
     for (Eigen::Index c = 0; c < data.columns(); ++c)
     {
-        const auto values = columnOf (data, c);
+        const auto values = responseColumn (data, c);
         std::vector<MissingValue> found;
 
         for (Eigen::Index f = 0; f < values.size(); ++f)
@@ -72,7 +72,8 @@ void findMissing (PreparedResponses& data)
                       [] (const auto& a, const auto& b) { return a.line < b.line; });
 }
 
-/** Of lines or columns: the medians of the variances, each times a weight. A median, so that zeros and outliers do not rule. */
+/** Of lines or columns: the medians of the variances, each times a weight. A median, so that zeros and outliers do not
+ * rule. */
 void weighByVariances (PreparedResponses& data)
 {
     const auto usable = [] (double variance) { return std::isfinite (variance) && variance > 0; };
@@ -158,7 +159,7 @@ DataBlock dataBlock (const PreparedResponses& data, Eigen::Index first, const Ei
             continue;
         }
 
-        const auto values = columnOf (data, c).segment (first, count);
+        const auto values = responseColumn (data, c).segment (first, count);
 
         // Written out: the compiler's own product looks for infinities.
         for (Eigen::Index f = 0; f < count; ++f)

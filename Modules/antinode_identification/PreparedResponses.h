@@ -12,8 +12,9 @@ struct MissingValue
     std::complex<double> value;
 };
 
-/** Responses as a fit takes them: the lines that are used, and the weight of each value as a product of one for its line and
-    one for its column. Refers to the responses it was made from. N lines, C = N_p N_b columns, references one after the other. */
+/** Responses as a fit takes them: the lines that are used, and the weight of each value as a product of one for its
+   line and one for its column. Refers to the responses it was made from. N lines, C = N_p N_b columns, references one
+   after the other. */
 struct PreparedResponses
 {
     const FrequencyResponses* responses = nullptr;
@@ -26,13 +27,13 @@ struct PreparedResponses
 
     Eigen::Index lines() const { return omega.size(); }
     Eigen::Index points() const { return responses->points.rows(); }
-    Eigen::Index drivers() const { return static_cast<Eigen::Index> (responses->drivers.size()); }
-    Eigen::Index columns() const { return points() * drivers(); }
+    Eigen::Index references() const { return static_cast<Eigen::Index> (responses->references.size()); }
+    Eigen::Index columns() const { return points() * references(); }
 };
 
-/** Chooses the lines between two frequencies. Columns without half of their values there have no weight; single missing values begin as
-    interpolated between their neighbours. Weights are those under which the noise of what was measured is
-    white, or the reciprocals of given variances as far as these are products.
+/** Chooses the lines between two frequencies. Columns without half of their values there have no weight; single missing
+   values begin as interpolated between their neighbours. Weights are those under which the noise of what was measured
+   is white, or the reciprocals of given variances as far as these are products.
     @throws InputError  when no line, or no column, has values
     [worker] */
 PreparedResponses prepare (const FrequencyResponses&, double minimumFrequency, double maximumFrequency);
@@ -43,7 +44,8 @@ struct DataBlock
     Eigen::MatrixXd real, imaginary;
 };
 
-/** Values of some lines, each line times a factor, for example exp (+i omega delay) to take the delay out; 0 in columns without weight.
+/** Values of some lines, each line times a factor, for example exp (+i omega delay) to take the delay out; 0 in columns
+   without weight.
     @param factors  one per line, from the first one on
     [worker] */
 DataBlock dataBlock (const PreparedResponses&, Eigen::Index first, const Eigen::VectorXcd& factors);

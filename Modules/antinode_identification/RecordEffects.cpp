@@ -22,7 +22,7 @@ void restoreResidues (IdentifiedModes& modes, Eigen::Index mode, double length)
         modes.complexParticipation.row (mode) /= 1.0 - cut;
 
     if (std::abs (cut) > doubtful && static_cast<std::size_t> (mode) < modes.quality.size())
-        modes.quality[static_cast<std::size_t> (mode)].doubts.emplace_back (
+        modes.quality[static_cast<std::size_t> (mode)].warnings.emplace_back (
             "its impulse response is truncated before it has decayed to 1 %; record for longer");
 }
 

@@ -13,9 +13,10 @@ namespace antinode
 {
 namespace
 {
-constexpr double leastRetunedAssurance = 0.7;
+constexpr double minimumRetunedAssurance = 0.7;
 
-/** The signature of each mode at all points and references, one mode per column: products of shape and participation. */
+/** The signature of each mode at all points and references, one mode per column: products of shape and participation.
+ */
 Eigen::MatrixXd signatures (const Eigen::MatrixXd& shapes, const Eigen::MatrixXd& participation)
 {
     Eigen::MatrixXd result (shapes.rows() * participation.cols(), shapes.cols());
@@ -37,21 +38,21 @@ Eigen::MatrixXd knownShapes (const ModalModel& model, const Eigen::MatrixX2d& po
 }
 
 /** Which known mode each identified one is, -1 where none, when all frequencies have drifted by about one factor. */
-std::vector<Eigen::Index> partnersOf (const IdentifiedModes& found, const ModalModel& model,
-                                      const Eigen::MatrixXd& assurance, double drift, double priceOfDifference)
+std::vector<Eigen::Index> findPartners (const IdentifiedModes& found, const ModalModel& model,
+                                        const Eigen::MatrixXd& assurance, double drift, double differencePenalty)
 {
     Eigen::MatrixXd scores = assurance;
 
     for (Eigen::Index k = 0; k < scores.rows(); ++k)
         for (Eigen::Index l = 0; l < scores.cols(); ++l)
             scores (k, l) -=
-                priceOfDifference
+                differencePenalty
                 * std::abs (std::log (found.angularFrequencies[k] / (drift * model.angularFrequencies[l])));
 
     auto partners = assign (scores);
 
     for (Eigen::Index k = 0; k < scores.rows(); ++k)
-        if (auto& l = partners[static_cast<std::size_t> (k)]; l >= 0 && assurance (k, l) < leastRetunedAssurance)
+        if (auto& l = partners[static_cast<std::size_t> (k)]; l >= 0 && assurance (k, l) < minimumRetunedAssurance)
             l = -1;
 
     return partners;
@@ -74,12 +75,13 @@ double medianDrift (const IdentifiedModes& found, const ModalModel& model, const
     return *middle;
 }
 
-/** By what each reference's known share of the signatures is to be multiplied, least squares over the modes, each in its own measure. */
+/** By what each reference's known share of the signatures is to be multiplied, least squares over the modes, each in
+ * its own measure. */
 Eigen::VectorXd participationScales (const Eigen::MatrixXd& found, const Eigen::MatrixXd& known,
-                                     const std::vector<Eigen::Index>& partners, Eigen::Index drivers)
+                                     const std::vector<Eigen::Index>& partners, Eigen::Index references)
 {
-    const auto points = known.rows() / drivers;
-    Eigen::VectorXd between = Eigen::VectorXd::Zero (drivers), squares = between;
+    const auto points = known.rows() / references;
+    Eigen::VectorXd between = Eigen::VectorXd::Zero (references), squares = between;
 
     for (std::size_t k = 0; k < partners.size(); ++k)
     {
@@ -88,7 +90,7 @@ Eigen::VectorXd participationScales (const Eigen::MatrixXd& found, const Eigen::
 
         const auto weight = 1 / known.col (partners[k]).squaredNorm();
 
-        for (Eigen::Index i = 0; i < drivers; ++i)
+        for (Eigen::Index i = 0; i < references; ++i)
         {
             const auto ofKnown = known.col (partners[k]).segment (i * points, points);
             between[i] += weight * ofKnown.dot (found.col (static_cast<Eigen::Index> (k)).segment (i * points, points));
@@ -105,8 +107,8 @@ void check (const ModalModel& model, const FrequencyResponses& responses)
         throw InputError ("frequency responses",
                           "are per force; allowed: responses to voltages of the device's ceramics");
 
-    if (static_cast<Eigen::Index> (responses.drivers.size()) != model.actuators())
-        throw InputError ("frequency responses", "have " + std::to_string (responses.drivers.size())
+    if (static_cast<Eigen::Index> (responses.references.size()) != model.actuators())
+        throw InputError ("frequency responses", "have " + std::to_string (responses.references.size())
                                                      + " references; allowed: the " + std::to_string (model.actuators())
                                                      + " ceramics of device '" + model.name + "'");
 }
@@ -122,8 +124,8 @@ RetunedModel retune (const ModalModel& model, const FrequencyResponses& response
     const auto ofKnown = signatures (shapes, model.participation);
     const auto assurance = modalAssurance (ofFound, ofKnown, {});
     // First any drift, then only what differs from the common one.
-    const auto drift = medianDrift (found, model, partnersOf (found, model, assurance, 1, 2));
-    const auto partners = partnersOf (found, model, assurance, drift, 10);
+    const auto drift = medianDrift (found, model, findPartners (found, model, assurance, 1, 2));
+    const auto partners = findPartners (found, model, assurance, drift, 10);
     ModeUpdate update { Eigen::VectorXd::Zero (model.modes()), Eigen::VectorXd::Zero (model.modes()),
                         std::vector<bool> (static_cast<std::size_t> (model.modes())) };
 

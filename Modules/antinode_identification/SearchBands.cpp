@@ -67,7 +67,7 @@ std::vector<SearchBand> searchBands (const PreparedResponses& data, const std::v
     return bands;
 }
 
-std::vector<SearchBand> halvesOf (const PreparedResponses& data, const SearchBand& band)
+std::vector<SearchBand> splitBand (const PreparedResponses& data, const SearchBand& band)
 {
     if (band.lines < 2 * fewestLines)
         return {};

@@ -11,21 +11,21 @@ bool hasDrivingPoint (const IdentifiedModes& modes)
     if (modes.drive != DriveQuantity::force)
         return false;
 
-    for (const auto& driver : modes.drivers)
-        if (driver.point && modes.shapes.row (*driver.point).allFinite())
+    for (const auto& reference : modes.references)
+        if (reference.point && modes.shapes.row (*reference.point).allFinite())
             return true;
 
     return false;
 }
 
-/** By how much a shape is to be multiplied so that alpha = phi at the driving points, by least squares, squared; negative where the
-    signs contradict each other. */
+/** By how much a shape is to be multiplied so that alpha = phi at the driving points, by least squares, squared;
+   negative where the signs contradict each other. */
 double squareByDrivingPoints (const IdentifiedModes& modes, Eigen::Index mode)
 {
     double between = 0, shapes = 0;
 
-    for (std::size_t i = 0; i < modes.drivers.size(); ++i)
-        if (const auto point = modes.drivers[i].point; point && std::isfinite (modes.shapes (*point, mode)))
+    for (std::size_t i = 0; i < modes.references.size(); ++i)
+        if (const auto point = modes.references[i].point; point && std::isfinite (modes.shapes (*point, mode)))
         {
             const auto shape = modes.shapes (*point, mode);
             between += shape * modes.participation (mode, static_cast<Eigen::Index> (i));
@@ -111,7 +111,7 @@ void scaleShapes (IdentifiedModes& modes, const Eigen::VectorXd& masses)
             if (byPoint > 0)
                 square = byPoint;
             else
-                modes.quality[static_cast<std::size_t> (k)].doubts.emplace_back (
+                modes.quality[static_cast<std::size_t> (k)].warnings.emplace_back (
                     "its response at the driving point has the wrong sign, so its scale is unknown");
         }
 

@@ -29,7 +29,7 @@ Polygon clipped (const Polygon& polygon, const Eigen::Vector2d& origin, const Ei
     return result;
 }
 
-double areaOf (const Polygon& polygon)
+double polygonArea (const Polygon& polygon)
 {
     double twice = 0;
 
@@ -77,7 +77,7 @@ Eigen::VectorXd voronoiCells (const Eigen::MatrixX2d& points)
             if (const Eigen::Vector2d there = points.row (q); q != p)
                 cell = clipped (cell, (here + there) / 2, there - here);
 
-        result[p] = areaOf (cell);
+        result[p] = polygonArea (cell);
     }
 
     return result;

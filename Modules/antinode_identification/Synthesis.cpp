@@ -9,9 +9,9 @@ namespace
 {
 using Complex = std::complex<double>;
 
-/** One mode with residue r per unit of shape times participation: r / (i omega - s) + conj (r) / (i omega - conj (s)) for a complex
-    product c is its real part times the first function less its imaginary part times the second. */
-Eigen::MatrixXcd functionsOfResidue (double resonance, double damping, const Eigen::VectorXd& omega)
+/** One mode with residue r per unit of shape times participation: r / (i omega - s) + conj (r) / (i omega - conj (s))
+   for a complex product c is its real part times the first function less its imaginary part times the second. */
+Eigen::MatrixXcd residueFunctions (double resonance, double damping, const Eigen::VectorXd& omega)
 {
     const Complex pole (-damping * resonance, resonance * std::sqrt (1 - damping * damping));
     const auto residue = pole / Complex (0, 2 * pole.imag());
@@ -29,22 +29,22 @@ Eigen::MatrixXcd functionsOfResidue (double resonance, double damping, const Eig
 }
 
 /** Products of shape and participation that enter: N_m x N_p of one reference. */
-Eigen::MatrixXcd productsOf (const IdentifiedModes& modes, Eigen::Index driver)
+Eigen::MatrixXcd computeProducts (const IdentifiedModes& modes, Eigen::Index reference)
 {
     if (modes.complexShapes.size() > 0)
-        return modes.complexParticipation.col (driver).asDiagonal() * modes.complexShapes.transpose();
+        return modes.complexParticipation.col (reference).asDiagonal() * modes.complexShapes.transpose();
 
-    return (modes.participation.col (driver).asDiagonal() * modes.shapes.transpose()).cast<Complex>();
+    return (modes.participation.col (reference).asDiagonal() * modes.shapes.transpose()).cast<Complex>();
 }
 
-void addResidualTerms (Eigen::MatrixXcd& values, const IdentifiedModes& modes, Eigen::Index driver,
+void addResidualTerms (Eigen::MatrixXcd& values, const IdentifiedModes& modes, Eigen::Index reference,
                        const Eigen::VectorXd& omega)
 {
     for (const auto& term : modes.residuals)
         for (Eigen::Index f = 0; f < omega.size(); ++f)
             if (omega[f] > 0 || term.power >= 0)
                 values.row (f) += std::pow (Complex (0, omega[f]), term.power)
-                                  * term.coefficients.col (driver).transpose().cast<Complex>();
+                                  * term.coefficients.col (reference).transpose().cast<Complex>();
 }
 } // namespace
 
@@ -55,17 +55,17 @@ FrequencyResponses synthesise (const IdentifiedModes& modes, const Eigen::Vector
 
     for (Eigen::Index k = 0; k < modes.modes(); ++k)
     {
-        const auto functions = functionsOfResidue (modes.angularFrequencies[k], modes.dampingRatios[k], omega);
+        const auto functions = residueFunctions (modes.angularFrequencies[k], modes.dampingRatios[k], omega);
         real.col (k) = functions.col (0);
         imaginary.col (k) = functions.col (1);
     }
 
-    FrequencyResponses responses { frequencies, modes.drive, modes.drivers, modes.points, {}, {} };
+    FrequencyResponses responses { frequencies, modes.drive, modes.references, modes.points, {}, {} };
     const Eigen::ArrayXcd delays = (omega.array() * Complex (0, -modes.delay)).exp();
 
-    for (Eigen::Index i = 0; i < static_cast<Eigen::Index> (modes.drivers.size()); ++i)
+    for (Eigen::Index i = 0; i < static_cast<Eigen::Index> (modes.references.size()); ++i)
     {
-        const auto products = productsOf (modes, i);
+        const auto products = computeProducts (modes, i);
         Eigen::MatrixXcd values = real * products.real().cast<Complex>();
 
         if (modes.complexShapes.size() > 0)

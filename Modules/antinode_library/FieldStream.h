@@ -140,11 +140,11 @@ private:
     template <typename Number, int rowsWanted, int columnsWanted>
     void read (Eigen::Matrix<Number, rowsWanted, columnsWanted>& matrix)
     {
-        constexpr std::uint64_t most = std::uint64_t (1) << 31; // The product of two of them fits into 64 bits.
+        constexpr std::uint64_t maximum = std::uint64_t (1) << 31; // The product of two of them fits into 64 bits.
         std::uint64_t rows = 0, columns = 0;
         read (rows);
         read (columns);
-        require (rows < most && columns < most && rows * columns <= rest.size() / sizeof (Number));
+        require (rows < maximum && columns < maximum && rows * columns <= rest.size() / sizeof (Number));
         require (columnsWanted == Eigen::Dynamic || columns == static_cast<std::uint64_t> (columnsWanted));
         matrix.resize (static_cast<Eigen::Index> (rows), static_cast<Eigen::Index> (columns));
         raw (matrix.data(), rows * columns * sizeof (Number));

@@ -22,7 +22,7 @@ bool isFileName (const std::string& text)
     return text.ends_with (extension) || text.find ('/') != std::string::npos;
 }
 
-std::string folderOf (LibraryKind kind)
+std::string folderName (LibraryKind kind)
 {
     return kind == LibraryKind::device ? "Devices" : "Focuses";
 }
@@ -34,7 +34,7 @@ std::string wordFor (LibraryKind kind)
 
 const EmbeddedFile* findFactory (LibraryKind kind, const std::string& name)
 {
-    const auto path = folderOf (kind) + "/" + name + std::string (extension);
+    const auto path = folderName (kind) + "/" + name + std::string (extension);
     const auto files = resources::files();
     const auto found = std::find_if (files.begin(), files.end(), [&] (const auto& file) { return file.name == path; });
     return found == files.end() ? nullptr : &*found;
@@ -68,7 +68,7 @@ std::optional<std::filesystem::path> userFile (LibraryKind kind, const std::stri
     if (! folder || ! isAllowedName (name))
         return std::nullopt;
 
-    return *folder / folderOf (kind) / (name + std::string (extension));
+    return *folder / folderName (kind) / (name + std::string (extension));
 }
 
 std::vector<std::string> userNames (LibraryKind kind)
@@ -78,7 +78,7 @@ std::vector<std::string> userNames (LibraryKind kind)
     std::error_code ignored; // what cannot be read is not there
 
     if (folder)
-        for (const auto& entry : std::filesystem::directory_iterator (*folder / folderOf (kind), ignored))
+        for (const auto& entry : std::filesystem::directory_iterator (*folder / folderName (kind), ignored))
             if (const auto name = entry.path().stem().string();
                 entry.path().extension() == extension && isAllowedName (name) && findFactory (kind, name) == nullptr)
                 names.push_back (name);
@@ -101,7 +101,7 @@ std::optional<std::filesystem::path> userConfigFolder()
 std::vector<std::string> factoryNames (LibraryKind kind)
 {
     std::vector<std::string> names;
-    const auto folder = folderOf (kind) + "/";
+    const auto folder = folderName (kind) + "/";
 
     for (const auto& file : resources::files())
         if (const std::string_view path (file.name); path.starts_with (folder))

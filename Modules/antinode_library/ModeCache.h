@@ -24,8 +24,8 @@ public:
         trusted, or the device gives its modes itself. [worker] */
     std::optional<ModalModel> find (const DeviceDescription&, std::optional<int> modeCount) const;
 
-    /** Keeps what solveStructure gave for this description and count, and removes what was not used for the longest time until
-        all entries are within the limit. [worker] */
+    /** Keeps what solveStructure gave for this description and count, and removes what was not used for the longest
+       time until all entries are within the limit. [worker] */
     void store (const DeviceDescription&, std::optional<int> modeCount, const ModalModel&) const;
 
 private:
@@ -35,8 +35,8 @@ private:
     std::uintmax_t maximumBytes;
 };
 
-/** The folder of cached modes: $XDG_CACHE_HOME/antinode/modes, else $HOME/.cache/antinode/modes; none if neither is set.
-    [any] */
+/** The folder of cached modes: $XDG_CACHE_HOME/antinode/modes, else $HOME/.cache/antinode/modes; none if neither is
+   set. [any] */
 std::optional<std::filesystem::path> userCacheFolder();
 
 /** solveStructure, unless the cache has it already.

@@ -19,7 +19,7 @@ void require (bool fulfilled, const std::string& wrong)
         throw InputError ("entry of the mode cache", wrong);
 }
 
-std::uint64_t checksumOf (std::string_view bytes)
+std::uint64_t computeChecksum (std::string_view bytes)
 {
     return XXH3_64bits (bytes.data(), bytes.size());
 }
@@ -67,7 +67,7 @@ std::string encodeModeCacheEntry (std::string_view key, const ModalModel& model)
 
     const std::uint64_t size = writer.bytes.size() + checksumSize;
     std::memcpy (writer.bytes.data() + placeOfSize, &size, sizeof (size));
-    writer (checksumOf (writer.bytes));
+    writer (computeChecksum (writer.bytes));
     return std::move (writer.bytes);
 }
 
@@ -78,7 +78,7 @@ ModalModel decodeModeCacheEntry (std::string_view bytes, std::string_view key)
     const auto content = bytes.substr (0, bytes.size() - checksumSize);
     std::uint64_t size = 0, checksum = 0;
     FieldReader (bytes.substr (content.size())) (checksum);
-    require (checksum == checksumOf (content), "is damaged");
+    require (checksum == computeChecksum (content), "is damaged");
 
     FieldReader reader (content.substr (magic.size()));
     std::string storedKey;

@@ -7,8 +7,8 @@
 
 namespace antinode
 {
-/** A file of the mode cache: magic, its own length, the key, all fields of the model, and an XXH3 checksum over all of it.
-    [worker] Docs/FileFormats.md. */
+/** A file of the mode cache: magic, its own length, the key, all fields of the model, and an XXH3 checksum over all of
+   it. [worker] Docs/FileFormats.md. */
 std::string encodeModeCacheEntry (std::string_view key, const ModalModel&);
 
 /** The model of an entry, the same to the bit.

@@ -7,11 +7,10 @@
 
 namespace antinode
 {
-/** Everything that the modes of a described device depend on, as bytes: equal where the modes are. None for a device that gives
-    its modes itself.
+/** Everything that the modes of a described device depend on, as bytes: equal where the modes are. None for a device
+   that gives its modes itself.
 
-    It holds the name, the body with all its ceramics, the wanted count, the program's version, a fingerprint of the sources
-    that solve, and the format of the cache. The description's free text has no part in the modes.
-    [worker] */
+    It holds the name, the body with all its ceramics, the wanted count, the program's version, a fingerprint of the
+   sources that solve, and the format of the cache. The description's free text has no part in the modes. [worker] */
 std::optional<std::string> modeCacheKey (const DeviceDescription&, std::optional<int> modeCount);
 } // namespace antinode

@@ -6,8 +6,8 @@
 
 namespace antinode
 {
-/** All fields of a modal model, in the order of their declaration, to be written or read. A field that is missing here does not
-    compile. @throws InputError  as FieldReader [worker] */
+/** All fields of a modal model, in the order of their declaration, to be written or read. A field that is missing here
+   does not compile. @throws InputError  as FieldReader [worker] */
 void fields (auto& stream, Struct<Ceramic> auto& ceramic)
 {
     auto& [name, xMinimum, xMaximum, yMinimum, yMaximum, voltageLimit, slewLimit] = ceramic;

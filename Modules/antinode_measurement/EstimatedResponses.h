@@ -23,7 +23,7 @@ struct EstimatedResponses
     std::vector<NonlinearDistortion> distortion; ///< One per sensor; empty if the excitation does not show it.
 };
 
-/** Variances that few repetitions tell: each becomes the mean of itself and four neighbours at each side, within which a resonance hardly
-    changes. @param variances  N_f x N [worker] */
+/** Variances that few repetitions tell: each becomes the mean of itself and four neighbours at each side, within which
+   a resonance hardly changes. @param variances  N_f x N [worker] */
 Eigen::MatrixXd averagedOverNeighbours (const Eigen::MatrixXd& variances);
 } // namespace antinode

@@ -18,8 +18,8 @@ namespace antinode
 namespace
 {
 constexpr double fadeTime = 0.01, silenceTime = 0.25; // s
-constexpr double mostSamples = 1 << 24;               // of a run
-constexpr double highestOfRate = 0.45;                // what converters' filters leave alone
+constexpr double maximumSamples = 1 << 24;            // of a run
+constexpr double highestRateFraction = 0.45;          // what converters' filters leave alone
 
 template <typename... Parts>
 std::string text (const Parts&... parts)
@@ -41,8 +41,8 @@ void checkBand (const ExcitationSettings& settings)
     const auto rate = settings.sampleRate, low = settings.lowestFrequency, high = settings.highestFrequency;
     require (rate >= 8e3 && rate <= 2e6 && rate == std::floor (rate), "sample rate",
              text ("is ", rate, " Hz; allowed: whole numbers from 8000 to 2000000 Hz"));
-    require (high > 0 && high <= highestOfRate * rate, "highest frequency",
-             text ("is ", high, " Hz; allowed: above 0 to ", highestOfRate * rate, " Hz at this sample rate"));
+    require (high > 0 && high <= highestRateFraction * rate, "highest frequency",
+             text ("is ", high, " Hz; allowed: above 0 to ", highestRateFraction * rate, " Hz at this sample rate"));
     require (low > 0 && low < high, "lowest frequency",
              text ("is ", low, " Hz; allowed: above 0 to below the highest frequency, ", high, " Hz"));
     require (
@@ -64,8 +64,8 @@ void checkLengths (const ExcitationSettings& settings)
 
     const auto blocks = isSweep ? settings.periods * (settings.sweepDuration + 1 / settings.resolution)
                                 : (settings.periods + settings.settlingPeriods) / settings.resolution;
-    require (blocks * settings.sampleRate <= mostSamples, "duration of a run",
-             text ("is ", blocks, " s; allowed: up to ", mostSamples / settings.sampleRate,
+    require (blocks * settings.sampleRate <= maximumSamples, "duration of a run",
+             text ("is ", blocks, " s; allowed: up to ", maximumSamples / settings.sampleRate,
                    " s at this sample rate; choose fewer periods or a coarser resolution"));
 }
 
@@ -121,7 +121,7 @@ Eigen::VectorXd noise (const Excitation& excitation)
     const auto samples = playedSamples (excitation), length = quickLength (static_cast<double> (samples));
     const auto margin =
         2 * settings.resolution; // A window's width, so that the band's outermost lines are driven like the others.
-    auto spectrum = spectrumOf (RandomNumbers (settings.seed).normal (length));
+    auto spectrum = forwardFourier (RandomNumbers (settings.seed).normal (length));
 
     for (Eigen::Index k = 0; k < spectrum.size(); ++k)
     {
@@ -131,20 +131,20 @@ Eigen::VectorXd noise (const Excitation& excitation)
             spectrum[k] = 0;
     }
 
-    Eigen::VectorXd signal = signalOf (spectrum, length).head (samples);
+    Eigen::VectorXd signal = inverseFourier (spectrum, length).head (samples);
     signal /= peakBetweenSamples (signal);
     fadeEnds (excitation, signal);
     return signal;
 }
 
-Sweep sweepOf (const ExcitationSettings& settings)
+Sweep sweepFromSettings (const ExcitationSettings& settings)
 {
     return makeSweep (settings.lowestFrequency, settings.highestFrequency, settings.sweepDuration, settings.sampleRate);
 }
 
 Eigen::VectorXd repeatedSweep (const Excitation& excitation)
 {
-    auto samples = sweepOf (excitation.settings).samples;
+    auto samples = sweepFromSettings (excitation.settings).samples;
     samples /= peakBetweenSamples (samples);
     Eigen::VectorXd signal = Eigen::VectorXd::Zero (playedSamples (excitation));
 
@@ -167,14 +167,14 @@ Excitation laidOut (const ExcitationSettings& settings, const Eigen::VectorXd& v
     excitation.block = excitation.lineBlock;
 
     if (settings.signal == ExcitationSignal::sweep)
-        excitation.block += sweepOf (settings).samples.size();
+        excitation.block += sweepFromSettings (settings).samples.size();
 
     const auto perLine = static_cast<double> (excitation.lineBlock) / settings.sampleRate;
     const auto lowest = static_cast<Eigen::Index> (std::ceil (settings.lowestFrequency * perLine));
     const auto highest = static_cast<Eigen::Index> (std::floor (settings.highestFrequency * perLine));
     excitation.lines =
         settings.hasOddGrid ? oddRandomLines (lowest, highest, settings.seed) : everyLine (lowest, highest);
-    excitation.turn = playedSamples (excitation) + static_cast<Eigen::Index> (silenceTime * settings.sampleRate);
+    excitation.runLength = playedSamples (excitation) + static_cast<Eigen::Index> (silenceTime * settings.sampleRate);
     return excitation;
 }
 
@@ -220,9 +220,9 @@ Excitation excitationWith (const ExcitationSettings& settings, const Eigen::Vect
     return withSignal (std::move (excitation), signal);
 }
 
-Eigen::MatrixXd playedTurn (const Excitation& excitation, Eigen::Index ceramic, double fullScale)
+Eigen::MatrixXd playedRun (const Excitation& excitation, Eigen::Index ceramic, double fullScale)
 {
-    Eigen::MatrixXd played = Eigen::MatrixXd::Zero (excitation.ceramics() + 1, excitation.turn);
+    Eigen::MatrixXd played = Eigen::MatrixXd::Zero (excitation.ceramics() + 1, excitation.runLength);
     const auto samples = excitation.signal.size();
     played.row (ceramic).head (samples) =
         excitation.settings.levels[ceramic] / fullScale * excitation.signal.transpose();
@@ -235,7 +235,7 @@ Eigen::VectorXd measuredFrequencies (const Excitation& excitation)
     Eigen::VectorXd frequencies (static_cast<Eigen::Index> (excitation.lines.size()));
 
     for (Eigen::Index i = 0; i < frequencies.size(); ++i)
-        frequencies[i] = excitation.frequencyOf (excitation.lines[static_cast<std::size_t> (i)]);
+        frequencies[i] = excitation.lineFrequency (excitation.lines[static_cast<std::size_t> (i)]);
 
     return frequencies;
 }

@@ -6,23 +6,25 @@
 
 namespace antinode
 {
-/** The run of one ceramic in a measurement: all ceramics play the same signal one after the other, each at its own level.
+/** The run of one ceramic in a measurement: all ceramics play the same signal one after the other, each at its own
+   level.
 
-    A run starts with the signal and ends with silence, during which the surface comes to rest and delayed samples arrive. The sync
-    channel plays the same signal at the same time: looped back to an input, it gives the latency of recordings.
+    A run starts with the signal and ends with silence, during which the surface comes to rest and delayed samples
+   arrive. The sync channel plays the same signal at the same time: looped back to an input, it gives the latency of
+   recordings.
 */
 struct Excitation
 {
     ExcitationSettings settings;
-    Eigen::VectorXd signal; ///< Of one run without its silence; the waveform between the samples has a peak of 1.
-    Eigen::Index block = 0; ///< Samples of a period, of a block of noise, of a sweep with the silence after it.
-    Eigen::Index turn = 0;  ///< Samples of one run: from one ceramic's first sample to the next one's.
+    Eigen::VectorXd signal;     ///< Of one run without its silence; the waveform between the samples has a peak of 1.
+    Eigen::Index block = 0;     ///< Samples of a period, of a block of noise, of a sweep with the silence after it.
+    Eigen::Index runLength = 0; ///< Samples of one run: from one ceramic's first sample to the next one's.
     std::vector<Eigen::Index> lines; ///< Of a block of `lineBlock` samples: those that are measured, ascending.
     Eigen::Index lineBlock = 0;      ///< Lines lie sampleRate / lineBlock apart.
     double crestFactor = 0;          ///< Peak over effective value while it plays.
 
     /** Hz, of line l of a block. */
-    double frequencyOf (Eigen::Index line) const
+    double lineFrequency (Eigen::Index line) const
     {
         return static_cast<double> (line) * settings.sampleRate / static_cast<double> (lineBlock);
     }
@@ -40,16 +42,16 @@ inline constexpr double syncLevel = 0.5;
 Excitation makeExcitation (const ExcitationSettings&, const Eigen::VectorXd& voltageLimits);
 
 /** An excitation as it was made before, with the signal that was played.
-    @throws InputError  as makeExcitation, and where the signal is not as long as the settings make it or its samples exceed 1
-    [worker] */
+    @throws InputError  as makeExcitation, and where the signal is not as long as the settings make it or its samples
+   exceed 1 [worker] */
 Excitation excitationWith (const ExcitationSettings&, const Eigen::VectorXd& voltageLimits,
                            const Eigen::VectorXd& signal);
 
 /** The voltages played in a ceramic's run.
     @param fullScale  The voltage of a sample of 1, V
-    @return           (N_b + 1) x turn samples of full scale: ceramics, then the sync channel
+    @return           (N_b + 1) x runLength samples of full scale: ceramics, then the sync channel
     [worker] */
-Eigen::MatrixXd playedTurn (const Excitation&, Eigen::Index ceramic, double fullScale);
+Eigen::MatrixXd playedRun (const Excitation&, Eigen::Index ceramic, double fullScale);
 
 /** The frequencies of the lines, Hz. [any] */
 Eigen::VectorXd measuredFrequencies (const Excitation&);

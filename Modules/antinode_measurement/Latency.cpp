@@ -12,16 +12,16 @@ namespace antinode
 {
 namespace
 {
-constexpr double leastCorrelation = 0.5;
+constexpr double minimumCorrelation = 0.5;
 
 /** Recording times conjugate signal: its phase falls by 2 pi f times the lag. */
 Eigen::VectorXcd crossSpectrum (const Excitation& excitation, const Eigen::VectorXd& sync, Eigen::Index length)
 {
-    return spectrumOf (sync, length).cwiseProduct (spectrumOf (excitation.signal, length).conjugate());
+    return forwardFourier (sync, length).cwiseProduct (forwardFourier (excitation.signal, length).conjugate());
 }
 
 /** The part of a sample, -1/2 to 1/2 and a little beyond, by which the largest correlation's lag is too small. */
-double restOfLag (const Eigen::VectorXcd& cross, Eigen::Index lag, Eigen::Index length)
+double fractionalLag (const Eigen::VectorXcd& cross, Eigen::Index lag, Eigen::Index length)
 {
     double numerator = 0, denominator = 0;
     const auto turn = 2 * std::numbers::pi / static_cast<double> (length);
@@ -43,7 +43,7 @@ double restOfLag (const Eigen::VectorXcd& cross, Eigen::Index lag, Eigen::Index 
 }
 } // namespace
 
-double latencyOf (const Excitation& excitation, const Eigen::VectorXd& sync)
+double estimateLatency (const Excitation& excitation, const Eigen::VectorXd& sync)
 {
     const auto samples = excitation.signal.size();
     const auto latest = sync.size() - samples;
@@ -55,18 +55,18 @@ double latencyOf (const Excitation& excitation, const Eigen::VectorXd& sync)
     // Long enough for lags from -latest to latest not to fold onto each other.
     const auto length = quickLength (static_cast<double> (sync.size() + latest + 1));
     const auto cross = crossSpectrum (excitation, sync, length);
-    const auto correlation = signalOf (cross, length);
+    const auto correlation = inverseFourier (cross, length);
     Eigen::Index lag = 0;
     const auto largest = correlation.head (latest + 1).cwiseAbs().maxCoeff (&lag);
     const auto power = excitation.signal.norm() * sync.segment (lag, samples).norm();
 
-    if (! (largest > leastCorrelation * power))
+    if (! (largest > minimumCorrelation * power))
         throw InputError (
             "sync channel",
             "does not contain the excitation signal: is the last output wired to this input, and is the "
             "latency below "
                 + std::to_string (latest * 1000 / static_cast<Eigen::Index> (excitation.settings.sampleRate)) + " ms?");
 
-    return std::max (0.0, static_cast<double> (lag) + restOfLag (cross, lag, length));
+    return std::max (0.0, static_cast<double> (lag) + fractionalLag (cross, lag, length));
 }
 } // namespace antinode

@@ -32,18 +32,18 @@ Eigen::VectorXcd schroederSpectrum (const std::vector<Eigen::Index>& lines, Eige
 }
 
 /** The waveform between the samples, too: oversampled. */
-Eigen::VectorXd waveformOf (const Eigen::VectorXcd& spectrum, Eigen::Index length)
+Eigen::VectorXd oversampledWaveform (const Eigen::VectorXcd& spectrum, Eigen::Index length)
 {
     Eigen::VectorXcd wide = Eigen::VectorXcd::Zero (oversampling * length / 2 + 1);
     wide.head (spectrum.size()) = spectrum;
-    return signalOf (wide, oversampling * length);
+    return inverseFourier (wide, oversampling * length);
 }
 
 /** The same lines with equal amplitudes and the phases of a waveform. */
-Eigen::VectorXcd withPhasesOf (const Eigen::VectorXd& waveform, const std::vector<Eigen::Index>& lines,
-                               Eigen::Index count)
+Eigen::VectorXcd withPhasesFrom (const Eigen::VectorXd& waveform, const std::vector<Eigen::Index>& lines,
+                                 Eigen::Index count)
 {
-    const auto phases = spectrumOf (waveform);
+    const auto phases = forwardFourier (waveform);
     Eigen::VectorXcd spectrum = Eigen::VectorXcd::Zero (count);
 
     for (const auto line : lines)
@@ -89,15 +89,15 @@ Eigen::VectorXd multisinePeriod (const std::vector<Eigen::Index>& lines, Eigen::
 {
     auto spectrum = schroederSpectrum (lines, length);
     auto best = spectrum;
-    auto waveform = waveformOf (spectrum, length);
+    auto waveform = oversampledWaveform (spectrum, length);
     auto lowest = waveform.cwiseAbs().maxCoeff();
 
     for (int i = 0; i < clippings; ++i)
     {
         const auto share = firstClip + (lastClip - firstClip) * i / (clippings - 1);
         const auto clip = share * waveform.cwiseAbs().maxCoeff();
-        spectrum = withPhasesOf (waveform.cwiseMax (-clip).cwiseMin (clip), lines, spectrum.size());
-        waveform = waveformOf (spectrum, length);
+        spectrum = withPhasesFrom (waveform.cwiseMax (-clip).cwiseMin (clip), lines, spectrum.size());
+        waveform = oversampledWaveform (spectrum, length);
 
         // All have the same effective value, so the lowest peak has the lowest crest factor.
         if (const auto peak = waveform.cwiseAbs().maxCoeff(); peak < lowest)
@@ -107,7 +107,7 @@ Eigen::VectorXd multisinePeriod (const std::vector<Eigen::Index>& lines, Eigen::
         }
     }
 
-    const auto signal = signalOf (best, length);
+    const auto signal = inverseFourier (best, length);
     return signal / signal.cwiseAbs().maxCoeff();
 }
 } // namespace antinode

@@ -17,7 +17,7 @@ Eigen::MatrixXcd periodSpectra (const Eigen::VectorXd& signal, Eigen::Index peri
     Eigen::MatrixXcd spectra (period / 2 + 1, signal.size() / period);
 
     for (Eigen::Index r = 0; r < spectra.cols(); ++r)
-        spectra.col (r) = spectrumOf (signal.segment (r * period, period));
+        spectra.col (r) = forwardFourier (signal.segment (r * period, period));
 
     return spectra;
 }
@@ -54,7 +54,7 @@ struct UnexcitedPower
     double effectivePerLine() const { return count > 0 ? std::max (0.0, power / count) : 0; }
 };
 
-NonlinearDistortion distortionOf (const PeriodicLines& lines, const Averages& output)
+NonlinearDistortion computeDistortion (const PeriodicLines& lines, const Averages& output)
 {
     const Eigen::ArrayXd noise = output.deviations.cols() > 1
                                      ? Eigen::ArrayXd (covarianceOfMeans (output.deviations, output.deviations).real())
@@ -111,7 +111,7 @@ EstimatedResponses averagePeriods (const PeriodicLines& lines, const Eigen::Vect
         result.values.col (sensor) = y.cwiseQuotient (x);
 
         if (lines.showsDistortion)
-            result.distortion.push_back (distortionOf (lines, output));
+            result.distortion.push_back (computeDistortion (lines, output));
 
         if (periods < 2)
             continue;

@@ -16,7 +16,8 @@ struct PeriodicLines
 
 /** Responses to a periodic signal in its steady state: mean output over mean input, line by line, without leakage.
 
-    The variance comes from how periods differ, that of the input and what both share included: with R periods and h = Y/X
+    The variance comes from how periods differ, that of the input and what both share included: with R periods and h =
+   Y/X
 
         E |error|^2 = |h|^2 (s_Y^2 / |Y|^2 + s_X^2 / |X|^2 - 2 Re (s_YX / (Y conj X))) / R.
 

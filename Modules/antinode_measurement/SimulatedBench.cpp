@@ -30,20 +30,21 @@ Eigen::Index transformLength (const ModalModel& model, Eigen::Index samples, con
 /** The cubed voltage at twice the rate: what it has above the band would fold back into it. */
 Eigen::VectorXcd drivenSpectrum (const Eigen::VectorXd& voltage, Eigen::Index length, double cubic)
 {
-    auto spectrum = spectrumOf (voltage, length);
+    auto spectrum = forwardFourier (voltage, length);
 
     if (cubic == 0)
         return spectrum;
 
     Eigen::VectorXcd wide = Eigen::VectorXcd::Zero (length + 1);
     wide.head (spectrum.size()) = 2 * spectrum;
-    const auto between = signalOf (wide, 2 * length);
+    const auto between = inverseFourier (wide, 2 * length);
     const auto largest = between.cwiseAbs().maxCoeff();
     const Eigen::VectorXd driven = between.array() * (1 + cubic * (between.array() / largest).square());
-    return spectrumOf (driven).head (spectrum.size()) / 2;
+    return forwardFourier (driven).head (spectrum.size()) / 2;
 }
 
-/** Sensors' velocities on lines first .. first + count - 1 under modal forces: shapes times i omega psi / (omega_k^2 - omega^2 + 2 i xi omega_k omega). */
+/** Sensors' velocities on lines first .. first + count - 1 under modal forces: shapes times i omega psi / (omega_k^2 -
+ * omega^2 + 2 i xi omega_k omega). */
 Eigen::MatrixXcd velocityLines (const ModalModel& model, const Eigen::MatrixXd& shapes, const Eigen::VectorXd& omegas,
                                 const Eigen::MatrixXcd& forces)
 {
@@ -75,7 +76,7 @@ struct Drives
     std::vector<Eigen::Index> ceramics;
 };
 
-Drives drivesOf (const Eigen::MatrixXd& voltages, Eigen::Index length, double cubic)
+Drives makeDrives (const Eigen::MatrixXd& voltages, Eigen::Index length, double cubic)
 {
     Drives drives;
 
@@ -96,11 +97,11 @@ Drives drivesOf (const Eigen::MatrixXd& voltages, Eigen::Index length, double cu
 std::vector<Eigen::Index> soundingLines (const Eigen::MatrixXcd& spectra)
 {
     const Eigen::ArrayXd power = spectra.rowwise().squaredNorm().array();
-    const auto least = power.maxCoeff() * silentLine * silentLine;
+    const auto minimum = power.maxCoeff() * silentLine * silentLine;
     std::vector<Eigen::Index> lines;
 
     for (Eigen::Index k = 1; k < power.size(); ++k)
-        if (power[k] > least)
+        if (power[k] > minimum)
             lines.push_back (k);
 
     return lines;
@@ -138,13 +139,14 @@ Eigen::VectorXd delayed (Eigen::VectorXcd spectrum, Eigen::Index length, double 
     for (Eigen::Index k = 0; k < spectrum.size(); ++k)
         spectrum[k] *= std::polar (1.0, -turn * static_cast<double> (k));
 
-    return signalOf (spectrum, length);
+    return inverseFourier (spectrum, length);
 }
 
 void requireUsable (const ModalModel& model, const Eigen::MatrixXd& voltages, const Eigen::VectorXd& sync,
                     const SimulatedBenchSettings& settings)
 {
-    const auto isUsable = [] (double value, double least, double most) { return value >= least && value <= most; };
+    const auto isUsable = [] (double value, double minimum, double maximum)
+    { return value >= minimum && value <= maximum; };
 
     if (model.modes() == 0 || voltages.rows() != model.actuators() || sync.size() != voltages.cols()
         || sync.size() == 0)
@@ -164,20 +166,20 @@ void requireUsable (const ModalModel& model, const Eigen::MatrixXd& voltages, co
 }
 } // namespace
 
-TurnRecording simulateBench (const ModalModel& model, const Eigen::MatrixXd& shapes, const Eigen::MatrixXd& voltages,
-                             const Eigen::VectorXd& sync, const SimulatedBenchSettings& settings)
+RunRecording simulateBench (const ModalModel& model, const Eigen::MatrixXd& shapes, const Eigen::MatrixXd& voltages,
+                            const Eigen::VectorXd& sync, const SimulatedBenchSettings& settings)
 {
     requirePlayable (model, shapes);
     requireUsable (model, voltages, sync, settings);
     const auto samples = voltages.cols();
     const auto length = transformLength (model, samples, settings);
     const auto late = settings.delay * settings.sampleRate;
-    const auto spectra = sensorSpectra (model, shapes, drivesOf (voltages, length, settings.cubic), length, settings);
+    const auto spectra = sensorSpectra (model, shapes, makeDrives (voltages, length, settings.cubic), length, settings);
     const auto noiseShare = std::pow (10.0, -settings.signalToNoise / 20);
     RandomNumbers random (settings.seed);
-    TurnRecording recording;
+    RunRecording recording;
     recording.sensors.resize (shapes.rows(), samples);
-    recording.sync = delayed (spectrumOf (sync, length), length, late).head (samples);
+    recording.sync = delayed (forwardFourier (sync, length), length, late).head (samples);
 
     for (Eigen::Index sensor = 0; sensor < shapes.rows(); ++sensor)
     {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "TurnRecording.h"
+#include "RunRecording.h"
 
 #include <antinode_model/ModalModel.h>
 
@@ -20,7 +20,8 @@ struct SimulatedBenchSettings
     std::uint64_t seed = 1; ///< Of the noise.
 };
 
-/** The recording of the sensors of such a bench for played voltages: each mode's response, line by line of a transform so long that nothing folds.
+/** The recording of the sensors of such a bench for played voltages: each mode's response, line by line of a transform
+   so long that nothing folds.
 
     @param shapes    N x N_m: the rows of mode shapes at the sensors (shapesAt), kg^-1/2
     @param voltages  N_b x N_s, V, of ceramics; silent at the end
@@ -28,6 +29,6 @@ struct SimulatedBenchSettings
     @return          N_s samples of every channel; no reference
     @throws InputError  where sizes do not agree or a number is not usable
     [worker] Docs/Theory.md, section 8.10. */
-TurnRecording simulateBench (const ModalModel&, const Eigen::MatrixXd& shapes, const Eigen::MatrixXd& voltages,
-                             const Eigen::VectorXd& sync, const SimulatedBenchSettings&);
+RunRecording simulateBench (const ModalModel&, const Eigen::MatrixXd& shapes, const Eigen::MatrixXd& voltages,
+                            const Eigen::VectorXd& sync, const SimulatedBenchSettings&);
 } // namespace antinode

@@ -11,20 +11,20 @@ namespace antinode
 {
 namespace
 {
-constexpr double leastCoherence = 0.9;
-constexpr double mostDistortion = 0.02;
-constexpr double mostWander = 0.1; // samples
+constexpr double minimumCoherence = 0.9;
+constexpr double maximumDistortion = 0.02;
+constexpr double maximumWander = 0.1; // samples
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 std::string numbers (const std::vector<Eigen::Index>& places)
 {
-    constexpr std::size_t most = 12;
+    constexpr std::size_t maximum = 12;
     std::string text;
 
-    for (std::size_t i = 0; i < std::min (most, places.size()); ++i)
+    for (std::size_t i = 0; i < std::min (maximum, places.size()); ++i)
         text += (i == 0 ? "" : ", ") + std::to_string (places[i] + 1);
 
-    return text + (places.size() > most ? " and " + std::to_string (places.size() - most) + " more" : "");
+    return text + (places.size() > maximum ? " and " + std::to_string (places.size() - maximum) + " more" : "");
 }
 
 /** Which entries of a list are less than what is allowed; those that are not known are not. */
@@ -33,36 +33,37 @@ std::vector<Eigen::Index> weakOnes (const Eigen::VectorXd& values)
     std::vector<Eigen::Index> weak;
 
     for (Eigen::Index i = 0; i < values.size(); ++i)
-        if (values[i] < leastCoherence)
+        if (values[i] < minimumCoherence)
             weak.push_back (i);
 
     return weak;
 }
 
-void doubtCoherence (std::vector<std::string>& doubts, const SurfaceMeasurement& measurement)
+void warnOfCoherence (std::vector<std::string>& warnings, const SurfaceMeasurement& measurement)
 {
     const auto coherence = meanCoherence (measurement);
 
     if (const auto points = weakOnes (coherence.rowwise().maxCoeff()); ! points.empty())
-        doubts.push_back ("The response of these points is too close to the noise for all ceramics; measure them again "
-                          "or leave them out: "
-                          + numbers (points) + ".");
+        warnings.push_back (
+            "The response of these points is too close to the noise for all ceramics; measure them again "
+            "or leave them out: "
+            + numbers (points) + ".");
 
     if (const auto ceramics = weakOnes (coherence.colwise().maxCoeff()); ! ceramics.empty())
-        doubts.push_back (
+        warnings.push_back (
             "The response of all points is too close to the noise for these ceramics; check their wires and levels: "
             + numbers (ceramics) + ".");
 }
 
-void doubtLatency (std::vector<std::string>& doubts, const SurfaceMeasurement& measurement)
+void warnOfLatency (std::vector<std::string>& warnings, const SurfaceMeasurement& measurement)
 {
     for (Eigen::Index p = 0; p < measurement.latencies.cols(); ++p)
     {
         const auto latencies = measurement.latencies.col (p);
 
-        if (latencies.maxCoeff() - latencies.minCoeff() > mostWander)
+        if (latencies.maxCoeff() - latencies.minCoeff() > maximumWander)
         {
-            doubts.push_back (formatted (
+            warnings.push_back (formatted (
                 "At point %td the latency varied from %.2f to %.2f samples: outputs and inputs do not share one clock, "
                 "or samples were lost.",
                 p + 1, latencies.minCoeff(), latencies.maxCoeff()));
@@ -71,7 +72,7 @@ void doubtLatency (std::vector<std::string>& doubts, const SurfaceMeasurement& m
     }
 }
 
-void doubtLinearity (std::vector<std::string>& doubts, const SurfaceMeasurement& measurement)
+void warnOfLinearity (std::vector<std::string>& warnings, const SurfaceMeasurement& measurement)
 {
     double largest = 0;
 
@@ -84,8 +85,8 @@ void doubtLinearity (std::vector<std::string>& doubts, const SurfaceMeasurement&
                 largest = std::max (largest, harmonic);
         }
 
-    if (largest > mostDistortion)
-        doubts.push_back (formatted (
+    if (largest > maximumDistortion)
+        warnings.push_back (formatted (
             "Up to %.1f %% of the motion is distortion: identified modes depend on the level; choose a lower level.",
             100 * largest));
 }
@@ -102,7 +103,7 @@ SurfaceMeasurement unmeasured (const Excitation& excitation, const std::vector<s
     const Eigen::MatrixXd nothing = Eigen::MatrixXd::Constant (lines, points.rows(), missing);
 
     for (const auto& name : ceramics)
-        responses.drivers.push_back ({ name, {} });
+        responses.references.push_back ({ name, {} });
 
     responses.values.assign (ceramics.size(), nothing.cast<std::complex<double>>());
     responses.variances.assign (ceramics.size(), nothing);
@@ -114,13 +115,13 @@ SurfaceMeasurement unmeasured (const Excitation& excitation, const std::vector<s
     return measurement;
 }
 
-void place (SurfaceMeasurement& measurement, Eigen::Index ceramic, Eigen::Index firstPoint, const TurnResponses& turn)
+void place (SurfaceMeasurement& measurement, Eigen::Index ceramic, Eigen::Index firstPoint, const RunResponses& run)
 {
     const auto i = static_cast<std::size_t> (ceramic);
-    const auto& estimated = turn.responses;
+    const auto& estimated = run.responses;
     const auto sensors = estimated.values.cols();
     measurement.responses.values[i].middleCols (firstPoint, sensors) = estimated.values;
-    measurement.latencies.row (ceramic).segment (firstPoint, sensors).setConstant (turn.latency);
+    measurement.latencies.row (ceramic).segment (firstPoint, sensors).setConstant (run.latency);
 
     if (estimated.variances.size() > 0)
     {
@@ -147,12 +148,12 @@ Eigen::MatrixXd meanCoherence (const SurfaceMeasurement& measurement)
     return means;
 }
 
-std::vector<std::string> doubtsOf (const SurfaceMeasurement& measurement)
+std::vector<std::string> collectWarnings (const SurfaceMeasurement& measurement)
 {
-    std::vector<std::string> doubts;
-    doubtCoherence (doubts, measurement);
-    doubtLatency (doubts, measurement);
-    doubtLinearity (doubts, measurement);
-    return doubts;
+    std::vector<std::string> warnings;
+    warnOfCoherence (warnings, measurement);
+    warnOfLatency (warnings, measurement);
+    warnOfLinearity (warnings, measurement);
+    return warnings;
 }
 } // namespace antinode

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "TurnAnalysis.h"
+#include "RunAnalysis.h"
 
 #include <antinode_identification/FrequencyResponses.h>
 
@@ -27,12 +27,13 @@ SurfaceMeasurement unmeasured (const Excitation&, const std::vector<std::string>
                                const Eigen::MatrixX2d& points);
 
 /** Stores a ceramic's run, measured by sensors at consecutive points from a first one on. [worker] */
-void place (SurfaceMeasurement&, Eigen::Index ceramic, Eigen::Index firstPoint, const TurnResponses&);
+void place (SurfaceMeasurement&, Eigen::Index ceramic, Eigen::Index firstPoint, const RunResponses&);
 
 /** Warnings about the quality of a measurement, as sentences: points and ceramics with weak responses, latencies that
     wander, distortion; a list that is empty if all is well. [worker] Docs/Theory.md, section 8.9. */
-std::vector<std::string> doubtsOf (const SurfaceMeasurement&);
+std::vector<std::string> collectWarnings (const SurfaceMeasurement&);
 
-/** The mean coherence over the lines, weighted by the responses' power: N_p x N_b, not a number where it is not known. [worker] */
+/** The mean coherence over the lines, weighted by the responses' power: N_p x N_b, not a number where it is not known.
+ * [worker] */
 Eigen::MatrixXd meanCoherence (const SurfaceMeasurement&);
 } // namespace antinode

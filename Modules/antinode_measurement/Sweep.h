@@ -6,7 +6,8 @@ namespace antinode
 {
 /** An exponential sweep whose harmonics start at phase 0 with it: sin (2 pi f_1 L exp (t/L)), f_1 L integral.
 
-    It begins below the band and ends above it, and is faded in and out there. Novak, Lotton and Simon, J. Audio Eng. Soc. 63, 2015.
+    It begins below the band and ends above it, and is faded in and out there. Novak, Lotton and Simon, J. Audio Eng.
+   Soc. 63, 2015.
 */
 struct Sweep
 {

@@ -34,9 +34,9 @@ Eigen::VectorXd meanBlock (const Eigen::VectorXd& signal, Eigen::Index block)
 }
 
 /** 1/X within the band. */
-Eigen::VectorXcd inverseOf (const RepeatedSweep& played, const Eigen::VectorXd& input, Eigen::Index length)
+Eigen::VectorXcd invertSpectrum (const RepeatedSweep& played, const Eigen::VectorXd& input, Eigen::Index length)
 {
-    auto inverse = spectrumOf (meanBlock (input, played.block), length);
+    auto inverse = forwardFourier (meanBlock (input, played.block), length);
 
     for (Eigen::Index k = 0; k < inverse.size(); ++k)
     {
@@ -58,8 +58,8 @@ Eigen::VectorXd around (const Eigen::VectorXd& ring, Eigen::Index first, Eigen::
                                          { return ring[(first + n + 2 * ring.size()) % ring.size()]; });
 }
 
-/** The impulse response from before its lag 0 on, faded at its begin and end, with lag 0 on sample 0. What stands before it is folded
-    to the end: on the lines of this length that changes nothing. */
+/** The impulse response from before its lag 0 on, faded at its begin and end, with lag 0 on sample 0. What stands
+   before it is folded to the end: on the lines of this length that changes nothing. */
 Eigen::VectorXd cutOut (const Eigen::VectorXd& ring, Eigen::Index lead, Eigen::Index length)
 {
     auto part = around (ring, -lead, lead + length);
@@ -85,16 +85,17 @@ Eigen::Index harmonicLead (const RepeatedSweep& played, int harmonic)
 }
 
 /** What is kept before an impulse response begins, where its band's edges ring, and no harmonic. */
-Eigen::Index leadOf (const RepeatedSweep& played)
+Eigen::Index leadSamples (const RepeatedSweep& played)
 {
     return std::min (harmonicLead (played, 2) / 2, played.responseLength / 4);
 }
 
-/** Effective values of the harmonics over that of the linear response, each within the room that the closest two of them leave. */
+/** Effective values of the harmonics over that of the linear response, each within the room that the closest two of
+ * them leave. */
 std::vector<double> harmonicLevels (const RepeatedSweep& played, const Eigen::VectorXd& ring)
 {
     const auto room = harmonicLead (played, highestHarmonic + 1) - harmonicLead (played, highestHarmonic);
-    const auto lead = std::min (leadOf (played), room / 4);
+    const auto lead = std::min (leadSamples (played), room / 4);
     const auto linear = around (ring, -lead, room).norm();
     std::vector<double> levels;
 
@@ -121,8 +122,9 @@ Deconvolution deconvolve (const RepeatedSweep& played, const Eigen::VectorXcd& i
     for (Eigen::Index r = 0; r < result.responses.cols(); ++r)
     {
         const Eigen::VectorXd block = output.segment (r * played.block, played.block);
-        const auto ring = signalOf (spectrumOf (block, length).cwiseProduct (inverse), length);
-        result.responses.col (r) = spectrumOf (cutOut (ring, leadOf (played), played.responseLength)) (played.lines);
+        const auto ring = inverseFourier (forwardFourier (block, length).cwiseProduct (inverse), length);
+        result.responses.col (r) =
+            forwardFourier (cutOut (ring, leadSamples (played), played.responseLength)) (played.lines);
         mean += ring;
     }
 
@@ -145,7 +147,7 @@ EstimatedResponses deconvolveSweep (const RepeatedSweep& played, const Eigen::Ve
     requireWholeBlocks (played, input, outputs);
     // Harmonics, which stand before the linear response, must not fold onto its end.
     const auto length = quickLength (static_cast<double> (2 * played.block));
-    const auto inverse = inverseOf (played, input, length);
+    const auto inverse = invertSpectrum (played, input, length);
     const auto lines = static_cast<Eigen::Index> (played.lines.size()), repetitions = input.size() / played.block;
     EstimatedResponses result;
     result.values.resize (lines, outputs.rows());

@@ -32,7 +32,7 @@ Eigen::MatrixXcd blockSpectra (const Eigen::VectorXd& signal, const Eigen::Vecto
     Eigen::MatrixXcd spectra (static_cast<Eigen::Index> (lines.size()), (signal.size() - block) / step + 1);
 
     for (Eigen::Index r = 0; r < spectra.cols(); ++r)
-        spectra.col (r) = spectrumOf (signal.segment (r * step, block).cwiseProduct (window)) (lines);
+        spectra.col (r) = forwardFourier (signal.segment (r * step, block).cwiseProduct (window)) (lines);
 
     return spectra;
 }

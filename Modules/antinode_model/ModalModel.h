@@ -45,8 +45,8 @@ Eigen::VectorXd dampedFrequencies (const ModalModel&);
 
 /** The row of mode shapes at one place of the surface.
     @param x, y  m, inside the surface (y is ignored on a line)
-    @return      N_m values, kg^-1/2: cubic Hermite between points on a line, the polynomial of a grid's segments on a computed
-                 plate, thin-plate spline through scattered points
+    @return      N_m values, kg^-1/2: cubic Hermite between points on a line, the polynomial of a grid's segments on a
+   computed plate, thin-plate spline through scattered points
     @throws InputError  when the place lies outside the surface
     [worker] Docs/Theory.md, section 1.5. */
 Eigen::RowVectorXd shapesAt (const ModalModel&, double x, double y);

@@ -23,9 +23,10 @@ struct ModalRecursion
 
 /** The recursion of a model.
 
-    The force between samples is psi (t) = sum_m psi_m K (t/T - m), K the box of a zero-order hold or kaiserSinc, so the tap of
-    sample n - 1 + j is T integral_0^1 e^{sT (1 - x)} K (x - j) dx. The integrand is entire in x, so Gauss and Legendre's
-    quadrature gives it to rounding, also for modes above the Nyquist frequency: panels are as many as keep the phase of each below pi.
+    The force between samples is psi (t) = sum_m psi_m K (t/T - m), K the box of a zero-order hold or kaiserSinc, so the
+   tap of sample n - 1 + j is T integral_0^1 e^{sT (1 - x)} K (x - j) dx. The integrand is entire in x, so Gauss and
+   Legendre's quadrature gives it to rounding, also for modes above the Nyquist frequency: panels are as many as keep
+   the phase of each below pi.
     @throws InputError  when the rate is not finite and positive, a frequency or damping ratio is not usable, or a mode
                         lies more than 64 times above the sample rate
     [worker] */

@@ -23,8 +23,8 @@ struct Oscillation
     double inPhase = 0, quadrature = 0;
     double freeDecay =
         0; ///< 1/s: of a brake, the decay rate a of its mode when it is left alone; 0 where it is no brake.
-    std::complex<double> counterShare =
-        0; ///< Of a brake: the fraction of its effect on its mode from the part that rotates against it. Docs/Theory.md, section 6.6.
+    std::complex<double> counterShare = 0; ///< Of a brake: the fraction of its effect on its mode from the part that
+                                           ///< rotates against it. Docs/Theory.md, section 6.6.
 
     /** Whether it brakes a mode: it may then begin later than designed. Docs/Theory.md, section 6.6. [any] */
     bool isBrake() const { return freeDecay > 0 && angularFrequency > 0; }

@@ -29,7 +29,7 @@ Eigen::VectorXd barycentricWeights (const Eigen::VectorXd& places)
     return weights;
 }
 
-Eigen::Index segmentOf (const GridAxis& axis, double place)
+Eigen::Index findSegment (const GridAxis& axis, double place)
 {
     const auto* const begin = axis.edges.data();
     const auto* const end = begin + axis.edges.size();
@@ -64,7 +64,7 @@ Eigen::MatrixXd interpolationRows (const GridAxis& axis, const Eigen::VectorXd& 
 
     for (Eigen::Index i = 0; i < at.size(); ++i)
     {
-        const auto segment = segmentOf (axis, at[i]);
+        const auto segment = findSegment (axis, at[i]);
         const auto first = axis.first[segment];
         const auto count = axis.first[segment + 1] - first;
         const Eigen::VectorXd places = axis.places.segment (first, count);

@@ -4,8 +4,8 @@
 
 namespace antinode
 {
-/** Places along one side of a plate, in segments that meet where the section changes. Within a segment shapes are smooth, so
-    the polynomial through its places gives them in between. */
+/** Places along one side of a plate, in segments that meet where the section changes. Within a segment shapes are
+   smooth, so the polynomial through its places gives them in between. */
 struct GridAxis
 {
     Eigen::VectorXd places;  ///< Ascending, m: in each segment those of Gauss and Legendre.
@@ -25,7 +25,8 @@ struct PlateGrid
     @param counts  places in each, at least 1 */
 GridAxis gridAxis (const Eigen::VectorXd& edges, const Eigen::VectorXi& counts);
 
-/** The rows that take values at the places of an axis to other places on it: Lagrange's polynomials in barycentric form.
+/** The rows that take values at the places of an axis to other places on it: Lagrange's polynomials in barycentric
+   form.
     @param at  m; beyond the ends the polynomial of the last segment is extrapolated
     @return    one row per position of `at`, one column per position of the axis
     [any] Docs/Theory.md, section 1.5. */

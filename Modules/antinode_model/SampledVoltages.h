@@ -6,7 +6,8 @@
 
 namespace antinode
 {
-/** Voltages of any form as samples, made for one way of playing them. Before the first and after the last they are 0. */
+/** Voltages of any form as samples, made for one way of playing them. Before the first and after the last they are 0.
+ */
 struct SampledVoltages
 {
     Playback playback;      ///< The only one at which they do what they were designed for; with a rate of more than 0.

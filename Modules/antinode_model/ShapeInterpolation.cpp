@@ -140,8 +140,9 @@ Eigen::RowVectorXd interpolateInPlane (const Eigen::MatrixX2d& points, const Eig
     system.bottomLeftCorner (3, n) = system.topRightCorner (n, 3).transpose();
     right[n] = 1;
 
-    // The system is symmetric, so its solution for the kernel's row at the place holds the points' weights. Few or collinear
-    // points leave the plane's part undetermined: the least-squares solution of the rank-revealing QR serves there too.
+    // The system is symmetric, so its solution for the kernel's row at the place holds the points' weights. Few or
+    // collinear points leave the plane's part undetermined: the least-squares solution of the rank-revealing QR serves
+    // there too.
     const Eigen::VectorXd weights = leastSquares (system, right).head (n);
     Eigen::RowVectorXd result = Eigen::RowVectorXd::Zero (values.cols());
 

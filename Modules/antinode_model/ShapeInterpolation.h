@@ -30,7 +30,8 @@ Eigen::MatrixXd naturalSplineSlopes (const Eigen::VectorXd& points, const Eigen:
     [worker] Docs/Theory.md, section 1.5. */
 Eigen::RowVectorXd interpolateOnGrid (const PlateGrid&, const Eigen::MatrixXd& values, double x, double y);
 
-/** Values between scattered points of a plane: the thin-plate spline through the nearest 48 of them. Exact at the points.
+/** Values between scattered points of a plane: the thin-plate spline through the nearest 48 of them. Exact at the
+   points.
     @param points  N_p x 2
     @param values  N_p x N
     @return        N values

@@ -4,7 +4,8 @@
 
 namespace antinode
 {
-// Dense kernels for complex matrices, by products of the real and imaginary parts. Docs/Decisions/0041-decompositions.md.
+// Dense kernels for complex matrices, by products of the real and imaginary parts.
+// Docs/Decisions/0041-decompositions.md.
 
 /** a' b, a transposed and not conjugated. [worker] */
 Eigen::MatrixXcd productTransposedLeft (const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b);

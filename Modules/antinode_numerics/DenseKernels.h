@@ -4,9 +4,9 @@
 
 namespace antinode
 {
-// What the solution of plates and the allocation spend their time on, by the widest vectors of the processor it runs on, on the thread that
-// calls; any number of threads may. All matrices are column by column, a part of a larger one or whole.
-// Docs/Decisions/0036-dense-kernels.md.
+// What the solution of plates and the allocation spend their time on, by the widest vectors of the processor it runs
+// on, on the thread that calls; any number of threads may. All matrices are column by column, a part of a larger one or
+// whole. Docs/Decisions/0036-dense-kernels.md.
 using MatrixIn = Eigen::Ref<const Eigen::MatrixXd>;
 using MatrixOut = Eigen::Ref<Eigen::MatrixXd>;
 
@@ -22,7 +22,8 @@ void addTransposedRight (MatrixOut to, double factor, const MatrixIn& a, const M
 /** The lower triangle of to += factor a a'. [worker] */
 void addGram (MatrixOut to, double factor, const MatrixIn& a);
 
-/** Factors a positive definite matrix, a = L L': L replaces the lower triangle of a; above it nothing is read or written.
+/** Factors a positive definite matrix, a = L L': L replaces the lower triangle of a; above it nothing is read or
+   written.
     @return  false when it is not positive definite; the first pivot that is not positive is then 0
     [worker] */
 bool factorLower (Eigen::MatrixXd& a);

@@ -14,9 +14,9 @@ namespace
 {
 constexpr Eigen::Index reflectionsAtOnce = 32;
 
-/** The product of some reflections, 1 - V T V': what they do together is mostly products of large matrices. Reflection j is 1 - factor (j) v v',
-    v 0 above place j and 1 there, and below as given.
-    Schreiber, Van Loan, A storage-efficient WY representation, SIAM J. Sci. Stat. Comput. 10 (1989). */
+/** The product of some reflections, 1 - V T V': what they do together is mostly products of large matrices. Reflection
+   j is 1 - factor (j) v v', v 0 above place j and 1 there, and below as given. Schreiber, Van Loan, A storage-efficient
+   WY representation, SIAM J. Sci. Stat. Comput. 10 (1989). */
 class Reflections
 {
 public:
@@ -110,7 +110,7 @@ Tridiagonal tridiagonalise (Eigen::MatrixXd& a)
     return t;
 }
 
-Eigen::MatrixXd reflectionsOf (const Eigen::MatrixXd& a, const Tridiagonal& t)
+Eigen::MatrixXd accumulateReflections (const Eigen::MatrixXd& a, const Tridiagonal& t)
 {
     const auto size = a.rows();
     Eigen::MatrixXd vectors = Eigen::MatrixXd::Identity (size, size);

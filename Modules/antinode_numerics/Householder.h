@@ -4,8 +4,8 @@
 
 namespace antinode
 {
-/** R of columns = Q R, by Householder's reflections: as many rows as `columns`, at most as many as it has columns. Its diagonal may be
-    negative.
+/** R of columns = Q R, by Householder's reflections: as many rows as `columns`, at most as many as it has columns. Its
+   diagonal may be negative.
     @throws Cancelled  as checkWatch()
     [worker] Golub, Van Loan, Matrix Computations, algorithm 5.2.2. */
 Eigen::MatrixXd householderTriangle (Eigen::MatrixXd columns);
@@ -25,5 +25,5 @@ Tridiagonal tridiagonalise (Eigen::MatrixXd& a);
 /** Q of it.
     @param a  as tridiagonalise left it
     [worker] */
-Eigen::MatrixXd reflectionsOf (const Eigen::MatrixXd& a, const Tridiagonal&);
+Eigen::MatrixXd accumulateReflections (const Eigen::MatrixXd& a, const Tridiagonal&);
 } // namespace antinode

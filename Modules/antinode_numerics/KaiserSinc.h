@@ -5,7 +5,8 @@ namespace antinode
 /** Samples to each side that the interpolation reaches. */
 inline constexpr int kaiserSincHalfWidth = 16;
 
-/** Kaiser's shape parameter, no unit. 12 is where pass band and accuracy balance for this half-width, see kaiserSinc. */
+/** Kaiser's shape parameter, no unit. 12 is where pass band and accuracy balance for this half-width, see kaiserSinc.
+ */
 inline constexpr double kaiserSincShape = 12;
 
 /** The part of the Nyquist frequency up to which a tone comes through as it is, within kaiserSincPassBandError. */
@@ -19,6 +20,7 @@ inline constexpr double kaiserSincPassBandError = 2e-6;
     1 at 0, 0 at all other integers, 0 from M on. Up to 0.75 of the Nyquist frequency the gain is 1 within 2e-6 and each
     image is below 2e-6; at the Nyquist frequency the gain is 1/2.
     @param x  in samples
-    [worker] Kaiser and Schafer, IEEE Transactions on Acoustics, Speech and Signal Processing 28 (1980) 105. Docs/Theory.md, section 6.2. */
+    [worker] Kaiser and Schafer, IEEE Transactions on Acoustics, Speech and Signal Processing 28 (1980) 105.
+   Docs/Theory.md, section 6.2. */
 double kaiserSinc (double x);
 } // namespace antinode

@@ -7,7 +7,8 @@ namespace antinode
 {
 QuadratureRule gaussLobattoRule (Eigen::Index count)
 {
-    // The places are the zeros of (1 - x^2) P'_n (x), n = count - 1: Newton's method, from the zeros of Chebyshev's polynomials.
+    // The places are the zeros of (1 - x^2) P'_n (x), n = count - 1: Newton's method, from the zeros of Chebyshev's
+    // polynomials.
     constexpr int newtonSteps = 12;
     constexpr auto converged = 1e-12;
     const auto n = count - 1;

@@ -10,7 +10,8 @@ struct QuadratureRule
     Eigen::VectorXd places, weights;
 };
 
-/** The rule of Gauss and Lobatto: both ends are among the places, polynomials to degree 2 count - 3 are integrated exactly.
+/** The rule of Gauss and Lobatto: both ends are among the places, polynomials to degree 2 count - 3 are integrated
+   exactly.
     @param count  at least 2. [any] */
 QuadratureRule gaussLobattoRule (Eigen::Index count);
 

@@ -27,9 +27,9 @@ constexpr std::ptrdiff_t tileRows = vectors * lanes;
 constexpr std::ptrdiff_t tileColumns = lanes >= 8 ? 8 : 4;
 
 // Parts of a, b that stay in the second and third cache.
-constexpr std::ptrdiff_t mostDepth = 256;
-constexpr std::ptrdiff_t mostRows = 96;
-constexpr std::ptrdiff_t mostColumns = 512;
+constexpr std::ptrdiff_t maximumDepth = 256;
+constexpr std::ptrdiff_t maximumRows = 96;
+constexpr std::ptrdiff_t maximumColumns = 512;
 
 // Up to so many columns of the target, copying panels of a costs more than it brings.
 constexpr std::ptrdiff_t fewColumns = 16;
@@ -146,15 +146,15 @@ void addPanels (const ProductTarget& target, const double* a, const double* b, s
 void addProduct (const ProductTarget& target, std::ptrdiff_t depth, double factor, const MatrixInMemory& a,
                  const MatrixInMemory& b)
 {
-    constexpr auto rowRoom = (mostRows + tileRows - 1) / tileRows * tileRows;
-    static thread_local const auto packedA = hwy::AllocateAligned<double> (rowRoom * mostDepth);
-    static thread_local const auto packedB = hwy::AllocateAligned<double> (mostColumns * mostDepth);
+    constexpr auto rowRoom = (maximumRows + tileRows - 1) / tileRows * tileRows;
+    static thread_local const auto packedA = hwy::AllocateAligned<double> (rowRoom * maximumDepth);
+    static thread_local const auto packedB = hwy::AllocateAligned<double> (maximumColumns * maximumDepth);
 
-    for (std::ptrdiff_t column = 0; column < target.columns; column += mostColumns)
-        for (std::ptrdiff_t k = 0; k < depth; k += mostDepth)
+    for (std::ptrdiff_t column = 0; column < target.columns; column += maximumColumns)
+        for (std::ptrdiff_t k = 0; k < depth; k += maximumDepth)
         {
-            const Range columns { column, std::min (column + mostColumns, target.columns) };
-            const auto part = std::min (mostDepth, depth - k);
+            const Range columns { column, std::min (column + maximumColumns, target.columns) };
+            const auto part = std::min (maximumDepth, depth - k);
             pack<tileColumns> (b.data + k * b.rowStep + column * b.columnStep, b.columnStep, b.rowStep,
                                columns.end - column, part, packedB.get());
             const auto* across = a.data + k * a.columnStep;
@@ -169,7 +169,8 @@ void addProduct (const ProductTarget& target, std::ptrdiff_t depth, double facto
         }
 }
 
-/** The same where both lie in memory along the depth and the target has few columns: sums of products of vectors, nothing is copied. */
+/** The same where both lie in memory along the depth and the target has few columns: sums of products of vectors,
+ * nothing is copied. */
 void addDots (const ProductTarget& target, std::ptrdiff_t depth, double factor, const MatrixInMemory& a,
               const MatrixInMemory& b)
 {

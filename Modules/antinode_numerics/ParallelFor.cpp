@@ -78,7 +78,7 @@ std::size_t processorThreads()
 void parallelFor (std::size_t count, const std::function<void (std::size_t)>& work, std::size_t threads)
 {
     SharedIndices indices (count, work);
-    const auto watch = watchOfThread();
+    const auto watch = threadWatch();
 
     {
         std::vector<std::jthread> others;

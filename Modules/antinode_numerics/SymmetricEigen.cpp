@@ -23,8 +23,8 @@ double shiftAt (const Tridiagonal& t, Eigen::Index end)
     return off == 0 ? t.diagonal[end] : t.diagonal[end] - off / (half + (half > 0 ? length : -length)) * off;
 }
 
-/** One implicit QR step on rows start to end; its rotations are put behind those there are. Golub, Van Loan, Matrix Computations, algorithm
-    8.3.2. */
+/** One implicit QR step on rows start to end; its rotations are put behind those there are. Golub, Van Loan, Matrix
+   Computations, algorithm 8.3.2. */
 void step (Tridiagonal& t, Eigen::Index start, Eigen::Index end, std::vector<PlaneRotation>& rotations)
 {
     auto& d = t.diagonal;
@@ -114,7 +114,7 @@ void rotateAll (Eigen::MatrixXd& vectors, const std::vector<PlaneRotation>& rota
 }
 
 /** What a matrix is divided by, so that its largest entry is 1. */
-double scaleOf (const Eigen::MatrixXd& a)
+double computeScale (const Eigen::MatrixXd& a)
 {
     const auto size = a.cwiseAbs().maxCoeff();
 
@@ -130,10 +130,10 @@ SymmetricEigen symmetricEigen (Eigen::MatrixXd a)
     if (a.size() == 0)
         return {};
 
-    const auto scale = scaleOf (a);
+    const auto scale = computeScale (a);
     a /= scale;
     auto t = tridiagonalise (a);
-    auto vectors = reflectionsOf (a, t);
+    auto vectors = accumulateReflections (a, t);
     rotateAll (vectors, diagonalise (t));
 
     std::vector<Eigen::Index> order (static_cast<std::size_t> (vectors.cols()));
@@ -148,7 +148,7 @@ Eigen::VectorXd symmetricEigenvalues (const Eigen::MatrixXd& a)
     if (a.size() == 0)
         return {};
 
-    const auto scale = scaleOf (a);
+    const auto scale = computeScale (a);
     Eigen::MatrixXd scaled = a / scale;
     auto t = tridiagonalise (scaled);
     diagonalise (t);

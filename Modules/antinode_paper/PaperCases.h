@@ -23,7 +23,8 @@ inline constexpr int paperDraws = 51;
 /** Growths for which both drives are set side by side: chosen by the program, and two of the print's. */
 inline constexpr std::array<std::optional<double>, 3> paperGrowths { std::nullopt, 1.0, 4.0 };
 
-/** Peak voltages of the minimum-norm allocation of (29), V, with the paper's drive (constant included) and offset-free. */
+/** Peak voltages of the minimum-norm allocation of (29), V, with the paper's drive (constant included) and offset-free.
+ */
 struct DrivePeaks
 {
     double paper = 0, offsetFree = 0;

@@ -78,7 +78,7 @@ PaperFigure growthFigure (const ModalModel& model)
     return { "figure-03", "Fig. 3: how two modes grow to their velocity at the focus, for three growths", grid };
 }
 
-std::string titleOf (const TwoModeCase& study)
+std::string caseTitle (const TwoModeCase& study)
 {
     return std::string (study.drive == DriveKind::paper ? "paper's drive, " : "offset-free, ") + inWords (study.limit)
            + " V, " + (study.isAllocated ? "allocated" : "one ceramic per mode");
@@ -93,7 +93,7 @@ PaperFigure twoModeVoltages (const TwoModeStudy& study)
     {
         auto traces = one.result ? voltagesChart (one.result->model, one.result->design.program, one.result->render)
                                  : StackedTraces {};
-        traces.title = titleOf (one) + (one.result ? "" : ": infeasible");
+        traces.title = caseTitle (one) + (one.result ? "" : ": infeasible");
         grid.panels.emplace_back (traces);
     }
 
@@ -113,7 +113,7 @@ PaperFigure twoModeSpectra (const TwoModeStudy& study)
         auto chart = one.result
                          ? spectrumChart (one.result->model, one.result->design, one.result->render.focusVelocities)
                          : BarChart {};
-        chart.title = titleOf (one) + (one.result ? "" : ": infeasible");
+        chart.title = caseTitle (one) + (one.result ? "" : ": infeasible");
         chart.xLabel.clear();
         chart.yLabel.clear();
         grid.panels.emplace_back (chart);
@@ -140,7 +140,7 @@ BarChart spectrumPanel (const RenderedFocus& focus)
 }
 
 template <typename MakePanel>
-ChartGrid gridOf (const std::vector<PaperCell>& cells, const std::vector<std::size_t>& rows, MakePanel&& makePanel)
+ChartGrid makeGrid (const std::vector<PaperCell>& cells, const std::vector<std::size_t>& rows, MakePanel&& makePanel)
 {
     ChartGrid grid;
     grid.columns = static_cast<int> (paperPlaces);
@@ -160,7 +160,7 @@ ChartGrid gridOf (const std::vector<PaperCell>& cells, const std::vector<std::si
 PaperFigure fieldFigure (const std::vector<PaperCell>& cells, const std::vector<std::size_t>& rows, std::string name,
                          std::string caption)
 {
-    auto grid = gridOf (cells, rows, fieldPanel);
+    auto grid = makeGrid (cells, rows, fieldPanel);
     grid.xLabel = "position (mm)";
     grid.yLabel = "velocity (mm/s)";
     return { std::move (name), std::move (caption), grid, 1200, 140 + 190 * static_cast<int> (rows.size()) };
@@ -168,7 +168,7 @@ PaperFigure fieldFigure (const std::vector<PaperCell>& cells, const std::vector<
 
 PaperFigure spectrumFigure (const std::vector<PaperCell>& cells)
 {
-    auto grid = gridOf (cells, { 0, 1, 2, 3 }, spectrumPanel);
+    auto grid = makeGrid (cells, { 0, 1, 2, 3 }, spectrumPanel);
     grid.xLabel = "mode";
     grid.yLabel = "modal velocity (mm/s \xE2\x88\x9Akg)";
     return { "figure-13", "Fig. 13: the modal velocities at the focus, wanted and reached, of all twenty fields", grid,

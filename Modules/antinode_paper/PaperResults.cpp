@@ -79,7 +79,7 @@ nlohmann::ordered_json twoModeJson (const TwoModeStudy& study)
         }
         else
         {
-            entry["least_peak_voltage_V"] = one.leastPeakVoltage;
+            entry["least_peak_voltage_V"] = one.minimumPeakVoltage;
             entry["reachable_velocity_mm_s"] = one.reachableVelocity * 1000;
         }
 

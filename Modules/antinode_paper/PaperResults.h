@@ -14,8 +14,9 @@ namespace antinode
 /** The keys of paper.json: our numbers and the printed ones. Docs/FileFormats.md. [any] */
 nlohmann::ordered_json paperJson (const std::vector<PaperCell>&, const TwoModeStudy&, const std::vector<PaperFigure>&);
 
-/** The same as tables, for the terminal and the report: captured, v-scores, field errors, voltages, detuned plates, two modes. [any] */
-std::vector<ReportTable> paperTablesOf (const std::vector<PaperCell>&, const TwoModeStudy&);
+/** The same as tables, for the terminal and the report: captured, v-scores, field errors, voltages, detuned plates, two
+ * modes. [any] */
+std::vector<ReportTable> makePaperTables (const std::vector<PaperCell>&, const TwoModeStudy&);
 
 /** A table as fixed-width text. [any] */
 std::string plainText (const ReportTable&);

@@ -18,8 +18,9 @@ struct PaperRow
     int modes;                      ///< The number of modes that the paper controls.
     std::array<double, 5> captured; ///< Table C.1, sqrt (S/K).
     std::optional<std::array<double, 5>>
-        vScore;              ///< Table C.2, measured; none if the print repeats one number five times.
-    double leastPaperVScore; ///< The least score of the allocation by rows (29) in simulation: a lower one is an error.
+        vScore; ///< Table C.2, measured; none if the print repeats one number five times.
+    double
+        minimumPaperVScore; ///< The least score of the allocation by rows (29) in simulation: a lower one is an error.
 };
 
 /** Tables C.1 and C.2 of Enferad et al. 2019, places P1 to P5. */

@@ -109,10 +109,10 @@ ReportTable detunedTable (const std::vector<PaperCell>& cells, std::size_t level
                        });
 }
 
-std::string outcomeOf (const TwoModeCase& one)
+std::string outcomeText (const TwoModeCase& one)
 {
     if (! one.result)
-        return "infeasible: needs at least " + inWords (one.leastPeakVoltage) + " V; the limit allows "
+        return "infeasible: needs at least " + inWords (one.minimumPeakVoltage) + " V; the limit allows "
                + inWords (one.reachableVelocity * 1000) + " mm/s";
 
     if (one.peakVoltage > one.limit)
@@ -132,21 +132,21 @@ ReportTable twoModeTable (const TwoModeStudy& study)
     for (const auto& one : study.cases)
         table.rows.push_back ({ one.drive == DriveKind::paper ? "paper's" : "offset-free", inWords (one.limit) + " V",
                                 one.isAllocated ? "rows (29) within the limit" : "one ceramic per mode",
-                                outcomeOf (one),
+                                outcomeText (one),
                                 one.result ? formatted ("%.4f", one.result->truncatedScore.fieldError) : "-" });
 
     return table;
 }
 
 /** Characters, not bytes. */
-std::size_t widthOf (const std::string& text)
+std::size_t countCharacters (const std::string& text)
 {
     return static_cast<std::size_t> (
         std::count_if (text.begin(), text.end(), [] (char c) { return (c & 0xC0) != 0x80; }));
 }
 } // namespace
 
-std::vector<ReportTable> paperTablesOf (const std::vector<PaperCell>& cells, const TwoModeStudy& study)
+std::vector<ReportTable> makePaperTables (const std::vector<PaperCell>& cells, const TwoModeStudy& study)
 {
     std::vector<ReportTable> tables { capturedTable (cells), modesNeededTable (cells), scoreTable (cells),
                                       errorTable (cells), peakTable (cells) };
@@ -167,10 +167,10 @@ std::string plainText (const ReportTable& table)
 
     for (std::size_t column = 0; column < table.header.size(); ++column)
     {
-        widths.push_back (widthOf (table.header[column]));
+        widths.push_back (countCharacters (table.header[column]));
 
         for (const auto& row : table.rows)
-            widths[column] = std::max (widths[column], widthOf (row[column]));
+            widths[column] = std::max (widths[column], countCharacters (row[column]));
     }
 
     auto text = table.caption + "\n";
@@ -179,7 +179,7 @@ std::string plainText (const ReportTable& table)
         text += " ";
 
         for (std::size_t column = 0; column < row.size(); ++column)
-            text += " " + row[column] + std::string (widths[column] - widthOf (row[column]) + 1, ' ');
+            text += " " + row[column] + std::string (widths[column] - countCharacters (row[column]) + 1, ' ');
 
         text.erase (text.find_last_not_of (' ') + 1);
         text += "\n";

@@ -8,7 +8,8 @@ namespace antinode
 {
 namespace
 {
-// The print counts the modes that its vibrometer saw; the sway mode between its second and third is computed here as well.
+// The print counts the modes that its vibrometer saw; the sway mode between its second and third is computed here as
+// well.
 const std::vector<int> studiedModes { 0, 3 };
 constexpr double velocityEach = 0.02;  // m/s
 constexpr double twoModeRate = 192000; // Hz
@@ -54,7 +55,7 @@ double peakOfPair (ModalModel model)
 
 ModalModel bestPair (const ModalModel& model)
 {
-    auto least = std::numeric_limits<double>::infinity();
+    auto minimum = std::numeric_limits<double>::infinity();
     auto best = model;
 
     for (int first = 0; first < model.actuators(); ++first)
@@ -62,9 +63,9 @@ ModalModel bestPair (const ModalModel& model)
         {
             auto pair = withCeramics (model, first, second);
 
-            if (const auto peak = peakOfPair (pair); peak < least)
+            if (const auto peak = peakOfPair (pair); peak < minimum)
             {
-                least = peak;
+                minimum = peak;
                 best = std::move (pair);
             }
         }
@@ -91,8 +92,8 @@ TwoModeCase evaluateCase (const ModalModel& model, DriveKind drive, double limit
     }
     catch (const LimitError& error)
     {
-        result.leastPeakVoltage = error.leastPeakVoltage;
-        result.reachableVelocity = 2 * velocityEach * limit / error.leastPeakVoltage;
+        result.minimumPeakVoltage = error.minimumPeakVoltage;
+        result.reachableVelocity = 2 * velocityEach * limit / error.minimumPeakVoltage;
     }
 
     return result;

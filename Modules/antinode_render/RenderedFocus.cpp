@@ -14,13 +14,13 @@ namespace antinode
 {
 namespace
 {
-constexpr double leastAftermath = 0.025; // s
-constexpr double residualSpan = 0.002;   // s: a velocity that passes through zero just then is no rest
+constexpr double minimumAftermath = 0.025; // s
+constexpr double residualSpan = 0.002;     // s: a velocity that passes through zero just then is no rest
 
-double durationOf (const FocusDesign& design)
+double defaultDuration (const FocusDesign& design)
 {
     const auto focus = design.moments.back().time;
-    auto end = std::max (2 * focus, focus + leastAftermath);
+    auto end = std::max (2 * focus, focus + minimumAftermath);
 
     for (const auto& oscillation : design.program.oscillations)
         end = std::max (end, oscillation.end);
@@ -62,7 +62,7 @@ std::vector<ReachedMoment> reachedMoments (const ModalModel& model, const FocusD
 }
 
 /** None if there is no brake, or where it is not rendered to its end. */
-std::optional<ResidualMotion> residualOf (const RenderedFocus& focus)
+std::optional<ResidualMotion> residualMotion (const RenderedFocus& focus)
 {
     if (! focus.design.restTime)
         return {};
@@ -96,7 +96,7 @@ nlohmann::ordered_json fociJson (const RenderedFocus& focus)
     return list;
 }
 
-std::vector<std::pair<double, double>> probesOf (const FocusDesign& design, const RenderOptions& options)
+std::vector<std::pair<double, double>> chooseProbes (const FocusDesign& design, const RenderOptions& options)
 {
     if (! options.probes.empty())
         return options.probes;
@@ -136,11 +136,11 @@ RenderedFocus renderFocus (ModalModel model, FocusDesign design, const RenderOpt
                            const std::function<void (double)>& progress)
 {
     RenderedFocus result;
-    result.probes = probesOf (design, options);
+    result.probes = chooseProbes (design, options);
 
     RenderSettings settings;
     settings.playback = options.playback;
-    settings.duration = options.duration.value_or (durationOf (design));
+    settings.duration = options.duration.value_or (defaultDuration (design));
     settings.blockSize = options.blockSize;
     settings.probeShapes.resize (static_cast<Eigen::Index> (result.probes.size()), model.modes());
 
@@ -156,11 +156,11 @@ RenderedFocus renderFocus (ModalModel model, FocusDesign design, const RenderOpt
     result.contrast = fieldContrast (model.surface, result.reachedField, design.moments.front().targets);
     result.model = std::move (model);
     result.design = std::move (design);
-    result.residual = residualOf (result);
+    result.residual = residualMotion (result);
     return result;
 }
 
-nlohmann::ordered_json summaryOf (const RenderedFocus& focus)
+nlohmann::ordered_json summaryToJson (const RenderedFocus& focus)
 {
     const auto& design = focus.design;
     const auto& certificate = design.certificate;

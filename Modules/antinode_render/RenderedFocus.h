@@ -19,8 +19,8 @@ namespace antinode
 struct RenderOptions
 {
     Playback playback { Reconstruction::bandLimited, 192000 };
-    std::optional<double>
-        duration; ///< s from the trigger; none: twice the last focus time, at least 25 ms after it or until 2 ms after the brake.
+    std::optional<double> duration; ///< s from the trigger; none: twice the last focus time, at least 25 ms after it or
+                                    ///< until 2 ms after the brake.
     std::vector<std::pair<double, double>> probes; ///< x, y in m; none: the focus's, or its targets.
     int blockSize = 512;
 };
@@ -65,5 +65,5 @@ RenderedFocus renderFocus (ModalModel, FocusDesign, const RenderOptions&,
                            const std::function<void (double)>& progress = {});
 
 /** The keys of summary.json. [any] */
-nlohmann::ordered_json summaryOf (const RenderedFocus&);
+nlohmann::ordered_json summaryToJson (const RenderedFocus&);
 } // namespace antinode

@@ -20,7 +20,7 @@ namespace
 {
 constexpr int shownTransients = 6;
 
-std::string placeOf (const RenderedFocus& focus, std::size_t probe)
+std::string probePlace (const RenderedFocus& focus, std::size_t probe)
 {
     const auto [x, y] = focus.probes[probe];
     const auto place = "x = " + inWords (x * milli) + " mm";
@@ -76,7 +76,7 @@ ReportSection motionSection (const RenderedFocus& focus)
 
     for (std::size_t i = 0; i < focus.probes.size(); ++i)
     {
-        const auto place = placeOf (focus, i);
+        const auto place = probePlace (focus, i);
         section.figures.push_back ({ "Velocity at the probe at " + place + ".",
                                      {},
                                      probeChart (focus.render, static_cast<Eigen::Index> (i), place),

@@ -6,6 +6,7 @@
 
 namespace antinode
 {
-/** The report of one rendered focus: scores, warnings, field, spectrum, voltages, probe, transients, spectrogram, tables. [worker] */
+/** The report of one rendered focus: scores, warnings, field, spectrum, voltages, probe, transients, spectrogram,
+ * tables. [worker] */
 ReportPage focusReport (const RenderedFocus&);
 } // namespace antinode

@@ -20,7 +20,7 @@ constexpr std::size_t shownPairs = 6;
 /** A point and a reference. */
 struct Pair
 {
-    Eigen::Index point = 0, driver = 0;
+    Eigen::Index point = 0, reference = 0;
     double energy = 0;
 };
 
@@ -42,11 +42,11 @@ std::vector<Pair> strongestPairs (const FrequencyResponses& measured)
 
     std::stable_sort (pairs.begin(), pairs.end(), [] (const auto& a, const auto& b) { return a.energy > b.energy; });
 
-    for (const auto isNewDriver : { true, false })
+    for (const auto isNewReference : { true, false })
         for (const auto& pair : pairs)
         {
             const auto same = [&] (const auto& other)
-            { return other.point == pair.point || (isNewDriver && other.driver == pair.driver); };
+            { return other.point == pair.point || (isNewReference && other.reference == pair.reference); };
 
             if (chosen.size() < shownPairs && std::none_of (chosen.begin(), chosen.end(), same))
                 chosen.push_back (pair);
@@ -78,13 +78,13 @@ ReportSection responseSection (const IdentificationResult& result)
     section.heading = "Measured and synthesised responses";
 
     for (const auto& pair : strongestPairs (result.measured))
-        section.figures.push_back ({ "Point " + result.pointNames[static_cast<std::size_t> (pair.point)]
-                                         + ", reference "
-                                         + result.measured.drivers[static_cast<std::size_t> (pair.driver)].name + ".",
-                                     {},
-                                     responseChart (result.measured, synthesised, pair.point, pair.driver),
-                                     reportFigureWidth,
-                                     440 });
+        section.figures.push_back (
+            { "Point " + result.pointNames[static_cast<std::size_t> (pair.point)] + ", reference "
+                  + result.measured.references[static_cast<std::size_t> (pair.reference)].name + ".",
+              {},
+              responseChart (result.measured, synthesised, pair.point, pair.reference),
+              reportFigureWidth,
+              440 });
 
     return section;
 }
@@ -169,13 +169,13 @@ ReportPage identificationReport (const IdentificationResult& result)
     ReportPage page;
     page.title = result.model.name + ": identified modes";
     page.subtitle = std::to_string (modes.modes()) + " modes from " + std::to_string (result.measured.points.rows())
-                    + " points and " + std::to_string (result.measured.drivers.size()) + " references, "
+                    + " points and " + std::to_string (result.measured.references.size()) + " references, "
                     + fixedText (modes.minimumFrequency, 1) + " to " + fixedText (modes.maximumFrequency, 1) + " Hz";
     page.scores = { { "modes", std::to_string (modes.modes()), "found in this band" },
                     { "reconstruction error", fixedText (modes.reconstructionError, 1) + " dB",
                       "part of the measured responses that the modes do not explain" },
                     { "delay", fixedText (1e6 * modes.delay, 3) + " \xC2\xB5s", "common delay of all responses" } };
-    page.warnings = doubtsOf (result);
+    page.warnings = collectWarnings (result);
     page.sections = { stabilisationSection (result), responseSection (result), shapeSection (result),
                       assuranceSection (result) };
 

@@ -22,9 +22,10 @@ struct IdentificationResult
 };
 
 /** Warnings about the files, the whole identification and every mode, as sentences. [any] */
-std::vector<std::string> doubtsOf (const IdentificationResult&);
+std::vector<std::string> collectWarnings (const IdentificationResult&);
 
-/** The report of an identification: stabilisation diagram, measured and synthesised responses, shapes, participation, MAC, the modes in
-    numbers with their standard deviations, the comparison with a computed device, and warnings. [worker] */
+/** The report of an identification: stabilisation diagram, measured and synthesised responses, shapes, participation,
+   MAC, the modes in numbers with their standard deviations, the comparison with a computed device, and warnings.
+   [worker] */
 ReportPage identificationReport (const IdentificationResult&);
 } // namespace antinode

@@ -18,20 +18,20 @@ constexpr const char* plusMinus = " \xC2\xB1 ";
 /** Value and deviation with as many decimals as show two digits of the deviation. */
 std::string withDeviation (double value, double deviation, int fewest)
 {
-    constexpr int most = 9;
+    constexpr int maximum = 9;
     const auto isKnown = deviation > 0 && std::isfinite (deviation);
     const auto decimals =
-        isKnown ? std::clamp (1 - static_cast<int> (std::floor (std::log10 (deviation))), fewest, most) : fewest;
+        isKnown ? std::clamp (1 - static_cast<int> (std::floor (std::log10 (deviation))), fewest, maximum) : fewest;
     return fixedText (value, decimals) + (isKnown ? plusMinus + fixedText (deviation, decimals) : "");
 }
 
-double entryOf (const Eigen::VectorXd& values, Eigen::Index index)
+double valueAt (const Eigen::VectorXd& values, Eigen::Index index)
 {
     return index < values.size() ? values[index] : 0;
 }
 
 /** Characters of UTF-8, each of which takes a column. */
-std::size_t columnsOf (const std::string& text)
+std::size_t countCharacters (const std::string& text)
 {
     return static_cast<std::size_t> (
         std::count_if (text.begin(), text.end(), [] (char byte) { return (byte & 0xc0) != 0x80; }));
@@ -65,8 +65,8 @@ ReportTable modeTable (const IdentificationResult& result)
         table.rows.push_back (
             { std::to_string (k + 1),
               withDeviation (hertz * modes.angularFrequencies[k],
-                             hertz * entryOf (modes.deviations.angularFrequencies, k), 2),
-              withDeviation (percent * modes.dampingRatios[k], percent * entryOf (modes.deviations.dampingRatios, k),
+                             hertz * valueAt (modes.deviations.angularFrequencies, k), 2),
+              withDeviation (percent * modes.dampingRatios[k], percent * valueAt (modes.deviations.dampingRatios, k),
                              3),
               fixedText (quality.collinearity, 4), fixedText (quality.rankOne, 4),
               quality.signalToNoise > 0 ? fixedText (20 * std::log10 (quality.signalToNoise), 1) : "" });
@@ -98,17 +98,17 @@ std::string tableText (const ReportTable& table)
 
     for (std::size_t c = 0; c < table.header.size(); ++c)
     {
-        widths.push_back (columnsOf (table.header[c]));
+        widths.push_back (countCharacters (table.header[c]));
 
         for (const auto& row : table.rows)
-            widths[c] = std::max (widths[c], columnsOf (row[c]));
+            widths[c] = std::max (widths[c], countCharacters (row[c]));
     }
 
     std::string text;
     const auto add = [&] (const std::vector<std::string>& row)
     {
         for (std::size_t c = 0; c < row.size(); ++c)
-            text += std::string (widths[c] - columnsOf (row[c]) + (c > 0 ? 2 : 0), ' ') + row[c];
+            text += std::string (widths[c] - countCharacters (row[c]) + (c > 0 ? 2 : 0), ' ') + row[c];
 
         text += '\n';
     };
@@ -120,19 +120,19 @@ std::string tableText (const ReportTable& table)
     return text;
 }
 
-std::vector<std::string> doubtsOf (const IdentificationResult& result)
+std::vector<std::string> collectWarnings (const IdentificationResult& result)
 {
-    auto doubts = result.remarks;
-    doubts.insert (doubts.end(), result.modes.doubts.begin(), result.modes.doubts.end());
+    auto warnings = result.remarks;
+    warnings.insert (warnings.end(), result.modes.warnings.begin(), result.modes.warnings.end());
 
     for (std::size_t k = 0; k < result.modes.quality.size(); ++k)
-        for (const auto& doubt : result.modes.quality[k].doubts)
-            doubts.push_back ("Mode " + std::to_string (k + 1) + ": " + doubt);
+        for (const auto& warning : result.modes.quality[k].warnings)
+            warnings.push_back ("Mode " + std::to_string (k + 1) + ": " + warning);
 
     for (const auto& warning : result.model.warnings)
-        if (std::find (doubts.begin(), doubts.end(), warning) == doubts.end())
-            doubts.push_back (warning);
+        if (std::find (warnings.begin(), warnings.end(), warning) == warnings.end())
+            warnings.push_back (warning);
 
-    return doubts;
+    return warnings;
 }
 } // namespace antinode

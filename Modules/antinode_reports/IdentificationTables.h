@@ -10,7 +10,8 @@ std::string scalingInWords (const IdentifiedModes&);
 /** One row per mode: frequency and damping ratio with standard deviations, quality. [any] */
 ReportTable modeTable (const IdentificationResult&);
 
-/** One row per pair of an identified and a computed mode: frequencies, their difference, MAC. There is a comparison. [any] */
+/** One row per pair of an identified and a computed mode: frequencies, their difference, MAC. There is a comparison.
+ * [any] */
 ReportTable pairTable (const IdentificationResult&);
 
 /** A table as text in columns for a terminal. [any] */

@@ -29,13 +29,13 @@ std::string coherenceText (const SurfaceMeasurement& measurement)
     return std::isfinite (mean) ? fixedText (mean, 5) : "unknown";
 }
 
-std::vector<ReportScore> scoresOf (const SurfaceMeasurement& measurement, const ExcitationSheet& sheet)
+std::vector<ReportScore> measurementScores (const SurfaceMeasurement& measurement, const ExcitationSheet& sheet)
 {
     const auto& responses = measurement.responses;
     std::vector<ReportScore> scores {
         { "points", std::to_string (responses.points.rows()),
           "Positions at which the velocity of the surface was measured." },
-        { "ceramics", std::to_string (responses.drivers.size()), "Each played alone, one after the other." },
+        { "ceramics", std::to_string (responses.references.size()), "Each played alone, one after the other." },
         { "lines", std::to_string (responses.frequencies.size()),
           "From " + fixedText (responses.frequencies[0], 1) + " to "
               + fixedText (responses.frequencies[responses.frequencies.size() - 1], 1) + " Hz." },
@@ -72,7 +72,7 @@ ReportSection responseSection (const SurfaceMeasurement& measurement)
 
 ReportSection pointSection (const SurfaceMeasurement& measurement)
 {
-    const auto rows = static_cast<int> (measurement.responses.drivers.size());
+    const auto rows = static_cast<int> (measurement.responses.references.size());
     ReportSection section;
     section.heading = "Point by point";
     section.figures.push_back (
@@ -99,19 +99,19 @@ ReportTable distortionTable (const SurfaceMeasurement& measurement)
 
     for (std::size_t i = 0; i < measurement.distortion.size(); ++i)
     {
-        std::array<double, 6> most {};
+        std::array<double, 6> maximum {};
 
         for (const auto& distortion : measurement.distortion[i])
         {
-            most[0] = std::max (most[0], distortion.even);
-            most[1] = std::max (most[1], distortion.odd);
+            maximum[0] = std::max (maximum[0], distortion.even);
+            maximum[1] = std::max (maximum[1], distortion.odd);
 
             for (std::size_t m = 0; m < std::min<std::size_t> (4, distortion.harmonics.size()); ++m)
-                most[2 + m] = std::max (most[2 + m], distortion.harmonics[m]);
+                maximum[2 + m] = std::max (maximum[2 + m], distortion.harmonics[m]);
         }
 
-        std::vector<std::string> row { measurement.responses.drivers[i].name };
-        std::transform (most.begin(), most.end(), std::back_inserter (row), percentText);
+        std::vector<std::string> row { measurement.responses.references[i].name };
+        std::transform (maximum.begin(), maximum.end(), std::back_inserter (row), percentText);
         table.rows.push_back (std::move (row));
     }
 
@@ -129,8 +129,8 @@ ReportPage measurementReport (const SurfaceMeasurement& measurement, const Excit
     ReportPage page;
     page.title = "Measurement of " + sheet.device;
     page.subtitle = "Velocity of the surface per volt at each ceramic";
-    page.scores = scoresOf (measurement, sheet);
-    page.warnings = doubtsOf (measurement);
+    page.scores = measurementScores (measurement, sheet);
+    page.warnings = collectWarnings (measurement);
     page.sections = { responseSection (measurement), pointSection (measurement) };
 
     if (showsDistortion (sheet.excitation.settings))
@@ -155,7 +155,7 @@ void printMeasurement (const SurfaceMeasurement& measurement, const ExcitationSh
 {
     const auto& responses = measurement.responses;
     std::printf ("%s: %td points, %zu ceramics, %td lines from %.6g to %.6g Hz\n", sheet.device.c_str(),
-                 responses.points.rows(), responses.drivers.size(), responses.frequencies.size(),
+                 responses.points.rows(), responses.references.size(), responses.frequencies.size(),
                  responses.frequencies[0], responses.frequencies[responses.frequencies.size() - 1]);
     std::printf ("  coherence      %s (mean)\n", coherenceText (measurement).c_str());
 
@@ -163,7 +163,7 @@ void printMeasurement (const SurfaceMeasurement& measurement, const ExcitationSh
         std::printf ("  latency        %.3f samples, %.4f ms\n", latency,
                      latency / sheet.excitation.settings.sampleRate * 1000);
 
-    for (const auto& doubt : doubtsOf (measurement))
-        std::printf ("  warning: %s\n", doubt.c_str());
+    for (const auto& warning : collectWarnings (measurement))
+        std::printf ("  warning: %s\n", warning.c_str());
 }
 } // namespace antinode

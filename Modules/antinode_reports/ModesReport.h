@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** The report of a device's modes: the device from above, frequencies and ceramics in a table, pictures of the lowest shapes,
-    participation. [worker] */
+/** The report of a device's modes: the device from above, frequencies and ceramics in a table, pictures of the lowest
+   shapes, participation. [worker] */
 ReportPage modesReport (const ModalModel&);
 } // namespace antinode

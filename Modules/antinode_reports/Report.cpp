@@ -19,7 +19,7 @@ struct Pictures
     std::string light, dark;
 };
 
-std::vector<const ReportFigure*> figuresOf (const ReportPage& page)
+std::vector<const ReportFigure*> collectFigures (const ReportPage& page)
 {
     std::vector<const ReportFigure*> figures;
     for (const auto& section : page.sections)
@@ -28,7 +28,7 @@ std::vector<const ReportFigure*> figuresOf (const ReportPage& page)
     return figures;
 }
 
-std::string pictureOf (const ReportFigure& figure, const Theme& theme)
+std::string drawFigure (const ReportFigure& figure, const Theme& theme)
 {
     return pngDataUri (renderPng (figure.chart, figure.width, figure.height, pictureScale, theme));
 }
@@ -42,7 +42,7 @@ std::vector<Pictures> renderPictures (const std::vector<const ReportFigure*>& fi
                  {
                      auto& [light, dark] = pictures[job / 2];
                      (job % 2 == 0 ? light : dark) =
-                         pictureOf (*figures[job / 2], job % 2 == 0 ? Theme::light() : Theme::dark());
+                         drawFigure (*figures[job / 2], job % 2 == 0 ? Theme::light() : Theme::dark());
                  });
     return pictures;
 }
@@ -159,7 +159,7 @@ std::string sectionHtml (const ReportSection& section, std::vector<Pictures>::co
 
 std::string renderReport (const ReportPage& page)
 {
-    const auto pictures = renderPictures (figuresOf (page));
+    const auto pictures = renderPictures (collectFigures (page));
     auto next = pictures.begin();
     auto content = element ("header", "",
                             textElement ("h1", "", page.title) + textElement ("p", "class=\"subtitle\"", page.subtitle)

@@ -62,8 +62,8 @@ struct ReportPage
     std::string footer;
 };
 
-/** A page as one self-contained HTML file: no network, no scripts, light and dark pictures inside. The same bytes for the
-    same page on every run. Draws on as many threads as the machine has.
+/** A page as one self-contained HTML file: no network, no scripts, light and dark pictures inside. The same bytes for
+   the same page on every run. Draws on as many threads as the machine has.
     @throws InputError  what renderPng() throws
     [worker] */
 std::string renderReport (const ReportPage&);

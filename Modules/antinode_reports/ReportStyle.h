@@ -4,8 +4,8 @@
 
 namespace antinode
 {
-/** The style sheet of every report page: system fonts, light and dark as the reader's system has it, fit for narrow screens and
-    for paper. Its backgrounds are those of Theme::light() and Theme::dark(). */
+/** The style sheet of every report page: system fonts, light and dark as the reader's system has it, fit for narrow
+   screens and for paper. Its backgrounds are those of Theme::light() and Theme::dark(). */
 constexpr std::string_view reportStyle = R"css(
 :root { color-scheme: light dark; --page: #f4f6f8; --card: #ffffff; --text: #1b1f24; --muted: #57606a; --line: #dde2e7;
   --accent: #0072b2; --warn: #8a4b00; --warn-back: #fff4e0; }

@@ -86,7 +86,7 @@ ReportSection causeSection (const ModalModel& model, const Tolerance& tolerance)
         "the field over its spread, relative to the wanted field.");
 
     for (std::size_t i = 0; i < std::min (shownSentences, tolerance.causes.size()); ++i)
-        section.paragraphs.push_back (sentenceOf (tolerance.causes[i], model));
+        section.paragraphs.push_back (causeSentence (tolerance.causes[i], model));
 
     section.figures.push_back ({ "The modes with the largest errors, ordered by their highest bar.",
                                  {},

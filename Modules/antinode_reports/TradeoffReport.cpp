@@ -15,12 +15,12 @@ namespace antinode
 {
 namespace
 {
-std::string methodOf (const TradeoffPoint& point)
+std::string methodText (const TradeoffPoint& point)
 {
     return std::string (wordFor (allocationMethodWords, point.method));
 }
 
-std::string settingOf (const TradeoffPoint& point)
+std::string settingText (const TradeoffPoint& point)
 {
     if (point.envelopeFolds > 0)
         return inWords (point.envelopeFolds) + " e-folds";
@@ -28,13 +28,13 @@ std::string settingOf (const TradeoffPoint& point)
     return point.limitMultiple > 0 ? inWords (point.limitMultiple) + " x bound" : "no limit";
 }
 
-std::vector<std::string> cellsOf (const TradeoffPoint& point)
+std::vector<std::string> tableCells (const TradeoffPoint& point)
 {
     if (! point.failure.empty())
-        return { methodOf (point), settingOf (point), "-", "-", "-", "-", point.failure };
+        return { methodText (point), settingText (point), "-", "-", "-", "-", point.failure };
 
-    return { methodOf (point),
-             settingOf (point),
+    return { methodText (point),
+             settingText (point),
              inWords (point.peakVoltage),
              inWords (point.timeInMotion * milli),
              inWords (point.vScore),
@@ -50,7 +50,7 @@ const std::vector<std::string>& header()
 }
 
 /** The points of one method, from the shortest motion to the longest. */
-Series seriesOf (const Tradeoff& tradeoff, AllocationMethod method)
+Series makeSeries (const Tradeoff& tradeoff, AllocationMethod method)
 {
     std::vector<const TradeoffPoint*> points;
 
@@ -90,7 +90,7 @@ LineChart tradeoffChart (const Tradeoff& tradeoff)
         chart.xRange = AxisRange { 0, 1.03 * longest };
 
     for (const auto& [word, method] : allocationMethodWords)
-        if (auto series = seriesOf (tradeoff, method); series.x.size() > 0)
+        if (auto series = makeSeries (tradeoff, method); series.x.size() > 0)
             chart.series.push_back (std::move (series));
 
     if (tradeoff.lowerBoundVoltage > 0)
@@ -111,7 +111,7 @@ nlohmann::ordered_json tradeoffToJson (const Tradeoff& tradeoff, const std::stri
 
     for (const auto& point : tradeoff.points)
     {
-        nlohmann::ordered_json item { { "method", methodOf (point) } };
+        nlohmann::ordered_json item { { "method", methodText (point) } };
 
         if (point.envelopeFolds > 0)
             item["envelope_folds"] = point.envelopeFolds;
@@ -145,7 +145,7 @@ std::string tradeoffToCsv (const Tradeoff& tradeoff)
     for (const auto& point : tradeoff.points)
         if (point.failure.empty())
         {
-            text += csvField (methodOf (point));
+            text += csvField (methodText (point));
 
             for (const auto value :
                  { point.envelopeFolds, point.limitMultiple, point.peakVoltage, point.timeInMotion * milli,
@@ -174,7 +174,7 @@ std::string tradeoffToText (const Tradeoff& tradeoff)
     auto text = line (header());
 
     for (const auto& point : tradeoff.points)
-        text += line (cellsOf (point));
+        text += line (tableCells (point));
 
     return text + "Lower bound for all waveforms: " + inWords (tradeoff.lowerBoundVoltage) + " V.\n";
 }
@@ -199,7 +199,7 @@ ReportPage tradeoffReport (const Tradeoff& tradeoff, const std::string& focus, c
     ReportTable table { "All designs", header(), {} };
 
     for (const auto& point : tradeoff.points)
-        table.rows.push_back (cellsOf (point));
+        table.rows.push_back (tableCells (point));
 
     section.tables.push_back (std::move (table));
     ReportPage page;

@@ -32,8 +32,8 @@ constexpr std::array kindWords {
     KindWord { "coh", CsvColumnKind::coherence },
 };
 
-constexpr std::array<std::string_view, 9> driverWords { "c",   "ceramic",   "d",     "driver",  "u",
-                                                        "ref", "reference", "input", "actuator" };
+constexpr std::array<std::string_view, 9> referenceWords { "c",   "ceramic",   "d",     "driver",  "u",
+                                                           "ref", "reference", "input", "actuator" };
 constexpr std::array<std::string_view, 8> pointWords { "p", "point", "node", "n", "resp", "response", "output", "pt" };
 constexpr std::array<std::string_view, 10> emptyWords { "h",    "frf", "h1", "h2",       "hv",
                                                         "part", "of",  "to", "transfer", "function" };
@@ -44,7 +44,7 @@ bool contains (const Words& words, std::string_view word)
     return std::find (words.begin(), words.end(), word) != words.end();
 }
 
-std::string_view lettersOf (std::string_view word)
+std::string_view leadingLetters (std::string_view word)
 {
     return word.substr (0, std::min (word.find_first_of ("0123456789"), word.size()));
 }
@@ -69,11 +69,11 @@ bool isUsed (std::string_view word, CsvHeading& heading)
 
 void takeName (const std::string& name, std::string_view kind, CsvHeading& heading)
 {
-    const auto isDriver = contains (driverWords, kind);
+    const auto isReference = contains (referenceWords, kind);
     const auto isPoint = contains (pointWords, kind);
 
-    if (isDriver || (! isPoint && ! heading.point.empty()))
-        heading.driver = heading.driver.empty() ? name : heading.driver;
+    if (isReference || (! isPoint && ! heading.point.empty()))
+        heading.reference = heading.reference.empty() ? name : heading.reference;
     else
         heading.point = name;
 }
@@ -82,10 +82,11 @@ void takeNames (const std::vector<std::string>& words, CsvHeading& heading)
 {
     for (std::size_t i = 0; i < words.size(); ++i)
     {
-        const auto letters = lettersOf (words[i]);
-        const auto isRole = letters == words[i] && (contains (driverWords, letters) || contains (pointWords, letters));
+        const auto letters = leadingLetters (words[i]);
+        const auto isRole =
+            letters == words[i] && (contains (referenceWords, letters) || contains (pointWords, letters));
 
-        if (isRole && i + 1 < words.size() && lettersOf (words[i + 1]).empty())
+        if (isRole && i + 1 < words.size() && leadingLetters (words[i + 1]).empty())
         {
             takeName (words[i + 1], letters, heading);
             ++i;
@@ -95,7 +96,8 @@ void takeNames (const std::vector<std::string>& words, CsvHeading& heading)
     }
 }
 
-/** Parts of a text that could be units: between blanks, commas, underscores, colons, equals signs; and in square brackets. */
+/** Parts of a text that could be units: between blanks, commas, underscores, colons, equals signs; and in square
+ * brackets. */
 std::vector<std::string_view> unitCandidates (std::string_view text)
 {
     constexpr std::string_view separators = " \t,;_:=[]{}\"";
@@ -117,7 +119,7 @@ bool looksLikeUnit (std::string_view candidate)
 }
 } // namespace
 
-std::vector<std::string> wordsOf (std::string_view text)
+std::vector<std::string> splitWords (std::string_view text)
 {
     std::vector<std::string> words (1);
 
@@ -139,7 +141,7 @@ std::optional<ResponseUnit> unitInText (std::string_view text)
         if (looksLikeUnit (candidate))
             return responseUnit (candidate);
 
-    for (const auto& word : wordsOf (text))
+    for (const auto& word : splitWords (text))
         if (const auto unit = quantityWord (word))
             return unit;
 
@@ -156,7 +158,7 @@ CsvHeading csvHeading (std::string_view text)
         if (! looksLikeUnit (candidate))
             rest += std::string (candidate) + ' ';
 
-    auto words = wordsOf (rest);
+    auto words = splitWords (rest);
     std::erase_if (words, [&] (const auto& word) { return isUsed (word, heading) || quantityWord (word).has_value(); });
     takeNames (words, heading);
     return heading;

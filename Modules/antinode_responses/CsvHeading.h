@@ -24,7 +24,7 @@ enum class CsvColumnKind
 struct CsvHeading
 {
     CsvColumnKind kind = CsvColumnKind::unknown;
-    std::string point, driver;
+    std::string point, reference;
     bool isDegrees = false, isRadians = false;
     std::optional<ResponseUnit> unit;
 };
@@ -36,5 +36,5 @@ CsvHeading csvHeading (std::string_view text);
 std::optional<ResponseUnit> unitInText (std::string_view text);
 
 /** Words in lower case: letters and digits without what is between them. [any] */
-std::vector<std::string> wordsOf (std::string_view text);
+std::vector<std::string> splitWords (std::string_view text);
 } // namespace antinode

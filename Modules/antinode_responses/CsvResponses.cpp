@@ -94,7 +94,7 @@ std::vector<ColumnPair> pairsByHeadings (const std::vector<CsvHeading>& headings
                                            [&] (const auto& pair)
                                            {
                                                return pair.secondColumn == 0 && pair.first.point == heading.point
-                                                      && pair.first.driver == heading.driver
+                                                      && pair.first.reference == heading.reference
                                                       && belongTogether (pair.first.kind, heading.kind);
                                            });
 
@@ -113,8 +113,8 @@ std::vector<ColumnPair> pairsByHeadings (const std::vector<CsvHeading>& headings
     return pairs;
 }
 
-Eigen::VectorXcd valuesOf (const ColumnPair& pair, const CsvTable& table, MeasurementFile& file,
-                           const std::string& source)
+Eigen::VectorXcd readValues (const ColumnPair& pair, const CsvTable& table, MeasurementFile& file,
+                             const std::string& source)
 {
     constexpr double decibelsADecade = 20;
     const Eigen::ArrayXd first = table.numbers.col (pair.firstColumn), second = table.numbers.col (pair.secondColumn);
@@ -151,7 +151,7 @@ bool isTime (const std::vector<std::string>& words)
     return ! words.empty() && (words.front() == "time" || words.front() == "t");
 }
 
-std::vector<CsvHeading> headingsOf (const CsvTable& table)
+std::vector<CsvHeading> readHeadings (const CsvTable& table)
 {
     std::vector<CsvHeading> headings (static_cast<std::size_t> (table.numbers.cols()));
 
@@ -162,7 +162,7 @@ std::vector<CsvHeading> headingsOf (const CsvTable& table)
     return headings;
 }
 
-std::optional<ResponseUnit> unitOf (const CsvTable& table)
+std::optional<ResponseUnit> findUnit (const CsvTable& table)
 {
     for (const auto& comment : table.comments)
         if (const auto unit = unitInText (comment))
@@ -172,7 +172,7 @@ std::optional<ResponseUnit> unitOf (const CsvTable& table)
 }
 
 /** The interval of even samples. */
-double intervalOf (const Eigen::VectorXd& times, const std::string& source)
+double samplingInterval (const Eigen::VectorXd& times, const std::string& source)
 {
     constexpr double tolerance = 1e-3;
     const auto count = times.size();
@@ -193,14 +193,14 @@ double intervalOf (const Eigen::VectorXd& times, const std::string& source)
 void addImpulseResponses (const CsvTable& table, const std::vector<CsvHeading>& headings, const Eigen::VectorXd& times,
                           MeasurementFile& file, MeasuredResponse common)
 {
-    const auto interval = intervalOf (times, common.source);
+    const auto interval = samplingInterval (times, common.source);
 
     for (Eigen::Index c = 1; c < table.numbers.cols(); ++c)
     {
         const auto& heading = headings[static_cast<std::size_t> (c)];
         const auto spectrum = impulseSpectrum (table.numbers.col (c), interval);
         common.point = heading.point;
-        common.driver = heading.driver;
+        common.reference = heading.reference;
         common.frequencies = sharedFrequencies (spectrum.frequencies, file.responses);
         common.values = spectrum.values;
         common.recordLength = spectrum.recordLength;
@@ -215,10 +215,10 @@ void addImpulseResponses (const CsvTable& table, const std::vector<CsvHeading>& 
 MeasurementFile measurementFromCsv (std::string_view text, const std::string& source, CsvForm form)
 {
     const auto table = readCsvTable (text, source);
-    const auto headings = headingsOf (table);
-    const auto words = table.headings.empty() ? std::vector<std::string> {} : wordsOf (table.headings.front());
+    const auto headings = readHeadings (table);
+    const auto words = table.headings.empty() ? std::vector<std::string> {} : splitWords (table.headings.front());
     const Eigen::VectorXd abscissae = table.numbers.col (0) * abscissaFactor (words);
-    const auto unit = unitOf (table);
+    const auto unit = findUnit (table);
     MeasurementFile file;
     MeasuredResponse response;
     response.source = source;
@@ -237,9 +237,9 @@ MeasurementFile measurementFromCsv (std::string_view text, const std::string& so
     for (const auto& pair : areTold ? pairsByHeadings (headings, source) : pairsByOrder (headings, form, source))
     {
         response.point = pair.first.point;
-        response.driver = pair.first.driver;
+        response.reference = pair.first.reference;
         response.unit = pair.first.unit.value_or (unit.value_or (ResponseUnit {}));
-        response.values = valuesOf (pair, table, file, source);
+        response.values = readValues (pair, table, file, source);
         file.responses.push_back (response);
     }
 

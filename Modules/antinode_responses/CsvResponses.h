@@ -15,9 +15,10 @@ enum class CsvForm
     decibelRadians
 };
 
-/** Frequency responses from a table: frequency first, then two columns a response. Headings tell what a column holds (real, imag;
-    magnitude, dB, phase, deg, rad; coherence, which is left out), of which point and reference (P3 C1, "point 3 driver 1") and in which unit;
-    units also stand in comments. Where the first column is a time the others are impulse responses.
+/** Frequency responses from a table: frequency first, then two columns a response. Headings tell what a column holds
+   (real, imag; magnitude, dB, phase, deg, rad; coherence, which is left out), of which point and reference (P3 C1,
+   "point 3 driver 1") and in which unit; units also stand in comments. Where the first column is a time the others are
+   impulse responses.
     @param source  how errors and remarks name the file
     @throws InputError  source, place, what is wrong
     [worker] Docs/FileFormats.md. */

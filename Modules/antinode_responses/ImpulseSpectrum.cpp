@@ -23,7 +23,7 @@ ImpulseSpectrum impulseSpectrum (const Eigen::VectorXd& samples, double interval
     while (! isQuick (count)) // A large prime factor would take a time that grows as its square.
         --count;
 
-    const Eigen::VectorXcd lines = spectrumOf (Eigen::VectorXd (samples.head (count)));
+    const Eigen::VectorXcd lines = forwardFourier (Eigen::VectorXd (samples.head (count)));
     const auto recordLength = static_cast<double> (count) * interval;
     return { Eigen::VectorXd::LinSpaced (lines.size(), 0, static_cast<double> (lines.size() - 1)) / recordLength,
              lines * interval, recordLength };

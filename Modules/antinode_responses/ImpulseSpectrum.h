@@ -9,9 +9,8 @@ struct ImpulseSpectrum
 {
     Eigen::VectorXd frequencies; ///< N_f: Hz
     Eigen::VectorXcd values;     ///< N_f, the samples' unit times s.
-    double recordLength =
-        0; ///< s: T. What of the impulse response lies behind T is cut off, so that a pole s has its residue
-           ///< multiplied by 1 - e^{sT} on these lines.
+    double recordLength = 0; ///< s: T. What of the impulse response lies behind T is cut off, so that a pole s has its
+                             ///< residue multiplied by 1 - e^{sT} on these lines.
 };
 
 /** The Fourier transform of samples with this interval, as far as their number has no prime factor above 5.

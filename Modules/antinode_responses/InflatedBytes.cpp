@@ -8,7 +8,7 @@
 
 namespace antinode
 {
-std::optional<std::string> inflatedBytes (std::string_view packed, std::size_t most)
+std::optional<std::string> inflatedBytes (std::string_view packed, std::size_t maximum)
 {
     constexpr std::size_t step = 1 << 16;
     z_stream stream {};
@@ -25,7 +25,7 @@ std::optional<std::string> inflatedBytes (std::string_view packed, std::size_t m
     while (true)
     {
         const auto before = bytes.size();
-        const auto room = std::min (step, most - before);
+        const auto room = std::min (step, maximum - before);
 
         if (room == 0)
             return std::nullopt;

@@ -7,7 +7,7 @@
 namespace antinode
 {
 /** Decompresses zlib data. Empty if it is damaged, or longer than this.
-    @param most  bytes
+    @param maximum  bytes
     [worker] RFC 1950. */
-std::optional<std::string> inflatedBytes (std::string_view packed, std::size_t most);
+std::optional<std::string> inflatedBytes (std::string_view packed, std::size_t maximum);
 } // namespace antinode

@@ -13,7 +13,7 @@ namespace
 constexpr std::size_t tagBytes = 8;
 
 template <typename Integer>
-Integer integerOf (std::string_view bytes, bool isBigEndian)
+Integer readInteger (std::string_view bytes, bool isBigEndian)
 {
     Integer value = 0;
 
@@ -37,8 +37,8 @@ std::vector<double> numbersAs (std::string_view data, bool isBigEndian)
     std::vector<double> numbers (data.size() / sizeof (Stored));
 
     for (std::size_t i = 0; i < numbers.size(); ++i)
-        numbers[i] = static_cast<double> (
-            std::bit_cast<Stored> (integerOf<Bits> (data.substr (i * sizeof (Stored), sizeof (Stored)), isBigEndian)));
+        numbers[i] = static_cast<double> (std::bit_cast<Stored> (
+            readInteger<Bits> (data.substr (i * sizeof (Stored), sizeof (Stored)), isBigEndian)));
 
     return numbers;
 }
@@ -51,7 +51,7 @@ void MatlabForm::failDamaged (const std::string& how) const
 
 std::uint32_t matlabWord (std::string_view bytes, const MatlabForm& form)
 {
-    return integerOf<std::uint32_t> (bytes, form.isBigEndian);
+    return readInteger<std::uint32_t> (bytes, form.isBigEndian);
 }
 
 MatlabElement takeElement (std::string_view& bytes, const MatlabForm& form)
@@ -86,7 +86,7 @@ MatlabElement takeElement (std::string_view& bytes, const MatlabForm& form)
     return element;
 }
 
-std::vector<double> numbersOf (const MatlabElement& element, const MatlabForm& form)
+std::vector<double> readNumbers (const MatlabElement& element, const MatlabForm& form)
 {
     const auto data = element.data;
     const auto big = form.isBigEndian;

@@ -50,5 +50,5 @@ std::uint32_t matlabWord (std::string_view bytes, const MatlabForm&);
 MatlabElement takeElement (std::string_view& bytes, const MatlabForm&);
 
 /** The numbers of an element. @throws InputError  when it has none [worker] */
-std::vector<double> numbersOf (const MatlabElement&, const MatlabForm&);
+std::vector<double> readNumbers (const MatlabElement&, const MatlabForm&);
 } // namespace antinode

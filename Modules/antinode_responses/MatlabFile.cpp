@@ -27,20 +27,20 @@ struct Reader
 };
 
 /** Sizes of an array, of which the product is not more than its bytes can hold. */
-std::vector<std::size_t> sizesOf (const MatlabElement& element, std::size_t most, const MatlabForm& form)
+std::vector<std::size_t> readSizes (const MatlabElement& element, std::size_t maximum, const MatlabForm& form)
 {
     std::vector<std::size_t> sizes;
     std::size_t product = 1;
 
-    for (const auto size : numbersOf (element, form))
+    for (const auto size : readNumbers (element, form))
     {
-        if (! (size >= 0 && size <= static_cast<double> (most)))
+        if (! (size >= 0 && size <= static_cast<double> (maximum)))
             form.failDamaged ("an array is larger than the file");
 
         sizes.push_back (static_cast<std::size_t> (size));
-        product = sizes.back() > 0 && product > most / sizes.back() ? most + 1 : product * sizes.back();
+        product = sizes.back() > 0 && product > maximum / sizes.back() ? maximum + 1 : product * sizes.back();
 
-        if (product > most)
+        if (product > maximum)
             form.failDamaged ("an array is larger than the file");
     }
 
@@ -52,7 +52,7 @@ void addMatrix (std::string_view bytes, const std::string& prefix, int depth, Re
 /** The fields of a structure of one element, each a matrix. */
 void addFields (std::string_view bytes, const std::string& name, int depth, Reader& reader)
 {
-    const auto lengths = numbersOf (takeElement (bytes, reader.form), reader.form);
+    const auto lengths = readNumbers (takeElement (bytes, reader.form), reader.form);
     const auto names = takeElement (bytes, reader.form).data;
 
     if (lengths.size() != 1 || ! (lengths[0] >= 1 && lengths[0] <= static_cast<double> (names.size() + 1)))
@@ -72,7 +72,7 @@ void addFields (std::string_view bytes, const std::string& name, int depth, Read
 
 void addText (MatlabVariable variable, const MatlabElement& element, Reader& reader)
 {
-    for (const auto code : numbersOf (element, reader.form))
+    for (const auto code : readNumbers (element, reader.form))
         variable.text += code >= ' ' && code < 0x7f ? static_cast<char> (code)
                          : code == 0xb2             ? '2'
                                                     : '?'; // A raised 2 as in m/s2.
@@ -94,7 +94,7 @@ void addMatrix (std::string_view bytes, const std::string& prefix, int depth, Re
     const auto kind = word & 0xff;
     const auto isComplex = (word & 0x800) != 0;
     MatlabVariable variable;
-    variable.sizes = sizesOf (takeElement (bytes, reader.form), bytes.size(), reader.form);
+    variable.sizes = readSizes (takeElement (bytes, reader.form), bytes.size(), reader.form);
     const auto name = takeElement (bytes, reader.form).data;
     variable.name = prefix.empty() ? printable (name) : prefix;
     std::size_t count = variable.sizes.size() < 2 ? 0 : 1;
@@ -111,10 +111,10 @@ void addMatrix (std::string_view bytes, const std::string& prefix, int depth, Re
     if (kind < firstNumberClass || kind > lastNumberClass || count == 0)
         return;
 
-    variable.real = numbersOf (takeElement (bytes, reader.form), reader.form);
+    variable.real = readNumbers (takeElement (bytes, reader.form), reader.form);
 
     if (isComplex)
-        variable.imaginary = numbersOf (takeElement (bytes, reader.form), reader.form);
+        variable.imaginary = readNumbers (takeElement (bytes, reader.form), reader.form);
 
     if (variable.real.size() != count || (isComplex && variable.imaginary.size() != count))
         reader.form.failDamaged ("variable " + inQuotes (variable.name)
@@ -165,8 +165,10 @@ bool isBigEndianFile (std::string_view bytes, const std::string& source)
 
 std::vector<MatlabVariable> readMatlabFile (std::string_view bytes, const std::string& source)
 {
-    constexpr std::size_t unpackedShare = 16, unpackedLeast = 16 << 20;
-    Reader reader { { source, isBigEndianFile (bytes, source) }, unpackedLeast + unpackedShare * bytes.size(), {} };
+    constexpr std::size_t unpackedShare = 16, minimumUnpackedBytes = 16 << 20;
+    Reader reader { { source, isBigEndianFile (bytes, source) },
+                    minimumUnpackedBytes + unpackedShare * bytes.size(),
+                    {} };
     bytes.remove_prefix (headerBytes);
 
     while (bytes.size() >= elementTagBytes)

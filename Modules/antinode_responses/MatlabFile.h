@@ -16,9 +16,9 @@ struct MatlabVariable
     std::string text; ///< Of characters, whose numbers are empty.
 };
 
-/** Variables of a MATLAB file of level 5 (versions 5 to 7, compressed or not, either byte order). Arrays of numbers and text are read, with
-    those in structures of one element; what else there is is left out.
-    Files are read by our own code, not by libmatio, which takes memory by what a file says of itself (Docs/Decisions/0030).
+/** Variables of a MATLAB file of level 5 (versions 5 to 7, compressed or not, either byte order). Arrays of numbers and
+   text are read, with those in structures of one element; what else there is is left out. Files are read by our own
+   code, not by libmatio, which takes memory by what a file says of itself (Docs/Decisions/0030).
     @param source  how errors name the file
     @throws InputError  when it is no such file or is damaged, or unpacks to more than 16 times its size and 16 MB
     [worker] MATLAB, MAT-File Format, The MathWorks. */

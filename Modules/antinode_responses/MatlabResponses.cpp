@@ -52,20 +52,20 @@ bool isVector (const MatlabVariable& variable)
 /** The variables of a file: "'f' (1001 x 1), 'H' (1001 x 12)". */
 std::string inventory (const Variables& variables)
 {
-    constexpr std::size_t most = 8;
+    constexpr std::size_t maximum = 8;
     std::string text;
 
-    for (std::size_t i = 0; i < std::min (most, variables.size()); ++i)
+    for (std::size_t i = 0; i < std::min (maximum, variables.size()); ++i)
     {
         text += (i > 0 ? ", " : "") + inQuotes (variables[i].name) + " (";
 
-        for (std::size_t s = 0; s < variables[i].sizes.size() && s < most; ++s)
+        for (std::size_t s = 0; s < variables[i].sizes.size() && s < maximum; ++s)
             text += (s > 0 ? " x " : "") + std::to_string (variables[i].sizes[s]);
 
         text += variables[i].imaginary.empty() ? ")" : ", complex)";
     }
 
-    return variables.empty() ? "no readable variable" : text + (variables.size() > most ? " and more" : "");
+    return variables.empty() ? "no readable variable" : text + (variables.size() > maximum ? " and more" : "");
 }
 
 bool hasSize (const MatlabVariable& variable, std::size_t size)
@@ -129,8 +129,8 @@ struct Axis
 };
 
 /** The axes of lines, points and references. */
-std::array<Axis, 3> axesOf (const MatlabVariable& responses, std::size_t lines, std::size_t places,
-                            const std::string& source)
+std::array<Axis, 3> findAxes (const MatlabVariable& responses, std::size_t lines, std::size_t places,
+                              const std::string& source)
 {
     std::array<Axis, 3> axes;
     std::vector<Axis> others;
@@ -172,7 +172,7 @@ const MatlabVariable* placeVariable (const Variables& variables)
     return found == variables.end() || found->real.empty() ? nullptr : &*found;
 }
 
-PointPlaces placesOf (const MatlabVariable& variable)
+PointPlaces readPlaces (const MatlabVariable& variable)
 {
     const auto factor = shortName (variable).ends_with ("_mm") ? 1e-3 : 1.0;
     const auto count = variable.sizes[0];
@@ -185,7 +185,7 @@ PointPlaces placesOf (const MatlabVariable& variable)
     return places;
 }
 
-ResponseUnit unitOf (const Variables& variables, const MatlabVariable& responses)
+ResponseUnit findUnit (const Variables& variables, const MatlabVariable& responses)
 {
     for (const auto& each : variables)
     {
@@ -205,32 +205,32 @@ MeasurementFile measurementFromMatlab (const std::vector<MatlabVariable>& variab
     const auto lines = abscissa.real.size();
     const auto& array = responseVariable (variables, lines, source);
     const auto* const places = placeVariable (variables);
-    const auto axes = axesOf (array, lines, places != nullptr ? places->sizes[0] : 0, source);
+    const auto axes = findAxes (array, lines, places != nullptr ? places->sizes[0] : 0, source);
     const auto factor = isOneOf (abscissa, angularNames) ? 1 / (2 * std::numbers::pi) : 1.0;
     MeasurementFile file;
     MeasuredResponse response;
     response.source = source;
-    response.unit = unitOf (variables, array);
+    response.unit = findUnit (variables, array);
     response.frequencies = sharedFrequencies (
         factor * Eigen::Map<const Eigen::VectorXd> (abscissa.real.data(), static_cast<Eigen::Index> (lines)), {});
     response.values.resize (static_cast<Eigen::Index> (lines));
 
-    for (std::size_t driver = 0; driver < axes[2].size; ++driver)
+    for (std::size_t reference = 0; reference < axes[2].size; ++reference)
         for (std::size_t point = 0; point < axes[1].size; ++point)
         {
             for (std::size_t f = 0; f < lines; ++f)
             {
-                const auto at = f * axes[0].stride + point * axes[1].stride + driver * axes[2].stride;
+                const auto at = f * axes[0].stride + point * axes[1].stride + reference * axes[2].stride;
                 response.values[static_cast<Eigen::Index> (f)] = { array.real[at], array.imaginary[at] };
             }
 
             response.point = axes[1].size > 1 ? std::to_string (point + 1) : "";
-            response.driver = axes[2].size > 1 ? std::to_string (driver + 1) : "";
+            response.reference = axes[2].size > 1 ? std::to_string (reference + 1) : "";
             file.responses.push_back (response);
         }
 
     if (places != nullptr && places->sizes[0] == axes[1].size)
-        file.places = placesOf (*places);
+        file.places = readPlaces (*places);
 
     return file;
 }

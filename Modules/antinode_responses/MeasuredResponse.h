@@ -12,9 +12,9 @@ namespace antinode
 /** One frequency response of a file: of one point to one reference, in the file's unit. N_f lines. */
 struct MeasuredResponse
 {
-    std::string source;        ///< The file, for messages.
-    std::string point, driver; ///< Names; empty if the file does not say.
-    std::string driverPoint;   ///< Name of the point at which a force acts; empty if it is not known.
+    std::string source;           ///< The file, for messages.
+    std::string point, reference; ///< Names; empty if the file does not say.
+    std::string referencePoint;   ///< Name of the point at which a force acts; empty if it is not known.
     ResponseUnit unit;
     std::shared_ptr<const Eigen::VectorXd> frequencies =
         std::make_shared<const Eigen::VectorXd>(); ///< N_f: Hz. Responses of one file share theirs.
@@ -43,7 +43,7 @@ struct MeasurementOptions
     std::optional<ResponseUnit> response; ///< Quantity and factor of the motion.
     std::optional<ResponseUnit> drive;    ///< Kind and factor of the drive.
     PointPlaces places;
-    std::vector<std::string> drivers; ///< Names in the order of the ceramics; empty: in the order of the files.
+    std::vector<std::string> references; ///< Names in the order of the ceramics; empty: in the order of the files.
 };
 
 /** Responses of all files as one table of velocities. */
@@ -56,10 +56,11 @@ struct Measurement
     std::vector<std::string> remarks;
 };
 
-/** Puts the responses of several files together: converted to velocity per volt or newton (velocity where no file and no option says
-    what it is, per volt), points and references numbered where they have no names, lines at 0 Hz left out. Points that are
-    named by numbers stand in their order, references as in the first file where it has all of them, which is that of the channels. Where forces act at many points and few are measured, points and references change places,
-    which reciprocity allows.
+/** Puts the responses of several files together: converted to velocity per volt or newton (velocity where no file and
+   no option says what it is, per volt), points and references numbered where they have no names, lines at 0 Hz left
+   out. Points that are named by numbers stand in their order, references as in the first file where it has all of them,
+   which is that of the channels. Where forces act at many points and few are measured, points and references change
+   places, which reciprocity allows.
     @throws InputError  when frequencies, units or drives of two files do not fit together, or none has a response
     [worker] Docs/Theory.md, section 8.1. */
 Measurement mergedResponses (const std::vector<MeasurementFile>&, const MeasurementOptions&);

@@ -69,14 +69,14 @@ void nameByFile (const std::string& stem, MeasurementFile& file)
 {
     std::string roles;
 
-    for (const auto& word : wordsOf (stem))
+    for (const auto& word : splitWords (stem))
         roles += isNumberedRole (word) ? word + " " : "";
 
     const auto heading = csvHeading (roles);
 
     for (auto& response : file.responses)
     {
-        response.driver = response.driver.empty() ? heading.driver : response.driver;
+        response.reference = response.reference.empty() ? heading.reference : response.reference;
 
         if (file.responses.size() == 1 && response.point.empty())
             response.point = heading.point;
@@ -88,7 +88,7 @@ MeasurementFile decodeMeasurement (std::string_view bytes, const std::string& so
 {
     auto file = bytes.starts_with ("RIFF") || bytes.starts_with ("RF64") ? measurementFromWave (bytes, source)
                 : isMatlab (bytes)    ? measurementFromMatlab (readMatlabFile (bytes, source), source)
-                : isUniversal (bytes) ? measurementOf (readUniversalFile (bytes, source), source)
+                : isUniversal (bytes) ? measurementFromUniversal (readUniversalFile (bytes, source), source)
                                       : measurementFromCsv (bytes, source, form);
     nameByFile (source.substr (0, source.rfind ('.')), file);
     return file;

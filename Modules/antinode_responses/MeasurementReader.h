@@ -6,8 +6,9 @@
 
 namespace antinode
 {
-/** Frequency responses of a file of any kind that is read: universal file, MATLAB, WAV (an impulse response a channel), else a table of
-    text. What it is its bytes say, not its name; names as in point3_driver2.csv tell point and reference where the file does not.
+/** Frequency responses of a file of any kind that is read: universal file, MATLAB, WAV (an impulse response a channel),
+   else a table of text. What it is its bytes say, not its name; names as in point3_driver2.csv tell point and reference
+   where the file does not.
     @param source  how errors and remarks name the file, without folders
     @throws InputError  source, place, what is wrong
     [worker] Docs/FileFormats.md. */

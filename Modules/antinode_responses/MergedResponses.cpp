@@ -19,7 +19,7 @@ namespace
 using Responses = std::vector<MeasuredResponse>;
 
 /** The meaning of the numbers of a response, including the user's options. */
-ResponseUnit unitOf (const MeasuredResponse& response, const MeasurementOptions& options)
+ResponseUnit findUnit (const MeasuredResponse& response, const MeasurementOptions& options)
 {
     auto unit = response.unit;
 
@@ -38,7 +38,8 @@ void addUnitRemarks (const Responses& responses, const MeasurementOptions& optio
     const auto lacks = [&] (auto member)
     {
         return std::any_of (responses.begin(), responses.end(),
-                            [&] (const auto& response) { return ! (unitOf (response, options).*member).has_value(); });
+                            [&] (const auto& response)
+                            { return ! (findUnit (response, options).*member).has_value(); });
     };
 
     if (lacks (&ResponseUnit::quantity))
@@ -50,12 +51,12 @@ void addUnitRemarks (const Responses& responses, const MeasurementOptions& optio
 
 DriveQuantity commonDrive (const Responses& responses, const MeasurementOptions& options)
 {
-    const auto driveOf = [&] (const auto& response)
-    { return unitOf (response, options).drive.value_or (DriveQuantity::voltage); };
-    const auto first = driveOf (responses.front());
+    const auto findDrive = [&] (const auto& response)
+    { return findUnit (response, options).drive.value_or (DriveQuantity::voltage); };
+    const auto first = findDrive (responses.front());
 
     for (const auto& response : responses)
-        if (driveOf (response) != first)
+        if (findDrive (response) != first)
             throw InputError (response.source, "is excited by a different quantity than "
                                                    + inQuotes (responses.front().source)
                                                    + "; allowed: responses to voltages only or to forces only");
@@ -97,11 +98,11 @@ Eigen::VectorXcd velocityFactors (const ResponseUnit& unit, const Eigen::VectorX
 }
 
 /** How often what was measured is integrated to give velocities; 0 where responses differ in that. */
-int integrationsOf (const Responses& responses, const MeasurementOptions& options)
+int countIntegrations (const Responses& responses, const MeasurementOptions& options)
 {
     const auto of = [&options] (const MeasuredResponse& response)
     {
-        const auto quantity = unitOf (response, options).quantity.value_or (ResponseQuantity::velocity);
+        const auto quantity = findUnit (response, options).quantity.value_or (ResponseQuantity::velocity);
         return quantity == ResponseQuantity::acceleration ? 1 : quantity == ResponseQuantity::displacement ? -1 : 0;
     };
     const auto first = of (responses.front());
@@ -110,7 +111,7 @@ int integrationsOf (const Responses& responses, const MeasurementOptions& option
 }
 
 /** Names in the order of first appearance. */
-std::vector<std::string> namesOf (const Responses& responses, std::string MeasuredResponse::*name)
+std::vector<std::string> collectNames (const Responses& responses, std::string MeasuredResponse::*name)
 {
     std::vector<std::string> names;
     std::set<std::string> seen;
@@ -124,7 +125,7 @@ std::vector<std::string> namesOf (const Responses& responses, std::string Measur
 
 using Indices = std::map<std::string, Eigen::Index>;
 
-Indices indicesOf (const std::vector<std::string>& names)
+Indices indexNames (const std::vector<std::string>& names)
 {
     Indices indices;
 
@@ -137,25 +138,25 @@ Indices indicesOf (const std::vector<std::string>& names)
 /** Where forces act at more points than are measured, measured and driven points change places: H_pq = H_qp. */
 void exchangeByReciprocity (Responses& responses, DriveQuantity drive, std::vector<std::string>& remarks)
 {
-    const auto isKnown = [] (const auto& response) { return ! response.driverPoint.empty(); };
+    const auto isKnown = [] (const auto& response) { return ! response.referencePoint.empty(); };
 
     if (drive != DriveQuantity::force || ! std::all_of (responses.begin(), responses.end(), isKnown)
-        || namesOf (responses, &MeasuredResponse::driverPoint).size()
-               <= namesOf (responses, &MeasuredResponse::point).size())
+        || collectNames (responses, &MeasuredResponse::referencePoint).size()
+               <= collectNames (responses, &MeasuredResponse::point).size())
         return;
 
     for (auto& response : responses)
     {
-        std::swap (response.point, response.driverPoint);
-        response.driver = response.driverPoint;
+        std::swap (response.point, response.referencePoint);
+        response.reference = response.referencePoint;
     }
 
     remarks.emplace_back (
         "Forces act at more points than were measured: points and references are exchanged by reciprocity.");
 }
 
-void fillTable (const Responses& responses, const MeasurementOptions& options, const std::vector<std::string>& drivers,
-                Measurement& measurement)
+void fillTable (const Responses& responses, const MeasurementOptions& options,
+                const std::vector<std::string>& references, Measurement& measurement)
 {
     constexpr std::size_t fewest = 64,
                           share = 8; // Of the table; one that is much emptier is a mistake, and takes memory.
@@ -165,77 +166,78 @@ void fillTable (const Responses& responses, const MeasurementOptions& options, c
     const Eigen::Index skipped = frequencies[0] <= 0 ? 1 : 0; // At 0 Hz nothing has a velocity.
     const auto points = measurement.pointNames.size();
 
-    if (points * drivers.size() > fewest + share * responses.size())
+    if (points * references.size() > fewest + share * responses.size())
         throw InputError (responses.front().source, "and the other files have " + std::to_string (points)
-                                                        + " points and " + std::to_string (drivers.size())
+                                                        + " points and " + std::to_string (references.size())
                                                         + " references, but only " + std::to_string (responses.size())
                                                         + " responses between them");
 
     table.frequencies = frequencies.tail (lines - skipped);
     const auto empty = std::complex<double> (std::numeric_limits<double>::quiet_NaN(), 0);
-    table.values.assign (drivers.size(),
+    table.values.assign (references.size(),
                          Eigen::MatrixXcd::Constant (lines - skipped, static_cast<Eigen::Index> (points), empty));
-    const auto pointIndices = indicesOf (measurement.pointNames), driverIndices = indicesOf (drivers);
+    const auto pointIndices = indexNames (measurement.pointNames), referenceIndices = indexNames (references);
     std::set<std::pair<std::string, std::string>> seen;
 
     for (const auto& response : responses)
     {
         requireSameFrequencies (responses.front(), response);
 
-        if (! seen.emplace (response.point, response.driver).second)
+        if (! seen.emplace (response.point, response.reference).second)
         {
             measurement.remarks.push_back (response.source + " repeats point " + inQuotes (response.point)
-                                           + " and reference " + inQuotes (response.driver)
+                                           + " and reference " + inQuotes (response.reference)
                                            + ": the first one is used.");
             continue;
         }
 
-        table.values[static_cast<std::size_t> (driverIndices.at (response.driver))].col (pointIndices.at (
+        table.values[static_cast<std::size_t> (referenceIndices.at (response.reference))].col (pointIndices.at (
             response.point)) = response.values.tail (lines - skipped)
-                                   .cwiseProduct (velocityFactors (unitOf (response, options), table.frequencies));
+                                   .cwiseProduct (velocityFactors (findUnit (response, options), table.frequencies));
     }
 }
 
-/** The references in the order of the options; or of the first file, which is that of the channels, if it has all; or of their numbers. */
-std::vector<std::string> driverNames (const Responses& responses, const MeasurementOptions& options)
+/** The references in the order of the options; or of the first file, which is that of the channels, if it has all; or
+ * of their numbers. */
+std::vector<std::string> referenceNames (const Responses& responses, const MeasurementOptions& options)
 {
-    auto names = namesOf (responses, &MeasuredResponse::driver);
+    auto names = collectNames (responses, &MeasuredResponse::reference);
     std::set<std::string> ofFirstFile;
 
     for (const auto& response : responses)
         if (response.source == responses.front().source)
-            ofFirstFile.insert (response.driver);
+            ofFirstFile.insert (response.reference);
 
-    if (options.drivers.empty())
+    if (options.references.empty())
         return ofFirstFile.size() == names.size() ? names : inNaturalOrder (std::move (names));
 
     for (const auto& name : names)
-        if (std::find (options.drivers.begin(), options.drivers.end(), name) == options.drivers.end())
+        if (std::find (options.references.begin(), options.references.end(), name) == options.references.end())
             throw InputError ("measurement: reference names",
                               "lack the reference " + inQuotes (name) + " of the files");
 
-    return options.drivers;
+    return options.references;
 }
 
 /** References with the points at which their forces act. */
-std::vector<Driver> driversOf (const Responses& responses, const std::vector<std::string>& names,
-                               const Measurement& measurement)
+std::vector<Reference> makeReferences (const Responses& responses, const std::vector<std::string>& names,
+                                       const Measurement& measurement)
 {
     const auto isForce = measurement.responses.drive == DriveQuantity::force;
-    const auto pointIndices = isForce ? indicesOf (measurement.pointNames) : Indices {};
+    const auto pointIndices = isForce ? indexNames (measurement.pointNames) : Indices {};
     std::map<std::string, std::string> places;
-    std::vector<Driver> drivers;
+    std::vector<Reference> references;
 
     for (const auto& response : responses)
-        places.emplace (response.driver, response.driverPoint);
+        places.emplace (response.reference, response.referencePoint);
 
     for (const auto& name : names)
     {
         const auto point = pointIndices.find (places[name]);
-        drivers.push_back ({ name, point != pointIndices.end() ? std::optional (point->second) : std::nullopt });
+        references.push_back ({ name, point != pointIndices.end() ? std::optional (point->second) : std::nullopt });
     }
 
-    return drivers;
+    return references;
 }
 } // namespace
 
@@ -266,15 +268,15 @@ Measurement mergedResponses (const std::vector<MeasurementFile>& files, const Me
     addUnitRemarks (responses, options, measurement.remarks);
     auto& table = measurement.responses;
     table.drive = commonDrive (responses, options);
-    table.integrations = integrationsOf (responses, options);
+    table.integrations = countIntegrations (responses, options);
     exchangeByReciprocity (responses, table.drive, measurement.remarks);
-    measurement.pointNames = inNaturalOrder (namesOf (responses, &MeasuredResponse::point));
-    const auto drivers = driverNames (responses, options);
-    fillTable (responses, options, drivers, measurement);
+    measurement.pointNames = inNaturalOrder (collectNames (responses, &MeasuredResponse::point));
+    const auto references = referenceNames (responses, options);
+    fillTable (responses, options, references, measurement);
     placePoints (files, options, measurement);
     measurement.recordLength = responses.front().recordLength;
 
-    table.drivers = driversOf (responses, drivers, measurement);
+    table.references = makeReferences (responses, references, measurement);
     validate (table);
     return measurement;
 }

@@ -11,7 +11,7 @@ namespace antinode
 namespace
 {
 /** The position of a name, or else of the number at its end: files of positions often contain numbers only. */
-PointPlaces::const_iterator placeOf (const std::string& name, const PointPlaces& places)
+PointPlaces::const_iterator findPlace (const std::string& name, const PointPlaces& places)
 {
     const auto found = places.find (name);
     return found != places.end() ? found : places.find (name.substr (name.find_last_not_of ("0123456789") + 1));
@@ -41,7 +41,7 @@ void placePoints (const std::vector<MeasurementFile>& files, const MeasurementOp
     measurement.hasPlaces = true;
 
     for (std::size_t p = 0; p < names.size(); ++p)
-        if (const auto place = placeOf (names[p], places); place != places.end())
+        if (const auto place = findPlace (names[p], places); place != places.end())
             points.row (static_cast<Eigen::Index> (p)) = place->second.transpose();
         else if (! options.places.empty())
             throw InputError ("measurement: point positions",

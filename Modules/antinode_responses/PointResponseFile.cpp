@@ -11,9 +11,9 @@ namespace
 {
 constexpr int frequencyResponseType = 4, coherenceFunction = 6, singleReal = 2;
 
-FrequencyResponses responsesOf (const FrequencyResponses& all, Eigen::Index point)
+FrequencyResponses responsesAtPoint (const FrequencyResponses& all, Eigen::Index point)
 {
-    FrequencyResponses one { all.frequencies, all.drive, all.drivers, all.points.row (point), {}, {} };
+    FrequencyResponses one { all.frequencies, all.drive, all.references, all.points.row (point), {}, {} };
 
     for (const auto& values : all.values)
         one.values.emplace_back (values.col (point));
@@ -22,7 +22,7 @@ FrequencyResponses responsesOf (const FrequencyResponses& all, Eigen::Index poin
 }
 
 /** The coherence that belongs to a response. */
-UniversalFunction coherenceOf (UniversalFunction function, const Eigen::VectorXd& values)
+UniversalFunction toCoherence (UniversalFunction function, const Eigen::VectorXd& values)
 {
     function.functionType = coherenceFunction;
     function.ordinateType = singleReal;
@@ -48,7 +48,7 @@ std::vector<const UniversalFunction*> functionsOfType (const std::vector<Univers
 
 std::string encodePoint (const SurfaceMeasurement& measurement, Eigen::Index point)
 {
-    auto sets = responseSets (responsesOf (measurement.responses, point));
+    auto sets = responseSets (responsesAtPoint (measurement.responses, point));
     std::vector<UniversalSet> coherences;
     std::size_t ceramic = 0;
 
@@ -63,7 +63,7 @@ std::string encodePoint (const SurfaceMeasurement& measurement, Eigen::Index poi
             function->response.node = point + 1;
 
             if (coherence.allFinite())
-                coherences.emplace_back (coherenceOf (*function, coherence));
+                coherences.emplace_back (toCoherence (*function, coherence));
         }
     }
 

@@ -7,8 +7,8 @@
 
 namespace antinode
 {
-/** The results at one point as a universal file: one 58b of type 4 per ceramic, and of type 6, the coherence, if known. Node k
-    is point k of the measurement, so that the files of all points together are a measurement.
+/** The results at one point as a universal file: one 58b of type 4 per ceramic, and of type 6, the coherence, if known.
+   Node k is point k of the measurement, so that the files of all points together are a measurement.
     @param point  one at which all ceramics have run
     [worker] Docs/FileFormats.md. */
 std::string encodePoint (const SurfaceMeasurement&, Eigen::Index point);

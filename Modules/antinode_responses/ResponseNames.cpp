@@ -24,11 +24,11 @@ void numberColumns (Responses& responses)
     std::map<std::string, int> counts, numbers;
 
     for (const auto& response : responses)
-        counts[response.driver] += response.point.empty() ? 1 : 0;
+        counts[response.reference] += response.point.empty() ? 1 : 0;
 
     for (auto& response : responses)
-        if (response.point.empty() && counts[response.driver] > 1)
-            response.point = std::to_string (++numbers[response.driver]);
+        if (response.point.empty() && counts[response.reference] > 1)
+            response.point = std::to_string (++numbers[response.reference]);
 }
 } // namespace
 
@@ -53,8 +53,8 @@ std::vector<MeasuredResponse> namedResponses (const std::vector<MeasurementFile>
             if ((all[i].*name).empty())
                 all[i].*name = byFile ? std::to_string (fileNumbers[i]) : "1";
     };
-    fill (&MeasuredResponse::point, &MeasuredResponse::driver);
-    fill (&MeasuredResponse::driver, &MeasuredResponse::point);
+    fill (&MeasuredResponse::point, &MeasuredResponse::reference);
+    fill (&MeasuredResponse::reference, &MeasuredResponse::point);
     return all;
 }
 } // namespace antinode

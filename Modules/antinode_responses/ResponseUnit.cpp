@@ -164,7 +164,7 @@ private:
     std::size_t at = 0;
 };
 
-std::optional<Dimensions> dimensionsOf (std::string_view text)
+std::optional<Dimensions> parseDimensions (std::string_view text)
 {
     constexpr std::size_t longest = 60;
     auto plain = plainText (text, longest);
@@ -175,7 +175,7 @@ std::optional<Dimensions> dimensionsOf (std::string_view text)
     return plain.empty() || plain.size() == longest ? std::nullopt : UnitText (plain).all();
 }
 
-std::optional<DriveQuantity> driveOf (const std::array<int, 4>& exponents, int sign)
+std::optional<DriveQuantity> findDrive (const std::array<int, 4>& exponents, int sign)
 {
     if (exponents[2] == sign && exponents[3] == 0)
         return DriveQuantity::force;
@@ -186,12 +186,12 @@ std::optional<DriveQuantity> driveOf (const std::array<int, 4>& exponents, int s
 
 std::optional<ResponseUnit> responseUnit (std::string_view text)
 {
-    const auto found = dimensionsOf (text);
+    const auto found = parseDimensions (text);
 
     if (! found || found->exponents[0] != 1 || found->exponents[1] > 0 || found->exponents[1] < -2)
         return std::nullopt;
 
-    const auto drive = driveOf (found->exponents, -1);
+    const auto drive = findDrive (found->exponents, -1);
 
     if (! drive && (found->exponents[2] != 0 || found->exponents[3] != 0))
         return std::nullopt;
@@ -203,12 +203,12 @@ std::optional<ResponseUnit> responseUnit (std::string_view text)
 
 std::optional<ResponseUnit> driveUnit (std::string_view text)
 {
-    const auto found = dimensionsOf (text);
+    const auto found = parseDimensions (text);
 
     if (! found || found->exponents[0] != 0 || found->exponents[1] != 0)
         return std::nullopt;
 
-    const auto drive = driveOf (found->exponents, 1);
+    const auto drive = findDrive (found->exponents, 1);
     return drive ? std::optional (ResponseUnit { std::nullopt, found->factor, drive }) : std::nullopt;
 }
 

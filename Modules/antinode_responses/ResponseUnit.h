@@ -19,19 +19,20 @@ enum class ResponseQuantity
 struct ResponseUnit
 {
     std::optional<ResponseQuantity> quantity;
-    double factor =
-        1; ///< SI units of motion and drive that a number of 1 stands for: m, m/s or m/s^2, per V or N where the drive is known.
+    double factor = 1; ///< SI units of motion and drive that a number of 1 stands for: m, m/s or m/s^2, per V or N
+                       ///< where the drive is known.
     std::optional<DriveQuantity> drive;
 };
 
-/** A unit as people write it: "(m/s^2)/N", "mm/s/V", "g/N", "(1/N)*(m/s²)", "um V^-1", "1/kg", also of a motion alone. g is the
-    acceleration of gravity. Empty if the text is no unit of a motion, or of a motion per volt or newton.
-    [any] */
+/** A unit as people write it: "(m/s^2)/N", "mm/s/V", "g/N", "(1/N)*(m/s²)", "um V^-1", "1/kg", also of a motion alone.
+   g is the acceleration of gravity. Empty if the text is no unit of a motion, or of a motion per volt or newton. [any]
+ */
 std::optional<ResponseUnit> responseUnit (std::string_view text);
 
 /** The factor of a unit of drive alone, "N" or "mV". Empty if it is none. [any] */
 std::optional<ResponseUnit> driveUnit (std::string_view text);
 
-/** The meaning of a word for a response: accelerance, mobility, velocity, receptance, ...; empty if it has none. [any] */
+/** The meaning of a word for a response: accelerance, mobility, velocity, receptance, ...; empty if it has none. [any]
+ */
 std::optional<ResponseUnit> quantityWord (std::string_view word);
 } // namespace antinode

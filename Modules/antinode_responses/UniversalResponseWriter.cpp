@@ -12,7 +12,7 @@ namespace
 constexpr int frequencyResponseFunction = 4, alongZ = 3;
 constexpr int velocity = 11, force = 13, frequency = 18;
 
-UniversalNodes nodesOf (const Eigen::MatrixX2d& points)
+UniversalNodes makeNodes (const Eigen::MatrixX2d& points)
 {
     constexpr int colour = 8;
     UniversalNodes nodes;
@@ -71,19 +71,19 @@ UniversalFunction commonFunction (const FrequencyResponses& responses, const std
 }
 
 /** Names of references as ten columns hold them; D1, D2 ... where they would no longer differ. */
-std::vector<std::string> entitiesOf (const std::vector<Driver>& drivers)
+std::vector<std::string> entityNames (const std::vector<Reference>& references)
 {
     constexpr std::size_t width = 10;
     std::vector<std::string> entities;
     std::set<std::string> different;
 
-    for (const auto& driver : drivers)
+    for (const auto& reference : references)
     {
-        entities.push_back (plainText (driver.name, width));
+        entities.push_back (plainText (reference.name, width));
         different.insert (entities.back() == "NONE" ? "" : entities.back());
     }
 
-    if (different.size() < drivers.size() || different.contains (""))
+    if (different.size() < references.size() || different.contains (""))
         for (std::size_t i = 0; i < entities.size(); ++i)
             entities[i] = "D" + std::to_string (i + 1);
 
@@ -99,9 +99,9 @@ std::vector<UniversalSet> responseSets (const FrequencyResponses& responses)
         throw InputError ("frequency responses", "have no line with finite values everywhere; nothing can be written");
 
     UniversalUnits units { 1, "SI: Meter (newton)", 2, 1, 1, 1, 273.14999999999998 };
-    std::vector<UniversalSet> sets { units, nodesOf (responses.points) };
+    std::vector<UniversalSet> sets { units, makeNodes (responses.points) };
     const auto common = commonFunction (responses, lines);
-    const auto entities = entitiesOf (responses.drivers);
+    const auto entities = entityNames (responses.references);
 
     for (std::size_t i = 0; i < responses.values.size(); ++i)
         for (Eigen::Index p = 0; p < responses.points.rows(); ++p)
@@ -109,9 +109,9 @@ std::vector<UniversalSet> responseSets (const FrequencyResponses& responses)
             auto function = common;
             function.identification = static_cast<UniversalLabel> (sets.size());
             function.response = { "NONE", p + 1, alongZ };
-            const auto& driver = responses.drivers[i];
-            function.reference = driver.point ? UniversalPlace { entities[i], *driver.point + 1, alongZ }
-                                              : UniversalPlace { entities[i], 0, 0 };
+            const auto& reference = responses.references[i];
+            function.reference = reference.point ? UniversalPlace { entities[i], *reference.point + 1, alongZ }
+                                                 : UniversalPlace { entities[i], 0, 0 };
             function.values = responses.values[i].col (p) (lines);
 
             if (function.values.array().isFinite().all())

@@ -18,7 +18,7 @@ constexpr int timeRecord = 1, frequencyResponse = 4;
 using Functions = std::vector<const UniversalFunction*>;
 
 template <typename Set>
-std::vector<const Set*> setsOf (const std::vector<UniversalSet>& sets)
+std::vector<const Set*> findSets (const std::vector<UniversalSet>& sets)
 {
     std::vector<const Set*> found;
 
@@ -29,9 +29,9 @@ std::vector<const Set*> setsOf (const std::vector<UniversalSet>& sets)
     return found;
 }
 
-Functions functionsOf (const std::vector<UniversalSet>& sets, int type)
+Functions findFunctions (const std::vector<UniversalSet>& sets, int type)
 {
-    auto functions = setsOf<UniversalFunction> (sets);
+    auto functions = findSets<UniversalFunction> (sets);
     std::erase_if (functions, [&] (const auto* function)
                    { return function->functionType != type || function->values.size() < 2; });
     return functions;
@@ -42,8 +42,8 @@ bool isNamed (const std::string& entity)
     return ! entity.empty() && entity != "NONE";
 }
 
-/** How points are called: by their node; by entity and node where several entities number their own; by the entity alone where there is no
-    number. */
+/** How points are called: by their node; by entity and node where several entities number their own; by the entity
+   alone where there is no number. */
 class PlaceNames
 {
 public:
@@ -86,9 +86,9 @@ int commonAxis (const Functions& functions)
 }
 
 /** The factors by which the file's lengths and forces are divided. */
-UniversalUnits unitsOf (const std::vector<UniversalSet>& sets)
+UniversalUnits findUnits (const std::vector<UniversalSet>& sets)
 {
-    const auto units = setsOf<UniversalUnits> (sets);
+    const auto units = findSets<UniversalUnits> (sets);
     return units.empty() ? UniversalUnits {} : *units.front();
 }
 
@@ -112,8 +112,9 @@ std::optional<ResponseUnit> unitOfCode (int quantity, const UniversalUnits& unit
     }
 }
 
-/** What a function's numbers mean: by the units that its axes name, else by the codes of their quantities in the file's units. */
-ResponseUnit unitOf (const UniversalFunction& function, const UniversalUnits& units)
+/** What a function's numbers mean: by the units that its axes name, else by the codes of their quantities in the file's
+ * units. */
+ResponseUnit findUnit (const UniversalFunction& function, const UniversalUnits& units)
 {
     auto motion = responseUnit (function.ordinate.unit);
     auto drive = driveUnit (function.denominator.unit);
@@ -137,7 +138,7 @@ ResponseUnit unitOf (const UniversalFunction& function, const UniversalUnits& un
 }
 
 /** Hz of each value. */
-Eigen::VectorXd abscissaeOf (const UniversalFunction& function)
+Eigen::VectorXd computeAbscissae (const UniversalFunction& function)
 {
     const auto count = function.values.size();
     return function.isEven ? Eigen::VectorXd (
@@ -145,12 +146,12 @@ Eigen::VectorXd abscissaeOf (const UniversalFunction& function)
                            : function.abscissae;
 }
 
-MeasuredResponse responseOf (const UniversalFunction& function, const UniversalUnits& units, const std::string& source,
+MeasuredResponse toResponse (const UniversalFunction& function, const UniversalUnits& units, const std::string& source,
                              const std::vector<MeasuredResponse>& earlier)
 {
     MeasuredResponse response;
     response.source = source;
-    response.unit = unitOf (function, units);
+    response.unit = findUnit (function, units);
     const auto isAgainst = (function.response.direction < 0) != (function.reference.direction < 0);
 
     if (function.functionType == timeRecord)
@@ -166,7 +167,7 @@ MeasuredResponse responseOf (const UniversalFunction& function, const UniversalU
     }
     else
     {
-        response.frequencies = sharedFrequencies (abscissaeOf (function), earlier);
+        response.frequencies = sharedFrequencies (computeAbscissae (function), earlier);
         response.values = function.values;
     }
 
@@ -174,12 +175,12 @@ MeasuredResponse responseOf (const UniversalFunction& function, const UniversalU
     return response;
 }
 
-PointPlaces placesOf (const std::vector<UniversalSet>& sets, int normal, const UniversalUnits& units)
+PointPlaces readPlaces (const std::vector<UniversalSet>& sets, int normal, const UniversalUnits& units)
 {
     const Eigen::Index across = normal == 1 ? 1 : 0, up = normal == 2 || normal == 1 ? 2 : 1;
     PointPlaces places;
 
-    for (const auto* nodes : setsOf<UniversalNodes> (sets))
+    for (const auto* nodes : findSets<UniversalNodes> (sets))
         for (std::size_t n = 0; n < nodes->labels.size(); ++n)
         {
             const auto row = static_cast<Eigen::Index> (n);
@@ -196,7 +197,7 @@ PointPlaces usedPlaces (const PointPlaces& places, const std::vector<MeasuredRes
     PointPlaces used;
 
     for (const auto& response : responses)
-        for (const auto& name : { response.point, response.driverPoint })
+        for (const auto& name : { response.point, response.referencePoint })
             if (const auto place = places.find (name); place != places.end())
                 used.insert (*place);
 
@@ -205,12 +206,12 @@ PointPlaces usedPlaces (const PointPlaces& places, const std::vector<MeasuredRes
 }
 } // namespace
 
-MeasurementFile measurementOf (const std::vector<UniversalSet>& sets, const std::string& source)
+MeasurementFile measurementFromUniversal (const std::vector<UniversalSet>& sets, const std::string& source)
 {
     MeasurementFile file;
-    auto functions = functionsOf (sets, frequencyResponse);
+    auto functions = findFunctions (sets, frequencyResponse);
 
-    if (functions.empty() && ! (functions = functionsOf (sets, timeRecord)).empty())
+    if (functions.empty() && ! (functions = findFunctions (sets, timeRecord)).empty())
         file.remarks.push_back (source + ": the time records are read as impulse responses.");
 
     if (functions.empty())
@@ -225,30 +226,30 @@ MeasurementFile measurementOf (const std::vector<UniversalSet>& sets, const std:
         file.remarks.push_back (source + ": " + std::to_string (others)
                                 + " responses in minority directions are left out.");
 
-    const auto units = unitsOf (sets);
+    const auto units = findUnits (sets);
     const PlaceNames points (functions, &UniversalFunction::response),
-        drivers (functions, &UniversalFunction::reference);
+        references (functions, &UniversalFunction::reference);
     std::map<std::string, std::set<int>> directions;
 
     for (const auto* function : functions)
-        directions[drivers.of (function->reference)].insert (std::abs (function->reference.direction));
+        directions[references.of (function->reference)].insert (std::abs (function->reference.direction));
 
     for (const auto* function : functions)
     {
-        auto response = responseOf (*function, units, source, file.responses);
+        auto response = toResponse (*function, units, source, file.responses);
         response.point = points.of (function->response);
-        response.driver = drivers.of (function->reference);
+        response.reference = references.of (function->reference);
 
         if (std::abs (function->reference.direction) == axis && function->reference.node != 0)
-            response.driverPoint = response.driver;
+            response.referencePoint = response.reference;
 
-        if (directions[response.driver].size() > 1)
-            response.driver += ":" + std::to_string (std::abs (function->reference.direction));
+        if (directions[response.reference].size() > 1)
+            response.reference += ":" + std::to_string (std::abs (function->reference.direction));
 
         file.responses.push_back (std::move (response));
     }
 
-    file.places = usedPlaces (placesOf (sets, axis, units), file.responses);
+    file.places = usedPlaces (readPlaces (sets, axis, units), file.responses);
     return file;
 }
 } // namespace antinode

@@ -10,7 +10,7 @@ void AudioEntry::prepare (double sampleRate)
     paths.reset();
 }
 
-int AudioEntry::placeOf (const FocusEvent& event) const
+int AudioEntry::eventPlace (const FocusEvent& event) const
 {
     const auto playsSpot = playsSpotOnly || event.place == spotNote;
     return playsSpot ? FocusBank::livePlace : std::clamp (event.place, 0, FocusBank::places - 1);
@@ -21,7 +21,7 @@ std::span<const FocusEvent> AudioEntry::gather (std::span<const FocusEvent> even
 {
     std::size_t waiting = 0;
 
-    if (isStopAsked.exchange (false))
+    if (isStopRequested.exchange (false))
         blockEvents[waiting++] = { 0, FocusEventKind::stopAll, 0, 0 };
 
     waiting +=
@@ -30,7 +30,7 @@ std::span<const FocusEvent> AudioEntry::gather (std::span<const FocusEvent> even
     std::copy_n (events.begin(), count, blockEvents.begin() + static_cast<std::ptrdiff_t> (waiting));
 
     for (auto& event : std::span (blockEvents).subspan (waiting, count))
-        event.place = placeOf (event);
+        event.place = eventPlace (event);
 
     return { blockEvents.data(), waiting + count };
 }

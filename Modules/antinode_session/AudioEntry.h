@@ -11,8 +11,8 @@
 
 namespace antinode
 {
-/** Where the audio thread enters a session: triggers in, the path that plays, meters out. The session's thread gives it paths, by one
-    atomic exchange, and outlives the session if need be, so both share it. */
+/** Where the audio thread enters a session: triggers in, the path that plays, meters out. The session's thread gives it
+   paths, by one atomic exchange, and outlives the session if need be, so both share it. */
 class AudioEntry
 {
 public:
@@ -31,10 +31,10 @@ public:
     void fire (int place, double amplitude) { triggers.push ({ 0, FocusEventKind::trigger, place, amplitude }); }
 
     /** Fades all voices out with the next block. [any] */
-    void stopAll() { isStopAsked = true; }
+    void stopAll() { isStopRequested = true; }
 
     /** The place of the bank that an event means. [any] */
-    int placeOf (const FocusEvent&) const;
+    int eventPlace (const FocusEvent&) const;
 
     /** Whether every note plays the focus at its own place. [any] */
     void setPlaysSpotOnly (bool should) { playsSpotOnly = should; }
@@ -55,7 +55,7 @@ public:
 private:
     std::span<const FocusEvent> gather (std::span<const FocusEvent> events);
 
-    std::atomic<bool> isStopAsked { false }, playsSpotOnly { false };
+    std::atomic<bool> isStopRequested { false }, playsSpotOnly { false };
     std::atomic<double> preparedRate { 0 }, fullScale { 0 };
     TriggerQueue triggers;
     std::array<FocusEvent, 1024> blockEvents {}; ///< Of the audio thread.

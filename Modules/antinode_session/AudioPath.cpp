@@ -78,12 +78,12 @@ void AudioPath::note (int count, Outputs outputs, LevelMeters& meters, ProbeTrac
 
     for (std::size_t i = 0; i < std::min<std::size_t> (ceramics, LevelMeters::ceramics); ++i)
     {
-        meters.notePeak (static_cast<int> (i), static_cast<float> (peakOf (outputs[i], count)));
+        meters.notePeak (static_cast<int> (i), static_cast<float> (absolutePeak (outputs[i], count)));
         meters.noteLimited (static_cast<int> (i), limiter.limitedSamples()[i]);
     }
 
     for (std::size_t i = 0; i < probes; ++i)
-        meters.noteProbe (static_cast<int> (i), static_cast<float> (peakOf (outputs[ceramics + i], count)));
+        meters.noteProbe (static_cast<int> (i), static_cast<float> (absolutePeak (outputs[ceramics + i], count)));
 
     const auto& voices = standard.voiceNode().voices();
     meters.noteState (limiter.isMuted(), voices.activeVoices(), voices.counters().triggered);

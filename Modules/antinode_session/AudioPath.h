@@ -29,8 +29,8 @@ struct GraphChoice
     InsertNodes insert; ///< Of the open graph; none: nothing.
 };
 
-/** What plays one device at one sample rate: its graph, and the worker that designs its foci. Made by the session, played by the
-    audio thread, freed by the session. */
+/** What plays one device at one sample rate: its graph, and the worker that designs its foci. Made by the session,
+   played by the audio thread, freed by the session. */
 class AudioPath
 {
 public:

@@ -17,11 +17,11 @@ bool contains (std::span<const int> places, int place)
 BankOrder::BankOrder (const std::vector<int>& wantedFirst, std::size_t count) : first (wantedFirst), left (count)
 {
     const auto centre = first.empty() ? 0 : first.front();
-    const auto rankOf = [this] (int place) { return std::find (first.begin(), first.end(), place) - first.begin(); };
+    const auto priority = [this] (int place) { return std::find (first.begin(), first.end(), place) - first.begin(); };
     std::iota (left.begin(), left.end(), 0);
     std::stable_sort (left.begin(), left.end(),
                       [centre] (int one, int other) { return std::abs (one - centre) < std::abs (other - centre); });
-    std::stable_sort (left.begin(), left.end(), [&] (int one, int other) { return rankOf (one) < rankOf (other); });
+    std::stable_sort (left.begin(), left.end(), [&] (int one, int other) { return priority (one) < priority (other); });
 }
 
 BankOrder::Next BankOrder::take (std::span<const int> urgent)

@@ -5,8 +5,8 @@
 
 namespace antinode
 {
-/** The places of a bank in the order in which they are designed: those that are wanted first, then the others outward from the first of
-    them, by number. */
+/** The places of a bank in the order in which they are designed: those that are wanted first, then the others outward
+   from the first of them, by number. */
 class BankOrder
 {
 public:

@@ -5,7 +5,7 @@
 
 namespace antinode
 {
-double peakOf (const double* samples, int count)
+double absolutePeak (const double* samples, int count)
 {
     double peak = 0;
 

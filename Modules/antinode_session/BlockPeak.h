@@ -3,5 +3,5 @@
 namespace antinode
 {
 /** The largest absolute value of a block. [audio thread] */
-double peakOf (const double* samples, int count);
+double absolutePeak (const double* samples, int count);
 } // namespace antinode

@@ -10,7 +10,8 @@
 
 namespace antinode
 {
-/** A requested bank: one focus at its own position, for FocusBank::livePlace, and moved to many positions, for the notes. */
+/** A requested bank: one focus at its own position, for FocusBank::livePlace, and moved to many positions, for the
+ * notes. */
 struct DesignRequest
 {
     std::shared_ptr<const ModalModel> model;

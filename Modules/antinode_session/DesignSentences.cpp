@@ -6,7 +6,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int mostRanges = 6; // that are named
+constexpr int maximumRanges = 6; // that are named
 
 /** "0 to 3, 9 and 127", the last ones in a number where there are many. */
 std::string inWords (const std::vector<int>& notes)
@@ -14,7 +14,7 @@ std::string inWords (const std::vector<int>& notes)
     std::vector<std::string> ranges;
     std::size_t named = 0;
 
-    while (named < notes.size() && ranges.size() < mostRanges)
+    while (named < notes.size() && ranges.size() < maximumRanges)
     {
         const auto first = named++;
 

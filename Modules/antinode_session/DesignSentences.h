@@ -6,8 +6,8 @@
 
 namespace antinode
 {
-/** Says how many notes have no focus, which, and why the last of them failed; empty if all have one. The focus at its own position is
-    not meant: DesignProgress::liveError.
+/** Says how many notes have no focus, which, and why the last of them failed; empty if all have one. The focus at its
+   own position is not meant: DesignProgress::liveError.
     @param sampleRate  that they were designed for, Hz
     [any] */
 std::string unplayableNotes (const DesignProgress&, double sampleRate);

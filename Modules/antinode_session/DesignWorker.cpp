@@ -38,7 +38,7 @@ void DesignWorker::request (DesignRequest request)
     state.wanted = static_cast<int> (request.places.size()) + 1;
     isReady.fill (false);
     next = std::move (request);
-    nextAsked = Clock::now();
+    nextRequestTime = Clock::now();
     changed.notify_all();
 }
 
@@ -105,7 +105,7 @@ void DesignWorker::run()
                 accepted = std::move (*next);
 
             next.reset();
-            asked = nextAsked;
+            asked = nextRequestTime;
         }
 
         if (isNew)
@@ -199,7 +199,7 @@ void DesignWorker::designTouches()
 }
 
 /** Touches are not outdated by a request: who asked waits for an answer. */
-bool DesignWorker::mayGoOn (int place, Clock::time_point begin) const
+bool DesignWorker::mayContinue (int place, Clock::time_point begin) const
 {
     const std::lock_guard lock (mutex);
     const auto isReplaced = next && place < FocusBank::firstTouchPlace && Clock::now() - begin > longDesign;
@@ -211,7 +211,7 @@ bool DesignWorker::designPlace (const DesignRequest& request, int place, const F
 {
     std::shared_ptr<const PlayableFocus> focus;
     std::string error;
-    const WatchScope scope ([this, place, begin = Clock::now()] { return mayGoOn (place, begin); });
+    const WatchScope scope ([this, place, begin = Clock::now()] { return mayContinue (place, begin); });
 
     try
     {

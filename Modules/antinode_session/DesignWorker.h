@@ -17,10 +17,10 @@
 
 namespace antinode
 {
-/** Designs banks on a thread of its own and hands them over: the focus at its own place first, then the wanted notes' places
-    one by one, then the others in parts (BankOrder). A newer request replaces one that has not been finished: rapid
-    changes of a parameter coalesce, and a design that takes long is given up. Until a place is designed again it keeps the focus that it had. A touched place is designed
-    between two others. */
+/** Designs banks on a thread of its own and hands them over: the focus at its own place first, then the wanted notes'
+   places one by one, then the others in parts (BankOrder). A newer request replaces one that has not been finished:
+   rapid changes of a parameter coalesce, and a design that takes long is given up. Until a place is designed again it
+   keeps the focus that it had. A touched place is designed between two others. */
 class DesignWorker
 {
 public:
@@ -35,8 +35,8 @@ public:
     /** Asks for a bank. Returns at once. [any but the audio thread] */
     void request (DesignRequest);
 
-    /** Designs the newest request's focus at another place; calls back, on the worker's thread, when it has been handed over.
-        The last 16 touched places are kept. More than 16 that wait are not taken.
+    /** Designs the newest request's focus at another place; calls back, on the worker's thread, when it has been handed
+       over. The last 16 touched places are kept. More than 16 that wait are not taken.
         @param x, y   m
         @param ready  gets the place of the bank, or -1 where no focus could be designed there
         @return       whether it was taken
@@ -65,7 +65,7 @@ private:
     void run();
     void designBank (const DesignRequest&, Clock::time_point asked);
     bool designPlace (const DesignRequest&, int place, const FocusDescription&);
-    bool mayGoOn (int place, Clock::time_point begin) const;
+    bool mayContinue (int place, Clock::time_point begin) const;
     void designTouches();
     bool isOutdated() const;
     void handOverBank();
@@ -79,7 +79,7 @@ private:
     std::vector<Touch> touches;
     std::vector<int> urgent; ///< Urgent places.
     Places isReady {};       ///< The places of the newest request that were handed over.
-    Clock::time_point nextAsked;
+    Clock::time_point nextRequestTime;
     DesignProgress state;
     bool isStopping = false, isWorking = false;
     FocusBank bank;                        ///< Of the thread only: what was designed so far.

@@ -18,7 +18,7 @@ bool isSame (float one, float other)
     return std::abs (one - other) <= 2e-6F * std::max (1.0F, std::abs (other));
 }
 
-double percentOf (double value, double minimum, double maximum)
+double percentBetween (double value, double minimum, double maximum)
 {
     return maximum > minimum ? 100 * (value - minimum) / (maximum - minimum) : 50.0;
 }
@@ -78,10 +78,11 @@ std::pair<double, double> placeFromPercent (const Surface& surface, double xPerc
 
 std::pair<double, double> percentFromPlace (const Surface& surface, double x, double y)
 {
-    return { percentOf (x, surface.xMinimum, surface.xMaximum), percentOf (y, surface.yMinimum, surface.yMaximum) };
+    return { percentBetween (x, surface.xMinimum, surface.xMaximum),
+             percentBetween (y, surface.yMinimum, surface.yMaximum) };
 }
 
-PlaySettings settingsOf (const FocusDescription& focus, const Surface& surface, const PlaySettings& present)
+PlaySettings settingsFromFocus (const FocusDescription& focus, const Surface& surface, const PlaySettings& present)
 {
     auto settings = present;
     const auto& target = focus.targets.front();
@@ -111,14 +112,15 @@ PlaySettings settingsOf (const FocusDescription& focus, const Surface& surface, 
 FocusDescription withSettings (const FocusDescription& document, const PlaySettings& settings, const Surface& surface)
 {
     auto focus = document;
-    const auto loaded = settingsOf (document, surface, settings);
+    const auto loaded = settingsFromFocus (document, surface, settings);
     applyTarget (focus, settings, loaded, surface);
     focus.allocation.method = settings.method;
 
-    if (! traitsOf (focus.allocation.method).takesRobustness)
+    if (! methodTraits (focus.allocation.method).takesRobustness)
         focus.allocation.robust.reset();
 
-    focus.allocation.isUndisplaced = focus.allocation.isUndisplaced && traitsOf (focus.allocation.method).hasExactRows;
+    focus.allocation.isUndisplaced =
+        focus.allocation.isUndisplaced && methodTraits (focus.allocation.method).hasExactRows;
 
     if (! isSame (settings.focusTimeMilliseconds, loaded.focusTimeMilliseconds))
         moveInTime (focus, static_cast<double> (settings.focusTimeMilliseconds) * milli);
@@ -145,7 +147,7 @@ FocusDescription withSettings (const FocusDescription& document, const PlaySetti
     return focus;
 }
 
-std::int64_t latencyOf (const FocusDescription& document, const PlaySettings& settings, double sampleRate)
+std::int64_t estimateLatency (const FocusDescription& document, const PlaySettings& settings, double sampleRate)
 {
     // Times do not depend on the surface.
     return settings.focusOnNote

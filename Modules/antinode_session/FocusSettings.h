@@ -13,16 +13,16 @@
 namespace antinode
 {
 /** The parameters of a loaded focus. [any] */
-PlaySettings settingsOf (const FocusDescription&, const Surface&, const PlaySettings& present);
+PlaySettings settingsFromFocus (const FocusDescription&, const Surface&, const PlaySettings& present);
 
-/** A loaded focus as the parameters have changed it. What a parameter says as the focus does is taken from the focus, to the bit: so the
-    same focus gives the same voltages in a host and on the command line.
+/** A loaded focus as the parameters have changed it. What a parameter says as the focus does is taken from the focus,
+   to the bit: so the same focus gives the same voltages in a host and on the command line.
     @param document  what was loaded, with at least one target
     [any] */
 FocusDescription withSettings (const FocusDescription& document, const PlaySettings&, const Surface&);
 
 /** Samples from a trigger to its focus where foci are delayed onto notes, else 0. [any] */
-std::int64_t latencyOf (const FocusDescription& document, const PlaySettings&, double sampleRate);
+std::int64_t estimateLatency (const FocusDescription& document, const PlaySettings&, double sampleRate);
 
 /** A place from percents of the surface's extent. @return  x, y in m [any] */
 std::pair<double, double> placeFromPercent (const Surface&, double xPercent, double yPercent);
@@ -30,8 +30,8 @@ std::pair<double, double> placeFromPercent (const Surface&, double xPercent, dou
 /** The same, back. [any] */
 std::pair<double, double> percentFromPlace (const Surface&, double x, double y);
 
-/** The positions of the monitor probes: the probe of the parameters, then the second probe of the focus, or else its first target. m
-    [any] */
+/** The positions of the monitor probes: the probe of the parameters, then the second probe of the focus, or else its
+   first target. m [any] */
 std::vector<std::pair<double, double>> probePlaces (const FocusDescription& document, const PlaySettings&,
                                                     const Surface&);
 } // namespace antinode

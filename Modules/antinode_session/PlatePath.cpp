@@ -15,7 +15,7 @@ namespace
 {
 constexpr double captureMemory = 3; // s, after which a smaller motion is shown again
 
-Eigen::VectorXd limitsOf (const ModalModel& model)
+Eigen::VectorXd ceramicLimits (const ModalModel& model)
 {
     Eigen::VectorXd limits (model.actuators());
 
@@ -46,7 +46,7 @@ PlatePath::PlatePath (std::shared_ptr<const ModalModel> model, double sampleRate
 {
     const auto ceramics = static_cast<int> (modes->actuators());
     input = graph.add (std::make_unique<InputNode> (ceramics), NodeGraph::noSource);
-    limiter = graph.add (std::make_unique<LimiterNode> (limitsOf (*modes)), input);
+    limiter = graph.add (std::make_unique<LimiterNode> (ceramicLimits (*modes)), input);
     plate = graph.add (surfaceNode (modes, probeShapes, kind), limiter);
     graph.setOutputs ({ limiter, plate });
     graph.prepare ({ rate, stride });
@@ -98,12 +98,12 @@ void PlatePath::note (int count, Outputs outputs, LevelMeters& meters)
 
     for (int i = 0; i < std::min (ceramics, LevelMeters::ceramics); ++i)
     {
-        meters.notePeak (i, static_cast<float> (peakOf (outputs[i], count)));
+        meters.notePeak (i, static_cast<float> (absolutePeak (outputs[i], count)));
         meters.noteLimited (i, limited[static_cast<std::size_t> (i)]);
     }
 
     for (int i = 0; i < probes; ++i)
-        meters.noteProbe (i, static_cast<float> (peakOf (outputs[ceramics + i], count)));
+        meters.noteProbe (i, static_cast<float> (absolutePeak (outputs[ceramics + i], count)));
 }
 
 /** Parts are a step long or, at the end of a block, shorter: frames lie within a part of where they belong. */

@@ -55,7 +55,7 @@ void PlateWorker::prepare (double sampleRate)
     paths.reset();
     std::unique_lock lock (mutex);
     wantedRate = sampleRate;
-    const auto round = ++roundsAsked;
+    const auto round = ++roundsRequested;
     wake.notify_all();
     settled.wait_for (lock, patience, [&] { return roundsDone >= round; });
 }
@@ -63,7 +63,7 @@ void PlateWorker::prepare (double sampleRate)
 void PlateWorker::waitUntilSettled()
 {
     std::unique_lock lock (mutex);
-    const auto round = ++roundsAsked;
+    const auto round = ++roundsRequested;
     wake.notify_all();
     settled.wait (lock, [&] { return roundsDone >= round; });
 }
@@ -100,8 +100,8 @@ void PlateWorker::run()
 bool PlateWorker::awaitRound (std::uint64_t& round)
 {
     std::unique_lock lock (mutex);
-    wake.wait_for (lock, interval, [this] { return isStopping || nextDevice || roundsAsked > roundsDone; });
-    round = roundsAsked;
+    wake.wait_for (lock, interval, [this] { return isStopping || nextDevice || roundsRequested > roundsDone; });
+    round = roundsRequested;
     return ! isStopping;
 }
 

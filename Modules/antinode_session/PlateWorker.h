@@ -10,8 +10,8 @@
 
 namespace antinode
 {
-/** What a plate session and its thread share: requests and answers under a lock, the work of the thread, and the path that the audio
-    thread moves. It lasts as long as the longer of both. The functions are PlateSession's. */
+/** What a plate session and its thread share: requests and answers under a lock, the work of the thread, and the path
+   that the audio thread moves. It lasts as long as the longer of both. The functions are PlateSession's. */
 class PlateWorker
 {
 public:
@@ -51,7 +51,7 @@ private:
     std::condition_variable wake, settled;
     std::shared_ptr<const DeviceDocument> nextDevice;
     double wantedRate = 0; ///< Hz; 0 before the first preparation.
-    std::uint64_t roundsAsked = 0, roundsDone = 0;
+    std::uint64_t roundsRequested = 0, roundsDone = 0;
     std::shared_ptr<const PlateSnapshot> published;
 
     PlateSnapshot present; ///< Of the session's thread, as the next lines.

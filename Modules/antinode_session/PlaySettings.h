@@ -12,7 +12,8 @@ enum class NoteLayout
     spot    ///< Every note the focus at its own place.
 };
 
-/** The parameters of a host for the focus: numbers as a host keeps them, in the units of their names. Docs/Manual/parameters.md. */
+/** The parameters of a host for the focus: numbers as a host keeps them, in the units of their names.
+ * Docs/Manual/parameters.md. */
 struct PlaySettings
 {
     float xPercent = 50, yPercent = 50; ///< Of the surface's extent, from its left and its lower edge.
@@ -20,8 +21,8 @@ struct PlaySettings
     TargetShape shape = TargetShape::sinc;
     float peakVelocityMillimetresPerSecond = 40;
     float focusTimeMilliseconds = 25;
-    float growth = -1;           ///< Below 0: as the focus says, or chosen.
-    float brake = 0;             ///< 1 or below: as the focus says, or none.
+    float growth = -1; ///< Below 0: as the focus says, or chosen.
+    float brake = 0;   ///< 1 or below: as the focus says, or none.
     AllocationMethod method = AllocationMethod::exact;
     float voltageLimitVolts = 0; ///< 0: as the focus says, or the device's.
     int modeCount = 0;           ///< 0: as the focus says, or chosen.

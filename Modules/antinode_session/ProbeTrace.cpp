@@ -12,13 +12,13 @@ void ProbeTrace::write (const double* velocities, int count)
     {
         const auto value = static_cast<float> (velocities[n]);
         current = inEntry == 0 ? Entry { value, value }
-                               : Entry { std::min (current.least, value), std::max (current.largest, value) };
+                               : Entry { std::min (current.smallest, value), std::max (current.largest, value) };
 
         if (++inEntry < samples)
             continue;
 
         const auto at = position.load (std::memory_order_relaxed);
-        least[at % capacity].store (current.least, std::memory_order_relaxed);
+        smallest[at % capacity].store (current.smallest, std::memory_order_relaxed);
         largest[at % capacity].store (current.largest, std::memory_order_relaxed);
         position.store (at + 1, std::memory_order_release);
         inEntry = 0;
@@ -33,7 +33,7 @@ std::vector<ProbeTrace::Entry> ProbeTrace::newest (std::size_t count) const
     entries.reserve (available);
 
     for (auto at = end - available; at < end; ++at)
-        entries.push_back ({ least[at % capacity].load (std::memory_order_relaxed),
+        entries.push_back ({ smallest[at % capacity].load (std::memory_order_relaxed),
                              largest[at % capacity].load (std::memory_order_relaxed) });
 
     return entries;

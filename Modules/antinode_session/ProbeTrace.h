@@ -7,7 +7,8 @@
 
 namespace antinode
 {
-/** The last second or so of the first probe's velocity, to be drawn: each entry is the largest and the least value of some samples. */
+/** The last second or so of the first probe's velocity, to be drawn: each entry is the largest and the least value of
+ * some samples. */
 class ProbeTrace
 {
 public:
@@ -15,7 +16,7 @@ public:
 
     struct Entry
     {
-        float least = 0, largest = 0; ///< m/s
+        float smallest = 0, largest = 0; ///< m/s
     };
 
     /** @param samples  how many make an entry, 1 or more; the one that is begun may be of either length [any] */
@@ -34,7 +35,7 @@ private:
     std::atomic<int> samplesPerEntry { 48 };
     int inEntry = 0; ///< Of the audio thread, as the next line.
     Entry current;
-    std::array<std::atomic<float>, capacity> least {}, largest {};
+    std::array<std::atomic<float>, capacity> smallest {}, largest {};
     std::atomic<std::uint64_t> position { 0 };
 };
 } // namespace antinode

@@ -37,7 +37,8 @@ void Session::prepare (double sampleRate)
 {
     entry->prepare (sampleRate);
     // At once, although the path may come later: hosts ask for it now.
-    requests->setLatencySamples (latencyOf (requests->newestFocus()->description, owner->settings ({}), sampleRate));
+    requests->setLatencySamples (
+        estimateLatency (requests->newestFocus()->description, owner->settings ({}), sampleRate));
     requests->prepare (sampleRate, preparePatience);
 }
 
@@ -47,7 +48,7 @@ void Session::waitUntilSettled (std::span<const FocusEvent> events)
 
     for (const auto& event : events)
         if (event.kind == FocusEventKind::trigger)
-            places.push_back (entry->placeOf (event));
+            places.push_back (entry->eventPlace (event));
 
     requests->waitUntilSettled (std::move (places));
 }
@@ -80,7 +81,7 @@ Session::TouchResult Session::fireAt (double x, double y, double amplitude)
     const auto now = snapshot();
 
     if (now->model == nullptr)
-        return TouchResult::notTaken;
+        return TouchResult::notAccepted;
 
     const auto& surface = now->model->surface;
     const auto isLine = surface.kind == SurfaceKind::line;
@@ -88,9 +89,9 @@ Session::TouchResult Session::fireAt (double x, double y, double amplitude)
         x >= surface.xMinimum && x <= surface.xMaximum && (isLine || (y >= surface.yMinimum && y <= surface.yMaximum));
 
     if (! isInside)
-        return TouchResult::besideSurface;
+        return TouchResult::outsideSurface;
 
-    return requests->touch ({ x, isLine ? 0.0 : y, amplitude }) ? TouchResult::taken : TouchResult::notTaken;
+    return requests->touch ({ x, isLine ? 0.0 : y, amplitude }) ? TouchResult::taken : TouchResult::notAccepted;
 }
 
 void Session::stopAll()

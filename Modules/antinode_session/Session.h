@@ -13,14 +13,15 @@
 
 namespace antinode
 {
-/** Everything between the front ends and the kernels: turns a device, a focus and parameters into an audio path. The plug-in
-    and the standalone program each have one; neither solves, designs or swaps anything by itself.
+/** Everything between the front ends and the kernels: turns a device, a focus and parameters into an audio path. The
+   plug-in and the standalone program each have one; neither solves, designs or swaps anything by itself.
 
-    It is three things: requests and answers under a lock (SessionRequests), the work of a thread of its own (SessionWorker), and what the
-    audio thread enters (AudioEntry). The thread looks at the parameters every few milliseconds, so that whoever changes them (a host does
-    it on the audio thread) makes no callbacks. Solving a device and building a path happen there, designing on the path's worker. A new
-    path is handed over by one atomic exchange after the old one has ramped to 0 V, and the old one is freed there. Nothing here waits for
-    that work longer than a moment, the destructor neither: then the thread ends later. Docs/Architecture.md, Session. */
+    It is three things: requests and answers under a lock (SessionRequests), the work of a thread of its own
+   (SessionWorker), and what the audio thread enters (AudioEntry). The thread looks at the parameters every few
+   milliseconds, so that whoever changes them (a host does it on the audio thread) makes no callbacks. Solving a device
+   and building a path happen there, designing on the path's worker. A new path is handed over by one atomic exchange
+   after the old one has ramped to 0 V, and the old one is freed there. Nothing here waits for that work longer than a
+   moment, the destructor neither: then the thread ends later. Docs/Architecture.md, Session. */
 class Session
 {
 public:
@@ -38,12 +39,13 @@ public:
     Session (const Session&) = delete;
     Session& operator= (const Session&) = delete;
 
-    /** Another device, focus, or both (none: the present one stays). Returns at once; what plays ramps out when the new path is
-        ready. [any but the audio thread] */
+    /** Another device, focus, or both (none: the present one stays). Returns at once; what plays ramps out when the new
+       path is ready. [any but the audio thread] */
     void load (std::shared_ptr<const DeviceDocument>, std::shared_ptr<const FocusDocument>);
 
-    /** Brings what plays to rest, and asks for the path of a sample rate. Waits until it is there and its focus designed, but only a
-        moment: where a large device is being solved there is silence until it is. Nothing may be processing. [worker] */
+    /** Brings what plays to rest, and asks for the path of a sample rate. Waits until it is there and its focus
+       designed, but only a moment: where a large device is being solved there is silence until it is. Nothing may be
+       processing. [worker] */
     void prepare (double sampleRate);
 
     /** Plays a block, or silence while there is no path. [audio thread] allocates nothing, locks nothing
@@ -54,17 +56,18 @@ public:
         entry->process (block, events, controls);
     }
 
-    /** Waits until all that was loaded is taken up, with what the parameters say, and the foci are designed that these events
-        trigger: for offline rendering. One caller at a time. [any but a real-time audio thread] */
+    /** Waits until all that was loaded is taken up, with what the parameters say, and the foci are designed that these
+       events trigger: for offline rendering. One caller at a time. [any but a real-time audio thread] */
     void waitUntilSettled (std::span<const FocusEvent> events = {});
 
-    /** Plays by separate nodes (openGraph), or by the fused ones, which are the same samples at less cost. What plays ramps out when
-        the other path is ready. [any] */
+    /** Plays by separate nodes (openGraph), or by the fused ones, which are the same samples at less cost. What plays
+       ramps out when the other path is ready. [any] */
     void setGraphOpen (bool shouldBeOpen) { requests->setGraphOpen (shouldBeOpen); }
     bool isGraphOpen() const { return requests->isGraphOpen(); }
 
     /** What stands between the nodes of the open graph from the next path on, which is made at once.
-        @param insert  called on the session's thread for every path; none: nothing is inserted [any but the audio thread] */
+        @param insert  called on the session's thread for every path; none: nothing is inserted [any but the audio
+       thread] */
     void insertNodes (InsertNodes insert);
 
     /** Designs the places of these notes before those of the others, in this order; by default that of middle C.
@@ -78,8 +81,8 @@ public:
     enum class TouchResult
     {
         taken,
-        besideSurface,
-        notTaken ///< No device is solved yet, or too many wait.
+        outsideSurface,
+        notAccepted ///< No device is solved yet, or too many wait.
     };
 
     /** Designs and fires a focus at another position. @param x, y  m [any but the audio thread] */

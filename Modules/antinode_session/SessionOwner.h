@@ -6,7 +6,8 @@
 
 namespace antinode
 {
-/** What a session's thread calls of its owner. The owner may leave while the thread goes on: from then on nothing of it is called.
+/** What a session's thread calls of its owner. The owner may leave while the thread goes on: from then on nothing of it
+   is called.
     @tparam Settings  what its parameters say */
 template <typename Settings>
 class SessionOwner
@@ -26,10 +27,7 @@ public:
     }
 
     /** Tells of a change. [worker] */
-    void tell()
-    {
-        call (onChange);
-    }
+    void tell() { call (onChange); }
 
     /** Calls a function of the owner's. @return  false where the owner has left, and nothing was called [worker] */
     template <typename Function>

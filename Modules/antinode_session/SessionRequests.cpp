@@ -67,7 +67,7 @@ void SessionRequests::prepare (double sampleRate, Milliseconds patience)
 {
     std::unique_lock lock (mutex);
     asked.sampleRate = sampleRate;
-    const auto round = ++roundsAsked;
+    const auto round = ++roundsRequested;
     wake.notify_all();
     settled.wait_for (lock, patience,
                       [&] { return roundsDone >= round && (designs.designed > 0 || designs.wanted == 0); });
@@ -77,7 +77,7 @@ void SessionRequests::waitUntilSettled (std::vector<int> places)
 {
     std::unique_lock lock (mutex);
     settlePlaces = std::move (places);
-    const auto round = settleAsked = ++roundsAsked;
+    const auto round = settleRequested = ++roundsRequested;
     wake.notify_all();
     settled.wait (lock, [&] { return roundsDone >= round; });
 }
@@ -101,17 +101,17 @@ std::optional<SessionRound> SessionRequests::next()
     wake.wait_for (lock, lookInterval,
                    [this] {
                        return stopping || asked.device || asked.focus || ! asked.touches.empty()
-                              || roundsAsked > roundsDone;
+                              || roundsRequested > roundsDone;
                    });
 
     if (stopping)
         return {};
 
-    asked.number = roundsAsked;
+    asked.number = roundsRequested;
     asked.graph.isOpen = wantsOpenGraph;
     auto round = asked;
 
-    if (settleAsked > roundsDone)
+    if (settleRequested > roundsDone)
         round.awaited = settlePlaces;
 
     asked.device = nullptr;

@@ -35,8 +35,8 @@ struct SessionRound
     std::optional<std::vector<int>> awaited; ///< Places of the bank, if somebody waits for their designs.
 };
 
-/** What a session's thread is asked for, and what it answers: all that both sides share under one lock. Front ends ask; the session's
-    thread works in rounds, which may be waited for. */
+/** What a session's thread is asked for, and what it answers: all that both sides share under one lock. Front ends ask;
+   the session's thread works in rounds, which may be waited for. */
 class SessionRequests
 {
 public:
@@ -61,10 +61,12 @@ public:
     /** @return  whether it was taken: not where too many wait [any but the audio thread] */
     bool touch (const SessionTouch&);
 
-    /** Asks for the path of a sample rate, and waits until it is there and its focus designed, or the patience has ended. [worker] */
+    /** Asks for the path of a sample rate, and waits until it is there and its focus designed, or the patience has
+     * ended. [worker] */
     void prepare (double sampleRate, Milliseconds patience);
 
-    /** Waits until all that was asked for is done, and these places of the bank are designed. [any but a real-time audio thread] */
+    /** Waits until all that was asked for is done, and these places of the bank are designed. [any but a real-time
+     * audio thread] */
     void waitUntilSettled (std::vector<int> places);
 
     /** Ends the session's thread as soon as its work lets it. [any but the audio thread] */
@@ -76,7 +78,8 @@ public:
     /** Whether a device waits to be taken. [any but the audio thread] */
     bool hasDevice() const;
 
-    /** Waits for a request, a few milliseconds at most: settings are looked at so often. @return  none at the end [session's thread] */
+    /** Waits for a request, a few milliseconds at most: settings are looked at so often. @return  none at the end
+     * [session's thread] */
     std::optional<SessionRound> next();
 
     /** Ends a round. [session's thread] */
@@ -104,9 +107,9 @@ private:
     std::atomic<double> tail { 1 };
     mutable std::mutex mutex; ///< For all that follows, and what ends a wait is changed under it.
     std::condition_variable wake, settled;
-    SessionRound asked;                                             ///< So far, for the next round.
+    SessionRound asked; ///< So far, for the next round.
     std::shared_ptr<const FocusDocument> newest;
-    std::uint64_t roundsAsked = 0, settleAsked = 0, roundsDone = 0; ///< Rounds that others wait for.
+    std::uint64_t roundsRequested = 0, settleRequested = 0, roundsDone = 0; ///< Rounds that others wait for.
     std::vector<int> settlePlaces;
     DesignProgress designs;
     std::shared_ptr<const SessionSnapshot> published;

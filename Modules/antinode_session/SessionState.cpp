@@ -10,7 +10,7 @@ namespace antinode
 namespace
 {
 constexpr auto schema = "antinode.state/1";
-constexpr int mostMutes = 64;
+constexpr int maximumMutes = 64;
 constexpr double farthest = 1e12; // of a parameter: each cuts it to its own range
 
 std::map<std::string, double> readParameters (const JsonValue& value, const nlohmann::json& json)
@@ -27,8 +27,8 @@ std::uint64_t readMutes (const JsonValue& value)
 {
     std::uint64_t mutes = 0;
 
-    for (const auto& item : value.items (0, mostMutes))
-        mutes |= std::uint64_t (1) << (item.integer (1, mostMutes) - 1);
+    for (const auto& item : value.items (0, maximumMutes))
+        mutes |= std::uint64_t (1) << (item.integer (1, maximumMutes) - 1);
 
     return mutes;
 }
@@ -38,7 +38,7 @@ std::string stateToText (const SessionState& state)
 {
     nlohmann::ordered_json muted = nlohmann::ordered_json::array();
 
-    for (int i = 0; i < mostMutes; ++i)
+    for (int i = 0; i < maximumMutes; ++i)
         if (((state.mutes >> i) & 1U) != 0)
             muted.push_back (i + 1);
 

@@ -17,7 +17,7 @@ namespace
 {
 constexpr double traceEntriesPerSecond = 2000;
 
-PlayerSettings playerSettingsOf (const PlaySettings& settings)
+PlayerSettings toPlayerSettings (const PlaySettings& settings)
 {
     return { settings.noteOff, settings.retrigger, settings.focusOnNote };
 }
@@ -140,7 +140,7 @@ void SessionWorker::buildPath()
 
     try
     {
-        auto made = std::make_unique<AudioPath> (model, rate, playerSettingsOf (settings), probeShapes(), graph);
+        auto made = std::make_unique<AudioPath> (model, rate, toPlayerSettings (settings), probeShapes(), graph);
         path = made.get();
         entry->probeTrace().prepare (std::max (1, static_cast<int> (rate / traceEntriesPerSecond)));
         entry->give (std::move (made));

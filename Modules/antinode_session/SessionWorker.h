@@ -11,8 +11,9 @@
 
 namespace antinode
 {
-/** The work of a session's thread: takes documents, solves devices, builds paths, asks their workers for designs. It shares what it needs,
-    so it may go on after the session: then it frees all and ends as soon as its work looks at the watch. Docs/Architecture.md, Session. */
+/** The work of a session's thread: takes documents, solves devices, builds paths, asks their workers for designs. It
+   shares what it needs, so it may go on after the session: then it frees all and ends as soon as its work looks at the
+   watch. Docs/Architecture.md, Session. */
 class SessionWorker
 {
 public:

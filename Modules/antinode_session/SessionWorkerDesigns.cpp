@@ -18,7 +18,7 @@ constexpr double bankMargin = 0.1; // of the surface's shorter side, kept from i
 void SessionWorker::requestDesigns (const std::vector<int>& firstNotes)
 {
     const auto description = withSettings (focus->description, settings, model->surface);
-    requests->setLatencySamples (latencyOf (focus->description, settings, rate));
+    requests->setLatencySamples (estimateLatency (focus->description, settings, rate));
     entry->setPlaysSpotOnly (settings.noteLayout == NoteLayout::spot);
     isFocusNew = false;
 

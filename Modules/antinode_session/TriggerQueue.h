@@ -8,8 +8,8 @@
 
 namespace antinode
 {
-/** Triggers on their way to the audio thread that did not come with a block: a button, a touch, a message. The audio thread neither
-    locks nor waits; pushes are serialised. */
+/** Triggers on their way to the audio thread that did not come with a block: a button, a touch, a message. The audio
+   thread neither locks nor waits; pushes are serialised. */
 class TriggerQueue
 {
 public:

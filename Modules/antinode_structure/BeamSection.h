@@ -15,14 +15,14 @@ struct BeamSection
 /** The bare substrate. @param width  of the beam, m. [any] */
 BeamSection bareSection (const StructureCommon&, double width);
 
-/** The substrate with a ceramic, or a pair of them, of its own width. Young's moduli, since a beam is free to contract across.
-    A ceramic on one side couples bending to stretching. About the neutral axis the two part where no force acts along the beam,
-    which holds for a beam and closely for the top of a staple on its soft legs.
+/** The substrate with a ceramic, or a pair of them, of its own width. Young's moduli, since a beam is free to contract
+   across. A ceramic on one side couples bending to stretching. About the neutral axis the two part where no force acts
+   along the beam, which holds for a beam and closely for the top of a staple on its soft legs.
     @param width  of the beam, m. [any] Docs/Theory.md, section 1.1. */
 BeamSection ceramicSection (const StructureCommon&, double width, const CeramicDescription&);
 
-/** The active bending moment of a ceramic, or a pair of them, per volt, kappa_b in N m / V, with its polarity and the sign of
-    d31: a section that is loaded by nothing else bends as EI w'' = kappa_b U. One ceramic alone sees the whole voltage
-    whatever its wiring. @param width  of the beam, m. [any] Docs/Theory.md, sections 1.1 and 1.4; paper (23). */
+/** The active bending moment of a ceramic, or a pair of them, per volt, kappa_b in N m / V, with its polarity and the
+   sign of d31: a section that is loaded by nothing else bends as EI w'' = kappa_b U. One ceramic alone sees the whole
+   voltage whatever its wiring. @param width  of the beam, m. [any] Docs/Theory.md, sections 1.1 and 1.4; paper (23). */
 double momentPerVolt (const StructureCommon&, double width, const CeramicDescription&);
 } // namespace antinode

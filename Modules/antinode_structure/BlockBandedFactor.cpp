@@ -113,7 +113,7 @@ void BlockBandedFactor::factorDiagonal (MatrixOut diagonal, Eigen::Index firstPi
 void BlockBandedFactor::solveInPlace (Eigen::MatrixXd& columns) const
 {
     const auto blocks = static_cast<Eigen::Index> (panels.size());
-    const auto rowsOf = [&] (Eigen::Index block, Eigen::Index first)
+    const auto blockRows = [&] (Eigen::Index block, Eigen::Index first)
     {
         return columns.middleRows ((block + first) * blockSize,
                                    panels[static_cast<std::size_t> (block)].rows() - first * blockSize);
@@ -124,7 +124,7 @@ void BlockBandedFactor::solveInPlace (Eigen::MatrixXd& columns) const
         const auto& panel = panels[static_cast<std::size_t> (block)];
         auto own = columns.middleRows (block * blockSize, blockSize);
         solveUnitLower (panel.topRows (blockSize), own);
-        addProduct (rowsOf (block, 1), -1, panel.bottomRows (panel.rows() - blockSize), own);
+        addProduct (blockRows (block, 1), -1, panel.bottomRows (panel.rows() - blockSize), own);
     }
 
     columns.array().colwise() /= pivots.array();
@@ -133,7 +133,7 @@ void BlockBandedFactor::solveInPlace (Eigen::MatrixXd& columns) const
     {
         const auto& panel = panels[static_cast<std::size_t> (block)];
         auto own = columns.middleRows (block * blockSize, blockSize);
-        addTransposedLeft (own, -1, panel.bottomRows (panel.rows() - blockSize), rowsOf (block, 1));
+        addTransposedLeft (own, -1, panel.bottomRows (panel.rows() - blockSize), blockRows (block, 1));
         solveUnitLowerTransposed (panel.topRows (blockSize), own);
     }
 }

@@ -8,10 +8,10 @@
 
 namespace antinode
 {
-/** L D L' of a symmetric operator on the splines of a plate, without pivoting. The unknowns of one outer spline are a block; blocks
-    reach as far as outer splines overlap. D is positive for a definite operator; for an indefinite one the number of its negative
-    entries is that of the operator's negative eigenvalues (Sylvester's law of inertia). Golub, Van Loan, Matrix Computations,
-    sections 4.2 to 4.4. */
+/** L D L' of a symmetric operator on the splines of a plate, without pivoting. The unknowns of one outer spline are a
+   block; blocks reach as far as outer splines overlap. D is positive for a definite operator; for an indefinite one the
+   number of its negative entries is that of the operator's negative eigenvalues (Sylvester's law of inertia). Golub,
+   Van Loan, Matrix Computations, sections 4.2 to 4.4. */
 class BlockBandedFactor
 {
 public:

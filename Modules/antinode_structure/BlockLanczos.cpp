@@ -18,9 +18,10 @@ class KrylovSpace
 {
 public:
     KrylovSpace (const BlockBandedFactor& factorToUse, const TensorOperator& massToUse, Eigen::Index unknowns,
-                 Eigen::Index blockColumns, Eigen::Index mostColumns)
-        : factor (factorToUse), mass (massToUse), basis (unknowns, mostColumns), massBasis (unknowns, mostColumns),
-          projected (Eigen::MatrixXd::Zero (mostColumns, mostColumns)), width (blockColumns)
+                 Eigen::Index blockColumns, Eigen::Index maximumColumns)
+        : factor (factorToUse), mass (massToUse), basis (unknowns, maximumColumns),
+          massBasis (unknowns, maximumColumns), projected (Eigen::MatrixXd::Zero (maximumColumns, maximumColumns)),
+          width (blockColumns)
     {
         block = randomBlock();
         factor.solveInPlace (block);
@@ -72,8 +73,8 @@ private:
                                              [&] { return static_cast<double> (random()) / 4294967296.0 - 0.5; });
     }
 
-    /** Takes from the block what lies in the basis; what it was. But for rounding that is in the last two blocks only: once they are
-        out, one pass over all of them leaves nothing. */
+    /** Takes from the block what lies in the basis; what it was. But for rounding that is in the last two blocks only:
+       once they are out, one pass over all of them leaves nothing. */
     Eigen::MatrixXd orthogonalise()
     {
         Eigen::MatrixXd all = Eigen::MatrixXd::Zero (filled, width);
@@ -106,7 +107,8 @@ private:
             if (! (largest > 0 && std::isfinite (largest)))
                 throw std::runtime_error ("eigenpairs: the iteration space is exhausted");
 
-            // What is left of a used-up direction is rounding: a random one is as good, and is met by the passes that follow.
+            // What is left of a used-up direction is rounding: a random one is as good, and is met by the passes that
+            // follow.
             const Eigen::VectorXd sizes = pairs.values.cwiseMax (1e-24 * largest).cwiseSqrt();
             const Eigen::MatrixXd scaled = pairs.vectors * sizes.cwiseInverse().asDiagonal();
             transform (block, scaled);
@@ -141,9 +143,9 @@ Eigenpairs lowestEigenpairs (const BlockBandedFactor& factor, const TensorOperat
 {
     const auto unknowns = mass.innerRows * mass.outerRows;
     const auto width = std::clamp<Eigen::Index> (count / 12, 2, 12);
-    const auto most = std::min (unknowns / width * width, (6 * count + 80) / width * width);
-    KrylovSpace space (factor, mass, unknowns, width, most);
-    auto nextCheck = std::min (most, 2 * count + 4 * width);
+    const auto maximum = std::min (unknowns / width * width, (6 * count + 80) / width * width);
+    KrylovSpace space (factor, mass, unknowns, width, maximum);
+    auto nextCheck = std::min (maximum, 2 * count + 4 * width);
 
     while (space.canGrow())
     {

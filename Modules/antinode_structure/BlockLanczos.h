@@ -12,9 +12,9 @@ struct Eigenpairs
     bool areConverged = true; ///< Whether all residuals are below 1e-7 of the eigenvalue of the shifted inverse.
 };
 
-/** The lowest eigenpairs by block Lanczos on the shifted inverse, every block orthogonalised twice against all before it. Not even
-    so many copies of an eigenvalue as a block has columns are missed; whether any is can be proven by inertia
-    (BlockBandedFactor::negativePivots). The start is always the same, so the result is reproducible to the bit.
+/** The lowest eigenpairs by block Lanczos on the shifted inverse, every block orthogonalised twice against all before
+   it. Not even so many copies of an eigenvalue as a block has columns are missed; whether any is can be proven by
+   inertia (BlockBandedFactor::negativePivots). The start is always the same, so the result is reproducible to the bit.
     Ericsson, Ruhe, Math. Comp. 35 (1980) 1251-1268; Grimes, Lewis, Simon, SIAM J. Matrix Anal. Appl. 15 (1994) 228-272.
     @param factor  of K - shift M with the shift below the lowest eigenvalue
     @param count   how many, at most the unknowns

@@ -9,8 +9,8 @@ namespace antinode
     [any] Docs/Theory.md, section 1.10. */
 double capacitance (const CeramicDescription&);
 
-/** The slew limit of a ceramic's voltage, V/s: that of its amplifier, or that of the current limit into the capacitance where
-    that is less. 0: as fast as it likes.
+/** The slew limit of a ceramic's voltage, V/s: that of its amplifier, or that of the current limit into the capacitance
+   where that is less. 0: as fast as it likes.
     @param ceramic  its index
     @throws InputError  where the current is limited and the permittivity is not known
     [any] Docs/Theory.md, section 1.10. */

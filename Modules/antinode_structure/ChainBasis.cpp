@@ -13,7 +13,8 @@ Eigen::VectorXd energyScales (Eigen::Index count, double length, double stiffnes
     return ((2 * degrees + 1) / (length * stiffness)).sqrt().matrix();
 }
 
-/** The free motions of the first end, each of a size like what an element's unit of bending does over the chain's length. */
+/** The free motions of the first end, each of a size like what an element's unit of bending does over the chain's
+ * length. */
 Eigen::MatrixXd freeMotions (const ElementChain& chain)
 {
     double length = 0;

@@ -19,13 +19,14 @@ struct ChainMotion
     Eigen::MatrixXd end; ///< 3 x columns: along X, along Y and the rotation of the last end.
 };
 
-/** The displacements that a chain can have: on every element a polynomial, across it of the given degree, along it of half of it,
-    continuous (across it with its slope) from element to element: p-version finite elements.
+/** The displacements that a chain can have: on every element a polynomial, across it of the given degree, along it of
+   half of it, continuous (across it with its slope) from element to element: p-version finite elements.
 
-    The coefficients are, first, the free motions of the first end (at most along X, along Y, rotation), then for each element
-    those of Legendre polynomials for its curvature and for its strain, so scaled that the strain energy is half the sum of
-    the squares of those. This basis spans the same space as Hermite functions with bubbles on every element, but no stiffness of a
-    very short element (a narrow gap between two ceramics) ever has to cancel. Docs/Theory.md, section 1.3.
+    The coefficients are, first, the free motions of the first end (at most along X, along Y, rotation), then for each
+   element those of Legendre polynomials for its curvature and for its strain, so scaled that the strain energy is half
+   the sum of the squares of those. This basis spans the same space as Hermite functions with bubbles on every element,
+   but no stiffness of a very short element (a narrow gap between two ceramics) ever has to cancel. Docs/Theory.md,
+   section 1.3.
 */
 class ChainBasis
 {

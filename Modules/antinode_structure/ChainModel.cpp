@@ -13,8 +13,8 @@ namespace
 /** The places on an element where its motion is handed on. */
 Eigen::Index pointCount (const ChainElement& element, int degree, double angularFrequency)
 {
-    // The rule's widest gap is about pi/2 times its mean one. A gap g interpolates a wave of wave number k with an error of
-    // (k g)^4 / 384 of its amplitude, so k g < 0.0787 keeps it below 1e-7.
+    // The rule's widest gap is about pi/2 times its mean one. A gap g interpolates a wave of wave number k with an
+    // error of (k g)^4 / 384 of its amplitude, so k g < 0.0787 keeps it below 1e-7.
     constexpr double gapsPerPhase = 1.571 / 0.0787;
     const auto phase = bendingWaveNumber (element.section, angularFrequency) * element.length;
     return std::max<Eigen::Index> (degree + 2, 1 + static_cast<Eigen::Index> (std::ceil (gapsPerPhase * phase)));
@@ -64,8 +64,8 @@ void writeElement (ModalModel& model, Eigen::Index row, const ChainElement& elem
 }
 } // namespace
 
-ModalModel modelOf (const ElementChain& chain, const ChainModes& modes, int degree, double angularFrequency,
-                    double width, const Eigen::VectorXd& momentsPerVolt)
+ModalModel makeModel (const ElementChain& chain, const ChainModes& modes, int degree, double angularFrequency,
+                      double width, const Eigen::VectorXd& momentsPerVolt)
 {
     const auto rules = surfaceRules (chain, degree, angularFrequency);
     std::vector<Eigen::VectorXd> places;

@@ -62,7 +62,7 @@ Eigen::MatrixXd forbiddenMotions (const ElementChain& chain, const Eigen::Matrix
     return rows.topRows (count);
 }
 
-ChainProblem problemOf (const ElementChain& chain, const ChainBasis& basis, int degree)
+ChainProblem makeProblem (const ElementChain& chain, const ChainBasis& basis, int degree)
 {
     if (basis.unknowns() > maximumUnknowns)
         throw InputError ("device", "needs " + std::to_string (basis.unknowns())
@@ -87,8 +87,8 @@ ChainProblem problemOf (const ElementChain& chain, const ChainBasis& basis, int 
     return problem;
 }
 
-/** The vectors made orthonormal in M, each against those before it. The mass is formed again from their displacements: M itself
-    is rounded relative to the lowest modes, which is much for the highest ones. */
+/** The vectors made orthonormal in M, each against those before it. The mass is formed again from their displacements:
+   M itself is rounded relative to the lowest modes, which is much for the highest ones. */
 Eigen::MatrixXd massNormalised (const ChainProblem& problem, Eigen::MatrixXd vectors)
 {
     const Eigen::MatrixXd moved = problem.displacement * vectors;
@@ -98,8 +98,8 @@ Eigen::MatrixXd massNormalised (const ChainProblem& problem, Eigen::MatrixXd vec
     return vectors;
 }
 
-/** An angular frequency below that of any flexible mode of a straight beam: what the loosest supports (pinned and guided,
-    beta L = pi/2) give if the softest section carries the heaviest mass everywhere. */
+/** An angular frequency below that of any flexible mode of a straight beam: what the loosest supports (pinned and
+   guided, beta L = pi/2) give if the softest section carries the heaviest mass everywhere. */
 double lowestPossibleAngularFrequency (const ElementChain& chain)
 {
     auto softest = chain.elements.front().section.bendingStiffness;
@@ -116,8 +116,8 @@ double lowestPossibleAngularFrequency (const ElementChain& chain)
     return waveNumber * waveNumber * std::sqrt (softest / heaviest);
 }
 
-/** The strain energy of each mode, doubled, as a frequency: since the mode is good to rounding, this is good to its square. Equal
-    ones may come out exchanged by rounding, so none is left below the one before. */
+/** The strain energy of each mode, doubled, as a frequency: since the mode is good to rounding, this is good to its
+   square. Equal ones may come out exchanged by rounding, so none is left below the one before. */
 Eigen::VectorXd rayleighFrequencies (const ChainBasis& basis, const Eigen::MatrixXd& coefficients)
 {
     Eigen::VectorXd frequencies = coefficients.bottomRows (basis.unknowns() - basis.rigidUnknowns()).colwise().norm();
@@ -129,10 +129,10 @@ Eigen::VectorXd rayleighFrequencies (const ChainBasis& basis, const Eigen::Matri
 
 ChainModes solveChain (const ElementChain& chain, int degree, double angularFrequency)
 {
-    // M x = mu (K + sigma M) x, mu = 1 / (omega^2 + sigma): with sigma between the lowest and the highest wanted omega^2 rounding
-    // costs every wanted mode only their ratio, once; unshifted it would cost the square.
+    // M x = mu (K + sigma M) x, mu = 1 / (omega^2 + sigma): with sigma between the lowest and the highest wanted
+    // omega^2 rounding costs every wanted mode only their ratio, once; unshifted it would cost the square.
     const ChainBasis basis (chain, degree);
-    const auto problem = problemOf (chain, basis, degree);
+    const auto problem = makeProblem (chain, basis, degree);
     const auto lowest = lowestPossibleAngularFrequency (chain);
     const auto shift = lowest * angularFrequency;
     const auto solution = generalizedEigen (problem.mass, problem.stiffness + shift * problem.mass);

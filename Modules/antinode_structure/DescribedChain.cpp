@@ -66,7 +66,7 @@ std::vector<ChainElement> lineElements (const StructureCommon& common, double wi
     return line.finish();
 }
 
-Restraint restraintOf (EdgeCondition condition)
+Restraint toRestraint (EdgeCondition condition)
 {
     const auto clamped = condition == EdgeCondition::clamped;
     return { clamped, clamped || condition == EdgeCondition::simplySupported,
@@ -74,15 +74,15 @@ Restraint restraintOf (EdgeCondition condition)
 }
 } // namespace
 
-ElementChain chainOf (const BeamDescription& beam)
+ElementChain makeChain (const BeamDescription& beam)
 {
-    return { lineElements (beam.common, beam.width, beam.length), restraintOf (beam.left), restraintOf (beam.right),
+    return { lineElements (beam.common, beam.width, beam.length), toRestraint (beam.left), toRestraint (beam.right),
              false };
 }
 
-ElementChain chainOf (const StapleDescription& staple)
+ElementChain makeChain (const StapleDescription& staple)
 {
-    const auto clamped = restraintOf (EdgeCondition::clamped);
+    const auto clamped = toRestraint (EdgeCondition::clamped);
     ElementChain chain { lineElements (staple.common, staple.width, staple.topLength), clamped, clamped, true };
     ChainElement leg { 0, staple.legLength, 0, 1, bareSection (staple.common, staple.width), false, {} };
     chain.elements.insert (chain.elements.begin(), leg);

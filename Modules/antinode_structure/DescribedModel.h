@@ -7,12 +7,12 @@ namespace antinode
 /** The damping ratios of a number of modes: one for all, or a list whose last one serves the modes beyond. [any] */
 Eigen::VectorXd dampingOfModes (const std::vector<double>& ratios, Eigen::Index modes);
 
-/** Writes into a computed model what it takes over from the description as it is: name, damping, limits, and the ceramics with their
-    rectangles cut to the model's surface. [worker] */
+/** Writes into a computed model what it takes over from the description as it is: name, damping, limits, and the
+   ceramics with their rectangles cut to the model's surface. [worker] */
 void describe (ModalModel&, const std::string& name, const StructureCommon&);
 
-/** Gives every shape, with its slopes and participations, the sign that is agreed on: positive where, point by point, it first exceeds a
-    tenth of its largest amplitude. [worker] Docs/Theory.md, section 1.2. */
+/** Gives every shape, with its slopes and participations, the sign that is agreed on: positive where, point by point,
+   it first exceeds a tenth of its largest amplitude. [worker] Docs/Theory.md, section 1.2. */
 void settleSigns (ModalModel&);
 
 /** Whether a surface cannot move at such an edge. [any] */

@@ -110,7 +110,7 @@ struct DeviceDescription
 };
 
 /** The extent of the surface of a described device, before it is solved. [any] */
-Surface extentOf (const DeviceDescription&);
+Surface deviceExtent (const DeviceDescription&);
 
 /** The modal model of a described device: solves a beam, staple or plate; hands a measured model on as it is.
     @param modeCount  how many flexible modes, or none: what the description says, or a default of 40

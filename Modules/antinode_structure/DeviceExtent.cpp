@@ -29,7 +29,7 @@ struct Extent
 };
 } // namespace
 
-Surface extentOf (const DeviceDescription& device)
+Surface deviceExtent (const DeviceDescription& device)
 {
     return std::visit (Extent {}, device.body);
 }

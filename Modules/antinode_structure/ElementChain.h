@@ -44,8 +44,8 @@ double angularFrequencyOfHalfWaves (const ElementChain&, double halfWaves);
 /** The inverse of angularFrequencyOfHalfWaves(). [any] */
 double halfWavesAt (const ElementChain&, double angularFrequency);
 
-/** The chain with its elements cut into equal parts so short that none exceeds 0.38 of a bending wave. On such parts polynomials
-    of degree 8 hold frequencies to about 1e-10 and shapes to 1e-7.
+/** The chain with its elements cut into equal parts so short that none exceeds 0.38 of a bending wave. On such parts
+   polynomials of degree 8 hold frequencies to about 1e-10 and shapes to 1e-7.
     @throws InputError  where a wave's length is beyond all numbers. [any] */
 ElementChain subdivided (const ElementChain&, double angularFrequency);
 } // namespace antinode

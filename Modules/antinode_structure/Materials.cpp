@@ -45,7 +45,7 @@ auto findByName (const Table& table, std::string_view name) -> std::optional<dec
 }
 
 template <typename Table>
-std::vector<std::string> namesOf (const Table& table)
+std::vector<std::string> collectNames (const Table& table)
 {
     std::vector<std::string> names;
     std::transform (table.begin(), table.end(), std::back_inserter (names),
@@ -61,7 +61,7 @@ std::optional<ElasticMaterial> findElasticMaterial (std::string_view name)
 
 std::vector<std::string> elasticMaterialNames()
 {
-    return namesOf (elasticMaterials);
+    return collectNames (elasticMaterials);
 }
 
 std::optional<PiezoelectricMaterial> findPiezoelectricMaterial (std::string_view name)
@@ -71,6 +71,6 @@ std::optional<PiezoelectricMaterial> findPiezoelectricMaterial (std::string_view
 
 std::vector<std::string> piezoelectricMaterialNames()
 {
-    return namesOf (piezoelectricMaterials);
+    return collectNames (piezoelectricMaterials);
 }
 } // namespace antinode

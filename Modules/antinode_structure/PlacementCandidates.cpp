@@ -16,7 +16,7 @@ namespace antinode
 {
 namespace
 {
-constexpr std::size_t mostCandidates = 5000;
+constexpr std::size_t maximumCandidates = 5000;
 
 /** Positions from one end to the other, symmetric about the middle, at most one step apart. */
 std::vector<double> positions (double from, double to, double step)
@@ -27,9 +27,9 @@ std::vector<double> positions (double from, double to, double step)
     const auto length = std::max (to - from, 0.0);
     const auto wanted = std::ceil (length / step - 1e-9);
 
-    if (! (wanted < static_cast<double> (mostCandidates)))
+    if (! (wanted < static_cast<double> (maximumCandidates)))
         throw InputError ("placement: step",
-                          "gives more than " + std::to_string (mostCandidates) + " positions; choose a larger step");
+                          "gives more than " + std::to_string (maximumCandidates) + " positions; choose a larger step");
 
     std::vector<double> result;
 
@@ -64,7 +64,7 @@ std::vector<CeramicDescription> onPlate (const PlateDescription& plate, const Ce
             ceramic.y = y;
             const auto toEdge = std::min ({ x, y, plate.lengthX - x - like.sizeX, plate.lengthY - y - like.sizeY });
 
-            if (! grid.rim || toEdge <= *grid.rim)
+            if (! grid.edgeDistance || toEdge <= *grid.edgeDistance)
                 ceramics.push_back (ceramic);
         }
 
@@ -113,8 +113,8 @@ struct CandidateFinder
 private:
     static void requireFew (const PlacementCandidates& candidates)
     {
-        if (candidates.ceramics.size() > mostCandidates)
-            throw InputError ("placement: step", "gives more than " + std::to_string (mostCandidates)
+        if (candidates.ceramics.size() > maximumCandidates)
+            throw InputError ("placement: step", "gives more than " + std::to_string (maximumCandidates)
                                                      + " positions; choose a larger step");
     }
 

@@ -19,15 +19,15 @@ struct PlacementCandidates
 
 struct CandidateGrid
 {
-    double step = 0;           ///< Between neighbouring positions, m, more than 0.
-    std::optional<double> rim; ///< On a plate: the largest distance from an edge, m.
-    int modes = 40;            ///< How many of the lowest modes.
+    double step = 0;                    ///< Between neighbouring positions, m, more than 0.
+    std::optional<double> edgeDistance; ///< On a plate: the largest distance from an edge, m.
+    int modes = 40;                     ///< How many of the lowest modes.
 };
 
-/** The candidates for ceramics like a given one on a beam, staple or plate; ceramics already on the device are left out, their mass and
-    stiffness are not counted.
-    @throws InputError  when the ceramic does not fit, there are more than 5000 candidates, or the device's modes are given
-    [worker] Docs/Theory.md, section 1.9. */
+/** The candidates for ceramics like a given one on a beam, staple or plate; ceramics already on the device are left
+   out, their mass and stiffness are not counted.
+    @throws InputError  when the ceramic does not fit, there are more than 5000 candidates, or the device's modes are
+   given [worker] Docs/Theory.md, section 1.9. */
 PlacementCandidates placementCandidates (const DeviceDescription&, const CeramicDescription& like,
                                          const CandidateGrid&);
 

@@ -23,8 +23,9 @@ struct Placement
     int exchanges = 0;                ///< The number of exchanges for better candidates.
 };
 
-/** Greedy choice, one candidate after the other, then exchanges: every chosen one in turn gives way to the best in its place, until a
-    round brings no more; the best of six such runs that begin with different candidates. The result depends on the problem only, whatever the number of threads.
+/** Greedy choice, one candidate after the other, then exchanges: every chosen one in turn gives way to the best in its
+   place, until a round brings no more; the best of six such runs that begin with different candidates. The result
+   depends on the problem only, whatever the number of threads.
     @param progress  called with 0 to 1, from this thread; never decreasing
     @throws InputError  when there is no room for so many
     [worker], on all cores. Docs/Theory.md, section 1.9. */

@@ -16,7 +16,7 @@ struct Scaling
     Eigen::VectorXd participation, kernel; ///< N_m each
 };
 
-Scaling scalingOf (const PlacementCandidates& candidates, const Eigen::MatrixXd& kernel, Eigen::Index count)
+Scaling computeScaling (const PlacementCandidates& candidates, const Eigen::MatrixXd& kernel, Eigen::Index count)
 {
     Scaling scaling;
     scaling.participation =
@@ -47,7 +47,7 @@ PlacedCeramics placeCeramics (const DeviceDescription& device, const CeramicDesc
 {
     const auto candidates = placementCandidates (device, like, options.grid);
     const auto kernel = velocityKernel (candidates.angularFrequencies, candidates.dampingRatios, options.duration);
-    const auto scaling = scalingOf (candidates, kernel, options.count);
+    const auto scaling = computeScaling (candidates, kernel, options.count);
     const Eigen::MatrixXd participation = scaling.participation.cwiseInverse().asDiagonal() * candidates.participation;
 
     PlacementProblem problem;

@@ -24,7 +24,8 @@ struct PlacingOptions
     bool isResolved = true;  ///< Whether the device is solved again with its ceramics.
 };
 
-/** Chooses places by the worst controllability of the lowest modes, on the bare device's modes; then solves it with its ceramics.
+/** Chooses places by the worst controllability of the lowest modes, on the bare device's modes; then solves it with its
+   ceramics.
     @throws InputError  as placementCandidates and searchPlacement, and when some mode is moved from none of the places
     [worker], on all cores. Docs/Theory.md, section 1.9. */
 PlacedCeramics placeCeramics (const DeviceDescription&, const CeramicDescription& like, const PlacingOptions&,

@@ -18,7 +18,7 @@ struct AxisSamples
     Eigen::VectorXd weights;
 };
 
-AxisSamples samplesOf (const SplineAxis& axis, Eigen::Index beginCell, Eigen::Index endCell)
+AxisSamples sampleAxis (const SplineAxis& axis, Eigen::Index beginCell, Eigen::Index endCell)
 {
     const auto rule = gaussLegendre (axis.degree() + 1, 1);
     const auto perCell = rule.nodes.size();
@@ -35,7 +35,8 @@ AxisSamples samplesOf (const SplineAxis& axis, Eigen::Index beginCell, Eigen::In
     return { axis.at (places, 0), axis.at (places, 1), axis.at (places, 2), weights };
 }
 
-/** Splines of x times coefficients times splines of y for every field, each place by its weight's root: places x fields. */
+/** Splines of x times coefficients times splines of y for every field, each place by its weight's root: places x
+ * fields. */
 Eigen::MatrixXd sampled (const PlateProblem& problem, const Eigen::MatrixXd& fields, const AxisSamples& x,
                          const AxisSamples& y, Eigen::MatrixXd AxisSamples::*ofX, Eigen::MatrixXd AxisSamples::*ofY)
 {
@@ -60,10 +61,10 @@ Eigen::MatrixXd strainEnergies (const PlateDescription& plate, const PlateLayout
 {
     Eigen::MatrixXd energies = Eigen::MatrixXd::Zero (fields.cols(), fields.cols());
 
-    for (const auto& region : regionsOf (plate, layout, problem.x(), problem.y()))
+    for (const auto& region : makeRegions (plate, layout, problem.x(), problem.y()))
     {
-        const auto x = samplesOf (problem.x(), region.beginX, region.endX);
-        const auto y = samplesOf (problem.y(), region.beginY, region.endY);
+        const auto x = sampleAxis (problem.x(), region.beginX, region.endX);
+        const auto y = sampleAxis (problem.y(), region.beginY, region.endY);
         const auto field = [&] (auto ofX, auto ofY) { return sampled (problem, fields, x, y, ofX, ofY); };
         const auto alongX = field (&AxisSamples::curvatures, &AxisSamples::values);
         const auto alongY = field (&AxisSamples::values, &AxisSamples::curvatures);

@@ -65,7 +65,7 @@ int cellsOn (double length, double largestCell)
 }
 } // namespace
 
-PlateLayout layoutOf (const PlateDescription& plate)
+PlateLayout makeLayout (const PlateDescription& plate)
 {
     const auto tolerance = closestLines * std::min (plate.lengthX, plate.lengthY);
     std::vector<double> x, y;

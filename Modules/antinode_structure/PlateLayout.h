@@ -21,11 +21,11 @@ struct PlateLayout
     std::vector<PlatePatch> patches; ///< Of each ceramic.
 };
 
-/** Lines closer than a 5000th of the shorter side become one: so much less than the plate's waves is not seen by them, and cells much
-    narrower than others cost digits. Opposite edges of one ceramic stay apart.
+/** Lines closer than a 5000th of the shorter side become one: so much less than the plate's waves is not seen by them,
+   and cells much narrower than others cost digits. Opposite edges of one ceramic stay apart.
     @throws InputError  when a ceramic is narrower than that
     [worker] */
-PlateLayout layoutOf (const PlateDescription&);
+PlateLayout makeLayout (const PlateDescription&);
 
 /** The resolution of an axis. Docs/Theory.md, section 1.6. */
 struct PlateResolution
@@ -36,7 +36,8 @@ struct PlateResolution
     double layerRatio = 0.25; ///< By which each is smaller than the one before.
 };
 
-/** The splines' breaks between the lines of one axis: cells of equal size in each segment, smaller towards its ends. Bending moments
-    may jump on the lines, so only the slope is continuous there; the axis' ends are held as the plate's edges are. [worker] */
+/** The splines' breaks between the lines of one axis: cells of equal size in each segment, smaller towards its ends.
+   Bending moments may jump on the lines, so only the slope is continuous there; the axis' ends are held as the plate's
+   edges are. [worker] */
 SplineBreaks divide (const Eigen::VectorXd& lines, const PlateResolution&, EdgeCondition start, EdgeCondition end);
 } // namespace antinode

@@ -36,8 +36,8 @@ PlateSection difference (const PlateSection& a, const PlateSection& b)
     return { a.massPerArea - b.massPerArea, a.d11 - b.d11, a.d22 - b.d22, a.d12 - b.d12, a.d66 - b.d66, 0, 0 };
 }
 
-std::pair<SplineAxis, SplineAxis> axesOf (const PlateDescription& plate, const PlateLayout& layout,
-                                          const PlateResolution& resolution)
+std::pair<SplineAxis, SplineAxis> makeAxes (const PlateDescription& plate, const PlateLayout& layout,
+                                            const PlateResolution& resolution)
 {
     return { SplineAxis (divide (layout.linesX, resolution, plate.left, plate.right), resolution.degree),
              SplineAxis (divide (layout.linesY, resolution, plate.bottom, plate.top), resolution.degree) };
@@ -49,7 +49,7 @@ struct RegionProducts
 };
 
 /** The products of a region's splines on the axes of two problems. */
-RegionProducts productsOf (const PlateRegion& region, const PlateProblem& rows, const PlateProblem& columns)
+RegionProducts computeProducts (const PlateRegion& region, const PlateProblem& rows, const PlateProblem& columns)
 {
     const auto x = splineProducts (rows.x(), columns.x(), region.beginX, region.endX);
     const auto y = splineProducts (rows.y(), columns.y(), region.beginY, region.endY);
@@ -85,8 +85,8 @@ void addStiffness (PlateProblem& problem, const PlateRegion& region, const Regio
 }
 } // namespace
 
-std::vector<PlateRegion> regionsOf (const PlateDescription& plate, const PlateLayout& layout, const SplineAxis& x,
-                                    const SplineAxis& y)
+std::vector<PlateRegion> makeRegions (const PlateDescription& plate, const PlateLayout& layout, const SplineAxis& x,
+                                      const SplineAxis& y)
 {
     const auto bare = bareSection (plate.common);
     std::vector<PlateRegion> regions { { 0, x.cells(), 0, y.cells(), relative (bare, bare) } };
@@ -122,10 +122,10 @@ PlateProblem plateProblem (const PlateDescription& plate, const PlateLayout& lay
     PlateProblem problem { outerIsX ? x : y, outerIsX ? y : x, outerIsX, {}, {} };
     problem.stiffness = problem.mass = emptyOperator (problem, problem);
 
-    for (const auto& region : regionsOf (plate, layout, x, y))
+    for (const auto& region : makeRegions (plate, layout, x, y))
     {
         checkWatch();
-        const auto products = productsOf (region, problem, problem);
+        const auto products = computeProducts (region, problem, problem);
         addStiffness (problem, region, products);
         addTerm (problem.mass, products, region.section.massPerArea * products.outer.values, products.inner.values);
     }
@@ -135,19 +135,19 @@ PlateProblem plateProblem (const PlateDescription& plate, const PlateLayout& lay
 
 PlateProblem plateProblem (const PlateDescription& plate, const PlateLayout& layout, const PlateResolution& resolution)
 {
-    const auto [x, y] = axesOf (plate, layout, resolution);
+    const auto [x, y] = makeAxes (plate, layout, resolution);
     return plateProblem (plate, layout, x, y);
 }
 
 Eigen::Index expectedUnknowns (const PlateDescription& plate, const PlateLayout& layout,
                                const PlateResolution& resolution)
 {
-    constexpr double mostCells = 2e4; // Along a side: more are beyond any use, and not even to be listed.
+    constexpr double maximumCells = 2e4; // Along a side: more are beyond any use, and not even to be listed.
 
-    if (! (resolution.largestCell * mostCells > 1))
+    if (! (resolution.largestCell * maximumCells > 1))
         return std::numeric_limits<Eigen::Index>::max();
 
-    const auto [x, y] = axesOf (plate, layout, resolution);
+    const auto [x, y] = makeAxes (plate, layout, resolution);
     return x.size() * y.size();
 }
 
@@ -156,10 +156,10 @@ TensorOperator massBetween (const PlateDescription& plate, const PlateLayout& la
 {
     auto mass = emptyOperator (rows, columns);
 
-    for (const auto& region : regionsOf (plate, layout, columns.x(), columns.y()))
+    for (const auto& region : makeRegions (plate, layout, columns.x(), columns.y()))
     {
         checkWatch();
-        const auto products = productsOf (region, rows, columns);
+        const auto products = computeProducts (region, rows, columns);
         addTerm (mass, products, region.section.massPerArea * products.outer.values, products.inner.values);
     }
 
@@ -201,7 +201,8 @@ Eigenpairs solve (const PlateProblem& problem, Eigen::Index count)
     if (! factor.isUsable() || factor.negativePivots() > 0)
         throwNumbersTooFarApart();
 
-    // Some more than wanted: the count is proven in the widest gap among them. More of them bring to light what a few have missed.
+    // Some more than wanted: the count is proven in the widest gap among them. More of them bring to light what a few
+    // have missed.
     for (const Eigen::Index more : { 4, 32 })
     {
         const auto all = std::min (count + more, problem.unknowns());

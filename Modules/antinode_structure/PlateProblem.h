@@ -7,8 +7,8 @@
 
 namespace antinode
 {
-/** A plate's stiffness and mass on tensor products of splines: lengths in units of the longer side, stiffness and mass in those of
-    the bare substrate. The axis with more cells is the outer one, so that blocks stay small. */
+/** A plate's stiffness and mass on tensor products of splines: lengths in units of the longer side, stiffness and mass
+   in those of the bare substrate. The axis with more cells is the outer one, so that blocks stay small. */
 struct PlateProblem
 {
     SplineAxis outer, inner;
@@ -34,8 +34,8 @@ struct PlateRegion
 };
 
 /** The whole plate as if it were bare, and each ceramic as what it adds to that. [worker] */
-std::vector<PlateRegion> regionsOf (const PlateDescription&, const PlateLayout&, const SplineAxis& x,
-                                    const SplineAxis& y);
+std::vector<PlateRegion> makeRegions (const PlateDescription&, const PlateLayout&, const SplineAxis& x,
+                                      const SplineAxis& y);
 
 /** [worker] Docs/Theory.md, section 1.6. */
 PlateProblem plateProblem (const PlateDescription&, const PlateLayout&, const PlateResolution&);
@@ -46,8 +46,8 @@ PlateProblem plateProblem (const PlateDescription&, const PlateLayout&, const Sp
 /** The number of unknowns it would have; the largest number if they cannot be counted. [worker] */
 Eigen::Index expectedUnknowns (const PlateDescription&, const PlateLayout&, const PlateResolution&);
 
-/** The mass operator between the splines of two problems of one plate with the same breaks: integral m u v, u of `rows` and v of
-    `columns`. [worker] */
+/** The mass operator between the splines of two problems of one plate with the same breaks: integral m u v, u of `rows`
+   and v of `columns`. [worker] */
 TensorOperator massBetween (const PlateDescription&, const PlateLayout&, const PlateProblem& rows,
                             const PlateProblem& columns);
 

@@ -58,7 +58,7 @@ private:
     }
 };
 
-PlateSection sectionOf (const ReducedStiffness& bending, double massPerArea)
+PlateSection makeSection (const ReducedStiffness& bending, double massPerArea)
 {
     return { massPerArea, bending.normal (0, 0), bending.normal (1, 1), bending.normal (0, 1), bending.shear, 0, 0 };
 }
@@ -68,7 +68,7 @@ PlateSection bareSection (const StructureCommon& common)
 {
     auto laminate = Laminate::empty();
     laminate.add (reduced (common.material), 0, common.thickness);
-    return sectionOf (laminate.bending, common.material.density * common.thickness);
+    return makeSection (laminate.bending, common.material.density * common.thickness);
 }
 
 PlateSection ceramicSection (const StructureCommon& common, const CeramicDescription& ceramic)
@@ -89,7 +89,7 @@ PlateSection ceramicSection (const StructureCommon& common, const CeramicDescrip
                                          bending.shear - coupling.shear * coupling.shear / stretching.shear };
     const auto massPerArea =
         common.material.density * common.thickness + (isPair ? 2 : 1) * ceramic.material.density * ceramic.thickness;
-    auto section = sectionOf (freeInPlane, massPerArea);
+    auto section = makeSection (freeInPlane, massPerArea);
 
     // ebar31 = d31 / (s11 + s12), the force per length and volt of one ceramic.
     const auto forcePerVolt =

@@ -17,9 +17,9 @@ struct PlateSection
 /** The bare substrate. [any] */
 PlateSection bareSection (const StructureCommon&);
 
-/** The substrate with a ceramic, or a pair of them. A ceramic on one side couples bending to stretching: what is left when no force
-    acts in the plane, D - B A^-1 B, is taken, which for equal Poisson's ratios is the section about its shifted neutral axis.
-    One ceramic alone sees the whole voltage whatever its wiring.
-    [any] Docs/Theory.md, sections 1.1 and 1.4; paper (10), (23). */
+/** The substrate with a ceramic, or a pair of them. A ceramic on one side couples bending to stretching: what is left
+   when no force acts in the plane, D - B A^-1 B, is taken, which for equal Poisson's ratios is the section about its
+   shifted neutral axis. One ceramic alone sees the whole voltage whatever its wiring. [any] Docs/Theory.md,
+   sections 1.1 and 1.4; paper (10), (23). */
 PlateSection ceramicSection (const StructureCommon&, const CeramicDescription&);
 } // namespace antinode

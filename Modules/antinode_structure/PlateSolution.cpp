@@ -34,7 +34,8 @@ void requireCount (int count)
                                         + std::to_string (maximumPlateModes));
 }
 
-/** Rigid motions that the edges allow: all three of a free plate, the rotation about a single supported edge, else none. */
+/** Rigid motions that the edges allow: all three of a free plate, the rotation about a single supported edge, else
+ * none. */
 int rigidBodyModes (const PlateDescription& plate)
 {
     const std::array edges { plate.left, plate.right, plate.bottom, plate.top };
@@ -46,7 +47,7 @@ int rigidBodyModes (const PlateDescription& plate)
 /** From the finest down: where lines crowd, cells are small anyway, and splines of less degree do. */
 PlateProblem affordableProblem (const PlateDescription& plate, const PlateLayout& layout, double waveNumber)
 {
-    constexpr Eigen::Index comfortable = 25000, most = 70000; // unknowns
+    constexpr Eigen::Index comfortable = 25000, maximum = 70000; // unknowns
     const auto wavelength = 2 * std::numbers::pi / (waveNumber * layout.unit);
     const std::array resolutions { PlateResolution { 5, 0.4 * wavelength, 2, 0.25 },
                                    PlateResolution { 5, 0.4 * wavelength, 1, 0.2 },
@@ -57,11 +58,11 @@ PlateProblem affordableProblem (const PlateDescription& plate, const PlateLayout
     {
         const auto unknowns = expectedUnknowns (plate, layout, resolution);
 
-        if (unknowns <= comfortable || (&resolution == &resolutions.back() && unknowns <= most))
+        if (unknowns <= comfortable || (&resolution == &resolutions.back() && unknowns <= maximum))
             return plateProblem (plate, layout, resolution);
     }
 
-    throw InputError ("device", "needs more than " + std::to_string (most)
+    throw InputError ("device", "needs more than " + std::to_string (maximum)
                                     + " unknowns; choose fewer modes, align the ceramics, or use fewer of them");
 }
 
@@ -108,13 +109,14 @@ Eigen::MatrixXd innerProducts (const Eigen::MatrixXd& a, const Eigen::MatrixXd& 
     return products;
 }
 
-/** Replaces the lowest pairs, which rounding in the operator reaches, by Ritz's in the space of them, from strain energies. */
+/** Replaces the lowest pairs, which rounding in the operator reaches, by Ritz's in the space of them, from strain
+ * energies. */
 void sharpen (Eigenpairs& pairs, const PlateDescription& plate, const PlateLayout& layout, const PlateProblem& problem)
 {
     constexpr double wanted = 1e-8;
-    constexpr Eigen::Index most = 24; // The eigenvalues grow with the square of their number, and rounding does not.
+    constexpr Eigen::Index maximum = 24; // The eigenvalues grow with the square of their number, and rounding does not.
     const auto limit = stiffnessRounding (problem) / wanted;
-    const auto low = std::min ((pairs.values.array() < limit).count(), most);
+    const auto low = std::min ((pairs.values.array() < limit).count(), maximum);
 
     if (low == 0)
         return;
@@ -129,8 +131,8 @@ void sharpen (Eigenpairs& pairs, const PlateDescription& plate, const PlateLayou
         pairs.values[k] = std::max (pairs.values[k], pairs.values[k - 1]);
 }
 
-/** What splines of one degree less give: one step of inverse iteration from the finer modes, and Ritz's pairs in the space that it
-    spans. */
+/** What splines of one degree less give: one step of inverse iteration from the finer modes, and Ritz's pairs in the
+   space that it spans. */
 Eigenpairs coarserPairs (const PlateDescription& plate, const PlateLayout& layout, const PlateProblem& fine,
                          const Eigenpairs& pairs)
 {
@@ -165,7 +167,8 @@ Eigenpairs flexiblePairs (const PlateDescription& plate, const PlateLayout& layo
     const auto all = solve (problem, rigid + count);
     Eigenpairs pairs { all.values.tail (count), all.vectors.rightCols (count) };
 
-    // A rigid motion whose frequency is not negligible relative to the first flexible mode is rounding that spoils this one, too.
+    // A rigid motion whose frequency is not negligible relative to the first flexible mode is rounding that spoils this
+    // one, too.
     constexpr double negligible = 0.03;
 
     if (! all.values.allFinite() || ! (pairs.values[0] > 0)
@@ -226,7 +229,7 @@ PlateSolution solutionFor (const PlateDescription& plate, const PlateLayout& lay
 
 PlateSolution solvePlateModes (const PlateDescription& plate, std::optional<int> modeCount)
 {
-    const auto layout = layoutOf (plate);
+    const auto layout = makeLayout (plate);
     const auto count = wantedCount (plate, layout, modeCount);
     constexpr int resolvedModes = 50; // At least: then few modes are right to many digits, and still cost little.
     const auto expected = expectedWaveNumber (plate, std::max (count, resolvedModes));

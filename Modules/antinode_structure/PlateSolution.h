@@ -19,14 +19,14 @@ struct PlateSolution
 };
 
 /** Solves for the given number of flexible modes, for those that the description asks for, or for 100.
-    Modes of equal frequency are distinguished by where they move most along x, and every mode is positive where it first exceeds a
-    tenth of its largest amplitude (that is done when it is put on a grid).
+    Modes of equal frequency are distinguished by where they move most along x, and every mode is positive where it
+   first exceeds a tenth of its largest amplitude (that is done when it is put on a grid).
     @throws InputError  when the plate cannot be solved, saying why
     [worker] Docs/Theory.md, section 1.6. */
 PlateSolution solvePlateModes (const PlateDescription&, std::optional<int> modeCount);
 
-/** The load of one volt on a ceramic over a rectangle on each spline: kappa_x integral B,xx + kappa_y integral B,yy, exact.
-    Times the coefficients of a shape it is this shape's participation.
+/** The load of one volt on a ceramic over a rectangle on each spline: kappa_x integral B,xx + kappa_y integral B,yy,
+   exact. Times the coefficients of a shape it is this shape's participation.
     @param section  whose moments per volt are meant
     @param xFrom, xTo, yFrom, yTo  the rectangle, in units of the longer side, anywhere on the plate
     @return         one value an unknown

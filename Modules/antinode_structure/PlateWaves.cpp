@@ -19,7 +19,7 @@ double softerStiffness (const PlateSection& section)
     return std::min (section.d11, section.d22);
 }
 
-double waveNumberOf (const PlateSection& section, double angularFrequency)
+double computeWaveNumber (const PlateSection& section, double angularFrequency)
 {
     return std::sqrt (angularFrequency * std::sqrt (section.massPerArea / softerStiffness (section)));
 }
@@ -75,7 +75,7 @@ double largestExcess (const PlateDescription& plate, double angularFrequency)
 
     for (const auto& ceramic : common.ceramics)
     {
-        const auto waveNumber = waveNumberOf (ceramicSection (common, ceramic), angularFrequency);
+        const auto waveNumber = computeWaveNumber (ceramicSection (common, ceramic), angularFrequency);
         const auto sides = ceramic.mounting == CeramicMounting::bothSides ? 2 : 1;
         largest = std::max (largest, excess (waveNumber, common.thickness + sides * ceramic.thickness, poissonRatio));
     }
@@ -86,7 +86,7 @@ double largestExcess (const PlateDescription& plate, double angularFrequency)
 
 double waveNumberAt (const PlateDescription& plate, double angularFrequency)
 {
-    return waveNumberOf (bareSection (plate.common), angularFrequency);
+    return computeWaveNumber (bareSection (plate.common), angularFrequency);
 }
 
 double largestWaveNumberAt (const PlateDescription& plate, double angularFrequency)
@@ -94,7 +94,7 @@ double largestWaveNumberAt (const PlateDescription& plate, double angularFrequen
     auto largest = waveNumberAt (plate, angularFrequency);
 
     for (const auto& ceramic : plate.common.ceramics)
-        largest = std::max (largest, waveNumberOf (ceramicSection (plate.common, ceramic), angularFrequency));
+        largest = std::max (largest, computeWaveNumber (ceramicSection (plate.common, ceramic), angularFrequency));
 
     return largest;
 }

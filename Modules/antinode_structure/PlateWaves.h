@@ -7,17 +7,19 @@
 
 namespace antinode
 {
-/** The wave number of bending waves on the bare plate, rad/m; of an orthotropic one along its softer direction. [any] */
+/** The wave number of bending waves on the bare plate, rad/m; of an orthotropic one along its softer direction. [any]
+ */
 double waveNumberAt (const PlateDescription&, double angularFrequency);
 
-/** That of the shortest waves anywhere: of the bare plate, or of a ceramic that is heavier than it is stiff, rad/m. [any] */
+/** That of the shortest waves anywhere: of the bare plate, or of a ceramic that is heavier than it is stiff, rad/m.
+ * [any] */
 double largestWaveNumberAt (const PlateDescription&, double angularFrequency);
 
 /** The reverse of waveNumberAt, rad/s. [any] */
 double angularFrequencyAt (const PlateDescription&, double waveNumber);
 
-/** A wave number, rad/m, that the given number of modes hardly exceeds: Weyl's law with its term for the edges, and for narrow plates the
-    modes of a strip. [any] Docs/Theory.md, section 1.6. */
+/** A wave number, rad/m, that the given number of modes hardly exceeds: Weyl's law with its term for the edges, and for
+   narrow plates the modes of a strip. [any] Docs/Theory.md, section 1.6. */
 double expectedWaveNumber (const PlateDescription&, int modeCount);
 
 /** A warning where waves are so short compared with the thickness that thin-plate theory overestimates frequencies;

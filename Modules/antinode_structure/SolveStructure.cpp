@@ -74,7 +74,8 @@ void keepFirst (ChainModes& modes, Eigen::Index count)
 
 Solution solveWanted (const ElementChain& whole, const WantedModes& wanted)
 {
-    // The frequency of the last mode is known only roughly if sections change often: search higher until there are enough.
+    // The frequency of the last mode is known only roughly if sections change often: search higher until there are
+    // enough.
     for (auto angularFrequency = wanted.expected;; angularFrequency *= 1.25)
     {
         Solution solution { subdivided (whole, angularFrequency), {}, angularFrequency };
@@ -125,10 +126,10 @@ template <typename Body>
 ModalModel solveLine (const std::string& name, const Body& body, std::optional<int> modeCount)
 {
     requireSolvable (body);
-    const auto whole = chainOf (body);
+    const auto whole = makeChain (body);
     const auto solution = solveWanted (whole, wantedModes (whole, body.common, modeCount));
-    auto model = modelOf (solution.chain, solution.modes, elementDegree, solution.angularFrequency, body.width,
-                          momentsPerVolt (body.common, body.width));
+    auto model = makeModel (solution.chain, solution.modes, elementDegree, solution.angularFrequency, body.width,
+                            momentsPerVolt (body.common, body.width));
     model.frequencyErrors = estimatedErrors (solution);
     model.surface.held = heldEdges (body);
     describe (model, name, body.common);

@@ -31,7 +31,7 @@ int placesFor (double phase)
     return count;
 }
 
-GridAxis gridOf (const Eigen::VectorXd& lines, double unit, double waveNumber)
+GridAxis makeGridAxis (const Eigen::VectorXd& lines, double unit, double waveNumber)
 {
     const Eigen::VectorXd edges = lines * unit;
     Eigen::VectorXi counts (edges.size() - 1);
@@ -83,8 +83,8 @@ Eigen::Index endOfCluster (const Eigen::VectorXd& frequencies, Eigen::Index firs
     return end;
 }
 
-/** Combines modes of one frequency into those that a second moment of mass along x distinguishes: any others would be as good, but these
-    do not depend on rounding. */
+/** Combines modes of one frequency into those that a second moment of mass along x distinguishes: any others would be
+   as good, but these do not depend on rounding. */
 void settleEqualFrequencies (ModalModel& model)
 {
     const Eigen::VectorXd moment = model.surface.masses.cwiseProduct (model.surface.points.col (0).cwiseAbs2());
@@ -107,7 +107,7 @@ void settleEqualFrequencies (ModalModel& model)
     }
 }
 
-Eigen::MatrixXd participationOf (const PlateDescription& plate, const PlateSolution& solution)
+Eigen::MatrixXd computeParticipation (const PlateDescription& plate, const PlateSolution& solution)
 {
     const auto& layout = solution.layout;
     Eigen::MatrixXd participation (solution.coefficients.cols(), static_cast<Eigen::Index> (layout.patches.size()));
@@ -164,11 +164,11 @@ Eigen::MatrixXd shapesOn (const PlateGrid& grid, const PlateProblem& problem, do
     return shapes;
 }
 
-ModalModel modelOf (const PlateDescription& plate, const PlateSolution& solution)
+ModalModel makeModel (const PlateDescription& plate, const PlateSolution& solution)
 {
     const auto& layout = solution.layout;
-    const PlateGrid grid { gridOf (layout.linesX, layout.unit, solution.waveNumber),
-                           gridOf (layout.linesY, layout.unit, solution.waveNumber) };
+    const PlateGrid grid { makeGridAxis (layout.linesX, layout.unit, solution.waveNumber),
+                           makeGridAxis (layout.linesY, layout.unit, solution.waveNumber) };
     ModalModel model;
     placeOnGrid (model.surface, grid);
     weigh (model.surface, massPerArea (plate, layout));
@@ -179,7 +179,7 @@ ModalModel modelOf (const PlateDescription& plate, const PlateSolution& solution
     model.unknowns = static_cast<int> (solution.problem.unknowns());
     model.warnings = thicknessWarnings (plate, solution.angularFrequencies);
     warnOfErrors (model);
-    model.participation = participationOf (plate, solution);
+    model.participation = computeParticipation (plate, solution);
 
     if (! model.participation.allFinite())
         throwNumbersTooFarApart();
@@ -193,7 +193,7 @@ ModalModel modelOf (const PlateDescription& plate, const PlateSolution& solution
 ModalModel solvePlate (const std::string& name, const PlateDescription& plate, std::optional<int> modeCount)
 {
     requireSolvable (plate);
-    auto model = modelOf (plate, solvePlateModes (plate, modeCount));
+    auto model = makeModel (plate, solvePlateModes (plate, modeCount));
     describe (model, name, plate.common);
     validate (model);
     return model;

@@ -4,13 +4,14 @@
 
 namespace antinode
 {
-/** The modal model of a solved plate: frequencies, participations, and shapes on a grid of Gauss's and Legendre's places whose segments
-    end where the section changes, so that weights are exact and polynomials give the shapes in between: as many places as a
-    3e-5th of a wave's amplitude takes at the highest mode. Each shape is positive where it first exceeds a tenth of its largest
-    amplitude, point by point; modes of one frequency are those whose motion is most and least spread along x.
+/** The modal model of a solved plate: frequencies, participations, and shapes on a grid of Gauss's and Legendre's
+   places whose segments end where the section changes, so that weights are exact and polynomials give the shapes in
+   between: as many places as a 3e-5th of a wave's amplitude takes at the highest mode. Each shape is positive where it
+   first exceeds a tenth of its largest amplitude, point by point; modes of one frequency are those whose motion is most
+   and least spread along x.
     @return  without names, damping, limits
     [worker] Docs/Theory.md, sections 1.4 to 1.6; paper (23). */
-ModalModel modelOf (const PlateDescription&, const PlateSolution&);
+ModalModel makeModel (const PlateDescription&, const PlateSolution&);
 
 /** Fields of splines on the points of a grid.
     @param unit          of length, m

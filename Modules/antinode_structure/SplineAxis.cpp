@@ -7,7 +7,7 @@ namespace antinode
 namespace
 {
 /** The knots: the ends as often as the order, the others as often as their multiplicity. */
-Eigen::VectorXd knotsOf (const SplineBreaks& breaks, int order)
+Eigen::VectorXd makeKnots (const SplineBreaks& breaks, int order)
 {
     const auto last = breaks.places.size() - 1;
     auto repeated = breaks.multiplicity;
@@ -22,8 +22,8 @@ Eigen::VectorXd knotsOf (const SplineBreaks& breaks, int order)
     return knots;
 }
 
-/** The values at one place of the splines of all orders up to the given one, by Cox's and de Boor's recurrence: `values` holds the
-    last `order` of them. */
+/** The values at one place of the splines of all orders up to the given one, by Cox's and de Boor's recurrence:
+   `values` holds the last `order` of them. */
 Eigen::VectorXd splineValues (const Eigen::VectorXd& knots, Eigen::Index left, int order, double place)
 {
     Eigen::VectorXd values = Eigen::VectorXd::Zero (order);
@@ -73,7 +73,7 @@ Eigen::VectorXd splineDerivatives (const Eigen::VectorXd& knots, Eigen::Index le
 } // namespace
 
 SplineAxis::SplineAxis (const SplineBreaks& breaksToUse, int degree)
-    : breaks (breaksToUse), order (degree + 1), knots (knotsOf (breaks, order)), lastKnot (breaks.places.size() - 1),
+    : breaks (breaksToUse), order (degree + 1), knots (makeKnots (breaks, order)), lastKnot (breaks.places.size() - 1),
       count (knots.size() - order - breaks.heldAtStart - breaks.heldAtEnd)
 {
     lastKnot[0] = degree;
@@ -99,7 +99,8 @@ Eigen::Index SplineAxis::cellAt (double place) const
 
 Eigen::Index SplineAxis::lastNeighbour (Eigen::Index spline) const
 {
-    // The support ends where the cell of its last knot begins; on the cell before that the last spline is the one of this cell's knot.
+    // The support ends where the cell of its last knot begins; on the cell before that the last spline is the one of
+    // this cell's knot.
     const auto* const begin = lastKnot.data();
     const auto cell =
         std::lower_bound (begin, begin + lastKnot.size(), spline + breaks.heldAtStart + order) - begin - 1;

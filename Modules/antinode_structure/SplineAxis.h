@@ -20,14 +20,15 @@ struct SplineValues
     Eigen::MatrixXd values; ///< Places x splines.
 };
 
-/** The B-splines along one side of a plate. Docs/Theory.md, section 1.6; de Boor, A Practical Guide to Splines, chapters IX, X. */
+/** The B-splines along one side of a plate. Docs/Theory.md, section 1.6; de Boor, A Practical Guide to Splines,
+ * chapters IX, X. */
 class SplineAxis
 {
 public:
     SplineAxis (const SplineBreaks&, int degree);
 
-    /** Splines of another degree on the same breaks: as smooth as before where they may bend, and elsewhere as smooth as they can be.
-        [any] */
+    /** Splines of another degree on the same breaks: as smooth as before where they may bend, and elsewhere as smooth
+       as they can be. [any] */
     SplineAxis withDegree (int degree) const;
 
     /** How many splines there are. [any] */

@@ -26,8 +26,8 @@ void addHeadings (const std::vector<std::string_view>& cells, std::vector<std::s
         headings[c] += (headings[c].empty() ? "" : " ") + trimmedText (cells[c]);
 }
 
-Eigen::MatrixXd numbersOf (const std::vector<CsvLine>& lines, std::size_t first, char separator,
-                           const std::string& source)
+Eigen::MatrixXd readNumbers (const std::vector<CsvLine>& lines, std::size_t first, char separator,
+                             const std::string& source)
 {
     const auto columns = csvCells (lines[first].text, separator).size();
     std::vector<double> numbers;
@@ -89,7 +89,7 @@ CsvTable readCsvTable (std::string_view text, const std::string& source)
             table.comments.push_back (trimmedText (csvStripped (lines[i].text).substr (mark)));
     }
 
-    table.numbers = numbersOf (lines, first, separator, source);
+    table.numbers = readNumbers (lines, first, separator, source);
     return table;
 }
 } // namespace antinode

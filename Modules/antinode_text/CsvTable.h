@@ -17,8 +17,9 @@ struct CsvTable
     Eigen::MatrixXd numbers; ///< N x M: NaN where a cell is empty.
 };
 
-/** Reads text in columns between commas, semicolons, tabs or blanks; numbers with a point or, where commas do not separate, a comma.
-    Lines that begin with #, %, ! or // are comments, as are those before the numbers that have another number of cells.
+/** Reads text in columns between commas, semicolons, tabs or blanks; numbers with a point or, where commas do not
+   separate, a comma. Lines that begin with #, %, ! or // are comments, as are those before the numbers that have
+   another number of cells.
     @param source  how errors name the file
     @throws InputError  source, line, what is wrong: no numbers, rows of different lengths, a cell that is no number
     [worker] */

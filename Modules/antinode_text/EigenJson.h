@@ -8,7 +8,7 @@ namespace antinode
 {
 /** A vector, or an expression of one, as a list of numbers. [any] */
 template <typename Derived>
-nlohmann::ordered_json listOf (const Eigen::MatrixBase<Derived>& values)
+nlohmann::ordered_json toJsonList (const Eigen::MatrixBase<Derived>& values)
 {
     auto list = nlohmann::ordered_json::array();
 
@@ -20,12 +20,12 @@ nlohmann::ordered_json listOf (const Eigen::MatrixBase<Derived>& values)
 
 /** A matrix as a list of its rows. [any] */
 template <typename Derived>
-nlohmann::ordered_json rowsOf (const Eigen::MatrixBase<Derived>& values)
+nlohmann::ordered_json toJsonRows (const Eigen::MatrixBase<Derived>& values)
 {
     auto rows = nlohmann::ordered_json::array();
 
     for (Eigen::Index i = 0; i < values.rows(); ++i)
-        rows.push_back (listOf (values.row (i)));
+        rows.push_back (toJsonList (values.row (i)));
 
     return rows;
 }

@@ -13,7 +13,7 @@ namespace
 {
 using Json = nlohmann::json;
 
-std::vector<std::string_view> partsOf (std::string_view path)
+std::vector<std::string_view> splitPath (std::string_view path)
 {
     std::vector<std::string_view> parts;
 
@@ -32,7 +32,7 @@ bool isIndex (std::string_view part)
     return ! part.empty() && part.size() < 9 && part.find_first_not_of ("0123456789") == std::string_view::npos;
 }
 
-Json& elementOf (Json& list, std::string_view part, const std::string& where)
+Json& findElement (Json& list, std::string_view part, const std::string& where)
 {
     if (! isIndex (part))
         throw InputError (where, inQuotes (part) + " does not fit a list; allowed: an index from 0");
@@ -50,13 +50,13 @@ Json& elementOf (Json& list, std::string_view part, const std::string& where)
     return list[index];
 }
 
-Json& memberOf (Json& node, std::string_view part, const std::string& where)
+Json& findMember (Json& node, std::string_view part, const std::string& where)
 {
     if (node.is_null())
         node = isIndex (part) ? Json::array() : Json::object();
 
     if (node.is_array())
-        return elementOf (node, part, where);
+        return findElement (node, part, where);
 
     if (! node.is_object())
         throw InputError (where, inQuotes (part) + " does not fit: its parent is neither an object nor a list");
@@ -67,7 +67,7 @@ Json& memberOf (Json& node, std::string_view part, const std::string& where)
     return node[std::string (part)];
 }
 
-Json valueOf (std::string_view text)
+Json parseValue (std::string_view text)
 {
     try
     {
@@ -92,7 +92,7 @@ void applyAssignment (nlohmann::json& root, std::string_view assignment)
     if (! isUtf8 (assignment))
         throw InputError (where, "is not UTF-8 text");
 
-    const auto parts = partsOf (assignment.substr (0, equals));
+    const auto parts = splitPath (assignment.substr (0, equals));
 
     if (std::any_of (parts.begin(), parts.end(), [] (auto part) { return part.empty(); }))
         throw InputError (where, "has an empty key; allowed: for example targets.0.x_mm=24");
@@ -105,9 +105,9 @@ void applyAssignment (nlohmann::json& root, std::string_view assignment)
     auto* node = &changed;
 
     for (const auto part : parts)
-        node = &memberOf (*node, part, where);
+        node = &findMember (*node, part, where);
 
-    *node = valueOf (assignment.substr (equals + 1));
+    *node = parseValue (assignment.substr (equals + 1));
     root = std::move (changed);
 }
 } // namespace antinode

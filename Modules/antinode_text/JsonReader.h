@@ -27,8 +27,9 @@ struct NumberRange
 
 class JsonObject;
 
-/** One value of a document that is being read, with its place for the errors. Every getter gives a value that is allowed, or
-    throws InputError: source, JSON pointer, what is wrong, what is allowed. The document must outlive it. [worker] */
+/** One value of a document that is being read, with its place for the errors. Every getter gives a value that is
+   allowed, or throws InputError: source, JSON pointer, what is wrong, what is allowed. The document must outlive it.
+   [worker] */
 class JsonValue
 {
 public:
@@ -69,7 +70,7 @@ public:
             if (isWord (word))
                 return value;
 
-        failChoice (wordsOf (words));
+        failChoice (listWords (words));
     }
 
     /** An object with no other keys than these. */

@@ -26,7 +26,7 @@ std::string lineAndColumn (std::string_view text, std::size_t position)
 }
 
 /** The parser's message without its own name and position and without the raw text. */
-std::string reasonOf (const nlohmann::detail::exception& error)
+std::string errorReason (const nlohmann::detail::exception& error)
 {
     constexpr int numberOverflow = 406;
     std::string reason = error.what();
@@ -44,8 +44,8 @@ std::string reasonOf (const nlohmann::detail::exception& error)
     return "is not valid JSON: " + printable (reason, 160);
 }
 
-/** Builds the document from the parser's events and refuses what nlohmann's own builder lets pass: a key that is given twice
-    (it keeps the last) and nesting without end. */
+/** Builds the document from the parser's events and refuses what nlohmann's own builder lets pass: a key that is given
+   twice (it keeps the last) and nesting without end. */
 class StrictBuilder final : public nlohmann::json_sax<Json>
 {
 public:
@@ -80,7 +80,7 @@ public:
 
     bool parse_error (std::size_t position, const std::string&, const nlohmann::detail::exception& error) override
     {
-        throw InputError (source + ": " + lineAndColumn (text, position), reasonOf (error));
+        throw InputError (source + ": " + lineAndColumn (text, position), errorReason (error));
     }
 
 private:

@@ -20,8 +20,8 @@ nlohmann::json parseJson (std::string_view text, const std::string& source);
     [worker] */
 nlohmann::json readJsonFile (const std::filesystem::path&);
 
-/** Sets one value, as `--set focus.targets.0.x_mm=24` gives it. A key that is a number indexes a list; the value is JSON where
-    it parses as such, else a string. Missing objects on the way are made; a list grows by one at most.
+/** Sets one value, as `--set focus.targets.0.x_mm=24` gives it. A key that is a number indexes a list; the value is
+   JSON where it parses as such, else a string. Missing objects on the way are made; a list grows by one at most.
     @param root        the document
     @param assignment  "targets.0.x_mm=24"
     @throws InputError  when it has no '=', or a part does not fit the document

@@ -15,7 +15,7 @@ std::size_t numberBegin (const std::string& name)
     return last == std::string::npos || (last == 0 && name[0] == '-') ? 0 : last + 1;
 }
 
-std::int64_t numberOf (const std::string& name)
+std::int64_t trailingNumber (const std::string& name)
 {
     std::int64_t number = 0;
     std::from_chars (name.data() + numberBegin (name), name.data() + name.size(), number);
@@ -31,7 +31,7 @@ std::vector<std::string> inNaturalOrder (std::vector<std::string> names)
 
     if (std::all_of (names.begin(), names.end(), isAlike))
         std::stable_sort (names.begin(), names.end(),
-                          [] (const auto& a, const auto& b) { return numberOf (a) < numberOf (b); });
+                          [] (const auto& a, const auto& b) { return trailingNumber (a) < trailingNumber (b); });
 
     return names;
 }

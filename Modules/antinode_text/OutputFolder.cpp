@@ -30,7 +30,7 @@ constexpr std::size_t bytesAtOnce = 1 << 20; // between two looks at the watch
 }
 
 /** The process that made a temporary folder of this name, or 0 where the name is another's. */
-pid_t ownerOf (std::string_view name)
+pid_t findOwner (std::string_view name)
 {
     pid_t owner = 0;
 
@@ -53,7 +53,7 @@ void removeStaleFolders (const fs::path& target)
     std::vector<fs::path> stale;
 
     for (const auto& entry : fs::directory_iterator (target, ignored))
-        if (const auto owner = ownerOf (entry.path().filename().string()); owner > 0 && ! isRunning (owner))
+        if (const auto owner = findOwner (entry.path().filename().string()); owner > 0 && ! isRunning (owner))
             if (fs::is_directory (entry.symlink_status (ignored)))
                 stale.push_back (entry.path());
 

@@ -9,14 +9,15 @@ namespace antinode
 {
 /** A folder into which files are written so that each appears under its name only when it is complete.
 
-    Files are written to a hidden temporary folder inside the target folder; commit() renames each into place (one atomic rename
-    a file, summary.json last). Without commit(), or after a kill, nothing appears and nothing old is lost; a stale
-    temporary folder of a killed run is removed by the next.
+    Files are written to a hidden temporary folder inside the target folder; commit() renames each into place (one
+   atomic rename a file, summary.json last). Without commit(), or after a kill, nothing appears and nothing old is lost;
+   a stale temporary folder of a killed run is removed by the next.
 */
 class OutputFolder
 {
 public:
-    /** Makes the folder where it is missing. @throws InputError when it cannot be made or written, or is a file. [worker] */
+    /** Makes the folder where it is missing. @throws InputError when it cannot be made or written, or is a file.
+     * [worker] */
     explicit OutputFolder (const std::filesystem::path& target);
     ~OutputFolder();
     OutputFolder (const OutputFolder&) = delete;
@@ -39,8 +40,9 @@ private:
     bool madeTarget = false;
 };
 
-/** Writes one file, which appears under its name only when it is complete. Folders on the way are made; a link is followed.
-    @throws InputError  when it cannot be written, or its name is that of a folder or of anything else that is no plain file
-    [worker] */
+/** Writes one file, which appears under its name only when it is complete. Folders on the way are made; a link is
+   followed.
+    @throws InputError  when it cannot be written, or its name is that of a folder or of anything else that is no plain
+   file [worker] */
 void writeWholeFile (const std::filesystem::path&, std::string_view content);
 } // namespace antinode

@@ -10,7 +10,7 @@ namespace antinode
 {
 namespace
 {
-constexpr Eigen::Index fewestSamples = 2, mostSamples = 65536;
+constexpr Eigen::Index fewestSamples = 2, maximumSamples = 65536;
 constexpr std::size_t headerBytes = 512;
 constexpr double largestCode = 16382;
 
@@ -35,9 +35,9 @@ std::string header (Eigen::Index samples)
 
 void validate (const Eigen::VectorXd& samples, double sampleRate)
 {
-    if (samples.size() < fewestSamples || samples.size() > mostSamples)
+    if (samples.size() < fewestSamples || samples.size() > maximumSamples)
         throw InputError ("TFW", "has " + std::to_string (samples.size()) + " samples; allowed: "
-                                     + std::to_string (fewestSamples) + " to " + std::to_string (mostSamples));
+                                     + std::to_string (fewestSamples) + " to " + std::to_string (maximumSamples));
 
     if (! std::isfinite (samples.maxCoeff() - samples.minCoeff()) || ! samples.allFinite())
         throw InputError ("TFW", "has a value that is not finite");

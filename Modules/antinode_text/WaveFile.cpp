@@ -35,11 +35,11 @@ struct WaveShape
 
 void validate (const WaveShape& shape, double sampleRate)
 {
-    constexpr std::uint64_t mostChannels = 16383;
+    constexpr std::uint64_t maximumChannels = 16383;
 
-    if (shape.channels < 1 || shape.channels > mostChannels)
+    if (shape.channels < 1 || shape.channels > maximumChannels)
         throw InputError ("WAV", "has " + std::to_string (shape.channels) + " channels; allowed: 1 to "
-                                     + std::to_string (mostChannels));
+                                     + std::to_string (maximumChannels));
 
     if (! (sampleRate >= 1 && sampleRate <= static_cast<double> (largestNumber32)
            && sampleRate == std::floor (sampleRate)))

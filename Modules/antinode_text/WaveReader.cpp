@@ -41,11 +41,11 @@ struct WaveFormat
     }
 };
 
-WaveFormat formatOf (std::string_view chunk, const std::string& source)
+WaveFormat readFormat (std::string_view chunk, const std::string& source)
 {
-    constexpr std::size_t least = 16, subFormat = 24;
+    constexpr std::size_t minimum = 16, subFormat = 24;
 
-    if (chunk.size() < least)
+    if (chunk.size() < minimum)
         fail (source, "is not a WAV file: its format chunk is truncated");
 
     WaveFormat format { littleEndian (chunk.substr (0, 2)), littleEndian (chunk.substr (2, 2)),
@@ -62,7 +62,7 @@ WaveFormat formatOf (std::string_view chunk, const std::string& source)
     return format;
 }
 
-double sampleOf (const WaveFormat& format, const char* bytes)
+double decodeSample (const WaveFormat& format, const char* bytes)
 {
     const auto size = format.bits / 8;
 
@@ -84,7 +84,7 @@ double sampleOf (const WaveFormat& format, const char* bytes)
     return size == sizeof (whole) ? whole : static_cast<double> (single);
 }
 
-WaveSamples samplesOf (const WaveFormat& format, std::string_view data, const std::string& source)
+WaveSamples decodeSamples (const WaveFormat& format, std::string_view data, const std::string& source)
 {
     const auto size = format.bits / 8, frame = size * format.channels;
     const auto frames = data.size() / frame;
@@ -97,7 +97,7 @@ WaveSamples samplesOf (const WaveFormat& format, std::string_view data, const st
                                           static_cast<Eigen::Index> (frames)) };
 
     for (Eigen::Index i = 0; i < result.samples.size(); ++i)
-        result.samples.data()[i] = sampleOf (format, data.data() + static_cast<std::size_t> (i) * size);
+        result.samples.data()[i] = decodeSample (format, data.data() + static_cast<std::size_t> (i) * size);
 
     if (! result.samples.allFinite())
         fail (source, "has a sample that is not finite");
@@ -121,13 +121,13 @@ WaveSamples decodeWave (std::string_view bytes, const std::string& source)
         const auto content = rest.substr (chunkHeader, size);
 
         if (rest.substr (0, 4) == "fmt ")
-            format = formatOf (content, source);
+            format = readFormat (content, source);
 
         if (rest.substr (0, 4) == "data" && ! format.isKnown())
             fail (source, "is not a WAV file: its samples precede their format");
 
         if (rest.substr (0, 4) == "data")
-            return samplesOf (format, content, source);
+            return decodeSamples (format, content, source);
 
         // A byte fills up what is odd.
         rest.remove_prefix (std::min<std::uint64_t> (rest.size(), chunkHeader + size + size % 2));

@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-std::optional<double> numberOf (const OscArgument& argument)
+std::optional<double> toNumber (const OscArgument& argument)
 {
     return std::visit (
         [] (const auto& value) -> std::optional<double>

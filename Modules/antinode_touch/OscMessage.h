@@ -34,5 +34,5 @@ struct OscMessage
 };
 
 /** An argument of the types i f h d as a number; may be not finite. [any] */
-std::optional<double> numberOf (const OscArgument&);
+std::optional<double> toNumber (const OscArgument&);
 } // namespace antinode

@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-std::optional<TouchFault> faultOf (const Touch& touch)
+std::optional<TouchFault> findFault (const Touch& touch)
 {
     if (! std::isfinite (touch.x) || ! std::isfinite (touch.y) || ! std::isfinite (touch.amplitude))
         return TouchFault::notFinite;

@@ -24,5 +24,5 @@ struct Touch
 };
 
 /** The fault of a touch: numbers that are not finite, fractions outside the surface. [any] */
-std::optional<TouchFault> faultOf (const Touch&);
+std::optional<TouchFault> findFault (const Touch&);
 } // namespace antinode

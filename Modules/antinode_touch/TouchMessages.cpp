@@ -9,13 +9,13 @@ namespace antinode
 namespace
 {
 /** The numbers of a message; none if an argument is no number. */
-std::vector<double> numbersOf (const OscMessage& message)
+std::vector<double> readNumbers (const OscMessage& message)
 {
     std::vector<double> numbers;
 
     for (const auto& argument : message.arguments)
     {
-        const auto number = numberOf (argument);
+        const auto number = toNumber (argument);
 
         if (! number)
             return {};
@@ -28,7 +28,7 @@ std::vector<double> numbersOf (const OscMessage& message)
 
 void readPlace (const OscMessage& message, bool inMillimetres, std::vector<Touch>& touches, TouchCounters& counters)
 {
-    const auto numbers = numbersOf (message);
+    const auto numbers = readNumbers (message);
 
     // A beam has no y; a fraction of nothing would be a guess.
     if (numbers.size() < (inMillimetres ? 1 : 2) || numbers.size() > 3)
@@ -42,7 +42,7 @@ void readPlace (const OscMessage& message, bool inMillimetres, std::vector<Touch
     if (numbers.size() > 2)
         touch.amplitude = numbers[2];
 
-    if (const auto fault = faultOf (touch))
+    if (const auto fault = findFault (touch))
         return counters.count (*fault);
 
     touch.amplitude = std::clamp (touch.amplitude, 0.0, 1.0);

@@ -45,7 +45,7 @@ void TuioCursors::move (const TuioCursor& cursor, std::vector<Touch>& touches, T
 {
     const Touch touch { TouchKind::focusAt, false, cursor.x, 1 - cursor.y, 1 };
 
-    if (const auto fault = faultOf (touch))
+    if (const auto fault = findFault (touch))
         return counters.count (*fault);
 
     const auto [last, isNew] = lastTouches.try_emplace (cursor.session, touch);

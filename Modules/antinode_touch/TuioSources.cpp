@@ -8,7 +8,7 @@ namespace
 {
 using Arguments = std::span<const OscArgument>;
 
-std::optional<std::vector<std::int32_t>> integersOf (Arguments arguments)
+std::optional<std::vector<std::int32_t>> readIntegers (Arguments arguments)
 {
     std::vector<std::int32_t> integers;
 
@@ -25,15 +25,15 @@ std::optional<std::vector<std::int32_t>> integersOf (Arguments arguments)
 
 /** Session, place, velocity, acceleration. Only the place is judged later: senders whose clock stood still divide by
     zero for the others. */
-std::optional<TuioCursor> cursorOf (Arguments arguments)
+std::optional<TuioCursor> readCursor (Arguments arguments)
 {
     if (arguments.size() != 6 || ! std::holds_alternative<std::int32_t> (arguments.front()))
         return std::nullopt;
 
-    if (std::any_of (arguments.begin() + 1, arguments.end(), [] (const auto& value) { return ! numberOf (value); }))
+    if (std::any_of (arguments.begin() + 1, arguments.end(), [] (const auto& value) { return ! toNumber (value); }))
         return std::nullopt;
 
-    return TuioCursor { std::get<std::int32_t> (arguments[0]), *numberOf (arguments[1]), *numberOf (arguments[2]) };
+    return TuioCursor { std::get<std::int32_t> (arguments[0]), *toNumber (arguments[1]), *toNumber (arguments[2]) };
 }
 } // namespace
 
@@ -53,7 +53,7 @@ bool TuioSources::readPart (const std::string& command, Arguments arguments)
 {
     if (command == "set")
     {
-        const auto cursor = cursorOf (arguments);
+        const auto cursor = readCursor (arguments);
 
         if (cursor)
             frame.cursors.push_back (*cursor);
@@ -71,7 +71,7 @@ bool TuioSources::readPart (const std::string& command, Arguments arguments)
         return name != nullptr;
     }
 
-    const auto integers = integersOf (arguments);
+    const auto integers = readIntegers (arguments);
 
     if (command == "alive" && integers)
         frame.alive = integers;
@@ -86,7 +86,7 @@ bool TuioSources::readPart (const std::string& command, Arguments arguments)
 void TuioSources::endFrame (std::vector<Touch>& touches, TouchCounters& counters)
 {
     if (frame.alive)
-        cursorsOf (frame.source).play (frame, touches, counters);
+        findCursors (frame.source).play (frame, touches, counters);
     else
         counters.count (TouchFault::brokenFrame);
 
@@ -103,7 +103,7 @@ void TuioSources::endPacket (TouchCounters& counters)
     isInFrame = false;
 }
 
-TuioCursors& TuioSources::cursorsOf (const std::string& source)
+TuioCursors& TuioSources::findCursors (const std::string& source)
 {
     const auto known =
         std::find_if (sources.begin(), sources.end(), [&source] (const auto& entry) { return entry.first == source; });
@@ -112,7 +112,7 @@ TuioCursors& TuioSources::cursorsOf (const std::string& source)
         std::rotate (known, known + 1, sources.end());
     else
     {
-        if (sources.size() == most)
+        if (sources.size() == maximumSources)
             sources.erase (sources.begin());
 
         sources.emplace_back (source, TuioCursors (repeatDistance));

@@ -15,7 +15,7 @@ class TuioSources
 {
 public:
     static constexpr const char* address = "/tuio/2Dcur";
-    static constexpr std::size_t most = 16; ///< The one that was silent longest makes way for another.
+    static constexpr std::size_t maximumSources = 16; ///< The one that was silent longest makes way for another.
 
     /** @param repeatDistance  see TouchOptions */
     explicit TuioSources (double repeatDistanceToUse) : repeatDistance (repeatDistanceToUse) {}
@@ -29,7 +29,7 @@ public:
 private:
     bool readPart (const std::string& command, std::span<const OscArgument>);
     void endFrame (std::vector<Touch>&, TouchCounters&);
-    TuioCursors& cursorsOf (const std::string& source);
+    TuioCursors& findCursors (const std::string& source);
 
     double repeatDistance;
     TuioFrame frame;

@@ -16,11 +16,13 @@ std::string_view columns (std::string_view record, std::size_t first, std::size_
     return first < record.size() ? record.substr (first, width) : std::string_view {};
 }
 
-/** A whole number in a column that leaves a blank before it; 0 where it is blank or something else, as for unused fields. */
+/** A whole number in a column that leaves a blank before it; 0 where it is blank or something else, as for unused
+ * fields. */
 UniversalLabel integerIn (std::string_view record, std::size_t first, std::size_t width)
 {
     std::vector<double> numbers;
-    const auto isNumber = appendNumbersOf (columns (record, first, width), { width }, numbers) && numbers.size() == 1;
+    const auto isNumber =
+        appendRecordNumbers (columns (record, first, width), { width }, numbers) && numbers.size() == 1;
     const auto isShort = isNumber && std::abs (numbers[0]) < std::pow (10.0, static_cast<double> (width) - 1);
     return isShort ? static_cast<UniversalLabel> (numbers[0]) : 0;
 }
@@ -85,7 +87,8 @@ UniversalAxis axisIn (std::string_view record)
     return axis;
 }
 
-/** Numbers of binary data, all of one precision; those of an uneven abscissa may have single precision with double values. */
+/** Numbers of binary data, all of one precision; those of an uneven abscissa may have single precision with double
+ * values. */
 std::vector<double> binaryNumbers (const UniversalSection& section, const UniversalFunction& function)
 {
     const auto data = *section.data;

@@ -34,7 +34,7 @@ std::vector<UniversalLabel> readNodeList (UniversalRecords& records, std::size_t
     return nodes;
 }
 
-std::size_t countOf (UniversalRecords& records, UniversalLabel number)
+std::size_t toCount (UniversalRecords& records, UniversalLabel number)
 {
     if (number < 0)
         records.fail ("has a count of " + std::to_string (number) + "; allowed: 0 or more");
@@ -89,7 +89,7 @@ UniversalTrace readTraceSet (UniversalRecords& records)
     trace.number = head[0];
     trace.colour = head[2];
     trace.text = records.textRecord();
-    trace.nodes = readNodeList (records, countOf (records, head[1]));
+    trace.nodes = readNodeList (records, toCount (records, head[1]));
     return trace;
 }
 
@@ -106,7 +106,7 @@ UniversalElements readElementSet (UniversalRecords& records)
         if (isBeam (element.head[1]))
             element.beam = records.integers (1, 3);
 
-        element.nodes = readNodeList (records, countOf (records, head[5]));
+        element.nodes = readNodeList (records, toCount (records, head[5]));
         elements.elements.push_back (std::move (element));
     }
 

@@ -31,7 +31,7 @@ UniversalUnits readUnitSet (UniversalRecords& records)
     const auto head = records.record();
     std::vector<double> code, mode, factors;
 
-    if (! appendNumbersOf (head.substr (0, codeWidth), { codeWidth }, code) || code.size() != 1)
+    if (! appendRecordNumbers (head.substr (0, codeWidth), { codeWidth }, code) || code.size() != 1)
         records.fail ("has " + inQuotes (head) + "; allowed: the code of a system of units");
 
     units.code = static_cast<int> (std::clamp (code[0], -1e6, 1e6));
@@ -40,7 +40,7 @@ UniversalUnits readUnitSet (UniversalRecords& records)
         units.description = trimmedText (head.substr (codeWidth, descriptionWidth));
 
     if (head.size() > codeWidth + descriptionWidth
-        && appendNumbersOf (head.substr (codeWidth + descriptionWidth), { codeWidth }, mode) && mode.size() == 1)
+        && appendRecordNumbers (head.substr (codeWidth + descriptionWidth), { codeWidth }, mode) && mode.size() == 1)
         units.temperatureMode = static_cast<int> (std::clamp (mode[0], -1e6, 1e6));
 
     records.appendNumbers ({ factorWidth }, factors);

@@ -39,11 +39,11 @@ std::size_t numberLength (std::string_view text)
 {
     constexpr std::size_t exponentDigits = 3;
     std::size_t at = ! text.empty() && isSign (text[0]) ? 1 : 0;
-    const auto skipDigits = [&] (std::size_t most)
+    const auto skipDigits = [&] (std::size_t maximum)
     {
         const auto begin = at;
 
-        while (at < text.size() && isDigit (text[at]) && at - begin < most)
+        while (at < text.size() && isDigit (text[at]) && at - begin < maximum)
             ++at;
 
         return at - begin;
@@ -74,7 +74,7 @@ std::size_t numberLength (std::string_view text)
 }
 
 /** The value of a field that is one number. */
-std::optional<double> valueOf (std::string_view field)
+std::optional<double> parseField (std::string_view field)
 {
     std::array<char, longestNumber + 2> buffer {};
     std::size_t length = 0;
@@ -126,7 +126,7 @@ bool readColumns (std::string_view record, ColumnWidths widths, std::vector<doub
     for (std::size_t at = 0; at < end; at += *width, width = width + 1 == widths.end() ? widths.begin() : width + 1)
     {
         const auto field = record.substr (at, std::min (*width, end - at));
-        const auto value = valueOf (trimmed (field));
+        const auto value = parseField (trimmed (field));
 
         if (! value || ! isBoundary (record.substr (0, at), field))
             return false;
@@ -142,7 +142,7 @@ bool readFreely (std::string_view record, std::vector<double>& numbers)
     for (auto rest = trimmed (record); ! rest.empty();)
     {
         const auto length = numberLength (rest);
-        const auto value = valueOf (rest.substr (0, length));
+        const auto value = parseField (rest.substr (0, length));
 
         if (! value)
             return false;
@@ -157,7 +157,7 @@ bool readFreely (std::string_view record, std::vector<double>& numbers)
 }
 } // namespace
 
-bool appendNumbersOf (std::string_view record, ColumnWidths widths, std::vector<double>& numbers)
+bool appendRecordNumbers (std::string_view record, ColumnWidths widths, std::vector<double>& numbers)
 {
     if (record.find_first_not_of (blanks) == std::string_view::npos)
         return true;

@@ -18,7 +18,8 @@ void appendInteger (std::string& text, std::int64_t number, std::size_t width = 
 /** Appends E13.5. @throws InputError  when it is not finite [any] */
 void appendReal (std::string& text, double number);
 
-/** Appends a real in a column of this width with the given number of digits behind the point; `letter` begins the exponent.
+/** Appends a real in a column of this width with the given number of digits behind the point; `letter` begins the
+   exponent.
     @throws InputError  when it is not finite [any] */
 void appendReal (std::string& text, double number, std::size_t width, int digits, char letter);
 
@@ -46,8 +47,8 @@ std::string integerRecord (const std::vector<std::int64_t>& numbers);
 /** One record of reals, E13.5. @throws InputError  when one is not finite [any] */
 std::string realRecord (const std::vector<double>& numbers);
 
-/** Text as a field or record has it: printable ASCII, at most `length` characters. Exponents and a few signs that units have are spelt
-    out; any other character that is not ASCII becomes '?'. [any] */
+/** Text as a field or record has it: printable ASCII, at most `length` characters. Exponents and a few signs that units
+   have are spelt out; any other character that is not ASCII becomes '?'. [any] */
 std::string plainText (std::string_view text, std::size_t length = 80);
 
 /** A record of text of at most 80 columns. [any] */

@@ -43,7 +43,7 @@ void UniversalRecords::appendNumbers (ColumnWidths widths, std::vector<double>& 
 {
     const auto found = record();
 
-    if (! appendNumbersOf (found, widths, numbers))
+    if (! appendRecordNumbers (found, widths, numbers))
         fail ("has " + inQuotes (found) + "; allowed here: numbers");
 }
 

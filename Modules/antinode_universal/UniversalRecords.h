@@ -35,10 +35,12 @@ public:
     /** Appends the next record's numbers. */
     void appendNumbers (ColumnWidths, std::vector<double>&);
 
-    /** The next record's first numbers, which must be whole; there may be more, and zeros stand for those that lack beyond `fewest`. */
+    /** The next record's first numbers, which must be whole; there may be more, and zeros stand for those that lack
+     * beyond `fewest`. */
     std::vector<std::int64_t> integers (std::size_t fewest, std::size_t count, std::size_t width = 10);
 
-    /** A number of the last record that must be whole and fit into a column of ten characters, which nothing else may touch.
+    /** A number of the last record that must be whole and fit into a column of ten characters, which nothing else may
+       touch.
         @throws InputError  when it is not */
     std::int64_t whole (double number) const;
 

@@ -11,7 +11,7 @@ namespace antinode
 namespace
 {
 constexpr int integerData = 1, firstComplex = 5;
-constexpr UniversalLabel mostValues = 1000000;
+constexpr UniversalLabel maximumValues = 1000000;
 
 /** How the numbers of one place stand in records. */
 struct NumberForm
@@ -20,7 +20,7 @@ struct NumberForm
     int digits; ///< Behind the point; 0: integers.
 };
 
-NumberForm formOf (int dataType)
+NumberForm numberForm (int dataType)
 {
     if (dataType == integerData)
         return { 10, 8, 0 };
@@ -41,7 +41,7 @@ UniversalLabel valueCount (UniversalRecords& records, const UniversalResults& re
     constexpr UniversalLabel atAllNodes = 1;
     const auto limited = [&] (UniversalLabel count)
     {
-        if (count < 0 || count > mostValues || static_cast<std::size_t> (count) > records.bytesLeft())
+        if (count < 0 || count > maximumValues || static_cast<std::size_t> (count) > records.bytesLeft())
             records.fail ("has " + std::to_string (count) + " values at a location, more than the file contains");
 
         return count;
@@ -59,7 +59,7 @@ UniversalLabel valueCount (UniversalRecords& records, const UniversalResults& re
 UniversalResult readResult (UniversalRecords& records, const UniversalResults& results)
 {
     const auto size = headSize (results.location);
-    const auto form = formOf (results.kind[4]);
+    const auto form = numberForm (results.kind[4]);
     UniversalResult result { records.integers (size, size), {} };
     const auto count = valueCount (records, results, result.head);
     const auto isComplex = results.kind[4] >= firstComplex;
@@ -101,7 +101,7 @@ UniversalResults readResultSet (UniversalRecords& records)
     const auto kind = records.integers (6, 6);
     std::transform (kind.begin(), kind.end(), results.kind.begin(),
                     [&] (auto number)
-                    { return static_cast<int> (std::clamp<UniversalLabel> (number, -1, mostValues)); });
+                    { return static_cast<int> (std::clamp<UniversalLabel> (number, -1, maximumValues)); });
 
     if (results.kind[4] < 1 || results.kind[4] > 6 || results.kind[4] == 3)
         records.fail ("has data of type " + std::to_string (results.kind[4]) + "; allowed: 1, 2, 4, 5 or 6");
@@ -122,7 +122,7 @@ UniversalResults readResultSet (UniversalRecords& records)
 
 std::string encodeResultSet (const UniversalResults& results)
 {
-    const auto form = formOf (results.kind[4]);
+    const auto form = numberForm (results.kind[4]);
     auto text = integerRecord ({ results.label }) + textRecord (results.name) + integerRecord ({ results.location });
 
     for (const auto& line : results.lines)

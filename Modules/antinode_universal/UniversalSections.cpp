@@ -71,7 +71,7 @@ BinaryHeader binaryHeader (std::string_view line, const Cursor& at, const std::s
     std::vector<double> numbers;
     const auto where = source + ": line " + std::to_string (at.line);
 
-    if (! appendNumbersOf (line, { 6, 6, 12, 12, 6, 6, 12, 12 }, numbers) || numbers.size() < 2)
+    if (! appendRecordNumbers (line, { 6, 6, 12, 12, 6, 6, 12, 12 }, numbers) || numbers.size() < 2)
         throw InputError (where,
                           "the header of binary data cannot be read; allowed: byte order, number format and counts");
 
@@ -86,12 +86,12 @@ BinaryHeader binaryHeader (std::string_view line, const Cursor& at, const std::s
     return { numbers[0] == bigEndian, isCount ? static_cast<std::size_t> (numbers[3]) : 0 };
 }
 
-/** How many bytes the record of a 58b that tells type, count and spacing stands for; a second guess where an uneven abscissa may have
-    single precision with double values. */
+/** How many bytes the record of a 58b that tells type, count and spacing stands for; a second guess where an uneven
+   abscissa may have single precision with double values. */
 std::array<std::size_t, 2> bytesOfCount (std::string_view record, std::size_t largest)
 {
     std::vector<double> numbers;
-    appendNumbersOf (record, { 10, 10, 10, 13, 13, 13 }, numbers);
+    appendRecordNumbers (record, { 10, 10, 10, 13, 13, 13 }, numbers);
 
     if (numbers.size() < 3 || ! (numbers[1] >= 0 && numbers[1] <= static_cast<double> (largest)))
         return { 0, 0 };
@@ -180,7 +180,7 @@ UniversalSection readSection (std::string_view head, Cursor& at, const std::stri
     const auto letter = head.find_first_of ("bB");
     const auto width = std::min (letter, numberWidth);
 
-    if (! appendNumbersOf (head.substr (0, width), { numberWidth }, numbers) || numbers.size() != 1
+    if (! appendRecordNumbers (head.substr (0, width), { numberWidth }, numbers) || numbers.size() != 1
         || ! (numbers[0] >= 0 && numbers[0] <= largestNumber))
         throw InputError (source + ": line " + std::to_string (at.line),
                           "has " + inQuotes (head) + " after a line of -1; allowed: the number of a data set");

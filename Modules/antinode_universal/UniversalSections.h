@@ -17,8 +17,9 @@ struct UniversalSection
     std::size_t firstLine = 0; ///< Number of the first record's line, from 1; lines behind binary data are not counted.
 };
 
-/** Cuts a file into its data sets. Text outside of sets is ignored. The end of binary data is where a line of -1 begins: looked for
-    where the numbers of the header say, with a line's end more or less, else from there on, because headers are often wrong.
+/** Cuts a file into its data sets. Text outside of sets is ignored. The end of binary data is where a line of -1
+   begins: looked for where the numbers of the header say, with a line's end more or less, else from there on, because
+   headers are often wrong.
     @param source  how errors name the file
     @throws InputError  when there is no set, one is not closed, or its number cannot be read
     [worker] */

@@ -10,8 +10,8 @@
 
 namespace antinode
 {
-// The data sets of Universal Files, as they stand in the file: in the file's units, with the format's own codes for kinds and quantities.
-// SDRC universal data sets, https://www.ceas3.uc.edu/sdrluff.
+// The data sets of Universal Files, as they stand in the file: in the file's units, with the format's own codes for
+// kinds and quantities. SDRC universal data sets, https://www.ceas3.uc.edu/sdrluff.
 using UniversalLabel = std::int64_t;
 
 /** The storage of the numbers of a function in the file. */
@@ -22,7 +22,8 @@ enum class UniversalEncoding
     bigEndian
 };
 
-/** A point that is driven or moves: node and direction; +-1, 2, 3 are along and against x, y, z, +-4 to 6 turn about them. */
+/** A point that is driven or moves: node and direction; +-1, 2, 3 are along and against x, y, z, +-4 to 6 turn about
+ * them. */
 struct UniversalPlace
 {
     std::string entity = "NONE";
@@ -67,9 +68,8 @@ struct UniversalShape
     int specificType = 8;                ///< As UniversalAxis::quantity.
     bool isComplex = false;
     std::vector<UniversalLabel> integers; ///< Of a mode: load case, mode number.
-    std::vector<double>
-        reals; ///< Of a normal mode: Hz, modal mass, viscous and hysteretic damping ratio; of a complex one first its
-               ///< eigenvalue, 1/s.
+    std::vector<double> reals; ///< Of a normal mode: Hz, modal mass, viscous and hysteretic damping ratio; of a complex
+                               ///< one first its eigenvalue, 1/s.
     std::vector<UniversalLabel> nodes;
     Eigen::MatrixXcd values; ///< N x V
 };
@@ -135,8 +135,8 @@ struct UniversalResults
     std::string name;
     int location = 1; ///< 1 nodes, 2 elements, 3 nodes on elements, 5 points.
     std::array<std::string, 5> lines;
-    std::array<int, 6>
-        kind {}; ///< Model, analysis, characteristic, result, data type (1 integer, 2, 4 real, 5, 6 complex), values per location.
+    std::array<int, 6> kind {}; ///< Model, analysis, characteristic, result, data type (1 integer, 2, 4 real, 5, 6
+                                ///< complex), values per location.
     std::array<UniversalLabel, 10> integers {};
     std::array<double, 12> reals {};
     std::vector<UniversalResult> results;

@@ -8,7 +8,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int realData = 2, complexData = 5, mostValuesANode = 1000;
+constexpr int realData = 2, complexData = 5, maximumValuesPerNode = 1000;
 
 /** Numbers of a group of records, up to the given count. */
 std::vector<double> someNumbers (UniversalRecords& records, std::size_t count, std::size_t width)
@@ -24,11 +24,11 @@ std::vector<double> someNumbers (UniversalRecords& records, std::size_t count, s
 
 void readAnalysis (UniversalShape& shape, UniversalRecords& records)
 {
-    constexpr double mostNumbers = 100;
+    constexpr double maximumNumbers = 100;
     auto integers = records.numbers ({ 10 });
 
     if (integers.size() < 2
-        || ! (integers[0] >= 0 && integers[0] <= mostNumbers && integers[1] >= 0 && integers[1] <= mostNumbers))
+        || ! (integers[0] >= 0 && integers[0] <= maximumNumbers && integers[1] >= 0 && integers[1] <= maximumNumbers))
         records.fail ("does not say how many integers and reals follow; allowed: 0 to 100 of each");
 
     const auto wanted = static_cast<std::size_t> (integers[0]), reals = static_cast<std::size_t> (integers[1]);
@@ -55,9 +55,9 @@ UniversalShape readShapeSet (UniversalRecords& records)
     if (form[4] != realData && form[4] != complexData)
         records.fail ("has data of type " + std::to_string (form[4]) + "; allowed: 2 (real) or 5 (complex)");
 
-    if (form[5] < 1 || form[5] > mostValuesANode)
+    if (form[5] < 1 || form[5] > maximumValuesPerNode)
         records.fail ("has " + std::to_string (form[5]) + " values per node; allowed: 1 to "
-                      + std::to_string (mostValuesANode));
+                      + std::to_string (maximumValuesPerNode));
 
     shape.modelType = static_cast<int> (form[0]);
     shape.analysisType = static_cast<int> (form[1]);

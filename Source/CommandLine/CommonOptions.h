@@ -30,7 +30,8 @@ void addCommonOptions (CLI::App&, CommonOptions&);
 /** The flag that bypasses the user's cache. The bool must live as long as the app. */
 void addCacheFlag (CLI::App&, bool& usesCache);
 
-/** The solved device and the focus that these options name. @throws InputError  for anything that cannot be read or solved. [worker] */
+/** The solved device and the focus that these options name. @throws InputError  for anything that cannot be read or
+ * solved. [worker] */
 std::pair<ModalModel, FocusDescription> inputsFrom (const CommonOptions&);
 
 /** A focus designed as these options say.

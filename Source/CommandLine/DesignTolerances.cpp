@@ -15,27 +15,27 @@ namespace
 constexpr double percent = 100;
 constexpr std::size_t shownCauses = 3;
 
-constexpr double mostOfFrequency = 10, mostOfOthers = 50; // %
+constexpr double maximumFrequencyPercent = 10, maximumOtherPercent = 50; // %
 
 /** A requested spread, or the default. CLI::Range would accept NaN. */
-double spreadOr (const std::optional<double>& asked, const char* option, double most, double otherwise)
+double spreadOr (const std::optional<double>& asked, const char* option, double maximum, double otherwise)
 {
     if (! asked)
         return otherwise;
 
-    if (! (*asked >= 0 && *asked <= most))
-        throw InputError (option, "is " + inWords (*asked) + " %; allowed: 0 to " + inWords (most) + " %");
+    if (! (*asked >= 0 && *asked <= maximum))
+        throw InputError (option, "is " + inWords (*asked) + " %; allowed: 0 to " + inWords (maximum) + " %");
 
     return *asked / percent;
 }
 
-DetuningSpread spreadOf (const ToleranceCommandOptions& options, const FocusDescription& focus)
+DetuningSpread chooseSpread (const ToleranceCommandOptions& options, const FocusDescription& focus)
 {
     const auto usual = focus.allocation.robust ? focus.allocation.robust->spread : usualSpread;
-    return { spreadOr (options.frequency, "--frequency-percent", mostOfFrequency, usual.frequency),
-             spreadOr (options.damping, "--damping-percent", mostOfOthers, usual.damping),
-             spreadOr (options.participation, "--participation-percent", mostOfOthers, usual.participation),
-             spreadOr (options.drift, "--drift-percent", mostOfFrequency, usual.drift) };
+    return { spreadOr (options.frequency, "--frequency-percent", maximumFrequencyPercent, usual.frequency),
+             spreadOr (options.damping, "--damping-percent", maximumOtherPercent, usual.damping),
+             spreadOr (options.participation, "--participation-percent", maximumOtherPercent, usual.participation),
+             spreadOr (options.drift, "--drift-percent", maximumFrequencyPercent, usual.drift) };
 }
 
 std::string row (const std::string& name, const Percentiles& values, const char* format)
@@ -81,7 +81,7 @@ void addToleranceOptions (CLI::App& command, ToleranceCommandOptions& options)
 std::vector<DesignTolerance> designTolerances (const ModalModel& model, const FocusDesign& design,
                                                const ToleranceCommandOptions& options, Progress& progress)
 {
-    const ToleranceOptions settings { spreadOf (options, design.description), options.draws,
+    const ToleranceOptions settings { chooseSpread (options, design.description), options.draws,
                                       static_cast<std::uint64_t> (options.seed) };
     const auto evaluate = [&] (const char* name, const FocusDesign& evaluated)
     {
@@ -118,7 +118,7 @@ std::string tolerancesInWords (const ModalModel& model, const std::vector<Design
         text += row ("peak ratio", tolerance.peakRatio, "%9.4f");
 
         for (std::size_t i = 0; i < std::min (shownCauses, tolerance.causes.size()); ++i)
-            text += "  " + sentenceOf (tolerance.causes[i], model) + "\n";
+            text += "  " + causeSentence (tolerance.causes[i], model) + "\n";
     }
 
     return text;

@@ -23,8 +23,8 @@ struct ToleranceCommandOptions
 /** Adds them to a sub-command. The struct must live as long as the app. */
 void addToleranceOptions (CLI::App&, ToleranceCommandOptions&);
 
-/** The design on devices drawn around the model; for a robust design also the nominal one, on the same devices. Spreads that are not
-    requested are those that the focus is robust against, else the usual ones.
+/** The design on devices drawn around the model; for a robust design also the nominal one, on the same devices. Spreads
+   that are not requested are those that the focus is robust against, else the usual ones.
     @throws InputError  for a spread that is not allowed, and as designFocus. [worker] */
 std::vector<DesignTolerance> designTolerances (const ModalModel&, const FocusDesign&, const ToleranceCommandOptions&,
                                                Progress&);

@@ -15,7 +15,7 @@ namespace antinode
 {
 namespace
 {
-constexpr double linesPerWidth = 4, leastResolution = 0.1, mostResolution = 10; // Hz
+constexpr double linesPerWidth = 4, minimumResolution = 0.1, maximumResolution = 10; // Hz
 constexpr double restOfSettling = 1e-5;
 constexpr double highestByDefault = 20000; // Hz
 constexpr double levelShare = 0.2;
@@ -27,7 +27,7 @@ ExcitationSignal signalNamed (const std::string& name)
                              : ExcitationSignal::multisine;
 }
 
-Eigen::VectorXd levelsOf (const ExcitationOptions& options, const Eigen::VectorXd& limits)
+Eigen::VectorXd playedLevels (const ExcitationOptions& options, const Eigen::VectorXd& limits)
 {
     const auto given = static_cast<Eigen::Index> (options.levels.size());
 
@@ -54,7 +54,7 @@ void chooseForModes (ExcitationSettings& settings, const ModalModel& model, cons
     settings.highestFrequency = options.highest.value_or (
         std::min ({ highestByDefault, rateShare * options.rate, beyond * model.frequencyHz (model.modes() - 1) }));
     settings.resolution = options.resolution.value_or (
-        std::clamp (decay.minCoeff() / (M_PI * linesPerWidth), leastResolution, mostResolution));
+        std::clamp (decay.minCoeff() / (M_PI * linesPerWidth), minimumResolution, maximumResolution));
     const auto settlingTime = -std::log (restOfSettling) / decay.minCoeff();
     settings.settlingPeriods =
         options.settling.value_or (std::max (1, static_cast<int> (std::ceil (settlingTime * settings.resolution))));
@@ -126,7 +126,7 @@ ExcitationSheet excitationFor (const ModalModel& model, const ExcitationOptions&
     settings.sweepDuration = options.sweepDuration;
     settings.hasOddGrid = options.hasOddLines;
     settings.seed = static_cast<std::uint64_t> (options.seed);
-    settings.levels = levelsOf (options, sheet.voltageLimits);
+    settings.levels = playedLevels (options, sheet.voltageLimits);
     chooseForModes (settings, model, options);
     sheet.excitation = makeExcitation (settings, sheet.voltageLimits);
     return sheet;

@@ -35,8 +35,9 @@ void addExcitationOptions (CLI::App&, ExcitationOptions&);
 /** The solved device that the options name. @throws InputError  for anything that cannot be read or solved. [worker] */
 ModalModel excitedDevice (const ExcitationOptions&);
 
-/** The excitation that the options ask for. Where they do not say: the band from half the lowest mode to 20 kHz, the highest mode or 0.45
-    of the rate, four lines in the narrowest half-power width, settling until 1e-5 of the slowest mode is left, a fifth of the limits.
+/** The excitation that the options ask for. Where they do not say: the band from half the lowest mode to 20 kHz, the
+   highest mode or 0.45 of the rate, four lines in the narrowest half-power width, settling until 1e-5 of the slowest
+   mode is left, a fifth of the limits.
     @throws InputError  as makeExcitation, or unless there is one level or one per ceramic [worker] */
 ExcitationSheet excitationFor (const ModalModel&, const ExcitationOptions&);
 } // namespace antinode

@@ -19,20 +19,21 @@ struct ExciteOptions
 };
 
 /** All runs one after the other. */
-Eigen::MatrixXd playedTurns (const ExcitationSheet& sheet)
+Eigen::MatrixXd playedRuns (const ExcitationSheet& sheet)
 {
-    constexpr double mostBytes = 512.0 * 1024 * 1024, bytesPerSample = 4;
+    constexpr double maximumBytes = 512.0 * 1024 * 1024, bytesPerSample = 4;
     const auto& excitation = sheet.excitation;
-    const auto ceramics = excitation.ceramics(), samples = ceramics * excitation.turn;
+    const auto ceramics = excitation.ceramics(), samples = ceramics * excitation.runLength;
 
-    if (static_cast<double> (samples) * static_cast<double> (ceramics + 1) * bytesPerSample > mostBytes)
+    if (static_cast<double> (samples) * static_cast<double> (ceramics + 1) * bytesPerSample > maximumBytes)
         throw InputError ("excitation", "would make a file of more than 512 MiB; choose fewer periods, a coarser "
                                         "resolution or a lower rate, or use `antinode measure`, which needs no file");
 
     Eigen::MatrixXd played (ceramics + 1, samples);
 
     for (Eigen::Index i = 0; i < ceramics; ++i)
-        played.middleCols (i * excitation.turn, excitation.turn) = playedTurn (excitation, i, sheet.fullScaleVoltage);
+        played.middleCols (i * excitation.runLength, excitation.runLength) =
+            playedRun (excitation, i, sheet.fullScaleVoltage);
 
     return played;
 }
@@ -43,7 +44,7 @@ void excite (const ExciteOptions& options)
     const auto sheet = excitationFor (model, options.excitation);
     const auto& excitation = sheet.excitation;
     const auto& settings = excitation.settings;
-    const auto played = playedTurns (sheet);
+    const auto played = playedRuns (sheet);
 
     OutputFolder folder (options.folder);
     folder.write ("excitation.wav", encodeWave (played, 1, settings.sampleRate));
@@ -53,8 +54,8 @@ void excite (const ExciteOptions& options)
     std::printf ("%s: %td ceramics and a sync channel, %.1f s at %.0f Hz\n", model.name.c_str(), excitation.ceramics(),
                  static_cast<double> (played.cols()) / settings.sampleRate, settings.sampleRate);
     std::printf ("  %s, %zu lines from %.6g to %.6g Hz, %.4g Hz apart\n", options.excitation.signal.c_str(),
-                 excitation.lines.size(), excitation.frequencyOf (excitation.lines.front()),
-                 excitation.frequencyOf (excitation.lines.back()),
+                 excitation.lines.size(), excitation.lineFrequency (excitation.lines.front()),
+                 excitation.lineFrequency (excitation.lines.back()),
                  settings.sampleRate / static_cast<double> (excitation.lineBlock));
     std::printf ("  crest factor %.2f, peak %.4g to %.4g V\n", excitation.crestFactor, settings.levels.minCoeff(),
                  settings.levels.maxCoeff());

@@ -9,7 +9,8 @@ namespace antinode
 {
 namespace
 {
-/** The fields that errors name, and what the user writes for them. A field that begins like another one stands before it. */
+/** The fields that errors name, and what the user writes for them. A field that begins like another one stands before
+ * it. */
 constexpr std::array<std::pair<std::string_view, std::string_view>, 20> fields { {
     { "focus: targets", "focus: /targets" },
     { "focus: focus time", "focus: /focus_time_ms" },

@@ -35,7 +35,7 @@ struct ChannelRoles
     std::vector<Eigen::Index> sensors;
 };
 
-ChannelRoles rolesOf (const FrfOptions& options, Eigen::Index channels, const std::string& file)
+ChannelRoles findRoles (const FrfOptions& options, Eigen::Index channels, const std::string& file)
 {
     ChannelRoles roles;
     roles.sync = options.syncChannel < 0 ? channels - 1 : options.syncChannel - 1;
@@ -56,17 +56,17 @@ ChannelRoles rolesOf (const FrfOptions& options, Eigen::Index channels, const st
 }
 
 /** The sample of a recording at which the first run starts, or slightly before: the sync signal starts there. */
-Eigen::Index beginningOf (const Eigen::VectorXd& sync, double sampleRate, const std::string& file)
+Eigen::Index findOnset (const Eigen::VectorXd& sync, double sampleRate, const std::string& file)
 {
     constexpr double threshold = 0.05, leadTime = 0.02;
-    const auto least = threshold * sync.cwiseAbs().maxCoeff();
+    const auto minimum = threshold * sync.cwiseAbs().maxCoeff();
 
-    if (! (least > 0))
+    if (! (minimum > 0))
         throw InputError (file, "is silent on its sync channel; --sync-channel gives its number, 0 for none");
 
     Eigen::Index first = 0;
 
-    while (std::abs (sync[first]) < least)
+    while (std::abs (sync[first]) < minimum)
         ++first;
 
     return std::max<Eigen::Index> (0, first - static_cast<Eigen::Index> (leadTime * sampleRate));
@@ -91,41 +91,41 @@ PlacedRecording placed (const FrfOptions& options, const ExcitationSheet& sheet,
                                     + " Hz; allowed: " + std::to_string (std::lround (rate))
                                     + " Hz, the rate of the excitation");
 
-    recording.roles = rolesOf (options, recording.wave.samples.rows(), file);
+    recording.roles = findRoles (options, recording.wave.samples.rows(), file);
 
     if (recording.roles.sync >= 0)
-        recording.first = beginningOf (recording.wave.samples.row (recording.roles.sync), rate, file);
+        recording.first = findOnset (recording.wave.samples.row (recording.roles.sync), rate, file);
 
     return recording;
 }
 
-TurnRecording turnOf (const PlacedRecording& recording, const FrfOptions& options, const Excitation& excitation,
-                      Eigen::Index ceramic)
+RunRecording extractRun (const PlacedRecording& recording, const FrfOptions& options, const Excitation& excitation,
+                         Eigen::Index ceramic)
 {
     const auto& samples = recording.wave.samples;
-    const auto first = recording.first + ceramic * excitation.turn;
-    const auto count = std::min (excitation.turn, samples.cols() - first);
+    const auto first = recording.first + ceramic * excitation.runLength;
+    const auto count = std::min (excitation.runLength, samples.cols() - first);
 
     if (count < excitation.signal.size())
         throw InputError (recording.file, "ends before ceramic " + std::to_string (ceramic + 1) + " of "
                                               + std::to_string (excitation.ceramics()) + " has finished its run");
 
-    TurnRecording turn;
-    turn.sensors = samples (recording.roles.sensors, Eigen::seqN (first, count)) * options.sensor.velocityOfFullScale();
+    RunRecording run;
+    run.sensors = samples (recording.roles.sensors, Eigen::seqN (first, count)) * options.sensor.fullScaleVelocity();
 
     if (recording.roles.sync >= 0)
-        turn.sync = samples.row (recording.roles.sync).segment (first, count);
+        run.sync = samples.row (recording.roles.sync).segment (first, count);
 
     if (recording.roles.reference >= 0)
-        turn.reference = samples.row (recording.roles.reference).segment (first, count) * options.referenceFullScale;
+        run.reference = samples.row (recording.roles.reference).segment (first, count) * options.referenceFullScale;
 
-    return turn;
+    return run;
 }
 
 void analyse (SurfaceMeasurement& measurement, const PlacedRecording& recording, const FrfOptions& options,
               const Excitation& excitation, Eigen::Index firstPoint)
 {
-    TurnAnalysisSettings settings;
+    RunAnalysisSettings settings;
     settings.latency = options.latency / 1000 * excitation.settings.sampleRate;
     settings.estimator = options.estimator == "h2"   ? ResponseEstimator::h2
                          : options.estimator == "hv" ? ResponseEstimator::hv
@@ -135,7 +135,7 @@ void analyse (SurfaceMeasurement& measurement, const PlacedRecording& recording,
         try
         {
             place (measurement, ceramic, firstPoint,
-                   analyseTurn (excitation, ceramic, turnOf (recording, options, excitation, ceramic), settings));
+                   analyseRun (excitation, ceramic, extractRun (recording, options, excitation, ceramic), settings));
         }
         catch (const InputError& error)
         {
@@ -144,7 +144,7 @@ void analyse (SurfaceMeasurement& measurement, const PlacedRecording& recording,
 }
 
 /** The positions in the options' file, or 1 mm apart on a line. */
-Eigen::MatrixX2d placesOf (const FrfOptions& options, Eigen::Index sensors)
+Eigen::MatrixX2d readPlaces (const FrfOptions& options, Eigen::Index sensors)
 {
     if (options.pointsFile.empty())
     {
@@ -172,11 +172,11 @@ void estimateResponses (const FrfOptions& options)
     for (const auto& file : options.recordings)
     {
         counts.push_back (
-            static_cast<Eigen::Index> (rolesOf (options, readWaveFile (file).samples.rows(), file).sensors.size()));
+            static_cast<Eigen::Index> (findRoles (options, readWaveFile (file).samples.rows(), file).sensors.size()));
         sensors += counts.back();
     }
 
-    auto measurement = unmeasured (sheet.excitation, sheet.ceramics, placesOf (options, sensors));
+    auto measurement = unmeasured (sheet.excitation, sheet.ceramics, readPlaces (options, sensors));
     Eigen::Index first = 0;
 
     for (std::size_t i = 0; i < counts.size(); first += counts[i++])

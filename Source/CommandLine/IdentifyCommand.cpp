@@ -26,18 +26,18 @@ namespace
 {
 Measurement readFiles (const IdentifyOptions& options)
 {
-    const auto said = measurementOptionsOf (options);
+    const auto said = toMeasurementOptions (options);
     std::vector<MeasurementFile> files;
 
     for (const auto& file : options.files)
-        files.push_back (readMeasurement (file, csvFormOf (options)));
+        files.push_back (readMeasurement (file, toCsvForm (options)));
 
     return mergedResponses (files, said);
 }
 
 /** The device with these modes. Forces in N become voltages in V, since a device has no other excitation. */
-ModalModel deviceOf (IdentifiedModes modes, const IdentifyOptions& options, const Eigen::VectorXd& masses,
-                     const std::optional<ModalModel>& computed, std::vector<std::string>& remarks)
+ModalModel makeDevice (IdentifiedModes modes, const IdentifyOptions& options, const Eigen::VectorXd& masses,
+                       const std::optional<ModalModel>& computed, std::vector<std::string>& remarks)
 {
     if (modes.drive == DriveQuantity::force)
         remarks.emplace_back ("Forces excite the surface: in the device 1 V stands for 1 N.");
@@ -49,7 +49,7 @@ ModalModel deviceOf (IdentifiedModes modes, const IdentifyOptions& options, cons
     surface.voltageLimit = options.voltageLimit;
     surface.fullScaleVoltage = options.fullScaleVoltage;
 
-    if (computed && computed->ceramics.size() == modes.drivers.size())
+    if (computed && computed->ceramics.size() == modes.references.size())
         surface.ceramics = computed->ceramics;
 
     auto model = toModalModel (modes, surface);
@@ -65,7 +65,7 @@ IdentificationResult identifyFiles (const IdentifyOptions& options)
     Progress progress (options.isQuiet);
     progress.show ("Reading", 0);
     auto measurement = readFiles (options);
-    const auto search = identificationOptionsOf (options, measurement.responses.points.rows());
+    const auto search = toIdentificationOptions (options, measurement.responses.points.rows());
     IdentificationResult result;
 
     if (! options.against.empty())
@@ -76,7 +76,7 @@ IdentificationResult identifyFiles (const IdentifyOptions& options)
     measurement.responses = withModalNumerators (std::move (measurement.responses), effects);
     result.modes = withoutRecordEffects (identify (measurement.responses, search), effects);
     result.remarks = std::move (measurement.remarks);
-    result.model = deviceOf (result.modes, options, search.pointMasses, result.computed, result.remarks);
+    result.model = makeDevice (result.modes, options, search.pointMasses, result.computed, result.remarks);
 
     if (result.computed)
         result.comparison = compareModes (result.modes, *result.computed);
@@ -96,10 +96,10 @@ std::string reconstructionError (const IdentificationResult& result)
                : text + " (" + fixedText (modes.measuredReconstructionError, 1) + " dB of the measured quantity)";
 }
 
-std::string descriptionOf (const IdentificationResult& result)
+std::string describeResult (const IdentificationResult& result)
 {
     return "Identified from " + std::to_string (result.measured.points.rows()) + " points and "
-           + std::to_string (result.measured.drivers.size()) + " references, "
+           + std::to_string (result.measured.references.size()) + " references, "
            + fixedText (result.modes.minimumFrequency, 1) + " to " + fixedText (result.modes.maximumFrequency, 1)
            + " Hz, reconstruction error " + reconstructionError (result);
 }
@@ -134,7 +134,7 @@ void writeFiles (const IdentificationResult& result, const IdentifyOptions& opti
 
     if (! options.deviceFile.empty())
         files.emplace_back (options.deviceFile,
-                            identifiedDeviceToJson (result.model, result.modes, descriptionOf (result)).dump (2)
+                            identifiedDeviceToJson (result.model, result.modes, describeResult (result)).dump (2)
                                 + "\n");
 
     for (const auto& [name, content] : files)
@@ -151,8 +151,8 @@ void print (const IdentificationResult& result)
     if (result.comparison)
         std::printf ("\n%s", tableText (pairTable (result)).c_str());
 
-    for (const auto& doubt : doubtsOf (result))
-        std::printf ("Warning: %s\n", doubt.c_str());
+    for (const auto& warning : collectWarnings (result))
+        std::printf ("Warning: %s\n", warning.c_str());
 }
 
 void runIdentify (const IdentifyOptions& options, bool hasReport)

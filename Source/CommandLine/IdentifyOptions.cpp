@@ -14,7 +14,7 @@ namespace antinode
 namespace
 {
 /** "300:4000" as two numbers, the first the smaller. */
-FrequencyBand rangeOf (const std::string& option, const std::string& text)
+FrequencyBand parseBand (const std::string& option, const std::string& text)
 {
     FrequencyBand range;
     const auto colon = text.find (':');
@@ -43,7 +43,7 @@ void addInputOptions (CLI::App& command, IdentifyOptions& options)
     command.add_option ("--drive-unit", options.driveUnit, "Unit of the excitation, for example V, mV or N");
     command.add_option ("--points", options.pointsFile,
                         "Positions of the points: CSV of x and y in mm, in the order of the points");
-    command.add_option ("--drivers", options.drivers, "Names of the references in the order of the ceramics")
+    command.add_option ("--drivers", options.references, "Names of the references in the order of the ceramics")
         ->delimiter (',');
     command
         .add_option ("--window-decay", options.windowDecay,
@@ -107,7 +107,7 @@ void addOutputOptions (CLI::App& command, IdentifyOptions& options)
     command.add_flag ("--quiet", options.isQuiet, "Prints only errors");
 }
 
-std::optional<ResponseUnit> responseOf (const IdentifyOptions& options)
+std::optional<ResponseUnit> parseResponse (const IdentifyOptions& options)
 {
     if (options.quantity.empty() && options.responseUnit.empty())
         return std::nullopt;
@@ -132,7 +132,7 @@ std::optional<ResponseUnit> responseOf (const IdentifyOptions& options)
     return unit;
 }
 
-std::optional<ResponseUnit> driveOf (const IdentifyOptions& options)
+std::optional<ResponseUnit> parseDrive (const IdentifyOptions& options)
 {
     if (options.drive.empty() && options.driveUnit.empty())
         return std::nullopt;
@@ -161,7 +161,7 @@ void addIdentifyOptions (CLI::App& command, IdentifyOptions& options)
     addInputOptions (command, options);
 }
 
-CsvForm csvFormOf (const IdentifyOptions& options)
+CsvForm toCsvForm (const IdentifyOptions& options)
 {
     return options.form == "real-imag"       ? CsvForm::realImaginary
            : options.form == "magnitude-deg" ? CsvForm::magnitudeDegrees
@@ -171,12 +171,12 @@ CsvForm csvFormOf (const IdentifyOptions& options)
                                              : CsvForm::byHeadings;
 }
 
-MeasurementOptions measurementOptionsOf (const IdentifyOptions& options)
+MeasurementOptions toMeasurementOptions (const IdentifyOptions& options)
 {
     MeasurementOptions measurement;
-    measurement.response = responseOf (options);
-    measurement.drive = driveOf (options);
-    measurement.drivers = options.drivers;
+    measurement.response = parseResponse (options);
+    measurement.drive = parseDrive (options);
+    measurement.references = options.references;
 
     if (! options.pointsFile.empty())
     {
@@ -189,7 +189,7 @@ MeasurementOptions measurementOptionsOf (const IdentifyOptions& options)
     return measurement;
 }
 
-IdentificationOptions identificationOptionsOf (const IdentifyOptions& options, Eigen::Index points)
+IdentificationOptions toIdentificationOptions (const IdentifyOptions& options, Eigen::Index points)
 {
     constexpr double micro = 1e-6;
     constexpr double largestOrder = 500;
@@ -201,7 +201,7 @@ IdentificationOptions identificationOptionsOf (const IdentifyOptions& options, E
     search.rejected = options.rejected;
 
     for (const auto& text : options.bands)
-        search.bands.push_back (rangeOf ("--band", text));
+        search.bands.push_back (parseBand ("--band", text));
 
     if (! search.bands.empty())
     {
@@ -216,7 +216,7 @@ IdentificationOptions identificationOptionsOf (const IdentifyOptions& options, E
 
     if (! options.orders.empty())
     {
-        const auto orders = rangeOf ("--orders", options.orders);
+        const auto orders = parseBand ("--orders", options.orders);
 
         if (orders.minimum < 1 || orders.maximum > largestOrder)
             throw InputError ("--orders", "is " + inQuotes (options.orders) + "; allowed: whole numbers from 1 to 500");

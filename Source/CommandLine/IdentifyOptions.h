@@ -24,7 +24,7 @@ struct IdentifyOptions
     std::vector<double> selected, rejected; ///< Hz
     std::optional<double> delay;            ///< us
     std::string form, quantity, responseUnit, drive, driveUnit, pointsFile;
-    std::vector<std::string> drivers;
+    std::vector<std::string> references;
     std::optional<double> mass; ///< kg
     double windowDecay = 0;     ///< 1/s
     double voltageLimit = 150, fullScaleVoltage = 150;
@@ -34,11 +34,12 @@ struct IdentifyOptions
 void addIdentifyOptions (CLI::App&, IdentifyOptions&);
 
 /** The form of tables without headings. @throws InputError  for an unknown word [any] */
-CsvForm csvFormOf (const IdentifyOptions&);
+CsvForm toCsvForm (const IdentifyOptions&);
 
-/** Statements about responses: units, references, positions from a file. @throws InputError  for unreadable options [worker] */
-MeasurementOptions measurementOptionsOf (const IdentifyOptions&);
+/** Statements about responses: units, references, positions from a file. @throws InputError  for unreadable options
+ * [worker] */
+MeasurementOptions toMeasurementOptions (const IdentifyOptions&);
 
 /** How modes are searched in responses of so many points. @throws InputError  for invalid ranges [any] */
-IdentificationOptions identificationOptionsOf (const IdentifyOptions&, Eigen::Index points);
+IdentificationOptions toIdentificationOptions (const IdentifyOptions&, Eigen::Index points);
 } // namespace antinode

@@ -21,7 +21,7 @@ struct MeasureOptions
 {
     ExcitationOptions excitation;
     std::string pointsFile, folder;
-    bool isSimulated = false, asksNothing = false;
+    bool isSimulated = false, asksNoQuestions = false;
     AudioChoice audio;
     std::vector<int> sensorInputs { 1 }; // counted from 1
     int syncInput = 2;                   // 0: none
@@ -65,7 +65,7 @@ std::unique_ptr<Bench> audioBench (const MeasureOptions& options, const ModalMod
     auto choice = options.audio;
     choice.sampleRate = options.excitation.rate;
     return std::make_unique<AudioBench> (choice, channels, model.actuators(), model.fullScaleVoltage,
-                                         options.sensor.velocityOfFullScale());
+                                         options.sensor.fullScaleVelocity());
 }
 
 void measure (const MeasureOptions& options)
@@ -75,10 +75,10 @@ void measure (const MeasureOptions& options)
     const auto points = readPointsFile (options.pointsFile);
     const auto bench = options.isSimulated ? simulatedBench (options, model, points) : audioBench (options, model);
     const MeasurementFolder folder (options.folder, sheet, points);
-    TurnAnalysisSettings analysis;
+    RunAnalysisSettings analysis;
     analysis.latency = options.latency / 1000 * options.excitation.rate;
     const auto measurement = measurePoints (*bench, sheet, points, folder,
-                                            PointGuide (options.isSimulated || options.asksNothing), analysis);
+                                            PointGuide (options.isSimulated || options.asksNoQuestions), analysis);
 
     OutputFolder output (options.folder);
     output.write ("responses.uff", encodeUniversalFile (responseSets (measurement.responses)));
@@ -90,7 +90,7 @@ void measure (const MeasureOptions& options)
 
 void addAudioOptions (CLI::App& command, MeasureOptions& options)
 {
-    constexpr int longestBlock = 1 << 16, mostChannels = mostDeviceOutputs;
+    constexpr int longestBlock = 1 << 16, maximumChannels = maximumDeviceOutputs;
     command.add_option ("--backend", options.audio.type, "Type of the audio device: ALSA or JACK");
     command.add_option ("--audio-device", options.audio.device,
                         "Audio device, a name from antinode-standalone --list-devices");
@@ -100,15 +100,15 @@ void addAudioOptions (CLI::App& command, MeasureOptions& options)
         .add_option ("--sensor-input", options.sensorInputs,
                      "Input of the sensor, counted from 1 (repeatable: several sensors at consecutive points)")
         ->allow_extra_args (false)
-        ->check (CLI::Range (1, mostChannels))
+        ->check (CLI::Range (1, maximumChannels))
         ->default_str ("1");
     command.add_option ("--sync-input", options.syncInput, "Input wired to the sync output, counted from 1; 0: none")
-        ->check (CLI::Range (0, mostChannels))
+        ->check (CLI::Range (0, maximumChannels))
         ->capture_default_str();
     command
         .add_option ("--sync-output", options.syncOutput,
                      "Sync output, counted from 1; default: the output after the ceramics")
-        ->check (CLI::Range (1, mostChannels));
+        ->check (CLI::Range (1, maximumChannels));
     command.add_option ("--latency-ms", options.latency, "Latency of the sensors without a sync input, ms")
         ->check (CLI::Range (0.0, 200.0))
         ->capture_default_str();
@@ -153,7 +153,7 @@ void addMeasureCommand (CLI::App& app)
     command->add_option ("--out", options->folder, "Folder of the measurement; an interrupted measurement is resumed")
         ->required()
         ->type_name ("DIR");
-    command->add_flag ("--no-questions", options->asksNothing, "Measures all points without asking");
+    command->add_flag ("--no-questions", options->asksNoQuestions, "Measures all points without asking");
     addAudioOptions (*command, *options);
     addSimulationOptions (*command, *options);
     command->callback ([options] { measure (*options); });

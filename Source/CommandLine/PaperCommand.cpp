@@ -32,7 +32,7 @@ void reproduce (const PaperOptions& options)
         evaluatePaperCells (model, [&] (const auto& what, double share) { progress.show (what, share); });
     const auto study = evaluateTwoModes (model);
     const auto figures = paperFigures (model, cells, study);
-    const auto tables = paperTablesOf (cells, study);
+    const auto tables = makePaperTables (cells, study);
     OutputFolder folder (options.folder);
 
     for (const auto& figure : figures)

@@ -25,8 +25,8 @@ struct PlaceOptions
 {
     std::string device = "aluminium-200x120";
     int count = 8;
-    std::string size;                          // mm, "L" or "LxW"
-    std::optional<double> step, rim, duration; // mm, mm, ms
+    std::string size;                                   // mm, "L" or "LxW"
+    std::optional<double> step, edgeDistance, duration; // mm, mm, ms
     int modes = 40;
     std::string file;
     std::vector<std::string> assignments;
@@ -138,7 +138,7 @@ void place (PlaceOptions options)
     checkAssignments (options.assignments);
     auto document = loadDeviceDocument (options.device, options.assignments);
     const auto device = loadDevice (options.device, options.assignments);
-    const auto isPlate = extentOf (device).kind == SurfaceKind::plate;
+    const auto isPlate = deviceExtent (device).kind == SurfaceKind::plate;
     const auto like = ceramicLike (document, isPlate, options.size);
     const auto ceramic = describedCeramic (document, like);
 
@@ -148,8 +148,8 @@ void place (PlaceOptions options)
     placing.grid.step = options.step ? *options.step / milli : std::min (ceramic.sizeX, ceramic.sizeY) / 2;
     placing.isResolved = ! options.isFrozen;
 
-    if (options.rim)
-        placing.grid.rim = *options.rim / milli;
+    if (options.edgeDistance)
+        placing.grid.edgeDistance = *options.edgeDistance / milli;
 
     if (options.duration)
         placing.duration = *options.duration / milli;
@@ -185,7 +185,7 @@ void addPlaceCommand (CLI::App& app)
     command->add_option ("--size-mm", options->size,
                          "Size L or LxW of a ceramic, mm; default: that of the device's first ceramic, or 10");
     command->add_option ("--step-mm", options->step, "Spacing of positions, mm; default: half a ceramic");
-    command->add_option ("--rim-mm", options->rim, "On a plate: largest distance of ceramics from an edge, mm")
+    command->add_option ("--rim-mm", options->edgeDistance, "On a plate: largest distance of ceramics from an edge, mm")
         ->check (CLI::NonNegativeNumber);
     command->add_option ("--modes", options->modes, "Number of the lowest modes to excite")
         ->check (CLI::Range (1, 200))

@@ -99,7 +99,7 @@ void render (const RenderCommandOptions& options)
     OutputFolder folder (options.common.folder);
     writeSamples (folder, focus, options.format);
     folder.write ("design.json", designToJson (focus.design, focus.model).dump (2) + "\n");
-    folder.write ("summary.json", summaryOf (focus).dump (2) + "\n");
+    folder.write ("summary.json", summaryToJson (focus).dump (2) + "\n");
 
     if (options.hasReport)
         folder.write ("report.html", renderReport (focusReport (focus)));

@@ -7,9 +7,9 @@
 
 namespace antinode
 {
-/** Writes the voltages and the probe velocities of a rendered focus: voltages.wav and probe.wav, with format "csv" voltages.csv instead,
-    with "tfw" one voltages-NN.tfw a ceramic and their settings in voltages-tfw.csv; probe.csv always.
-    1.0 in voltages.wav is the full scale of the device, in probe.wav 1 m/s.
+/** Writes the voltages and the probe velocities of a rendered focus: voltages.wav and probe.wav, with format "csv"
+   voltages.csv instead, with "tfw" one voltages-NN.tfw a ceramic and their settings in voltages-tfw.csv; probe.csv
+   always. 1.0 in voltages.wav is the full scale of the device, in probe.wav 1 m/s.
     @throws InputError  when a format cannot hold the samples
     [worker] Docs/FileFormats.md. */
 void writeSamples (OutputFolder&, const RenderedFocus&, const std::string& format);

@@ -11,7 +11,7 @@ struct SensorOptions
     double inputFullScale = 1; // The voltage of a recorded sample of 1, V
 
     /** The velocity of a recorded sample of 1, m/s. */
-    double velocityOfFullScale() const { return inputFullScale * sensitivity / 1000; }
+    double fullScaleVelocity() const { return inputFullScale * sensitivity / 1000; }
 };
 
 /** Adds them to a sub-command. The struct must live as long as the app. @return the sensitivity's option */

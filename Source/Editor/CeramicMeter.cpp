@@ -15,7 +15,7 @@ constexpr int roomyMeterWidth = 70; // from this width on the peak is shown next
 constexpr double lowestLevel = -48; // dB below the limit
 
 /** Of the bar's height. */
-float shareOf (double volts, double limit)
+float limitShare (double volts, double limit)
 {
     if (! (volts > 0) || ! (limit > 0))
         return 0;
@@ -42,7 +42,7 @@ void CeramicMeter::setCeramic (const juce::String& name, double limit)
 
 void CeramicMeter::refresh (float volts, bool isLimited, double seconds)
 {
-    const auto share = shareOf (static_cast<double> (volts), limitVolts);
+    const auto share = limitShare (static_cast<double> (volts), limitVolts);
     peakVolts = share >= hold ? static_cast<double> (volts) : peakVolts;
     level = std::max (share, level - static_cast<float> (fallPerSecond * seconds));
     hold = std::max (level, hold - static_cast<float> (holdPerSecond * seconds));
@@ -56,7 +56,7 @@ void CeramicMeter::refresh (float volts, bool isLimited, double seconds)
 
 void CeramicMeter::paintButton (juce::Graphics& g, bool isOver, bool)
 {
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
     auto area = getLocalBounds().toFloat().reduced (2, 2);
     const auto isRoomy = getWidth() >= roomyMeterWidth;
     const auto label = isRoomy ? area.withTrimmedLeft (24) : area.removeFromBottom (13);
@@ -85,7 +85,7 @@ void CeramicMeter::paintButton (juce::Graphics& g, bool isOver, bool)
 
 void CeramicMeter::paintBar (juce::Graphics& g, juce::Rectangle<float> area) const
 {
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
     g.setColour (limitedFor > 0 ? palette.warning : palette.raised);
     g.fillRect (area.removeFromTop (3));
     area.removeFromTop (2);

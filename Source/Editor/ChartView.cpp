@@ -34,7 +34,7 @@ void ChartView::lookAndFeelChanged()
 
 void ChartView::drawImage (float scale)
 {
-    const auto& theme = EditorLook::paletteOf (*this).charts;
+    const auto& theme = EditorLook::findPalette (*this).charts;
     image = blankImage (getWidth(), getHeight(), scale, theme.background);
     imageScale = scale;
     juce::Graphics g (image);
@@ -44,7 +44,7 @@ void ChartView::drawImage (float scale)
 
 void ChartView::paint (juce::Graphics& g)
 {
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
 
     if (chart == nullptr)
     {

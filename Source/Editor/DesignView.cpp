@@ -17,7 +17,7 @@ namespace
 constexpr auto longDesign = std::chrono::milliseconds (250);
 constexpr auto pause = std::chrono::milliseconds (120); // without a new question before the long part begins
 
-std::vector<std::pair<double, double>> probesOf (const DesignQuestion& question)
+std::vector<std::pair<double, double>> chooseProbes (const DesignQuestion& question)
 {
     const auto& surface = question.model->surface;
     auto probes = probePlaces (question.focus->description, question.settings, surface);
@@ -33,7 +33,7 @@ std::vector<std::pair<double, double>> probesOf (const DesignQuestion& question)
 }
 
 /** What the report shows of the field too. @param design  none: the surface at rest */
-std::shared_ptr<const Chart> fieldChartOf (const DesignPicture& made, const FocusDesign* design)
+std::shared_ptr<const Chart> makeFieldChart (const DesignPicture& made, const FocusDesign* design)
 {
     const auto& model = *made.question.model;
     const auto& field = made.frames->focusField;
@@ -135,7 +135,7 @@ void DesignView::answer (const DesignQuestion& question)
     {
         made.error = failure.what();
         made.frames = std::make_shared<const FieldFrames> (stillFrames (*question.model));
-        made.field = fieldChartOf (made, nullptr);
+        made.field = makeFieldChart (made, nullptr);
         made.spectrum = nullptr;
         made.rendered = nullptr;
         made.stage = DesignPicture::Stage::complete;
@@ -153,7 +153,7 @@ void DesignView::answerWith (DesignPicture& made, const FocusDesign& playable)
 {
     const auto& model = *made.question.model;
     made.frames = std::make_shared<const FieldFrames> (predictFocus (model, playable));
-    made.field = fieldChartOf (made, &playable);
+    made.field = makeFieldChart (made, &playable);
 
     if (model.surface.kind == SurfaceKind::plate)
         made.section = std::make_shared<const Chart> (
@@ -177,7 +177,7 @@ void DesignView::render (DesignPicture& made)
     const auto& question = made.question;
     RenderOptions options;
     options.playback = question.playback;
-    options.probes = probesOf (question);
+    options.probes = chooseProbes (question);
     auto design = designFocus (*question.model, made.focus, question.playback, DesignExtent::complete);
     const auto focus = renderFocus (*question.model, std::move (design), options);
     auto charts = std::make_shared<RenderedCharts>();

@@ -14,9 +14,9 @@
 
 namespace antinode
 {
-/** Computes the picture for the editor on a thread that runs it: first the predicted field, then its frames, then a full render.
-    A newer question replaces an older one, whose work is given up between two steps. The editor may go before the thread: both share
-    it. */
+/** Computes the picture for the editor on a thread that runs it: first the predicted field, then its frames, then a
+   full render. A newer question replaces an older one, whose work is given up between two steps. The editor may go
+   before the thread: both share it. */
 class DesignView
 {
 public:

@@ -27,7 +27,7 @@ Editor::~Editor()
 void Editor::resized()
 {
     const auto width = static_cast<double> (getWidth()), height = static_cast<double> (getHeight());
-    const auto shrunk = std::min ({ 1.0, width / EditorContent::leastWidth, height / EditorContent::leastHeight });
+    const auto shrunk = std::min ({ 1.0, width / EditorContent::minimumWidth, height / EditorContent::minimumHeight });
     const auto scale = shrunk < 1 ? shrunk : std::max (1.0, std::min (width / roomyWidth, height / roomyHeight));
     shown.setTransform (juce::AffineTransform::scale (static_cast<float> (scale)));
     shown.setBounds (0, 0, juce::roundToInt (width / scale), juce::roundToInt (height / scale));

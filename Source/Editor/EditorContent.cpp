@@ -44,7 +44,7 @@ EditorContent::EditorContent (AntinodeProcessor& processorToShow)
     addChildComponent (*browser);
     // Children have looked for their look before they had us as a parent.
     setDark (true);
-    setSize (leastWidth, leastHeight);
+    setSize (minimumWidth, minimumHeight);
     refresh (0);
 }
 
@@ -94,7 +94,8 @@ void EditorContent::showModel()
     resized();
 }
 
-/** The parameters are looked at here rather than in the session's snapshot: before a host has prepared us there is none of them. */
+/** The parameters are looked at here rather than in the session's snapshot: before a host has prepared us there is none
+ * of them. */
 void EditorContent::askForPicture()
 {
     const auto now = processor.session().snapshot();

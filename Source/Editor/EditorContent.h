@@ -28,7 +28,7 @@ class EditorContent final : public juce::Component
 {
 public:
     /** The least size at which everything is legible, in pixels at scale 1. */
-    static constexpr int leastWidth = 800, leastHeight = 500;
+    static constexpr int minimumWidth = 800, minimumHeight = 500;
 
     explicit EditorContent (AntinodeProcessor&);
     ~EditorContent() override;

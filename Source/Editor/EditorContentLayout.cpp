@@ -9,7 +9,7 @@ namespace
 {
 constexpr int gap = 6, topHeight = 48, timeHeight = 38, metersHeight = 62, statusHeight = 24;
 constexpr int parametersWidth = 290, wideFrom = 1080, wideFromHeight = 600;
-constexpr int besidePlate = 150, belowPlate = 70, leastSection = 130; // what axes and colours take
+constexpr int besidePlate = 150, belowPlate = 70, minimumSectionHeight = 130; // what axes and colours take
 } // namespace
 
 void EditorContent::setLayout (Layout wanted)
@@ -83,7 +83,7 @@ void EditorContent::layOutWide (juce::Rectangle<int> area)
 void EditorContent::layOutSurface (juce::Rectangle<int> area)
 {
     const auto left = heightBelow (area.withTrimmedBottom (timeHeight));
-    section.setVisible (left >= leastSection);
+    section.setVisible (left >= minimumSectionHeight);
 
     if (section.isVisible())
         section.setBounds (area.removeFromBottom (left));

@@ -68,7 +68,7 @@ juce::Font EditorLook::font (float height, bool bold)
     return juce::Font (bold ? typefaces.bold : typefaces.regular).withHeight (height);
 }
 
-const Palette& EditorLook::paletteOf (const juce::Component& component)
+const Palette& EditorLook::findPalette (const juce::Component& component)
 {
     const auto* const look = dynamic_cast<const EditorLook*> (&component.getLookAndFeel());
     return look != nullptr ? look->palette() : Palette::dark();

@@ -20,7 +20,7 @@ public:
     static juce::Font font (float height = textHeight, bool bold = false);
 
     /** The look of a component inside an editor. */
-    static const Palette& paletteOf (const juce::Component&);
+    static const Palette& findPalette (const juce::Component&);
 
     juce::Typeface::Ptr getTypefaceForFont (const juce::Font&) override;
     juce::Font getTextButtonFont (juce::TextButton&, int) override { return font(); }

@@ -13,8 +13,8 @@ struct EditorPreferences
     bool isDark = true;
 };
 
-/** The preferences in $XDG_CONFIG_HOME/antinode/editor.json; the defaults if there is no valid file. Docs/FileFormats.md
-    [message thread] */
+/** The preferences in $XDG_CONFIG_HOME/antinode/editor.json; the defaults if there is no valid file.
+   Docs/FileFormats.md [message thread] */
 EditorPreferences readPreferences();
 
 /** Keeps them; where the file cannot be written they last as long as the window. [message thread] */

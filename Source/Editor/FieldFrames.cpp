@@ -45,7 +45,7 @@ FieldFrames predictFocus (const ModalModel& model, const FocusDesign& design)
     return framesOfFocus (model, velocitiesAt (model, design, 0));
 }
 
-FieldFrames framesOf (const ModalModel& model, const Eigen::MatrixXd& velocities)
+FieldFrames makeFrames (const ModalModel& model, const Eigen::MatrixXd& velocities)
 {
     const Eigen::MatrixXd fields = model.shapes * velocities;
     Eigen::Index largest = 0;
@@ -68,7 +68,7 @@ std::shared_ptr<const FieldFrames> predictFrames (const ModalModel& model, const
     for (int i = 0; i < FieldFrames::count; ++i)
     {
         checkWatch();
-        velocities.col (i) = velocitiesAt (model, design, FieldFrames::timeOf (i));
+        velocities.col (i) = velocitiesAt (model, design, FieldFrames::frameTime (i));
     }
 
     fill (*frames, model, velocities);

@@ -27,15 +27,15 @@ struct FieldFrames
     }
 
     /** s from the focus. [any] */
-    static double timeOf (int frame) { return span * (frame - atFocus) / atFocus; }
+    static double frameTime (int frame) { return span * (frame - atFocus) / atFocus; }
 };
 
 /** The frame of the focus alone: the quick first answer. [worker] Docs/Theory.md, section 3.1. */
 FieldFrames predictFocus (const ModalModel&, const FocusDesign&);
 
-/** Frames of any motion. @param velocities  N_m x frames: modal velocities, m/s kg^1/2. What is said of the focus is of the frame with the
-    largest velocity anywhere; it gives the range of colours [worker] */
-FieldFrames framesOf (const ModalModel&, const Eigen::MatrixXd& velocities);
+/** Frames of any motion. @param velocities  N_m x frames: modal velocities, m/s kg^1/2. What is said of the focus is of
+   the frame with the largest velocity anywhere; it gives the range of colours [worker] */
+FieldFrames makeFrames (const ModalModel&, const Eigen::MatrixXd& velocities);
 
 /** A surface at rest. [worker] */
 FieldFrames stillFrames (const ModalModel&);

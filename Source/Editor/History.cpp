@@ -7,7 +7,7 @@ namespace antinode
 namespace
 {
 constexpr juce::uint32 joinWithin = 600; // ms: arrow keys and steps of a wheel follow each other closely
-constexpr std::size_t mostEntries = 200;
+constexpr std::size_t maximumEntries = 200;
 
 /** Keeps of both states only the parameters that differ, and of these those that the user moved. */
 void keepChanges (SessionState& before, SessionState& after, const std::set<std::string>* gestured)
@@ -100,7 +100,7 @@ void History::add (SessionState before, const std::set<std::string>* moved)
         return;
     }
 
-    if (entries.size() == mostEntries)
+    if (entries.size() == maximumEntries)
         entries.erase (entries.begin());
 
     entries.push_back ({ std::move (before), std::move (after), now });

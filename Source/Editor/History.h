@@ -9,9 +9,9 @@
 
 namespace antinode
 {
-/** Undo and redo of the user's changes to a processor: one entry per gesture. What a host automates makes no entry and is not undone,
-    and neither is arming: nothing but its own switch puts voltage on the ceramics.
-    All of it: [message thread] */
+/** Undo and redo of the user's changes to a processor: one entry per gesture. What a host automates makes no entry and
+   is not undone, and neither is arming: nothing but its own switch puts voltage on the ceramics. All of it: [message
+   thread] */
 class History : private juce::AudioProcessorParameter::Listener
 {
 public:

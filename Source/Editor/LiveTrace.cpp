@@ -15,7 +15,7 @@ namespace antinode
 namespace
 {
 constexpr std::size_t shownEntries = 1000; // half a second
-constexpr double secondsShown = 0.5, leastRange = 0.1;
+constexpr double secondsShown = 0.5, minimumRange = 0.1;
 
 /** 1, 2 or 5 times a power of ten: the axis changes seldom. */
 double niceLimit (double value)
@@ -39,13 +39,13 @@ void LiveTrace::refresh()
 
     shown = trace.written();
     entries = trace.newest (shownEntries);
-    auto most = leastRange;
+    auto maximum = minimumRange;
 
     for (const auto& entry : entries)
-        most = std::max ({ most, std::abs (static_cast<double> (entry.least)) * milli,
-                           std::abs (static_cast<double> (entry.largest)) * milli });
+        maximum = std::max ({ maximum, std::abs (static_cast<double> (entry.smallest)) * milli,
+                              std::abs (static_cast<double> (entry.largest)) * milli });
 
-    if (const auto wanted = niceLimit (most); wanted != range)
+    if (const auto wanted = niceLimit (maximum); wanted != range)
     {
         range = wanted;
         axes = {};
@@ -62,7 +62,7 @@ void LiveTrace::lookAndFeelChanged()
 
 void LiveTrace::drawAxesOnce (float scale)
 {
-    const auto& theme = EditorLook::paletteOf (*this).charts;
+    const auto& theme = EditorLook::findPalette (*this).charts;
     axes = blankImage (getWidth(), getHeight(), scale, theme.background);
     juce::Graphics g (axes);
     g.addTransform (juce::AffineTransform::scale (scale));
@@ -80,7 +80,7 @@ void LiveTrace::paint (juce::Graphics& g)
         drawAxesOnce (g.getInternalContext().getPhysicalPixelScaleFactor());
 
     g.drawImage (axes, getLocalBounds().toFloat());
-    const auto& theme = EditorLook::paletteOf (*this).charts;
+    const auto& theme = EditorLook::findPalette (*this).charts;
     const auto count = static_cast<double> (entries.size());
     CurvePiece points;
     points.reserve (2 * entries.size());
@@ -88,7 +88,7 @@ void LiveTrace::paint (juce::Graphics& g)
     for (std::size_t i = 0; i < entries.size(); ++i)
     {
         const auto time = (static_cast<double> (i) + 1 - count) * secondsShown * milli / shownEntries;
-        points.push_back (plot.at (time, static_cast<double> (entries[i].least) * milli));
+        points.push_back (plot.at (time, static_cast<double> (entries[i].smallest) * milli));
         points.push_back (plot.at (time, static_cast<double> (entries[i].largest) * milli));
     }
 

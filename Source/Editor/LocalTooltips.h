@@ -4,8 +4,8 @@
 
 namespace antinode
 {
-/** Shows the tooltips of components inside its parent, except those with a closer instance: JUCE's shows those of the whole window, so that two
-    show the same. [message thread] */
+/** Shows the tooltips of components inside its parent, except those with a closer instance: JUCE's shows those of the
+   whole window, so that two show the same. [message thread] */
 class LocalTooltips : public juce::TooltipWindow
 {
 public:

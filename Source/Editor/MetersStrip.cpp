@@ -68,7 +68,7 @@ void MetersStrip::refresh (double seconds)
 
 void MetersStrip::paint (juce::Graphics& g)
 {
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
     g.fillAll (palette.panel);
     g.setColour (palette.mutedText);
     g.setFont (EditorLook::font (EditorLook::smallTextHeight));

@@ -16,7 +16,7 @@ public:
 
     void paintButton (juce::Graphics& g, bool isOver, bool) override
     {
-        const auto& palette = EditorLook::paletteOf (*this);
+        const auto& palette = EditorLook::findPalette (*this);
         const auto isShown = getToggleState();
         g.setColour (isShown || isOver ? palette.text : palette.mutedText);
         g.setFont (EditorLook::font (EditorLook::smallTextHeight, false));
@@ -76,7 +76,7 @@ void PanelGroup::show (const juce::String& name)
 
 void PanelGroup::paint (juce::Graphics& g)
 {
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
     g.fillAll (palette.panel);
     g.setColour (palette.outline);
     g.fillRect (getLocalBounds().removeFromTop (tabHeight).removeFromBottom (1));

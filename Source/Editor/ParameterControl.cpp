@@ -7,8 +7,8 @@ namespace antinode
 {
 namespace
 {
-constexpr int mostWords = 12; // longer lists are counts
-constexpr int longest = 64;   // of a value's text
+constexpr int maximumWords = 12; // longer lists are counts
+constexpr int longest = 64;      // of a value's text
 
 /** A slider whose keys are gestures too, and whose value is typed in after Return. */
 class Bar : public juce::Slider
@@ -39,7 +39,7 @@ private:
 };
 
 /** A parameter's range for a slider, which counts in double. */
-juce::NormalisableRange<double> rangeOf (const juce::RangedAudioParameter& parameter)
+juce::NormalisableRange<double> parameterRange (const juce::RangedAudioParameter& parameter)
 {
     const auto& range = parameter.getNormalisableRange();
     juce::NormalisableRange<double> wide {
@@ -70,7 +70,7 @@ ParameterControl::ParameterControl (juce::RangedAudioParameter& parameterToSet)
 
     if (dynamic_cast<juce::AudioParameterBool*> (&parameter) != nullptr)
         makeSwitch();
-    else if (dynamic_cast<juce::AudioParameterInt*> (&parameter) != nullptr && words <= mostWords)
+    else if (dynamic_cast<juce::AudioParameterInt*> (&parameter) != nullptr && words <= maximumWords)
         makeList (words);
     else
         makeBar();
@@ -87,12 +87,12 @@ ParameterControl::~ParameterControl() = default;
 void ParameterControl::makeBar()
 {
     auto bar = std::make_unique<Bar> (parameter);
-    bar->setTooltip (helpOf (parameter) + "\nDrag, or click to type a value.");
+    bar->setTooltip (helpText (parameter) + "\nDrag, or click to type a value.");
     bar->valueFromTextFunction = [this] (const juce::String& text)
     { return static_cast<double> (parameter.convertFrom0to1 (parameter.getValueForText (text))); };
     bar->textFromValueFunction = [this] (double value)
     { return parameter.getText (parameter.convertTo0to1 (static_cast<float> (value)), 0); };
-    bar->setNormalisableRange (rangeOf (parameter));
+    bar->setNormalisableRange (parameterRange (parameter));
     bar->setDoubleClickReturnValue (true,
                                     static_cast<double> (parameter.convertFrom0to1 (parameter.getDefaultValue())));
     bar->onDragStart = [this] { link.beginGesture(); };
@@ -108,7 +108,7 @@ void ParameterControl::makeList (int words)
     for (int i = 0; i < words; ++i)
         list->addItem (parameter.getText (parameter.convertTo0to1 (static_cast<float> (i)), longest), i + 1);
 
-    list->setTooltip (helpOf (parameter));
+    list->setTooltip (helpText (parameter));
     list->onChange = [this, set = list.get()]
     { link.setAsGesture (parameter.getNormalisableRange().start + static_cast<float> (set->getSelectedItemIndex())); };
     input = std::move (list);
@@ -117,7 +117,7 @@ void ParameterControl::makeList (int words)
 void ParameterControl::makeSwitch()
 {
     auto button = std::make_unique<juce::ToggleButton>();
-    button->setTooltip (helpOf (parameter));
+    button->setTooltip (helpText (parameter));
     button->onClick = [this, set = button.get()]
     {
         link.setAsGesture (set->getToggleState() ? 1.0f : 0.0f);
@@ -145,7 +145,7 @@ void ParameterControl::refreshText()
     if (auto* const bar = dynamic_cast<juce::Slider*> (input.get()))
     {
         bar->updateText();
-        bar->setTooltip (helpOf (parameter) + "\nDrag, or click to type a value.");
+        bar->setTooltip (helpText (parameter) + "\nDrag, or click to type a value.");
     }
     else if (auto* const button = dynamic_cast<juce::ToggleButton*> (input.get()))
         button->setButtonText (parameter.getCurrentValueAsText());

@@ -6,7 +6,8 @@
 
 namespace antinode
 {
-/** A parameter's name and what sets it: a bar to be dragged or typed into, a list of words, or a switch. [message thread] */
+/** A parameter's name and what sets it: a bar to be dragged or typed into, a list of words, or a switch. [message
+ * thread] */
 class ParameterControl : public juce::Component
 {
 public:

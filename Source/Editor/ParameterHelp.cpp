@@ -36,7 +36,7 @@ const std::map<juce::String, const char*>& effects()
 }
 } // namespace
 
-juce::String helpOf (const juce::RangedAudioParameter& parameter)
+juce::String helpText (const juce::RangedAudioParameter& parameter)
 {
     constexpr int longest = 40;
     const auto found = effects().find (parameter.getParameterID());

@@ -5,5 +5,5 @@
 namespace antinode
 {
 /** The effect of a parameter and its range with the unit, for tooltips and screen readers. [message thread] */
-juce::String helpOf (const juce::RangedAudioParameter&);
+juce::String helpText (const juce::RangedAudioParameter&);
 } // namespace antinode

@@ -6,8 +6,8 @@
 
 namespace antinode
 {
-/** A parameter and what shows and sets it. It looks at the parameter when it is told to, rather than listening: hosts automate on the
-    audio thread, where JUCE's own attachments, which listen, post messages. [message thread] */
+/** A parameter and what shows and sets it. It looks at the parameter when it is told to, rather than listening: hosts
+   automate on the audio thread, where JUCE's own attachments, which listen, post messages. [message thread] */
 class ParameterLink
 {
 public:

@@ -8,7 +8,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int panelRowHeight = 21, leastGap = 3, largestGap = 8, headingHeight = 22, groupGap = 3, panelMargin = 10;
+constexpr int panelRowHeight = 21, minimumGap = 3, largestGap = 8, headingHeight = 22, groupGap = 3, panelMargin = 10;
 } // namespace
 
 ParameterPanel::ParameterPanel (AntinodeProcessor& processor)
@@ -41,11 +41,11 @@ void ParameterPanel::refreshTexts()
         control->refreshText();
 }
 
-int ParameterPanel::layOut (int width, int leastHeight)
+int ParameterPanel::layOut (int width, int minimumHeight)
 {
     const auto rows = static_cast<int> (all.size()), parts = static_cast<int> (groups.size());
     const auto others = panelMargin / 2 + parts * (headingHeight + groupGap) + rows * panelRowHeight;
-    const auto rowGap = rows > 0 ? juce::jlimit (leastGap, largestGap, (leastHeight - others) / rows) : 0;
+    const auto rowGap = rows > 0 ? juce::jlimit (minimumGap, largestGap, (minimumHeight - others) / rows) : 0;
     auto y = panelMargin / 2;
 
     for (auto& group : groups)
@@ -62,13 +62,13 @@ int ParameterPanel::layOut (int width, int leastHeight)
         y += groupGap;
     }
 
-    setSize (width, std::max (y, leastHeight));
+    setSize (width, std::max (y, minimumHeight));
     return y;
 }
 
 void ParameterPanel::paint (juce::Graphics& g)
 {
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
     g.fillAll (palette.panel);
     g.setFont (EditorLook::font (EditorLook::smallTextHeight, true));
 

@@ -21,8 +21,9 @@ public:
     /** Shows all texts again: the device is another one. */
     void refreshTexts();
 
-    /** Lays the controls out for a width, and fills a place at least so high. @return  the height that the controls need */
-    int layOut (int width, int leastHeight);
+    /** Lays the controls out for a width, and fills a place at least so high. @return  the height that the controls
+     * need */
+    int layOut (int width, int minimumHeight);
 
     const std::vector<std::unique_ptr<ParameterControl>>& controls() const { return all; }
 

@@ -111,7 +111,7 @@ void PresetPanel::updateButtons()
 
 void PresetPanel::report (const juce::String& failure, const juce::String& success)
 {
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
     sentence.setColour (juce::Label::textColourId, failure.isEmpty() ? palette.mutedText : palette.warning);
     sentence.setText (failure.isEmpty() ? success : failure, juce::dontSendNotification);
     sentence.setTooltip (sentence.getText());
@@ -170,7 +170,7 @@ juce::String PresetPanel::getNameForRow (int row)
 
 void PresetPanel::paintListBoxItem (int row, juce::Graphics& g, int width, int height, bool isSelected)
 {
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
     const auto isHeading = rows[static_cast<std::size_t> (row)].heading.isNotEmpty();
     const auto area = juce::Rectangle<int> (width, height);
 
@@ -187,7 +187,7 @@ void PresetPanel::paintListBoxItem (int row, juce::Graphics& g, int width, int h
 
 void PresetPanel::paint (juce::Graphics& g)
 {
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
     const auto area = getLocalBounds().toFloat();
     g.setColour (palette.panel);
     g.fillRoundedRectangle (area, 6);

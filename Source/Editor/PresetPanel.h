@@ -8,7 +8,8 @@
 
 namespace antinode
 {
-/** The browser of devices or focuses: loads factory and user presets, saves and deletes user presets. [message thread] */
+/** The browser of devices or focuses: loads factory and user presets, saves and deletes user presets. [message thread]
+ */
 class PresetPanel final : public juce::Component, private juce::ListBoxModel
 {
 public:

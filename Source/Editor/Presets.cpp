@@ -10,7 +10,7 @@ namespace
 {
 /** Does something that may fail with a sentence. */
 template <typename Action>
-juce::String sentenceOf (const Action& action)
+juce::String attemptAction (const Action& action)
 {
     try
     {
@@ -47,7 +47,7 @@ nlohmann::ordered_json deviceNamed (const AntinodeProcessor& processor, const st
 nlohmann::ordered_json focusNamed (AntinodeProcessor& processor, const std::string& name)
 {
     auto focus = withSettings (processor.focus()->description, processor.parameters().settings(),
-                               extentOf (processor.device()->description));
+                               deviceExtent (processor.device()->description));
     focus.name = name;
     return focusToJson (focus);
 }
@@ -60,7 +60,7 @@ Presets::Presets (AntinodeProcessor& processorToLoad, History& historyToKeep)
 
 juce::String Presets::load (LibraryKind kind, const std::string& nameOrFile)
 {
-    return sentenceOf (
+    return attemptAction (
         [&]
         {
             auto wanted = processor.state();
@@ -75,7 +75,7 @@ juce::String Presets::load (LibraryKind kind, const std::string& nameOrFile)
 
 juce::String Presets::save (LibraryKind kind, const std::string& name)
 {
-    return sentenceOf (
+    return attemptAction (
         [&]
         {
             saveDocument (kind, name,
@@ -89,7 +89,7 @@ juce::String Presets::save (LibraryKind kind, const std::string& name)
 
 juce::String Presets::remove (LibraryKind kind, const std::string& name)
 {
-    return sentenceOf ([&] { removeDocument (kind, name); });
+    return attemptAction ([&] { removeDocument (kind, name); });
 }
 
 juce::String Presets::loadedName (LibraryKind kind) const

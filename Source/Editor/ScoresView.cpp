@@ -41,7 +41,7 @@ void ScoresView::setPicture (std::shared_ptr<const DesignPicture> newPicture)
 
 void ScoresView::write()
 {
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
     const auto plain = EditorLook::font (EditorLook::smallTextHeight), strong = EditorLook::font (15, true),
                small = EditorLook::font (5);
     auto& words = page.words;

@@ -80,7 +80,7 @@ void StatusLine::refresh (const DesignPicture* picture, bool isWorking)
 
 void StatusLine::paint (juce::Graphics& g)
 {
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
     g.fillAll (palette.panel);
     auto area = getLocalBounds().reduced (10, 0).withTrimmedRight (cornerWidth).toFloat();
     const TextStyle style { EditorLook::smallTextHeight, false, palette.mutedText };

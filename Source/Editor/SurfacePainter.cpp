@@ -17,15 +17,15 @@ namespace antinode
 {
 namespace
 {
-constexpr std::size_t wanted = 0, reached = 1, carried = 2;
+constexpr std::size_t wanted = 0, reached = 1, truncated = 2;
 
-AxisRange symmetrical (double most)
+AxisRange symmetrical (double maximum)
 {
-    const auto usable = most > 0 ? 1.08 * most : 1.0;
+    const auto usable = maximum > 0 ? 1.08 * maximum : 1.0;
     return { -usable, usable };
 }
 
-CurvePiece pointsOf (const PlotFrame& frame, const Eigen::VectorXd& x, const Eigen::VectorXd& y)
+CurvePiece curvePoints (const PlotFrame& frame, const Eigen::VectorXd& x, const Eigen::VectorXd& y)
 {
     CurvePiece points;
     points.reserve (static_cast<std::size_t> (x.size()));
@@ -113,22 +113,22 @@ void SurfacePainter::layOutLine (const LineChart& chart, juce::Graphics& g)
     const auto& theme = colours->charts;
     g.fillAll (colours->panel);
     auto rest = area.withZeroOrigin().toFloat().reduced (theme.padding);
-    rest = drawLegend (g, rest, legendOf (chart, theme), LegendPlace::top, theme);
+    rest = drawLegend (g, rest, legendEntries (chart, theme), LegendPlace::top, theme);
     const auto data = yDataRange (chart).value_or (AxisRange {});
-    const auto most = std::max (std::abs (data.minimum), std::abs (data.maximum));
+    const auto maximum = std::max (std::abs (data.minimum), std::abs (data.maximum));
     const auto x = xDataRange (chart).value_or (AxisRange {});
     plot = layOutPlot (rest, { chart.xLabel, usableRange (x), false, {}, true },
-                       { chart.yLabel, symmetrical (most), false, {}, true },
+                       { chart.yLabel, symmetrical (maximum), false, {}, true },
                        { heightAbove ({}, chart.spans, theme), 8 }, theme);
     drawGrid (g, plot, theme);
     drawSpans (g, plot, chart.spans, theme);
     drawAxes (g, plot, theme);
     g.reduceClipRegion (plot.plot.getSmallestIntegerContainer());
 
-    for (const auto i : { wanted, carried })
+    for (const auto i : { wanted, truncated })
     {
         const auto& series = chart.series[i];
-        drawCurve (g, pointsOf (plot, series.x, series.y),
+        drawCurve (g, curvePoints (plot, series.x, series.y),
                    { seriesColour (theme, series.colour, i), theme.lineWidth, series.style });
     }
 }
@@ -138,8 +138,8 @@ void SurfacePainter::layOutPlate (const HeatMap& chart, juce::Graphics& g)
     const auto& theme = colours->charts;
     g.fillAll (colours->panel);
     const auto rest = area.withZeroOrigin().toFloat().reduced (theme.padding);
-    const auto most = picture->frames->largest * milli;
-    const ChartAxis values { chart.valueLabel, usableRange ({ -most, most }), false, {}, false };
+    const auto maximum = picture->frames->largest * milli;
+    const ChartAxis values { chart.valueLabel, usableRange ({ -maximum, maximum }), false, {}, false };
     const auto barWidth = colourBarWidth (values, rest.getHeight(), theme);
     plot = withEqualAspect (layOutPlot (rest, { chart.xLabel, chart.x, false, {}, false },
                                         { chart.yLabel, chart.y, false, {}, false }, { 0, barWidth }, theme));
@@ -209,7 +209,7 @@ void SurfacePainter::paintLine (juce::Graphics& g, int frame) const
 {
     const auto& series = std::get<LineChart> (*picture->field).series[reached];
     const auto colour = seriesColour (colours->charts, series.colour, reached);
-    const auto points = pointsOf (plot, series.x, picture->frames->lines.col (frame) * milli);
+    const auto points = curvePoints (plot, series.x, picture->frames->lines.col (frame) * milli);
     g.reduceClipRegion (plot.plot.getSmallestIntegerContainer());
     fillBelowCurve (g, points, plot.yAt (0), colour.withAlpha (0.14f));
     drawCurve (g, points, { colour, 2, LineStyle::solid });
@@ -217,8 +217,8 @@ void SurfacePainter::paintLine (juce::Graphics& g, int frame) const
 
 void SurfacePainter::paintPlate (juce::Graphics& g, int frame) const
 {
-    const auto most = std::max (picture->frames->largest, 1e-12);
-    const auto image = colourImage (picture->frames->maps[static_cast<std::size_t> (frame)], { -most, most },
+    const auto maximum = std::max (picture->frames->largest, 1e-12);
+    const auto image = colourImage (picture->frames->maps[static_cast<std::size_t> (frame)], { -maximum, maximum },
                                     colours->charts.diverging);
     g.setImageResamplingQuality (juce::Graphics::mediumResamplingQuality);
     g.drawImage (image, plot.plot);

@@ -11,8 +11,8 @@
 
 namespace antinode
 {
-/** Draws the field of a picture, frame by frame: what does not move lies in images that are drawn once, with the code of the report's
-    charts. [message thread] */
+/** Draws the field of a picture, frame by frame: what does not move lies in images that are drawn once, with the code
+   of the report's charts. [message thread] */
 class SurfacePainter
 {
 public:

@@ -50,8 +50,8 @@ void SurfaceView::setFrame (int newFrame)
 
 void SurfaceView::refresh()
 {
-    const std::array values { valueOf (*spotX),  valueOf (*spotY), valueOf (*probeX),
-                              valueOf (*probeY), valueOf (*width), valueOf (*height) };
+    const std::array values { parameterValue (*spotX),  parameterValue (*spotY), parameterValue (*probeX),
+                              parameterValue (*probeY), parameterValue (*width), parameterValue (*height) };
 
     if (values != shownValues)
     {
@@ -62,24 +62,24 @@ void SurfaceView::refresh()
 
 void SurfaceView::lookAndFeelChanged()
 {
-    painter.setPalette (EditorLook::paletteOf (*this));
+    painter.setPalette (EditorLook::findPalette (*this));
     repaint();
 }
 
-juce::Point<float> SurfaceView::placeOf (const juce::RangedAudioParameter& x, const juce::RangedAudioParameter& y,
-                                         double lineHeight) const
+juce::Point<float> SurfaceView::pixelPlace (const juce::RangedAudioParameter& x, const juce::RangedAudioParameter& y,
+                                            double lineHeight) const
 {
     if (picture == nullptr)
         return {};
 
     const auto& surface = picture->question.model->surface;
-    const auto [placeX, placeY] = placeFromPercent (surface, valueOf (x), valueOf (y));
+    const auto [placeX, placeY] = placeFromPercent (surface, parameterValue (x), parameterValue (y));
     return painter.frame().at (placeX * milli, painter.isLine() ? lineHeight : placeY * milli);
 }
 
 double SurfaceView::shownSpotHeight() const
 {
-    return valueOf (*height);
+    return parameterValue (*height);
 }
 
 std::unique_ptr<juce::AccessibilityHandler> SurfaceView::createAccessibilityHandler()
@@ -96,7 +96,7 @@ std::unique_ptr<juce::AccessibilityHandler> SurfaceView::createAccessibilityHand
 
 void SurfaceView::paint (juce::Graphics& g)
 {
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
     g.fillAll (palette.panel);
 
     if (picture == nullptr)
@@ -121,10 +121,10 @@ void SurfaceView::paint (juce::Graphics& g)
 
 void SurfaceView::paintSpot (juce::Graphics& g) const
 {
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
     const auto& plot = painter.frame();
     const auto centre = spot();
-    const auto halfWidth = std::abs (plot.xAt (0.5 * valueOf (*width)) - plot.xAt (0));
+    const auto halfWidth = std::abs (plot.xAt (0.5 * parameterValue (*width)) - plot.xAt (0));
     g.saveState();
     g.reduceClipRegion (plot.plot.expanded (10).getSmallestIntegerContainer());
     g.setColour (palette.fire.withAlpha (0.8f));
@@ -154,7 +154,7 @@ void SurfaceView::paintSpot (juce::Graphics& g) const
 
 void SurfaceView::paintProbe (juce::Graphics& g) const
 {
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
     const auto centre = probe();
     juce::Path diamond;
     diamond.addQuadrilateral (centre.x - 7, centre.y, centre.x, centre.y - 7, centre.x + 7, centre.y, centre.x,
@@ -170,7 +170,7 @@ void SurfaceView::paintMessage (juce::Graphics& g) const
     if (picture->error.empty())
         return;
 
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
     juce::AttributedString words;
     words.append (juce::String::fromUTF8 (picture->error.c_str()), EditorLook::font(), palette.text);
     juce::TextLayout layout;

@@ -25,8 +25,8 @@ public:
     void refresh();
 
     /** The positions of spot and probe, in pixels of this component. */
-    juce::Point<float> spot() const { return placeOf (*spotX, *spotY, shownSpotHeight()); }
-    juce::Point<float> probe() const { return placeOf (*probeX, *probeY, 0); }
+    juce::Point<float> spot() const { return pixelPlace (*spotX, *spotY, shownSpotHeight()); }
+    juce::Point<float> probe() const { return pixelPlace (*probeX, *probeY, 0); }
 
     /** The action of Space and Return. */
     std::function<void()> onFire;
@@ -51,8 +51,8 @@ private:
         probe
     };
 
-    juce::Point<float> placeOf (const juce::RangedAudioParameter& x, const juce::RangedAudioParameter& y,
-                                double lineHeight) const;
+    juce::Point<float> pixelPlace (const juce::RangedAudioParameter& x, const juce::RangedAudioParameter& y,
+                                   double lineHeight) const;
     double shownSpotHeight() const;
     Handle handleAt (juce::Point<float>) const;
     void moveHandle (juce::Point<float>);

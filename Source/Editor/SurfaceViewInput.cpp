@@ -79,10 +79,10 @@ void SurfaceView::nudge (Handle handle, float xPercent, float yPercent)
     auto& y = handle == Handle::probe ? *probeY : *spotY;
     x.beginChangeGesture();
     y.beginChangeGesture();
-    setValue (x, static_cast<float> (valueOf (x)) + xPercent);
+    setValue (x, static_cast<float> (parameterValue (x)) + xPercent);
 
     if (! painter.isLine())
-        setValue (y, static_cast<float> (valueOf (y)) + yPercent);
+        setValue (y, static_cast<float> (parameterValue (y)) + yPercent);
 
     x.endChangeGesture();
     y.endChangeGesture();

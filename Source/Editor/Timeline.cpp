@@ -14,7 +14,7 @@ constexpr int valueWidth = 124;
 
 juce::String timeText (double frame)
 {
-    const auto milliseconds = 1000 * FieldFrames::timeOf (juce::roundToInt (frame));
+    const auto milliseconds = 1000 * FieldFrames::frameTime (juce::roundToInt (frame));
     return (milliseconds < 0 ? juce::String::fromUTF8 ("focus \xE2\x88\x92 ") : juce::String ("focus + "))
            + juce::String (std::abs (milliseconds), 2) + " ms";
 }
@@ -68,7 +68,7 @@ void Timeline::advance (double seconds)
 
 void Timeline::paint (juce::Graphics& g)
 {
-    g.fillAll (EditorLook::paletteOf (*this).panel);
+    g.fillAll (EditorLook::findPalette (*this).panel);
 }
 
 void Timeline::resized()

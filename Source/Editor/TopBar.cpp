@@ -34,7 +34,7 @@ void TopBar::NameButton::setLoaded (const juce::String& name)
 
 void TopBar::NameButton::paintButton (juce::Graphics& g, bool isOver, bool isDown)
 {
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
     getLookAndFeel().drawButtonBackground (g, *this, palette.raised, isOver, isDown);
     auto area = getLocalBounds().toFloat().reduced (9, 0);
     juce::Path arrow;
@@ -116,7 +116,7 @@ void TopBar::refresh (const juce::String& deviceName, const juce::String& focusN
 
 void TopBar::lookAndFeelChanged()
 {
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
 
     for (auto* const button : { &undo, &redo, &theme })
         colour (*button, palette.raised, palette.raised, palette.text, palette.text);
@@ -129,7 +129,7 @@ void TopBar::lookAndFeelChanged()
 
 void TopBar::paint (juce::Graphics& g)
 {
-    g.fillAll (EditorLook::paletteOf (*this).panel);
+    g.fillAll (EditorLook::findPalette (*this).panel);
 }
 
 void TopBar::resized()

@@ -10,7 +10,8 @@
 
 namespace antinode
 {
-/** The loaded presets, undo and redo, the theme, and the three buttons that control the voltage on the ceramics. [message thread] */
+/** The loaded presets, undo and redo, the theme, and the three buttons that control the voltage on the ceramics.
+ * [message thread] */
 class TopBar final : public juce::Component
 {
 public:

@@ -14,7 +14,7 @@ constexpr double lowestLevel = -60; // dB below a full bar
 constexpr double fallPerSecond = 0.8, holdSeconds = 3;
 constexpr int rowHeight = 22, titleHeight = 24, margin = 8;
 
-double shareOf (double value, double full)
+double clampedShare (double value, double full)
 {
     return value > 0 && full > 0 ? std::clamp (1 - 20 * std::log10 (value / full) / lowestLevel, 0.0, 1.0) : 0.0;
 }
@@ -39,7 +39,7 @@ void LevelRows::refresh (const std::vector<double>& values, double seconds)
     for (std::size_t i = 0; i < std::min (values.size(), rows.size()); ++i)
     {
         auto& level = levels[i];
-        level.share = std::max (shareOf (values[i], rows[i].full), level.share - fallPerSecond * seconds);
+        level.share = std::max (clampedShare (values[i], rows[i].full), level.share - fallPerSecond * seconds);
         level.heldFor -= seconds;
 
         if (values[i] >= level.held || level.heldFor < 0)
@@ -54,7 +54,7 @@ void LevelRows::refresh (const std::vector<double>& values, double seconds)
 
 void LevelRows::paint (juce::Graphics& g)
 {
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
     g.fillAll (palette.panel);
     auto area = getLocalBounds().toFloat().reduced (margin, 2);
     g.setColour (palette.mutedText);
@@ -79,7 +79,7 @@ void LevelRows::paint (juce::Graphics& g)
 
 void LevelRows::paintRow (juce::Graphics& g, juce::Rectangle<float> area, const Row& row, const Level& level) const
 {
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
     const auto isRoomy = area.getWidth() > 150;
     g.setFont (EditorLook::font (EditorLook::smallTextHeight, true));
     g.setColour (palette.text);

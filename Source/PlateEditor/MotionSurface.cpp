@@ -57,7 +57,7 @@ void MotionSurface::refresh()
 
 void MotionSurface::lookAndFeelChanged()
 {
-    painter.setPalette (EditorLook::paletteOf (*this));
+    painter.setPalette (EditorLook::findPalette (*this));
     repaint();
 }
 
@@ -74,7 +74,7 @@ juce::Point<float> MotionSurface::probe (int index) const
 
 void MotionSurface::paint (juce::Graphics& g)
 {
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
     g.fillAll (palette.panel);
 
     if (picture == nullptr)
@@ -94,7 +94,7 @@ void MotionSurface::paint (juce::Graphics& g)
 
 void MotionSurface::paintProbe (juce::Graphics& g, int index) const
 {
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
     const auto circle = juce::Rectangle<float> (2 * radius, 2 * radius).withCentre (probe (index));
     g.setColour (palette.window.withAlpha (0.85F));
     g.fillEllipse (circle);

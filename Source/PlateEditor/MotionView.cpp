@@ -39,7 +39,7 @@ HeatMap plateMap (const ModalModel& model, const FieldFrames& frames)
     return map;
 }
 
-std::shared_ptr<const DesignPicture> pictureOf (const std::shared_ptr<const ModalModel>& model, FieldFrames frames)
+std::shared_ptr<const DesignPicture> makePicture (const std::shared_ptr<const ModalModel>& model, FieldFrames frames)
 {
     auto made = std::make_shared<DesignPicture>();
     made->question.model = model;
@@ -49,7 +49,7 @@ std::shared_ptr<const DesignPicture> pictureOf (const std::shared_ptr<const Moda
     return made;
 }
 
-BarChart spectrumOf (const Eigen::VectorXd& largest)
+BarChart amplitudeChart (const Eigen::VectorXd& largest)
 {
     BarChart chart;
     chart.xLabel = "mode";
@@ -143,8 +143,8 @@ void MotionView::showRest (const std::shared_ptr<const ModalModel>& model)
 {
     auto made = std::make_shared<MotionPicture>();
     made->model = model;
-    made->field = pictureOf (model, stillFrames (*model));
-    made->spectrum = std::make_shared<const Chart> (spectrumOf (Eigen::VectorXd::Zero (model->modes())));
+    made->field = makePicture (model, stillFrames (*model));
+    made->spectrum = std::make_shared<const Chart> (amplitudeChart (Eigen::VectorXd::Zero (model->modes())));
     const std::lock_guard lock (mutex);
     newest = std::move (made);
     wantsNext = true;
@@ -154,8 +154,8 @@ void MotionView::show (const PlateSnapshot& snapshot, const Eigen::MatrixXd& win
 {
     auto made = std::make_shared<MotionPicture>();
     made->model = snapshot.model;
-    made->field = pictureOf (snapshot.model, framesOf (*snapshot.model, window));
-    made->spectrum = std::make_shared<const Chart> (spectrumOf (window.cwiseAbs().rowwise().maxCoeff()));
+    made->field = makePicture (snapshot.model, makeFrames (*snapshot.model, window));
+    made->spectrum = std::make_shared<const Chart> (amplitudeChart (window.cwiseAbs().rowwise().maxCoeff()));
     made->step = snapshot.captureStep;
     const std::lock_guard lock (mutex);
     newest = std::move (made);

@@ -49,7 +49,7 @@ PlateContent::PlateContent (PlateProcessor& processorToShow)
         addAndMakeVisible (child);
 
     setDark (true);
-    setSize (leastWidth, leastHeight);
+    setSize (minimumWidth, minimumHeight);
     refresh (0);
 }
 

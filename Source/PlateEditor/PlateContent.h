@@ -20,7 +20,7 @@ namespace antinode
 class PlateContent final : public juce::Component
 {
 public:
-    static constexpr int leastWidth = 720, leastHeight = 460;
+    static constexpr int minimumWidth = 720, minimumHeight = 460;
     static constexpr double secondsOfWindow = 4; ///< That a captured window is shown for.
 
     explicit PlateContent (PlateProcessor&);

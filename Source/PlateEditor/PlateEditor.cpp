@@ -14,7 +14,7 @@ PlateEditor::PlateEditor (PlateProcessor& processorToShow)
 {
     addAndMakeVisible (shown);
     setResizable (true, true);
-    setResizeLimits (PlateContent::leastWidth / 2, PlateContent::leastHeight / 2, usualWidth * 3, usualHeight * 3);
+    setResizeLimits (PlateContent::minimumWidth / 2, PlateContent::minimumHeight / 2, usualWidth * 3, usualHeight * 3);
     setSize (usualWidth, usualHeight);
 }
 
@@ -26,7 +26,7 @@ PlateEditor::~PlateEditor()
 void PlateEditor::resized()
 {
     const auto width = static_cast<double> (getWidth()), height = static_cast<double> (getHeight());
-    const auto scale = std::min ({ 1.0, width / PlateContent::leastWidth, height / PlateContent::leastHeight });
+    const auto scale = std::min ({ 1.0, width / PlateContent::minimumWidth, height / PlateContent::minimumHeight });
     shown.setTransform (juce::AffineTransform::scale (static_cast<float> (scale)));
     shown.setBounds (0, 0, juce::roundToInt (width / scale), juce::roundToInt (height / scale));
 }

@@ -19,7 +19,7 @@ int ceramicsAtFirst (juce::AudioProcessor::WrapperType wrapper)
 
     const auto* const wanted = std::getenv ("ANTINODE_CERAMICS");
     const auto number = wanted != nullptr ? juce::String (wanted).getIntValue() : usual;
-    return number >= 1 && number <= antinode::PlateProcessor::mostCeramics ? number : usual;
+    return number >= 1 && number <= antinode::PlateProcessor::maximumCeramics ? number : usual;
 }
 } // namespace
 

@@ -97,7 +97,7 @@ std::map<std::string, double> PlateParameters::values() const
     std::map<std::string, double> values;
 
     for (const auto* const parameter : ordered)
-        values[parameter->getParameterID().toStdString()] = valueOf (*parameter);
+        values[parameter->getParameterID().toStdString()] = parameterValue (*parameter);
 
     return values;
 }

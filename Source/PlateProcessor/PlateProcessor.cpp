@@ -21,7 +21,7 @@ DeviceDocument firstDevice()
     return readDeviceDocument (loadDocument (LibraryKind::device, "staple"), "device 'staple'");
 }
 
-juce::AudioChannelSet setOf (int channels, juce::AudioProcessor::WrapperType wrapper)
+juce::AudioChannelSet channelSet (int channels, juce::AudioProcessor::WrapperType wrapper)
 {
     return wrapper == juce::AudioProcessor::wrapperType_VST3 ? vst3ChannelSet (channels)
                                                              : juce::AudioChannelSet::discreteChannels (channels);
@@ -33,8 +33,8 @@ std::function<juce::AudioProcessorEditor*(PlateProcessor&)> PlateProcessor::make
 juce::AudioProcessor::BusesProperties PlateProcessor::busesFor (int ceramics, WrapperType wrapper)
 {
     return BusesProperties()
-        .withInput ("Voltages", setOf (ceramics, wrapper), true)
-        .withOutput ("Probes", setOf (mostProbes, wrapper), true);
+        .withInput ("Voltages", channelSet (ceramics, wrapper), true)
+        .withOutput ("Probes", channelSet (maximumProbes, wrapper), true);
 }
 
 PlateProcessor::PlateProcessor (int ceramics, WrapperType wrapperToUse)
@@ -45,8 +45,8 @@ PlateProcessor::PlateProcessor (int ceramics, WrapperType wrapperToUse)
         *this, [this] { return surface != nullptr ? surface->snapshot()->model : nullptr; });
     surface = std::make_unique<PlateSession> (
         *loadedDevice, [this] { return readSettings(); }, [this] { changes.post(); });
-    inputOrder = orderOf (true);
-    outputOrder = orderOf (false);
+    inputOrder = channelOrder (true);
+    outputOrder = channelOrder (false);
     reportLatency(); // Hosts read it before they prepare.
     changes.begin();
 }
@@ -141,10 +141,10 @@ bool PlateProcessor::isBusesLayoutSupported (const BusesLayout& layout) const
 {
     // By count: hosts name channels as they like, wires are told apart by their numbers.
     const auto ceramics = layout.getMainInputChannels(), probes = layout.getMainOutputChannels();
-    return ceramics >= 1 && ceramics <= mostCeramics && probes >= 1 && probes <= mostProbes;
+    return ceramics >= 1 && ceramics <= maximumCeramics && probes >= 1 && probes <= maximumProbes;
 }
 
-std::vector<int> PlateProcessor::orderOf (bool isInput) const
+std::vector<int> PlateProcessor::channelOrder (bool isInput) const
 {
     const auto layout = getBus (isInput, 0)->getCurrentLayout();
 
@@ -158,8 +158,8 @@ std::vector<int> PlateProcessor::orderOf (bool isInput) const
 
 void PlateProcessor::prepareToPlay (double sampleRate, int)
 {
-    inputOrder = orderOf (true);
-    outputOrder = orderOf (false);
+    inputOrder = channelOrder (true);
+    outputOrder = channelOrder (false);
     surface->prepare (sampleRate);
     reportLatency();
     changes.post();
@@ -178,8 +178,8 @@ void PlateProcessor::play (juce::AudioBuffer<Sample>& buffer, bool isBypassed)
         return;
     }
 
-    std::array<const Sample*, mostCeramics> voltages {};
-    std::array<Sample*, mostProbes> probes {};
+    std::array<const Sample*, maximumCeramics> voltages {};
+    std::array<Sample*, maximumProbes> probes {};
 
     for (std::size_t k = 0; k < inputOrder.size(); ++k)
         voltages[k] = buffer.getReadPointer (inputOrder[k]);
@@ -239,7 +239,7 @@ SurfaceSettings PlateProcessor::readSettings()
     return controls->settings();
 }
 
-void PlateProcessor::tellOfChanges()
+void PlateProcessor::reportChanges()
 {
     reportLatency();
     controls->stepReports().tell();

@@ -23,7 +23,7 @@ namespace antinode
 class PlateProcessor : public juce::AudioProcessor
 {
 public:
-    static constexpr int mostCeramics = 64, mostProbes = PlatePath::probes;
+    static constexpr int maximumCeramics = 64, maximumProbes = PlatePath::probes;
 
     /** @param ceramics  channels of the input at first, 1 to 64
         @param wrapper   what it runs in: decides how channels are laid on wires
@@ -45,7 +45,7 @@ public:
     void setState (const PlateState&);
 
     /** How many probes have an output. [any] */
-    int shownProbes() const { return std::min (mostProbes, getChannelCountOfBus (false, 0)); }
+    int shownProbes() const { return std::min (maximumProbes, getChannelCountOfBus (false, 0)); }
 
     /** What the user must know, in one sentence; empty where all is well. [any but the audio thread] */
     juce::String warning();
@@ -83,15 +83,15 @@ public:
 
 private:
     static BusesProperties busesFor (int ceramics, WrapperType);
-    std::vector<int> orderOf (bool isInput) const;
+    std::vector<int> channelOrder (bool isInput) const;
     template <typename Sample>
     void play (juce::AudioBuffer<Sample>&, bool isBypassed);
     void reportLatency();
-    void tellOfChanges();
+    void reportChanges();
     SurfaceSettings readSettings();
 
     WrapperType wrapper;
-    ChangeMessages changes { [this] { tellOfChanges(); } };
+    ChangeMessages changes { [this] { reportChanges(); } };
     std::unique_ptr<PlateParameters> controls;
     std::unique_ptr<PlateSession> surface;
     std::vector<int> inputOrder, outputOrder;         ///< Buffer channel of ceramic k, and of probe k.

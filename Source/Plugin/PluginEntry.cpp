@@ -9,8 +9,8 @@
 
 namespace
 {
-/** How many ceramics an instance has before a host asks for another number. LV2 bundles are made for a number each. VST3 hosts seldom ask:
-    so the environment can say it. */
+/** How many ceramics an instance has before a host asks for another number. LV2 bundles are made for a number each.
+   VST3 hosts seldom ask: so the environment can say it. */
 int ceramicsAtFirst (juce::AudioProcessor::WrapperType wrapper)
 {
     constexpr int usual = 32;
@@ -20,7 +20,7 @@ int ceramicsAtFirst (juce::AudioProcessor::WrapperType wrapper)
 
     const auto* const wanted = std::getenv ("ANTINODE_CERAMICS");
     const auto number = wanted != nullptr ? juce::String (wanted).getIntValue() : usual;
-    return number >= 1 && number <= antinode::AntinodeProcessor::mostCeramics ? number : usual;
+    return number >= 1 && number <= antinode::AntinodeProcessor::maximumCeramics ? number : usual;
 }
 } // namespace
 

@@ -21,7 +21,7 @@ juce::AudioProcessor::BusesProperties AntinodeProcessor::busesFor (int ceramics,
 {
     const auto monitor = wrapper == wrapperType_VST3
                              ? juce::AudioChannelSet::stereo()
-                             : juce::AudioChannelSet::discreteChannels (BufferChannels::mostMonitors);
+                             : juce::AudioChannelSet::discreteChannels (BufferChannels::maximumMonitors);
     return BusesProperties()
         .withOutput ("Ceramics", ceramicSet (ceramics, wrapper), true)
         .withOutput ("Monitor", monitor, true);
@@ -35,7 +35,7 @@ AntinodeProcessor::AntinodeProcessor (int ceramics, WrapperType wrapperToUse)
     loadedFocus = start.focus;
     controls = std::make_unique<Parameters> (*this, [this]
                                              { return player != nullptr ? player->snapshot()->model : nullptr; });
-    controls->setFocus (settingsOf (loadedFocus->description, extentOf (loadedDevice->description), {}));
+    controls->setFocus (settingsFromFocus (loadedFocus->description, deviceExtent (loadedDevice->description), {}));
     player = std::make_unique<Session> (
         *loadedDevice, *loadedFocus, [this] { return readSettings(); }, [this] { changes.post(); });
     bufferChannels.lay (*this, wrapper);
@@ -66,7 +66,8 @@ void AntinodeProcessor::load (std::shared_ptr<const DeviceDocument> newDevice,
     if (newDevice != nullptr && newDevice->description.requiresArming)
         controls->arm().setValueNotifyingHost (0);
 
-    controls->setFocus (settingsOf (focus()->description, extentOf (device()->description), controls->settings()));
+    controls->setFocus (
+        settingsFromFocus (focus()->description, deviceExtent (device()->description), controls->settings()));
     player->load (std::move (newDevice), std::move (newFocus));
 }
 
@@ -121,8 +122,8 @@ bool AntinodeProcessor::isBusesLayoutSupported (const BusesLayout& layout) const
     // By count: hosts name channels as they like, wires are distinguished by their numbers.
     const auto ceramics = layout.getMainOutputChannels();
     const auto monitor = layout.getNumChannels (false, 1);
-    return layout.inputBuses.isEmpty() && ceramics >= 1 && ceramics <= mostCeramics
-           && monitor <= BufferChannels::mostMonitors;
+    return layout.inputBuses.isEmpty() && ceramics >= 1 && ceramics <= maximumCeramics
+           && monitor <= BufferChannels::maximumMonitors;
 }
 
 void AntinodeProcessor::prepareToPlay (double sampleRate, int)
@@ -143,7 +144,7 @@ void AntinodeProcessor::play (juce::AudioBuffer<Sample>& buffer, const juce::Mid
 {
     const juce::ScopedNoDenormals noDenormals;
     BufferChannels::Pointers<Sample> pointers;
-    const auto block = bufferChannels.blockOf (buffer, pointers);
+    const auto block = bufferChannels.makeBlock (buffer, pointers);
 
     // A host that hands over fewer channels than it asked for gets silence rather than the wrong ceramics.
     if (! block)
@@ -183,8 +184,8 @@ void AntinodeProcessor::processBlockBypassed (juce::AudioBuffer<double>& buffer,
     play (buffer, midi, true);
 }
 
-/** A host prepares us on a thread of its own while messages run on another. Who comes second leaves it to a message that follows: to wait
-    would block a host that waits for the other thread when informed of the latency. */
+/** A host prepares us on a thread of its own while messages run on another. Who comes second leaves it to a message
+   that follows: to wait would block a host that waits for the other thread when informed of the latency. */
 void AntinodeProcessor::reportLatency()
 {
     const juce::ScopedTryLock lock (latencyReports);
@@ -204,7 +205,7 @@ PlaySettings AntinodeProcessor::readSettings()
     return controls->settings();
 }
 
-void AntinodeProcessor::tellOfChanges()
+void AntinodeProcessor::reportChanges()
 {
     reportLatency();
     controls->stepReports().tell();

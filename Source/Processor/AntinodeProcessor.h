@@ -18,12 +18,12 @@ namespace antinode
 {
 /** The plug-in: parameters, buses and state around a session. The standalone program has one too.
 
-    The main output bus "Ceramics" has 1 to 64 channels, channel k for ceramic k, 1.0 = the device's full scale; the bus "Monitor" has the
-    velocity at the probes, 1.0 = 1 m/s. */
+    The main output bus "Ceramics" has 1 to 64 channels, channel k for ceramic k, 1.0 = the device's full scale; the bus
+   "Monitor" has the velocity at the probes, 1.0 = 1 m/s. */
 class AntinodeProcessor : public juce::AudioProcessor
 {
 public:
-    static constexpr int mostCeramics = BufferChannels::mostCeramics;
+    static constexpr int maximumCeramics = BufferChannels::maximumCeramics;
 
     /** @param ceramics  channels of the main bus at first, 1 to 64
         @param wrapper   what it runs in: decides how channels are laid on wires
@@ -41,8 +41,8 @@ public:
     /** The complete state for a host. [message thread] */
     SessionState state() const;
 
-    /** Goes back to a state. @param isRestored  true where it comes from a file or a host: then a device that requires it is disarmed
-        [message thread] */
+    /** Goes back to a state. @param isRestored  true where it comes from a file or a host: then a device that requires
+       it is disarmed [message thread] */
     void setState (const SessionState&, bool isRestored);
 
     /** The loaded device and focus. [any but the audio thread] */
@@ -53,7 +53,8 @@ public:
     std::uint64_t mutes() const { return mutedCeramics; }
     void setMutes (std::uint64_t mask) { mutedCeramics = mask; }
 
-    /** A warning for the user: an unreadable state, missing channels; empty if there is none. [any but the audio thread] */
+    /** A warning for the user: an unreadable state, missing channels; empty if there is none. [any but the audio
+     * thread] */
     juce::String warning() const;
 
     /** Called on the message thread after the session or the state have changed. [message thread] */
@@ -93,12 +94,12 @@ private:
     template <typename Sample>
     void play (juce::AudioBuffer<Sample>&, const juce::MidiBuffer&, bool isBypassed);
     void reportLatency();
-    void tellOfChanges();
+    void reportChanges();
     PlaySettings readSettings();
     void setWarning (const juce::String&);
 
     WrapperType wrapper;
-    ChangeMessages changes { [this] { tellOfChanges(); } };
+    ChangeMessages changes { [this] { reportChanges(); } };
     std::unique_ptr<Parameters> controls;
     std::unique_ptr<Session> player;
     MidiTriggers triggers { VelocityCurve {} };

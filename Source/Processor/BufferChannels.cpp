@@ -21,8 +21,8 @@ void BufferChannels::lay (const juce::AudioProcessor& processor, juce::AudioProc
 }
 
 template <typename Sample>
-std::optional<OutputBlock<Sample>> BufferChannels::blockOf (juce::AudioBuffer<Sample>& buffer,
-                                                            Pointers<Sample>& pointers) const
+std::optional<OutputBlock<Sample>> BufferChannels::makeBlock (juce::AudioBuffer<Sample>& buffer,
+                                                              Pointers<Sample>& pointers) const
 {
     const auto wires = static_cast<int> (ceramicOrder.size());
 
@@ -43,7 +43,8 @@ std::optional<OutputBlock<Sample>> BufferChannels::blockOf (juce::AudioBuffer<Sa
                                  buffer.getNumSamples() };
 }
 
-template std::optional<OutputBlock<float>> BufferChannels::blockOf (juce::AudioBuffer<float>&, Pointers<float>&) const;
-template std::optional<OutputBlock<double>> BufferChannels::blockOf (juce::AudioBuffer<double>&,
-                                                                     Pointers<double>&) const;
+template std::optional<OutputBlock<float>> BufferChannels::makeBlock (juce::AudioBuffer<float>&,
+                                                                      Pointers<float>&) const;
+template std::optional<OutputBlock<double>> BufferChannels::makeBlock (juce::AudioBuffer<double>&,
+                                                                       Pointers<double>&) const;
 } // namespace antinode

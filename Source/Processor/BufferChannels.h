@@ -14,24 +14,24 @@ namespace antinode
 class BufferChannels
 {
 public:
-    static constexpr int mostCeramics = 64, mostMonitors = 2;
+    static constexpr int maximumCeramics = 64, maximumMonitors = 2;
 
     /** Room for what a block points to. */
     template <typename Sample>
     struct Pointers
     {
-        std::array<Sample*, mostCeramics> ceramics {};
-        std::array<Sample*, mostMonitors> monitor {};
+        std::array<Sample*, maximumCeramics> ceramics {};
+        std::array<Sample*, maximumMonitors> monitor {};
     };
 
     /** Takes the layout that the host has chosen. @param wrapper  decides how channels are laid on wires
         [worker] nothing may be processing */
     void lay (const juce::AudioProcessor&, juce::AudioProcessor::WrapperType wrapper);
 
-    /** A block on the channels of a buffer; those beyond are cleared. None if the buffer has fewer than the host asked for.
-        [audio thread] */
+    /** A block on the channels of a buffer; those beyond are cleared. None if the buffer has fewer than the host asked
+       for. [audio thread] */
     template <typename Sample>
-    std::optional<OutputBlock<Sample>> blockOf (juce::AudioBuffer<Sample>&, Pointers<Sample>&) const;
+    std::optional<OutputBlock<Sample>> makeBlock (juce::AudioBuffer<Sample>&, Pointers<Sample>&) const;
 
 private:
     std::vector<int> ceramicOrder; ///< Buffer channel of ceramic k.

@@ -5,8 +5,9 @@
 
 namespace antinode
 {
-/** Calls a function on JUCE's message thread after something has changed, once for many changes. In a plug-in that thread is none of
-    the host's, which makes and frees the plug-in meanwhile: so nothing is called before begin() or once end() has returned. */
+/** Calls a function on JUCE's message thread after something has changed, once for many changes. In a plug-in that
+   thread is none of the host's, which makes and frees the plug-in meanwhile: so nothing is called before begin() or
+   once end() has returned. */
 class ChangeMessages
 {
 public:

@@ -14,7 +14,7 @@ juce::NormalisableRange<float> inFloats (NumberRange range)
              [range] (float, float, float share)
              { return static_cast<float> (range.valueAt (static_cast<double> (share))); },
              [range] (float, float, float value)
-             { return static_cast<float> (range.shareOf (static_cast<double> (value))); } };
+             { return static_cast<float> (range.normalisedValue (static_cast<double> (value))); } };
 }
 } // namespace
 
@@ -25,7 +25,7 @@ double NumberRange::valueAt (double share) const
     return std::clamp (between, minimum, maximum);
 }
 
-double NumberRange::shareOf (double value) const
+double NumberRange::normalisedValue (double value) const
 {
     const auto share = isLogarithmic ? std::log (value / minimum) / std::log (maximum / minimum)
                                      : (value - minimum) / (maximum - minimum);
@@ -35,7 +35,8 @@ double NumberRange::shareOf (double value) const
 NumberParameter::NumberParameter (const juce::ParameterID& identifier, const juce::String& name, NumberRange rangeToUse,
                                   double initial, NumberTexts textsToUse, const juce::String& unit)
     : RangedAudioParameter (identifier, name, juce::AudioProcessorParameterWithIDAttributes().withLabel (unit)),
-      range (rangeToUse), floatRange (inFloats (range)), defaultShare (static_cast<float> (range.shareOf (initial))),
+      range (rangeToUse), floatRange (inFloats (range)),
+      defaultShare (static_cast<float> (range.normalisedValue (initial))),
       value (range.valueAt (static_cast<double> (defaultShare))), texts (std::move (textsToUse))
 {
 }

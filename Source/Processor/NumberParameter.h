@@ -18,11 +18,12 @@ struct NumberRange
     double valueAt (double share) const;
 
     /** [any] */
-    double shareOf (double value) const;
+    double normalisedValue (double value) const;
 };
 
-/** A continuous parameter. It keeps its value in double precision: so both the share that a host sets and the value that a state keeps
-    are given back to the bit, which juce::AudioParameterFloat does with neither. Docs/Decisions/0044-read-back.md */
+/** A continuous parameter. It keeps its value in double precision: so both the share that a host sets and the value
+   that a state keeps are given back to the bit, which juce::AudioParameterFloat does with neither.
+   Docs/Decisions/0044-read-back.md */
 class NumberParameter : public juce::RangedAudioParameter
 {
 public:
@@ -33,13 +34,14 @@ public:
     /** Within the range. [any] */
     double get() const { return value; }
 
-    /** Sets a value to the bit, one beyond the range to its end; tells the host where it changes. [any but the audio thread] */
+    /** Sets a value to the bit, one beyond the range to its end; tells the host where it changes. [any but the audio
+     * thread] */
     NumberParameter& operator= (double);
 
     const juce::NormalisableRange<float>& getNormalisableRange() const override { return floatRange; }
 
 private:
-    float getValue() const override { return static_cast<float> (range.shareOf (value)); }
+    float getValue() const override { return static_cast<float> (range.normalisedValue (value)); }
     void setValue (float share) override;
     float getDefaultValue() const override { return defaultShare; }
     juce::String getText (float share, int maximumLength) const override;

@@ -32,7 +32,7 @@ double numberIn (const juce::String& text)
 }
 
 /** From where to where the surface goes, mm; both 0 if there is none. */
-std::pair<double, double> extentOf (const ModalModel* model, SurfaceAxis axis)
+std::pair<double, double> axisExtent (const ModalModel* model, SurfaceAxis axis)
 {
     if (model == nullptr)
         return { 0, 0 };
@@ -43,13 +43,13 @@ std::pair<double, double> extentOf (const ModalModel* model, SurfaceAxis axis)
 }
 } // namespace
 
-NumberTexts unitTexts (const char* unit, int decimals, float least, const char* wordBelow)
+NumberTexts unitTexts (const char* unit, int decimals, float minimum, const char* wordBelow)
 {
     const juce::String word (wordBelow), suffix (unit);
 
     return { [=] (float value, int maximumLength)
              {
-                 if (value < least && word.isNotEmpty())
+                 if (value < minimum && word.isNotEmpty())
                      return cut (word, maximumLength);
 
                  const auto number = numberText (static_cast<double> (value), decimals);
@@ -63,7 +63,7 @@ NumberTexts placeTexts (const std::function<std::shared_ptr<const ModalModel>()>
 {
     return { [=] (float percent, int maximumLength)
              {
-                 const auto [from, to] = extentOf (model().get(), axis);
+                 const auto [from, to] = axisExtent (model().get(), axis);
                  const auto millimetres = from + (to - from) * static_cast<double> (percent) / 100;
                  return cut (to > from ? numberText (millimetres, 3) + " mm"
                                        : numberText (static_cast<double> (percent), 3) + " %",
@@ -71,7 +71,7 @@ NumberTexts placeTexts (const std::function<std::shared_ptr<const ModalModel>()>
              },
              [=] (const juce::String& text)
              {
-                 const auto [from, to] = extentOf (model().get(), axis);
+                 const auto [from, to] = axisExtent (model().get(), axis);
                  const auto isPercent = text.containsChar ('%') || ! (to > from);
                  const auto value = numberIn (text);
                  return static_cast<float> (

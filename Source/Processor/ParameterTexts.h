@@ -37,7 +37,7 @@ enum class SurfaceAxis
 };
 
 /** A number with its unit. Values below `least` have a word instead. [any] */
-NumberTexts unitTexts (const char* unit, int decimals, float least = -1e30F, const char* wordBelow = "");
+NumberTexts unitTexts (const char* unit, int decimals, float minimum = -1e30F, const char* wordBelow = "");
 
 /** A share of the surface in percent, as a place in mm: of the model that is played, or in percent if there is none.
     A text that ends in % is read as percent. [any but the audio thread] */

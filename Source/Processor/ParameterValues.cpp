@@ -7,13 +7,13 @@
 
 namespace antinode
 {
-int integerOf (const juce::AudioParameterInt* parameter)
+int integerValue (const juce::AudioParameterInt* parameter)
 {
     const auto range = parameter->getRange();
     return std::clamp (parameter->get(), range.getStart(), range.getEnd());
 }
 
-double valueOf (const juce::RangedAudioParameter& parameter)
+double parameterValue (const juce::RangedAudioParameter& parameter)
 {
     if (const auto* const number = dynamic_cast<const NumberParameter*> (&parameter))
         return number->get();
@@ -33,7 +33,7 @@ void setValue (juce::RangedAudioParameter& parameter, double value)
     const auto range = parameter.getNormalisableRange();
     const auto allowed = std::clamp (static_cast<float> (value), range.start, range.end);
 
-    if (static_cast<double> (allowed) != valueOf (parameter))
+    if (static_cast<double> (allowed) != parameterValue (parameter))
         parameter.setValueNotifyingHost (parameter.convertTo0to1 (allowed));
 }
 } // namespace antinode

@@ -5,11 +5,12 @@
 namespace antinode
 {
 /** A parameter's value, within its range whatever a host has sent. [any] */
-int integerOf (const juce::AudioParameterInt*);
+int integerValue (const juce::AudioParameterInt*);
 
 /** A value in the unit of the parameter's text, to the bit. [any] */
-double valueOf (const juce::RangedAudioParameter&);
+double parameterValue (const juce::RangedAudioParameter&);
 
-/** Sets what valueOf gave, to the bit; values beyond the range to its end. Tells the host where it changes. [any but the audio thread] */
+/** Sets what parameterValue gave, to the bit; values beyond the range to its end. Tells the host where it changes. [any
+ * but the audio thread] */
 void setValue (juce::RangedAudioParameter&, double value);
 } // namespace antinode

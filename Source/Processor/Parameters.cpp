@@ -98,7 +98,7 @@ std::vector<juce::String> wordsForHosts (const Words& words)
 }
 
 template <typename Words, typename Value>
-int indexOf (const Words& words, Value value)
+int wordIndex (const Words& words, Value value)
 {
     const auto found =
         std::find_if (words.begin(), words.end(), [&] (const auto& word) { return word.second == value; });
@@ -157,19 +157,19 @@ PlaySettings Parameters::settings() const
     now.xPercent = static_cast<float> (x->get());
     now.yPercent = static_cast<float> (y->get());
     now.widthMillimetres = static_cast<float> (width->get());
-    now.shape = targetShapeWords[static_cast<std::size_t> (integerOf (shape))].second;
+    now.shape = targetShapeWords[static_cast<std::size_t> (integerValue (shape))].second;
     now.peakVelocityMillimetresPerSecond = static_cast<float> (peakVelocity->get());
     now.focusTimeMilliseconds = static_cast<float> (focusTime->get());
     now.growth = static_cast<float> (growth->get());
     now.brake = static_cast<float> (brake->get());
-    now.method = allocationMethodWords[static_cast<std::size_t> (integerOf (method))].second;
+    now.method = allocationMethodWords[static_cast<std::size_t> (integerValue (method))].second;
     now.voltageLimitVolts = static_cast<float> (voltageLimit->get());
-    now.modeCount = integerOf (modes);
+    now.modeCount = integerValue (modes);
     now.probeXPercent = static_cast<float> (probeX->get());
     now.probeYPercent = static_cast<float> (probeY->get());
-    now.noteLayout = static_cast<NoteLayout> (integerOf (notes));
-    now.noteOff = static_cast<NoteOffBehaviour> (integerOf (noteOff));
-    now.retrigger = static_cast<RetriggerBehaviour> (integerOf (retrigger));
+    now.noteLayout = static_cast<NoteLayout> (integerValue (notes));
+    now.noteOff = static_cast<NoteOffBehaviour> (integerValue (noteOff));
+    now.retrigger = static_cast<RetriggerBehaviour> (integerValue (retrigger));
     now.focusOnNote = *focusOnNote;
     return now;
 }
@@ -196,12 +196,12 @@ void Parameters::setFocus (const PlaySettings& settings)
         { x, settings.xPercent },
         { y, settings.yPercent },
         { width, settings.widthMillimetres },
-        { shape, static_cast<float> (indexOf (targetShapeWords, settings.shape)) },
+        { shape, static_cast<float> (wordIndex (targetShapeWords, settings.shape)) },
         { peakVelocity, settings.peakVelocityMillimetresPerSecond },
         { focusTime, settings.focusTimeMilliseconds },
         { growth, settings.growth },
         { brake, settings.brake },
-        { method, static_cast<float> (indexOf (allocationMethodWords, settings.method)) },
+        { method, static_cast<float> (wordIndex (allocationMethodWords, settings.method)) },
         { voltageLimit, settings.voltageLimitVolts },
         { modes, static_cast<float> (settings.modeCount) },
         { probeX, settings.probeXPercent },
@@ -217,7 +217,7 @@ std::map<std::string, double> Parameters::values() const
     std::map<std::string, double> named;
 
     for (const auto* const parameter : ordered)
-        named[parameter->getParameterID().toStdString()] = valueOf (*parameter);
+        named[parameter->getParameterID().toStdString()] = parameterValue (*parameter);
 
     return named;
 }

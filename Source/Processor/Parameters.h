@@ -37,7 +37,8 @@ public:
     /** All by identifier, in the units of their texts. [any] */
     std::map<std::string, double> values() const;
 
-    /** Sets all: those that are not named to their defaults; values beyond a range to its end. Tells the host. [message thread] */
+    /** Sets all: those that are not named to their defaults; values beyond a range to its end. Tells the host. [message
+     * thread] */
     void setValues (const std::map<std::string, double>&);
 
     juce::AudioParameterBool& bypass() const { return *bypassed; }
@@ -46,7 +47,8 @@ public:
     /** What the host is to be told of steps that its values lay between. */
     StepReports& stepReports() { return *steps; }
 
-    /** The parameter of an identifier, for controls of an editor. @return  never null for an identifier of ours [any] */
+    /** The parameter of an identifier, for controls of an editor. @return  never null for an identifier of ours [any]
+     */
     juce::RangedAudioParameter* find (const std::string& identifier) const;
 
     /** All in the order of the groups. [any] */

@@ -7,7 +7,8 @@
 
 namespace antinode
 {
-/** A switch that takes the step nearest to what a host sets, at once: juce::AudioParameterBool reads back what lies between. */
+/** A switch that takes the step nearest to what a host sets, at once: juce::AudioParameterBool reads back what lies
+ * between. */
 class SwitchParameter : public juce::AudioParameterBool
 {
 public:
@@ -22,7 +23,8 @@ private:
 class StepReports : private juce::AudioProcessorParameter::Listener
 {
 public:
-    /** @param parameters  those with steps are listened to; outlive this; belong to a processor already [message thread] */
+    /** @param parameters  those with steps are listened to; outlive this; belong to a processor already [message
+     * thread] */
     explicit StepReports (const std::vector<juce::RangedAudioParameter*>& parameters);
     ~StepReports() override;
 

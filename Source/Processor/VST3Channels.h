@@ -6,8 +6,8 @@
 
 namespace antinode
 {
-/** The layout of the given number of channels whose wires we name: the set of the lowest VST3 speaker bits. Discrete layouts crash JUCE's VST3
-    wrapper, named ones are permuted. [any] @param channels  1 to 64 */
+/** The layout of the given number of channels whose wires we name: the set of the lowest VST3 speaker bits. Discrete
+   layouts crash JUCE's VST3 wrapper, named ones are permuted. [any] @param channels  1 to 64 */
 juce::AudioChannelSet vst3ChannelSet (int channels);
 
 /** The channel of a buffer with this layout that becomes wire k in VST3. [worker] @return  as many as the layout has */

@@ -19,7 +19,7 @@ constexpr double rate = 96000;
 constexpr int block = 960, blocks = 12, width = 1040, height = 640;
 
 /** The voltages of a focus on the loaded device, from its trigger on, in full scales. */
-Eigen::MatrixXd voltagesOf (const ModalModel& model, const std::string& focus)
+Eigen::MatrixXd renderVoltages (const ModalModel& model, const std::string& focus)
 {
     const Playback playback { Reconstruction::bandLimited, rate };
     const auto document = readFocusDocument (loadDocument (LibraryKind::focus, focus), focus);
@@ -59,7 +59,7 @@ void takePlate (const juce::File& file)
     PlateEditor editor (processor);
     editor.setSize (width, height);
     auto& content = editor.content();
-    play (processor, voltagesOf (*processor.session().snapshot()->model, "glass-finger"), content);
+    play (processor, renderVoltages (*processor.session().snapshot()->model, "glass-finger"), content);
 
     do
     {

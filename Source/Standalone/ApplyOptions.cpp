@@ -15,12 +15,12 @@ namespace
 constexpr int highestNote = 127, fullVelocity = 127;
 
 /** A whole number up to 127 from the front of some text; what is left of it stays. */
-int takeNumber (std::string_view& text, int least, const std::string& option)
+int takeNumber (std::string_view& text, int minimum, const std::string& option)
 {
     int value = -1;
     const auto [end, error] = std::from_chars (text.data(), text.data() + text.size(), value);
 
-    if (error != std::errc() || value < least || value > highestNote)
+    if (error != std::errc() || value < minimum || value > highestNote)
         throw InputError (option,
                           "is not a note; allowed: NOTE or NOTE:VELOCITY, with notes 0 to 127 and velocities 1 to 127");
 
@@ -79,7 +79,7 @@ StandaloneSettings withOptions (StandaloneSettings settings, const StandaloneOpt
     return settings;
 }
 
-SettingsFile settingsFileOf (const StandaloneOptions& options)
+SettingsFile chooseSettingsFile (const StandaloneOptions& options)
 {
     if (options.ignoresSettings)
         return SettingsFile ({});
@@ -107,7 +107,7 @@ void loadDocuments (StandaloneHost& host, const StandaloneOptions& options)
         host.processor().load (std::move (device), std::move (focus));
 }
 
-std::vector<TimedNote> notesOf (const StandaloneOptions& options)
+std::vector<TimedNote> readNotes (const StandaloneOptions& options)
 {
     std::vector<TimedNote> notes;
 

@@ -9,7 +9,7 @@ namespace antinode
 StandaloneSettings withOptions (StandaloneSettings, const StandaloneOptions&);
 
 /** The file that the options mean. [any] */
-SettingsFile settingsFileOf (const StandaloneOptions&);
+SettingsFile chooseSettingsFile (const StandaloneOptions&);
 
 /** Loads the focus and the instrument of the options, and opens the graph where they ask for it.
     @throws InputError  where one cannot be read [message thread] */
@@ -17,5 +17,5 @@ void loadDocuments (StandaloneHost&, const StandaloneOptions&);
 
 /** The notes of the options and of their MIDI file.
     @throws InputError  where one is none, or the file is none [worker] */
-std::vector<TimedNote> notesOf (const StandaloneOptions&);
+std::vector<TimedNote> readNotes (const StandaloneOptions&);
 } // namespace antinode

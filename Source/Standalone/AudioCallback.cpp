@@ -6,16 +6,16 @@ namespace antinode
 {
 namespace
 {
-constexpr int longestPart = 1024;       // samples that the processor gets at once
-constexpr std::size_t mostNotes = 4096; // of one block that there is room for
-constexpr int processorChannels = AntinodeProcessor::mostCeramics + OutputRouting::monitors;
+constexpr int longestPart = 1024;          // samples that the processor gets at once
+constexpr std::size_t maximumNotes = 4096; // of one block that there is room for
+constexpr int processorChannels = AntinodeProcessor::maximumCeramics + OutputRouting::monitors;
 } // namespace
 
 AudioCallback::AudioCallback (AntinodeProcessor& processorToPlay, OutputRouter& routerToUse, MidiQueue& queueToRead)
     : processor (processorToPlay), router (routerToUse), queue (queueToRead)
 {
-    notes.ensureSize (MidiQueue::bytesOf (mostNotes));
-    partNotes.ensureSize (MidiQueue::bytesOf (mostNotes));
+    notes.ensureSize (MidiQueue::bytesNeeded (maximumNotes));
+    partNotes.ensureSize (MidiQueue::bytesNeeded (maximumNotes));
 }
 
 void AudioCallback::audioDeviceAboutToStart (juce::AudioIODevice* device)
@@ -27,7 +27,7 @@ void AudioCallback::prepare (double sampleRate, int blockSize, const juce::BigIn
 {
     openChannels = 0;
 
-    for (auto output = openOutputs.findNextSetBit (0); output >= 0 && output < OutputRouting::mostOutputs;
+    for (auto output = openOutputs.findNextSetBit (0); output >= 0 && output < OutputRouting::maximumOutputs;
          output = openOutputs.findNextSetBit (output + 1))
         numbers[static_cast<std::size_t> (openChannels++)] = output;
 
@@ -106,11 +106,12 @@ void AudioCallback::playPart (int offset, int count)
         partChannels[i] = channels[i] != nullptr ? channels[i] + offset : nullptr;
 
     const auto* const* const samples = buffer.getArrayOfReadPointers();
-    router.process ({ { samples, static_cast<std::size_t> (AntinodeProcessor::mostCeramics) },
-                      { samples + AntinodeProcessor::mostCeramics, static_cast<std::size_t> (OutputRouting::monitors) },
-                      { partChannels.data(), partChannels.size() },
-                      count,
-                      processor.session().fullScaleVolts(),
-                      processor.parameters().arm().get() });
+    router.process (
+        { { samples, static_cast<std::size_t> (AntinodeProcessor::maximumCeramics) },
+          { samples + AntinodeProcessor::maximumCeramics, static_cast<std::size_t> (OutputRouting::monitors) },
+          { partChannels.data(), partChannels.size() },
+          count,
+          processor.session().fullScaleVolts(),
+          processor.parameters().arm().get() });
 }
 } // namespace antinode

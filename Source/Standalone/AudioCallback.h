@@ -14,7 +14,8 @@
 
 namespace antinode
 {
-/** The callback of an audio device: the processor with all its buses, then the router, on the channels that are open. Blocks of any length. */
+/** The callback of an audio device: the processor with all its buses, then the router, on the channels that are open.
+ * Blocks of any length. */
 class AudioCallback : public juce::AudioIODeviceCallback
 {
 public:
@@ -66,9 +67,9 @@ private:
     juce::AudioBuffer<float>
         buffer; ///< Of the processor: ceramics, then monitor. Of the audio thread, as the next lines.
     juce::MidiBuffer notes, partNotes;
-    std::array<int, OutputRouting::mostOutputs> numbers {};     ///< Output of each channel that the device hands over.
-    std::array<float*, OutputRouting::mostOutputs> channels {}; ///< Of each output; null where it is not open.
-    std::array<float*, OutputRouting::mostOutputs> partChannels {};
+    std::array<int, OutputRouting::maximumOutputs> numbers {}; ///< Output of each channel that the device hands over.
+    std::array<float*, OutputRouting::maximumOutputs> channels {}; ///< Of each output; null where it is not open.
+    std::array<float*, OutputRouting::maximumOutputs> partChannels {};
     int openChannels = 0;
 };
 } // namespace antinode

@@ -14,7 +14,7 @@ namespace
 {
 constexpr int nameWidth = 130, buttonWidth = 100;
 
-std::string textOf (const juce::ComboBox& box)
+std::string boxText (const juce::ComboBox& box)
 {
     return box.getText().toStdString();
 }
@@ -54,12 +54,12 @@ AudioPanel::AudioPanel (StandaloneHost& hostToUse) : host (hostToUse)
     failure.setJustificationType (juce::Justification::topLeft);
     addAndMakeVisible (failure);
     addAndMakeVisible (refresh);
-    type.onChange = [this] { open ({ textOf (type), {}, 0, 0, {} }); };
-    device.onChange = [this] { open ({ textOf (type), textOf (device), 0, 0, {} }); };
+    type.onChange = [this] { open ({ boxText (type), {}, 0, 0, {} }); };
+    device.onChange = [this] { open ({ boxText (type), boxText (device), 0, 0, {} }); };
     rate.onChange = block.onChange = outputs.onChange = [this]
     {
         AudioChoice wanted {
-            textOf (type), textOf (device), rate.getText().getDoubleValue(), block.getText().getIntValue(), {}
+            boxText (type), boxText (device), rate.getText().getDoubleValue(), block.getText().getIntValue(), {}
         };
         wanted.outputs.resize (static_cast<std::size_t> (outputs.getText().getIntValue()));
         std::iota (wanted.outputs.begin(), wanted.outputs.end(), 0);
@@ -100,9 +100,9 @@ void AudioPanel::update()
 void AudioPanel::updateDevices (const AudioChoice& opened)
 {
     const auto types = deviceTypes (host.devices());
-    const auto shown = ! opened.type.empty()                      ? opened.type
-                       : textOf (type).empty() && ! types.empty() ? types.front()
-                                                                  : textOf (type);
+    const auto shown = ! opened.type.empty()                       ? opened.type
+                       : boxText (type).empty() && ! types.empty() ? types.front()
+                                                                   : boxText (type);
     fill (type, types, shown);
 
     // Looking for devices takes its time and may disturb one that plays: so not whenever something is shown.
@@ -126,7 +126,7 @@ void AudioPanel::updateFormat (const AudioChoice& opened)
         for (const auto available : present->getAvailableBufferSizes())
             blocks.push_back (std::to_string (available));
 
-        for (int i = 1; i <= std::min (present->getOutputChannelNames().size(), OutputRouting::mostOutputs); ++i)
+        for (int i = 1; i <= std::min (present->getOutputChannelNames().size(), OutputRouting::maximumOutputs); ++i)
             counts.push_back (std::to_string (i));
     }
 
@@ -138,7 +138,7 @@ void AudioPanel::updateFormat (const AudioChoice& opened)
 
 void AudioPanel::lookAndFeelChanged()
 {
-    failure.setColour (juce::Label::textColourId, EditorLook::paletteOf (*this).warning);
+    failure.setColour (juce::Label::textColourId, EditorLook::findPalette (*this).warning);
 }
 
 void AudioPanel::resized()

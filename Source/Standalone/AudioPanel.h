@@ -8,7 +8,8 @@
 
 namespace antinode
 {
-/** The audio device and its settings. JUCE's own panel is not used, because it has a button that plays half of full scale past the router. */
+/** The audio device and its settings. JUCE's own panel is not used, because it has a button that plays half of full
+ * scale past the router. */
 class AudioPanel final : public juce::Component
 {
 public:

@@ -149,7 +149,7 @@ std::string HeadlessRun::endText() const
     std::int64_t clamped = 0;
     float peak = 0;
 
-    for (int i = 0; i < OutputRouting::mostOutputs; ++i)
+    for (int i = 0; i < OutputRouting::maximumOutputs; ++i)
         clamped += outputs.clampedSamples (i);
 
     for (int i = 0; i < LevelMeters::ceramics; ++i)
@@ -167,13 +167,13 @@ std::string HeadlessRun::touchText() const
 {
     const auto counters = host.touch().counters();
     const auto unplayed = host.touch().unplayed();
-    const auto dropped = counters.limited + unplayed.notTaken
+    const auto dropped = counters.limited + unplayed.notAccepted
                          + std::accumulate (counters.faults.begin(), counters.faults.end(), std::int64_t());
 
     if (counters.packets == 0)
         return {};
 
-    return "; of " + counted (counters.packets, "touch packet") + ": " + std::to_string (unplayed.besideSurface)
+    return "; of " + counted (counters.packets, "touch packet") + ": " + std::to_string (unplayed.outsideSurface)
            + " outside the surface, " + std::to_string (dropped) + " dropped for other reasons";
 }
 } // namespace antinode

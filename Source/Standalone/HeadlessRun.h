@@ -15,7 +15,8 @@ public:
         [message thread] */
     HeadlessRun (StandaloneHost& hostToPlay, std::vector<TimedNote> notes, double seconds, bool isArmed);
 
-    /** Waits for the designs of the schedule's notes, plays, prints what it does in one line at the start and one at the end.
+    /** Waits for the designs of the schedule's notes, plays, prints what it does in one line at the start and one at
+       the end.
         @throws InputError  where the device or its focus cannot be played, or the audio device fails
         [message thread] runs the message loop */
     void run();

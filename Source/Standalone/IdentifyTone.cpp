@@ -8,7 +8,7 @@ namespace antinode
 {
 double IdentifyTone::amplitude (double voltageLimit)
 {
-    return voltageLimit > 0 ? std::min (mostVolts, shareOfLimit * voltageLimit) : 0;
+    return voltageLimit > 0 ? std::min (maximumVolts, shareOfLimit * voltageLimit) : 0;
 }
 
 double IdentifyTone::at (std::int64_t sample, double sampleRate)

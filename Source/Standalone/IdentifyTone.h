@@ -4,8 +4,8 @@
 
 namespace antinode
 {
-/** Sine bursts that tell which ceramic is which, by ear or finger: 200 Hz, twice a second, with soft edges. Each sample comes from its
-    number, so the tone does not depend on blocks. */
+/** Sine bursts that tell which ceramic is which, by ear or finger: 200 Hz, twice a second, with soft edges. Each sample
+   comes from its number, so the tone does not depend on blocks. */
 class IdentifyTone
 {
 public:
@@ -13,7 +13,7 @@ public:
     static constexpr double period = 0.5;        ///< s, from burst to burst
     static constexpr double burst = 0.2;         ///< s
     static constexpr double edge = 0.02;         ///< s, of a burst's rise and of its fall
-    static constexpr double mostVolts = 5;       ///< V
+    static constexpr double maximumVolts = 5;    ///< V
     static constexpr double shareOfLimit = 0.05; ///< Of the ceramic's own limit.
 
     /** V, for a ceramic with such a limit. [any] */

@@ -27,7 +27,7 @@ void LevelBar::show (float peak, std::int64_t clamped)
 
 void LevelBar::paint (juce::Graphics& g)
 {
-    const auto& palette = EditorLook::paletteOf (*this);
+    const auto& palette = EditorLook::findPalette (*this);
     auto area = getLocalBounds().toFloat().reduced (0, 7);
     const auto lamp = area.removeFromRight (area.getHeight());
     area.removeFromRight (4);

@@ -14,7 +14,7 @@ class MainComponent final : public juce::Component, private juce::Timer
 {
 public:
     /** The least size at which everything is legible, in pixels. */
-    static constexpr int leastWidth = 1100, leastHeight = 560;
+    static constexpr int minimumWidth = 1100, minimumHeight = 560;
 
     /** @param hostToUse  outlives this [message thread] */
     explicit MainComponent (StandaloneHost& hostToUse);

@@ -27,7 +27,7 @@ void MainWindow::fitToScreen()
         height = std::min (height, screen->userArea.getHeight() - frame);
     }
 
-    setResizeLimits (std::min (width, MainComponent::leastWidth), std::min (height, MainComponent::leastHeight),
+    setResizeLimits (std::min (width, MainComponent::minimumWidth), std::min (height, MainComponent::minimumHeight),
                      maximumSize, maximumSize);
     centreWithSize (width, height);
 }

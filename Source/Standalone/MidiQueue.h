@@ -20,13 +20,14 @@ public:
         @return  false where it was left out, or `capacity` wait already [any but the audio thread] */
     bool push (const juce::MidiMessage&, double milliseconds);
 
-    /** The received messages at their samples in a block that starts now: one block late, but with their original spacing.
+    /** The received messages at their samples in a block that starts now: one block late, but with their original
+       spacing.
         @param milliseconds  of the same clock as push() has
-        [audio thread] the buffer must have room: see bytesOf */
+        [audio thread] the buffer must have room: see bytesNeeded */
     void pop (juce::MidiBuffer&, double milliseconds, double sampleRate, int count);
 
     /** The number of bytes of a juce::MidiBuffer for the given number of short messages. [any] */
-    static constexpr std::size_t bytesOf (std::size_t messages) { return messages * 16; }
+    static constexpr std::size_t bytesNeeded (std::size_t messages) { return messages * 16; }
 
 private:
     struct Entry

@@ -37,8 +37,8 @@ public:
     std::int64_t badNumbers() const { return badNumberCount; }
 
 private:
-    std::array<std::atomic<float>, OutputRouting::mostOutputs> peaks {};
-    std::array<std::atomic<std::int64_t>, OutputRouting::mostOutputs> clampedCounts {};
+    std::array<std::atomic<float>, OutputRouting::maximumOutputs> peaks {};
+    std::array<std::atomic<std::int64_t>, OutputRouting::maximumOutputs> clampedCounts {};
     std::atomic<std::int64_t> badNumberCount { 0 };
 };
 } // namespace antinode

@@ -13,8 +13,8 @@ namespace antinode
 struct OutputRouter::Table
 {
     OutputRouting routing;
-    std::array<int, OutputRouting::mostOutputs> ceramics {};   ///< Of each output, or none.
-    std::array<double, OutputRouting::mostCeramics> limits {}; ///< V
+    std::array<int, OutputRouting::maximumOutputs> ceramics {};   ///< Of each output, or none.
+    std::array<double, OutputRouting::maximumCeramics> limits {}; ///< V
 };
 
 /** Some samples of a block in which nothing begins or ends. */
@@ -95,7 +95,7 @@ void OutputRouter::takeCommands (bool isArmed)
     }
 
     const auto asked = wantedTone.load();
-    toneOfBlock = isArmed && asked >= 0 && asked < OutputRouting::mostCeramics ? asked : OutputRouting::none;
+    blockTone = isArmed && asked >= 0 && asked < OutputRouting::maximumCeramics ? asked : OutputRouting::none;
     hasNewTable = hasTable();
 }
 
@@ -109,10 +109,10 @@ void OutputRouter::changeSource()
     {
         takeTable();
         hasNewTable = false;
-        tone = toneOfBlock;
+        tone = blockTone;
         toneSample = 0;
     }
-    else if (tone == toneOfBlock && ! hasNewTable)
+    else if (tone == blockTone && ! hasNewTable)
     {
         return;
     }
@@ -165,8 +165,8 @@ void OutputRouter::process (const RouterBlock& block)
 
 void OutputRouter::processPart (const RouterBlock& block, const Part& part)
 {
-    std::array<float*, OutputRouting::mostOutputs> open {};
-    std::array<int, OutputRouting::mostOutputs> numbers {};
+    std::array<float*, OutputRouting::maximumOutputs> open {};
+    std::array<int, OutputRouting::maximumOutputs> numbers {};
     const auto outputs = std::min (block.outputs.size(), open.size());
     int opened = 0;
 
@@ -185,7 +185,7 @@ void OutputRouter::processPart (const RouterBlock& block, const Part& part)
     muteRamp.process (open.data(), opened, part.count);
 
     for (std::size_t i = 0; i < static_cast<std::size_t> (opened); ++i)
-        outputMeters.note (numbers[i], peakOf (open[i], part.count), 0);
+        outputMeters.note (numbers[i], absolutePeak (open[i], part.count), 0);
 }
 
 /** What an output gives before the ramps. */

@@ -25,10 +25,11 @@ struct RouterBlock
     bool isArmed = false;      ///< Else there is no identify tone either.
 };
 
-/** The last station before the device: from voltages to what each output must give so that the amplifier behind it makes them.
+/** The last station before the device: from voltages to what each output must give so that the amplifier behind it
+   makes them.
 
-    Nothing leaves it that is not finite or is beyond full scale. Whatever changes the routing or the source ramps to 0 V first. The samples
-    do not depend on how they are cut into blocks, as far as commands come at the same samples. */
+    Nothing leaves it that is not finite or is beyond full scale. Whatever changes the routing or the source ramps to 0
+   V first. The samples do not depend on how they are cut into blocks, as far as commands come at the same samples. */
 class OutputRouter
 {
 public:
@@ -42,11 +43,12 @@ public:
     /** To rest, for a sample rate. A mute stays. [worker] nothing may be processing */
     void prepare (double sampleRate);
 
-    /** From one of the next blocks on, after a ramp to 0 V. @param limits  of the ceramics, V @throws InputError  as validate
-        [message thread] */
+    /** From one of the next blocks on, after a ramp to 0 V. @param limits  of the ceramics, V @throws InputError  as
+       validate [message thread] */
     void setRouting (const OutputRouting&, const std::vector<double>& limits);
 
-    /** Frees what the audio thread has done with; until then it takes no other routing. Now and then. [message thread] */
+    /** Frees what the audio thread has done with; until then it takes no other routing. Now and then. [message thread]
+     */
     void collect();
 
     /** MUTE ALL: ramps every output to 0 V and holds it there until it is released. [any] */
@@ -61,7 +63,8 @@ public:
     /** Whether the ramp to 0 V of a mute has ended. [any] */
     bool isSilent() const { return silent; }
 
-    /** Plays the identify tone on one ceramic, and nothing else on any; `none`: back to the foci. Only while armed. [any] */
+    /** Plays the identify tone on one ceramic, and nothing else on any; `none`: back to the foci. Only while armed.
+     * [any] */
     void identify (int ceramic) { wantedTone = ceramic; }
     int identified() const { return wantedTone; }
 
@@ -91,7 +94,7 @@ private:
     std::unique_ptr<Table> table; ///< Of the audio thread, as all that follows.
     double rate = 48000;
     std::int64_t rampSamples = 1, sourceLeft = 0, toneSample = 0;
-    int tone = OutputRouting::none, toneOfBlock = OutputRouting::none;
+    int tone = OutputRouting::none, blockTone = OutputRouting::none;
     bool isMuting = false, isLeaving = false, hasNewTable = false;
     SafetyRamp muteRamp { 1 }, sourceRamp { 1 };
 };

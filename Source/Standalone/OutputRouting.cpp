@@ -11,7 +11,7 @@ namespace antinode
 {
 namespace
 {
-bool isOfMonitor (const OutputRouting& routing, int output)
+bool isMonitorOutput (const OutputRouting& routing, int output)
 {
     return routing.monitor != OutputRouting::none && output >= routing.monitor
            && output < routing.monitor + OutputRouting::monitors;
@@ -47,7 +47,7 @@ OutputRouting withOutput (OutputRouting routing, int ceramic, int output)
             if (other == output)
                 other = OutputRouting::none;
 
-    if (isOfMonitor (routing, output))
+    if (isMonitorOutput (routing, output))
         routing.monitor = OutputRouting::none;
 
     routing.outputs[static_cast<std::size_t> (ceramic)] = output;
@@ -59,7 +59,7 @@ OutputRouting withMonitor (OutputRouting routing, int firstOutput)
     routing.monitor = firstOutput;
 
     for (auto& output : routing.outputs)
-        if (isOfMonitor (routing, output))
+        if (isMonitorOutput (routing, output))
             output = OutputRouting::none;
 
     return routing;
@@ -67,12 +67,12 @@ OutputRouting withMonitor (OutputRouting routing, int firstOutput)
 
 void validate (const OutputRouting& routing)
 {
-    std::vector<std::string> users (OutputRouting::mostOutputs);
+    std::vector<std::string> users (OutputRouting::maximumOutputs);
     const auto use = [&] (int output, const std::string& user)
     {
-        if (output < 0 || output >= OutputRouting::mostOutputs)
+        if (output < 0 || output >= OutputRouting::maximumOutputs)
             throw InputError (user, "has output " + std::to_string (output + 1) + "; allowed: 1 to "
-                                        + std::to_string (OutputRouting::mostOutputs));
+                                        + std::to_string (OutputRouting::maximumOutputs));
 
         auto& other = users[static_cast<std::size_t> (output)];
 

@@ -16,12 +16,12 @@ struct OutputChain
 /** The output of each ceramic: each ceramic has at most one output, each output at most one ceramic. Counted from 0. */
 struct OutputRouting
 {
-    static constexpr int mostCeramics = 64, mostOutputs = 128, monitors = 2;
+    static constexpr int maximumCeramics = 64, maximumOutputs = 128, monitors = 2;
     static constexpr int none = -1;
 
-    std::array<int, mostCeramics> outputs {};       ///< Of each ceramic; `none`: nothing drives it.
-    std::array<OutputChain, mostOutputs> chains {}; ///< Of each output.
-    int monitor = none;                             ///< The first of two outputs with the velocity at the probes.
+    std::array<int, maximumCeramics> outputs {};       ///< Of each ceramic; `none`: nothing drives it.
+    std::array<OutputChain, maximumOutputs> chains {}; ///< Of each output.
+    int monitor = none;                                ///< The first of two outputs with the velocity at the probes.
 
     bool operator== (const OutputRouting&) const = default;
 };
@@ -35,6 +35,7 @@ OutputRouting withOutput (OutputRouting, int ceramic, int output);
 /** The same with the monitor on another pair, or on none; whatever had those outputs loses them. [any] */
 OutputRouting withMonitor (OutputRouting, int firstOutput);
 
-/** @throws InputError  where an output is no output or is used twice, or a chain has a gain or a polarity that is none [any] */
+/** @throws InputError  where an output is no output or is used twice, or a chain has a gain or a polarity that is none
+ * [any] */
 void validate (const OutputRouting&);
 } // namespace antinode

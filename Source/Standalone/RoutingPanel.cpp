@@ -11,7 +11,7 @@ namespace antinode
 namespace
 {
 constexpr int headHeight = 22, levelMilliseconds = 50;
-constexpr int noMonitor = OutputRouting::mostOutputs + 1;
+constexpr int noMonitor = OutputRouting::maximumOutputs + 1;
 } // namespace
 
 RoutingPanel::RoutingPanel (StandaloneHost& hostToUse) : host (hostToUse)
@@ -38,13 +38,13 @@ void RoutingPanel::update()
 {
     const auto model = host.processor().session().snapshot()->model;
     const auto ceramics =
-        model != nullptr ? std::min (static_cast<int> (model->actuators()), OutputRouting::mostCeramics) : 0;
+        model != nullptr ? std::min (static_cast<int> (model->actuators()), OutputRouting::maximumCeramics) : 0;
     auto* const device = host.devices().getCurrentAudioDevice();
     const auto channels = device != nullptr ? device->getOutputChannelNames().size() : 0;
     const auto& routing = host.settings().routing;
     const auto used = *std::max_element (routing.outputs.begin(), routing.outputs.begin() + std::max (1, ceramics)) + 1;
     const auto outputs = std::clamp (std::max ({ channels, ceramics, used, routing.monitor + OutputRouting::monitors }),
-                                     0, OutputRouting::mostOutputs);
+                                     0, OutputRouting::maximumOutputs);
 
     if (ceramics != static_cast<int> (rows.size()) || outputs != shownOutputs)
         makeRows (ceramics, outputs);
@@ -85,7 +85,7 @@ void RoutingPanel::timerCallback()
 
 void RoutingPanel::paint (juce::Graphics& g)
 {
-    g.setColour (EditorLook::paletteOf (*this).mutedText);
+    g.setColour (EditorLook::findPalette (*this).mutedText);
     RoutingRow::paintHeadings (
         g, viewport.getBounds().translated (0, -headHeight).withHeight (headHeight).withWidth (list.getWidth()));
 }

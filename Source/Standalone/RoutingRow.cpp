@@ -7,7 +7,7 @@ namespace antinode
 namespace
 {
 constexpr int nameWidth = 30, outputWidth = 66, voltsWidth = 60, polarityWidth = 30, identifyWidth = 66, gap = 6;
-constexpr int noOutput = OutputRouting::mostOutputs + 1; // identifiers of a choice cannot be 0
+constexpr int noOutput = OutputRouting::maximumOutputs + 1; // identifiers of a choice cannot be 0
 } // namespace
 
 RoutingRow::RoutingRow (StandaloneHost& hostToUse, int ceramicToShow, int outputs)
@@ -61,7 +61,7 @@ void RoutingRow::update()
 
     const auto fullScale = host.processor().session().fullScaleVolts();
     volts.setTextToShowWhenEmpty (fullScale > 0 ? juce::String (fullScale) : juce::String(),
-                                  EditorLook::paletteOf (*this).mutedText);
+                                  EditorLook::findPalette (*this).mutedText);
     polarity.setToggleState (chain.polarity < 0, juce::dontSendNotification);
     polarity.setButtonText (chain.polarity < 0 ? juce::String::charToString (0x2212) : juce::String ("+"));
     volts.setEnabled (isRouted);
@@ -93,7 +93,7 @@ void RoutingRow::changeChain()
 
 void RoutingRow::lookAndFeelChanged()
 {
-    volts.applyColourToAllText (EditorLook::paletteOf (*this).text);
+    volts.applyColourToAllText (EditorLook::findPalette (*this).text);
     update();
 }
 

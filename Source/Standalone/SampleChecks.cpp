@@ -26,7 +26,7 @@ void copyWithin (const float* from, float* to, int count, float factor, std::int
     }
 }
 
-float peakOf (const float* samples, int count)
+float absolutePeak (const float* samples, int count)
 {
     float peak = 0;
 

@@ -42,8 +42,8 @@ void listDevices()
 
 void runHeadless (const StandaloneOptions& options)
 {
-    auto notes = notesOf (options);
-    StandaloneHost host (settingsFileOf (options), false);
+    auto notes = readNotes (options);
+    StandaloneHost host (chooseSettingsFile (options), false);
 
     if (const auto warning = host.warning(); warning.isNotEmpty())
         complain (warning.toStdString());
@@ -59,7 +59,7 @@ void runHeadless (const StandaloneOptions& options)
 
 void runWindow (const StandaloneOptions& options)
 {
-    StandaloneHost host (settingsFileOf (options), true);
+    StandaloneHost host (chooseSettingsFile (options), true);
     loadDocuments (host, options);
     host.openAll (withOptions (host.settings(), options));
     runWithWindow (host);

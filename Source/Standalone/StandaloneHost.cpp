@@ -153,7 +153,7 @@ juce::String StandaloneHost::silentCeramics()
         return {};
 
     const auto open = device->getActiveOutputChannels();
-    const auto ceramics = std::min (static_cast<int> (model->actuators()), OutputRouting::mostCeramics);
+    const auto ceramics = std::min (static_cast<int> (model->actuators()), OutputRouting::maximumCeramics);
     const auto first = kept.routing.outputs.begin();
     const auto silent = std::count_if (
         first, first + ceramics, [&open] (int output) { return output != OutputRouting::none && ! open[output]; });

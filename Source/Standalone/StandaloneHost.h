@@ -9,7 +9,8 @@
 
 namespace antinode
 {
-/** The standalone program without its windows: processor, device, routing, MIDI, touch, and their saved settings. Starts disarmed. */
+/** The standalone program without its windows: processor, device, routing, MIDI, touch, and their saved settings.
+ * Starts disarmed. */
 class StandaloneHost : private juce::ChangeListener,
                        private juce::AudioProcessorListener,
                        private juce::AsyncUpdater,
@@ -43,10 +44,12 @@ public:
         [message thread] */
     void openAll (const StandaloneSettings&);
 
-    /** Ramps everything to 0 V, ends all foci and the identify tone; stays so until release. [any but the audio thread] */
+    /** Ramps everything to 0 V, ends all foci and the identify tone; stays so until release. [any but the audio thread]
+     */
     void muteAll();
 
-    /** Mutes and waits for the end of the ramp, where a device plays, then closes it. [message thread] blocks for up to 0.5 s */
+    /** Mutes and waits for the end of the ramp, where a device plays, then closes it. [message thread] blocks for up to
+     * 0.5 s */
     void shutDown();
 
     /** A warning for the user, or empty. [message thread] */
@@ -73,7 +76,7 @@ private:
     bool keeps;
     StandaloneSettings kept;
     juce::String ownWarning;
-    AntinodeProcessor player { AntinodeProcessor::mostCeramics, juce::AudioProcessor::wrapperType_Undefined };
+    AntinodeProcessor player { AntinodeProcessor::maximumCeramics, juce::AudioProcessor::wrapperType_Undefined };
     OutputRouter outputRouter;
     MidiQueue midiQueue;
     AudioCallback audio { player, outputRouter, midiQueue };

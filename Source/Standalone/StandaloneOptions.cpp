@@ -18,7 +18,7 @@ void addAudioOptions (CLI::App& app, StandaloneOptions& options)
     app.add_option ("--rate", options.rate, "Sample rate, Hz")->check (CLI::Range (lowestRate, highestRate));
     app.add_option ("--block", options.block, "Block size, samples")->check (CLI::Range (1, longestBlock));
     app.add_option ("--channels", options.channels, "Number of outputs to open, from the first one on")
-        ->check (CLI::Range (1, OutputRouting::mostOutputs));
+        ->check (CLI::Range (1, OutputRouting::maximumOutputs));
 }
 
 void addTouchOptions (CLI::App& app, StandaloneOptions& options)

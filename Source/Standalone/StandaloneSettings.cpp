@@ -12,13 +12,13 @@ namespace
 {
 constexpr auto schema = "antinode.standalone/1";
 constexpr std::size_t longestName = 1000; // bytes
-constexpr int mostBlock = 1 << 16;
-constexpr double highestStoredRate = 2e6, mostVolts = 1e6;
+constexpr int maximumBlock = 1 << 16;
+constexpr double highestStoredRate = 2e6, maximumVolts = 1e6;
 
 using Json = nlohmann::ordered_json;
 
 /** From what code counts from 0 to what people count from 1; none is 0. */
-Json numberOf (int index)
+Json toJsonNumber (int index)
 {
     return index + 1;
 }
@@ -28,7 +28,7 @@ Json audioToJson (const AudioChoice& audio)
     auto outputs = Json::array();
 
     for (const auto output : audio.outputs)
-        outputs.push_back (numberOf (output));
+        outputs.push_back (toJsonNumber (output));
 
     return { { "type", audio.type },
              { "device", audio.device },
@@ -42,7 +42,7 @@ Json routingToJson (const OutputRouting& routing)
     auto outputs = Json::array(), chains = Json::array();
 
     for (const auto output : routing.outputs)
-        outputs.push_back (numberOf (output));
+        outputs.push_back (toJsonNumber (output));
 
     for (std::size_t i = 0; i < routing.chains.size(); ++i)
         if (const auto& chain = routing.chains[i]; chain != OutputChain {})
@@ -50,7 +50,9 @@ Json routingToJson (const OutputRouting& routing)
                                 { "volts_per_full_scale", chain.voltsPerFullScale },
                                 { "polarity", chain.polarity } });
 
-    return { { "output_of_ceramic", outputs }, { "monitor_output", numberOf (routing.monitor) }, { "chains", chains } };
+    return { { "output_of_ceramic", outputs },
+             { "monitor_output", toJsonNumber (routing.monitor) },
+             { "chains", chains } };
 }
 
 AudioChoice readAudio (const JsonValue& value)
@@ -59,11 +61,11 @@ AudioChoice readAudio (const JsonValue& value)
     AudioChoice choice { audio.required ("type").text (longestName),
                          audio.required ("device").text (longestName),
                          audio.required ("sample_rate_Hz").number ({ 0, highestStoredRate }),
-                         audio.required ("block_samples").integer (0, mostBlock),
+                         audio.required ("block_samples").integer (0, maximumBlock),
                          {} };
 
-    for (const auto& output : audio.required ("outputs").items (0, OutputRouting::mostOutputs))
-        choice.outputs.push_back (output.integer (1, OutputRouting::mostOutputs) - 1);
+    for (const auto& output : audio.required ("outputs").items (0, OutputRouting::maximumOutputs))
+        choice.outputs.push_back (output.integer (1, OutputRouting::maximumOutputs) - 1);
 
     return choice;
 }
@@ -75,16 +77,16 @@ OutputRouting readRouting (const JsonValue& value)
     const auto outputs = json.required ("output_of_ceramic").items (routing.outputs.size(), routing.outputs.size());
 
     for (std::size_t k = 0; k < outputs.size(); ++k)
-        routing.outputs[k] = outputs[k].integer (0, OutputRouting::mostOutputs) - 1;
+        routing.outputs[k] = outputs[k].integer (0, OutputRouting::maximumOutputs) - 1;
 
-    routing.monitor = json.required ("monitor_output").integer (0, OutputRouting::mostOutputs - 1) - 1;
+    routing.monitor = json.required ("monitor_output").integer (0, OutputRouting::maximumOutputs - 1) - 1;
 
-    for (const auto& item : json.required ("chains").items (0, OutputRouting::mostOutputs))
+    for (const auto& item : json.required ("chains").items (0, OutputRouting::maximumOutputs))
     {
         const auto chain = item.object ({ "output", "volts_per_full_scale", "polarity" });
-        const auto output = chain.required ("output").integer (1, OutputRouting::mostOutputs) - 1;
+        const auto output = chain.required ("output").integer (1, OutputRouting::maximumOutputs) - 1;
         routing.chains[static_cast<std::size_t> (output)] = {
-            chain.required ("volts_per_full_scale").number ({ 0, mostVolts }), chain.required ("polarity").sign()
+            chain.required ("volts_per_full_scale").number ({ 0, maximumVolts }), chain.required ("polarity").sign()
         };
     }
 

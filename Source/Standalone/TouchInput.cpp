@@ -2,7 +2,7 @@
 
 namespace antinode
 {
-std::pair<double, double> placeOf (const Touch& touch, const Surface& surface)
+std::pair<double, double> touchPlace (const Touch& touch, const Surface& surface)
 {
     if (touch.inMillimetres)
         return { touch.x / 1000, touch.y / 1000 };
@@ -18,23 +18,23 @@ void TouchInput::play (const Touch& touch)
         return session.stopAll();
 
     const auto now = session.snapshot();
-    auto result = Session::TouchResult::notTaken;
+    auto result = Session::TouchResult::notAccepted;
 
     if (now->model != nullptr)
     {
-        const auto [x, y] = placeOf (touch, now->model->surface);
+        const auto [x, y] = touchPlace (touch, now->model->surface);
         result = session.fireAt (x, y, touch.amplitude);
     }
 
-    besideSurface += result == Session::TouchResult::besideSurface ? 1 : 0;
-    notTaken += result == Session::TouchResult::notTaken ? 1 : 0;
+    outsideSurface += result == Session::TouchResult::outsideSurface ? 1 : 0;
+    notAccepted += result == Session::TouchResult::notAccepted ? 1 : 0;
 }
 
 void TouchInput::open (const TouchPorts& ports)
 {
     receiver.reset();
-    besideSurface = 0;
-    notTaken = 0;
+    outsideSurface = 0;
+    notAccepted = 0;
 
     if (ports.oscPort != 0 || ports.tuioPort != 0)
         receiver =

@@ -11,14 +11,15 @@
 
 namespace antinode
 {
-/** The position of a touch. Fractions are of the surface's extent, millimetres those of its drawing. @return  x, y in m [any] */
-std::pair<double, double> placeOf (const Touch&, const Surface&);
+/** The position of a touch. Fractions are of the surface's extent, millimetres those of its drawing. @return  x, y in m
+ * [any] */
+std::pair<double, double> touchPlace (const Touch&, const Surface&);
 
 /** Valid touches that play nothing. */
 struct UnplayedTouches
 {
-    std::int64_t besideSurface = 0;
-    std::int64_t notTaken = 0; ///< No device was solved yet, or too many waited.
+    std::int64_t outsideSurface = 0;
+    std::int64_t notAccepted = 0; ///< No device was solved yet, or too many waited.
 };
 
 /** Touches from the network as foci of a session. */
@@ -28,7 +29,8 @@ public:
     /** @param sessionToPlay  outlives this [message thread] */
     explicit TouchInput (Session& sessionToPlay) : session (sessionToPlay) {}
 
-    /** Closes the ports that are open and opens these. @throws InputError  as TouchReceiver; then none is open [message thread] */
+    /** Closes the ports that are open and opens these. @throws InputError  as TouchReceiver; then none is open [message
+     * thread] */
     void open (const TouchPorts&);
 
     /** Those that are open; 0 where none is. [message thread] */
@@ -38,14 +40,14 @@ public:
     TouchCounters counters() const { return receiver != nullptr ? receiver->counters() : TouchCounters {}; }
 
     /** Since the ports were opened. [any] */
-    UnplayedTouches unplayed() const { return { besideSurface, notTaken }; }
+    UnplayedTouches unplayed() const { return { outsideSurface, notAccepted }; }
 
     /** Passes a touch to the session; counts touches that play nothing. [any but the audio thread] */
     void play (const Touch&);
 
 private:
     Session& session;
-    std::atomic<std::int64_t> besideSurface { 0 }, notTaken { 0 };
+    std::atomic<std::int64_t> outsideSurface { 0 }, notAccepted { 0 };
     std::unique_ptr<TouchReceiver> receiver;
 };
 } // namespace antinode

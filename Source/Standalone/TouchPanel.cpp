@@ -30,8 +30,8 @@ juce::String statusText (const TouchInput& touch)
     return "OSC " + portText (ports.oscPort) + ", TUIO " + portText (ports.tuioPort) + "\n"
            + juce::String (counters.packets) + " packets, " + juce::String (counters.touches) + " touches forwarded\n"
            + "Dropped: " + juce::String (counters.limited) + " above 500 per second, " + juce::String (faults)
-           + " faulty,\n" + juce::String (unplayed.besideSurface) + " outside the surface, "
-           + juce::String (unplayed.notTaken) + " without a device or with a full queue";
+           + " faulty,\n" + juce::String (unplayed.outsideSurface) + " outside the surface, "
+           + juce::String (unplayed.notAccepted) + " without a device or with a full queue";
 }
 } // namespace
 
@@ -90,7 +90,7 @@ void TouchPanel::showState()
 void TouchPanel::lookAndFeelChanged()
 {
     for (auto* const editor : { &oscPort, &tuioPort })
-        editor->applyColourToAllText (EditorLook::paletteOf (*this).text);
+        editor->applyColourToAllText (EditorLook::findPalette (*this).text);
 }
 
 void TouchPanel::resized()

@@ -29,7 +29,8 @@ private:
     std::mt19937_64 random;
 };
 
-/** What goes wrong in real descriptions: twins, modes that nothing moves, a window in which drives cannot be told apart. */
+/** What goes wrong in real descriptions: twins, modes that nothing moves, a window in which drives cannot be told
+ * apart. */
 void spoil (AllocationProblem& problem, Choice& choice)
 {
     const auto modes = static_cast<int> (problem.wanted.size());

@@ -29,8 +29,8 @@ double uniform (std::mt19937_64& random, double low, double high)
     return low + (high - low) * static_cast<double> (random() >> 11) * 0x1p-53;
 }
 
-/** Modes between about 1 and 100 % of a highest frequency. Where a beam's first ones would not swing once within the duration they
-    lie on a soft foundation, which lifts them. */
+/** Modes between about 1 and 100 % of a highest frequency. Where a beam's first ones would not swing once within the
+   duration they lie on a soft foundation, which lifts them. */
 std::vector<Mode> randomModes (ModePattern pattern, int count, const InstanceSize& size, std::mt19937_64& random)
 {
     const auto highest = size.sampleRate / 6;
@@ -162,9 +162,9 @@ Eigen::VectorXcd instancePoles (ModePattern pattern, const InstanceSize& size, s
     return poles;
 }
 
-AllocationProblem withLimits (AllocationProblem problem, double slack, double leastPeakRatio)
+AllocationProblem withLimits (AllocationProblem problem, double slack, double minimumPeakRatio)
 {
-    problem.voltageLimits *= slack * leastPeakRatio;
+    problem.voltageLimits *= slack * minimumPeakRatio;
     return problem;
 }
 

@@ -43,7 +43,7 @@ AllocationProblem instance (ModePattern, RowKind, const InstanceSize&, std::uint
 Eigen::VectorXcd instancePoles (ModePattern, const InstanceSize&, std::uint32_t seed);
 
 /** The problem with limits such that its least peak ratio is 1 / slack. */
-AllocationProblem withLimits (AllocationProblem, double slack, double leastPeakRatio);
+AllocationProblem withLimits (AllocationProblem, double slack, double minimumPeakRatio);
 
 /** Row values, hard or guard, of an allocation: sum over i, l of participation (k, i) rows (k, l) M (i, l). */
 Eigen::VectorXd rowValues (const Eigen::MatrixXd& participation, const Eigen::MatrixXd& rows,

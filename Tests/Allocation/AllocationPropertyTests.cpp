@@ -62,9 +62,10 @@ Eigen::VectorXd randomVector (Eigen::Index size, std::mt19937_64& random)
     return vector;
 }
 
-/** The least energy within the limits by the dual proximal gradient method: slow, and shares nothing with the solver. The energy's
-    dual has the voltages as its gradient, with Lipschitz constant 1, and the limits as a weight of the 1-norm. */
-double slowLeastEnergy (const AllocationProblem& problem, int iterations)
+/** The least energy within the limits by the dual proximal gradient method: slow, and shares nothing with the solver.
+   The energy's dual has the voltages as its gradient, with Lipschitz constant 1, and the limits as a weight of the
+   1-norm. */
+double slowMinimumEnergy (const AllocationProblem& problem, int iterations)
 {
     const auto drives = problem.waveforms.rows();
     const auto samples = problem.waveforms.cols();
@@ -82,14 +83,14 @@ double slowLeastEnergy (const AllocationProblem& problem, int iterations)
     const Eigen::MatrixXd basis = Eigen::HouseholderQR<Eigen::MatrixXd> (freedom).householderQ()
                                   * Eigen::MatrixXd::Identity (freedom.rows(), freedom.cols());
     const Eigen::MatrixXd start = minimumNormAllocation (problem).transpose();
-    const Eigen::VectorXd least = toVoltages * Eigen::Map<const Eigen::VectorXd> (start.data(), start.size());
+    const Eigen::VectorXd minimum = toVoltages * Eigen::Map<const Eigen::VectorXd> (start.data(), start.size());
     Eigen::VectorXd multipliers = Eigen::VectorXd::Zero (limits.size());
     Eigen::VectorXd ahead = multipliers;
     double momentum = 1;
 
     for (int n = 0; n < iterations; ++n)
     {
-        const Eigen::VectorXd moved = ahead + least - basis * (basis.transpose() * ahead);
+        const Eigen::VectorXd moved = ahead + minimum - basis * (basis.transpose() * ahead);
         const Eigen::VectorXd next = moved - moved.cwiseMin (limits).cwiseMax (-limits);
         const auto nextMomentum = 0.5 * (1 + std::sqrt (1 + 4 * momentum * momentum));
         ahead = next + (momentum - 1) / nextMomentum * (next - multipliers);
@@ -97,7 +98,7 @@ double slowLeastEnergy (const AllocationProblem& problem, int iterations)
         momentum = nextMomentum;
     }
 
-    return 0.5 * (least - basis * (basis.transpose() * multipliers)).squaredNorm();
+    return 0.5 * (minimum - basis * (basis.transpose() * multipliers)).squaredNorm();
 }
 } // namespace
 
@@ -106,15 +107,15 @@ TEST_CASE ("No feasible matrix of 2000 random ones goes below the certified boun
     for (const auto kind : { RowKind::identity, RowKind::terminal })
     {
         const auto problem = instance (ModePattern::plate, kind, { 4, 5, 600, 0, 96000 }, 21);
-        const auto least = solveAllocation (problem, AllocationGoal::peak);
-        const auto limited = withLimits (problem, 1.1, least.certificate.leastPeakRatio);
+        const auto minimum = solveAllocation (problem, AllocationGoal::peak);
+        const auto limited = withLimits (problem, 1.1, minimum.certificate.minimumPeakRatio);
         const auto best = solveAllocation (limited, AllocationGoal::norm);
         REQUIRE (best.certificate.status == AllocationStatus::optimal);
         const auto kernel = rowKernel (limited);
-        const Eigen::MatrixXd inside = least.matrix * limited.waveforms;
+        const Eigen::MatrixXd inside = minimum.matrix * limited.waveforms;
         std::mt19937_64 random (5);
         double lowestEnergy = best.certificate.objective * 1e9;
-        double lowestPeak = least.certificate.peakRatio;
+        double lowestPeak = minimum.certificate.peakRatio;
 
         for (int n = 0; n < 2000; ++n)
         {
@@ -123,7 +124,7 @@ TEST_CASE ("No feasible matrix of 2000 random ones goes below the certified boun
             const Eigen::VectorXd any = kernel * randomVector (kernel.cols(), random);
             Eigen::MatrixXd direction = unstacked (any, limited) * limited.waveforms;
             direction *= 0.1 * inside.norm() / direction.norm();
-            direction += towardsBest * (best.matrix - least.matrix) * limited.waveforms;
+            direction += towardsBest * (best.matrix - minimum.matrix) * limited.waveforms;
             const auto step = std::min (1.0, longestStep (limited, inside, direction));
             const Eigen::MatrixXd voltages = inside + step * direction;
             REQUIRE (peakRatio (limited, voltages) <= 1 + 1e-12);
@@ -133,7 +134,7 @@ TEST_CASE ("No feasible matrix of 2000 random ones goes below the certified boun
 
         CHECK (lowestEnergy >= best.certificate.bound);
         CHECK (lowestEnergy <= 1.5 * best.certificate.bound); // The random ones came near: the check could fail.
-        CHECK (lowestPeak >= least.certificate.leastPeakRatio);
+        CHECK (lowestPeak >= minimum.certificate.minimumPeakRatio);
     }
 }
 
@@ -142,11 +143,11 @@ TEST_CASE ("A slow dual gradient method ends at the same least energy", "[alloca
     for (const std::uint32_t seed : { 1U, 2U, 3U })
     {
         const auto problem = instance (ModePattern::beam, RowKind::terminal, { 3, 3, 60, 0, 24000 }, seed);
-        const auto least = solveAllocation (problem, AllocationGoal::peak).certificate.leastPeakRatio;
-        const auto limited = withLimits (problem, 1.05, least);
+        const auto minimum = solveAllocation (problem, AllocationGoal::peak).certificate.minimumPeakRatio;
+        const auto limited = withLimits (problem, 1.05, minimum);
         const auto allocation = solveAllocation (limited, AllocationGoal::norm);
         REQUIRE (allocation.certificate.status == AllocationStatus::optimal);
-        CHECK (allocation.certificate.objective == Approx (slowLeastEnergy (limited, 20000)).epsilon (1e-6));
+        CHECK (allocation.certificate.objective == Approx (slowMinimumEnergy (limited, 20000)).epsilon (1e-6));
         CHECK (allocation.certificate.objective > 1.0001 * energy (limited, minimumNormAllocation (limited)));
     }
 }
@@ -163,11 +164,11 @@ TEST_CASE ("Any size, guards, unequal limits: the contract holds", "[allocation]
                                  seed % 4 < 2 ? RowKind::identity : RowKind::terminal, size, seed);
         problem.guardWeight = std::pow (10.0, below (5));
         problem.voltageLimits += 2 * randomVector (size.ceramics, random).cwiseAbs();
-        const auto least = solveAllocation (problem, AllocationGoal::peak).certificate.leastPeakRatio;
+        const auto minimum = solveAllocation (problem, AllocationGoal::peak).certificate.minimumPeakRatio;
 
         for (const auto slack : { 2.0, 1.2, 1.01, 0.9 })
         {
-            const auto limited = withLimits (problem, slack, least);
+            const auto limited = withLimits (problem, slack, minimum);
             const auto allocation = solveAllocation (limited, AllocationGoal::norm);
             const auto& certificate = allocation.certificate;
             const auto peak = peakRatio (limited, allocation.matrix * limited.waveforms);
@@ -185,19 +186,19 @@ TEST_CASE ("The allocation is linear in what is wanted, and the least peak too",
     auto problem = instance (ModePattern::plate, RowKind::terminal, { 4, 6, 1000, 4, 96000 }, 31);
     problem.guardWeight = 100;
     const auto matrix = minimumNormAllocation (problem);
-    const auto least = solveAllocation (problem, AllocationGoal::peak).certificate.leastPeakRatio;
+    const auto minimum = solveAllocation (problem, AllocationGoal::peak).certificate.minimumPeakRatio;
     problem.wanted *= -2.5;
     CHECK ((minimumNormAllocation (problem) + 2.5 * matrix).norm() <= 1e-12 * matrix.norm());
-    CHECK (solveAllocation (problem, AllocationGoal::peak).certificate.leastPeakRatio
-           == Approx (2.5 * least).epsilon (1e-6));
+    CHECK (solveAllocation (problem, AllocationGoal::peak).certificate.minimumPeakRatio
+           == Approx (2.5 * minimum).epsilon (1e-6));
 }
 
 TEST_CASE ("Units do not matter: of voltage, velocity, participation, nor the number of samples", "[allocation]")
 {
     auto problem = instance (ModePattern::plate, RowKind::terminal, { 4, 6, 1000, 4, 96000 }, 32);
     problem.guardWeight = 100;
-    const auto least = solveAllocation (problem, AllocationGoal::peak).certificate.leastPeakRatio;
-    const auto limited = withLimits (problem, 1.1, least);
+    const auto minimum = solveAllocation (problem, AllocationGoal::peak).certificate.minimumPeakRatio;
+    const auto limited = withLimits (problem, 1.1, minimum);
     const auto allocation = solveAllocation (limited, AllocationGoal::norm);
     const auto expect = [&] (const AllocationProblem& same, double factor)
     {

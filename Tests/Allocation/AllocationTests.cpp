@@ -81,26 +81,26 @@ void checkLimitedInstance (ModePattern pattern, RowKind kind, const InstanceSize
 {
     const auto problem = instance (pattern, kind, size, 7);
     const auto peak = solveAllocation (problem, AllocationGoal::peak);
-    const auto least = peak.certificate.leastPeakRatio;
+    const auto minimum = peak.certificate.minimumPeakRatio;
     checkAllocation (problem, peak);
     CHECK (peak.certificate.status == AllocationStatus::optimal);
-    CHECK (peak.certificate.peakRatio <= least * (1.001 + 1e-6));
-    CHECK (peak.certificate.peakRatio >= least);
+    CHECK (peak.certificate.peakRatio <= minimum * (1.001 + 1e-6));
+    CHECK (peak.certificate.peakRatio >= minimum);
 
     for (const auto slack : { 1.3, 1.05 })
     {
-        const auto limited = withLimits (problem, slack, least);
+        const auto limited = withLimits (problem, slack, minimum);
         const auto allocation = solveAllocation (limited, AllocationGoal::norm);
         checkAllocation (limited, allocation);
         CHECK (allocation.certificate.status != AllocationStatus::infeasible);
         CHECK (playedPeakRatio (limited, allocation.matrix) <= 1 + 1e-9);
     }
 
-    const auto tooTight = withLimits (problem, 0.8, least);
+    const auto tooTight = withLimits (problem, 0.8, minimum);
     const auto allocation = solveAllocation (tooTight, AllocationGoal::norm);
     checkAllocation (tooTight, allocation);
     CHECK (allocation.certificate.status == AllocationStatus::infeasible);
-    CHECK (allocation.certificate.leastPeakRatio == Approx (1 / 0.8).epsilon (1e-6));
+    CHECK (allocation.certificate.minimumPeakRatio == Approx (1 / 0.8).epsilon (1e-6));
     CHECK (allocation.certificate.peakRatio <= 1.001 / 0.8 * (1 + 2e-6));
 }
 } // namespace
@@ -149,8 +149,8 @@ TEST_CASE ("Limits of 1.3, 1.05 and 0.8 of the least peak are kept, kept tightly
 TEST_CASE ("16 ceramics, 40 modes and 4800 samples at 1.05 of the least peak are solved to 1e-6", "[allocation]")
 {
     const auto problem = instance (ModePattern::plate, RowKind::terminal, standardSizes[3], 1);
-    const auto least = solveAllocation (problem, AllocationGoal::peak).certificate.leastPeakRatio;
-    const auto limited = withLimits (problem, 1.05, least);
+    const auto minimum = solveAllocation (problem, AllocationGoal::peak).certificate.minimumPeakRatio;
+    const auto limited = withLimits (problem, 1.05, minimum);
     const auto allocation = solveAllocation (limited, AllocationGoal::norm);
     checkAllocation (limited, allocation);
     CHECK (allocation.certificate.status == AllocationStatus::optimal);
@@ -161,8 +161,8 @@ TEST_CASE ("Every ceramic keeps its own limit", "[allocation]")
 {
     auto problem = instance (ModePattern::beam, RowKind::terminal, standardSizes[1], 4);
     problem.voltageLimits << 1, 0.1, 3, 0.5;
-    const auto least = solveAllocation (problem, AllocationGoal::peak).certificate.leastPeakRatio;
-    const auto limited = withLimits (problem, 1.1, least);
+    const auto minimum = solveAllocation (problem, AllocationGoal::peak).certificate.minimumPeakRatio;
+    const auto limited = withLimits (problem, 1.1, minimum);
     const auto allocation = solveAllocation (limited, AllocationGoal::norm);
     checkAllocation (limited, allocation);
     CHECK (allocation.certificate.status == AllocationStatus::optimal);
@@ -209,7 +209,7 @@ TEST_CASE ("Limits that cannot be kept say what can be reached: wanted over the 
     auto problem = instance (ModePattern::plate, RowKind::terminal, standardSizes[1], 6);
     const auto tooMuch = solveAllocation (problem, AllocationGoal::norm);
     REQUIRE (tooMuch.certificate.status == AllocationStatus::infeasible);
-    problem.wanted /= tooMuch.certificate.leastPeakRatio * (1 + 1e-5);
+    problem.wanted /= tooMuch.certificate.minimumPeakRatio * (1 + 1e-5);
     CHECK (solveAllocation (problem, AllocationGoal::norm).certificate.status == AllocationStatus::optimal);
     problem.wanted *= 1 + 2e-5;
     CHECK (solveAllocation (problem, AllocationGoal::norm).certificate.status == AllocationStatus::infeasible);
@@ -245,11 +245,11 @@ TEST_CASE ("Guards within limits: the gap is certified too, and the hard rows st
 {
     auto problem = instance (ModePattern::plate, RowKind::terminal, { 8, 10, 2400, 12, 96000 }, 12);
     problem.guardWeight = 100;
-    const auto least = solveAllocation (problem, AllocationGoal::peak).certificate.leastPeakRatio;
+    const auto minimum = solveAllocation (problem, AllocationGoal::peak).certificate.minimumPeakRatio;
 
     for (const auto slack : { 1.5, 1.05 })
     {
-        const auto limited = withLimits (problem, slack, least);
+        const auto limited = withLimits (problem, slack, minimum);
         const auto allocation = solveAllocation (limited, AllocationGoal::norm);
         checkAllocation (limited, allocation);
         CHECK (playedPeakRatio (limited, allocation.matrix) <= 1 + 1e-9);
@@ -259,9 +259,9 @@ TEST_CASE ("Guards within limits: the gap is certified too, and the hard rows st
 TEST_CASE ("Modes 0.1 % apart in frequency are steered apart", "[allocation]")
 {
     const auto problem = instance (ModePattern::plate, RowKind::terminal, { 6, 8, 4800, 0, 192000, 1e-3 }, 15);
-    const auto least = solveAllocation (problem, AllocationGoal::peak);
-    checkAllocation (problem, least);
-    const auto limited = withLimits (problem, 1.05, least.certificate.leastPeakRatio);
+    const auto minimum = solveAllocation (problem, AllocationGoal::peak);
+    checkAllocation (problem, minimum);
+    const auto limited = withLimits (problem, 1.05, minimum.certificate.minimumPeakRatio);
     checkAllocation (limited, solveAllocation (limited, AllocationGoal::norm));
 }
 
@@ -301,9 +301,9 @@ TEST_CASE ("The gap falls while it is shown, and a watch cancels when it wants t
         CHECK (count == stopAt);
     }
 
-    const auto least = allocation.certificate.leastPeakRatio;
+    const auto minimum = allocation.certificate.minimumPeakRatio;
     const WatchScope never ([] { return false; });
-    CHECK_THROWS_AS (solveAllocation (withLimits (problem, 1.1, least), AllocationGoal::norm), Cancelled);
+    CHECK_THROWS_AS (solveAllocation (withLimits (problem, 1.1, minimum), AllocationGoal::norm), Cancelled);
 }
 
 TEST_CASE ("Nothing wanted needs no voltage", "[allocation]")

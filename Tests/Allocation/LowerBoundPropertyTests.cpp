@@ -43,8 +43,8 @@ double logarithmic (Random& random, double low, double high)
     return std::exp (uniform (random, std::log (low), std::log (high)));
 }
 
-/** Velocities after a held waveform, by the states of each mode from cell to cell in the order of time: exact for a force that is held,
-    and not the integrals of impulse responses that the bound is made of. */
+/** Velocities after a held waveform, by the states of each mode from cell to cell in the order of time: exact for a
+   force that is held, and not the integrals of impulse responses that the bound is made of. */
 Eigen::VectorXd reachedVelocities (const WaveformBoundProblem& problem, const std::vector<HeldWaveform>& waveforms)
 {
     Eigen::VectorXd reached = Eigen::VectorXd::Zero (problem.poles.size());
@@ -165,7 +165,7 @@ WaveformBoundProblem randomProblem (Oddity oddity, Random& random)
     return problem;
 }
 
-const char* nameOf (Oddity oddity)
+const char* oddityName (Oddity oddity)
 {
     constexpr std::array names { "none",           "decoupled",        "equal poles",   "near poles",
                                  "one ceramic",    "no participation", "scales",        "lightly damped",
@@ -184,13 +184,14 @@ TEST_CASE ("Any waveform's bound has both sides within half a per cent, whatever
         const auto oddity = static_cast<Oddity> (n % static_cast<int> (Oddity::count));
         const auto problem = randomProblem (oddity, random);
         const auto bound = anyWaveformPeakBound (problem);
-        INFO ("problem " << n << ", " << nameOf (oddity) << ", lower " << bound.lower << ", upper " << bound.upper);
+        INFO ("problem " << n << ", " << oddityName (oddity) << ", lower " << bound.lower << ", upper " << bound.upper);
         double peak = 0;
 
         for (const auto& waveform : bound.waveforms)
             peak = std::max (peak, waveform.ratios.cwiseAbs().maxCoeff());
 
-        // Held to the bound's own promise: rows to 1e-9 of what is wanted, or to rounding beside what the voltages bring one by one.
+        // Held to the bound's own promise: rows to 1e-9 of what is wanted, or to rounding beside what the voltages
+        // bring one by one.
         const Eigen::VectorXd reached = reachedVelocities (problem, bound.waveforms);
         const Eigen::VectorXd single =
             (problem.participation.cwiseAbs() * problem.voltageLimits).cwiseQuotient (problem.poles.cwiseAbs());

@@ -92,7 +92,7 @@ TEST_CASE ("No allocation of drives beats the bound of all waveforms", "[lowerBo
         any.voltageLimits = problem.voltageLimits;
         any.duration = size.samples / size.sampleRate;
         const auto bound = anyWaveformPeakBound (any).lower;
-        const auto peak = solveAllocation (problem, AllocationGoal::peak).certificate.leastPeakRatio;
+        const auto peak = solveAllocation (problem, AllocationGoal::peak).certificate.minimumPeakRatio;
         CHECK (bound > 0.02 * peak);
         CHECK (bound < peak);
     }

@@ -49,10 +49,10 @@ AllocationProblem withSlewLimits (AllocationProblem problem, double share)
 TEST_CASE ("Slopes that are multiples of the drives limit as lower voltage limits do", "[allocation]")
 {
     auto problem = plateInstance();
-    const auto least = solveAllocation (problem, AllocationGoal::peak).certificate.leastPeakRatio;
+    const auto minimum = solveAllocation (problem, AllocationGoal::peak).certificate.minimumPeakRatio;
     problem.guardWeight = 10;
-    const auto tight = solveAllocation (withLimits (problem, 1.1, least), AllocationGoal::norm);
-    auto slewed = withLimits (problem, 2.2, least);
+    const auto tight = solveAllocation (withLimits (problem, 1.1, minimum), AllocationGoal::norm);
+    auto slewed = withLimits (problem, 2.2, minimum);
     slewed.slopes = 7e4 * problem.waveforms;
     slewed.slewLimits = 3.5e4 * slewed.voltageLimits;
     const auto allocation = solveAllocation (slewed, AllocationGoal::norm);
@@ -62,7 +62,7 @@ TEST_CASE ("Slopes that are multiples of the drives limit as lower voltage limit
     CHECK ((allocation.matrix - tight.matrix).norm() <= 1e-3 * tight.matrix.norm());
 
     const auto peak = solveAllocation (slewed, AllocationGoal::peak);
-    CHECK (peak.certificate.leastPeakRatio == Approx (2.0 / 2.2).epsilon (2e-6));
+    CHECK (peak.certificate.minimumPeakRatio == Approx (2.0 / 2.2).epsilon (2e-6));
 }
 
 TEST_CASE ("Voltage and slew limits are kept together, at a certified least energy", "[allocation]")
@@ -70,8 +70,8 @@ TEST_CASE ("Voltage and slew limits are kept together, at a certified least ener
     for (const auto pattern : { ModePattern::beam, ModePattern::plate })
     {
         auto problem = plateInstance (pattern);
-        const auto least = solveAllocation (problem, AllocationGoal::peak).certificate.leastPeakRatio;
-        problem = withLimits (problem, 1.2, least);
+        const auto minimum = solveAllocation (problem, AllocationGoal::peak).certificate.minimumPeakRatio;
+        problem = withLimits (problem, 1.2, minimum);
         const auto free = solveAllocation (problem, AllocationGoal::norm);
 
         for (const auto share : { 0.95, 0.8 })
@@ -94,13 +94,13 @@ TEST_CASE ("Slew limits out of reach are proven so, with what can be reached", "
 {
     auto problem = withSlewLimits (plateInstance(), 0.8);
     problem.voltageLimits *= 1e6; // Far beyond what is needed.
-    const auto least = solveAllocation (problem, AllocationGoal::peak).certificate.leastPeakRatio;
-    problem.slewLimits *= 0.5 * least;
+    const auto minimum = solveAllocation (problem, AllocationGoal::peak).certificate.minimumPeakRatio;
+    problem.slewLimits *= 0.5 * minimum;
     const auto allocation = solveAllocation (problem, AllocationGoal::norm);
     CHECK (allocation.certificate.status == AllocationStatus::infeasible);
-    CHECK (allocation.certificate.leastPeakRatio == Approx (2).epsilon (1e-5));
+    CHECK (allocation.certificate.minimumPeakRatio == Approx (2).epsilon (1e-5));
 
-    problem.wanted /= allocation.certificate.leastPeakRatio * (1 + 1e-5);
+    problem.wanted /= allocation.certificate.minimumPeakRatio * (1 + 1e-5);
     CHECK (solveAllocation (problem, AllocationGoal::norm).certificate.status == AllocationStatus::optimal);
 }
 

@@ -135,15 +135,15 @@ inline int pixelsUnlike (const juce::Image& image, juce::Colour background)
     return count;
 }
 
-inline std::string pngOf (const Chart& chart, const Theme& theme = Theme::light())
+inline std::string toPng (const Chart& chart, const Theme& theme = Theme::light())
 {
     return renderPng (chart, 450, 300, 1, theme);
 }
 
-inline std::vector<std::string> picturesOf (const std::vector<Chart>& charts)
+inline std::vector<std::string> toPngs (const std::vector<Chart>& charts)
 {
     std::vector<std::string> pictures (charts.size());
-    std::transform (charts.begin(), charts.end(), pictures.begin(), [] (const Chart& chart) { return pngOf (chart); });
+    std::transform (charts.begin(), charts.end(), pictures.begin(), [] (const Chart& chart) { return toPng (chart); });
     return pictures;
 }
 } // namespace antinode::example_charts

@@ -13,7 +13,7 @@ FrequencyResponses someResponses()
     FrequencyResponses responses;
     responses.frequencies = Eigen::VectorXd::LinSpaced (5, 100, 500);
     responses.points = Eigen::MatrixX2d::Zero (1, 2);
-    responses.drivers = { { "C1", {} } };
+    responses.references = { { "C1", {} } };
     responses.values = { Eigen::MatrixXcd::Constant (5, 1, { 0, 2 }) };
     return responses;
 }

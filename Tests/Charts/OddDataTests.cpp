@@ -21,10 +21,10 @@ TEST_CASE ("A single sample of 20 000 shows in the picture")
 {
     auto chart = traces();
     chart.values = Eigen::MatrixXd::Zero (2, 20000);
-    const auto flat = decoded (pngOf (chart));
+    const auto flat = decoded (toPng (chart));
     chart.values (1, 13131) = 49;
     chart.values (0, 13131) = 1e-9;
-    const auto spiked = decoded (pngOf (chart));
+    const auto spiked = decoded (toPng (chart));
     auto differing = 0;
     // Inside the plot only: the peak at its right has changed as well.
     for (int y = 0; y < flat.getHeight(); ++y)
@@ -37,13 +37,13 @@ TEST_CASE ("Empty charts of every kind say that there is no data")
 {
     for (const auto& chart :
          std::vector<Chart> { LineChart {}, BarChart {}, HeatMap {}, StackedTraces {}, PlanView {}, ChartGrid {} })
-        CHECK (pixelsUnlike (decoded (pngOf (chart)), Theme::light().background) > 50);
+        CHECK (pixelsUnlike (decoded (toPng (chart)), Theme::light().background) > 50);
     LineChart nothing;
     nothing.series = { { "nothing", Eigen::VectorXd::Constant (5, notANumber),
                          Eigen::VectorXd::Constant (5, notANumber) } };
     LineChart empty;
     empty.series = { { "nothing", {}, {} } };
-    CHECK (pngOf (nothing) == pngOf (empty));
+    CHECK (toPng (nothing) == toPng (empty));
 }
 
 TEST_CASE ("Values that are not finite, huge or tiny are drawn as gaps or bounded, never a crash")
@@ -94,23 +94,23 @@ TEST_CASE ("Charts too small for their labels and names in any script are drawn"
                     "\u6771\u4EAC \u0645\u0631\u062D\u0628\u0627 \U0001F600" };
     for (const auto& chart : std::vector<Chart> { lines(), bars(), map(), table(), bareMap(), plan(), stack, grid() })
         CHECK (decoded (renderPng (chart, 16, 16, 1, Theme::light())).getWidth() == 16);
-    CHECK (decoded (pngOf (stack)).isValid());
+    CHECK (decoded (toPng (stack)).isValid());
 }
 
 TEST_CASE ("Parts of a chart that do not belong together, and impossible sizes, are bad input")
 {
     auto line = lines();
     line.series[0].y.conservativeResize (3);
-    CHECK_THROWS_AS (pngOf (line), InputError);
+    CHECK_THROWS_AS (toPng (line), InputError);
     auto cells = table();
     cells.rowNames.pop_back();
-    CHECK_THROWS_AS (pngOf (cells), InputError);
+    CHECK_THROWS_AS (toPng (cells), InputError);
     auto bar = bars();
     bar.categories.pop_back();
-    CHECK_THROWS_AS (pngOf (bar), InputError);
+    CHECK_THROWS_AS (toPng (bar), InputError);
     auto stack = traces();
     stack.names.pop_back();
-    CHECK_THROWS_AS (pngOf (stack), InputError);
+    CHECK_THROWS_AS (toPng (stack), InputError);
     CHECK_THROWS_AS (renderPng (lines(), 0, 100, 1, Theme::light()), InputError);
     CHECK_THROWS_AS (renderPng (lines(), 100, 9000, 1, Theme::light()), InputError);
     CHECK_THROWS_AS (renderPng (lines(), 100, 100, std::nanf (""), Theme::light()), InputError);

@@ -26,7 +26,7 @@ TEST_CASE ("The last row and column of a picture are background, also where the 
 {
     constexpr int rounding = 1; // of 255, when JUCE blends a colour with itself
     const auto background = Theme::dark().background;
-    const auto differenceOf = [] (juce::Colour one, juce::Colour other)
+    const auto colourDifference = [] (juce::Colour one, juce::Colour other)
     {
         return std::max ({ std::abs (one.getRed() - other.getRed()), std::abs (one.getGreen() - other.getGreen()),
                            std::abs (one.getBlue() - other.getBlue()) });
@@ -39,28 +39,28 @@ TEST_CASE ("The last row and column of a picture are background, also where the 
         INFO (scale);
 
         for (int x = 0; x <= right; ++x)
-            REQUIRE (differenceOf (image.getPixelAt (x, bottom), background) <= rounding);
+            REQUIRE (colourDifference (image.getPixelAt (x, bottom), background) <= rounding);
 
         for (int y = 0; y <= bottom; ++y)
-            REQUIRE (differenceOf (image.getPixelAt (right, y), background) <= rounding);
+            REQUIRE (colourDifference (image.getPixelAt (right, y), background) <= rounding);
     }
 }
 
 TEST_CASE ("A picture's bytes are the same each time it is drawn, whatever was drawn in between")
 {
-    const auto first = picturesOf (everyKind());
+    const auto first = toPngs (everyKind());
     auto reversed = everyKind();
     std::reverse (reversed.begin(), reversed.end());
-    auto second = picturesOf (reversed);
+    auto second = toPngs (reversed);
     std::reverse (second.begin(), second.end());
     CHECK (second == first);
 }
 
 TEST_CASE ("Threads that draw at the same time draw the same pictures")
 {
-    auto one = std::async (std::launch::async, picturesOf, everyKind());
-    auto other = std::async (std::launch::async, picturesOf, everyKind());
-    const auto expected = picturesOf (everyKind());
+    auto one = std::async (std::launch::async, toPngs, everyKind());
+    auto other = std::async (std::launch::async, toPngs, everyKind());
+    const auto expected = toPngs (everyKind());
     CHECK (one.get() == expected);
     CHECK (other.get() == expected);
 }
@@ -71,7 +71,7 @@ TEST_CASE ("Titles, labels and legends leave glyphs in the picture")
     {
         auto chart = lines();
         alter (chart);
-        return pngOf (chart) != pngOf (lines());
+        return toPng (chart) != toPng (lines());
     };
     CHECK (change ([] (LineChart& chart) { chart.title = "Velocitx"; }));
     CHECK (change ([] (LineChart& chart) { chart.yLabel = "velocity (m/s)"; }));
@@ -111,7 +111,7 @@ TEST_CASE ("A map shows large values in other colours than small ones, the first
 {
     HeatMap chart;
     chart.values = (Eigen::Matrix2d() << 0, 0, 1, 1).finished();
-    const auto image = decoded (pngOf (chart));
+    const auto image = decoded (toPng (chart));
     const auto& map = Theme::light().sequential;
     CHECK (image.getPixelAt (150, 40) == map.at (1));
     CHECK (image.getPixelAt (150, 250) == map.at (0));
@@ -123,7 +123,7 @@ TEST_CASE ("The cells of a table have one colour each, a map runs from one to th
     chart.values = (Eigen::MatrixXd (1, 2) << 0, 1).finished();
     const auto shades = [&]
     {
-        const auto image = decoded (pngOf (chart));
+        const auto image = decoded (toPng (chart));
         std::vector<juce::uint32> colours;
         for (int x = 100; x < 300; ++x)
             colours.push_back (image.getPixelAt (x, 100).getARGB());
@@ -139,14 +139,14 @@ TEST_CASE ("Contours, and nodal lines where something moves, leave lines on a ma
 {
     auto chart = map();
     chart.contours = {};
-    const auto plain = pngOf (chart);
+    const auto plain = toPng (chart);
     chart.contours.nodalLinesFrom = 2;
-    CHECK (pngOf (chart) == plain);
+    CHECK (toPng (chart) == plain);
     chart.contours.nodalLinesFrom = 0.5;
-    const auto nodal = pngOf (chart);
+    const auto nodal = toPng (chart);
     CHECK (nodal != plain);
     chart.contours.levels = { 0.5 };
-    CHECK (pngOf (chart) != nodal);
+    CHECK (toPng (chart) != nodal);
 }
 
 TEST_CASE ("A spectrum of more modes than pixels keeps its colours and its largest bar")
@@ -163,16 +163,16 @@ TEST_CASE ("A spectrum of more modes than pixels keeps its colours and its large
     chart.series = { { "wanted", wanted, 1 }, { "reached", reached, 0 } };
     const auto image = decoded (renderPng (chart, 450, 300, 1, theme));
     const auto ofWanted = seriesColour (theme, 1, 0), ofReached = seriesColour (theme, 0, 1);
-    std::set<int> columnsOfWanted;
+    std::set<int> wantedColumns;
     auto pixelsOfReached = 0;
 
     for (int x = 0; x < image.getWidth(); ++x)
         for (int y = 0; y < image.getHeight() / 2; ++y)
             if (image.getPixelAt (x, y) == ofWanted)
-                columnsOfWanted.insert (x);
+                wantedColumns.insert (x);
             else
                 pixelsOfReached += image.getPixelAt (x, y) == ofReached ? 1 : 0;
 
-    CHECK (columnsOfWanted.size() == 1);
+    CHECK (wantedColumns.size() == 1);
     CHECK (pixelsOfReached > 10);
 }

@@ -33,11 +33,11 @@ TEST_CASE ("Any range gives a few finite ticks, even one that is empty, huge or 
         { 0, 1e-300 }, { 1e15, 1e15 + 1 }, { -1e308, 1e308 }, { -1e-9, 1e9 }
     };
     for (const auto range : ranges)
-        for (const auto most : { 0, 1, 2, 7, 40 })
+        for (const auto maximumTicks : { 0, 1, 2, 7, 40 })
         {
-            const auto ticks = linearTicks (range, most);
-            INFO (range.minimum << " to " << range.maximum << ", " << most);
-            CHECK (ticks.size() <= static_cast<std::size_t> (most) + 4);
+            const auto ticks = linearTicks (range, maximumTicks);
+            INFO (range.minimum << " to " << range.maximum << ", " << maximumTicks);
+            CHECK (ticks.size() <= static_cast<std::size_t> (maximumTicks) + 4);
             CHECK (std::all_of (ticks.begin(), ticks.end(), [] (double tick) { return std::isfinite (tick); }));
         }
 }

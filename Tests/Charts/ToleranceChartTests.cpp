@@ -20,7 +20,7 @@ DesignTolerance evenErrors()
         design.tolerance.draws.push_back ({ 1, errors.back(), 1 });
     }
 
-    design.tolerance.fieldError = percentilesOf (errors);
+    design.tolerance.fieldError = computePercentiles (errors);
     design.tolerance.causes = { { 4, ToleranceKind::damping, 0.3 },
                                 { 2, ToleranceKind::frequency, 0.2 },
                                 { 4, ToleranceKind::frequency, 0.1 },

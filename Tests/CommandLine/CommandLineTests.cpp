@@ -7,7 +7,7 @@
 #include <algorithm>
 
 using namespace antinode;
-using test::contentOf;
+using test::readContent;
 using test::runProgram;
 
 namespace
@@ -77,7 +77,7 @@ TEST_CASE ("render writes what the contract names, and the numbers keep what is 
     for (const auto* name : { "voltages.wav", "probe.wav", "probe.csv", "design.json", "summary.json", "report.html" })
         CHECK (std::filesystem::file_size (folder.path() / name) > 0);
 
-    const auto summary = nlohmann::json::parse (contentOf (folder.path() / "summary.json"));
+    const auto summary = nlohmann::json::parse (readContent (folder.path() / "summary.json"));
 
     for (const auto* key : { "device",
                              "sample_rate_Hz",
@@ -128,9 +128,9 @@ TEST_CASE ("Any key can be overridden with --set, --quiet says nothing, formats 
     CHECK (run.output.empty());
     CHECK (run.errors.empty());
     CHECK_FALSE (std::filesystem::exists (folder.path() / "report.html"));
-    CHECK (contentOf (folder.path() / "voltages-08.tfw").substr (0, 10) == "TEKAFG3000");
+    CHECK (readContent (folder.path() / "voltages-08.tfw").substr (0, 10) == "TEKAFG3000");
     CHECK_FALSE (std::filesystem::exists (folder.path() / "voltages.wav"));
-    const auto summary = nlohmann::json::parse (contentOf (folder.path() / "summary.json"));
+    const auto summary = nlohmann::json::parse (readContent (folder.path() / "summary.json"));
     CHECK (summary.at ("focus") == "moved");
     REQUIRE (summary.at ("probes").size() == 2);
     CHECK (summary.at ("probes").at (0).at ("x_mm") == -24);
@@ -173,8 +173,8 @@ TEST_CASE ("design and render agree on design.json", "[command line]")
     const TemporaryFolder first, second;
     REQUIRE (runProgram ({ "design", "--out", first.path() }).exitCode == 0);
     REQUIRE (runProgram ({ "render", "--out", second.path(), "--no-report" }).exitCode == 0);
-    auto designed = nlohmann::json::parse (contentOf (first.path() / "design.json"));
-    auto rendered = nlohmann::json::parse (contentOf (second.path() / "design.json"));
+    auto designed = nlohmann::json::parse (readContent (first.path() / "design.json"));
+    auto rendered = nlohmann::json::parse (readContent (second.path() / "design.json"));
     CHECK (designed.at ("oscillations") == rendered.at ("oscillations"));
     CHECK (designed.at ("allocation") == rendered.at ("allocation"));
 }
@@ -188,12 +188,12 @@ TEST_CASE ("Solved modes are kept for the next run, without a cache they are not
 
     REQUIRE (run ({ "modes", "beam", "--no-cache" }) == 0);
     CHECK_FALSE (std::filesystem::exists (cached));
-    const auto solved = contentOf (folder.path() / "stdout");
+    const auto solved = readContent (folder.path() / "stdout");
     REQUIRE (run ({ "modes", "beam" }) == 0);
     CHECK_FALSE (std::filesystem::is_empty (cached));
-    CHECK (contentOf (folder.path() / "stdout") == solved);
+    CHECK (readContent (folder.path() / "stdout") == solved);
     REQUIRE (run ({ "modes", "beam" }) == 0);
-    CHECK (contentOf (folder.path() / "stdout") == solved);
+    CHECK (readContent (folder.path() / "stdout") == solved);
 }
 
 TEST_CASE ("modes writes files beside what it prints", "[command line]")
@@ -203,8 +203,8 @@ TEST_CASE ("modes writes files beside what it prints", "[command line]")
     const auto run = runProgram ({ "modes", "staple", "--count", "5", "--json", "--csv", csv, "--uff", uff });
     REQUIRE (run.exitCode == 0);
     CHECK (nlohmann::json::parse (run.output)["modes"].size() == 5);
-    CHECK (linesIn (contentOf (csv)) == 6);
-    CHECK (contentOf (uff).starts_with ("    -1\n   151\n"));
+    CHECK (linesIn (readContent (csv)) == 6);
+    CHECK (readContent (uff).starts_with ("    -1\n   151\n"));
 
     const auto refused = runProgram ({ "modes", "staple", "--uff", folder.path() });
     CHECK (refused.exitCode == 1);
@@ -218,7 +218,7 @@ TEST_CASE ("modes --report writes a page beside the table, or says in a line why
     const auto run = runProgram ({ "modes", "staple", "--count", "5", "--report", folder.path() / "modes" });
     REQUIRE (run.exitCode == 0);
     CHECK (linesIn (run.output) == 7);
-    const auto page = contentOf (folder.path() / "modes" / "report.html");
+    const auto page = readContent (folder.path() / "modes" / "report.html");
     CHECK_THAT (page, Catch::Contains ("staple: modes") && Catch::Contains ("The lowest 5 of 5 modes"));
     const auto refused = runProgram ({ "modes", "staple", "--report", "/dev/null" });
     CHECK (refused.exitCode == 1);
@@ -233,7 +233,7 @@ TEST_CASE ("place writes a device that can be solved, with as many ceramics as a
     const auto run = runProgram (
         { "place", "aluminium-200x120", "--count", "5", "--size-mm", "20x15", "--modes", "12", "--out", file });
     REQUIRE (run.exitCode == 0);
-    const auto device = nlohmann::json::parse (contentOf (file));
+    const auto device = nlohmann::json::parse (readContent (file));
     REQUIRE (device["ceramics"].size() == 5);
     CHECK (device["ceramics"][4]["name"] == "C5");
     CHECK (device["ceramics"][0]["size_x_mm"] == 20);

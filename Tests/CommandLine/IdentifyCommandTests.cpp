@@ -19,16 +19,17 @@ namespace
 {
 constexpr int modeCount = 3, pointCount = 12;
 
-double frequencyOf (int mode)
+double modeFrequency (int mode)
 {
     return 100.0 * (mode + 1) * (mode + 1);
 }
 
-/** Three modes of a simply supported beam at twelve points from two ceramics, 10.7 us late, noise 60 dB below the mean. */
+/** Three modes of a simply supported beam at twelve points from two ceramics, 10.7 us late, noise 60 dB below the mean.
+ */
 FrequencyResponses measuredBeam()
 {
     IdentifiedModes modes;
-    modes.drivers = { { "left", {} }, { "right", {} } };
+    modes.references = { { "left", {} }, { "right", {} } };
     modes.points = Eigen::MatrixX2d::Zero (pointCount, 2);
     modes.points.col (0) = 0.2 * (Eigen::ArrayXd::LinSpaced (pointCount, 0.5, pointCount - 0.5) / pointCount - 0.5);
     modes.angularFrequencies.resize (modeCount);
@@ -40,7 +41,7 @@ FrequencyResponses measuredBeam()
     for (int k = 0; k < modeCount; ++k)
     {
         const auto wave = (k + 1) * std::numbers::pi;
-        modes.angularFrequencies[k] = 2 * std::numbers::pi * frequencyOf (k);
+        modes.angularFrequencies[k] = 2 * std::numbers::pi * modeFrequency (k);
         modes.shapes.col (k) = 6 * (wave * (modes.points.col (0).array() / 0.2 + 0.5)).sin();
         modes.participation.row (k) << 0.01 * std::sin (0.15 * wave), 0.01 * std::sin (0.72 * wave);
     }
@@ -62,9 +63,9 @@ void write (const std::filesystem::path& path, const std::string& content)
     std::ofstream (path, std::ios::binary) << content;
 }
 
-nlohmann::json jsonOf (const std::filesystem::path& path)
+nlohmann::json readJson (const std::filesystem::path& path)
 {
-    return nlohmann::json::parse (contentOf (path));
+    return nlohmann::json::parse (readContent (path));
 }
 } // namespace
 
@@ -79,7 +80,7 @@ TEST_CASE ("identify makes a device of a universal file that other commands take
     REQUIRE (run.exitCode == 0);
     CHECK (run.output.find ("3 modes") != std::string::npos);
 
-    const auto device = jsonOf (path ("beam.json"));
+    const auto device = readJson (path ("beam.json"));
     REQUIRE (device["modes"].size() == modeCount);
     CHECK (device["delay_s"].get<double>() == Approx (10.7e-6).margin (1e-8));
     CHECK (device["ceramics"][1]["name"] == "right");
@@ -90,7 +91,7 @@ TEST_CASE ("identify makes a device of a universal file that other commands take
         const auto& mode = device["modes"][static_cast<std::size_t> (k)];
         const auto deviation = mode["frequency_standard_deviation_Hz"].get<double>();
         CHECK (deviation > 0);
-        CHECK (std::abs (mode["frequency_Hz"].get<double>() - frequencyOf (k))
+        CHECK (std::abs (mode["frequency_Hz"].get<double>() - modeFrequency (k))
                < 6 * deviation); // Beyond it once in 5e8.
         CHECK (mode["damping_ratio"].get<double>() == Approx (0.006).epsilon (1e-3));
         CHECK (mode["participation_standard_deviation_per_V"].size() == 2);
@@ -101,15 +102,15 @@ TEST_CASE ("identify makes a device of a universal file that other commands take
                       .epsilon (1e-2));
     }
 
-    CHECK (contentOf (path ("beam.html")).find ("Stabilisation diagram") != std::string::npos);
-    CHECK (readUniversalFile (contentOf (path ("beam.uff")), "beam.uff").size() >= 4 + modeCount);
+    CHECK (readContent (path ("beam.html")).find ("Stabilisation diagram") != std::string::npos);
+    CHECK (readUniversalFile (readContent (path ("beam.uff")), "beam.uff").size() >= 4 + modeCount);
     CHECK (runProgram ({ "modes", path ("beam.json") }).exitCode == 0);
 
     const auto again = runProgram (
         { "identify", path ("frf.uff"), "--against", path ("beam.json"), "--transfer", path ("tuned.json") });
     CHECK (again.exitCode == 0);
     CHECK (again.output.find ("identified (Hz)") != std::string::npos);
-    CHECK (jsonOf (path ("tuned.json"))["modes"].size() == modeCount);
+    CHECK (readJson (path ("tuned.json"))["modes"].size() == modeCount);
 }
 
 TEST_CASE ("A hammer's responses become a device of newtons, with a word about it", "[command line][identify]")
@@ -140,9 +141,9 @@ TEST_CASE ("A hammer's responses become a device of newtons, with a word about i
     INFO (run.errors);
     REQUIRE (run.exitCode == 0);
     CHECK (run.output.find ("in the device 1 V stands for 1 N") != std::string::npos);
-    const auto modes = jsonOf (path ("hammer.json"))["modes"];
+    const auto modes = readJson (path ("hammer.json"))["modes"];
     REQUIRE (modes.size() == 2);
-    CHECK (modes[0]["frequency_Hz"].get<double>() == Approx (frequencyOf (0)).epsilon (1e-4));
+    CHECK (modes[0]["frequency_Hz"].get<double>() == Approx (modeFrequency (0)).epsilon (1e-4));
 }
 
 TEST_CASE ("identify refuses in one line and writes nothing", "[command line][identify]")

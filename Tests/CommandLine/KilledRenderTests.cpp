@@ -22,7 +22,7 @@ void checkWhole (const std::filesystem::path& folder)
         if (name.starts_with ("."))
             continue;
 
-        const auto content = test::contentOf (entry.path());
+        const auto content = test::readContent (entry.path());
         INFO (name);
 
         if (name.ends_with (".json"))
@@ -99,7 +99,7 @@ TEST_CASE ("A render that is interrupted at any moment ends with 130, says so, a
 
         if (test::waitForProgram (program) == interrupted)
         {
-            CHECK (test::contentOf (streams.path() / "stderr") == "Interrupted\n");
+            CHECK (test::readContent (streams.path() / "stderr") == "Interrupted\n");
             CHECK_FALSE (std::filesystem::exists (out));
         }
         else

@@ -13,7 +13,7 @@
 #include <catch2/catch.hpp>
 
 using namespace antinode;
-using test::contentOf;
+using test::readContent;
 using test::runProgram;
 
 namespace
@@ -91,7 +91,7 @@ TEST_CASE ("What excite writes and a recorder records frf turns into the respons
     INFO (run.errors);
     REQUIRE (run.exitCode == 0);
     CHECK (worstError (path / "a.uff", { -0.061, 0.033 }) < 0.01);
-    CHECK (contentOf (path / "report" / "report.html").find ("Signal-to-noise ratio of each point")
+    CHECK (readContent (path / "report" / "report.html").find ("Signal-to-noise ratio of each point")
            != std::string::npos);
 
     run = runProgram ({ "frf", (path / "ex" / "excitation.json").string(), (path / "a.wav").string(), "--out",
@@ -114,13 +114,13 @@ TEST_CASE ("measure --simulate measures the device, keeps what is finished and g
     CHECK (run.output.find ("level check: at most") != std::string::npos);
     CHECK (worstError (out / "responses.uff", { -0.061, 0.033, 0.070 }) < 0.003);
 
-    const auto whole = contentOf (out / "responses.uff");
+    const auto whole = readContent (out / "responses.uff");
     std::filesystem::remove (out / "responses.uff");
     std::filesystem::remove (out / "point-0003.uff");
     run = runProgram (arguments);
     CHECK (run.exitCode == 0);
     CHECK (run.output.find ("coherence") != std::string::npos);
-    CHECK (contentOf (out / "responses.uff").size() == whole.size());
+    CHECK (readContent (out / "responses.uff").size() == whole.size());
 
     auto others = arguments;
     others.insert (others.end(), { "--level-v", "5" });
@@ -160,7 +160,7 @@ TEST_CASE ("Measurements that cannot begin say why in a line", "[command line]")
     const TemporaryFolder folder;
     const auto points = (folder.path() / "points.csv").string(), out = (folder.path() / "out").string();
     writeWholeFile (points, "x_mm,y_mm\n0,0\n");
-    const auto errorOf = [&] (std::vector<std::string> more)
+    const auto measureError = [&] (std::vector<std::string> more)
     {
         auto arguments = shortly ({ "measure", "--points", points, "--out", out });
         arguments.insert (arguments.end(), more.begin(), more.end());
@@ -169,17 +169,17 @@ TEST_CASE ("Measurements that cannot begin say why in a line", "[command line]")
         CHECK (std::count (run.errors.begin(), run.errors.end(), '\n') == 1);
         return run.errors;
     };
-    CHECK (errorOf ({}).find ("--sensitivity-mm-s-per-v: is missing") != std::string::npos);
-    CHECK (errorOf ({ "--simulate", "--level-v", "151" }).find ("allowed: above 0 to its limit, 150 V")
+    CHECK (measureError ({}).find ("--sensitivity-mm-s-per-v: is missing") != std::string::npos);
+    CHECK (measureError ({ "--simulate", "--level-v", "151" }).find ("allowed: above 0 to its limit, 150 V")
            != std::string::npos);
-    CHECK (errorOf ({ "--simulate", "--level-v", "5", "--level-v", "6" }).find ("once for each of the 6 ceramics")
+    CHECK (measureError ({ "--simulate", "--level-v", "5", "--level-v", "6" }).find ("once for each of the 6 ceramics")
            != std::string::npos);
-    CHECK (errorOf ({ "--sensitivity-mm-s-per-v", "100", "--backend", "ASIO" }).find ("does not exist")
+    CHECK (measureError ({ "--sensitivity-mm-s-per-v", "100", "--backend", "ASIO" }).find ("does not exist")
            != std::string::npos);
-    CHECK (errorOf ({ "--sensitivity-mm-s-per-v", "100", "--sync-input", "1" }).find ("input 1: has two roles")
+    CHECK (measureError ({ "--sensitivity-mm-s-per-v", "100", "--sync-input", "1" }).find ("input 1: has two roles")
            != std::string::npos);
     writeWholeFile (points, "x_mm,y_mm\n500,0\n");
-    CHECK_FALSE (errorOf ({ "--simulate" }).empty());
+    CHECK_FALSE (measureError ({ "--simulate" }).empty());
     CHECK_FALSE (std::filesystem::exists (out));
     CHECK (runProgram ({ "measure", "--device", "beam" }).exitCode == 2);
     CHECK (runProgram ({ "frf" }).exitCode == 2);

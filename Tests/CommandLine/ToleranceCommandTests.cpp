@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 using namespace antinode;
-using test::contentOf;
+using test::readContent;
 using test::runProgram;
 
 TEST_CASE ("design --tolerance writes a table, a page and numbers, the same on every run", "[command line]")
@@ -17,8 +17,8 @@ TEST_CASE ("design --tolerance writes a table, a page and numbers, the same on e
     REQUIRE (run.exitCode == 0);
     CHECK (run.output.find ("field error (%)") != std::string::npos);
     CHECK (run.output.find ("alone change") != std::string::npos);
-    const auto text = contentOf (folder.path() / "tolerance.json");
-    const auto page = contentOf (folder.path() / "tolerance.html");
+    const auto text = readContent (folder.path() / "tolerance.json");
+    const auto page = readContent (folder.path() / "tolerance.html");
     CHECK (page.find ("Largest causes of error") != std::string::npos);
     const auto json = nlohmann::json::parse (text);
     CHECK (json["schema"] == "antinode.tolerance/1");
@@ -33,8 +33,8 @@ TEST_CASE ("design --tolerance writes a table, a page and numbers, the same on e
 
     REQUIRE (runProgram ({ "design", "--tolerance", "--draws", "40", "--seed", "3", "--quiet", "--out", path }).exitCode
              == 0);
-    CHECK (contentOf (folder.path() / "tolerance.json") == text);
-    CHECK (contentOf (folder.path() / "tolerance.html") == page);
+    CHECK (readContent (folder.path() / "tolerance.json") == text);
+    CHECK (readContent (folder.path() / "tolerance.html") == page);
 }
 
 TEST_CASE ("A robust focus is compared with what it would be without, at the spreads that it names", "[command line]")
@@ -44,7 +44,7 @@ TEST_CASE ("A robust focus is compared with what it would be without, at the spr
                                    folder.path().string(), "--set", "focus.allocation.robust.frequency_percent=0.3" });
     INFO (run.errors);
     REQUIRE (run.exitCode == 0);
-    const auto json = nlohmann::json::parse (contentOf (folder.path() / "tolerance.json"));
+    const auto json = nlohmann::json::parse (readContent (folder.path() / "tolerance.json"));
     CHECK (json["spread"]["frequency_percent"] == 0.3);
     CHECK (json["spread"]["damping_percent"] == 12);
     REQUIRE (json["designs"].size() == 2);

@@ -9,7 +9,7 @@ using namespace antinode;
 
 namespace
 {
-ExcitationSheet sheetOf (ExcitationSignal signal)
+ExcitationSheet makeSheet (ExcitationSignal signal)
 {
     ExcitationSettings settings;
     settings.signal = signal;
@@ -28,9 +28,9 @@ ExcitationSheet sheetOf (ExcitationSignal signal)
 TEST_CASE ("A sheet that was written and read gives the same excitation")
 {
     const auto signal = GENERATE (ExcitationSignal::multisine, ExcitationSignal::sweep, ExcitationSignal::noise);
-    const auto sheet = sheetOf (signal);
+    const auto sheet = makeSheet (signal);
     const auto document = parseJson (excitationToJson (sheet, "signal.wav").dump(), "sheet.json");
-    CHECK (signalFileOf (document, "sheet.json") == "signal.wav");
+    CHECK (readSignalFileName (document, "sheet.json") == "signal.wav");
     const auto read = readExcitation (document, "sheet.json", sheet.excitation.signal);
     CHECK (read.device == "beam");
     CHECK (read.ceramics == sheet.ceramics);
@@ -39,13 +39,13 @@ TEST_CASE ("A sheet that was written and read gives the same excitation")
     CHECK (read.excitation.settings.levels == sheet.excitation.settings.levels);
     CHECK (read.excitation.lines == sheet.excitation.lines);
     CHECK (read.excitation.block == sheet.excitation.block);
-    CHECK (read.excitation.turn == sheet.excitation.turn);
+    CHECK (read.excitation.runLength == sheet.excitation.runLength);
     CHECK (read.excitation.crestFactor == sheet.excitation.crestFactor);
 }
 
 TEST_CASE ("Sheets that are wrong say where")
 {
-    const auto sheet = sheetOf (ExcitationSignal::multisine);
+    const auto sheet = makeSheet (ExcitationSignal::multisine);
     auto document = parseJson (excitationToJson (sheet, "signal.wav").dump(), "sheet.json");
     const auto error = [&]
     { return errorText ([&] { readExcitation (document, "sheet.json", sheet.excitation.signal); }); };
@@ -71,7 +71,7 @@ TEST_CASE ("Sheets that are wrong say where")
     SECTION ("a signal elsewhere")
     {
         document["signal_file"] = "../signal.wav";
-        CHECK_THAT (errorText ([&] { signalFileOf (document, "sheet.json"); }),
+        CHECK_THAT (errorText ([&] { readSignalFileName (document, "sheet.json"); }),
                     Catch::Contains ("is not a plain file name; allowed: a file in the folder of the sheet"));
     }
 }

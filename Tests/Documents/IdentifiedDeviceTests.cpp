@@ -16,7 +16,7 @@ using namespace antinode::test;
 namespace
 {
 /** The modes of a model with deviations of a millionth in frequency. */
-IdentifiedModes modesOf (const ModalModel& model)
+IdentifiedModes toIdentifiedModes (const ModalModel& model)
 {
     IdentifiedModes modes;
     modes.delay = 1.07e-5;
@@ -30,7 +30,7 @@ IdentifiedModes modesOf (const ModalModel& model)
 TEST_CASE ("An identified device keeps its standard deviations and its delay, and is read as any other", "[files]")
 {
     const auto model = sineBeam (3, 2);
-    const auto device = identifiedDeviceToJson (model, modesOf (model), "measured");
+    const auto device = identifiedDeviceToJson (model, toIdentifiedModes (model), "measured");
     CHECK (device["delay_s"] == 1.07e-5);
     CHECK (device["modes"][2]["frequency_standard_deviation_Hz"].get<double>()
            == Approx (1e-6 * model.angularFrequencies[2] / (2 * std::numbers::pi)));
@@ -45,7 +45,7 @@ TEST_CASE ("An identified device keeps its standard deviations and its delay, an
 TEST_CASE ("Deviations that are not known are left out", "[files]")
 {
     const auto model = sineBeam (3, 2);
-    auto modes = modesOf (model);
+    auto modes = toIdentifiedModes (model);
     modes.deviations.angularFrequencies[1] = std::numeric_limits<double>::infinity();
     modes.deviations.dampingRatios.resize (0);
     const auto device = identifiedDeviceToJson (model, modes, "measured");

@@ -17,7 +17,7 @@ using namespace antinode;
 namespace
 {
 /** The fields of all lines, where no field is quoted. */
-std::vector<std::vector<std::string>> fieldsOf (const std::string& text)
+std::vector<std::vector<std::string>> splitFields (const std::string& text)
 {
     std::vector<std::vector<std::string>> rows;
     std::istringstream lines (text);
@@ -38,7 +38,7 @@ std::vector<std::vector<std::string>> fieldsOf (const std::string& text)
 TEST_CASE ("The table of modes has a row a mode and gives every number back to the bit", "[files]")
 {
     const auto model = test::gridModel (7, 3);
-    const auto rows = fieldsOf (encodeModeTable (model));
+    const auto rows = splitFields (encodeModeTable (model));
     REQUIRE (rows.size() == 8);
     CHECK (rows[0]
            == std::vector<std::string> { "mode", "frequency_Hz", "damping_ratio", "error_estimate_relative",

@@ -62,7 +62,8 @@ TEST_CASE ("The staple is the demonstrator, its quality factors in the order of 
     CHECK (staple.common.voltageLimit == 150);
     CHECK (staple.common.modeCount == 34);
 
-    // The paper's modes 1, 3 and 5 (Q 190, 47, 63) at 420, 2303 and 5742 Hz are the computed ones 1, 4 and 6: it did not see sway.
+    // The paper's modes 1, 3 and 5 (Q 190, 47, 63) at 420, 2303 and 5742 Hz are the computed ones 1, 4 and 6: it did
+    // not see sway.
     const auto& ratios = staple.common.dampingRatios;
     REQUIRE (ratios.size() == 7);
     CHECK (ratios[0] == 1 / 380.0);

@@ -26,27 +26,27 @@ TEST_CASE ("Every line of a universal file has at most 80 columns of ASCII", "[f
     auto model = gridModel (3, 2);
     model.name = "Platte f\xc3\xbcr H\xc3\xa4nde \xe2\x82\xac\n" + std::string (100, 'x');
 
-    for (const auto& line : linesOf (encodeUniversalFile (modeSets (model))))
+    for (const auto& line : splitLines (encodeUniversalFile (modeSets (model))))
     {
         CHECK (line.size() <= 80);
         CHECK (std::all_of (line.begin(), line.end(), [] (char c) { return c >= ' ' && c < 0x7f; }));
     }
 
     const auto name = "Device Platte f?r H?nde ??" + std::string (54, 'x');
-    CHECK (setsOf (encodeUniversalFile (modeSets (model)), 151)[0].records[0] == name);
-    CHECK (setsOf (encodeUniversalFile (modeSets (model)), 55)[0].records[0] == name);
+    CHECK (readSets (encodeUniversalFile (modeSets (model)), 151)[0].records[0] == name);
+    CHECK (readSets (encodeUniversalFile (modeSets (model)), 55)[0].records[0] == name);
 }
 
 TEST_CASE ("A universal file begins with header, SI units and nodes, and has a set a mode", "[files]")
 {
     const auto text = encodeUniversalFile (modeSets (gridModel (3, 2)));
-    const auto sets = setsOf (text);
+    const auto sets = readSets (text);
     REQUIRE (sets.size() > 6);
     CHECK (sets[0].number == 151);
     CHECK (sets[1].number == 164);
     CHECK (sets[2].number == 15);
     CHECK (sets[3].number == 82);
-    CHECK (setsOf (text, 55).size() == 3);
+    CHECK (readSets (text, 55).size() == 3);
     CHECK (sets.back().number == 55);
 
     const auto& header = sets[0].records;
@@ -71,7 +71,7 @@ TEST_CASE ("Each record of a mode stands in the columns of the format", "[files]
     model.dampingRatios << 0.005, 0.0025;
     model.shapes (0, 1) = -12.345678;
     model.shapes (1, 1) = 1e-120; // Would need an exponent of three digits.
-    const auto mode = setsOf (encodeUniversalFile (modeSets (model)), 55)[1].records;
+    const auto mode = readSets (encodeUniversalFile (modeSets (model)), 55)[1].records;
     CHECK (mode[0] == "Device sine beam");
     CHECK (mode[2] == "NONE");
     CHECK (mode[3] == "Shape along z, normal to the surface, mass-normalised, kg^-1/2");
@@ -84,9 +84,9 @@ TEST_CASE ("Each record of a mode stands in the columns of the format", "[files]
     CHECK (mode[10] == "         2");
     CHECK (mode[11] == "  0.00000E+00  0.00000E+00  0.00000E+00");
 
-    const auto nodes = setsOf (encodeUniversalFile (modeSets (model)), 15)[0].records;
+    const auto nodes = readSets (encodeUniversalFile (modeSets (model)), 15)[0].records;
     CHECK (nodes[0] == "         1         0         0         8 -1.00000E-01  0.00000E+00  0.00000E+00");
-    const auto line = setsOf (encodeUniversalFile (modeSets (model)), 82)[0].records;
+    const auto line = readSets (encodeUniversalFile (modeSets (model)), 82)[0].records;
     CHECK (line[0] == "         1       125         8");
     CHECK (line[2] == "         1         2         3         4         5         6         7         8");
     CHECK (line.back() == "       121       122       123       124       125");
@@ -96,14 +96,14 @@ TEST_CASE ("A line's points and shapes are read back as they are", "[files]")
 {
     const auto model = sineBeam (6, 2);
     const auto text = encodeUniversalFile (modeSets (model));
-    const auto nodes = nodesOf (text);
+    const auto nodes = readNodes (text);
     REQUIRE (nodes.rows() == model.points());
     CHECK ((nodes.leftCols (2) - model.surface.points).cwiseAbs().maxCoeff() <= printed * 0.1);
     CHECK (nodes.col (2).isZero (0));
 
-    const auto shapes = shapesOf (text, nodes.rows());
+    const auto shapes = readShapes (text, nodes.rows());
     CHECK (((shapes - model.shapes).array().abs() <= printed * model.shapes.array().abs()).all());
-    const auto edges = edgesOf (text);
+    const auto edges = readEdges (text);
     CHECK (edges.size() == 400);
 
     for (int i = 1; i <= 400; ++i)
@@ -115,11 +115,11 @@ TEST_CASE ("A computed plate is sampled evenly from edge to edge, eight points a
     constexpr int modes = 6;
     const auto model = gridModel (modes, 2, 20);
     const auto text = encodeUniversalFile (modeSets (model));
-    const auto nodes = nodesOf (text);
+    const auto nodes = readNodes (text);
     // Six half-waves along x, two along y, four steps each.
     constexpr Eigen::Index nx = 25, ny = 9;
     REQUIRE (nodes.rows() == nx * ny);
-    const auto shapes = shapesOf (text, nodes.rows());
+    const auto shapes = readShapes (text, nodes.rows());
     const auto amplitude = 2 / std::sqrt (2.7 * 0.2 * 0.12);
 
     for (Eigen::Index p = 0; p < nodes.rows(); ++p)
@@ -137,7 +137,7 @@ TEST_CASE ("A computed plate is sampled evenly from edge to edge, eight points a
                           .margin (1e-7));
     }
 
-    const auto edges = edgesOf (text);
+    const auto edges = readEdges (text);
     CHECK (edges.size() == (nx - 1) * ny + nx * (ny - 1));
 
     for (int j = 0; j < ny; ++j)
@@ -147,7 +147,7 @@ TEST_CASE ("A computed plate is sampled evenly from edge to edge, eight points a
 
 TEST_CASE ("No plate has more than 4000 nodes, however rippled its modes are", "[files]")
 {
-    const auto nodes = nodesOf (encodeUniversalFile (modeSets (gridModel (120, 1, 90))));
+    const auto nodes = readNodes (encodeUniversalFile (modeSets (gridModel (120, 1, 90))));
     CHECK (nodes.rows() <= 4000);
     CHECK (nodes.rows() > 3600);
     CHECK (nodes.col (0).maxCoeff() == 0.2);
@@ -160,11 +160,11 @@ TEST_CASE ("Measured points keep their places, those in rows and columns are joi
     model.surface.grid.reset();
     model.surface.points.row (5) << 0.15, 0.1; // One of 6 x 4 lies apart from all rows and columns.
     const auto text = encodeUniversalFile (modeSets (model));
-    const auto nodes = nodesOf (text);
+    const auto nodes = readNodes (text);
     REQUIRE (nodes.rows() == 24);
     CHECK ((nodes.leftCols (2) - model.surface.points).cwiseAbs().maxCoeff() <= printed * 0.2);
-    CHECK (((shapesOf (text, 24) - model.shapes).array().abs() <= printed * model.shapes.array().abs()).all());
-    const auto edges = edgesOf (text);
+    CHECK (((readShapes (text, 24) - model.shapes).array().abs() <= printed * model.shapes.array().abs()).all());
+    const auto edges = readEdges (text);
     CHECK (edges.size() == 5 * 4 + 6 * 3 - 2);
     CHECK (std::none_of (edges.begin(), edges.end(), [] (auto edge) { return edge.first == 6 || edge.second == 6; }));
 }

@@ -12,7 +12,7 @@ using namespace antinode;
 
 namespace
 {
-constexpr int most = AntinodeProcessor::mostCeramics;
+constexpr int maximum = AntinodeProcessor::maximumCeramics;
 
 /** A plate with as many ceramics as there can be, in rows of eight. */
 std::shared_ptr<const DeviceDocument> largestDevice()
@@ -23,7 +23,7 @@ std::shared_ptr<const DeviceDocument> largestDevice()
     ceramic["size_x_mm"] = 12;
     ceramic["size_y_mm"] = 8;
 
-    for (int i = 0; i < most; ++i)
+    for (int i = 0; i < maximum; ++i)
     {
         ceramic["name"] = "C" + std::to_string (i + 1);
         ceramic["x_mm"] = 8 + 24 * (i % 8);
@@ -65,7 +65,7 @@ double drawFrame (Editor& editor, juce::Image& image)
 
 TEST_CASE ("A device of 64 ceramics is shown with a meter each, and its field moves from frame to frame")
 {
-    AntinodeProcessor processor (most, juce::AudioProcessor::wrapperType_Undefined);
+    AntinodeProcessor processor (maximum, juce::AudioProcessor::wrapperType_Undefined);
     processor.load (largestDevice(), focusAtCentre());
     processor.parameters().find ("notes")->setValueNotifyingHost (1);
     processor.prepareToPlay (EditorFixture::sampleRate, EditorFixture::blockSize);
@@ -78,7 +78,7 @@ TEST_CASE ("A device of 64 ceramics is shown with a meter each, and its field mo
         editor.content().refresh (0);
     }
 
-    CHECK (editor.content().metersStrip().getNumChildComponents() == most);
+    CHECK (editor.content().metersStrip().getNumChildComponents() == maximum);
     editor.content().timeline().setPlaying (true);
 
     for (const auto& [width, height] : { std::pair { 1280, 800 }, { 2560, 1440 } })
@@ -94,7 +94,7 @@ TEST_CASE ("A device of 64 ceramics is shown with a meter each, and its field mo
 
         std::sort (times.begin(), times.end());
         std::printf ("editor with %d ceramics, %d x %d: a frame takes %.2f ms of work (median), %.2f ms (largest)\n",
-                     most, width, height, times[times.size() / 2], times.back());
+                     maximum, width, height, times[times.size() / 2], times.back());
         const juce::Image::BitmapData one (before, juce::Image::BitmapData::readOnly),
             other (image, juce::Image::BitmapData::readOnly);
         CHECK_FALSE (std::equal (one.data, one.data + one.size, other.data, other.data + other.size));

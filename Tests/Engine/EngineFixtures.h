@@ -29,7 +29,8 @@ private:
 };
 
 /** Modes by frequency in Hz and quality factor, with participation N_m x N_b. All that the plate model needs. */
-inline ModalModel modesOf (const std::vector<double>& frequencies, double qualityFactor, Eigen::MatrixXd participation)
+inline ModalModel modelWithModes (const std::vector<double>& frequencies, double qualityFactor,
+                                  Eigen::MatrixXd participation)
 {
     ModalModel model;
     model.name = "test";
@@ -41,7 +42,8 @@ inline ModalModel modesOf (const std::vector<double>& frequencies, double qualit
     return model;
 }
 
-/** 34 modes to 31 kHz as bending modes lie (frequency ~ order squared), Q 60, 8 ceramics: the size of the demonstrator. */
+/** 34 modes to 31 kHz as bending modes lie (frequency ~ order squared), Q 60, 8 ceramics: the size of the demonstrator.
+ */
 inline ModalModel manyModes()
 {
     std::vector<double> frequencies (34);
@@ -50,11 +52,11 @@ inline ModalModel manyModes()
         const auto order = static_cast<double> (k) + 1.5;
         frequencies[k] = 31e3 * order * order / (34.5 * 34.5);
     }
-    return modesOf (frequencies, 60, Draws (1).matrix (34, 8));
+    return modelWithModes (frequencies, 60, Draws (1).matrix (34, 8));
 }
 
-/** A program for manyModes: every mode driven for up to 20 ms, growing by e^4 to a focus that lies between two samples of
-    any usual rate; then a brake of 3 ms. Up to about 3 V. */
+/** A program for manyModes: every mode driven for up to 20 ms, growing by e^4 to a focus that lies between two samples
+   of any usual rate; then a brake of 3 ms. Up to about 3 V. */
 inline VoltageProgram manyOscillations()
 {
     const auto model = manyModes();

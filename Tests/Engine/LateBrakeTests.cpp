@@ -19,13 +19,13 @@ constexpr double rate = 192000;
 constexpr Playback playback { Reconstruction::bandLimited, rate };
 constexpr int place = 60;
 
-std::int64_t samplesOf (double seconds)
+std::int64_t toSamples (double seconds)
 {
     return std::llround (seconds * rate);
 }
 
-/** Eight modes of a beam that decay with 40 / s, each moved by a ceramic of its own for 20 ms, then brought to rest within
-    20 ms, or not. */
+/** Eight modes of a beam that decay with 40 / s, each moved by a ceramic of its own for 20 ms, then brought to rest
+   within 20 ms, or not. */
 struct Braked
 {
     ModalModel model = sineBeam (playerCeramics, playerCeramics);
@@ -125,7 +125,7 @@ PlayerSettings holding()
 TEST_CASE ("A brake that a note-off begins late stops the plate as well as the designed one", "[engine][player]")
 {
     const Braked braked;
-    const auto length = samplesOf (0.15), rest = samplesOf (0.025);
+    const auto length = toSamples (0.15), rest = toSamples (0.025);
     const auto start = braked.brakeStart();
     const auto designed = braked.played ({ triggerAt (0, place) }, length, {});
     const auto leftByDesigned = braked.motionAt (designed, start + rest) / braked.motionAt (designed, start);
@@ -143,7 +143,7 @@ TEST_CASE ("A brake that a note-off begins late stops the plate as well as the d
 TEST_CASE ("The plate rings freely after the focus while the note is held", "[engine][player]")
 {
     const Braked braked, free (false);
-    const auto length = samplesOf (0.1);
+    const auto length = toSamples (0.1);
     const auto held = braked.played ({ triggerAt (0, place) }, length, holding());
     CHECK ((held - free.played ({ triggerAt (0, place) }, length, {})).cwiseAbs().maxCoeff()
            < 1e-12 * held.cwiseAbs().maxCoeff());
@@ -153,7 +153,7 @@ TEST_CASE ("The plate rings freely after the focus while the note is held", "[en
 TEST_CASE ("A note-off before the brake's own time is the plain play", "[engine][player]")
 {
     const Braked braked;
-    const auto length = samplesOf (0.1);
+    const auto length = toSamples (0.1);
     const auto plain = braked.played ({ triggerAt (5, place, 0.7) }, length, {});
 
     for (const auto release : std::initializer_list<std::int64_t> { 6, 900, braked.brakeStart() + 5 })
@@ -185,7 +185,7 @@ TEST_CASE ("A voice waits for its note-off until its modes have decayed, then en
     FocusPlayer player (playerCeramics, rate, holding());
     braked.giveTo (player);
     const auto slowest = decayRates (braked.model).minCoeff();
-    const auto end = braked.brakeStart() + samplesOf (std::log (1000) / slowest);
+    const auto end = braked.brakeStart() + toSamples (std::log (1000) / slowest);
     played (player, { triggerAt (0, place) }, end - 10, { 512 });
     CHECK (player.activeVoices() == 1);
     const auto rest = played (player, { releaseAt (20, place) }, 2000, { 64 });
@@ -227,7 +227,7 @@ TEST_CASE ("Stopping, retriggering and stealing end a voice that waits, without 
         played (crowded, many, waiting, { 64 });
         CHECK (crowded.counters().stolen == 8);
         CHECK (crowded.activeVoices() == FocusPlayer::soundingVoices);
-        const auto released = played (crowded, { releaseAt (0, place) }, samplesOf (0.5), { 64 });
+        const auto released = played (crowded, { releaseAt (0, place) }, toSamples (0.5), { 64 });
         CHECK (released.allFinite());
         CHECK (released.cwiseAbs().maxCoeff() > 0);
         CHECK (crowded.activeVoices() == 0);
@@ -248,7 +248,7 @@ TEST_CASE ("Modes that are still when their brake begins are left alone, with no
     brakes.allocation = Eigen::MatrixXd::Ones (1, 2);
     brakes.voltageLimits = Eigen::VectorXd::Ones (1);
     std::array<std::complex<double>, 2> factors;
-    PlayableBrake (brakes, playback).factorsAfter (samplesOf (1), factors);
+    PlayableBrake (brakes, playback).factorsAfter (toSamples (1), factors);
     CHECK (std::abs (factors[0]) == Approx (std::exp (-2)).epsilon (0.02));
     CHECK (factors[1] == 0.0);
 }
@@ -257,10 +257,10 @@ TEST_CASE ("Beginning 512 brakes late allocates nothing", "[engine][player]")
 {
     auto program = shortProgram (500, 0.002, 1);
 
-    for (int k = 0; k < static_cast<int> (PlayableBrake::mostOscillations); ++k)
+    for (int k = 0; k < static_cast<int> (PlayableBrake::maximumOscillations); ++k)
         program.oscillations.push_back ({ k, 0.003, 0.01, -400, 600.0 * (k + 1), 0.1, 0.2, 20 });
 
-    program.allocation = Eigen::MatrixXd::Constant (playerCeramics, 1 + PlayableBrake::mostOscillations, 0.001);
+    program.allocation = Eigen::MatrixXd::Constant (playerCeramics, 1 + PlayableBrake::maximumOscillations, 0.001);
     auto bank = std::make_unique<FocusBank>();
     bank->foci[place] = std::make_shared<const PlayableFocus> (program, playback);
     REQUIRE (bank->foci[place]->brake.has_value());

@@ -19,7 +19,7 @@ namespace
 constexpr auto bandLimited = Reconstruction::bandLimited;
 constexpr auto zeroOrderHold = Reconstruction::zeroOrderHold;
 
-RenderSettings settingsOf (Playback playback, double duration = 0.025, int blockSize = 512)
+RenderSettings offlineSettings (Playback playback, double duration = 0.025, int blockSize = 512)
 {
     return { playback, duration, blockSize, Draws (21).matrix (2, 34) };
 }
@@ -29,7 +29,7 @@ TEST_CASE ("a render has every sample of its duration, with the focus on one of 
 {
     for (const auto rate : usualRates)
     {
-        const auto render = renderOffline (manyModes(), manyOscillations(), settingsOf ({ bandLimited, rate }));
+        const auto render = renderOffline (manyModes(), manyOscillations(), offlineSettings ({ bandLimited, rate }));
         CHECK (render.sampleRate == rate);
         CHECK (render.focusSample == std::llround (0.0200037 * rate));
         const auto samples = std::lround (0.025 * rate);
@@ -51,11 +51,11 @@ TEST_CASE ("a render is the same to the bit for every block size and from run to
 
     for (const auto& playback : playbacks)
     {
-        const auto whole = renderOffline (manyModes(), manyOscillations(), settingsOf (playback));
+        const auto whole = renderOffline (manyModes(), manyOscillations(), offlineSettings (playback));
         for (const auto blockSize : blockSizes)
         {
             const auto render =
-                renderOffline (manyModes(), manyOscillations(), settingsOf (playback, 0.025, blockSize));
+                renderOffline (manyModes(), manyOscillations(), offlineSettings (playback, 0.025, blockSize));
             INFO (playback.sampleRate << " Hz, blocks of " << blockSize);
             CHECK (sameBits (render.voltages, whole.voltages));
             CHECK (sameBits (render.modalVelocities, whole.modalVelocities));
@@ -68,8 +68,8 @@ TEST_CASE ("a render is the same to the bit for every block size and from run to
 TEST_CASE ("rendered velocities are aligned with the voltages: the plate model's latency is gone")
 {
     const Playback playback { bandLimited, 96e3 };
-    const auto render = renderOffline (manyModes(), manyOscillations(), settingsOf (playback));
-    PlateModel plate (manyModes(), playback, settingsOf (playback).probeShapes);
+    const auto render = renderOffline (manyModes(), manyOscillations(), offlineSettings (playback));
+    PlateModel plate (manyModes(), playback, offlineSettings (playback).probeShapes);
     const auto latency = plate.latencySamples();
     REQUIRE (latency == 15);
 
@@ -85,8 +85,9 @@ TEST_CASE ("rendered velocities are aligned with the voltages: the plate model's
 
 TEST_CASE ("a longer render begins like a shorter one that ends while voltages still play")
 {
-    const auto shorter = renderOffline (manyModes(), manyOscillations(), settingsOf ({ bandLimited, 48e3 }, 0.0203));
-    const auto longer = renderOffline (manyModes(), manyOscillations(), settingsOf ({ bandLimited, 48e3 }, 0.03));
+    const auto shorter =
+        renderOffline (manyModes(), manyOscillations(), offlineSettings ({ bandLimited, 48e3 }, 0.0203));
+    const auto longer = renderOffline (manyModes(), manyOscillations(), offlineSettings ({ bandLimited, 48e3 }, 0.03));
     CHECK (shorter.voltages.rightCols (1).cwiseAbs().maxCoeff() > 0.01);
     CHECK (sameBits (shorter.modalVelocities, longer.modalVelocities.leftCols (shorter.modalVelocities.cols())));
 }
@@ -96,8 +97,8 @@ TEST_CASE ("no rendered voltage exceeds its ceramic's limit and the clamped samp
     auto program = manyOscillations();
     program.voltageLimits[2] = 0.05;
     program.voltageLimits[5] = 0;
-    const auto free = renderOffline (manyModes(), manyOscillations(), settingsOf ({ bandLimited, 48e3 }));
-    const auto render = renderOffline (manyModes(), program, settingsOf ({ bandLimited, 48e3 }));
+    const auto free = renderOffline (manyModes(), manyOscillations(), offlineSettings ({ bandLimited, 48e3 }));
+    const auto render = renderOffline (manyModes(), program, offlineSettings ({ bandLimited, 48e3 }));
     for (const auto ceramic : { 2, 5 })
     {
         const auto limit = program.voltageLimits[ceramic];
@@ -113,7 +114,7 @@ TEST_CASE ("no rendered voltage exceeds its ceramic's limit and the clamped samp
 TEST_CASE ("progress of a render rises to 1")
 {
     std::vector<double> seen;
-    renderOffline (manyModes(), manyOscillations(), settingsOf ({ bandLimited, 48e3 }),
+    renderOffline (manyModes(), manyOscillations(), offlineSettings ({ bandLimited, 48e3 }),
                    [&] (double done) { seen.push_back (done); });
     CHECK (seen.size() > 1);
     CHECK (std::is_sorted (seen.begin(), seen.end()));
@@ -129,7 +130,7 @@ TEST_CASE ("renders of a few samples and blocks longer than the render work")
         for (const auto blockSize : { 1, 3, 1000000000 })
         {
             const auto render =
-                renderOffline (manyModes(), program, settingsOf ({ bandLimited, 48e3 }, duration, blockSize));
+                renderOffline (manyModes(), program, offlineSettings ({ bandLimited, 48e3 }, duration, blockSize));
             CHECK (render.voltages.cols() == std::lround (duration * 48e3));
             CHECK (render.modalVelocities.allFinite());
         }
@@ -143,20 +144,20 @@ TEST_CASE ("a render that cannot be done is refused with a reason")
     const auto program = manyOscillations();
 
     for (const auto rate : { 0.0, 7999.0, 2.1e6, std::numeric_limits<double>::quiet_NaN() })
-        refuses (program, settingsOf ({ bandLimited, rate }), "allowed: 8000 to 2000000 Hz");
+        refuses (program, offlineSettings ({ bandLimited, rate }), "allowed: 8000 to 2000000 Hz");
     for (const auto duration : { 0.0, -1.0, 61.0, std::numeric_limits<double>::infinity() })
-        refuses (program, settingsOf ({ bandLimited, 48e3 }, duration), "allowed: above 0 to 60 s");
-    refuses (program, settingsOf ({ bandLimited, 48e3 }, 0.025, 0), "allowed: 1 or more");
-    refuses (program, settingsOf ({ bandLimited, 768e3 }, 60), "allowed: 1024 MiB");
-    refuses (program, settingsOf ({ bandLimited, 48e3 }, 0.019), "ends before the focus");
+        refuses (program, offlineSettings ({ bandLimited, 48e3 }, duration), "allowed: above 0 to 60 s");
+    refuses (program, offlineSettings ({ bandLimited, 48e3 }, 0.025, 0), "allowed: 1 or more");
+    refuses (program, offlineSettings ({ bandLimited, 768e3 }, 60), "allowed: 1024 MiB");
+    refuses (program, offlineSettings ({ bandLimited, 48e3 }, 0.019), "ends before the focus");
 
     auto fewerCeramics = program;
     fewerCeramics.allocation.conservativeResize (7, 68);
-    refuses (fewerCeramics, settingsOf ({ bandLimited, 48e3 }), "every ceramic");
+    refuses (fewerCeramics, offlineSettings ({ bandLimited, 48e3 }), "every ceramic");
 
     auto endless = program;
     endless.allocation *= 1e308;
     for (auto& oscillation : endless.oscillations)
         oscillation.inPhase = oscillation.quadrature = 1e3;
-    refuses (endless, settingsOf ({ bandLimited, 48e3 }), "beyond double precision");
+    refuses (endless, offlineSettings ({ bandLimited, 48e3 }), "beyond double precision");
 }

@@ -32,7 +32,7 @@ Eigen::MatrixXd playInBlocks (PlateModel& plate, const Eigen::MatrixXd& voltages
 
 TEST_CASE ("under a constant voltage every mode comes to rest at psi / omega^2")
 {
-    const auto model = modesOf ({ 400, 3000, 20e3, 70e3 }, 5, Eigen::Vector4d (1, -2, 3, 4));
+    const auto model = modelWithModes ({ 400, 3000, 20e3, 70e3 }, 5, Eigen::Vector4d (1, -2, 3, 4));
     for (const auto reconstruction : { byGenerator, byInterface })
     {
         PlateModel plate (model, { reconstruction, 48e3 }, Eigen::MatrixXd::Ones (1, 4));
@@ -108,7 +108,7 @@ TEST_CASE ("the plate is linear and does not change with time")
 
 TEST_CASE ("a plate that is left alone becomes exactly still instead of denormal")
 {
-    PlateModel plate (modesOf ({ 500, 5000 }, 1, Eigen::Vector2d (1, 1)), { byInterface, 48e3 },
+    PlateModel plate (modelWithModes ({ 500, 5000 }, 1, Eigen::Vector2d (1, 1)), { byInterface, 48e3 },
                       Eigen::MatrixXd::Ones (1, 2));
     Eigen::MatrixXd voltages = Eigen::MatrixXd::Zero (1, 20000);
     voltages (0, 0) = 100;

@@ -24,7 +24,8 @@ namespace
 constexpr auto pi = std::numbers::pi;
 using Force = std::function<double (double)>;
 
-/** q and q' of a mode at `to`, at rest at `from`, under a force per time, by an adaptive solution that knows no samples. */
+/** q and q' of a mode at `to`, at rest at `from`, under a force per time, by an adaptive solution that knows no
+ * samples. */
 Eigen::VectorXd adaptiveResponse (double omega, double xi, const Force& force, double from, double to,
                                   const std::vector<double>& breakPoints = {})
 {
@@ -44,11 +45,11 @@ Eigen::Vector2d sampledResponse (const ModalModel& model, Playback playback, con
 
 ModalModel oneMode (double frequency, double qualityFactor)
 {
-    return modesOf ({ frequency }, qualityFactor, Eigen::MatrixXd::Ones (1, 1));
+    return modelWithModes ({ frequency }, qualityFactor, Eigen::MatrixXd::Ones (1, 1));
 }
 
-/** How far a mode's velocity (or omega times displacement, if more) is off under a tone of force 1 with a smooth envelope, and
-    how fast it moves, both in the middle of the envelope. */
+/** How far a mode's velocity (or omega times displacement, if more) is off under a tone of force 1 with a smooth
+   envelope, and how fast it moves, both in the middle of the envelope. */
 std::pair<double, double> smoothToneError (double mode, double qualityFactor, double tone, double rate)
 {
     // A Gaussian envelope of 4 ms: its own band is narrow, so that all of the force lies in the pass band.

@@ -98,7 +98,7 @@ TEST_CASE ("modes driven at resonance, to a tenth of the rate, move as in the ex
 
     for (const auto frequency : { 400.0, 5e3, 19.2e3 })
     {
-        const auto model = modesOf ({ 0.7 * frequency, frequency }, 60, Eigen::Vector2d (0, 1)); // one is driven
+        const auto model = modelWithModes ({ 0.7 * frequency, frequency }, 60, Eigen::Vector2d (0, 1)); // one is driven
         const Eigen::MatrixXd probe = Eigen::MatrixXd::Ones (1, 2);
         RealtimePlate fast (model, rate, probe);
         PlateModel exact (model, { Reconstruction::bandLimited, rate }, probe);
@@ -142,7 +142,7 @@ TEST_CASE ("real-time velocities do not depend on the block size, to the bit, an
 
 TEST_CASE ("a real-time plate that is left alone becomes exactly still instead of denormal")
 {
-    RealtimePlate plate (modesOf ({ 500, 5000 }, 1, Eigen::Vector2d (1, 1)), 48e3, Eigen::MatrixXd::Ones (1, 2));
+    RealtimePlate plate (modelWithModes ({ 500, 5000 }, 1, Eigen::Vector2d (1, 1)), 48e3, Eigen::MatrixXd::Ones (1, 2));
     Planar<double> voltages = Planar<double>::Zero (1, 20000);
     voltages (0, 0) = 100;
     const auto velocities = playInBlocks (plate, voltages, 1, 512);
@@ -153,7 +153,7 @@ TEST_CASE ("a real-time plate that is left alone becomes exactly still instead o
 
 TEST_CASE ("modes above half of the rate are left out of the real-time plate instead of folded")
 {
-    const auto model = modesOf ({ 5e3, 40e3 }, 60, Eigen::Vector2d (1, 1));
+    const auto model = modelWithModes ({ 5e3, 40e3 }, 60, Eigen::Vector2d (1, 1));
     const Planar<double> voltages = Draws (23).matrix (1, 500);
     RealtimePlate both (model, 48e3, Eigen::RowVector2d (1, 1)), one (model, 48e3, Eigen::RowVector2d (1, 0));
     CHECK (playInBlocks (both, voltages, 1, 500) == playInBlocks (one, voltages, 1, 500));

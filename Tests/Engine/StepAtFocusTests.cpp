@@ -20,16 +20,17 @@ namespace
 constexpr auto piNumber = std::numbers::pi;
 /** kappa: what a band-limited interpolation loses of a step. No unit.
 
-    A force psi that is cut on a sample, which then gets half of its value, is smeared by the interpolation K over the cut.
-    Until the cut the integral of the force is smaller by kappa T psi (T the sample interval), and as the velocity answers
-    at once to an impulse, so is the modal velocity there. With the step s (t) = K (t)/2 + sum_{n < 0} K (t - n), T = 1,
+    A force psi that is cut on a sample, which then gets half of its value, is smeared by the interpolation K over the
+   cut. Until the cut the integral of the force is smaller by kappa T psi (T the sample interval), and as the velocity
+   answers at once to an impulse, so is the modal velocity there. With the step s (t) = K (t)/2 + sum_{n < 0} K (t - n),
+   T = 1,
 
         kappa = integral_{-inf}^0 (1 - s (t)) dt = (1/piNumber) integral_0^inf [1/w - Khat (w) cot (w/2) / 2] / w dw
 
     as 1 - s is odd: the sine transforms of the step and of its samples are 1/w and cot (w/2) / 2. The ideal sinc
-    (Khat = 1 below piNumber, 0 above) would have (1/piNumber) [integral_0^piNumber (1/w - cot (w/2) / 2) / w dw + 1/piNumber] = 0.190009...
-    This is the value of the windowed sinc that the plate model plays with; a test compares them.
-    Docs/Theory.md, section 6.3. */
+    (Khat = 1 below piNumber, 0 above) would have (1/piNumber) [integral_0^piNumber (1/w - cot (w/2) / 2) / w dw +
+   1/piNumber] = 0.190009... This is the value of the windowed sinc that the plate model plays with; a test compares
+   them. Docs/Theory.md, section 6.3. */
 constexpr double bandLimitedStepConstant = 0.190583570590934662;
 
 /** The second term of the same loss, in which the interpolation does not matter: for a mode of decay rate a,
@@ -42,7 +43,8 @@ constexpr double bandLimitedSlopeConstant = 1.0 / 24.0;
 
 const std::vector<double> playedRates { 48e3, 96e3, 192e3, 384e3, 1.3e6 };
 
-/** A mode under a force that has grown by e^34 when it is cut at the focus: all of its past, so that the closed form is short. */
+/** A mode under a force that has grown by e^34 when it is cut at the focus: all of its past, so that the closed form is
+ * short. */
 struct CutForce
 {
     double modal = 0, decay = 0;       // omega_k, rad/s, and a_k, 1/s
@@ -64,7 +66,8 @@ double playedVelocity (const CutForce& cut, double sampleRate)
                                atStart.real() } };
     program.allocation = Eigen::MatrixXd::Ones (1, 1);
 
-    auto model = modesOf ({ cut.modal / (2 * piNumber) }, cut.modal / (2 * cut.decay), Eigen::MatrixXd::Ones (1, 1));
+    auto model =
+        modelWithModes ({ cut.modal / (2 * piNumber) }, cut.modal / (2 * cut.decay), Eigen::MatrixXd::Ones (1, 1));
     const Playback playback { Reconstruction::bandLimited, sampleRate };
     const VoltageSynthesiser synthesiser (program, playback);
     PlateModel plate (model, playback, Eigen::MatrixXd (0, 1));
@@ -149,7 +152,8 @@ TEST_CASE ("the second order of a cut force is (psi' + 2 a psi) T^2 / 24, and th
                 error + bandLimitedStepConstant * interval * cut.force()
                 - bandLimitedSlopeConstant * interval * interval * (cut.slope() + 2 * cut.decay * cut.force());
             INFO (rate << " Hz: " << error << ", after the second order " << afterSecond / (turn * turn * interval));
-            // 1e-7: the gain of the windowed sinc below a tenth of the Nyquist frequency differs from 1 by 0.9e-7 at most
+            // 1e-7: the gain of the windowed sinc below a tenth of the Nyquist frequency differs from 1 by 0.9e-7 at
+            // most
             CHECK (std::abs (afterSecond) < 0.01 * turn * turn * interval + 1e-7 * std::abs (cut.velocity()));
         }
     }
@@ -159,7 +163,7 @@ TEST_CASE (
     "a force cut at the focus and held at zero order is exact at any rate: nothing after the focus acts before it")
 {
     const auto cut = cutForces (3907).front();
-    const auto model = modesOf ({ 3907 }, 60, Eigen::MatrixXd::Ones (1, 1));
+    const auto model = modelWithModes ({ 3907 }, 60, Eigen::MatrixXd::Ones (1, 1));
     for (const auto rate : playedRates)
     {
         PlateModel plate (model, { Reconstruction::zeroOrderHold, rate }, Eigen::MatrixXd (0, 1));

@@ -35,7 +35,8 @@ std::vector<std::vector<Sample>> addInBlocks (const VoltageSynthesiser& synthesi
     return planar;
 }
 
-/** 150 oscillations, more than a few chunks, that start and end anywhere within 60 ms, on 23 ceramics: groups of 16, 8, 4, 2, 1. */
+/** 150 oscillations, more than a few chunks, that start and end anywhere within 60 ms, on 23 ceramics: groups of 16, 8,
+ * 4, 2, 1. */
 VoltageProgram crowd()
 {
     Draws draws (11);

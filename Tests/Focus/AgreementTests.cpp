@@ -9,10 +9,11 @@
 #include <cmath>
 #include <vector>
 
-// The closed forms of focus and the sampled plate model of engine know nothing of each other. Drives that are released after the
-// focus have no step and no corner there, only their curvature jumps: played band-limited they agree with the continuous closed form to
-// third order in the sample period T, down to the accuracy of the interpolation (2e-6 up to 0.75 of the Nyquist frequency). A drive
-// that were cut would lose kappa T psi, first order. Held samples have an exact sum of their own. Docs/Theory.md, section 6.3.
+// The closed forms of focus and the sampled plate model of engine know nothing of each other. Drives that are released
+// after the focus have no step and no corner there, only their curvature jumps: played band-limited they agree with the
+// continuous closed form to third order in the sample period T, down to the accuracy of the interpolation (2e-6 up to
+// 0.75 of the Nyquist frequency). A drive that were cut would lose kappa T psi, first order. Held samples have an exact
+// sum of their own. Docs/Theory.md, section 6.3.
 
 using namespace antinode;
 

@@ -117,8 +117,9 @@ TEST_CASE ("A brake's drives begin and end without a step of value or slope", "[
 
         CHECK (largest > 0.5);
 
-        // The curvature is at most 2 (r + b)^2, so second differences over h = 1e-7 s are below 2e-5, and 5e-6 more where parts end at 1e-6 of
-        // their size. A step of the slope, b h at least, would show as 6e-4, one of the value as 1.
+        // The curvature is at most 2 (r + b)^2, so second differences over h = 1e-7 s are below 2e-5, and 5e-6 more
+        // where parts end at 1e-6 of their size. A step of the slope, b h at least, would show as 6e-4, one of the
+        // value as 1.
         double bend = 0;
 
         for (auto t = window.start - 1e-6; t < window.end + 2e-6; t += 1e-7)

@@ -30,7 +30,7 @@ Eigen::VectorXd velocitiesAt (const ModalModel& model, const FocusDesign& design
     return modalVelocities (model, predictStates (model, design.program, time));
 }
 
-double errorOfField (const ModalModel& model, const FocusDesign& design)
+double computeFieldError (const ModalModel& model, const FocusDesign& design)
 {
     const Eigen::VectorXd field = model.shapes * velocitiesAt (model, design, design.program.focusTime);
     return scoreField (model.surface, field, design.truncatedField).fieldError;
@@ -55,8 +55,8 @@ TEST_CASE ("Exact rows bring every controlled mode to its velocity to 1e-9", "[f
 TEST_CASE ("The paper's rows leave the couplings between modes: small on a beam, but there", "[focus]")
 {
     const auto model = test::sineBeam (20, 8);
-    const auto paper = errorOfField (model, designFocus (model, sincFocus (AllocationMethod::paper), {}));
-    const auto exact = errorOfField (model, designFocus (model, sincFocus (AllocationMethod::exact), {}));
+    const auto paper = computeFieldError (model, designFocus (model, sincFocus (AllocationMethod::paper), {}));
+    const auto exact = computeFieldError (model, designFocus (model, sincFocus (AllocationMethod::exact), {}));
     CHECK (paper < 0.05);
     CHECK (exact < 0.005);
     CHECK (exact < paper / 2);
@@ -69,7 +69,7 @@ TEST_CASE ("Soft guards lower the field error and cost hardly any voltage", "[fo
     const auto guarded = designFocus (model, focus, {});
     focus.allocation.guardModes = 0;
     const auto free = designFocus (model, focus, {});
-    CHECK (errorOfField (model, guarded) < errorOfField (model, free));
+    CHECK (computeFieldError (model, guarded) < computeFieldError (model, free));
     CHECK (peakVoltage (guarded) < 1.2 * peakVoltage (free));
 }
 
@@ -86,8 +86,8 @@ TEST_CASE ("The allocation needs less voltage than one ceramic a mode", "[focus]
 TEST_CASE ("A limit that cannot be met is refused with what can be reached, and that can be reached", "[focus]")
 {
     const auto model = test::sineBeam (20, 8);
-    const auto least = designFocus (model, sincFocus (AllocationMethod::minimumPeak), {}).leastPeakVoltage;
-    auto focus = sincFocus (AllocationMethod::exact, 0.2 * least);
+    const auto minimum = designFocus (model, sincFocus (AllocationMethod::minimumPeak), {}).minimumPeakVoltage;
+    auto focus = sincFocus (AllocationMethod::exact, 0.2 * minimum);
 
     try
     {
@@ -99,7 +99,7 @@ TEST_CASE ("A limit that cannot be met is refused with what can be reached, and 
         CHECK_THAT (error.what(), Catch::Contains ("focus: voltage limit: is ")
                                       && Catch::Contains ("these drives need at least")
                                       && Catch::Contains ("this limit allows "));
-        CHECK (error.leastPeakVoltage == Approx (least).epsilon (2e-3));
+        CHECK (error.minimumPeakVoltage == Approx (minimum).epsilon (2e-3));
         CHECK (error.reachableVelocity == Approx (0.2 * 0.04).epsilon (2e-3));
         focus.targets[0].peakVelocity = 0.998 * error.reachableVelocity;
         CHECK_NOTHROW (designFocus (model, focus, {}));
@@ -109,14 +109,14 @@ TEST_CASE ("A limit that cannot be met is refused with what can be reached, and 
 TEST_CASE ("A limit that one drive a mode cannot keep is kept with more of them, down to where these end", "[focus]")
 {
     const auto model = test::sineBeam (20, 8);
-    const auto least = designFocus (model, sincFocus (AllocationMethod::minimumPeak), {}).leastPeakVoltage;
-    const auto plain = designFocus (model, sincFocus (AllocationMethod::exact, 1.05 * least), {});
-    const auto rich = designFocus (model, sincFocus (AllocationMethod::exact, 0.8 * least), {});
-    CHECK (peakVoltage (plain) <= 1.05 * least);
-    CHECK (peakVoltage (rich) <= 0.8 * least);
+    const auto minimum = designFocus (model, sincFocus (AllocationMethod::minimumPeak), {}).minimumPeakVoltage;
+    const auto plain = designFocus (model, sincFocus (AllocationMethod::exact, 1.05 * minimum), {});
+    const auto rich = designFocus (model, sincFocus (AllocationMethod::exact, 0.8 * minimum), {});
+    CHECK (peakVoltage (plain) <= 1.05 * minimum);
+    CHECK (peakVoltage (rich) <= 0.8 * minimum);
     CHECK (rich.program.oscillations.size() == 4 * plain.program.oscillations.size());
 
-    auto described = sincFocus (AllocationMethod::exact, 0.8 * least);
+    auto described = sincFocus (AllocationMethod::exact, 0.8 * minimum);
     described.transients.drive = DriveKind::paper; // Has no further drives.
     CHECK_THROWS_AS (designFocus (model, described, {}), LimitError);
 }
@@ -124,14 +124,14 @@ TEST_CASE ("A limit that one drive a mode cannot keep is kept with more of them,
 TEST_CASE ("Within an active limit the voltages touch it and the duality gap is certified", "[focus]")
 {
     const auto model = test::sineBeam (20, 8);
-    const auto least = designFocus (model, sincFocus (AllocationMethod::minimumPeak), {}).leastPeakVoltage;
-    const auto design = designFocus (model, sincFocus (AllocationMethod::exact, 1.05 * least), {});
+    const auto minimum = designFocus (model, sincFocus (AllocationMethod::minimumPeak), {}).minimumPeakVoltage;
+    const auto design = designFocus (model, sincFocus (AllocationMethod::exact, 1.05 * minimum), {});
     CHECK (design.certificate.status == AllocationStatus::optimal);
     CHECK (design.certificate.gap <= 1e-6);
     CHECK (design.certificate.gap >= -1e-9);
     CHECK (design.certificate.peakRatio == Approx (1).epsilon (1e-6));
     CHECK (design.lowerBoundVoltage > 0);
-    CHECK (design.lowerBoundVoltage < least);
+    CHECK (design.lowerBoundVoltage < minimum);
 }
 
 TEST_CASE ("Exact rows need at most 1.06 of the least peak of the paper's rows, also where modes are close", "[focus]")
@@ -154,7 +154,7 @@ TEST_CASE ("Exact rows need at most 1.06 of the least peak of the paper's rows, 
     }
     catch (const LimitError& error)
     {
-        paper = error.leastPeakVoltage;
+        paper = error.minimumPeakVoltage;
     }
 
     REQUIRE (paper > 0);
@@ -247,15 +247,15 @@ TEST_CASE ("Displacements of the controlled modes are 0 at the focus where that 
     const auto free = designFocus (model, focus, {});
     focus.allocation.isUndisplaced = true;
     const auto design = designFocus (model, focus, {});
-    const auto displacementOf = [&] (const FocusDesign& any)
+    const auto largestDisplacement = [&] (const FocusDesign& any)
     {
         const auto states = predictStates (model, any.program, any.program.focusTime);
         return states.imag() (any.controlledModes).cwiseAbs().maxCoeff();
     };
     const auto velocities = velocitiesAt (model, design, 0.025);
-    CHECK (displacementOf (design) <= 1e-9 * velocities.cwiseAbs().maxCoeff());
-    CHECK (displacementOf (free) > 1e-4 * velocities.cwiseAbs().maxCoeff());
-    CHECK (errorOfField (model, design) < 0.005);
+    CHECK (largestDisplacement (design) <= 1e-9 * velocities.cwiseAbs().maxCoeff());
+    CHECK (largestDisplacement (free) > 1e-4 * velocities.cwiseAbs().maxCoeff());
+    CHECK (computeFieldError (model, design) < 0.005);
 }
 
 TEST_CASE ("Slew limits of the ceramics hold at every instant, and those out of reach are named", "[focus]")

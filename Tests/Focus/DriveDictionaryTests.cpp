@@ -29,7 +29,7 @@ TEST_CASE ("The dictionary comes within 1.5 of the bound of all waveforms, with 
     const auto reached = modalVelocities (model, predictStates (model, design.program, focus.focusTime));
     CHECK (peakVoltage (design) < 1.5 * design.lowerBoundVoltage);
     CHECK (peakVoltage (design) > design.lowerBoundVoltage);
-    CHECK (design.leastPeakVoltage <= peakVoltage (design));
+    CHECK (design.minimumPeakVoltage <= peakVoltage (design));
 
     for (const auto mode : design.controlledModes)
         CHECK (reached[mode]
@@ -74,7 +74,7 @@ TEST_CASE ("Drives of the dictionary start from 0 without a slope, are 1 at the 
     const std::vector<int> modes { 0, 3 };
     const auto drives = dictionaryDrives (model, focus, modes, { 2, 0.5 });
     REQUIRE (drives.size() == modes.size() * dictionaryGrowths (2).size() * 2);
-    const auto valueOf = [] (const std::vector<Oscillation>& drive, double time)
+    const auto evaluate = [] (const std::vector<Oscillation>& drive, double time)
     {
         double sum = 0;
 
@@ -89,9 +89,9 @@ TEST_CASE ("Drives of the dictionary start from 0 without a slope, are 1 at the 
         const auto& drive = drives[l];
         const auto start = drive.front().start;
         const auto isCrest = l % 2 == 0;
-        CHECK (std::abs (valueOf (drive, start)) < 1e-12);
-        CHECK (std::abs (valueOf (drive, start + 1e-8)) < 1e-6);
-        CHECK (valueOf (drive, focus.focusTime) == Approx (isCrest ? 1.0 : 0.0).margin (1e-9));
-        CHECK (valueOf (drive, focus.focusTime - 1e-9) == Approx (valueOf (drive, focus.focusTime)).margin (1e-3));
+        CHECK (std::abs (evaluate (drive, start)) < 1e-12);
+        CHECK (std::abs (evaluate (drive, start + 1e-8)) < 1e-6);
+        CHECK (evaluate (drive, focus.focusTime) == Approx (isCrest ? 1.0 : 0.0).margin (1e-9));
+        CHECK (evaluate (drive, focus.focusTime - 1e-9) == Approx (evaluate (drive, focus.focusTime)).margin (1e-3));
     }
 }

@@ -82,7 +82,7 @@ TEST_CASE ("No free waveform goes below the bound of all waveforms, and one come
     }
     catch (const LimitError& error)
     {
-        CHECK (error.leastPeakVoltage == Approx (bound).epsilon (0.02));
+        CHECK (error.minimumPeakVoltage == Approx (bound).epsilon (0.02));
         CHECK (error.reachableVelocity == Approx (0.9 * 0.04).epsilon (0.02));
     }
 }
@@ -96,12 +96,12 @@ TEST_CASE ("Bounded samples of one mode: a bang-bang voltage at the least peak, 
     problem.wanted = Eigen::VectorXd::Ones (1);
     problem.compliance = Eigen::VectorXd::Zero (1);
     problem.limits = Eigen::VectorXd::Constant (1, 0.5);
-    const auto least = 1 / (2.0 * 0.5 * problem.weights.cwiseAbs().sum());
-    const auto bracket = leastWaveformPeak (problem, 1e-3);
-    CHECK (bracket.lower <= least * (1 + 1e-9));
-    CHECK (bracket.upper >= least * (1 - 1e-9));
+    const auto minimum = 1 / (2.0 * 0.5 * problem.weights.cwiseAbs().sum());
+    const auto bracket = minimumWaveformPeak (problem, 1e-3);
+    CHECK (bracket.lower <= minimum * (1 + 1e-9));
+    CHECK (bracket.upper >= minimum * (1 - 1e-9));
     CHECK (bracket.upper < bracket.lower * 1.001);
-    problem.limits *= 1.2 * least;
+    problem.limits *= 1.2 * minimum;
     const auto inside = solveBoundedWaveform (problem);
     CHECK (inside.isMet);
     CHECK (inside.objective == Approx (inside.bound).epsilon (1e-9));

@@ -146,7 +146,8 @@ TEST_CASE ("The modes for a capture are those that trying every count gives", "[
 TEST_CASE ("On a plate the modal velocities of a target are its Fourier coefficients", "[focus]")
 {
     // A separable gaussian far from the edges: the integrals are those over the whole plane, product of
-    // sqrt (pi / c) exp (-k^2 / 4c) sin (k x_c) with c = 4 ln 2 / width^2. What is cut off at the edges is below exp (-40).
+    // sqrt (pi / c) exp (-k^2 / 4c) sin (k x_c) with c = 4 ln 2 / width^2. What is cut off at the edges is below exp
+    // (-40).
     const test::SinePlate plate;
     const auto model = plate.model (40);
     const Target wanted { TargetShape::gaussian, 0.09, 0.08, 0.02, 0.04, 1, TargetProfile::separable, 0.016 };

@@ -41,7 +41,8 @@ VoltageProgram repeated (const VoltageProgram& program, double period, int count
     return all;
 }
 
-/** What the others leave at the worst focus of a train, of the peak: the velocity, or its amplitude whatever its phase. */
+/** What the others leave at the worst focus of a train, of the peak: the velocity, or its amplitude whatever its phase.
+ */
 double loss (const ModalModel& model, const VoltageProgram& program, double period, bool isAmplitude)
 {
     constexpr int count = 12;

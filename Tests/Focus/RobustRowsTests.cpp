@@ -73,8 +73,8 @@ double squaredValues (const AllocationProblem& problem, const Eigen::MatrixXd& m
 
 TEST_CASE ("Robust rows square up to the expected squared error of devices drawn", "[robust]")
 {
-    // Any matrix that meets the hard rows. 4000 draws know the mean square to 3 % or so; a spread of frequencies of 0.05 % is small
-    // enough for the quadrature, whose error is of sixth order.
+    // Any matrix that meets the hard rows. 4000 draws know the mean square to 3 % or so; a spread of frequencies of
+    // 0.05 % is small enough for the quadrature, whose error is of sixth order.
     const Instance instance;
     const DetuningSpread spread { 0.0005, 0.1, 0.05, 0 };
     const auto problem = withRobustRows (instance.problem, instance.model, instance.origin, { spread, 1e9 });
@@ -114,7 +114,8 @@ TEST_CASE ("Nothing is added where nothing spreads", "[robust]")
     const auto problem =
         withRobustRows (instance.problem, instance.model, instance.origin, { DetuningSpread {}, 1000 });
 
-    // What guards do on the device as it is known is an error too: they may be there once more, but no controlled mode is.
+    // What guards do on the device as it is known is an error too: they may be there once more, but no controlled mode
+    // is.
     const auto matrix = minimumNormAllocation (instance.problem);
     const auto guards = instance.problem.guardRows.rows();
     const Eigen::VectorXd known = (instance.problem.guardRows * matrix.transpose())

@@ -113,8 +113,8 @@ TEST_CASE ("Limits out of reach are proven so at every place of the staple, with
         }
         catch (const LimitError& error)
         {
-            CHECK (error.leastPeakVoltage > 500);
-            CHECK (error.reachableVelocity == Approx (10 * 50 / error.leastPeakVoltage).epsilon (1e-6));
+            CHECK (error.minimumPeakVoltage > 500);
+            CHECK (error.reachableVelocity == Approx (10 * 50 / error.minimumPeakVoltage).epsilon (1e-6));
         }
     }
 }

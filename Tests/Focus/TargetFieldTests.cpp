@@ -183,7 +183,8 @@ TEST_CASE ("The window tapers at held edges only", "[focus]")
 TEST_CASE ("Contrast on a plate weights by area and leaves out a spot as wide as the target in each direction",
            "[focus]")
 {
-    // 1 on the left half outside the spot, 0 elsewhere, peak 3: the mean square is the share of the area, whatever the points.
+    // 1 on the left half outside the spot, 0 elsewhere, peak 3: the mean square is the share of the area, whatever the
+    // points.
     const test::SinePlate plate { .segments = 20, .placesPerSegment = 6 };
     const auto surface = plate.surface();
     Eigen::VectorXd field = (surface.points.col (0).array() < 0.1).cast<double>();

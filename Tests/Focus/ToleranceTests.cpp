@@ -44,7 +44,7 @@ double errorOn (const ModalModel& device, const FocusDesign& design)
         .fieldError;
 }
 
-double errorOf (const std::vector<ToleranceCause>& causes, int mode, ToleranceKind kind)
+double causeError (const std::vector<ToleranceCause>& causes, int mode, ToleranceKind kind)
 {
     const auto found =
         std::find_if (causes.begin(), causes.end(),
@@ -61,12 +61,12 @@ TEST_CASE ("Percentiles interpolate between ordered values", "[tolerance]")
     for (int i = 10; i >= 0; --i)
         values.push_back (10.0 * i);
 
-    const auto result = percentilesOf (values);
+    const auto result = computePercentiles (values);
 
     for (std::size_t i = 0; i < result.size(); ++i)
         CHECK (result[i] == Approx (tolerancePercents[i]));
 
-    CHECK (percentilesOf ({ 7 })[2] == 7);
+    CHECK (computePercentiles ({ 7 })[2] == 7);
 }
 
 TEST_CASE ("The same seed draws the same devices, another seed others", "[tolerance]")
@@ -101,8 +101,9 @@ TEST_CASE ("Without spread every device is the known one", "[tolerance]")
 
 TEST_CASE ("What each cause costs alone adds up in squares to what the devices drawn show", "[tolerance]")
 {
-    // Modes are orthogonal on this beam, and errors independent; what is left are the draws' own deviation (300 draws: 4 % of the
-    // mean square at one standard deviation, for errors spread over some ten causes) and the product of errors of one mode.
+    // Modes are orthogonal on this beam, and errors independent; what is left are the draws' own deviation (300 draws:
+    // 4 % of the mean square at one standard deviation, for errors spread over some ten causes) and the product of
+    // errors of one mode.
     const auto model = test::sineBeam (20, 8);
     const auto design = sincDesign (model);
     const auto tolerance = evaluateTolerance (model, design, { { 0.002, 0.1, 0.05, 0 }, 300, 1 }, ignore);
@@ -119,7 +120,8 @@ TEST_CASE ("What each cause costs alone adds up in squares to what the devices d
 
 TEST_CASE ("A cause is what devices show that are off in that one thing", "[tolerance]")
 {
-    // Small errors: the response is all but linear in damping, so that 1 standard deviation either way stands for the RMS.
+    // Small errors: the response is all but linear in damping, so that 1 standard deviation either way stands for the
+    // RMS.
     const auto model = test::sineBeam (20, 8);
     const auto design = sincDesign (model);
     const auto mode = design.controlledModes[3];
@@ -133,8 +135,8 @@ TEST_CASE ("A cause is what devices show that are off in that one thing", "[tole
         const auto squares = [&] (const Eigen::VectorXd& v) { return model.surface.areas.dot (v.cwiseAbs2()); };
         return std::sqrt (squares (field - known) / squares (design.truncatedField));
     };
-    CHECK (errorOf (causes, mode, ToleranceKind::damping) == Approx (change (off)).epsilon (0.01));
-    CHECK (errorOf (causes, mode, ToleranceKind::frequency) == -1);
+    CHECK (causeError (causes, mode, ToleranceKind::damping) == Approx (change (off)).epsilon (0.01));
+    CHECK (causeError (causes, mode, ToleranceKind::frequency) == -1);
 
     // Participations are linear: the squares of one ceramic at a time add up.
     double sum = 0;
@@ -148,7 +150,7 @@ TEST_CASE ("A cause is what devices show that are off in that one thing", "[tole
         sum += change (field) * change (field);
     }
 
-    CHECK (errorOf (causes, mode, ToleranceKind::participation) == Approx (std::sqrt (sum)).epsilon (1e-6));
+    CHECK (causeError (causes, mode, ToleranceKind::participation) == Approx (std::sqrt (sum)).epsilon (1e-6));
 }
 
 TEST_CASE ("A drift moves all frequencies alike and costs what devices show that have drifted", "[tolerance]")
@@ -171,10 +173,10 @@ TEST_CASE ("A drift moves all frequencies alike and costs what devices show that
 TEST_CASE ("A cause is told in a sentence", "[tolerance]")
 {
     const auto model = test::sineBeam (20, 8);
-    CHECK (sentenceOf ({ 6, ToleranceKind::frequency, 0.00812 }, model)
+    CHECK (causeSentence ({ 6, ToleranceKind::frequency, 0.00812 }, model)
            == "Mode 7 (5657 Hz): its frequency alone changes the field by 0.81 %.");
-    CHECK (sentenceOf ({ 0, ToleranceKind::participation, 0.05 }, model)
+    CHECK (causeSentence ({ 0, ToleranceKind::participation, 0.05 }, model)
            == "Mode 1 (115 Hz): its participations alone change the field by 5 %.");
-    CHECK (sentenceOf ({ {}, ToleranceKind::drift, 0.012 }, model)
+    CHECK (causeSentence ({ {}, ToleranceKind::drift, 0.012 }, model)
            == "A drift of all frequencies alone changes the field by 1.2 %.");
 }

@@ -12,8 +12,9 @@ using namespace antinode;
 
 TEST_CASE ("An undamped mode that grows steadily is in motion for as long as its velocity says", "[tradeoff]")
 {
-    // One held oscillation at the frequency of a mode of hardly any damping: q' = t/2 cos b t. Over many cycles |q'| is above half of its
-    // last crest for the part of each cycle with |cos| > 1/(2 u), u = t/t_f from 1/2 to 1: the integral of (2/pi) acos (1/(2u)).
+    // One held oscillation at the frequency of a mode of hardly any damping: q' = t/2 cos b t. Over many cycles |q'| is
+    // above half of its last crest for the part of each cycle with |cos| > 1/(2 u), u = t/t_f from 1/2 to 1: the
+    // integral of (2/pi) acos (1/(2u)).
     auto model = test::sineBeam (1, 1);
     model.dampingRatios.setConstant (1e-6);
     const auto b = dampedFrequencies (model)[0];

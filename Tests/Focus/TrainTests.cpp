@@ -134,7 +134,7 @@ TEST_CASE ("Foci too close for the limit are refused with what would do", "[focu
     }
     catch (const LimitError& error)
     {
-        CHECK (error.leastPeakVoltage > limit);
+        CHECK (error.minimumPeakVoltage > limit);
         CHECK (error.reachableVelocity < 0.04);
     }
 }

@@ -24,7 +24,7 @@ struct Mode
     std::complex<double> pole() const { return { -a(), b() }; }
 };
 
-ModalModel modelOf (const std::vector<Mode>& modes)
+ModalModel makeModel (const std::vector<Mode>& modes)
 {
     ModalModel model;
     const auto count = static_cast<Eigen::Index> (modes.size());
@@ -219,7 +219,7 @@ TEST_CASE ("Growth and cycles that are not given are chosen: one envelope rate o
            "[focus]")
 {
     const std::vector<Mode> modes { { 420, 1.0 / 380 }, { 957, 1.0 / 120 }, { 10733, 1.0 / 120 } };
-    const auto model = modelOf (modes);
+    const auto model = makeModel (modes);
     const auto drives = driveModes (model, { 0, 1, 2 }, 0.025, {});
 
     for (std::size_t k = 0; k < 3; ++k)
@@ -233,7 +233,7 @@ TEST_CASE ("Growth and cycles that are not given are chosen: one envelope rate o
 
 TEST_CASE ("What cannot be driven is said in one sentence", "[focus]")
 {
-    const auto model = modelOf ({ { 420, 0.004 }, { 957, 0.004 } });
+    const auto model = makeModel ({ { 420, 0.004 }, { 957, 0.004 } });
     CHECK_THROWS_WITH (driveModes (model, { 0, 1 }, 0.0001, {}),
                        Catch::Contains ("focus: focus time: leaves 0.1 ms")
                            && Catch::Contains ("needs a quarter period; allowed: at least "));
@@ -247,7 +247,8 @@ TEST_CASE ("What cannot be driven is said in one sentence", "[focus]")
 TEST_CASE ("A growth of a thousand still gives a finite drive that arrives", "[focus]")
 {
     const std::vector<Mode> modes { { 420, 0.02 }, { 20000, 0.02 } };
-    const auto drives = driveModes (modelOf (modes), { 0, 1 }, 0.025, { DriveKind::offsetFree, { 1000 }, {}, {}, {} });
+    const auto drives =
+        driveModes (makeModel (modes), { 0, 1 }, 0.025, { DriveKind::offsetFree, { 1000 }, {}, {}, {} });
 
     for (std::size_t k = 0; k < 2; ++k)
         CHECK (predicted (modes[k], drives[k].oscillations, 0.025)[1] == Approx (1).epsilon (1e-9));

@@ -13,6 +13,6 @@ void antinode::test::fuzz (std::string_view bytes)
     if (errorText ([&] { once = encodeUniversalFile (sets); }).empty())
         require (encodeUniversalFile (readUniversalFile (once, "written")) == once);
 
-    const auto measurement = mergedResponses ({ measurementOf (sets, "file") }, {});
+    const auto measurement = mergedResponses ({ measurementFromUniversal (sets, "file") }, {});
     validate (measurement.responses);
 }

@@ -57,7 +57,7 @@ void scramble (juce::AudioPluginInstance& instance, std::mt19937& random)
 TEST_CASE ("What a host reads is what it gets back, to the bit", "[hosted]")
 {
     const auto plugin = GENERATE (BuiltPlugin { PluginKind::vst3, 8 }, BuiltPlugin { PluginKind::lv2, 8 });
-    CAPTURE (nameOf (plugin));
+    CAPTURE (pluginName (plugin));
     const auto first = hosted (plugin);
     first->prepareToPlay (48000, 64);
     std::unique_ptr<juce::AudioPluginInstance> second;
@@ -75,9 +75,9 @@ TEST_CASE ("What a host reads is what it gets back, to the bit", "[hosted]")
         if (i % 50 == 0)
             second = hosted (plugin);
 
-        const auto kept = stateOf (*first);
+        const auto kept = savedState (*first);
         setState (*second, kept);
-        REQUIRE ((innerState (plugin, stateOf (*second)) == innerState (plugin, kept)));
+        REQUIRE ((innerState (plugin, savedState (*second)) == innerState (plugin, kept)));
 
         if (plugin.kind == PluginKind::vst3)
             for (int k = 0; k < first->getParameters().size(); ++k)

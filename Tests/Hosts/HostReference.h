@@ -69,8 +69,8 @@ inline HostReference demonstratorReference (double rate, int samples)
     return referenceFor (*demonstrator().device, *demonstrator().focus, rate, samples);
 }
 
-/** How far what was played is from the reference: ceramics on the first wires, silence on those beyond the device's, then the
-    monitors. @param noteAt  silence before it */
+/** How far what was played is from the reference: ceramics on the first wires, silence on those beyond the device's,
+   then the monitors. @param noteAt  silence before it */
 inline double deviation (const Eigen::MatrixXd& played, int ceramics, const HostReference& reference, int noteAt)
 {
     const auto monitors = played.rows() - ceramics;

@@ -21,7 +21,7 @@ constexpr int length = 1600, noteAt = 100;
 std::unique_ptr<juce::AudioPluginInstance> combIn (const BuiltPlugin& plugin, const HostReference& reference, int block)
 {
     auto instance = hostedOffline (plugin, rate, block);
-    setState (*instance, hostState (plugin, stateOf (*instance), reference.state));
+    setState (*instance, hostState (plugin, savedState (*instance), reference.state));
     instance->prepareToPlay (rate, block);
     return instance;
 }
@@ -31,7 +31,7 @@ TEST_CASE ("Channel k of a hosted plug-in is ceramic k, the last two are the pro
 {
     const auto reference = combReference (rate, length);
     const auto plugin = GENERATE (from_range (builtPlugins()));
-    CAPTURE (nameOf (plugin));
+    CAPTURE (pluginName (plugin));
     const auto instance = combIn (plugin, reference, 256);
     REQUIRE (instance->getTotalNumOutputChannels() == plugin.ceramics + 2);
     const auto played = play (*instance, plugin, length, 256, noteAt);
@@ -61,7 +61,7 @@ TEST_CASE ("Blocks of any length give the same, in float and in double", "[hoste
 {
     const auto reference = combReference (rate, length);
     const auto plugin = GENERATE (from_range (builtPlugins()));
-    CAPTURE (nameOf (plugin));
+    CAPTURE (pluginName (plugin));
     const auto instance = combIn (plugin, reference, 8193);
 
     for (const auto block : { 1, 3, 64, 511, 512, 1024, 8193 })
@@ -81,7 +81,7 @@ TEST_CASE ("The rate of a hosted plug-in may change on the fly", "[hosted]")
 {
     const auto plugin = GENERATE (BuiltPlugin { PluginKind::vst3, 8 }, BuiltPlugin { PluginKind::lv2, 8 });
     const auto instance = hostedOffline (plugin);
-    CAPTURE (nameOf (plugin));
+    CAPTURE (pluginName (plugin));
 
     for (const auto other : { 24000.0, 44100.0, 96000.0, 192000.0, 768000.0, 48000.0 })
     {
@@ -99,7 +99,7 @@ TEST_CASE ("A hosted plug-in is prepared and released as often as a host likes, 
 {
     const auto reference = demonstratorReference (rate, length);
     const auto plugin = GENERATE (BuiltPlugin { PluginKind::vst3, 8 }, BuiltPlugin { PluginKind::lv2, 8 });
-    CAPTURE (nameOf (plugin));
+    CAPTURE (pluginName (plugin));
     const auto instance = hosted (plugin);
     for (int i = 0; i < 10; ++i)
     {
@@ -111,8 +111,8 @@ TEST_CASE ("A hosted plug-in is prepared and released as often as a host likes, 
     instance->prepareToPlay (rate, 512);
     auto error = 1.0;
 
-    // Foci are designed in the background meanwhile: 30 s are far more than that takes on any machine. A host of JUCE's makes an LV2
-    // anew whenever it prepares it.
+    // Foci are designed in the background meanwhile: 30 s are far more than that takes on any machine. A host of JUCE's
+    // makes an LV2 anew whenever it prepares it.
     for (int attempt = 0; attempt < 600 && error >= wireTolerance; ++attempt)
     {
         std::this_thread::sleep_for (std::chrono::milliseconds (50));
@@ -127,7 +127,7 @@ TEST_CASE ("Twenty hosted instances play beside each other", "[hosted]")
 {
     const auto reference = demonstratorReference (rate, length);
     const auto plugin = GENERATE (BuiltPlugin { PluginKind::vst3, 16 }, BuiltPlugin { PluginKind::lv2, 16 });
-    CAPTURE (nameOf (plugin));
+    CAPTURE (pluginName (plugin));
     std::vector<std::unique_ptr<juce::AudioPluginInstance>> all;
 
     for (int i = 0; i < 20; ++i)
@@ -140,7 +140,7 @@ TEST_CASE ("Twenty hosted instances play beside each other", "[hosted]")
 TEST_CASE ("A hosted plug-in that is bypassed gives 0 V, and plays on afterwards", "[hosted]")
 {
     const auto plugin = GENERATE (BuiltPlugin { PluginKind::vst3, 8 }, BuiltPlugin { PluginKind::lv2, 8 });
-    CAPTURE (nameOf (plugin));
+    CAPTURE (pluginName (plugin));
     const auto instance = hostedOffline (plugin);
     auto* const bypass = instance->getBypassParameter();
     REQUIRE (bypass != nullptr);
@@ -161,7 +161,7 @@ TEST_CASE ("Making a hosted instance takes so long", "[hosted]")
             const auto start = std::chrono::steady_clock::now();
             const auto instance = hosted (plugin);
             const auto taken = std::chrono::steady_clock::now() - start;
-            std::printf ("%s, %s instance: %.1f ms\n", nameOf (plugin).c_str(), which,
+            std::printf ("%s, %s instance: %.1f ms\n", pluginName (plugin).c_str(), which,
                          std::chrono::duration<double, std::milli> (taken).count());
             CHECK (instance->getTotalNumOutputChannels() == 10);
         }
@@ -170,7 +170,7 @@ TEST_CASE ("Making a hosted instance takes so long", "[hosted]")
 TEST_CASE ("An LV2 asks for no memory while it plays", "[hosted]")
 {
     const auto plugin = GENERATE (BuiltPlugin { PluginKind::lv2, 8 }, BuiltPlugin { PluginKind::lv2, 64 });
-    CAPTURE (nameOf (plugin));
+    CAPTURE (pluginName (plugin));
     const auto instance = hosted (plugin, rate, 128);
     instance->prepareToPlay (rate, 128);
     juce::AudioBuffer<float> buffer (instance->getTotalNumOutputChannels(), 128);

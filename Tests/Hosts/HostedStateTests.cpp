@@ -17,7 +17,7 @@ namespace
 constexpr double rate = 48000;
 constexpr double loudest = 1 + 1e-6; // of a ceramic: full scale is the device's limit
 
-juce::AudioProcessorParameter& parameterOf (juce::AudioPluginInstance& instance, const juce::String& name)
+juce::AudioProcessorParameter& findParameter (juce::AudioPluginInstance& instance, const juce::String& name)
 {
     for (auto* const parameter : instance.getParameters())
         if (parameter->getName (64) == name)
@@ -36,7 +36,7 @@ void automate (juce::AudioPluginInstance& instance, std::mt19937& random)
 TEST_CASE ("A state comes back to the bit in another instance of any number of channels", "[hosted]")
 {
     const auto plugin = GENERATE (from_range (builtPlugins()));
-    CAPTURE (nameOf (plugin));
+    CAPTURE (pluginName (plugin));
     const auto first = hostedOffline (plugin), second = hostedOffline (plugin);
     std::mt19937 random (3);
 
@@ -46,23 +46,23 @@ TEST_CASE ("A state comes back to the bit in another instance of any number of c
         automate (*second, random);
         play (*first, plugin, 512, 512, -1); // Values reach the plug-in with a block.
         play (*second, plugin, 512, 512, -1);
-        const auto kept = stateOf (*first);
+        const auto kept = savedState (*first);
         setState (*second, kept);
-        REQUIRE ((innerState (plugin, stateOf (*second)) == innerState (plugin, kept)));
+        REQUIRE ((innerState (plugin, savedState (*second)) == innerState (plugin, kept)));
         play (*second, plugin, 512, 512, -1);
-        REQUIRE ((innerState (plugin, stateOf (*second)) == innerState (plugin, kept)));
+        REQUIRE ((innerState (plugin, savedState (*second)) == innerState (plugin, kept)));
     }
 }
 
 TEST_CASE ("What a state plays is what it was kept from", "[hosted]")
 {
     const auto plugin = GENERATE (BuiltPlugin { PluginKind::vst3, 8 }, BuiltPlugin { PluginKind::lv2, 8 });
-    CAPTURE (nameOf (plugin));
+    CAPTURE (pluginName (plugin));
     const auto first = hostedOffline (plugin), second = hostedOffline (plugin);
-    parameterOf (*first, "Focus x").setValue (0.27F);
+    findParameter (*first, "Focus x").setValue (0.27F);
     play (*first, plugin, 512, 512, -1);
     first->prepareToPlay (rate, 512);
-    setState (*second, stateOf (*first));
+    setState (*second, savedState (*first));
     second->prepareToPlay (rate, 512);
     const auto one = play (*first, plugin, 4096, 512, 0), other = play (*second, plugin, 4096, 512, 0);
     CHECK (one.topRows (8).cwiseAbs().maxCoeff() > 0.01);
@@ -73,11 +73,11 @@ TEST_CASE ("States are kept and set on another thread while blocks are played", 
 {
     const auto plugin = GENERATE (BuiltPlugin { PluginKind::vst3, 8 }, BuiltPlugin { PluginKind::vst3, 64 },
                                   BuiltPlugin { PluginKind::lv2, 8 });
-    CAPTURE (nameOf (plugin));
+    CAPTURE (pluginName (plugin));
     const auto instance = hosted (plugin), other = hostedOffline (plugin);
-    parameterOf (*other, "Focus x").setValue (0.27F);
+    findParameter (*other, "Focus x").setValue (0.27F);
     play (*other, plugin, 512, 512, -1);
-    const auto first = stateOf (*instance), second = stateOf (*other);
+    const auto first = savedState (*instance), second = savedState (*other);
     REQUIRE ((innerState (plugin, first) != innerState (plugin, second)));
     instance->prepareToPlay (rate, 512);
     std::atomic<bool> isDone { false }, areFinite { true };
@@ -94,7 +94,7 @@ TEST_CASE ("States are kept and set on another thread while blocks are played", 
             for (int i = 0; i < 20; ++i)
             {
                 setState (*instance, i % 2 == 0 ? second : first);
-                stateOf (*instance);
+                savedState (*instance);
             }
 
             setState (*instance, second);
@@ -102,14 +102,14 @@ TEST_CASE ("States are kept and set on another thread while blocks are played", 
     isDone = true;
     audio.join();
     CHECK (areFinite);
-    CHECK ((innerState (plugin, stateOf (*instance)) == innerState (plugin, second)));
+    CHECK ((innerState (plugin, savedState (*instance)) == innerState (plugin, second)));
 }
 
 TEST_CASE ("Whatever a host automates in each block, voltages stay finite and within full scale", "[hosted]")
 {
     const auto plugin = GENERATE (from_range (builtPlugins()));
     const auto isOffline = plugin.ceramics == 8;
-    CAPTURE (nameOf (plugin));
+    CAPTURE (pluginName (plugin));
     const auto instance = hosted (plugin, rate, 1024);
     instance->setNonRealtime (isOffline);
     instance->prepareToPlay (rate, 1024);
@@ -173,7 +173,7 @@ TEST_CASE ("The same parameters are there in both formats", "[hosted]")
 TEST_CASE ("Blocks before prepare, after release, and of no samples do no harm", "[hosted]")
 {
     const auto plugin = GENERATE (from_range (builtPlugins()));
-    CAPTURE (nameOf (plugin));
+    CAPTURE (pluginName (plugin));
     const auto instance = hosted (plugin);
     CHECK (play (*instance, plugin, 512, 512, 0).allFinite());
     instance->prepareToPlay (rate, 512);
@@ -192,7 +192,7 @@ TEST_CASE ("A plug-in in a buffer of more channels than agreed plays in those th
 {
     const auto reference = demonstratorReference (rate, 1600);
     const auto plugin = GENERATE (BuiltPlugin { PluginKind::vst3, 8 }, BuiltPlugin { PluginKind::lv2, 8 });
-    CAPTURE (nameOf (plugin));
+    CAPTURE (pluginName (plugin));
     const auto instance = hostedOffline (plugin, rate, 1600);
     juce::AudioBuffer<float> buffer (80, 1600);
     buffer.clear();

@@ -38,8 +38,8 @@ juce::AudioPluginFormat& lv2Format()
     return format;
 }
 
-std::unique_ptr<juce::AudioPluginInstance> instanceOf (const BuiltPlugin& plugin, double rate, int block,
-                                                       juce::String& error)
+std::unique_ptr<juce::AudioPluginInstance> createInstance (const BuiltPlugin& plugin, double rate, int block,
+                                                           juce::String& error)
 {
     if (plugin.kind == PluginKind::lv2)
     {
@@ -100,7 +100,7 @@ std::pair<std::size_t, std::size_t> encodedPart (const std::string& text)
 }
 } // namespace
 
-std::string nameOf (const BuiltPlugin& plugin)
+std::string pluginName (const BuiltPlugin& plugin)
 {
     return (plugin.kind == PluginKind::vst3 ? "VST3 " : "LV2 ") + std::to_string (plugin.ceramics);
 }
@@ -115,10 +115,10 @@ std::vector<BuiltPlugin> builtPlugins()
 std::unique_ptr<juce::AudioPluginInstance> hosted (const BuiltPlugin& plugin, double rate, int block)
 {
     juce::String error;
-    auto instance = instanceOf (plugin, rate, block, error);
+    auto instance = createInstance (plugin, rate, block, error);
 
     if (instance == nullptr)
-        throw std::runtime_error (nameOf (plugin) + ": " + error.toStdString());
+        throw std::runtime_error (pluginName (plugin) + ": " + error.toStdString());
 
     return instance;
 }
@@ -163,7 +163,7 @@ Eigen::MatrixXd play (juce::AudioPluginInstance& instance, const BuiltPlugin& pl
                  });
 }
 
-juce::MemoryBlock stateOf (juce::AudioPluginInstance& instance)
+juce::MemoryBlock savedState (juce::AudioPluginInstance& instance)
 {
     juce::MemoryBlock state;
     instance.getStateInformation (state);

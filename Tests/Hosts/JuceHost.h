@@ -24,7 +24,7 @@ struct BuiltPlugin
     int ceramics = 8; ///< Of the LV2 bundle, or what ANTINODE_CERAMICS says to the VST3.
 };
 
-std::string nameOf (const BuiltPlugin&);
+std::string pluginName (const BuiltPlugin&);
 
 /** All LV2 bundles, and the VST3 with 2, 8, 16, 32 and 64 channels. */
 std::vector<BuiltPlugin> builtPlugins();
@@ -35,8 +35,8 @@ std::unique_ptr<juce::AudioPluginInstance> hosted (const BuiltPlugin&, double ra
 /** The same, offline and prepared. */
 std::unique_ptr<juce::AudioPluginInstance> hostedOffline (const BuiltPlugin&, double rate = 48000, int block = 512);
 
-/** Plays blocks. @return  ceramics in their order, then monitors, x samples: a JUCE host orders the wires of a VST3 anew, which is
-    undone here */
+/** Plays blocks. @return  ceramics in their order, then monitors, x samples: a JUCE host orders the wires of a VST3
+   anew, which is undone here */
 Eigen::MatrixXd play (juce::AudioPluginInstance&, const BuiltPlugin&, int samples, int block,
                       const std::function<void (int start, juce::MidiBuffer&)>& beforeBlock);
 
@@ -44,7 +44,7 @@ Eigen::MatrixXd play (juce::AudioPluginInstance&, const BuiltPlugin&, int sample
 Eigen::MatrixXd play (juce::AudioPluginInstance&, const BuiltPlugin&, int samples, int block, int noteAt,
                       int note = 60);
 
-juce::MemoryBlock stateOf (juce::AudioPluginInstance&);
+juce::MemoryBlock savedState (juce::AudioPluginInstance&);
 void setState (juce::AudioPluginInstance&, const juce::MemoryBlock&);
 
 /** What the plug-in itself keeps, out of what the host wraps around it. */

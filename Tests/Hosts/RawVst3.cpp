@@ -10,7 +10,7 @@ namespace antinode::test
 namespace
 {
 template <typename Function>
-Function symbolOf (void* module, const char* name)
+Function findSymbol (void* module, const char* name)
 {
     const auto symbol = reinterpret_cast<Function> (dlsym (module, name));
 
@@ -43,7 +43,7 @@ Interface* created (const Steinberg::TUID classIdentifier)
 }
 
 /** The factory's class of a category. */
-Steinberg::PClassInfo classOf (const std::string& category)
+Steinberg::PClassInfo findClass (const std::string& category)
 {
     Steinberg::PClassInfo info;
 
@@ -69,8 +69,8 @@ Steinberg::IPluginFactory& vst3Factory()
         if (module == nullptr)
             throw std::runtime_error (dlerror());
 
-        symbolOf<bool (*) (void*)> (module, "ModuleEntry") (module);
-        return *symbolOf<Steinberg::IPluginFactory* (*) ()> (module, "GetPluginFactory")();
+        findSymbol<bool (*) (void*)> (module, "ModuleEntry") (module);
+        return *findSymbol<Steinberg::IPluginFactory* (*) ()> (module, "GetPluginFactory")();
     }();
     return factory;
 }
@@ -78,7 +78,7 @@ Steinberg::IPluginFactory& vst3Factory()
 RawVst3::RawVst3 (int ceramics, Connection connection)
 {
     setenv ("ANTINODE_CERAMICS", std::to_string (ceramics).c_str(), 1);
-    component = created<Vst::IComponent> (classOf (kVstAudioEffectClass).cid);
+    component = created<Vst::IComponent> (findClass (kVstAudioEffectClass).cid);
     unsetenv ("ANTINODE_CERAMICS");
     component->initialize (&application);
     processor = queried<Vst::IAudioProcessor> (component);

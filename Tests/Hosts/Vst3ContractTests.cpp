@@ -21,14 +21,14 @@ std::u16string wide (const Steinberg::Vst::TChar* text)
     return reinterpret_cast<const char16_t*> (text);
 }
 
-Vst::IUnitInfo* unitsOf (RawVst3& plugin)
+Vst::IUnitInfo* unitInfo (RawVst3& plugin)
 {
     void* units = nullptr;
     REQUIRE (plugin.controller->queryInterface (Vst::IUnitInfo::iid, &units) == kResultOk);
     return static_cast<Vst::IUnitInfo*> (units);
 }
 
-std::u16string textOf (RawVst3& plugin, Vst::ParamID parameter, double value)
+std::u16string parameterText (RawVst3& plugin, Vst::ParamID parameter, double value)
 {
     Vst::String128 text {};
     REQUIRE (plugin.controller->getParamStringByValue (parameter, value, text) == kResultTrue);
@@ -98,7 +98,7 @@ TEST_CASE ("Buses have names, counts that fit their speakers, and no neighbours 
 TEST_CASE ("Parameters have identifiers, titles and units of their own, and one of them is the bypass", "[vst3]")
 {
     RawVst3 plugin;
-    auto* const units = unitsOf (plugin);
+    auto* const units = unitInfo (plugin);
     std::set<Vst::ParamID> identifiers;
     std::set<std::u16string> titles;
     std::set<Vst::UnitID> unitIdentifiers;
@@ -152,7 +152,7 @@ TEST_CASE ("Parameters come back from texts, from plain values and from their se
         {
             // Floats in between: what a step of an integer is, only its parameter knows.
             const auto value = static_cast<double> (static_cast<float> (step) / static_cast<float> (steps));
-            const auto text = textOf (plugin, info.id, value);
+            const auto text = parameterText (plugin, info.id, value);
             double read = -1;
             INFO (std::string (text.begin(), text.end()) << " at " << value);
             CHECK (! text.empty());
@@ -161,7 +161,7 @@ TEST_CASE ("Parameters come back from texts, from plain values and from their se
                      == kResultTrue);
             CHECK (read >= 0);
             CHECK (read <= 1);
-            CHECK (textOf (plugin, info.id, read) == text);
+            CHECK (parameterText (plugin, info.id, read) == text);
             CHECK (controller.plainParamToNormalized (info.id, controller.normalizedParamToPlain (info.id, value))
                    == Approx (value).margin (1e-12));
             controller.setParamNormalized (info.id, value);

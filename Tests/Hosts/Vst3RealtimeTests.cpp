@@ -18,7 +18,7 @@ constexpr int blocks = 1500, warmUp = 50, length = 128;
 
 struct AudioFindings
 {
-    long mostAllocations = 0, allocations = 0;
+    long maximumAllocations = 0, allocations = 0;
     bool isHeard = false;
 };
 
@@ -59,7 +59,7 @@ AudioFindings playGuarded (RawVst3& plugin, int ceramics)
         }
 
         findings.allocations += calls;
-        findings.mostAllocations = std::max (findings.mostAllocations, calls);
+        findings.maximumAllocations = std::max (findings.maximumAllocations, calls);
         findings.isHeard = findings.isHeard || ! block.samples.leftCols (2).isZero (0);
         std::this_thread::sleep_for (std::chrono::microseconds (300)); // Time for designs to change.
     }
@@ -91,8 +91,9 @@ TEST_CASE ("A VST3 asks for no memory and waits for nothing while it plays", "[v
     std::thread audio ([&] { findings = playGuarded (plugin, ceramics); });
     audio.join();
     CHECK (findings.isHeard);
-    // JUCE's wrapper makes a buffer in each block, which holds up to 31 channels itself; for more it takes and returns memory once.
-    CHECK (findings.mostAllocations <= (ceramics + 2 < 32 ? 0 : 2));
+    // JUCE's wrapper makes a buffer in each block, which holds up to 31 channels itself; for more it takes and returns
+    // memory once.
+    CHECK (findings.maximumAllocations <= (ceramics + 2 < 32 ? 0 : 2));
     // Its listeners' lock, which is held for moments elsewhere, is the one thing that it may ever wait for.
     CHECK ((SyscallTrap::firstCaught() < 0 || SyscallTrap::firstCaught() == SYS_futex));
     SyscallTrap::clear();

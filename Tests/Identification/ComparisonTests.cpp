@@ -24,7 +24,7 @@ KnownStructure eightModes()
     return beam;
 }
 
-ModalModel modelOf (const KnownStructure& structure)
+ModalModel makeModel (const KnownStructure& structure)
 {
     IdentifiedModes modes;
     modes.points = structure.points;
@@ -35,7 +35,7 @@ ModalModel modelOf (const KnownStructure& structure)
     modes.deviations.angularFrequencies = Eigen::VectorXd::Zero (structure.frequencies.size());
 
     for (Eigen::Index i = 0; i < structure.participation.cols(); ++i)
-        modes.drivers.push_back ({ "C" + std::to_string (i + 1), {} });
+        modes.references.push_back ({ "C" + std::to_string (i + 1), {} });
 
     MappedSurface surface;
     surface.name = "beam";
@@ -89,7 +89,7 @@ TEST_CASE ("The MAC of a shape with itself is 1, with one at a right angle 0, wh
 TEST_CASE ("Identified and computed modes are paired by shape, not by number", "[identification]")
 {
     const auto structure = eightModes();
-    auto model = modelOf (structure);
+    auto model = makeModel (structure);
     // The computed device lacks a mode, and its frequencies are wrong by up to 6 %.
     const std::vector<Eigen::Index> kept { 0, 1, 3, 4, 5, 6, 7 };
     model.angularFrequencies = model.angularFrequencies (kept).eval() * 1.06;
@@ -120,7 +120,7 @@ TEST_CASE ("Three points find a device again after a drift", "[identification]")
 {
     const auto before = eightModes();
     const auto after = drifted (before);
-    const auto retuned = retune (modelOf (before), measured (thinned (after, 15)), {});
+    const auto retuned = retune (makeModel (before), measured (thinned (after, 15)), {});
     CHECK (std::count (retuned.found.begin(), retuned.found.end(), true) == 8);
     const Eigen::VectorXd frequencies = retuned.model.angularFrequencies / (2 * std::numbers::pi);
     CHECK ((frequencies - after.frequencies).cwiseQuotient (after.frequencies).cwiseAbs().maxCoeff() < 20e-6);
@@ -132,12 +132,12 @@ TEST_CASE ("Three points find a device again after a drift", "[identification]")
 
 TEST_CASE ("Responses that do not fit a device do not retune it", "[identification]")
 {
-    const auto model = modelOf (eightModes());
+    const auto model = makeModel (eightModes());
     auto responses = measured (thinned (eightModes(), 15));
 
     SECTION ("another number of ceramics")
     {
-        responses.drivers.pop_back();
+        responses.references.pop_back();
         responses.values.pop_back();
         CHECK_THROWS_WITH (retune (model, responses, {}), Catch::Contains ("4 ceramics"));
     }
@@ -180,7 +180,7 @@ TEST_CASE ("On a grid of points the cells are those of the trapezoidal rule, on 
     modes.dampingRatios.setConstant (1, 0.01);
     modes.shapes.setOnes (6, 1);
     modes.participation.setOnes (1, 1);
-    modes.drivers = { { "C1", {} } };
+    modes.references = { { "C1", {} } };
     modes.deviations.angularFrequencies.setZero (1);
     const auto model = toModalModel (modes, {});
     CHECK (model.surface.areas[0] == Approx (0.25));

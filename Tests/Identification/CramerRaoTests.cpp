@@ -9,39 +9,40 @@ using namespace antinode::test;
 
 namespace
 {
-constexpr Eigen::Index modeCount = 3, pointCount = 4, driverCount = 2;
+constexpr Eigen::Index modeCount = 3, pointCount = 4, referenceCount = 2;
 
-/** All that a model of modes has, in one vector: frequencies, dampings, shapes, participations, delay, residual terms. */
+/** All that a model of modes has, in one vector: frequencies, dampings, shapes, participations, delay, residual terms.
+ */
 struct Parameters
 {
     Eigen::VectorXd values;
 
     static constexpr Eigen::Index shapes = 2 * modeCount, participation = shapes + pointCount * modeCount,
-                                  delay = participation + modeCount * driverCount, residuals = delay + 1,
-                                  count = residuals + 5 * pointCount * driverCount;
+                                  delay = participation + modeCount * referenceCount, residuals = delay + 1,
+                                  count = residuals + 5 * pointCount * referenceCount;
 };
 
-IdentifiedModes modesOf (const Eigen::VectorXd& values, const IdentifiedModes& like)
+IdentifiedModes toModes (const Eigen::VectorXd& values, const IdentifiedModes& like)
 {
     auto modes = like;
     modes.angularFrequencies = values.head (modeCount);
     modes.dampingRatios = values.segment (modeCount, modeCount);
     modes.shapes = values.segment (Parameters::shapes, pointCount * modeCount).reshaped (pointCount, modeCount);
     modes.participation =
-        values.segment (Parameters::participation, modeCount * driverCount).reshaped (modeCount, driverCount);
+        values.segment (Parameters::participation, modeCount * referenceCount).reshaped (modeCount, referenceCount);
     modes.delay = values[Parameters::delay];
 
     for (std::size_t n = 0; n < 5; ++n)
         modes.residuals[n].coefficients =
             values
-                .segment (Parameters::residuals + static_cast<Eigen::Index> (n) * pointCount * driverCount,
-                          pointCount * driverCount)
-                .reshaped (pointCount, driverCount);
+                .segment (Parameters::residuals + static_cast<Eigen::Index> (n) * pointCount * referenceCount,
+                          pointCount * referenceCount)
+                .reshaped (pointCount, referenceCount);
 
     return modes;
 }
 
-Eigen::VectorXd valuesOf (const IdentifiedModes& modes)
+Eigen::VectorXd toValues (const IdentifiedModes& modes)
 {
     Eigen::VectorXd values (Parameters::count);
     values << modes.angularFrequencies, modes.dampingRatios, modes.shapes.reshaped(), modes.participation.reshaped(),
@@ -54,9 +55,9 @@ Eigen::VectorXd valuesOf (const IdentifiedModes& modes)
 Eigen::VectorXd flat (const FrequencyResponses& responses)
 {
     const auto lines = responses.frequencies.size();
-    Eigen::VectorXd result (2 * lines * pointCount * driverCount);
+    Eigen::VectorXd result (2 * lines * pointCount * referenceCount);
 
-    for (Eigen::Index i = 0; i < driverCount; ++i)
+    for (Eigen::Index i = 0; i < referenceCount; ++i)
         for (Eigen::Index p = 0; p < pointCount; ++p)
         {
             const auto& column = responses.values[static_cast<std::size_t> (i)].col (p);
@@ -69,8 +70,8 @@ Eigen::VectorXd flat (const FrequencyResponses& responses)
 /** Derivatives of all values by all parameters, by differences, each in units of what makes its column 1 long. */
 Eigen::MatrixXd jacobian (const IdentifiedModes& modes, const Eigen::VectorXd& frequencies, Eigen::VectorXd& units)
 {
-    const auto values = valuesOf (modes);
-    Eigen::MatrixXd result (2 * frequencies.size() * pointCount * driverCount, Parameters::count);
+    const auto values = toValues (modes);
+    Eigen::MatrixXd result (2 * frequencies.size() * pointCount * referenceCount, Parameters::count);
     units.resize (Parameters::count);
 
     for (Eigen::Index n = 0; n < Parameters::count; ++n)
@@ -81,8 +82,8 @@ Eigen::MatrixXd jacobian (const IdentifiedModes& modes, const Eigen::VectorXd& f
                               : 1e-3 * std::max (std::abs (values[n]), 1e-30);
         after[n] += step;
         before[n] -= step;
-        result.col (n) = (flat (synthesise (modesOf (after, modes), frequencies))
-                          - flat (synthesise (modesOf (before, modes), frequencies)))
+        result.col (n) = (flat (synthesise (toModes (after, modes), frequencies))
+                          - flat (synthesise (toModes (before, modes), frequencies)))
                          / (2 * step);
         units[n] = 1 / result.col (n).norm();
         result.col (n) *= units[n];
@@ -100,7 +101,7 @@ KnownStructure threeModes()
     structure.dampingRatios = Eigen::Vector3d (0.01, 0.015, 0.008);
     structure.shapes.resize (pointCount, modeCount);
     structure.shapes << 1, 0.5, -0.8, 0.4, -1.2, 0.6, -0.7, 0.3, 1.1, 0.2, 0.9, -0.5;
-    structure.participation.resize (modeCount, driverCount);
+    structure.participation.resize (modeCount, referenceCount);
     structure.participation << 1, 0.3, -0.4, 0.8, 0.7, 0.6;
     return structure;
 }
@@ -112,7 +113,7 @@ TEST_CASE ("Stated deviations are the Cramer-Rao bound of the whole model, compu
     auto responses = idealResponses (threeModes(), frequencies);
     const auto noise = addNoise (responses, 30, 5);
 
-    for (std::size_t i = 0; i < driverCount; ++i)
+    for (std::size_t i = 0; i < referenceCount; ++i)
         responses.variances.emplace_back (Eigen::MatrixXd::Constant (frequencies.size(), pointCount, noise * noise));
 
     const auto modes = identify (responses, {});
@@ -134,7 +135,7 @@ TEST_CASE ("Stated deviations are the Cramer-Rao bound of the whole model, compu
                == Approx (std::sqrt (covariance (modeCount + k, modeCount + k))).epsilon (tolerance));
 
         // The size of a participation at fixed length of its shape.
-        for (Eigen::Index i = 0; i < driverCount; ++i)
+        for (Eigen::Index i = 0; i < referenceCount; ++i)
         {
             Eigen::VectorXd weights = Eigen::VectorXd::Zero (Parameters::count);
             weights[Parameters::participation + i * modeCount + k] = 1;

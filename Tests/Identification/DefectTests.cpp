@@ -125,7 +125,7 @@ TEST_CASE ("Few points, one reference, or both still show the modes that they co
 
     SECTION ("one reference")
     {
-        part.drivers.resize (1);
+        part.references.resize (1);
         part.values.resize (1);
     }
 
@@ -139,7 +139,7 @@ TEST_CASE ("Few points, one reference, or both still show the modes that they co
 
     SECTION ("one of either")
     {
-        part.drivers.resize (1);
+        part.references.resize (1);
         part.values = { whole.values[0].leftCols (1) };
         part.points = whole.points.row (0).eval();
     }

@@ -11,7 +11,7 @@ FrequencyResponses twoLines()
 {
     FrequencyResponses responses;
     responses.frequencies = Eigen::Vector2d (10, 20);
-    responses.drivers = { { "C1", {} } };
+    responses.references = { { "C1", {} } };
     responses.points = Eigen::RowVector2d (0, 0);
     responses.values = { Eigen::MatrixXcd::Ones (2, 1) };
     return responses;
@@ -45,7 +45,7 @@ TEST_CASE ("Frequency responses name what is wrong with them")
 
     SECTION ("a force at a point that does not exist")
     {
-        responses.drivers[0].point = 1;
+        responses.references[0].point = 1;
         CHECK_THROWS_WITH (validate (responses), Catch::Contains ("point that does not exist"));
     }
 }

@@ -31,7 +31,7 @@ FrequencyResponses measuredBeam()
     FrequencyResponses responses;
     responses.frequencies = Eigen::Map<Eigen::VectorXd> (frequencies.data(), count);
     responses.drive = DriveQuantity::force;
-    responses.drivers = { { "hammer", {} } };
+    responses.references = { { "hammer", {} } };
     responses.points = Eigen::RowVector2d (0, 0);
     responses.values = { Eigen::Map<Eigen::VectorXcd> (values.data(), count) };
     return responses;

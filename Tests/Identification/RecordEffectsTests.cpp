@@ -30,8 +30,8 @@ TEST_CASE ("Residues of a truncated record are restored, and a mode that still r
     const std::complex<double> pole (-3, 600 * std::sqrt (1 - 0.005 * 0.005));
     CHECK (modes.participation (0, 1) == Approx (0.4 / (1.0 - std::exp (pole * length)).real()).epsilon (1e-12));
     CHECK (modes.participation (1, 1) == Approx (0.4).epsilon (1e-7));
-    CHECK (modes.quality[0].doubts.size() == 1);
-    CHECK (modes.quality[1].doubts.empty());
+    CHECK (modes.quality[0].warnings.size() == 1);
+    CHECK (modes.quality[1].warnings.empty());
     CHECK (modes.angularFrequencies == twoModes().angularFrequencies);
 }
 

@@ -26,7 +26,7 @@ FrequencyResponses hammered()
     auto responses = idealResponses (hammeredBeam(), lines (200, 2500, 1));
     addNoise (responses, 50, 1);
     responses.drive = DriveQuantity::force;
-    responses.drivers = { { "hammer 1", 2 }, { "hammer 2", 9 } };
+    responses.references = { { "hammer 1", 2 }, { "hammer 2", 9 } };
     return responses;
 }
 
@@ -61,14 +61,14 @@ TEST_CASE ("A driving point of the wrong sign gives a warning", "[identification
 
     const auto modes = identify (responses, {});
     REQUIRE (modes.modes() == 4);
-    REQUIRE (! modes.quality[0].doubts.empty());
-    CHECK_THAT (modes.quality[0].doubts.back() + modes.quality[0].doubts.front(), Catch::Contains ("wrong sign"));
+    REQUIRE (! modes.quality[0].warnings.empty());
+    CHECK_THAT (modes.quality[0].warnings.back() + modes.quality[0].warnings.front(), Catch::Contains ("wrong sign"));
 }
 
 TEST_CASE ("Without a driving point the given masses scale, without them a convention that says so", "[identification]")
 {
     auto responses = hammered();
-    responses.drivers = { { "hammer 1", {} }, { "hammer 2", {} } };
+    responses.references = { { "hammer 1", {} }, { "hammer 2", {} } };
     IdentificationOptions options;
 
     SECTION ("masses")

@@ -31,7 +31,7 @@ std::string withChecksum (std::string bytes)
     return bytes;
 }
 
-std::string errorOf (std::string_view bytes)
+std::string decodeError (std::string_view bytes)
 {
     return errorText ([&] { decodeModeCacheEntry (bytes, key); });
 }
@@ -40,7 +40,7 @@ std::string errorAfter (const std::function<void (ModalModel&)>& change)
 {
     auto model = test::gridModel (3, 2, 3);
     change (model);
-    return errorOf (encodeModeCacheEntry (key, model));
+    return decodeError (encodeModeCacheEntry (key, model));
 }
 } // namespace
 
@@ -67,16 +67,16 @@ TEST_CASE ("Sizes that an entry claims and has not are found before anything is 
         {
             auto bytes = good;
             std::memcpy (bytes.data() + at, &claim, sizeof (claim));
-            errorOf (withChecksum (bytes)); // Any other exception, of an allocation for one, fails the test.
+            decodeError (withChecksum (bytes)); // Any other exception, of an allocation for one, fails the test.
         }
 
-    CHECK (errorOf (withChecksum (good + std::string (8, '\0')))
+    CHECK (decodeError (withChecksum (good + std::string (8, '\0')))
            == "entry of the mode cache: contains data after the model");
     auto longer = good;
     longer[8] = static_cast<char> (longer[8] + 1);
     const std::uint64_t checksum = XXH3_64bits (longer.data(), longer.size() - 8);
     std::memcpy (longer.data() + longer.size() - 8, &checksum, sizeof (checksum));
-    CHECK (errorOf (longer) == "entry of the mode cache: has a length that differs from its header");
+    CHECK (decodeError (longer) == "entry of the mode cache: has a length that differs from its header");
 }
 
 TEST_CASE ("A model that is not valid is not read, though its entry is whole", "[files][cache]")

@@ -19,14 +19,14 @@ using test::staple;
 namespace
 {
 template <typename Body>
-Body& bodyOf (DeviceDescription& device)
+Body& bodyIn (DeviceDescription& device)
 {
     return std::get<Body> (device.body);
 }
 
 using Change = std::function<void (DeviceDescription&)>;
 
-std::vector<Change> changesOfCommon (const std::function<StructureCommon&(DeviceDescription&)>& common)
+std::vector<Change> commonChanges (const std::function<StructureCommon&(DeviceDescription&)>& common)
 {
     const std::vector<std::function<void (StructureCommon&)>> changes {
         [] (auto& c) { c.thickness = std::nextafter (c.thickness, 1); },
@@ -71,12 +71,12 @@ std::vector<Change> changesOfCommon (const std::function<StructureCommon&(Device
 }
 
 template <typename Body>
-std::vector<Change> changesOf (std::vector<std::function<void (Body&)>> changes)
+std::vector<Change> bodyChanges (std::vector<std::function<void (Body&)>> changes)
 {
-    auto result = changesOfCommon ([] (auto& device) -> StructureCommon& { return bodyOf<Body> (device).common; });
+    auto result = commonChanges ([] (auto& device) -> StructureCommon& { return bodyIn<Body> (device).common; });
 
     for (const auto& change : changes)
-        result.push_back ([=] (auto& device) { change (bodyOf<Body> (device)); });
+        result.push_back ([=] (auto& device) { change (bodyIn<Body> (device)); });
 
     return result;
 }
@@ -106,18 +106,18 @@ void checkAllDiffer (const DeviceDescription& device, const std::vector<Change>&
 
 TEST_CASE ("Whatever is changed in a description, its modes are others", "[files][cache]")
 {
-    checkAllDiffer (beam(), changesOf<BeamDescription> ({
+    checkAllDiffer (beam(), bodyChanges<BeamDescription> ({
                                 [] (auto& b) { b.length += 1e-6; },
                                 [] (auto& b) { b.width += 1e-6; },
                                 [] (auto& b) { b.left = EdgeCondition::guided; },
                                 [] (auto& b) { b.right = EdgeCondition::simplySupported; },
                             }));
-    checkAllDiffer (staple(), changesOf<StapleDescription> ({
+    checkAllDiffer (staple(), bodyChanges<StapleDescription> ({
                                   [] (auto& s) { s.topLength += 1e-6; },
                                   [] (auto& s) { s.legLength += 1e-6; },
                                   [] (auto& s) { s.width += 1e-6; },
                               }));
-    checkAllDiffer (plate(), changesOf<PlateDescription> ({
+    checkAllDiffer (plate(), bodyChanges<PlateDescription> ({
                                  [] (auto& p) { p.lengthX += 1e-6; },
                                  [] (auto& p) { p.lengthY += 1e-6; },
                                  [] (auto& p) { p.left = EdgeCondition::clamped; },

@@ -51,7 +51,7 @@ std::size_t filesIn (const fs::path& folder)
     return static_cast<std::size_t> (std::distance (begin (entries), end (entries)));
 }
 
-std::string contentOf (const fs::path& path)
+std::string readContent (const fs::path& path)
 {
     std::ifstream file (path, std::ios::binary);
     return { std::istreambuf_iterator<char> (file), {} };
@@ -166,7 +166,7 @@ TEST_CASE ("An entry that is cut, changed or foreign is as if it were not there"
     const auto model = test::gridModel (4, 2, 3);
     cache.store (plate(), {}, model);
     const auto path = onlyFileIn (scratch.path());
-    const auto good = contentOf (path);
+    const auto good = readContent (path);
     const auto isFound = [&] (std::string_view bytes)
     {
         writeFile (path, bytes);
@@ -251,7 +251,7 @@ TEST_CASE ("Where nothing can be written nothing is kept, and nothing is said", 
         CHECK_FALSE (cache.find (staple(), 3));
     }
 
-    CHECK (contentOf (scratch.path() / "file") == "text");
+    CHECK (readContent (scratch.path() / "file") == "text");
 }
 
 TEST_CASE ("A full disk leaves nothing behind", "[files][cache]")

@@ -28,7 +28,7 @@ inline ExcitationSettings shortSettings (ExcitationSignal signal, Eigen::Index c
     return settings;
 }
 
-inline Excitation excitationOf (const ExcitationSettings& settings)
+inline Excitation testExcitation (const ExcitationSettings& settings)
 {
     return makeExcitation (settings, Eigen::VectorXd::Constant (settings.levels.size(), 150));
 }
@@ -39,11 +39,11 @@ inline ModalModel benchBeam()
     return sineBeam (6, 2);
 }
 
-/** What a bench records of one ceramic's turn at the listening place. */
-inline TurnRecording recordTurn (const Excitation& excitation, const ModalModel& model, Eigen::Index ceramic,
-                                 const SimulatedBenchSettings& bench)
+/** What a bench records of one ceramic's run at the listening place. */
+inline RunRecording recordRun (const Excitation& excitation, const ModalModel& model, Eigen::Index ceramic,
+                               const SimulatedBenchSettings& bench)
 {
-    const Eigen::MatrixXd played = playedTurn (excitation, ceramic, model.fullScaleVoltage);
+    const Eigen::MatrixXd played = playedRun (excitation, ceramic, model.fullScaleVoltage);
     auto settings = bench;
     settings.sampleRate = excitation.settings.sampleRate;
     return simulateBench (model, shapesAt (model, listeningPlace, 0),

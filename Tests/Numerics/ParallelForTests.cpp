@@ -68,7 +68,7 @@ TEST_CASE ("Two threads work at once", "[numerics][threads]")
 
 TEST_CASE ("What a worker throws reaches the caller, and ends the work", "[numerics][threads]")
 {
-    const auto textOf = [] (std::size_t threads, const std::function<void (std::size_t)>& work)
+    const auto thrownText = [] (std::size_t threads, const std::function<void (std::size_t)>& work)
     {
         try
         {
@@ -86,23 +86,23 @@ TEST_CASE ("What a worker throws reaches the caller, and ends the work", "[numer
     {
         // Of several the one of the lowest index, whichever thread meets it.
         for (int repeat = 0; repeat < 20; ++repeat)
-            CHECK (textOf (threads,
-                           [] (std::size_t index)
-                           {
-                               if (index >= 3)
-                                   throw std::runtime_error (std::to_string (index));
-                           })
+            CHECK (thrownText (threads,
+                               [] (std::size_t index)
+                               {
+                                   if (index >= 3)
+                                       throw std::runtime_error (std::to_string (index));
+                               })
                    == "3");
 
         std::atomic<std::size_t> worked { 0 };
-        CHECK (textOf (threads,
-                       [&] (std::size_t index)
-                       {
-                           ++worked;
+        CHECK (thrownText (threads,
+                           [&] (std::size_t index)
+                           {
+                               ++worked;
 
-                           if (index == 10)
-                               throw std::runtime_error ("ten");
-                       })
+                               if (index == 10)
+                                   throw std::runtime_error ("ten");
+                           })
                == "ten");
         CHECK (worked >= 11);
     }
@@ -110,17 +110,17 @@ TEST_CASE ("What a worker throws reaches the caller, and ends the work", "[numer
     // Not the calling thread alone: here it waits until another one has thrown.
     const auto caller = std::this_thread::get_id();
     std::atomic<bool> hasThrown { false };
-    CHECK (textOf (2,
-                   [&] (std::size_t)
-                   {
-                       if (std::this_thread::get_id() != caller)
+    CHECK (thrownText (2,
+                       [&] (std::size_t)
                        {
-                           hasThrown = true;
-                           throw std::runtime_error ("other");
-                       }
+                           if (std::this_thread::get_id() != caller)
+                           {
+                               hasThrown = true;
+                               throw std::runtime_error ("other");
+                           }
 
-                       while (! hasThrown)
-                           std::this_thread::yield();
-                   })
+                           while (! hasThrown)
+                               std::this_thread::yield();
+                       })
            == "other");
 }

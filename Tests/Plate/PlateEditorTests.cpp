@@ -51,7 +51,7 @@ juce::MouseEvent mouseAt (juce::Component& component, juce::Point<float> place)
 }
 
 /** How many colours a picture has: nothing drawn has few. */
-int coloursOf (const juce::Image& image)
+int countColours (const juce::Image& image)
 {
     std::set<juce::uint32> colours;
 
@@ -84,8 +84,8 @@ TEST_CASE ("The plate's editor shows the surface at rest, then how it moved", "[
     const auto middle = editor.createComponentSnapshot (editor.getLocalBounds(), true, 1);
     content.holdAt (10);
     const auto early = editor.createComponentSnapshot (editor.getLocalBounds(), true, 1);
-    CHECK (coloursOf (middle) > 40);
-    CHECK (coloursOf (early) > 40);
+    CHECK (countColours (middle) > 40);
+    CHECK (countColours (early) > 40);
 }
 
 TEST_CASE ("A probe that is dragged on the surface moves its parameters", "[plate][editor]")

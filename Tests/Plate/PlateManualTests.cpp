@@ -11,8 +11,9 @@ using namespace antinode;
 
 namespace
 {
-/** The row of the manual's table that a parameter must have, as far as it follows from the parameter; probes 2 to 8 share one. */
-std::string rowOf (const juce::RangedAudioParameter& parameter)
+/** The row of the manual's table that a parameter must have, as far as it follows from the parameter; probes 2 to 8
+ * share one. */
+std::string manualRow (const juce::RangedAudioParameter& parameter)
 {
     const auto& range = parameter.getNormalisableRange();
     std::ostringstream row;
@@ -39,7 +40,7 @@ TEST_CASE ("The manual lists every parameter of the plate with its name, range a
         const auto identifier = parameter.getParameterID();
 
         if (! identifier.startsWith ("probe") || identifier.startsWith ("probe1"))
-            CHECK_THAT (page, Catch::Contains (rowOf (parameter)));
+            CHECK_THAT (page, Catch::Contains (manualRow (parameter)));
         else
             CHECK_THAT (page, Catch::Contains ("`probe2_x` to `probe8_y`"));
     }

@@ -37,7 +37,7 @@ struct RenderedFiles
     }
 };
 
-juce::MemoryBlock stateOf (PlateProcessor& processor)
+juce::MemoryBlock savedState (PlateProcessor& processor)
 {
     juce::MemoryBlock state;
     processor.getStateInformation (state);
@@ -49,7 +49,7 @@ void setState (PlateProcessor& processor, const std::string& text)
     processor.setStateInformation (text.data(), static_cast<int> (text.size()));
 }
 
-juce::AudioProcessor::BusesLayout layoutOf (int ceramics, int probes)
+juce::AudioProcessor::BusesLayout makeLayout (int ceramics, int probes)
 {
     juce::AudioProcessor::BusesLayout layout;
     layout.inputBuses.add (juce::AudioChannelSet::discreteChannels (ceramics));
@@ -104,19 +104,19 @@ TEST_CASE ("Floats and doubles move the surface alike, and a gain is a factor", 
 TEST_CASE ("Layouts of 1 to 64 voltages and 1 to 8 probes are taken, others not", "[plate]")
 {
     PlateProcessor processor (32, juce::AudioProcessor::wrapperType_Undefined);
-    CHECK (processor.isBusesLayoutSupported (layoutOf (1, 1)));
-    CHECK (processor.isBusesLayoutSupported (layoutOf (64, 8)));
-    CHECK (processor.isBusesLayoutSupported (layoutOf (2, 2)));
-    CHECK_FALSE (processor.isBusesLayoutSupported (layoutOf (0, 2)));
-    CHECK_FALSE (processor.isBusesLayoutSupported (layoutOf (2, 0)));
-    CHECK_FALSE (processor.isBusesLayoutSupported (layoutOf (65, 8)));
-    CHECK_FALSE (processor.isBusesLayoutSupported (layoutOf (8, 9)));
+    CHECK (processor.isBusesLayoutSupported (makeLayout (1, 1)));
+    CHECK (processor.isBusesLayoutSupported (makeLayout (64, 8)));
+    CHECK (processor.isBusesLayoutSupported (makeLayout (2, 2)));
+    CHECK_FALSE (processor.isBusesLayoutSupported (makeLayout (0, 2)));
+    CHECK_FALSE (processor.isBusesLayoutSupported (makeLayout (2, 0)));
+    CHECK_FALSE (processor.isBusesLayoutSupported (makeLayout (65, 8)));
+    CHECK_FALSE (processor.isBusesLayoutSupported (makeLayout (8, 9)));
 }
 
 TEST_CASE ("With fewer inputs than ceramics the others get 0 V, and that is said", "[plate]")
 {
     const auto narrow = offlinePlate (8, rate, 512);
-    REQUIRE (narrow->setBusesLayout (layoutOf (3, 1)));
+    REQUIRE (narrow->setBusesLayout (makeLayout (3, 1)));
     narrow->prepareToPlay (rate, 512);
     auto voltages = sines (8, 3000);
     const auto heard = moved (*narrow, voltages, 512);
@@ -195,10 +195,10 @@ TEST_CASE ("A plate's state comes back to the bit in another instance", "[plate]
     first->load (plateDevice ("aluminium-200x120"));
     first->parameters().probeX (7).setValueNotifyingHost (0.377F);
     first->parameters().setValues ({ { "gain", -7.3 }, { "probe3_y", 12.345 } });
-    const auto kept = stateOf (*first);
+    const auto kept = savedState (*first);
     const auto second = offlinePlate (8, rate, 64);
     second->setStateInformation (kept.getData(), static_cast<int> (kept.getSize()));
-    CHECK (stateOf (*second) == kept);
+    CHECK (savedState (*second) == kept);
     CHECK (second->warning().isEmpty());
     CHECK (second->device()->description.name == first->device()->description.name);
     const auto voltages = sines (16, 1000);
@@ -212,7 +212,7 @@ TEST_CASE ("A plate's state comes back to the bit in another instance", "[plate]
 TEST_CASE ("A state that cannot be read changes nothing and is one sentence", "[plate]")
 {
     const auto processor = offlinePlate (8, rate, 64);
-    const auto before = stateOf (*processor);
+    const auto before = savedState (*processor);
     auto json = nlohmann::json::parse (before.toString().toStdString());
     json["device"]["thickness_mm"] = -1;
     auto wrongParameter = nlohmann::json::parse (before.toString().toStdString());
@@ -228,7 +228,7 @@ TEST_CASE ("A state that cannot be read changes nothing and is one sentence", "[
         setState (*processor, text);
         CHECK (processor->warning().startsWith ("The saved state could not be read, so nothing was changed: "));
         CHECK_FALSE (processor->warning().containsChar ('\n'));
-        CHECK (stateOf (*processor) == before);
+        CHECK (savedState (*processor) == before);
     }
 
     setState (*processor, before.toString().toStdString());

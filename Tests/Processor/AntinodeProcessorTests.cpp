@@ -16,7 +16,7 @@ namespace
 constexpr double rate = 48000;
 constexpr int length = 3000;
 
-Eigen::MatrixXd ceramicsOf (const Eigen::MatrixXd& played, Eigen::Index ceramics)
+Eigen::MatrixXd ceramicRows (const Eigen::MatrixXd& played, Eigen::Index ceramics)
 {
     return played.topRows (ceramics);
 }
@@ -40,9 +40,10 @@ TEST_CASE ("Middle C plays the voltages that the command line renders, to the sa
     const auto model = processor->session().snapshot()->model;
     const auto rendered = test::renderedDemonstrator (*model, rate, length - 100);
     CHECK (played.leftCols (100).isZero (0));
-    CHECK ((ceramicsOf (played, 8).rightCols (length - 100) - rendered).cwiseAbs().maxCoeff() < 1e-7);
+    CHECK ((ceramicRows (played, 8).rightCols (length - 100) - rendered).cwiseAbs().maxCoeff() < 1e-7);
     CHECK (rendered.cwiseAbs().maxCoeff() > 0.05);
-    // The plate's velocity at the probe, 1.0 = 1 m/s: what the continuous voltages give, by a real-time model of the plate.
+    // The plate's velocity at the probe, 1.0 = 1 m/s: what the continuous voltages give, by a real-time model of the
+    // plate.
     const auto design = designFocus (*model, demonstrator().focus->description, { Reconstruction::bandLimited, rate });
     const auto reached = modalVelocities (*model, predictStates (*model, design.program, design.program.focusTime));
     CHECK (played (8, 100 + 1200) == Approx (shapesAt (*model, 0.024, 0) * reached).epsilon (0.01));

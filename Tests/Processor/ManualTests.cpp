@@ -50,7 +50,7 @@ std::string number (float value)
 }
 
 /** Identifier, name, range, value at first: as the manual's row must begin. */
-Cells rowOf (const juce::RangedAudioParameter& parameter)
+Cells manualRow (const juce::RangedAudioParameter& parameter)
 {
     const auto& range = parameter.getNormalisableRange();
     const auto identifier = parameter.getParameterID().toStdString();
@@ -67,7 +67,7 @@ TEST_CASE ("The manual lists every parameter with its name, range and first valu
     for (auto* const any : processor.getParameters())
     {
         const auto& parameter = *dynamic_cast<juce::RangedAudioParameter*> (any);
-        const auto wanted = rowOf (parameter);
+        const auto wanted = manualRow (parameter);
         INFO (wanted.front());
         REQUIRE (documented.contains (wanted.front()));
         const auto row = documented.extract (wanted.front()).mapped();

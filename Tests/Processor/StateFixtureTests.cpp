@@ -9,7 +9,7 @@ using namespace antinode;
 
 namespace
 {
-std::string textOf (const std::string& name)
+std::string readFixture (const std::string& name)
 {
     std::ifstream file (std::string (ANTINODE_TEST_DATA) + "/States/" + name, std::ios::binary);
     REQUIRE (file);
@@ -20,7 +20,7 @@ std::string textOf (const std::string& name)
 // What version 0.1.0 kept: every later version has to load it.
 TEST_CASE ("States of earlier versions load", "[plugin]")
 {
-    const auto text = textOf ("state-1.json");
+    const auto text = readFixture ("state-1.json");
     const auto processor = test::offlineProcessor (8, 48000, 512);
     processor->setStateInformation (text.data(), static_cast<int> (text.size()));
     CHECK (processor->warning().isEmpty());

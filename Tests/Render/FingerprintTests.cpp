@@ -33,7 +33,7 @@ RenderedFocus renderAt (int rate, int blockSize)
 }
 
 /** What must stay the same from version to version: energies and what the plate did. */
-nlohmann::ordered_json fingerprintOf (const RenderedFocus& focus)
+nlohmann::ordered_json makeFingerprint (const RenderedFocus& focus)
 {
     nlohmann::ordered_json print;
     const Eigen::VectorXd energies = focus.render.voltages.rowwise().squaredNorm() / focus.render.sampleRate;
@@ -68,7 +68,7 @@ TEST_CASE ("Renders at 44.1 to 768 kHz keep their fingerprints to 1e-8", "[rende
     for (const auto rate : rates)
     {
         INFO ("rate " << rate);
-        const nlohmann::json print = fingerprintOf (renderAt (rate, 512));
+        const nlohmann::json print = makeFingerprint (renderAt (rate, 512));
 
         for (const auto& [key, value] : reference.at (std::to_string (rate)).items())
             checkNumbers (print.at (key), value, 1e-14);
@@ -112,7 +112,7 @@ TEST_CASE ("Write the fingerprints anew (after a change that is meant to change 
     nlohmann::ordered_json all;
 
     for (const auto rate : rates)
-        all[std::to_string (rate)] = fingerprintOf (renderAt (rate, 512));
+        all[std::to_string (rate)] = makeFingerprint (renderAt (rate, 512));
 
     std::ofstream stream (referenceFile);
     stream << all.dump (1) << "\n";

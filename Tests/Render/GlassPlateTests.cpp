@@ -33,7 +33,8 @@ FocusDescription bumpAt (double x, double y, AllocationMethod method)
     return focus;
 }
 
-/** The bound over all waveforms takes 3 s at 300 modes, ten times what all the rest does: only where it is looked at. */
+/** The bound over all waveforms takes 3 s at 300 modes, ten times what all the rest does: only where it is looked at.
+ */
 RenderedFocus rendered (const FocusDescription& focus, DesignExtent extent = DesignExtent::playable)
 {
     RenderOptions options;

@@ -10,8 +10,9 @@
 
 using namespace antinode;
 
-// Reference: Enferad et al., J. Sound Vib. 449 (2019), Tables C.1 and C.2, transcribed in PaperTables.h. The geometry of the print's
-// device is inferred: its captures hold in 17 of 20 cells, short by at most 0.026 in three cells of the sinc of 10 mm.
+// Reference: Enferad et al., J. Sound Vib. 449 (2019), Tables C.1 and C.2, transcribed in PaperTables.h. The geometry
+// of the print's device is inferred: its captures hold in 17 of 20 cells, short by at most 0.026 in three cells of the
+// sinc of 10 mm.
 
 TEST_CASE ("The paper's twenty cells are reached as far as they can be on the inferred demonstrator", "[render]")
 {
@@ -29,7 +30,7 @@ TEST_CASE ("The paper's twenty cells are reached as far as they can be on the in
         CHECK (cell.exact.design.captured >= row.captured[i % 5] - 0.026);
         captured += cell.exact.design.captured >= row.captured[i % 5] ? 1 : 0;
 
-        CHECK (cell.paper.truncatedScore.vScore >= row.leastPaperVScore);
+        CHECK (cell.paper.truncatedScore.vScore >= row.minimumPaperVScore);
         CHECK (cell.exact.truncatedScore.vScore >= 0.9999);
         CHECK (cell.exact.truncatedScore.fieldError <= 1e-2);
         fine += cell.exact.truncatedScore.fieldError <= 2e-3 ? 1 : 0;
@@ -61,8 +62,8 @@ TEST_CASE ("The two-mode study meets 50 V where it can and else says what can be
         }
         else
         {
-            CHECK (one.leastPeakVoltage > one.limit);
-            CHECK (one.reachableVelocity == Approx (0.04 * one.limit / one.leastPeakVoltage));
+            CHECK (one.minimumPeakVoltage > one.limit);
+            CHECK (one.reachableVelocity == Approx (0.04 * one.limit / one.minimumPeakVoltage));
         }
     }
 

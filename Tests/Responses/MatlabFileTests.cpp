@@ -50,10 +50,10 @@ std::string writtenBy (mat_ft version, matio_compression compression, Sizes size
     write (Mat_VarCreate ("H", MAT_C_DOUBLE, MAT_T_DOUBLE, static_cast<int> (sizes.responses.size()),
                           sizes.responses.data(), &parts, MAT_F_COMPLEX));
     Mat_Close (file);
-    return contentOf (path);
+    return readContent (path);
 }
 
-Measurement measurementOf (const std::string& bytes)
+Measurement measurementFromBytes (const std::string& bytes)
 {
     return mergedResponses ({ measurementFromMatlab (readMatlabFile (bytes, "a.mat"), "a.mat") }, {});
 }
@@ -81,31 +81,31 @@ TEST_CASE ("The numbers of lines, points and references assign the dimensions of
     struct Case
     {
         Sizes sizes;
-        double line, point, driver;
+        double line, point, reference;
     };
 
     for (const auto& each :
          { Case { { { 5, 1 }, { 5, 3, 2 } }, 1, 5, 15 }, Case { { { 1, 5 }, { 3, 5, 2 } }, 3, 1, 15 },
            Case { { { 5, 1 }, { 2, 3, 5 } }, 6, 2, 1 }, Case { { { 5, 1 }, { 3, 2, 5 } }, 6, 1, 3 } })
     {
-        const auto measured = measurementOf (writtenBy (MAT_FT_MAT5, MAT_COMPRESSION_ZLIB, each.sizes));
+        const auto measured = measurementFromBytes (writtenBy (MAT_FT_MAT5, MAT_COMPRESSION_ZLIB, each.sizes));
         REQUIRE (measured.responses.values.size() == 2);
         REQUIRE (measured.responses.points.rows() == 3);
-        const auto expected = 1e-3 * (4 * each.line + 2 * each.point + each.driver);
+        const auto expected = 1e-3 * (4 * each.line + 2 * each.point + each.reference);
         CHECK (measured.responses.values[1](4, 2).real() == Approx (expected));
         CHECK (measured.responses.values[1](4, 2).imag() == Approx (-expected));
     }
 
     const auto renamed = writtenBy (MAT_FT_MAT5, MAT_COMPRESSION_NONE, { { 5, 1 }, { 5, 3, 2 } }, "axis");
-    CHECK (measurementOf (renamed).responses.frequencies[4] == 5);
-    const auto single = measurementOf (writtenBy (MAT_FT_MAT5, MAT_COMPRESSION_NONE, { { 5, 1 }, { 5, 1 } }));
+    CHECK (measurementFromBytes (renamed).responses.frequencies[4] == 5);
+    const auto single = measurementFromBytes (writtenBy (MAT_FT_MAT5, MAT_COMPRESSION_NONE, { { 5, 1 }, { 5, 1 } }));
     CHECK (single.responses.values.size() == 1);
     CHECK (single.responses.points.rows() == 1);
 }
 
 TEST_CASE ("MATLAB files of other versions and damaged ones are refused in a sentence", "[files][matlab]")
 {
-    const auto refusal = [] (const std::string& bytes) { return errorText ([&] { measurementOf (bytes); }); };
+    const auto refusal = [] (const std::string& bytes) { return errorText ([&] { measurementFromBytes (bytes); }); };
     const auto good = writtenBy (MAT_FT_MAT5, MAT_COMPRESSION_ZLIB, { { 5, 1 }, { 5, 3 } });
     CHECK (refusal (writtenBy (MAT_FT_MAT73, MAT_COMPRESSION_NONE, { { 5, 1 }, { 5, 3 } }))
            == "a.mat: is a MATLAB file of version 7.3; allowed: versions 5 to 7 (save it with '-v7')");

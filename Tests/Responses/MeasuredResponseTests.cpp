@@ -25,10 +25,10 @@ FrequencyResponses exampleResponses (DriveQuantity drive)
     responses.frequencies << 100.0 / 3, 200.0 / 3, 100;
     responses.points.resize (2, 2);
     responses.points << 0.01, 0.02, -0.03, 0.04;
-    responses.drivers = { { "C1", {} }, { "C2", {} } };
+    responses.references = { { "C1", {} }, { "C2", {} } };
 
     if (drive == DriveQuantity::force)
-        responses.drivers = { { "1", 0 }, { "2", 1 } };
+        responses.references = { { "1", 0 }, { "2", 1 } };
 
     responses.values.assign (2, Eigen::MatrixXcd::Random (3, 2));
     responses.values[1] *= 2;
@@ -46,17 +46,17 @@ Measurement merged (const std::vector<std::pair<std::string, std::string>>& file
     return mergedResponses (read, options);
 }
 
-double scaleOf (std::string_view unit)
+double unitScale (std::string_view unit)
 {
     const auto found = responseUnit (unit);
     return found ? found->factor : 0;
 }
 
-MeasuredResponse simpleResponse (const std::string& point, const std::string& driver, ResponseUnit unit)
+MeasuredResponse simpleResponse (const std::string& point, const std::string& reference, ResponseUnit unit)
 {
     return { "file",
              point,
-             driver,
+             reference,
              {},
              unit,
              sharedFrequencies (Eigen::Vector2d (50, 100), {}),
@@ -68,22 +68,22 @@ MeasuredResponse simpleResponse (const std::string& point, const std::string& dr
 TEST_CASE ("Units of motion per drive are read as people write them", "[files][measurement]")
 {
     constexpr double gravity = 9.80665;
-    CHECK (scaleOf ("(m/s^2)/N") == 1);
-    CHECK (scaleOf ("mm/s/V") == 1e-3);
-    CHECK (scaleOf ("(1/N)*(m/s\xc2\xb2)") == 1);
-    CHECK (scaleOf ("\xc2\xb5m/V") == 1e-6);
-    CHECK (scaleOf ("um V^-1") == 1e-6);
-    CHECK (scaleOf ("m/(s mV)") == Approx (1e3));
-    CHECK (scaleOf ("g/N") == Approx (gravity));
-    CHECK (scaleOf ("1/kg") == 1);
-    CHECK (scaleOf ("m/s2") == 1);
+    CHECK (unitScale ("(m/s^2)/N") == 1);
+    CHECK (unitScale ("mm/s/V") == 1e-3);
+    CHECK (unitScale ("(1/N)*(m/s\xc2\xb2)") == 1);
+    CHECK (unitScale ("\xc2\xb5m/V") == 1e-6);
+    CHECK (unitScale ("um V^-1") == 1e-6);
+    CHECK (unitScale ("m/(s mV)") == Approx (1e3));
+    CHECK (unitScale ("g/N") == Approx (gravity));
+    CHECK (unitScale ("1/kg") == 1);
+    CHECK (unitScale ("m/s2") == 1);
     CHECK (responseUnit ("1/kg")->quantity == ResponseQuantity::acceleration);
     CHECK (responseUnit ("1/kg")->drive == DriveQuantity::force);
     CHECK (responseUnit ("nm/V")->quantity == ResponseQuantity::displacement);
     CHECK_FALSE (responseUnit ("m/s")->drive);
 
     for (const auto* const other : { "", "NONE", "Pa", "m/s^3", "V", "m^2", "m/", "((((((((((((m", "g^2/Hz", "N/m" })
-        CHECK_FALSE ((responseUnit (other) && scaleOf (other) != 1));
+        CHECK_FALSE ((responseUnit (other) && unitScale (other) != 1));
 
     CHECK (driveUnit ("mV")->factor == 1e-3);
     CHECK (driveUnit ("N")->drive == DriveQuantity::force);
@@ -118,9 +118,9 @@ TEST_CASE ("Responses written as a universal file come back to the bit", "[files
         CHECK (read.responses.frequencies == responses.frequencies);
         CHECK (read.responses.points == responses.points);
         CHECK (read.responses.values == responses.values);
-        REQUIRE (read.responses.drivers.size() == 2);
-        CHECK (read.responses.drivers[1].name == responses.drivers[1].name);
-        CHECK (read.responses.drivers[1].point == responses.drivers[1].point);
+        REQUIRE (read.responses.references.size() == 2);
+        CHECK (read.responses.references[1].name == responses.references[1].name);
+        CHECK (read.responses.references[1].point == responses.references[1].point);
     }
 }
 
@@ -128,21 +128,21 @@ TEST_CASE ("Drivers keep the order of their channels, and names that are too lon
            "[files][measurement]")
 {
     auto responses = exampleResponses (DriveQuantity::voltage);
-    responses.drivers = { { "C2", {} }, { "C1", {} } };
-    const auto swapped = mergedResponses ({ measurementOf (responseSets (responses), "a") }, {});
-    CHECK (swapped.responses.drivers[0].name == "C2");
+    responses.references = { { "C2", {} }, { "C1", {} } };
+    const auto swapped = mergedResponses ({ measurementFromUniversal (responseSets (responses), "a") }, {});
+    CHECK (swapped.responses.references[0].name == "C2");
     CHECK (swapped.responses.values == responses.values);
 
-    responses.drivers = { { "ceramic on the left", {} }, { "ceramic on the right", {} } };
-    const auto renamed = mergedResponses ({ measurementOf (responseSets (responses), "a") }, {});
-    CHECK (renamed.responses.drivers[1].name == "D2");
+    responses.references = { { "ceramic on the left", {} }, { "ceramic on the right", {} } };
+    const auto renamed = mergedResponses ({ measurementFromUniversal (responseSets (responses), "a") }, {});
+    CHECK (renamed.responses.references[1].name == "D2");
     CHECK (renamed.responses.values == responses.values);
 }
 
 TEST_CASE ("A direction against an axis turns the sign, and factors of units divide lengths", "[files][measurement]")
 {
     auto sets = responseSets (exampleResponses (DriveQuantity::force));
-    const auto before = mergedResponses ({ measurementOf (sets, "a") }, {});
+    const auto before = mergedResponses ({ measurementFromUniversal (sets, "a") }, {});
 
     for (auto& set : sets)
         if (auto* const function = std::get_if<UniversalFunction> (&set))
@@ -154,7 +154,7 @@ TEST_CASE ("A direction against an axis turns the sign, and factors of units div
 
     std::get<UniversalUnits> (sets[0]).length = 1e3;
     std::get<UniversalUnits> (sets[0]).force = 10;
-    const auto after = mergedResponses ({ measurementOf (sets, "a") }, {});
+    const auto after = mergedResponses ({ measurementFromUniversal (sets, "a") }, {});
     CHECK ((after.responses.points * 1e3 - before.responses.points).cwiseAbs().maxCoeff() < 1e-15);
     CHECK ((after.responses.values[0] * -100 - before.responses.values[0]).cwiseAbs().maxCoeff() < 1e-12);
 }
@@ -164,7 +164,7 @@ TEST_CASE ("A table's headings name parts, points, references and units", "[file
     const auto one = merged ({ { "a.csv", "frequency_Hz,P2 C1 real (mm/s)/V,P2 C1 imag,P1 C1 real (mm/s)/V,P1 C1 imag\n"
                                           "10,1,2,3,4\n20,5,6,7,8\n" } });
     CHECK (one.pointNames == std::vector<std::string> { "p1", "p2" });
-    CHECK (one.responses.drivers[0].name == "c1");
+    CHECK (one.responses.references[0].name == "c1");
     CHECK (std::abs (one.responses.values[0](1, 0) - Complex (7e-3, 8e-3)) < 1e-15);
 
     const auto other =
@@ -193,13 +193,13 @@ TEST_CASE ("Files of one response each are points, files of several with the sam
 {
     const auto points = merged ({ { "a.csv", "1,1,0\n2,1,0\n" }, { "b.csv", "1,2,0\n2,2,0\n" } });
     CHECK (points.responses.points.rows() == 2);
-    CHECK (points.responses.drivers.size() == 1);
+    CHECK (points.responses.references.size() == 1);
     CHECK (points.responses.values[0](0, 1) == 2.0);
 
-    const auto drivers = merged ({ { "a.csv", "1,1,0,2,0\n2,1,0,2,0\n" }, { "b.csv", "1,3,0,4,0\n2,3,0,4,0\n" } });
-    CHECK (drivers.responses.points.rows() == 2);
-    CHECK (drivers.responses.drivers.size() == 2);
-    CHECK (drivers.responses.values[1](0, 1) == 4.0);
+    const auto references = merged ({ { "a.csv", "1,1,0,2,0\n2,1,0,2,0\n" }, { "b.csv", "1,3,0,4,0\n2,3,0,4,0\n" } });
+    CHECK (references.responses.points.rows() == 2);
+    CHECK (references.responses.references.size() == 2);
+    CHECK (references.responses.values[1](0, 1) == 4.0);
 
     const auto named =
         merged ({ { "point10_driver1.csv", "1,1,0\n2,1,0\n" }, { "point9_driver1.csv", "1,2,0\n2,2,0\n" } });
@@ -210,7 +210,7 @@ TEST_CASE ("For a roving hammer, points and references are exchanged", "[files][
 {
     auto responses = exampleResponses (DriveQuantity::force);
     responses.points.conservativeResize (1, 2);
-    responses.drivers = { { "1", 0 }, { "2", {} }, { "3", {} } };
+    responses.references = { { "1", 0 }, { "2", {} }, { "3", {} } };
     responses.values.assign (3, Eigen::MatrixXcd::Random (3, 1));
     auto sets = responseSets (responses);
     UniversalLabel node = 0;
@@ -219,10 +219,10 @@ TEST_CASE ("For a roving hammer, points and references are exchanged", "[files][
         if (auto* const function = std::get_if<UniversalFunction> (&set))
             function->reference = { "NONE", ++node, 3 };
 
-    const auto measured = mergedResponses ({ measurementOf (sets, "a") }, {});
+    const auto measured = mergedResponses ({ measurementFromUniversal (sets, "a") }, {});
     CHECK (measured.responses.points.rows() == 3);
-    REQUIRE (measured.responses.drivers.size() == 1);
-    CHECK (measured.responses.drivers[0].point == 0);
+    REQUIRE (measured.responses.references.size() == 1);
+    CHECK (measured.responses.references[0].point == 0);
 }
 
 TEST_CASE ("Inconsistent files are refused with a reason", "[files][measurement]")
@@ -267,7 +267,7 @@ TEST_CASE ("Responses of which nothing was measured are no universal file", "[fi
 {
     FrequencyResponses responses;
     responses.frequencies = Eigen::Vector2d (10, 20);
-    responses.drivers = { { "C1", {} } };
+    responses.references = { { "C1", {} } };
     responses.points = Eigen::RowVector2d (0, 0);
     responses.values = { Eigen::MatrixXcd::Constant (2, 1, std::numeric_limits<double>::quiet_NaN()) };
     CHECK_THROWS_WITH (responseSets (responses), Catch::Contains ("nothing can be written"));

@@ -29,11 +29,11 @@ TEST_CASE ("Responses of a point are the same to the bit when they are restored"
 
     for (Eigen::Index ceramic = 0; ceramic < 2; ++ceramic)
     {
-        TurnResponses turn;
-        turn.responses.values = Eigen::MatrixXcd::Random (lines, 1) * 1e-4;
-        turn.responses.variances = Eigen::MatrixXd::Random (lines, 1).cwiseAbs();
-        turn.responses.coherence = Eigen::MatrixXd::Random (lines, 1).cwiseAbs();
-        place (measurement, ceramic, 1, turn);
+        RunResponses run;
+        run.responses.values = Eigen::MatrixXcd::Random (lines, 1) * 1e-4;
+        run.responses.variances = Eigen::MatrixXd::Random (lines, 1).cwiseAbs();
+        run.responses.coherence = Eigen::MatrixXd::Random (lines, 1).cwiseAbs();
+        place (measurement, ceramic, 1, run);
     }
 
     auto restored = empty (10);

@@ -6,7 +6,7 @@ using namespace antinode;
 
 namespace
 {
-std::vector<int> allOf (BankOrder order, std::span<const int> urgent = {})
+std::vector<int> takeAll (BankOrder order, std::span<const int> urgent = {})
 {
     std::vector<int> places;
 
@@ -19,11 +19,11 @@ std::vector<int> allOf (BankOrder order, std::span<const int> urgent = {})
 
 TEST_CASE ("Wanted places come first, the others outward from the first of them", "[graph]")
 {
-    CHECK (allOf ({ {}, 4 }) == std::vector { 0, 1, 2, 3 });
-    CHECK (allOf ({ { 2 }, 5 }) == std::vector { 2, 1, 3, 0, 4 });
-    CHECK (allOf ({ { 1, 5 }, 6 }) == std::vector { 1, 5, 0, 2, 3, 4 });
-    CHECK (allOf ({ { 60 }, 3 }) == std::vector { 2, 1, 0 }); // Beyond the bank: passed over.
-    CHECK (allOf ({ { 60 }, 0 }).empty());
+    CHECK (takeAll ({ {}, 4 }) == std::vector { 0, 1, 2, 3 });
+    CHECK (takeAll ({ { 2 }, 5 }) == std::vector { 2, 1, 3, 0, 4 });
+    CHECK (takeAll ({ { 1, 5 }, 6 }) == std::vector { 1, 5, 0, 2, 3, 4 });
+    CHECK (takeAll ({ { 60 }, 3 }) == std::vector { 2, 1, 0 }); // Beyond the bank: passed over.
+    CHECK (takeAll ({ { 60 }, 0 }).empty());
 }
 
 TEST_CASE ("An urgent place comes before the wanted ones, and both are awaited", "[graph]")

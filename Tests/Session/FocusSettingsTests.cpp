@@ -13,9 +13,9 @@ TEST_CASE ("Parameters that say what a focus says leave it as it is, to the bit"
     {
         INFO (name);
         const auto isPlate = name.starts_with ("glass") || name.starts_with ("phone") || name.starts_with ("aluminium");
-        const auto surface = extentOf (test::deviceNamed (isPlate ? "glass-148x210" : "staple").description);
+        const auto surface = deviceExtent (test::deviceNamed (isPlate ? "glass-148x210" : "staple").description);
         const auto focus = test::focusNamed (name).description;
-        auto settings = settingsOf (focus, surface, {});
+        auto settings = settingsFromFocus (focus, surface, {});
         CHECK (focusToJson (withSettings (focus, settings, surface)) == focusToJson (focus));
 
         // A host may keep a parameter as a share of its range: the last digits of a float differ.
@@ -27,9 +27,9 @@ TEST_CASE ("Parameters that say what a focus says leave it as it is, to the bit"
 
 TEST_CASE ("Parameters change what they name, and later foci follow the first", "[session]")
 {
-    const auto surface = extentOf (test::deviceNamed ("glass-148x210").description);
+    const auto surface = deviceExtent (test::deviceNamed ("glass-148x210").description);
     const auto focus = test::focusNamed ("glass-two").description;
-    auto settings = settingsOf (focus, surface, {});
+    auto settings = settingsFromFocus (focus, surface, {});
     settings.xPercent = 50;
     settings.peakVelocityMillimetresPerSecond *= 2;
     settings.growth = 4;

@@ -29,7 +29,8 @@ struct PlayedSession
     PlayedSession() : PlayedSession ("staple", "demonstrator") {}
 
     PlayedSession (const std::string& device, const std::string& focus)
-        : settings (settingsOf (focusNamed (focus).description, extentOf (deviceNamed (device).description), {})),
+        : settings (
+            settingsFromFocus (focusNamed (focus).description, deviceExtent (deviceNamed (device).description), {})),
           session (
               deviceNamed (device), focusNamed (focus), [this] { return read(); }, [] {})
     {

@@ -121,7 +121,7 @@ std::shared_ptr<const ModalModel> limitedBeam()
 }
 
 /** A bank of all places with foci of some width, of which every other has a brake. */
-DesignRequest requestOf (const std::shared_ptr<const ModalModel>& model, unsigned choice)
+DesignRequest makeRequest (const std::shared_ptr<const ModalModel>& model, unsigned choice)
 {
     DesignRequest request;
     request.model = model;
@@ -151,7 +151,7 @@ void soak (const PlayerSettings& settings, double seconds, Findings& findings)
     standard.graph.prepare ({ rate, longestBlock });
     auto& player = standard.playerNode().player();
     DesignWorker worker (player.handOver());
-    worker.request (requestOf (model, 0));
+    worker.request (makeRequest (model, 0));
     test::waitForBank (worker, FocusBank::places);
     std::atomic<bool> isPlaying { true };
     std::thread audio (
@@ -163,7 +163,7 @@ void soak (const PlayerSettings& settings, double seconds, Findings& findings)
 
     for (std::mt19937 random (3); isPlaying; ++findings.requests)
     {
-        worker.request (requestOf (model, static_cast<unsigned> (random())));
+        worker.request (makeRequest (model, static_cast<unsigned> (random())));
         std::this_thread::sleep_for (std::chrono::milliseconds (random() % 60));
         findings.failed += worker.progress().failed;
     }
@@ -207,9 +207,9 @@ void print (const Findings& findings)
 }
 } // namespace
 
-/** Plays the whole graph for some seconds of audio, 600 where none are given, a third with each behaviour of note-offs, while banks
-    are designed and change all the time. Exit code 1 where anything happened on the audio thread that may not, a focus was missed or
-    doubled, or a voltage exceeded its limit. */
+/** Plays the whole graph for some seconds of audio, 600 where none are given, a third with each behaviour of note-offs,
+   while banks are designed and change all the time. Exit code 1 where anything happened on the audio thread that may
+   not, a focus was missed or doubled, or a voltage exceeded its limit. */
 int main (int argumentCount, char** arguments)
 {
     const auto seconds = argumentCount > 1 ? std::atof (arguments[1]) : 600.0;

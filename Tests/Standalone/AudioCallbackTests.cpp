@@ -49,7 +49,7 @@ struct CallbackRig
         return played;
     }
 
-    AntinodeProcessor processor { AntinodeProcessor::mostCeramics, juce::AudioProcessor::wrapperType_Undefined };
+    AntinodeProcessor processor { AntinodeProcessor::maximumCeramics, juce::AudioProcessor::wrapperType_Undefined };
     OutputRouter router;
     MidiQueue queue;
     AudioCallback callback { processor, router, queue };

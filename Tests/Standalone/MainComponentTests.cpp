@@ -22,9 +22,9 @@ TEST_CASE ("the settings have the same theme as the editor")
     StandaloneHost host (SettingsFile ({}), false);
     MainComponent window (host);
     window.editor().content().setDark (false);
-    CHECK_FALSE (EditorLook::paletteOf (window).isDark);
+    CHECK_FALSE (EditorLook::findPalette (window).isDark);
     window.editor().content().setDark (true);
-    CHECK (EditorLook::paletteOf (window).isDark);
+    CHECK (EditorLook::findPalette (window).isDark);
 }
 
 TEST_CASE ("the window is as dark or light as it was left")
@@ -41,6 +41,6 @@ TEST_CASE ("the window is as dark or light as it was left")
         }
         StandaloneHost host (SettingsFile (path), true);
         const MainComponent window (host);
-        CHECK (EditorLook::paletteOf (window).isDark == isDark);
+        CHECK (EditorLook::findPalette (window).isDark == isDark);
     }
 }

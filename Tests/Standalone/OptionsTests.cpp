@@ -19,7 +19,7 @@ std::string noteError (const std::string& note)
 {
     StandaloneOptions options;
     options.notes = { note };
-    return errorText ([&] { notesOf (options); });
+    return errorText ([&] { readNotes (options); });
 }
 } // namespace
 
@@ -47,7 +47,7 @@ TEST_CASE ("notes are numbers with a velocity or without, at their times")
     StandaloneOptions options;
     options.notes = { "60", "127:1" };
     options.times = { 0.25 };
-    const auto notes = notesOf (options);
+    const auto notes = readNotes (options);
     REQUIRE (notes.size() == 2);
     CHECK (notes[0].seconds == 0.25);
     CHECK (notes[0].message.getNoteNumber() == 60);

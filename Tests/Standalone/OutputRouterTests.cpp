@@ -27,7 +27,7 @@ Channels noise (int channels, int count, float largest)
     return samples;
 }
 
-float peakOf (const std::vector<float>& samples)
+float absolutePeak (const std::vector<float>& samples)
 {
     float peak = 0;
 
@@ -49,7 +49,7 @@ TEST_CASE ("each output gives its ceramic's samples, to the bit, and the others 
     CHECK (played[2] == ceramics[2]);
 
     for (const auto silent : { 0, 3, 5 })
-        CHECK (peakOf (played[static_cast<std::size_t> (silent)]) == 0);
+        CHECK (absolutePeak (played[static_cast<std::size_t> (silent)]) == 0);
 }
 
 TEST_CASE ("an amplifier of other volts per full scale and the other polarity gives the same volts")
@@ -98,11 +98,11 @@ TEST_CASE ("mute all ramps every output to 0 V in 5 ms and holds it until it is 
             CHECK ((output[n] < output[n - 1] && output[n - 1] - output[n] < 0.004F));
 
         CHECK (output[RouterRig::rampSamples - 2] > 0);
-        CHECK (peakOf ({ output.begin() + RouterRig::rampSamples - 1, output.end() }) == 0);
+        CHECK (absolutePeak ({ output.begin() + RouterRig::rampSamples - 1, output.end() }) == 0);
     }
 
     CHECK (rig.router.isSilent());
-    CHECK (peakOf (rig.play (ceramics, 4, { 64 }, monitor)[0]) == 0);
+    CHECK (absolutePeak (rig.play (ceramics, 4, { 64 }, monitor)[0]) == 0);
     rig.router.release();
     CHECK (rig.play (ceramics, 4, { 64 }, monitor)[3].back() == 0.8F);
     CHECK_FALSE (rig.router.isSilent());
@@ -113,7 +113,7 @@ TEST_CASE ("a mute outlives a device that is opened anew")
     RouterRig rig;
     rig.router.muteAll();
     rig.router.prepare (96000);
-    CHECK (peakOf (rig.play (constant (1, 2000, 0.8F), 1)[0]) == 0);
+    CHECK (absolutePeak (rig.play (constant (1, 2000, 0.8F), 1)[0]) == 0);
     CHECK (rig.router.isSilent());
 }
 
@@ -125,9 +125,9 @@ TEST_CASE ("the identify tone is 5 percent of the ceramic's limit and 5 V at mos
     rig.router.identify (1);
     const auto played = rig.play (constant (3, 48000, 0.5F), 3);
     const std::vector<float> tone (played[1].begin() + 2 * RouterRig::rampSamples, played[1].end());
-    CHECK (static_cast<double> (peakOf (tone)) * RouterRig::fullScale == Approx (volts).epsilon (0.01));
-    CHECK (static_cast<double> (peakOf (tone)) * RouterRig::fullScale <= volts * (1 + 1e-6));
-    CHECK (peakOf ({ played[0].begin() + RouterRig::rampSamples, played[0].end() }) == 0);
+    CHECK (static_cast<double> (absolutePeak (tone)) * RouterRig::fullScale == Approx (volts).epsilon (0.01));
+    CHECK (static_cast<double> (absolutePeak (tone)) * RouterRig::fullScale <= volts * (1 + 1e-6));
+    CHECK (absolutePeak ({ played[0].begin() + RouterRig::rampSamples, played[0].end() }) == 0);
 
     rig.router.identify (OutputRouting::none);
     CHECK (rig.play (constant (3, 1000, 0.5F), 3)[2].back() == 0.5F);
@@ -141,17 +141,17 @@ TEST_CASE ("the identify tone keeps to its volts whatever the amplifier")
     rig.route (routing, { 200 });
     rig.router.identify (0);
     const auto played = rig.play (constant (1, 48000, 0), 1);
-    CHECK (peakOf (played[0]) * 20 == Approx (5).epsilon (0.01));
+    CHECK (absolutePeak (played[0]) * 20 == Approx (5).epsilon (0.01));
 }
 
 TEST_CASE ("there is no identify tone while disarmed, or without a known limit")
 {
     RouterRig rig;
     rig.router.identify (0);
-    CHECK (peakOf (rig.play (constant (1, 48000, 0), 1)[0]) == 0);
+    CHECK (absolutePeak (rig.play (constant (1, 48000, 0), 1)[0]) == 0);
     rig.route (straightRouting(), { 100 });
     rig.isArmed = false;
-    CHECK (peakOf (rig.play (constant (1, 48000, 0), 1)[0]) == 0);
+    CHECK (absolutePeak (rig.play (constant (1, 48000, 0), 1)[0]) == 0);
 }
 
 TEST_CASE ("nothing that is not finite reaches an output, and it mutes all of them")
@@ -169,7 +169,7 @@ TEST_CASE ("nothing that is not finite reaches an output, and it mutes all of th
 
         CHECK (played[1][299] == 0.5F);
         CHECK (played[0][300] == 0);
-        CHECK (peakOf ({ played[1].begin() + 300 + RouterRig::rampSamples, played[1].end() }) == 0);
+        CHECK (absolutePeak ({ played[1].begin() + 300 + RouterRig::rampSamples, played[1].end() }) == 0);
         CHECK (rig.router.isMuted());
         CHECK (rig.router.meters().badNumbers() == 2);
         rig.router.release();
@@ -183,7 +183,7 @@ TEST_CASE ("a monitor that is not finite is silent and mutes nothing")
     rig.route (withMonitor (straightRouting(), 2));
     const auto played =
         rig.play (constant (1, 100, 0.5F), 4, { 100 }, constant (2, 100, std::numeric_limits<float>::quiet_NaN()));
-    CHECK (peakOf (played[2]) == 0);
+    CHECK (absolutePeak (played[2]) == 0);
     CHECK_FALSE (rig.router.isMuted());
 }
 

@@ -45,7 +45,7 @@ TEST_CASE ("a routing with an output that is used twice is refused")
     auto routing = straightRouting();
     routing.outputs[3] = 0;
     CHECK (errorText ([&] { validate (routing); }) == "ceramic 4: has output 1, which ceramic 1 uses already");
-    routing.outputs[3] = OutputRouting::mostOutputs;
+    routing.outputs[3] = OutputRouting::maximumOutputs;
     CHECK (errorText ([&] { validate (routing); }) == "ceramic 4: has output 129; allowed: 1 to 128");
 }
 

@@ -34,7 +34,7 @@ void write (const fs::path& file, const std::string& text)
     std::ofstream (file, std::ios::binary) << text;
 }
 
-std::string contentOf (const fs::path& file)
+std::string readContent (const fs::path& file)
 {
     std::ifstream stream (file, std::ios::binary);
     return { std::istreambuf_iterator<char> (stream), {} };
@@ -99,7 +99,7 @@ TEST_CASE ("settings that cannot be read are put aside and never lost")
         CHECK (file.load().routing == straightRouting());
         CHECK (file.warning().find ("The settings could not be read") == 0);
         const auto aside = path.string() + ".broken" + (++number > 1 ? "-" + std::to_string (number) : "");
-        CHECK (contentOf (aside) == text);
+        CHECK (readContent (aside) == text);
         CHECK_FALSE (fs::exists (path));
     }
 }

@@ -9,7 +9,7 @@ using namespace antinode;
 
 namespace
 {
-Surface surfaceOf (double xMinimum, double xMaximum, double yMinimum, double yMaximum)
+Surface makeSurface (double xMinimum, double xMaximum, double yMinimum, double yMaximum)
 {
     Surface surface;
     surface.kind = SurfaceKind::plate;
@@ -23,8 +23,10 @@ Surface surfaceOf (double xMinimum, double xMaximum, double yMinimum, double yMa
 
 TEST_CASE ("fractions of a surface are places between its edges, and 0 and 1 the very edges")
 {
-    const auto surface = surfaceOf (-0.071, 0.103, 0.1, 0.3);
-    const auto place = [&] (double x, double y) { return placeOf ({ TouchKind::focusAt, false, x, y, 1 }, surface); };
+    const auto surface = makeSurface (-0.071, 0.103, 0.1, 0.3);
+    const auto place = [&] (double x, double y) {
+        return touchPlace ({ TouchKind::focusAt, false, x, y, 1 }, surface);
+    };
     CHECK (place (0, 0) == std::pair (-0.071, 0.1));
     CHECK (place (1, 1) == std::pair (0.103, 0.3));
     CHECK (place (0.5, 0.25).first == Approx (0.016));
@@ -33,7 +35,7 @@ TEST_CASE ("fractions of a surface are places between its edges, and 0 and 1 the
 
 TEST_CASE ("millimetres are those of the surface's drawing")
 {
-    const auto place = placeOf ({ TouchKind::focusAt, true, 24, -3.5, 1 }, surfaceOf (-1, 1, -1, 1));
+    const auto place = touchPlace ({ TouchKind::focusAt, true, 24, -3.5, 1 }, makeSurface (-1, 1, -1, 1));
     CHECK (place.first == Approx (0.024));
     CHECK (place.second == Approx (-0.0035));
 }
@@ -75,8 +77,8 @@ TEST_CASE ("touches outside the surface are counted until the ports are opened a
     touch.play ({ TouchKind::focusAt, true, -75.1, 0, 1 });
     touch.play ({ TouchKind::focusAt, true, 24, 0, 1 });
     touch.play ({ TouchKind::stopAll, false, 0, 0, 0 });
-    CHECK (touch.unplayed().besideSurface == 2);
-    CHECK (touch.unplayed().notTaken == 0);
+    CHECK (touch.unplayed().outsideSurface == 2);
+    CHECK (touch.unplayed().notAccepted == 0);
     touch.open ({ 0, 0, "127.0.0.1" });
-    CHECK (touch.unplayed().besideSurface == 0);
+    CHECK (touch.unplayed().outsideSurface == 0);
 }

@@ -13,7 +13,8 @@
 
 using namespace antinode;
 
-// Everything that several threads touch, all at once: to be run under ThreadSanitizer (preset tsan), and shortly in any build.
+// Everything that several threads touch, all at once: to be run under ThreadSanitizer (preset tsan), and shortly in any
+// build.
 
 namespace
 {

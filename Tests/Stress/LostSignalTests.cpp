@@ -10,7 +10,8 @@
 #include <cstdlib>
 #include <thread>
 
-// Waits without a time limit, thousands of them, while the other side is as quick as it can be: where a signal can be lost, one hangs.
+// Waits without a time limit, thousands of them, while the other side is as quick as it can be: where a signal can be
+// lost, one hangs.
 
 using namespace antinode;
 

@@ -7,8 +7,8 @@ using namespace antinode::examples;
 
 namespace
 {
-/** The first roots beta L of Euler and Bernoulli's characteristic equations, solved to double precision; to fewer digits in
-    R.D. Blevins, Formulas for Natural Frequency and Mode Shape (1979), table 8-1. */
+/** The first roots beta L of Euler and Bernoulli's characteristic equations, solved to double precision; to fewer
+   digits in R.D. Blevins, Formulas for Natural Frequency and Mode Shape (1979), table 8-1. */
 struct BeamRoots
 {
     EdgeCondition left, right;
@@ -46,7 +46,8 @@ constexpr std::array<double, 12> pinnedGuided { 1.5707963267948966, 4.7123889803
                                                 20.420352248333657, 23.561944901923447, 26.703537555513243,
                                                 29.845130209103033, 32.98672286269283,  36.12831551628262 };
 
-// Exchanging clamped with free, and pinned with guided, changes shapes into their second derivatives and leaves the roots.
+// Exchanging clamped with free, and pinned with guided, changes shapes into their second derivatives and leaves the
+// roots.
 const std::array<BeamRoots, 10> cases { {
     { clamped, loose, 0, clampedFree },
     { clamped, clamped, 0, clampedClamped },
@@ -108,7 +109,7 @@ TEST_CASE ("forty modes of a pinned beam are right within their estimated errors
 TEST_CASE ("a beam of another size has frequencies inverse to its length, and shapes by its mass", "[structure]")
 {
     auto beam = uniformBeam (clamped, loose);
-    beam.common.ceramics = { pairOfCeramics (-0.04, 0.03, 0.008, 0.5e-3) };
+    beam.common.ceramics = { ceramicPair (-0.04, 0.03, 0.008, 0.5e-3) };
     const auto model = solved (beam, 8);
 
     constexpr double factor = 3;
@@ -116,7 +117,7 @@ TEST_CASE ("a beam of another size has frequencies inverse to its length, and sh
     larger.length *= factor;
     larger.width *= factor;
     larger.common.thickness *= factor;
-    larger.common.ceramics = { pairOfCeramics (-0.04 * factor, 0.03 * factor, 0.008 * factor, 0.5e-3 * factor) };
+    larger.common.ceramics = { ceramicPair (-0.04 * factor, 0.03 * factor, 0.008 * factor, 0.5e-3 * factor) };
     const auto largerModel = solved (larger, 8);
 
     CHECK ((largerModel.angularFrequencies * factor - model.angularFrequencies).norm()

@@ -11,7 +11,7 @@ using namespace antinode::examples;
 namespace
 {
 /** One of the demonstrator's: 9 x 5 x 0.5 mm of NCE51, permittivity 1850 after its maker's data sheet. */
-const auto pair = pairOfCeramics (0, 0.009, 0.005, 0.5e-3);
+const auto pair = ceramicPair (0, 0.009, 0.005, 0.5e-3);
 } // namespace
 
 TEST_CASE ("A ceramic of 9 x 5 x 0.5 mm has 1.474 nF, a pair twice that in parallel and half of it in series",

@@ -15,7 +15,7 @@ namespace
 BeamDescription twoCeramics()
 {
     auto beam = uniformBeam (EdgeCondition::clamped, EdgeCondition::free);
-    beam.common.ceramics = { pairOfCeramics (-0.05, 0.03, 0.008, 0.5e-3), pairOfCeramics (0.05, 0.03, 0.008, 0.5e-3) };
+    beam.common.ceramics = { ceramicPair (-0.05, 0.03, 0.008, 0.5e-3), ceramicPair (0.05, 0.03, 0.008, 0.5e-3) };
     return beam;
 }
 
@@ -102,7 +102,7 @@ TEST_CASE ("more ceramics than the solver has room for are refused before it wor
     auto beam = uniformBeam (EdgeCondition::clamped, EdgeCondition::free);
 
     for (int i = 0; i < 600; ++i)
-        beam.common.ceramics.push_back (pairOfCeramics (-0.0999 + i * 0.0003, 0.0001, 0.01, 0.1e-3));
+        beam.common.ceramics.push_back (ceramicPair (-0.0999 + i * 0.0003, 0.0001, 0.01, 0.1e-3));
 
     CHECK_THROWS_WITH (solved (beam, 10), Catch::Contains ("unknowns; allowed: "));
 }
@@ -129,7 +129,7 @@ TEST_CASE ("the model takes over names, places, limits and damping", "[structure
 TEST_CASE ("ceramics may lie in any order and fill the beam to its ends", "[structure]")
 {
     auto beam = uniformBeam (EdgeCondition::clamped, EdgeCondition::free);
-    beam.common.ceramics = { pairOfCeramics (0.05, 0.1, 0.01, 0.5e-3), pairOfCeramics (-0.05, 0.1, 0.01, 0.5e-3) };
+    beam.common.ceramics = { ceramicPair (0.05, 0.1, 0.01, 0.5e-3), ceramicPair (-0.05, 0.1, 0.01, 0.5e-3) };
     const Eigen::MatrixXd participation = solved (beam, 3).participation;
     std::swap (beam.common.ceramics[0], beam.common.ceramics[1]);
     CHECK (solved (beam, 3).participation == participation.rowwise().reverse());

@@ -20,7 +20,7 @@ PlateDescription ordinaryPlate()
 using Number = std::function<double&(PlateDescription&)>;
 
 /** Every number of a plate's description. */
-std::vector<std::pair<std::string, Number>> numbersOfPlate()
+std::vector<std::pair<std::string, Number>> plateNumbers()
 {
     const auto ceramic = [] (double CeramicDescription::*member) -> Number
     {
@@ -88,7 +88,7 @@ TEST_CASE ("A plate with arbitrary numbers is solved accurately or refused with 
     const auto notANumber = std::numeric_limits<double>::quiet_NaN();
     int cases = 0;
 
-    for (const auto& [name, number] : numbersOfPlate())
+    for (const auto& [name, number] : plateNumbers())
         for (const auto value :
              { notANumber, infinity, -infinity, 0.0, -1.0, 1e-300, 1e300, 1e-9, 1e9, 1e-3, 0.4999, 2.0 })
         {
@@ -104,7 +104,7 @@ TEST_CASE ("A plate with arbitrary numbers is solved accurately or refused with 
 
 TEST_CASE ("Every number of a plate times a power of ten", "[structure][plate]")
 {
-    for (const auto& [name, number] : numbersOfPlate())
+    for (const auto& [name, number] : plateNumbers())
         for (const auto factor : { 1e-4, 1e-2, 1e2, 1e4 })
         {
             CAPTURE (name, factor);

@@ -9,11 +9,12 @@ using namespace antinode::examples;
 
 namespace
 {
-/** Two pairs of ceramics so thin that the beam stays uniform; the moment per volt does not depend on their thickness then. */
+/** Two pairs of ceramics so thin that the beam stays uniform; the moment per volt does not depend on their thickness
+ * then. */
 std::vector<CeramicDescription> thinCeramics()
 {
-    auto first = pairOfCeramics (-0.067, 0.021, 0.006, 1e-12);
-    auto second = pairOfCeramics (0.013, 0.037, 0.01, 1e-12);
+    auto first = ceramicPair (-0.067, 0.021, 0.006, 1e-12);
+    auto second = ceramicPair (0.013, 0.037, 0.01, 1e-12);
     second.polarity = -1;
     return { first, second };
 }
@@ -92,7 +93,7 @@ TEST_CASE ("a patch on a uniform pinned beam takes part by the difference of the
 TEST_CASE ("polarity turns a ceramic's participation, series wiring halves it", "[structure]")
 {
     auto beam = uniformBeam (EdgeCondition::clamped, EdgeCondition::free);
-    beam.common.ceramics = { pairOfCeramics (-0.05, 0.03, 0.008, 0.5e-3) };
+    beam.common.ceramics = { ceramicPair (-0.05, 0.03, 0.008, 0.5e-3) };
     const Eigen::MatrixXd participation = solved (beam, 5).participation;
 
     beam.common.ceramics[0].polarity = -1;
@@ -105,7 +106,7 @@ TEST_CASE ("polarity turns a ceramic's participation, series wiring halves it", 
 TEST_CASE ("a positive voltage bulges a surface outward where d31 is negative", "[structure]")
 {
     auto beam = uniformBeam (EdgeCondition::simplySupported, EdgeCondition::simplySupported);
-    beam.common.ceramics = { pairOfCeramics (0, 0.1, 0.01, 0.5e-3) };
+    beam.common.ceramics = { ceramicPair (0, 0.1, 0.01, 0.5e-3) };
     const auto model = solved (beam, 1);
 
     // The first shape is positive, so a positive participation lifts the middle.
@@ -117,7 +118,7 @@ TEST_CASE ("a pair of ceramics stiffens a section after Steiner", "[structure]")
 {
     // 20 x 1 mm of aluminium with 20 x 0.5 mm of 62.5 GPa on both sides: EI = .1166667 + .7291667 N m^2.
     const auto common = plainCommon (1e-3);
-    const auto section = ceramicSection (common, 0.02, pairOfCeramics (0, 0.05, 0.02, 0.5e-3));
+    const auto section = ceramicSection (common, 0.02, ceramicPair (0, 0.05, 0.02, 0.5e-3));
     CHECK (bareSection (common, 0.02).bendingStiffness == Approx (0.11666666666666668).epsilon (1e-12));
     CHECK (section.bendingStiffness == Approx (0.8458333333333334).epsilon (1e-12));
     CHECK (section.massPerLength == Approx (0.21).epsilon (1e-12));
@@ -128,7 +129,7 @@ TEST_CASE ("a ceramic on one side bends a section about its shifted neutral axis
 {
     // Moments of E dA about the substrate's mid-plane: EI = S2 - S1^2 / S0, arm = d - S1 / S0.
     const auto common = plainCommon (1e-3);
-    auto ceramic = pairOfCeramics (0, 0.05, 0.01, 0.5e-3);
+    auto ceramic = ceramicPair (0, 0.05, 0.01, 0.5e-3);
     ceramic.mounting = CeramicMounting::oneSide;
     const auto substrate = 70e9 * 0.02 * 1e-3;
     const auto added = 62.5e9 * 0.01 * 0.5e-3;

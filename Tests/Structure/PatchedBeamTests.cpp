@@ -15,7 +15,7 @@ BeamDescription patchedCantilever()
     auto beam = uniformBeam (EdgeCondition::clamped, EdgeCondition::free);
     beam.length = 0.3;
     beam.width = 0.02;
-    beam.common.ceramics = { pairOfCeramics (-0.085, 0.05, 0.02, 0.5e-3) };
+    beam.common.ceramics = { ceramicPair (-0.085, 0.05, 0.02, 0.5e-3) };
     return beam;
 }
 } // namespace
@@ -39,7 +39,7 @@ TEST_CASE ("a cantilever with a pair of ceramics has the frequencies of its exac
 TEST_CASE ("a ceramic along the whole beam makes it uniform again", "[structure]")
 {
     auto beam = patchedCantilever();
-    beam.common.ceramics = { pairOfCeramics (0, 0.3, 0.02, 0.5e-3) };
+    beam.common.ceramics = { ceramicPair (0, 0.3, 0.02, 0.5e-3) };
     const auto model = solved (beam, 3);
 
     // EI = 0.8458333 N m^2 and mu = 0.21 kg/m, worked out by hand; first roots of the clamped-free beam.
@@ -52,8 +52,7 @@ TEST_CASE ("two ceramics that touch stiffen a beam like one", "[structure]")
 {
     auto beam = patchedCantilever();
     const auto whole = solved (beam, 6);
-    beam.common.ceramics = { pairOfCeramics (-0.0725, 0.025, 0.02, 0.5e-3),
-                             pairOfCeramics (-0.0975, 0.025, 0.02, 0.5e-3) };
+    beam.common.ceramics = { ceramicPair (-0.0725, 0.025, 0.02, 0.5e-3), ceramicPair (-0.0975, 0.025, 0.02, 0.5e-3) };
     const auto halves = solved (beam, 6);
 
     CHECK ((halves.angularFrequencies - whole.angularFrequencies).norm() < 1e-9 * whole.angularFrequencies.norm());
@@ -67,8 +66,8 @@ TEST_CASE ("a gap between ceramics softens a beam in proportion to its width, ho
     {
         auto beam = patchedCantilever();
         const auto length = 0.025 - gap / 2;
-        beam.common.ceramics = { pairOfCeramics (-0.06 - length / 2, length, 0.02, 0.5e-3),
-                                 pairOfCeramics (-0.11 + length / 2, length, 0.02, 0.5e-3) };
+        beam.common.ceramics = { ceramicPair (-0.06 - length / 2, length, 0.02, 0.5e-3),
+                                 ceramicPair (-0.11 + length / 2, length, 0.02, 0.5e-3) };
         return solved (beam, 1).angularFrequencies[0];
     };
     const auto closed = gapped (0);
@@ -82,12 +81,13 @@ TEST_CASE ("a gap between ceramics softens a beam in proportion to its width, ho
 TEST_CASE ("the deflection of a bimorph cantilever at rest is the sum of its modes", "[structure]")
 {
     // Two layers of PVDF of 0.5 mm, 100 mm long, 5 mm wide, 1 V across both: 3 e31 U L^2 / (2 E h^2) = 3.45e-7 m with
-    // e31 = 0.046 C/m^2, E = 2 GPa, h = 1 mm (Tzou 1989; Hwang and Park 1993). The substrate between them is next to nothing.
+    // e31 = 0.046 C/m^2, E = 2 GPa, h = 1 mm (Tzou 1989; Hwang and Park 1993). The substrate between them is next to
+    // nothing.
     auto beam = uniformBeam (EdgeCondition::clamped, EdgeCondition::free);
     beam.length = 0.1;
     beam.width = 0.005;
     beam.common.thickness = 1e-9;
-    auto ceramic = pairOfCeramics (0, 0.1, 0.005, 0.5e-3);
+    auto ceramic = ceramicPair (0, 0.1, 0.005, 0.5e-3);
     ceramic.material = { 2e9, 0.29, 1800, 0.046 / 2e9, 0 };
     ceramic.wiring = CeramicWiring::series;
     beam.common.ceramics = { ceramic };

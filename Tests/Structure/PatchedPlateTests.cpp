@@ -9,7 +9,8 @@ using namespace antinode::examples;
 
 namespace
 {
-/** The relative deviations of each mode's integrals of the Laplacian over the ceramics from the reference, signs aside. */
+/** The relative deviations of each mode's integrals of the Laplacian over the ceramics from the reference, signs aside.
+ */
 std::vector<double> participationDeviations (const ModalModel& model, const nlohmann::json& integrals, double moment)
 {
     std::vector<double> deviations;

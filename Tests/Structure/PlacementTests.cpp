@@ -11,7 +11,7 @@ using namespace antinode::examples;
 
 namespace
 {
-DeviceDescription deviceOf (const PlateDescription& plate)
+DeviceDescription makeDevice (const PlateDescription& plate)
 {
     return { "plate", "", plate };
 }
@@ -59,7 +59,7 @@ TEST_CASE ("The kernel of terminal velocities against quadrature", "[structure][
 
 TEST_CASE ("One ceramic for the lowest mode of a supported plate goes to its middle", "[structure][placement]")
 {
-    const auto placed = placeCeramics (deviceOf (barePlate ("SSSS", 0.2, 0.12)), plateCeramic (0, 0, 0.02, 0.02),
+    const auto placed = placeCeramics (makeDevice (barePlate ("SSSS", 0.2, 0.12)), plateCeramic (0, 0, 0.02, 0.02),
                                        optionsFor (1, 1, 0.01));
     REQUIRE (placed.ceramics.size() == 1);
     CHECK (placed.ceramics[0].x == Approx (0.09));
@@ -73,7 +73,7 @@ TEST_CASE ("One ceramic for the lowest mode of a cantilever goes to its clamp", 
     auto beam = uniformBeam (EdgeCondition::clamped, EdgeCondition::free);
     auto options = optionsFor (1, 1, 0.005);
     options.isResolved = false;
-    const auto placed = placeCeramics ({ "beam", "", beam }, pairOfCeramics (0, 0.02, 0.01, 0.5e-3), options);
+    const auto placed = placeCeramics ({ "beam", "", beam }, ceramicPair (0, 0.02, 0.01, 0.5e-3), options);
     CHECK (placed.ceramics[0].x == Approx (-0.1));
     CHECK_FALSE (placed.resolved.has_value());
 }
@@ -108,10 +108,10 @@ TEST_CASE ("Exchange reaches at least 95 % of the best of all choices", "[struct
 TEST_CASE ("Placed ceramics do not overlap and stay within the rim", "[structure][placement]")
 {
     auto options = optionsFor (12, 20, 0.006);
-    options.grid.rim = 0.01;
+    options.grid.edgeDistance = 0.01;
     double share = 0;
     const auto plate = barePlate ("FFFF", 0.15, 0.08);
-    const auto placed = placeCeramics (deviceOf (plate), plateCeramic (0, 0, 0.012, 0.01), options,
+    const auto placed = placeCeramics (makeDevice (plate), plateCeramic (0, 0, 0.012, 0.01), options,
                                        [&] (double now)
                                        {
                                            CHECK (now >= share);
@@ -132,9 +132,9 @@ TEST_CASE ("Better places than an ordinary layout", "[structure][placement]")
     const auto plate = patchedPlate();
     auto options = optionsFor (8, 30, 0.0125);
     options.isResolved = false;
-    const auto placed = placeCeramics (deviceOf (plate), plate.common.ceramics[0], options);
+    const auto placed = placeCeramics (makeDevice (plate), plate.common.ceramics[0], options);
     options.grid.step = 0.005; // All of its own places lie on this grid.
-    const auto candidates = placementCandidates (deviceOf (plate), plate.common.ceramics[0], options.grid);
+    const auto candidates = placementCandidates (makeDevice (plate), plate.common.ceramics[0], options.grid);
     const auto kernel = velocityKernel (candidates.angularFrequencies, candidates.dampingRatios, options.duration);
     std::vector<Eigen::Index> own;
 
@@ -153,7 +153,7 @@ TEST_CASE ("Better places than an ordinary layout", "[structure][placement]")
 
 TEST_CASE ("Impossible placements are refused with the field", "[structure][placement]")
 {
-    const auto plate = deviceOf (barePlate ("SSSS", 0.1, 0.1));
+    const auto plate = makeDevice (barePlate ("SSSS", 0.1, 0.1));
     CHECK_THROWS_WITH (placeCeramics (plate, plateCeramic (0, 0, 0.2, 0.01), optionsFor (1, 1, 0.01)),
                        Catch::Contains ("placement: ceramic size: "));
     CHECK_THROWS_WITH (placeCeramics (plate, plateCeramic (0, 0, 0.06, 0.06), optionsFor (2, 1, 0.01)),

@@ -84,7 +84,7 @@ void checkSame (const ModalModel& a, const ModalModel& b, double frequencyFactor
 TEST_CASE ("Frequencies fall on every nested refinement", "[structure][plate]")
 {
     const auto plate = unevenPlate();
-    const auto layout = layoutOf (plate);
+    const auto layout = makeLayout (plate);
 
     for (const auto degree : { 3, 4, 5 })
     {
@@ -148,7 +148,8 @@ TEST_CASE ("A second solution is the first to the last bit", "[structure][plate]
 
 TEST_CASE ("Pairs of one frequency come out with their nodal lines along the axes", "[structure][plate]")
 {
-    // Modes (1, 2) and (2, 1) of a simply supported square: one has its node at half the height, the other at half the length.
+    // Modes (1, 2) and (2, 1) of a simply supported square: one has its node at half the height, the other at half the
+    // length.
     const auto model = solved (barePlate ("SSSS", 1, 1), 3);
     const auto atHalfLength = shapesAt (model, 0.5, 0.25), atHalfHeight = shapesAt (model, 0.25, 0.5);
     const auto scale = model.shapes.col (1).cwiseAbs().maxCoeff();

@@ -10,7 +10,7 @@ namespace antinode
 namespace
 {
 /** What each ceramic does to the splines per volt, unknowns x N_b. */
-Eigen::MatrixXd loadsOf (const PlateDescription& plate, const PlateSolution& solution)
+Eigen::MatrixXd computeLoads (const PlateDescription& plate, const PlateSolution& solution)
 {
     const auto& [unit, linesX, linesY, patches] = solution.layout;
     Eigen::MatrixXd loads (solution.problem.unknowns(), static_cast<Eigen::Index> (patches.size()));
@@ -31,8 +31,8 @@ Eigen::MatrixXd loadsOf (const PlateDescription& plate, const PlateSolution& sol
 /** The deflections, free of rigid motion, that balance loads once their rigid part is borne by the plate's inertia. */
 Eigen::MatrixXd deflections (const PlateProblem& problem, int rigidBodyModes, const Eigen::MatrixXd& loads)
 {
-    // K x = f is singular where the plate may move freely. (K + M) x = f + M x is not, and as a fixed point it gains a factor of
-    // 1 + lambda_1, more than 10 for any plate, a step.
+    // K x = f is singular where the plate may move freely. (K + M) x = f + M x is not, and as a fixed point it gains a
+    // factor of 1 + lambda_1, more than 10 for any plate, a step.
     constexpr double shift = -1;
     constexpr int steps = 16;
     const BlockBandedFactor factor (problem.stiffness, problem.mass, shift, problem.outer);
@@ -64,6 +64,6 @@ Eigen::MatrixXd staticShapes (const PlateDescription& plate, const PlateSolution
     const auto unit = solution.layout.unit;
     const auto scale = unit * unit / bareSection (plate.common).d11;
     return shapesOn (grid, problem, unit,
-                     scale * deflections (problem, solution.rigidBodyModes, loadsOf (plate, solution)));
+                     scale * deflections (problem, solution.rigidBodyModes, computeLoads (plate, solution)));
 }
 } // namespace antinode

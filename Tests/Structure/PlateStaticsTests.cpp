@@ -8,8 +8,9 @@ using namespace antinode::examples;
 
 namespace
 {
-/** Two layers of PVDF of 0.5 mm, 100 x 5 mm, clamped at one end, glued to a film so thin that it hardly counts; in series, one volt
-    across both. Tzou, Hwang and Park's example: w = 3 d31 V L^2 / (8 H^2) at the tip, H the thickness of a layer. */
+/** Two layers of PVDF of 0.5 mm, 100 x 5 mm, clamped at one end, glued to a film so thin that it hardly counts; in
+   series, one volt across both. Tzou, Hwang and Park's example: w = 3 d31 V L^2 / (8 H^2) at the tip, H the thickness
+   of a layer. */
 PlateDescription polymerBimorph (double width)
 {
     auto plate = barePlate ("CFFF", 0.1, width, 0.29);
@@ -30,18 +31,19 @@ double largest (const Eigen::MatrixXd& matrix)
 
 TEST_CASE ("The tip of the polymer bimorph moves 0.33 um per volt", "[structure][plate]")
 {
-    const auto tipOf = [] (double width)
+    const auto tipDeflection = [] (double width)
     {
         const auto plate = polymerBimorph (width);
         const auto solution = solvePlateModes (plate, 10);
-        const auto model = modelOf (plate, solution);
+        const auto model = makeModel (plate, solution);
         const auto shapes = staticShapes (plate, solution, model.surface.grid.value());
         const auto last = model.points() - 1;
         return std::abs (shapes (last, 0)) * std::pow (0.1 / model.surface.points (last, 0), 2);
     };
 
-    // A beam's clamp lets it contract; a plate's does not, which bends it 1 + nu times as much over about half its width.
-    const auto narrow = tipOf (0.001), wide = tipOf (0.005);
+    // A beam's clamp lets it contract; a plate's does not, which bends it 1 + nu times as much over about half its
+    // width.
+    const auto narrow = tipDeflection (0.001), wide = tipDeflection (0.005);
     CHECK (narrow == Approx (3.3e-7).epsilon (0.01));
     CHECK (wide > narrow);
     CHECK (wide == Approx (3.3e-7).epsilon (0.012));
@@ -51,7 +53,7 @@ TEST_CASE ("Modes and the static residual give the deflection of a finer solutio
 {
     const auto plate = patchedPlate();
     const auto solution = solvePlateModes (plate, 50);
-    const auto model = modelOf (plate, solution);
+    const auto model = makeModel (plate, solution);
     const Eigen::VectorXd squares = model.angularFrequencies.cwiseAbs2();
     const Eigen::MatrixXd modalSum = model.shapes * (squares.cwiseInverse().asDiagonal() * model.participation);
     const Eigen::MatrixXd residual = staticShapes (plate, solution, model.surface.grid.value()) - modalSum;
@@ -80,7 +82,7 @@ TEST_CASE ("A free plate bends under static voltages without moving as a whole",
     auto plate = barePlate ("FFFF", 0.1, 0.08);
     plate.common.ceramics = { plateCeramic (0.01, 0.02, 0.03, 0.02) };
     const auto solution = solvePlateModes (plate, 60);
-    const auto model = modelOf (plate, solution);
+    const auto model = makeModel (plate, solution);
     const auto shapes = staticShapes (plate, solution, model.surface.grid.value());
     const Eigen::VectorXd weighted = model.surface.masses.cwiseProduct (shapes.col (0));
     const auto scale = largest (shapes) * model.surface.masses.sum();

@@ -12,9 +12,9 @@ namespace
 BeamDescription beamWithCeramics()
 {
     auto beam = uniformBeam (EdgeCondition::clamped, EdgeCondition::simplySupported);
-    auto oneSided = pairOfCeramics (0.06, 0.02, 0.01, 0.3e-3);
+    auto oneSided = ceramicPair (0.06, 0.02, 0.01, 0.3e-3);
     oneSided.mounting = CeramicMounting::oneSide;
-    beam.common.ceramics = { pairOfCeramics (-0.05, 0.03, 0.008, 0.5e-3), oneSided };
+    beam.common.ceramics = { ceramicPair (-0.05, 0.03, 0.008, 0.5e-3), oneSided };
     return beam;
 }
 

@@ -40,7 +40,7 @@ inline double stiffnessToMass (const StructureCommon& common)
 }
 
 /** A pair of NCE51 ceramics on both sides, by its centre. */
-inline CeramicDescription pairOfCeramics (double centre, double length, double width, double thickness)
+inline CeramicDescription ceramicPair (double centre, double length, double width, double thickness)
 {
     CeramicDescription ceramic;
     ceramic.x = centre - length / 2;
@@ -71,7 +71,7 @@ inline StapleDescription demonstrator()
     auto staple = bareStaple();
 
     for (std::size_t i = 0; i < centres.size(); ++i)
-        staple.common.ceramics.push_back (pairOfCeramics (centres[i], lengths[i], 5e-3, 0.5e-3));
+        staple.common.ceramics.push_back (ceramicPair (centres[i], lengths[i], 5e-3, 0.5e-3));
 
     return staple;
 }

@@ -10,8 +10,8 @@
 
 namespace antinode::test
 {
-/** The right side of y' = f (t, y). It is never called for the end of a stretch between two break points, so a force that
-    jumps there may be given as it holds for start <= t < end. */
+/** The right side of y' = f (t, y). It is never called for the end of a stretch between two break points, so a force
+   that jumps there may be given as it holds for start <= t < end. */
 using OdeDerivative = std::function<Eigen::VectorXd (double, const Eigen::VectorXd&)>;
 
 /** The last estimate of an extrapolated step, and how much it differs from the one before, both against `scale`. */

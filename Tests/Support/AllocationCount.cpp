@@ -35,8 +35,8 @@ bool antinode::test::mallocIsCounted()
     return true;
 }
 
-// The C library's functions under the names by which they may be replaced: Eigen allocates by malloc, operator new calls it.
-// NOLINTBEGIN (bugprone-reserved-identifier, readability-identifier-naming)
+// The C library's functions under the names by which they may be replaced: Eigen allocates by malloc, operator new
+// calls it. NOLINTBEGIN (bugprone-reserved-identifier, readability-identifier-naming)
 extern "C" void* __libc_malloc (std::size_t);
 extern "C" void* __libc_calloc (std::size_t, std::size_t);
 extern "C" void* __libc_realloc (void*, std::size_t);

@@ -27,12 +27,12 @@ public:
 
     double longest() const
     {
-        double most = 0;
+        double maximum = 0;
 
         for (const auto& [name, times] : all)
-            most = std::max (most, *std::max_element (times.begin(), times.end()));
+            maximum = std::max (maximum, *std::max_element (times.begin(), times.end()));
 
-        return most;
+        return maximum;
     }
 
     /** A line an action. */

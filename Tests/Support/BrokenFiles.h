@@ -108,8 +108,8 @@ private:
             breakObject (document, place);
     }
 
-    /** In a minimal file every key is needed, and so is every entry of its lists, whose lengths depend on each other; a device
-        may have no ceramics. */
+    /** In a minimal file every key is needed, and so is every entry of its lists, whose lengths depend on each other; a
+       device may have no ceramics. */
     void remove (const Json& document, const Pointer& place)
     {
         auto changed = document;

@@ -31,12 +31,12 @@ inline SurfaceMeasurement measuredOnBench (const ModalModel& model, const Eigen:
 
     for (Eigen::Index ceramic = 0; ceramic < model.actuators(); ++ceramic)
     {
-        const auto played = playedTurn (excitation, ceramic, 1);
+        const auto played = playedRun (excitation, ceramic, 1);
         own.seed = bench.seed + static_cast<std::uint64_t> (ceramic);
         place (measurement, ceramic, 0,
-               analyseTurn (excitation, ceramic,
-                            simulateBench (model, shapes, played.topRows (model.actuators()),
-                                           played.bottomRows (1).transpose(), own)));
+               analyseRun (excitation, ceramic,
+                           simulateBench (model, shapes, played.topRows (model.actuators()),
+                                          played.bottomRows (1).transpose(), own)));
     }
 
     measurement.responses.variances
@@ -44,8 +44,9 @@ inline SurfaceMeasurement measuredOnBench (const ModalModel& model, const Eigen:
     return measurement;
 }
 
-/** What becomes of a focus that is designed on a device as it was identified, and played on the device itself: scores of the field on the
-    true device against what the identified device does under the same voltages, at the measured points. */
+/** What becomes of a focus that is designed on a device as it was identified, and played on the device itself: scores
+   of the field on the true device against what the identified device does under the same voltages, at the measured
+   points. */
 inline FocusScore closedCircle (const ModalModel& model, const IdentifiedModes& identified,
                                 const FocusDescription& focus)
 {

@@ -9,8 +9,8 @@ inline StructureCommon everything()
 {
     auto common = examples::plainCommon (2e-3);
     common.dampingRatios = { 0.005, 0.006 };
-    common.ceramics = { examples::pairOfCeramics (-0.03, 9e-3, 5e-3, 0.5e-3),
-                        examples::pairOfCeramics (0.02, 9e-3, 5e-3, 0.5e-3) };
+    common.ceramics = { examples::ceramicPair (-0.03, 9e-3, 5e-3, 0.5e-3),
+                        examples::ceramicPair (0.02, 9e-3, 5e-3, 0.5e-3) };
     common.maximumFrequency = 30000;
     common.modeCount = 12;
     return common;

@@ -23,7 +23,8 @@ inline double quantile (const std::vector<double>& ascending, double share)
                : ascending[static_cast<std::size_t> (std::ceil (share * static_cast<double> (ascending.size() - 1)))];
 }
 
-/** Each identified mode belongs to the true one that is nearest in frequency, within its half width; each true one counts once. */
+/** Each identified mode belongs to the true one that is nearest in frequency, within its half width; each true one
+ * counts once. */
 inline IdentificationScore score (const IdentifiedModes& modes, const KnownStructure& truth)
 {
     IdentificationScore result;

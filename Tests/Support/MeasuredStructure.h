@@ -10,7 +10,8 @@
 
 namespace antinode::test
 {
-/** A structure of which everything is known, to be measured: mass-normalised shapes at the points, and what drives it. */
+/** A structure of which everything is known, to be measured: mass-normalised shapes at the points, and what drives it.
+ */
 struct KnownStructure
 {
     Eigen::MatrixX2d points;       ///< N_p x 2, m.
@@ -59,8 +60,8 @@ inline KnownStructure knownBeam (unsigned seed, Eigen::Index pointCount = 80, Ei
     return beam;
 }
 
-/** A plate of 124 modes to 30 kHz (others are above), Q 60 to 140, so that half-power bands overlap up to 1.2 times, at 165 points,
-    driven by 8 ceramics. */
+/** A plate of 124 modes to 30 kHz (others are above), Q 60 to 140, so that half-power bands overlap up to 1.2 times, at
+   165 points, driven by 8 ceramics. */
 inline KnownStructure knownPlate (unsigned seed, Eigen::Index modes = 124)
 {
     constexpr double lengthX = 0.21, lengthY = 0.148, mass = 0.04;
@@ -151,7 +152,7 @@ inline FrequencyResponses idealResponses (const KnownStructure& structure, const
 
     for (Eigen::Index i = 0; i < structure.participation.cols(); ++i)
     {
-        responses.drivers.push_back ({ "C" + std::to_string (i + 1), {} });
+        responses.references.push_back ({ "C" + std::to_string (i + 1), {} });
         const Eigen::MatrixXd residues = structure.participation.col (i).asDiagonal() * structure.shapes.transpose();
         Eigen::MatrixXcd values (frequencies.size(), structure.points.rows());
         values.real() = functions.real() * residues;

@@ -1,5 +1,6 @@
-// Runs a test program with one of Highway's targets only, whatever the processor could do: ANTINODE_TEST_TARGET=AVX3, AVX2, SSSE3 or EMU128,
-// the plain x86-64. 77 where the processor does not have it. Scripts/processors does so for the cases tagged [processors].
+// Runs a test program with one of Highway's targets only, whatever the processor could do: ANTINODE_TEST_TARGET=AVX3,
+// AVX2, SSSE3 or EMU128, the plain x86-64. 77 where the processor does not have it. Scripts/processors does so for the
+// cases tagged [processors].
 
 #define CATCH_CONFIG_EXTERNAL_INTERFACES
 #include <catch2/catch.hpp>

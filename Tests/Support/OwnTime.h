@@ -6,8 +6,8 @@
 
 namespace antinode::test
 {
-/** Milliseconds of the present thread without those in which it could have run and others were running: what a wait lasts, also on a
-    machine that is busy. */
+/** Milliseconds of the present thread without those in which it could have run and others were running: what a wait
+   lasts, also on a machine that is busy. */
 class OwnTime
 {
 public:

@@ -10,8 +10,8 @@
 
 namespace antinode::test
 {
-/** Sets all parameters to 1000 random values as a host does, and requires that each reads back what it keeps, and that another instance
-    gets it back to the bit: as a share, and in the unit of its text. */
+/** Sets all parameters to 1000 random values as a host does, and requires that each reads back what it keeps, and that
+   another instance gets it back to the bit: as a share, and in the unit of its text. */
 template <typename Processor>
 void requireReadBack (const std::function<std::unique_ptr<Processor>()>& make)
 {

@@ -21,7 +21,7 @@ struct ProgramRun
     std::string output, errors;
 };
 
-inline std::string contentOf (const std::filesystem::path& path)
+inline std::string readContent (const std::filesystem::path& path)
 {
     std::ifstream stream (path, std::ios::binary);
     return { std::istreambuf_iterator<char> (stream), {} };
@@ -62,6 +62,6 @@ inline ProgramRun runProgram (const std::vector<std::string>& arguments)
 {
     const TemporaryFolder folder;
     const auto exitCode = waitForProgram (startProgram (arguments, folder.path()));
-    return { exitCode, contentOf (folder.path() / "stdout"), contentOf (folder.path() / "stderr") };
+    return { exitCode, readContent (folder.path() / "stdout"), readContent (folder.path() / "stderr") };
 }
 } // namespace antinode::test

@@ -8,8 +8,9 @@
 
 namespace antinode::test
 {
-/** A pinned-pinned aluminium beam of 200 x 15 x 2 mm in closed form: sine shapes, f_k = k^2 f_1 with f_1 = 115.4 Hz, and ceramics that add
-    neither mass nor stiffness, alpha_ki = kappa (phi_k' (right) - phi_k' (left)). Blevins 1979, table 8-1. */
+/** A pinned-pinned aluminium beam of 200 x 15 x 2 mm in closed form: sine shapes, f_k = k^2 f_1 with f_1 = 115.4 Hz,
+   and ceramics that add neither mass nor stiffness, alpha_ki = kappa (phi_k' (right) - phi_k' (left)). Blevins 1979,
+   table 8-1. */
 inline ModalModel sineBeam (int modes, int ceramics, double qualityFactor = 60)
 {
     constexpr double length = 0.2, width = 0.015, thickness = 0.002, young = 70e9, density = 2700;

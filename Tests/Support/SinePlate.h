@@ -11,7 +11,8 @@
 
 namespace antinode::test
 {
-/** A simply supported aluminium plate of 200 x 150 x 2 mm in closed form: shapes sin (m pi x / a) sin (n pi y / b), omega = pi^2
+/** A simply supported aluminium plate of 200 x 150 x 2 mm in closed form: shapes sin (m pi x / a) sin (n pi y / b),
+   omega = pi^2
     ((m/a)^2 + (n/b)^2) sqrt (D / mu), 340 Hz the lowest. Blevins 1979, table 11-4. */
 struct SinePlate
 {

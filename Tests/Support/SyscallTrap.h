@@ -2,8 +2,8 @@
 
 namespace antinode::test
 {
-/** Sees every system call of the current thread while an instance lives, and keeps it from happening: what runs on an audio thread must
-    not make any. Linux' syscall user dispatch. One instance at a time in the program. */
+/** Sees every system call of the current thread while an instance lives, and keeps it from happening: what runs on an
+   audio thread must not make any. Linux' syscall user dispatch. One instance at a time in the program. */
 class SyscallTrap
 {
 public:

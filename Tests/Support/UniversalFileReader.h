@@ -15,7 +15,7 @@ namespace antinode::test
 {
 using Lines = std::vector<std::string>;
 
-inline Lines linesOf (const std::string& text)
+inline Lines splitLines (const std::string& text)
 {
     Lines lines;
     std::istringstream stream (text);
@@ -33,10 +33,10 @@ struct DataSet
 };
 
 /** The data sets of a file, each between two lines of -1. */
-inline std::vector<DataSet> setsOf (const std::string& text)
+inline std::vector<DataSet> readSets (const std::string& text)
 {
     std::vector<DataSet> sets;
-    const auto lines = linesOf (text);
+    const auto lines = splitLines (text);
 
     for (auto line = lines.begin(); line != lines.end();)
     {
@@ -52,16 +52,16 @@ inline std::vector<DataSet> setsOf (const std::string& text)
     return sets;
 }
 
-inline std::vector<DataSet> setsOf (const std::string& text, int number)
+inline std::vector<DataSet> readSets (const std::string& text, int number)
 {
-    auto sets = setsOf (text);
+    auto sets = readSets (text);
     sets.erase (std::remove_if (sets.begin(), sets.end(), [&] (const auto& set) { return set.number != number; }),
                 sets.end());
     return sets;
 }
 
 /** The numbers of a record whose columns have these widths: a reader by columns, not by spaces, as Fortran is. */
-inline std::vector<double> columnsOf (const std::string& record, const std::vector<std::size_t>& widths)
+inline std::vector<double> splitColumns (const std::string& record, const std::vector<std::size_t>& widths)
 {
     std::vector<double> numbers;
     std::size_t at = 0;
@@ -82,24 +82,25 @@ inline std::vector<double> columnsOf (const std::string& record, const std::vect
 
 inline std::vector<double> integers (const std::string& record)
 {
-    return columnsOf (record, std::vector<std::size_t> (record.size() / 10, 10));
+    return splitColumns (record, std::vector<std::size_t> (record.size() / 10, 10));
 }
 
 inline std::vector<double> reals (const std::string& record)
 {
-    return columnsOf (record, std::vector<std::size_t> (record.size() / 13, 13));
+    return splitColumns (record, std::vector<std::size_t> (record.size() / 13, 13));
 }
 
 /** N x 3: the places of the nodes, whose labels must count from 1. */
-inline Eigen::MatrixX3d nodesOf (const std::string& text)
+inline Eigen::MatrixX3d readNodes (const std::string& text)
 {
-    const auto sets = setsOf (text, 15);
+    const auto sets = readSets (text, 15);
     REQUIRE (sets.size() == 1);
     Eigen::MatrixX3d nodes (static_cast<Eigen::Index> (sets[0].records.size()), 3);
 
     for (Eigen::Index p = 0; p < nodes.rows(); ++p)
     {
-        const auto numbers = columnsOf (sets[0].records[static_cast<std::size_t> (p)], { 10, 10, 10, 10, 13, 13, 13 });
+        const auto numbers =
+            splitColumns (sets[0].records[static_cast<std::size_t> (p)], { 10, 10, 10, 10, 13, 13, 13 });
         CHECK (numbers[0] == static_cast<double> (p + 1));
         CHECK ((numbers[1] == 0 && numbers[2] == 0));
         nodes.row (p) << numbers[4], numbers[5], numbers[6];
@@ -109,9 +110,9 @@ inline Eigen::MatrixX3d nodesOf (const std::string& text)
 }
 
 /** N x modes: the displacements along z; those along x and y must be 0. */
-inline Eigen::MatrixXd shapesOf (const std::string& text, Eigen::Index nodes)
+inline Eigen::MatrixXd readShapes (const std::string& text, Eigen::Index nodes)
 {
-    const auto sets = setsOf (text, 55);
+    const auto sets = readSets (text, 55);
     Eigen::MatrixXd shapes (nodes, static_cast<Eigen::Index> (sets.size()));
 
     for (std::size_t k = 0; k < sets.size(); ++k)
@@ -134,11 +135,11 @@ inline Eigen::MatrixXd shapesOf (const std::string& text, Eigen::Index nodes)
 }
 
 /** All pairs of nodes that a line joins. */
-inline std::set<std::pair<int, int>> edgesOf (const std::string& text)
+inline std::set<std::pair<int, int>> readEdges (const std::string& text)
 {
     std::set<std::pair<int, int>> edges;
 
-    for (const auto& set : setsOf (text, 82))
+    for (const auto& set : readSets (text, 82))
     {
         const auto head = integers (set.records[0]);
         std::vector<int> nodes;

@@ -12,13 +12,15 @@
 
 namespace antinode::test
 {
-/** How long each thread of some work computes between two looks at its watch, in time of the processor, which no load of the machine changes. */
+/** How long each thread of some work computes between two looks at its watch, in time of the processor, which no load
+ * of the machine changes. */
 class WatchedWork
 {
 public:
-    /** Runs the work on this thread. @param most  ms of all threads, after which it is cancelled */
+    /** Runs the work on this thread. @param maximum  ms of all threads, after which it is cancelled */
     template <typename Work>
-    explicit WatchedWork (const Work& work, double mostTime = std::numeric_limits<double>::infinity()) : most (mostTime)
+    explicit WatchedWork (const Work& work, double maximumTime = std::numeric_limits<double>::infinity())
+        : maximum (maximumTime)
     {
         last[std::this_thread::get_id()] = processorTime();
 
@@ -35,7 +37,8 @@ public:
         look();
     }
 
-    /** ms from any instant of the work until the next look, half of all instants wait less. A cancelled work returns that much later. */
+    /** ms from any instant of the work until the next look, half of all instants wait less. A cancelled work returns
+     * that much later. */
     double medianWait() const
     {
         // Within an interval the wait falls evenly from its length to 0.
@@ -74,7 +77,7 @@ private:
         intervals.push_back (now < before ? now : now - before);
         before = now;
         total += intervals.back();
-        return total <= most;
+        return total <= maximum;
     }
 
     /** ms of the work from which the next look is more than `wait` away. */
@@ -91,7 +94,7 @@ private:
     std::mutex mutex;
     std::map<std::thread::id, double> last; ///< ms
     std::vector<double> intervals;          ///< ms
-    double most, total = 0;                 ///< ms
+    double maximum, total = 0;              ///< ms
     bool wasCancelled = false;
 };
 } // namespace antinode::test

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace
 {
-std::string contentOf (const fs::path& path)
+std::string readContent (const fs::path& path)
 {
     std::ifstream file (path, std::ios::binary);
     return { std::istreambuf_iterator<char> (file), {} };
@@ -72,8 +72,8 @@ TEST_CASE ("Files appear at the commit and not before", "[files]")
     output.commit();
     CHECK (namesIn (target) == std::set<std::string> { "summary.json", "probe.csv", "voltages.wav" });
     CHECK (namesIn (target, true).empty());
-    CHECK (contentOf (target / "probe.csv").size() == 100000);
-    CHECK (contentOf (target / "voltages.wav") == "RIFF");
+    CHECK (readContent (target / "probe.csv").size() == 100000);
+    CHECK (readContent (target / "voltages.wav") == "RIFF");
 }
 
 TEST_CASE ("Without a commit nothing appears and nothing old is lost", "[files]")
@@ -92,7 +92,7 @@ TEST_CASE ("Without a commit nothing appears and nothing old is lost", "[files]"
         intoFresh.write ("summary.json", "second");
     }
 
-    CHECK (contentOf (old / "summary.json") == "first");
+    CHECK (readContent (old / "summary.json") == "first");
     CHECK (namesIn (old, true).empty());
     CHECK_FALSE (fs::exists (fresh));
 }
@@ -106,7 +106,7 @@ TEST_CASE ("A relative output folder stays where it was when the program changes
     fs::current_path (before);
     output.write ("summary.json", "{}");
     output.commit();
-    CHECK (contentOf (scratch.path() / "out" / "summary.json") == "{}");
+    CHECK (readContent (scratch.path() / "out" / "summary.json") == "{}");
 }
 
 TEST_CASE ("Output folders that cannot be are refused", "[files]")
@@ -121,7 +121,7 @@ TEST_CASE ("Output folders that cannot be are refused", "[files]")
     CHECK (error ("/proc/none").find ("/proc/none: cannot be created: ") == 0);
     CHECK (error ("/proc/self").find ("/proc/self: cannot be written: ") == 0);
     CHECK_FALSE (error ("").empty());
-    CHECK (contentOf (file) == "text");
+    CHECK (readContent (file) == "text");
 }
 
 TEST_CASE ("A commit that cannot be done changes nothing", "[files]")
@@ -203,7 +203,7 @@ TEST_CASE ("Killed at any moment, a program leaves only whole files", "[files]")
 
         for (const auto& name : fs::exists (target) ? namesIn (target) : std::set<std::string> {})
         {
-            const auto content = contentOf (target / name);
+            const auto content = readContent (target / name);
             INFO (name);
             CHECK (content == std::string (size, content.empty() ? ' ' : content.front()));
         }
@@ -220,21 +220,21 @@ TEST_CASE ("A single file appears whole, in new folders, and through a link", "[
     const TemporaryFolder scratch;
     const auto path = scratch.path() / "a" / "b" / "modes.csv";
     writeWholeFile (path, "first");
-    CHECK (contentOf (path) == "first");
+    CHECK (readContent (path) == "first");
     writeWholeFile (path, std::string (100000, 'x'));
-    CHECK (contentOf (path).size() == 100000);
+    CHECK (readContent (path).size() == 100000);
 
     const auto link = scratch.path() / "link.csv";
     fs::create_symlink (path, link);
     writeWholeFile (link, "through");
     CHECK (fs::is_symlink (link));
-    CHECK (contentOf (path) == "through");
+    CHECK (readContent (path) == "through");
 
     const auto before = fs::current_path();
     fs::current_path (scratch.path());
     writeWholeFile ("bare.csv", "here");
     fs::current_path (before);
-    CHECK (contentOf (scratch.path() / "bare.csv") == "here");
+    CHECK (readContent (scratch.path() / "bare.csv") == "here");
     CHECK (namesIn (scratch.path(), true).empty());
     CHECK (namesIn (path.parent_path(), true).empty());
 }

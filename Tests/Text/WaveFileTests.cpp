@@ -28,7 +28,8 @@ float sampleAt (const std::string& bytes, std::size_t index)
 }
 } // namespace
 
-// Layout: Microsoft, "Multiple Channel Audio Data and WAVE Files" (WAVE_FORMAT_EXTENSIBLE, KSDATAFORMAT_SUBTYPE_IEEE_FLOAT).
+// Layout: Microsoft, "Multiple Channel Audio Data and WAVE Files" (WAVE_FORMAT_EXTENSIBLE,
+// KSDATAFORMAT_SUBTYPE_IEEE_FLOAT).
 TEST_CASE ("A WAV file has the extensible float format, discrete channels and interleaved samples", "[files]")
 {
     Eigen::MatrixXd volts (3, 2);

@@ -8,7 +8,7 @@ using namespace antinode;
 using namespace std::string_view_literals;
 using test::OscWriter;
 using test::Packet;
-using test::packetOf;
+using test::toPacket;
 
 namespace
 {
@@ -19,9 +19,9 @@ Value argument (const OscPacket& packet, std::size_t index)
     return std::get<Value> (packet.messages[0].arguments.at (index));
 }
 
-std::optional<TouchFault> faultOf (std::string_view text)
+std::optional<TouchFault> findFault (std::string_view text)
 {
-    const auto packet = readOscPacket (packetOf (text));
+    const auto packet = readOscPacket (toPacket (text));
 
     if (packet.fault)
         CHECK (packet.messages.empty());
@@ -33,7 +33,7 @@ std::optional<TouchFault> faultOf (std::string_view text)
 // The examples of the specification: https://opensoundcontrol.stanford.edu/spec-1_0-examples.html
 TEST_CASE ("The first example of the OSC 1.0 specification: a frequency of 440", "[touch]")
 {
-    const auto packet = readOscPacket (packetOf ("/oscillator/4/frequency\0,f\0\0\x43\xdc\x00\x00"sv));
+    const auto packet = readOscPacket (toPacket ("/oscillator/4/frequency\0,f\0\0\x43\xdc\x00\x00"sv));
     CHECK_FALSE (packet.fault);
     CHECK (argument<float> (packet, 0) == 440.0F);
     CHECK (packet.messages[0].address == "/oscillator/4/frequency");
@@ -42,7 +42,7 @@ TEST_CASE ("The first example of the OSC 1.0 specification: a frequency of 440",
 
 TEST_CASE ("The second example of the OSC 1.0 specification: integers, a string and floats", "[touch]")
 {
-    const auto packet = readOscPacket (packetOf ("/foo\0\0\0\0,iisff\0\0\x00\x00\x03\xe8\xff\xff\xff\xff"
+    const auto packet = readOscPacket (toPacket ("/foo\0\0\0\0,iisff\0\0\x00\x00\x03\xe8\xff\xff\xff\xff"
                                                  "hello\0\0\0\x3f\x9d\xf3\xb6\x40\xb5\xb2\x2d"sv));
     CHECK_FALSE (packet.fault);
     CHECK (argument<std::int32_t> (packet, 0) == 1000);
@@ -54,7 +54,7 @@ TEST_CASE ("The second example of the OSC 1.0 specification: integers, a string 
 
 TEST_CASE ("The types of OSC 1.0 that have 8 bytes, none, or as many as they say", "[touch]")
 {
-    const auto packet = readOscPacket (packetOf ("/a\0\0,hdtTFNIb\0\0\0\x00\x00\x00\x00\x00\x00\x00\x02"
+    const auto packet = readOscPacket (toPacket ("/a\0\0,hdtTFNIb\0\0\0\x00\x00\x00\x00\x00\x00\x00\x02"
                                                  "\x3f\xf8\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x01"
                                                  "\x00\x00\x00\x05\x01\x02\x03\x04\x05\0\0\0"sv));
     CHECK_FALSE (packet.fault);
@@ -65,12 +65,12 @@ TEST_CASE ("The types of OSC 1.0 that have 8 bytes, none, or as many as they say
     CHECK_FALSE (argument<bool> (packet, 4));
     CHECK (std::holds_alternative<OscNil> (packet.messages[0].arguments[5]));
     CHECK (std::holds_alternative<OscInfinitum> (packet.messages[0].arguments[6]));
-    CHECK (argument<std::vector<std::byte>> (packet, 7) == packetOf ("\1\2\3\4\5"));
+    CHECK (argument<std::vector<std::byte>> (packet, 7) == toPacket ("\1\2\3\4\5"));
 }
 
 TEST_CASE ("A bundle gives the messages of its elements and of the bundles in it, in their order", "[touch]")
 {
-    const auto packet = readOscPacket (packetOf ("#bundle\0\x00\x00\x00\x00\x00\x00\x00\x01"
+    const auto packet = readOscPacket (toPacket ("#bundle\0\x00\x00\x00\x00\x00\x00\x00\x01"
                                                  "\x00\x00\x00\x08/a\0\0,\0\0\0"
                                                  "\x00\x00\x00\x1c#bundle\0\x00\x00\x00\x00\x00\x00\x00\x01"
                                                  "\x00\x00\x00\x08/b\0\0,\0\0\0"
@@ -80,7 +80,7 @@ TEST_CASE ("A bundle gives the messages of its elements and of the bundles in it
     CHECK (packet.messages[0].address == "/a");
     CHECK (packet.messages[1].address == "/b");
     CHECK (packet.messages[2].address == "/c");
-    CHECK_FALSE (faultOf ("#bundle\0\x00\x00\x00\x00\x00\x00\x00\x01"sv)); // No elements: a bundle all the same.
+    CHECK_FALSE (findFault ("#bundle\0\x00\x00\x00\x00\x00\x00\x00\x01"sv)); // No elements: a bundle all the same.
 }
 
 TEST_CASE ("Strings and blobs of every length are padded to multiples of 4", "[touch]")
@@ -107,15 +107,15 @@ TEST_CASE ("Bundles are read 8 deep and no deeper", "[touch]")
 
 TEST_CASE ("A message without types, as of old senders, has no arguments", "[touch]")
 {
-    const auto packet = readOscPacket (packetOf ("/antinode/stop\0\0"sv));
+    const auto packet = readOscPacket (toPacket ("/antinode/stop\0\0"sv));
     REQUIRE (packet.messages.size() == 1);
     CHECK (packet.messages[0].arguments.empty());
-    CHECK (faultOf ("/a\0\0\x43\xdc\x00\x00"sv) == TouchFault::malformed);
+    CHECK (findFault ("/a\0\0\x43\xdc\x00\x00"sv) == TouchFault::malformed);
 }
 
 TEST_CASE ("A message of a type that is not read is left out, the others of its bundle stay", "[touch]")
 {
-    const auto unknown = packetOf ("/a\0\0,c\0\0\0\0\0x"sv);
+    const auto unknown = toPacket ("/a\0\0,c\0\0\0\0\0x"sv);
     const auto packet = readOscPacket (OscWriter::bundle ({ unknown, OscWriter::message ("/b", 1.0F) }));
     CHECK_FALSE (packet.fault);
     CHECK (packet.unknownTypes == 1);
@@ -125,32 +125,32 @@ TEST_CASE ("A message of a type that is not read is left out, the others of its 
 
 TEST_CASE ("What is cut off, unaligned or malformed is said to be so", "[touch]")
 {
-    CHECK (faultOf (""sv) == TouchFault::truncated);
-    CHECK (faultOf ("/abc"sv) == TouchFault::truncated);                 // No zero.
-    CHECK (faultOf ("/a\0\0,f\0\0"sv) == TouchFault::truncated);         // No float.
-    CHECK (faultOf ("/a\0\0,d\0\0\0\0\0\0"sv) == TouchFault::truncated); // Half a double.
-    CHECK (faultOf ("/a\0\0,s\0\0abcd"sv) == TouchFault::truncated);
-    CHECK (faultOf ("/a\0\0,b\0\0\x7f\xff\xff\xff"sv) == TouchFault::truncated); // 2 GiB that are not there.
-    CHECK (faultOf ("/a\0\0,b\0\0\xff\xff\xff\xff"sv) == TouchFault::truncated); // A negative size.
-    CHECK (faultOf ("/a\0\0,b\0\0\xff\xff\xff\xfd"
-                    "abcd"sv)
+    CHECK (findFault (""sv) == TouchFault::truncated);
+    CHECK (findFault ("/abc"sv) == TouchFault::truncated);                 // No zero.
+    CHECK (findFault ("/a\0\0,f\0\0"sv) == TouchFault::truncated);         // No float.
+    CHECK (findFault ("/a\0\0,d\0\0\0\0\0\0"sv) == TouchFault::truncated); // Half a double.
+    CHECK (findFault ("/a\0\0,s\0\0abcd"sv) == TouchFault::truncated);
+    CHECK (findFault ("/a\0\0,b\0\0\x7f\xff\xff\xff"sv) == TouchFault::truncated); // 2 GiB that are not there.
+    CHECK (findFault ("/a\0\0,b\0\0\xff\xff\xff\xff"sv) == TouchFault::truncated); // A negative size.
+    CHECK (findFault ("/a\0\0,b\0\0\xff\xff\xff\xfd"
+                      "abcd"sv)
            == TouchFault::truncated); // Overflows when padded.
-    CHECK (faultOf ("#bundle\0\0\0\0\0"sv) == TouchFault::truncated);
-    CHECK (faultOf ("#bundle\0\0\0\0\0\0\0\0\1\0\0\0\x0c/a\0\0,\0\0\0"sv) == TouchFault::truncated);
-    CHECK (faultOf ("#bundle\0\0\0\0\0\0\0\0\1\0\0\0\0"sv) == TouchFault::truncated); // An element of nothing.
-    CHECK (faultOf ("/a\0\0,\0\0"sv) == TouchFault::unaligned);
-    CHECK (faultOf ("#bundle\0\0\0\0\0\0\0\0\1\0\0\0\6/a\0\0,\0\0\0"sv) == TouchFault::unaligned);
-    CHECK (faultOf ("abc\0,\0\0\0"sv) == TouchFault::malformed);          // No address.
-    CHECK (faultOf ("/a\0\0f\0\0\0\0\0\0\0"sv) == TouchFault::malformed); // Types without their comma.
-    CHECK (faultOf ("/a\0x,\0\0\0"sv) == TouchFault::malformed);          // Padding.
-    CHECK (faultOf ("/a\0\0,\0\0\0\0\0\0\0"sv) == TouchFault::malformed); // Bytes left over.
-    CHECK (faultOf ("#bandle\0\0\0\0\0\0\0\0\1"sv) == TouchFault::malformed);
+    CHECK (findFault ("#bundle\0\0\0\0\0"sv) == TouchFault::truncated);
+    CHECK (findFault ("#bundle\0\0\0\0\0\0\0\0\1\0\0\0\x0c/a\0\0,\0\0\0"sv) == TouchFault::truncated);
+    CHECK (findFault ("#bundle\0\0\0\0\0\0\0\0\1\0\0\0\0"sv) == TouchFault::truncated); // An element of nothing.
+    CHECK (findFault ("/a\0\0,\0\0"sv) == TouchFault::unaligned);
+    CHECK (findFault ("#bundle\0\0\0\0\0\0\0\0\1\0\0\0\6/a\0\0,\0\0\0"sv) == TouchFault::unaligned);
+    CHECK (findFault ("abc\0,\0\0\0"sv) == TouchFault::malformed);          // No address.
+    CHECK (findFault ("/a\0\0f\0\0\0\0\0\0\0"sv) == TouchFault::malformed); // Types without their comma.
+    CHECK (findFault ("/a\0x,\0\0\0"sv) == TouchFault::malformed);          // Padding.
+    CHECK (findFault ("/a\0\0,\0\0\0\0\0\0\0"sv) == TouchFault::malformed); // Bytes left over.
+    CHECK (findFault ("#bandle\0\0\0\0\0\0\0\0\1"sv) == TouchFault::malformed);
 }
 
 TEST_CASE ("A fault anywhere in a packet drops all of it", "[touch]")
 {
     const auto good = OscWriter::message ("/a");
-    const auto packet = readOscPacket (OscWriter::bundle ({ good, packetOf ("/a\0x,\0\0\0"sv), good }));
+    const auto packet = readOscPacket (OscWriter::bundle ({ good, toPacket ("/a\0x,\0\0\0"sv), good }));
     CHECK (packet.fault == TouchFault::malformed);
     CHECK (packet.messages.empty());
 }

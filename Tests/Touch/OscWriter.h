@@ -12,7 +12,7 @@ namespace antinode::test
 using Packet = std::vector<std::byte>;
 
 /** The bytes of a text, zeros within it included: packets as the specifications print them. */
-inline Packet packetOf (std::string_view text)
+inline Packet toPacket (std::string_view text)
 {
     const auto* first = reinterpret_cast<const std::byte*> (text.data());
     return { first, first + text.size() };
@@ -27,7 +27,7 @@ public:
     {
         OscWriter values;
         std::string tags = ",";
-        ((tags += tagOf (arguments), values.add (arguments)), ...);
+        ((tags += typeTag (arguments), values.add (arguments)), ...);
         OscWriter all;
         all.add (std::string (address));
         all.add (tags);
@@ -52,11 +52,11 @@ public:
     }
 
 private:
-    static char tagOf (std::int32_t) { return 'i'; }
-    static char tagOf (float) { return 'f'; }
-    static char tagOf (double) { return 'd'; }
-    static char tagOf (std::int64_t) { return 'h'; }
-    static char tagOf (const std::string&) { return 's'; }
+    static char typeTag (std::int32_t) { return 'i'; }
+    static char typeTag (float) { return 'f'; }
+    static char typeTag (double) { return 'd'; }
+    static char typeTag (std::int64_t) { return 'h'; }
+    static char typeTag (const std::string&) { return 's'; }
 
     void addWord (std::uint32_t word)
     {

@@ -12,7 +12,7 @@ using namespace antinode;
 using namespace std::string_view_literals;
 using test::OscWriter;
 using test::Packet;
-using test::packetOf;
+using test::toPacket;
 
 namespace
 {
@@ -48,7 +48,7 @@ constexpr auto notANumber = std::numeric_limits<double>::quiet_NaN();
 TEST_CASE ("A focus is asked for in millimetres, to the byte", "[touch]")
 {
     const auto reading =
-        read (packetOf ("/antinode/focus\0,fff\0\0\0\0\x42\x94\x00\x00\xc2\xd2\x00\x00\x3f\x00\x00\x00"sv));
+        read (toPacket ("/antinode/focus\0,fff\0\0\0\0\x42\x94\x00\x00\xc2\xd2\x00\x00\x3f\x00\x00\x00"sv));
     REQUIRE (reading.touches.size() == 1);
     CHECK (reading.touches[0] == Touch { TouchKind::focusAt, true, 74, -105, 0.5 });
 }
@@ -79,8 +79,8 @@ TEST_CASE ("Amplitudes are clamped to 0 to 1", "[touch]")
 
 TEST_CASE ("A stop stops, whatever stands behind it: buttons send their state", "[touch]")
 {
-    CHECK (read (packetOf ("/antinode/stop\0\0,\0\0\0"sv)).touches.at (0).kind == TouchKind::stopAll);
-    CHECK (read (packetOf ("/antinode/stop\0\0"sv)).touches.at (0).kind == TouchKind::stopAll);
+    CHECK (read (toPacket ("/antinode/stop\0\0,\0\0\0"sv)).touches.at (0).kind == TouchKind::stopAll);
+    CHECK (read (toPacket ("/antinode/stop\0\0"sv)).touches.at (0).kind == TouchKind::stopAll);
     CHECK (read (OscWriter::message ("/antinode/stop", 0.0F)).touches.at (0).kind == TouchKind::stopAll);
 }
 
@@ -89,7 +89,7 @@ TEST_CASE ("Wrong arguments, numbers that are not finite and unknown addresses a
     CHECK (onlyFault (OscWriter::message ("/antinode/focus")) == TouchFault::wrongArguments);
     CHECK (onlyFault (OscWriter::message ("/antinode/focus", 1, 2, 1, 4)) == TouchFault::wrongArguments);
     CHECK (onlyFault (OscWriter::message ("/antinode/focus", 1, std::string ("2"))) == TouchFault::wrongArguments);
-    CHECK (onlyFault (packetOf ("/antinode/focus\0,T\0\0"sv)) == TouchFault::wrongArguments);
+    CHECK (onlyFault (toPacket ("/antinode/focus\0,T\0\0"sv)) == TouchFault::wrongArguments);
     CHECK (onlyFault (OscWriter::message ("/antinode/touch", 0.5)) == TouchFault::wrongArguments);
     CHECK (onlyFault (OscWriter::message ("/antinode/focus", infinite, 1)) == TouchFault::notFinite);
     CHECK (onlyFault (OscWriter::message ("/antinode/focus", 1, notANumber)) == TouchFault::notFinite);
@@ -97,8 +97,8 @@ TEST_CASE ("Wrong arguments, numbers that are not finite and unknown addresses a
     CHECK (onlyFault (OscWriter::message ("/antinode/touch", notANumber, 1)) == TouchFault::notFinite);
     CHECK (onlyFault (OscWriter::message ("/antinode/focuses", 1)) == TouchFault::unknownAddress);
     CHECK (onlyFault (OscWriter::message ("/antinode/*", 1)) == TouchFault::unknownAddress);
-    CHECK (onlyFault (packetOf ("/antinode/focus\0,r\0\0\0\0\0\0"sv)) == TouchFault::unknownType);
-    CHECK (onlyFault (packetOf ("/antinode/focus\0,f\0\0"sv)) == TouchFault::truncated);
+    CHECK (onlyFault (toPacket ("/antinode/focus\0,r\0\0\0\0\0\0"sv)) == TouchFault::unknownType);
+    CHECK (onlyFault (toPacket ("/antinode/focus\0,f\0\0"sv)) == TouchFault::truncated);
 }
 
 TEST_CASE ("A bundle gives all its touches in their order, and a bad message costs only itself", "[touch]")

@@ -11,7 +11,7 @@ using namespace std::string_literals;
 using namespace std::string_view_literals;
 using test::OscWriter;
 using test::Packet;
-using test::packetOf;
+using test::toPacket;
 
 namespace
 {
@@ -32,7 +32,7 @@ Packet alive (const std::vector<std::int32_t>& sessions)
         for (int shift = 24; shift >= 0; shift -= 8)
             text += static_cast<char> (session >> shift & 0xff);
 
-    return packetOf (text);
+    return toPacket (text);
 }
 
 Packet frame (std::int32_t sequence, const std::vector<std::int32_t>& sessions, const std::vector<Cursor>& cursors,
@@ -57,7 +57,7 @@ Packet frame (std::int32_t sequence, const std::vector<std::int32_t>& sessions, 
 struct Reader
 {
     std::vector<Touch> operator() (const Packet& packet) { return messages.read (packet, counters); }
-    int countOf (const Packet& packet) { return static_cast<int> ((*this) (packet).size()); }
+    int countTouches (const Packet& packet) { return static_cast<int> ((*this) (packet).size()); }
 
     TouchMessages messages;
     TouchCounters counters;
@@ -69,7 +69,7 @@ TEST_CASE ("A TUIO 1.1 bundle, to the byte: a new cursor is a touch, y turned ov
 {
     Reader reader;
     const auto touches =
-        reader (packetOf ("#bundle\0\x00\x00\x00\x00\x00\x00\x00\x01"
+        reader (toPacket ("#bundle\0\x00\x00\x00\x00\x00\x00\x00\x01"
                           "\x00\x00\x00\x2c/tuio/2Dcur\0,ss\0source\0\0tracker@127.0.0.1\0\0\0"
                           "\x00\x00\x00\x1c/tuio/2Dcur\0,si\0alive\0\0\0\x00\x00\x00\x0c"
                           "\x00\x00\x00\x34/tuio/2Dcur\0,sifffff\0\0\0\0set\0\x00\x00\x00\x0c"
@@ -83,73 +83,73 @@ TEST_CASE ("A TUIO 1.1 bundle, to the byte: a new cursor is a touch, y turned ov
 TEST_CASE ("A cursor gives one touch, however it moves, and when it has vanished its number may come again", "[touch]")
 {
     Reader reader;
-    CHECK (reader.countOf (frame (1, { 5 }, { { 5, 0.1F, 0.1F } })) == 1);
-    CHECK (reader.countOf (frame (2, { 5 }, { { 5, 0.9F, 0.9F } })) == 0);
-    CHECK (reader.countOf (frame (3, { 5 }, {})) == 0); // It rests.
-    CHECK (reader.countOf (frame (4, { 5, 6 }, { { 6, 0.5F, 0.5F } })) == 1);
-    CHECK (reader.countOf (frame (5, { 6 }, {})) == 0);
-    CHECK (reader.countOf (frame (6, { 5, 6 }, { { 5, 0.1F, 0.1F } })) == 1);
-    CHECK (reader.countOf (frame (7, {}, {})) == 0);
-    CHECK (reader.countOf (frame (8, { 6 }, { { 6, 0.5F, 0.5F } })) == 1);
+    CHECK (reader.countTouches (frame (1, { 5 }, { { 5, 0.1F, 0.1F } })) == 1);
+    CHECK (reader.countTouches (frame (2, { 5 }, { { 5, 0.9F, 0.9F } })) == 0);
+    CHECK (reader.countTouches (frame (3, { 5 }, {})) == 0); // It rests.
+    CHECK (reader.countTouches (frame (4, { 5, 6 }, { { 6, 0.5F, 0.5F } })) == 1);
+    CHECK (reader.countTouches (frame (5, { 6 }, {})) == 0);
+    CHECK (reader.countTouches (frame (6, { 5, 6 }, { { 5, 0.1F, 0.1F } })) == 1);
+    CHECK (reader.countTouches (frame (7, {}, {})) == 0);
+    CHECK (reader.countTouches (frame (8, { 6 }, { { 6, 0.5F, 0.5F } })) == 1);
     CHECK (reader.counters.faults == TouchCounters {}.faults);
 }
 
 TEST_CASE ("With a repeat distance a cursor gives a touch whenever it has gone so far since the last", "[touch]")
 {
     Reader reader { TouchMessages ({ 0.2, 500 }), {} };
-    CHECK (reader.countOf (frame (1, { 5 }, { { 5, 0.1F, 0.5F } })) == 1);
-    CHECK (reader.countOf (frame (2, { 5 }, { { 5, 0.25F, 0.5F } })) == 0);
-    CHECK (reader.countOf (frame (3, { 5 }, { { 5, 0.25F, 0.65F } })) == 1); // 0.21 from the first.
-    CHECK (reader.countOf (frame (4, { 5 }, { { 5, 0.1F, 0.55F } })) == 0);  // 0.18 from the second.
-    CHECK (reader.countOf (frame (5, { 5 }, { { 5, 0.25F, 0.4F } })) == 1);
+    CHECK (reader.countTouches (frame (1, { 5 }, { { 5, 0.1F, 0.5F } })) == 1);
+    CHECK (reader.countTouches (frame (2, { 5 }, { { 5, 0.25F, 0.5F } })) == 0);
+    CHECK (reader.countTouches (frame (3, { 5 }, { { 5, 0.25F, 0.65F } })) == 1); // 0.21 from the first.
+    CHECK (reader.countTouches (frame (4, { 5 }, { { 5, 0.1F, 0.55F } })) == 0);  // 0.18 from the second.
+    CHECK (reader.countTouches (frame (5, { 5 }, { { 5, 0.25F, 0.4F } })) == 1);
 }
 
 TEST_CASE ("Old frames are dropped, repeated ones change nothing", "[touch]")
 {
     Reader reader;
-    CHECK (reader.countOf (frame (10, { 1 }, { { 1, 0.1F, 0.1F } })) == 1);
-    CHECK (reader.countOf (frame (10, { 1 }, { { 1, 0.1F, 0.1F } })) == 0);
+    CHECK (reader.countTouches (frame (10, { 1 }, { { 1, 0.1F, 0.1F } })) == 1);
+    CHECK (reader.countTouches (frame (10, { 1 }, { { 1, 0.1F, 0.1F } })) == 0);
     CHECK (reader.counters.of (TouchFault::staleFrame) == 0);
-    CHECK (reader.countOf (frame (9, { 2 }, { { 2, 0.1F, 0.1F } })) == 0);
+    CHECK (reader.countTouches (frame (9, { 2 }, { { 2, 0.1F, 0.1F } })) == 0);
     CHECK (reader.counters.of (TouchFault::staleFrame) == 1);
-    CHECK (reader.countOf (frame (11, { 1 }, { { 1, 0.1F, 0.1F } })) == 0); // The old frame did not end cursor 1.
+    CHECK (reader.countTouches (frame (11, { 1 }, { { 1, 0.1F, 0.1F } })) == 0); // The old frame did not end cursor 1.
 }
 
 TEST_CASE ("A frame too large for a packet comes in several with the same fseq", "[touch]")
 {
     Reader reader;
-    CHECK (reader.countOf (frame (10, { 1, 2 }, { { 1, 0.1F, 0.1F } })) == 1);
-    CHECK (reader.countOf (frame (10, { 1, 2 }, { { 2, 0.2F, 0.1F } })) == 1);
+    CHECK (reader.countTouches (frame (10, { 1, 2 }, { { 1, 0.1F, 0.1F } })) == 1);
+    CHECK (reader.countTouches (frame (10, { 1, 2 }, { { 2, 0.2F, 0.1F } })) == 1);
 }
 
 TEST_CASE ("A frame with fseq -1 counts and leaves the order as it is", "[touch]")
 {
     Reader reader;
-    CHECK (reader.countOf (frame (10, {}, {})) == 0);
-    CHECK (reader.countOf (frame (-1, { 1 }, { { 1, 0.1F, 0.1F } })) == 1); // Its first frame was lost.
-    CHECK (reader.countOf (frame (-1, { 1 }, { { 1, 0.1F, 0.1F } })) == 0);
-    CHECK (reader.countOf (frame (9, { 1, 2 }, { { 2, 0.1F, 0.1F } })) == 0);
+    CHECK (reader.countTouches (frame (10, {}, {})) == 0);
+    CHECK (reader.countTouches (frame (-1, { 1 }, { { 1, 0.1F, 0.1F } })) == 1); // Its first frame was lost.
+    CHECK (reader.countTouches (frame (-1, { 1 }, { { 1, 0.1F, 0.1F } })) == 0);
+    CHECK (reader.countTouches (frame (9, { 1, 2 }, { { 2, 0.1F, 0.1F } })) == 0);
     CHECK (reader.counters.of (TouchFault::staleFrame) == 1);
-    CHECK (reader.countOf (frame (11, { 1, 2 }, { { 2, 0.1F, 0.1F } })) == 1);
+    CHECK (reader.countTouches (frame (11, { 1, 2 }, { { 2, 0.1F, 0.1F } })) == 1);
 }
 
 TEST_CASE ("A source that is started anew begins from 1 and with new cursors", "[touch]")
 {
     Reader reader;
-    CHECK (reader.countOf (frame (2147483647, { 1 }, { { 1, 0.1F, 0.1F } })) == 1);
-    CHECK (reader.countOf (frame (1, { 1 }, { { 1, 0.1F, 0.1F } })) == 1);
-    CHECK (reader.countOf (frame (2, { 1 }, { { 1, 0.1F, 0.1F } })) == 0);
+    CHECK (reader.countTouches (frame (2147483647, { 1 }, { { 1, 0.1F, 0.1F } })) == 1);
+    CHECK (reader.countTouches (frame (1, { 1 }, { { 1, 0.1F, 0.1F } })) == 1);
+    CHECK (reader.countTouches (frame (2, { 1 }, { { 1, 0.1F, 0.1F } })) == 0);
     CHECK (reader.counters.of (TouchFault::staleFrame) == 0);
 }
 
 TEST_CASE ("Each source has its own cursors and its own order", "[touch]")
 {
     Reader reader;
-    CHECK (reader.countOf (frame (50, { 1 }, { { 1, 0.1F, 0.1F } }, "left@10.0.0.1")) == 1);
-    CHECK (reader.countOf (frame (7, { 1 }, { { 1, 0.1F, 0.1F } }, "right@10.0.0.2")) == 1);
-    CHECK (reader.countOf (frame (8, {}, {}, "right@10.0.0.2")) == 0);
-    CHECK (reader.countOf (frame (51, { 1 }, { { 1, 0.2F, 0.1F } }, "left@10.0.0.1")) == 0);
-    CHECK (reader.countOf (frame (1, { 1 }, { { 1, 0.2F, 0.1F } })) == 1); // Without a name: a third one.
+    CHECK (reader.countTouches (frame (50, { 1 }, { { 1, 0.1F, 0.1F } }, "left@10.0.0.1")) == 1);
+    CHECK (reader.countTouches (frame (7, { 1 }, { { 1, 0.1F, 0.1F } }, "right@10.0.0.2")) == 1);
+    CHECK (reader.countTouches (frame (8, {}, {}, "right@10.0.0.2")) == 0);
+    CHECK (reader.countTouches (frame (51, { 1 }, { { 1, 0.2F, 0.1F } }, "left@10.0.0.1")) == 0);
+    CHECK (reader.countTouches (frame (1, { 1 }, { { 1, 0.2F, 0.1F } })) == 1); // Without a name: a third one.
 }
 
 TEST_CASE ("Of more than 16 sources the one that was silent longest is forgotten", "[touch]")
@@ -158,23 +158,23 @@ TEST_CASE ("Of more than 16 sources the one that was silent longest is forgotten
     const auto of = [] (int source) { return frame (-1, { 1 }, { { 1, 0.1F, 0.1F } }, std::to_string (source)); };
 
     for (int source = 0; source < 16; ++source)
-        CHECK (reader.countOf (of (source)) == 1);
+        CHECK (reader.countTouches (of (source)) == 1);
 
-    CHECK (reader.countOf (of (0)) == 0);
-    CHECK (reader.countOf (of (16)) == 1); // In the place of source 1.
-    CHECK (reader.countOf (of (0)) == 0);
-    CHECK (reader.countOf (of (1)) == 1);
+    CHECK (reader.countTouches (of (0)) == 0);
+    CHECK (reader.countTouches (of (16)) == 1); // In the place of source 1.
+    CHECK (reader.countTouches (of (0)) == 0);
+    CHECK (reader.countTouches (of (1)) == 1);
 }
 
 TEST_CASE ("A cursor from outside gives its touch where it enters the surface", "[touch]")
 {
     Reader reader;
-    CHECK (reader.countOf (frame (1, { 1 }, { { 1, -0.1F, 0.5F } })) == 0);
+    CHECK (reader.countTouches (frame (1, { 1 }, { { 1, -0.1F, 0.5F } })) == 0);
     CHECK (reader.counters.of (TouchFault::outside) == 1);
     const auto touches = reader (frame (2, { 1 }, { { 1, 0.0F, 0.5F } }));
     REQUIRE (touches.size() == 1);
     CHECK (touches[0].x == 0);
-    CHECK (reader.countOf (frame (3, { 2 }, { { 2, std::numeric_limits<float>::quiet_NaN(), 0.5F } })) == 0);
+    CHECK (reader.countTouches (frame (3, { 2 }, { { 2, std::numeric_limits<float>::quiet_NaN(), 0.5F } })) == 0);
     CHECK (reader.counters.of (TouchFault::notFinite) == 1);
 }
 
@@ -183,15 +183,15 @@ TEST_CASE ("Frames without alive or fseq, and cursors that are not alive, give n
     Reader reader;
     const auto set = OscWriter::message ("/tuio/2Dcur", "set"s, 1, 0.1F, 0.1F, 0.0F, 0.0F, 0.0F);
     const auto end = OscWriter::message ("/tuio/2Dcur", "fseq"s, 1);
-    CHECK (reader.countOf (OscWriter::bundle ({ set, end })) == 0);
+    CHECK (reader.countTouches (OscWriter::bundle ({ set, end })) == 0);
     CHECK (reader.counters.of (TouchFault::brokenFrame) == 1);
-    CHECK (reader.countOf (OscWriter::bundle ({ alive ({ 1 }), set })) == 0);
+    CHECK (reader.countTouches (OscWriter::bundle ({ alive ({ 1 }), set })) == 0);
     CHECK (reader.counters.of (TouchFault::brokenFrame) == 2);
-    CHECK (reader.countOf (end) == 0); // The frame before was dropped with its packet.
+    CHECK (reader.countTouches (end) == 0); // The frame before was dropped with its packet.
     CHECK (reader.counters.of (TouchFault::brokenFrame) == 3);
-    CHECK (reader.countOf (OscWriter::bundle ({ alive ({ 2 }), set, end })) == 0);
+    CHECK (reader.countTouches (OscWriter::bundle ({ alive ({ 2 }), set, end })) == 0);
     CHECK (reader.counters.of (TouchFault::brokenFrame) == 4);
-    CHECK (reader.countOf (OscWriter::bundle ({ alive ({ 1 }), set, end })) == 1);
+    CHECK (reader.countTouches (OscWriter::bundle ({ alive ({ 1 }), set, end })) == 1);
 }
 
 TEST_CASE ("TUIO messages with wrong arguments are counted", "[touch]")
@@ -207,7 +207,7 @@ TEST_CASE ("TUIO messages with wrong arguments are counted", "[touch]")
            OscWriter::message ("/tuio/2Dcur", "fseq"s), OscWriter::message ("/tuio/2Dcur", "source"s, 7) })
     {
         Reader reader;
-        CHECK (reader.countOf (OscWriter::bundle ({ alive ({ 1 }), bad, fseq })) == 0);
+        CHECK (reader.countTouches (OscWriter::bundle ({ alive ({ 1 }), bad, fseq })) == 0);
         CHECK (reader.counters.of (TouchFault::wrongArguments) == 1);
         CHECK (reader.counters.of (TouchFault::brokenFrame) == 0);
     }
@@ -216,6 +216,6 @@ TEST_CASE ("TUIO messages with wrong arguments are counted", "[touch]")
 TEST_CASE ("Other TUIO profiles, which trackers send as well, are passed over", "[touch]")
 {
     Reader reader;
-    CHECK (reader.countOf (OscWriter::message ("/tuio/2Dobj", "alive"s)) == 0);
+    CHECK (reader.countTouches (OscWriter::message ("/tuio/2Dobj", "alive"s)) == 0);
     CHECK (reader.counters.faults == TouchCounters {}.faults);
 }

@@ -17,7 +17,7 @@ namespace
 {
 const std::string folder = ANTINODE_TEST_DATA "/UniversalFiles/";
 
-int numberOf (const UniversalSet& set)
+int setNumber (const UniversalSet& set)
 {
     constexpr int numbers[] = { 58, 55, 15, 82, 151, 164, 2412, 2414 };
 
@@ -109,19 +109,19 @@ std::string rewritten (const std::string& bytes)
 
 TEST_CASE ("Files of instruments and programs are read as others read them", "[files][universal]")
 {
-    const auto files = nlohmann::json::parse (contentOf (folder + "expected.json"));
+    const auto files = nlohmann::json::parse (readContent (folder + "expected.json"));
     CHECK (files.size() == 13);
 
     for (const auto& [name, expected] : files.items())
     {
         INFO (name);
-        const auto sets = readUniversalFile (contentOf (folder + name), name);
+        const auto sets = readUniversalFile (readContent (folder + name), name);
         REQUIRE (sets.size() == expected["sets"].size());
 
         for (std::size_t i = 0; i < sets.size(); ++i)
         {
             const auto& wanted = expected["sets"][i];
-            CHECK (numberOf (sets[i]) == wanted["type"]);
+            CHECK (setNumber (sets[i]) == wanted["type"]);
 
             if (const auto* const function = std::get_if<UniversalFunction> (&sets[i]))
                 checkFunction (*function, wanted);
@@ -135,12 +135,12 @@ TEST_CASE ("Files of instruments and programs are read as others read them", "[f
 
 TEST_CASE ("A universal file that was read and written is the same when that is done again", "[files][universal]")
 {
-    const auto files = nlohmann::json::parse (contentOf (folder + "expected.json"));
+    const auto files = nlohmann::json::parse (readContent (folder + "expected.json"));
 
     for (const auto& [name, expected] : files.items())
     {
         INFO (name);
-        const auto once = rewritten (contentOf (folder + name));
+        const auto once = rewritten (readContent (folder + name));
         CHECK (rewritten (once) == once);
     }
 }
@@ -171,7 +171,7 @@ TEST_CASE ("Functions of every kind come back as they were written", "[files][un
 TEST_CASE ("Numbers are told apart without blanks, with D, without exponent letter, on half-full lines",
            "[files][universal]")
 {
-    const auto valuesOf = [] (const std::string& data)
+    const auto readValues = [] (const std::string& data)
     {
         const auto text = std::string ("    -1\n    58\nNONE\nNONE\nNONE\nNONE\nNONE\n")
                           + "    1         0    0         0 NONE               1   3 NONE               0   0\n"
@@ -186,9 +186,9 @@ TEST_CASE ("Numbers are told apart without blanks, with D, without exponent lett
         return Eigen::VectorXd (function.values.real());
     };
     const Eigen::Vector4d numbers (-1.25e3, 2.5e-110, -1, 4);
-    CHECK (valuesOf ("-1.25E+032.5-110-1.D04.0\n") == numbers);
-    CHECK (valuesOf ("  -1.250000000000E+03   2.500000000000-110\n -1\n      4\n") == numbers);
-    CHECK (valuesOf ("-1.250000000000D+03 2.50000000000D-110-1.000000000000E+00 4.000000000000E+00 \r\n") == numbers);
+    CHECK (readValues ("-1.25E+032.5-110-1.D04.0\n") == numbers);
+    CHECK (readValues ("  -1.250000000000E+03   2.500000000000-110\n -1\n      4\n") == numbers);
+    CHECK (readValues ("-1.250000000000D+03 2.50000000000D-110-1.000000000000E+00 4.000000000000E+00 \r\n") == numbers);
 }
 
 TEST_CASE ("A line of -1 closes a set, a -1 among coordinates does not", "[files][universal]")

@@ -64,7 +64,7 @@ inline FocusDescription largeFocus (AllocationMethod method)
     return focus;
 }
 
-inline std::string nameOf (AllocationMethod method)
+inline std::string methodName (AllocationMethod method)
 {
     return std::string (wordFor (allocationMethodWords, method));
 }

@@ -48,7 +48,7 @@ TEST_CASE ("A watch is that of its thread, and of threads that take it on", "[wa
 {
     const WatchScope scope ([] { return false; });
     auto alone = false, helping = false;
-    const auto watch = watchOfThread();
+    const auto watch = threadWatch();
     std::thread (
         [&]
         {

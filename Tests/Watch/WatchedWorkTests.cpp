@@ -30,9 +30,9 @@ using Model = std::shared_ptr<const ModalModel>;
 const Playback playback { Reconstruction::bandLimited, 192000 };
 
 /** ms of the processor: far more than the 20 ms that are promised, so that only work that does not look is found. */
-constexpr auto mostWait = 250.0;
+constexpr auto maximumWait = 250.0;
 
-Model modelOf (const DeviceDescription& device)
+Model makeModel (const DeviceDescription& device)
 {
     return std::make_shared<const ModalModel> (solveStructure (device));
 }
@@ -64,7 +64,7 @@ void addMethods (std::vector<LongWork>& works, const std::string& name, const Mo
     {
         focus.allocation.method = method;
         const auto isPlayed = method == AllocationMethod::freeWaveform ? DesignExtent::complete : extent;
-        works.push_back (designing (name + " " + nameOf (method), model, focus, isPlayed));
+        works.push_back (designing (name + " " + methodName (method), model, focus, isPlayed));
     }
 }
 
@@ -76,7 +76,7 @@ std::vector<LongWork> worksOnEmbeddedDevices()
     {
         const auto description = loadDevice (device, {});
         works.push_back (solving (device, description));
-        addMethods (works, device, modelOf (description), loadFocus (focus, {}), DesignExtent::complete);
+        addMethods (works, device, makeModel (description), loadFocus (focus, {}), DesignExtent::complete);
     }
 
     return works;
@@ -106,7 +106,7 @@ LongWork identifying()
 
 std::vector<LongWork> otherWorks()
 {
-    const auto model = modelOf (loadDevice ("staple", {}));
+    const auto model = makeModel (loadDevice ("staple", {}));
     const auto focus = loadFocus ("demonstrator", {});
     const auto design = designFocus (*model, focus, playback);
     auto braked = focus, robust = focus;
@@ -136,15 +136,15 @@ std::vector<LongWork> worksOnLargestPlate (const Model& model)
 }
 
 /** Runs some work, at most so long, and prints how long its looks are apart. */
-void checkLooks (const LongWork& work, double most = std::numeric_limits<double>::infinity())
+void checkLooks (const LongWork& work, double maximum = std::numeric_limits<double>::infinity())
 {
-    const WatchedWork watched (work.run, most);
+    const WatchedWork watched (work.run, maximum);
     std::printf ("%-36s %9.1f ms%s  median %8.3f ms  worst %8.2f ms  %9zu looks\n", work.name.c_str(),
                  watched.duration(), watched.isCancelled() ? " (cancelled)" : "", watched.medianWait(),
                  watched.worstWait(), watched.looks());
     std::fflush (stdout);
     INFO (work.name);
-    CHECK (watched.worstWait() < mostWait);
+    CHECK (watched.worstWait() < maximumWait);
 }
 
 /** ms from a moment of the work at which it is cancelled to its end on the clock; 0 if it had ended. */
@@ -178,7 +178,8 @@ double timeToCancel (const LongWork& work, double moment)
     return hasEnded ? 0 : std::chrono::duration<double, std::milli> (Clock::now() - asked).count();
 }
 
-/** Cancels each work many times, at moments that are as often within the first millisecond as within the tenth second. */
+/** Cancels each work many times, at moments that are as often within the first millisecond as within the tenth second.
+ */
 void cancelAtRandom (const std::vector<LongWork>& works, int times)
 {
     std::mt19937 random (1);
@@ -209,7 +210,7 @@ TEST_CASE ("All long work on the embedded devices looks at its watch", "[watch]"
     std::vector<LongWork> works;
 
     for (const auto& [device, focus] : { embeddedCases[0], embeddedCases[1] })
-        addMethods (works, device, modelOf (loadDevice (device, {})), loadFocus (focus, {}), DesignExtent::complete);
+        addMethods (works, device, makeModel (loadDevice (device, {})), loadFocus (focus, {}), DesignExtent::complete);
 
     for (const auto& [device, focus] : embeddedCases)
         works.push_back (solving (device, loadDevice (device, {})));
@@ -252,7 +253,7 @@ TEST_CASE ("All long work is cancelled a thousand times at random moments", "[.]
     cancelAtRandom (worksOnEmbeddedDevices(), 1000);
     cancelAtRandom (otherWorks(), 1000);
     cancelAtRandom ({ solving ("largest plate", largestPlate()) }, 1000);
-    cancelAtRandom (worksOnLargestPlate (modelOf (largestPlate())), 1000);
+    cancelAtRandom (worksOnLargestPlate (makeModel (largestPlate())), 1000);
 }
 
 TEST_CASE ("All long work is cancelled twenty times at random moments", "[.][watch-20]")

@@ -14,8 +14,8 @@
 
 namespace
 {
-/** Asks for the names that every toolkit asks for before a host loads anything. On a server where nobody has, JUCE goes on with none, and X
-    ends the program. */
+/** Asks for the names that every toolkit asks for before a host loads anything. On a server where nobody has, JUCE goes
+   on with none, and X ends the program. */
 struct UsualNames : Catch::TestEventListenerBase
 {
     using TestEventListenerBase::TestEventListenerBase;
@@ -78,7 +78,7 @@ bool RunLoop::isRegistered (const Event& event) const
                         { return other.handler == event.handler && other.descriptor == event.descriptor; });
 }
 
-void RunLoop::turn()
+void RunLoop::runOnce()
 {
     constexpr int patience = 5; // ms
     const auto asked = events;  // Whoever is told may register anew.
@@ -107,7 +107,7 @@ void RunLoop::runUntil (const std::function<bool()>& isReached)
         if (std::chrono::steady_clock::now() > end)
             throw std::runtime_error ("the view does not come to what is waited for");
 
-        turn();
+        runOnce();
     }
 }
 

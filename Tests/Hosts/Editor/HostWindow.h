@@ -21,7 +21,7 @@ public:
     tresult PLUGIN_API unregisterTimer (Steinberg::Linux::ITimerHandler*) override;
 
     /** Waits a moment for what comes, and tells those whom it concerns. */
-    void turn();
+    void runOnce();
 
     /** @throws std::runtime_error  where it does not come true */
     void runUntil (const std::function<bool()>&);

@@ -36,7 +36,7 @@ void answerMessages (std::chrono::milliseconds time)
 }
 
 /** A window with the editor in it, as in a host. */
-std::unique_ptr<juce::DocumentWindow> windowOf (juce::AudioPluginInstance& instance)
+std::unique_ptr<juce::DocumentWindow> makeWindow (juce::AudioPluginInstance& instance)
 {
     auto window = std::make_unique<juce::DocumentWindow> ("Editor", juce::Colours::black, 0);
     window->setContentOwned (instance.createEditorIfNeeded(), true);
@@ -97,7 +97,7 @@ TEST_CASE ("Loading and opening in a JUCE host", "[hosted]")
         for (int k = 0; k < 2; ++k)
         {
             const auto opening = Clock::now();
-            const auto window = windowOf (*instance);
+            const auto window = makeWindow (*instance);
             std::printf (", opened in %.1f ms", millisecondsSince (opening));
             REQUIRE (window->getContentComponent() != nullptr);
             CHECK (window->getContentComponent()->getWidth() == 1280);
@@ -118,7 +118,7 @@ TEST_CASE ("The editor opens and closes in a JUCE host while all parameters are 
 
     for (int i = 0; i < 10; ++i)
     {
-        const auto window = windowOf (*instance);
+        const auto window = makeWindow (*instance);
         window->setSize (700 + 100 * i, 500 + 50 * i);
         answerMessages (std::chrono::milliseconds (20 * (i % 3)));
     }
@@ -131,8 +131,8 @@ TEST_CASE ("States are set on another thread while the editor is open", "[hosted
     const BuiltPlugin plugin { PluginKind::vst3, 8 };
     const auto instance = hosted (plugin);
     instance->prepareToPlay (48000, 512);
-    const auto state = stateOf (*instance);
-    const auto window = windowOf (*instance);
+    const auto state = savedState (*instance);
+    const auto window = makeWindow (*instance);
     const Playing playing (*instance, plugin);
     runInBackground (
         [&]

@@ -32,7 +32,7 @@ public:
         : plugin (pluginToTest), random (seed), instance (hosted (plugin, 48000, largestBlock))
     {
         instance->prepareToPlay (48000, largestBlock);
-        initial = stateOf (*instance);
+        initial = savedState (*instance);
     }
 
     void automateEditor (int times)
@@ -56,7 +56,7 @@ public:
                 {
                     scramble (random);
                     setState (*instance, initial);
-                    stateOf (*instance);
+                    savedState (*instance);
                 }
             });
     }
@@ -217,6 +217,6 @@ TEST_CASE ("Plug-ins stand what a strict tester does, in any order and again", "
 
     CHECK (host.isFinite());
     CHECK (host.editors() == 100);
-    std::printf ("%s: two rounds in %.1f s\n", nameOf (plugin).c_str(),
+    std::printf ("%s: two rounds in %.1f s\n", pluginName (plugin).c_str(),
                  std::chrono::duration<double> (Clock::now() - start).count());
 }

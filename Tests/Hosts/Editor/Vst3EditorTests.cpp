@@ -28,12 +28,12 @@ struct Release
 
 using View = std::unique_ptr<IPlugView, Release>;
 
-View viewOf (RawVst3& plugin)
+View openView (RawVst3& plugin)
 {
     return View (plugin.controller->createView (Vst::ViewType::kEditor));
 }
 
-HostWindow::Size sizeOf (IPlugView& view)
+HostWindow::Size viewSize (IPlugView& view)
 {
     ViewRect size;
     REQUIRE (view.getSize (&size) == kResultTrue);
@@ -102,13 +102,13 @@ private:
 TEST_CASE ("A view says what it is before it has a window", "[view]")
 {
     RawVst3 plugin;
-    const auto view = viewOf (plugin);
+    const auto view = openView (plugin);
     REQUIRE (view != nullptr);
     CHECK (view->isPlatformTypeSupported (x11) == kResultTrue);
     CHECK (view->isPlatformTypeSupported (Steinberg::kPlatformTypeHWND) == kResultFalse);
     CHECK (view->isPlatformTypeSupported ("nonsense") == kResultFalse);
     CHECK (view->canResize() == kResultTrue);
-    CHECK ((sizeOf (*view) == HostWindow::Size { 1280, 800 }));
+    CHECK ((viewSize (*view) == HostWindow::Size { 1280, 800 }));
     CHECK (plugin.controller->createView ("nonsense") == nullptr);
     CHECK (plugin.controller->createView (Vst::ViewType::kEditor) == nullptr); // One at a time.
     ViewRect tiny { 0, 0, 10, 10 }, vast { 0, 0, 100000, 100000 };
@@ -125,10 +125,10 @@ TEST_CASE ("A view shows itself in the host's window and follows its size", "[vi
     RawVst3 plugin;
     RunLoop loop;
     HostWindow window (loop);
-    const auto view = viewOf (plugin);
+    const auto view = openView (plugin);
     attach (*view, window);
     CHECK (loop.handlers() > 0);
-    loop.runUntil ([&] { return window.children() == std::vector { sizeOf (*view) }; });
+    loop.runUntil ([&] { return window.children() == std::vector { viewSize (*view) }; });
     loop.runUntil ([&] { return window.colours ({ 1280, 800 }) > 50; });
 
     for (const auto size : { HostWindow::Size { 1000, 700 }, { 640, 400 }, { 1600, 1000 } })
@@ -136,7 +136,7 @@ TEST_CASE ("A view shows itself in the host's window and follows its size", "[vi
         ViewRect wanted { 0, 0, size.width, size.height };
         CHECK (view->checkSizeConstraint (&wanted) == kResultTrue);
         CHECK (window.resizeView (view.get(), &wanted) == kResultTrue);
-        CHECK ((sizeOf (*view) == size));
+        CHECK ((viewSize (*view) == size));
         loop.runUntil ([&] { return window.children() == std::vector { size }; });
         loop.runUntil ([&] { return window.colours (size) > 50; });
     }
@@ -155,12 +155,12 @@ TEST_CASE ("A view opens and closes while the plug-in plays and is automated", "
     for (int i = 0; i < 10; ++i)
     {
         HostWindow window (loop);
-        const auto view = viewOf (plugin);
+        const auto view = openView (plugin);
         REQUIRE (view != nullptr);
         attach (*view, window);
 
         if (i % 2 == 0)
-            loop.runUntil ([&] { return window.colours (sizeOf (*view)) > 50; });
+            loop.runUntil ([&] { return window.colours (viewSize (*view)) > 50; });
 
         detach (*view);
     }
@@ -174,17 +174,17 @@ TEST_CASE ("A view is attached again, left by its frame early, and freed after t
     RunLoop loop;
     HostWindow window (loop);
     RawVst3 plugin;
-    auto view = viewOf (plugin);
+    auto view = openView (plugin);
     attach (*view, window);
     loop.runUntil ([&] { return window.children().size() == 1; });
     detach (*view);
     loop.runUntil ([&] { return window.children().empty(); });
     attach (*view, window);
-    loop.runUntil ([&] { return window.colours (sizeOf (*view)) > 50; });
+    loop.runUntil ([&] { return window.colours (viewSize (*view)) > 50; });
     plugin.component->setActive (false);
     detach (*view);
     view = nullptr;
-    CHECK (viewOf (plugin) != nullptr);
+    CHECK (openView (plugin) != nullptr);
     CHECK (loop.handlers() == 0);
 }
 
@@ -194,13 +194,13 @@ TEST_CASE ("Two instances show their views side by side, and the one that stays 
     RunLoop firstLoop, secondLoop, moment;
     HostWindow first (firstLoop), second (secondLoop, 1290);
     RawVst3 plugin, other;
-    const auto view = viewOf (plugin), beside = viewOf (other);
+    const auto view = openView (plugin), beside = openView (other);
     attach (*view, first);
     attach (*beside, second);
     const auto isShown = [&] (const HostWindow& window)
     {
-        firstLoop.turn();
-        secondLoop.turn();
+        firstLoop.runOnce();
+        secondLoop.runOnce();
         return window.colours ({ 1280, 800 }) > 50;
     };
     moment.runUntil ([&] { return isShown (first) && isShown (second); });
@@ -224,7 +224,7 @@ TEST_CASE ("Without a display a view does no harm", "[view][no-display]")
     const Playing playing (plugin);
 
     for (int i = 0; i < 10; ++i)
-        if (const auto view = viewOf (plugin))
+        if (const auto view = openView (plugin))
         {
             view->setFrame (&frame);
             ViewRect size { 0, 0, 900, 600 };
@@ -233,7 +233,7 @@ TEST_CASE ("Without a display a view does no harm", "[view][no-display]")
             if (view->attached (reinterpret_cast<void*> (1), x11) == kResultTrue)
             {
                 for (int turns = 0; turns < 20; ++turns)
-                    loop.turn();
+                    loop.runOnce();
 
                 view->removed();
             }

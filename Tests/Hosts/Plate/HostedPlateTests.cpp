@@ -64,7 +64,7 @@ std::unique_ptr<juce::AudioPluginInstance> hosted (const Built& plugin)
     return instance;
 }
 
-std::vector<int> wiresOf (const juce::AudioPluginInstance& instance, bool isInput, const Built& plugin)
+std::vector<int> pluginWires (const juce::AudioPluginInstance& instance, bool isInput, const Built& plugin)
 {
     const auto layout = instance.getBus (isInput, 0)->getCurrentLayout();
 
@@ -79,7 +79,7 @@ std::vector<int> wiresOf (const juce::AudioPluginInstance& instance, bool isInpu
 /** Voltages on the wires. @return  probes x samples */
 Eigen::MatrixXd moved (juce::AudioPluginInstance& instance, const Built& plugin, const Eigen::MatrixXd& voltages)
 {
-    const auto in = wiresOf (instance, true, plugin), out = wiresOf (instance, false, plugin);
+    const auto in = pluginWires (instance, true, plugin), out = pluginWires (instance, false, plugin);
     Eigen::MatrixXd played (static_cast<Eigen::Index> (out.size()), voltages.cols());
     juce::MidiBuffer midi;
 
@@ -133,7 +133,8 @@ TEST_CASE ("A hosted plate keeps its device and its probes, and a broken state c
             parameter->setValue (0.83F);
 
     moved (*first, plugin, voltages); // Values reach the plug-in with a block.
-    // Released first: a host of JUCE's leaves out a preparation like the one before, and the surface would go on moving.
+    // Released first: a host of JUCE's leaves out a preparation like the one before, and the surface would go on
+    // moving.
     first->releaseResources();
     first->prepareToPlay (rate, block);
     juce::MemoryBlock state;

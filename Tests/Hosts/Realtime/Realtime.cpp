@@ -32,8 +32,9 @@ bool mayMove (AntinodeProcessor& processor, const juce::RangedAudioParameter* pa
            && parameter->getParameterID() != "output_trim";
 }
 
-/** Sets a parameter as JUCE's wrappers do for their hosts, on the audio thread, and tells all who listen. JUCE holds a lock meanwhile, and
-    may wait for it where the editor is just adding itself; what listens must not ask for anything. */
+/** Sets a parameter as JUCE's wrappers do for their hosts, on the audio thread, and tells all who listen. JUCE holds a
+   lock meanwhile, and may wait for it where the editor is just adding itself; what listens must not ask for anything.
+ */
 void automate (AntinodeProcessor& processor, std::mt19937& random, Findings& findings)
 {
     const auto& all = processor.parameters().all();
@@ -177,8 +178,8 @@ void disturb (AntinodeProcessor& processor, const std::atomic<bool>& isPlaying)
 }
 } // namespace
 
-/** Plays the processor for some seconds, 5 where none are given, while everything about it changes and its editor is used. Exit code 1 where its audio thread
-    does what it may not, or nothing is heard. */
+/** Plays the processor for some seconds, 5 where none are given, while everything about it changes and its editor is
+   used. Exit code 1 where its audio thread does what it may not, or nothing is heard. */
 int main (int argumentCount, char** arguments)
 {
     if (! guardsSee())

@@ -16,14 +16,14 @@ struct PeakColumns
 
 /** The samples s of least peak that bring rows to what is wanted: minimise p subject to
     sum over columns of (row value) = wanted, |s| <= p. Any number of columns a ceramic. */
-struct LeastPeakProblem
+struct MinimumPeakProblem
 {
     std::vector<PeakColumns> ceramics;
     Eigen::VectorXd wanted; ///< N_r
 };
 
 /** Both sides of the least peak p*: lower <= p* <= upper. */
-struct LeastPeak
+struct MinimumPeak
 {
     double lower = 0;            ///< wanted' y / sum |columns' y|: weak duality, for any y.
     double upper = 0;            ///< max |samples|; infinite where no samples meet the rows.
@@ -44,5 +44,5 @@ struct LeastPeak
     @param start      an answer for coarser columns that were split, samples handed on; none: the least norm
     @return           within the tolerance, or as far as rounding lets it: look at gap()
     [worker] N_r^2 N / 2 a step, N columns in all. Docs/Theory.md, section 4.5. */
-LeastPeak leastPeak (const LeastPeakProblem&, double tolerance, const LeastPeak* start = nullptr);
+MinimumPeak minimumPeak (const MinimumPeakProblem&, double tolerance, const MinimumPeak* start = nullptr);
 } // namespace antinode

@@ -1,4 +1,4 @@
-#include "LeastPeak.h"
+#include "MinimumPeak.h"
 
 #include "PeakRows.h"
 
@@ -10,7 +10,7 @@ namespace antinode
 {
 namespace
 {
-constexpr auto mostPeakSteps = 80;
+constexpr auto maximumPeakSteps = 80;
 
 /** s and p strictly inside |s| <= p, multipliers of both limits above 0 with A' y = above - below, their sum 1. */
 struct InnerPoint
@@ -127,7 +127,7 @@ InnerPoint moved (InnerPoint point, const InnerStep& step, StepLengths lengths)
 /** One step of predictor and corrector; false where rounding leaves none. */
 bool advance (const PeakRows& rows, InnerPoint& point)
 {
-    constexpr auto kept = 0.05, leastKept = 0.005, smallest = 1e-6;
+    constexpr auto kept = 0.05, minimumKept = 0.005, smallest = 1e-6;
     const NewtonSystem system (rows, point);
 
     if (! system.isUsable())
@@ -142,7 +142,7 @@ bool advance (const PeakRows& rows, InnerPoint& point)
     const auto step = system.towards (target - products - (predictor.peak - predictor.s) * predictor.above,
                                       target - productsBelow - (predictor.peak + predictor.s) * predictor.below);
     auto lengths = lengthsWithin (system, point, step);
-    const auto inside = 1 - std::max (leastKept, std::min (kept, centring));
+    const auto inside = 1 - std::max (minimumKept, std::min (kept, centring));
     lengths = { std::min (1.0, inside * lengths.primal), std::min (1.0, inside * lengths.dual) };
     const auto next = moved (point, step, lengths);
 
@@ -153,7 +153,7 @@ bool advance (const PeakRows& rows, InnerPoint& point)
     return std::max (lengths.primal, lengths.dual) > smallest;
 }
 
-void lookAtDual (const PeakRows& rows, const Eigen::VectorXd& y, LeastPeak& best)
+void improveDual (const PeakRows& rows, const Eigen::VectorXd& y, MinimumPeak& best)
 {
     const auto price = rows.pulls (y).cwiseAbs().sum();
     const auto bound = price > 0 ? rows.wanted().dot (y) / price : 0;
@@ -166,7 +166,7 @@ void lookAtDual (const PeakRows& rows, const Eigen::VectorXd& y, LeastPeak& best
 }
 
 /** Samples are taken once the least norm that makes up for their row errors is added. */
-void lookAtPrimal (const PeakRows& rows, const Eigen::VectorXd& s, LeastPeak& best)
+void improvePrimal (const PeakRows& rows, const Eigen::VectorXd& s, MinimumPeak& best)
 {
     const auto met = rows.corrected (s);
     const auto residual = rows.residual (met);
@@ -181,16 +181,16 @@ void lookAtPrimal (const PeakRows& rows, const Eigen::VectorXd& s, LeastPeak& be
 }
 } // namespace
 
-double LeastPeak::gap() const
+double MinimumPeak::gap() const
 {
     return upper > 0 ? (std::isfinite (upper) ? std::max (0.0, (upper - lower) / upper) : 1) : 0;
 }
 
-LeastPeak leastPeak (const LeastPeakProblem& problem, double tolerance, const LeastPeak* start)
+MinimumPeak minimumPeak (const MinimumPeakProblem& problem, double tolerance, const MinimumPeak* start)
 {
     constexpr auto roomAtStart = 1.0;
     const PeakRows rows (problem);
-    LeastPeak best;
+    MinimumPeak best;
     best.upper = std::numeric_limits<double>::infinity();
 
     if (problem.wanted.isZero (0))
@@ -199,29 +199,29 @@ LeastPeak leastPeak (const LeastPeakProblem& problem, double tolerance, const Le
     const auto isWarm = start != nullptr && std::isfinite (start->upper) && start->upper > 0;
     const Eigen::VectorXd none = Eigen::VectorXd::Zero (problem.wanted.size());
     const Eigen::VectorXd s = isWarm ? start->samples : rows.corrected (Eigen::VectorXd::Zero (rows.columns()));
-    lookAtPrimal (rows, s, best);
+    improvePrimal (rows, s, best);
 
     if (! std::isfinite (best.upper))
     {
-        lookAtDual (rows, rows.unreachable(), best);
+        improveDual (rows, rows.unreachable(), best);
         best.multipliers = rows.unscaled (best.multipliers);
         return best;
     }
 
     auto point = isWarm ? innerPoint (rows, rows.scaled (start->multipliers), s, std::max (start->gap(), tolerance))
                         : innerPoint (rows, none, s, roomAtStart);
-    lookAtDual (rows, isWarm ? point.y : rows.leastNormMultipliers(), best);
+    improveDual (rows, isWarm ? point.y : rows.leastNormMultipliers(), best);
 
-    while (best.gap() > tolerance && best.iterations < mostPeakSteps && advance (rows, point))
+    while (best.gap() > tolerance && best.iterations < maximumPeakSteps && advance (rows, point))
     {
         ++best.iterations;
-        lookAtDual (rows, point.y, best);
+        improveDual (rows, point.y, best);
 
         if (point.peak * (1 - tolerance) < best.lower || best.iterations % 8 == 0)
-            lookAtPrimal (rows, point.s.matrix(), best);
+            improvePrimal (rows, point.s.matrix(), best);
     }
 
-    lookAtPrimal (rows, point.s.matrix(), best);
+    improvePrimal (rows, point.s.matrix(), best);
     best.multipliers = rows.unscaled (best.multipliers);
     return best;
 }

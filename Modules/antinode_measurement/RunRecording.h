@@ -5,7 +5,7 @@
 namespace antinode
 {
 /** The recording of one ceramic's run, from its first sample on. N_s samples, at least those of the signal. */
-struct TurnRecording
+struct RunRecording
 {
     Eigen::MatrixXd sensors;   ///< N x N_s: velocities, m/s.
     Eigen::VectorXd sync;      ///< N_s, any unit; empty if the sync channel was not recorded.

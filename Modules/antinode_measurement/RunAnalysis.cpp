@@ -1,4 +1,4 @@
-#include "TurnAnalysis.h"
+#include "RunAnalysis.h"
 
 #include "Latency.h"
 #include "PeriodAverage.h"
@@ -28,7 +28,7 @@ Measured measuredPart (const Excitation& excitation)
     return { settling * excitation.block, settings.periods * excitation.block };
 }
 
-void requireUsable (const Excitation& excitation, const TurnRecording& recording, Eigen::Index needed)
+void requireUsable (const Excitation& excitation, const RunRecording& recording, Eigen::Index needed)
 {
     const auto samples = recording.sensors.cols();
     const auto agrees = [samples] (const Eigen::VectorXd& channel)
@@ -37,7 +37,7 @@ void requireUsable (const Excitation& excitation, const TurnRecording& recording
     if (samples < needed || ! agrees (recording.sync) || ! agrees (recording.reference))
         throw InputError ("recording", "has " + std::to_string (samples) + " samples in a run; allowed: at least "
                                            + std::to_string (needed) + ", equally many on every channel; a run has "
-                                           + std::to_string (excitation.turn));
+                                           + std::to_string (excitation.runLength));
 
     if (! recording.sensors.allFinite() || ! recording.sync.allFinite() || ! recording.reference.allFinite())
         throw InputError ("recording", "has a sample that is not finite");
@@ -76,13 +76,13 @@ void takeOutDelay (Eigen::MatrixXcd& values, const Excitation& excitation, doubl
 }
 } // namespace
 
-TurnResponses analyseTurn (const Excitation& excitation, Eigen::Index ceramic, const TurnRecording& recording,
-                           const TurnAnalysisSettings& settings)
+RunResponses analyseRun (const Excitation& excitation, Eigen::Index ceramic, const RunRecording& recording,
+                         const RunAnalysisSettings& settings)
 {
     const auto part = measuredPart (excitation);
     requireUsable (excitation, recording, part.first + part.count);
-    TurnResponses result;
-    result.latency = recording.sync.size() > 0 ? latencyOf (excitation, recording.sync) : settings.latency;
+    RunResponses result;
+    result.latency = recording.sync.size() > 0 ? estimateLatency (excitation, recording.sync) : settings.latency;
     const auto late = static_cast<Eigen::Index> (std::floor (result.latency));
     requireUsable (excitation, recording, late + part.first + part.count);
 
