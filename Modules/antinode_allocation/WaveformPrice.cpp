@@ -128,10 +128,9 @@ double waveformPrice (const WaveformBoundProblem& problem, const Eigen::VectorXd
         const auto step = std::min ({ fits, widest * end, (end - tau) / block });
         const auto coefficients = taylor (sum, tau, step);
 
-        for (Eigen::Index n = 0; n < block; ++n)
-        {
-            checkWatch();
+        checkWatch();
 
+        for (Eigen::Index n = 0; n < block; ++n)
             for (Eigen::Index i = 0; i < problem.voltageLimits.size(); ++i)
             {
                 Polynomial p;
@@ -141,7 +140,6 @@ double waveformPrice (const WaveformBoundProblem& problem, const Eigen::VectorXd
 
                 price += 0.5 * step * problem.voltageLimits[i] * absoluteIntegral (p);
             }
-        }
 
         const auto length = step * block;
         price += length * (missed * std::pow (0.5 * step, terms) + rounding * sum.derivativeBound (tau, 0));

@@ -1,6 +1,7 @@
 #include "WhitenedAllocation.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/Watch.h>
 #include <antinode_numerics/Decompositions.h>
 
 #include <algorithm>
@@ -20,15 +21,48 @@ bool areIndependent (const Eigen::MatrixXd& triangle)
     return triangle.diagonal().cwiseAbs().minCoeff() > dependence;
 }
 
+/** Between two looks at the watch, which memory makes long. */
+constexpr Eigen::Index samplesAtOnce = 1024;
+
+/** The norm of each drive; 1 of one that is 0. */
+Eigen::VectorXd lengthsOf (const Eigen::MatrixXd& waveforms)
+{
+    Eigen::VectorXd squares = Eigen::VectorXd::Zero (waveforms.rows());
+
+    for (Eigen::Index first = 0; first < waveforms.cols(); first += samplesAtOnce)
+    {
+        checkWatch();
+        const auto count = std::min (samplesAtOnce, waveforms.cols() - first);
+        squares += waveforms.middleCols (first, count).cwiseAbs2().rowwise().sum();
+    }
+
+    return (squares.array() > 0).select (squares.cwiseSqrt(), 1.0);
+}
+
+/** Each drive by its length, one a column. */
+Eigen::MatrixXd unitColumns (const Eigen::MatrixXd& waveforms, const Eigen::VectorXd& lengths)
+{
+    Eigen::MatrixXd columns (waveforms.cols(), waveforms.rows());
+
+    for (Eigen::Index first = 0; first < waveforms.cols(); first += samplesAtOnce)
+    {
+        checkWatch();
+        const auto count = std::min (samplesAtOnce, waveforms.cols() - first);
+        columns.middleRows (first, count) =
+            (lengths.cwiseInverse().asDiagonal() * waveforms.middleCols (first, count)).transpose();
+    }
+
+    return columns;
+}
+
 /** Basis and shares of the drives, orthonormalised twice. Where a drive depends on others each gets a tiny sample of
    its own, so that no matrix lives from the cancellation of huge shares. */
 void whitenDrives (WhitenedAllocation& whitened, const Eigen::MatrixXd& waveforms)
 {
     constexpr auto ownSample = 1e-4;
     const auto drives = waveforms.rows();
-    Eigen::VectorXd lengths = waveforms.rowwise().norm();
-    lengths = (lengths.array() > 0).select (lengths, 1.0);
-    Eigen::MatrixXd columns = (lengths.cwiseInverse().asDiagonal() * waveforms).transpose();
+    const auto lengths = lengthsOf (waveforms);
+    auto columns = unitColumns (waveforms, lengths);
     auto triangle = orthogonalTriangle (columns);
 
     if (! areIndependent (triangle))

@@ -144,6 +144,7 @@ void renderBlock (Kernels& kernels, Eigen::Index first, Eigen::Index count, Eige
     kernels.synthesiser.process (first, voltages.middleCols (first, count));
     kernels.samples.addTo (first, voltages.middleCols (first, count));
     kernels.limiter.process (voltages.middleCols (first, count));
+    checkWatch();
     kernels.plate.processModes (voltages.middleCols (first, count), block);
 
     const auto target = first - kernels.plate.latencySamples();
@@ -202,6 +203,7 @@ Render renderOffline (const ModalModel& model, const VoltageProgram& program, co
     if (kernels.limiter.isMuted())
         throw InputError ("voltage program", "has voltages beyond double precision");
 
+    checkWatch();
     render.probeVelocities = settings.probeShapes * render.modalVelocities;
     render.focusVelocities = render.modalVelocities.col (render.focusSample);
     return render;

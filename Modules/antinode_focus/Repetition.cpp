@@ -161,8 +161,6 @@ private:
 
         Eigen::ArrayXd real = Eigen::ArrayXd::Zero (model.points()), imaginary = real;
 
-        checkWatch();
-
         for (Eigen::Index k = 0; k < sizes.size(); ++k)
             if (sizes[k] > negligible * maximum / static_cast<double> (sizes.size()))
             {

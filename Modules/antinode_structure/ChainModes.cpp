@@ -1,6 +1,7 @@
 #include "ChainModes.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/Watch.h>
 #include <antinode_numerics/Decompositions.h>
 
 #include <algorithm>
@@ -22,6 +23,22 @@ struct ChainProblem
     Eigen::MatrixXd stiffness, mass;
 };
 
+/** a b, which looks at the watch. */
+Eigen::MatrixXd watchedProduct (const MatrixIn& a, const MatrixIn& b)
+{
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero (a.rows(), b.cols());
+    addProduct (result, 1, a, b);
+    return result;
+}
+
+/** a' a, likewise. */
+Eigen::MatrixXd watchedGram (const MatrixIn& a)
+{
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero (a.cols(), a.cols());
+    addTransposedLeft (result, 1, a, a);
+    return result;
+}
+
 /** sqrt (m) times the displacements at the quadrature's places, one row per position and direction: B with M = B' B. */
 Eigen::MatrixXd weightedMotion (const ElementChain& chain, const ChainMotion& motion, const QuadratureRule& rule)
 {
@@ -32,6 +49,7 @@ Eigen::MatrixXd weightedMotion (const ElementChain& chain, const ChainMotion& mo
 
     for (std::size_t e = 0; e < chain.elements.size(); ++e)
     {
+        checkWatch();
         const auto& element = chain.elements[e];
         const Eigen::VectorXd factors =
             (rule.weights * (element.section.massPerLength * element.length / 2)).cwiseSqrt();
@@ -76,10 +94,10 @@ ChainProblem makeProblem (const ElementChain& chain, const ChainBasis& basis, in
 
     ChainProblem problem;
     problem.allowed = nullSpace (forbiddenMotions (chain, motion.end));
-    problem.displacement = weightedMotion (chain, motion, rule) * problem.allowed;
+    problem.displacement = watchedProduct (weightedMotion (chain, motion, rule), problem.allowed);
     const auto strained = problem.allowed.bottomRows (basis.unknowns() - basis.rigidUnknowns());
-    problem.mass = problem.displacement.transpose() * problem.displacement;
-    problem.stiffness = strained.transpose() * strained;
+    problem.mass = watchedGram (problem.displacement);
+    problem.stiffness = watchedGram (strained);
 
     if (! problem.mass.allFinite() || ! problem.stiffness.allFinite())
         throwNumbersTooFarApart();
@@ -91,8 +109,7 @@ ChainProblem makeProblem (const ElementChain& chain, const ChainBasis& basis, in
    M itself is rounded relative to the lowest modes, which is much for the highest ones. */
 Eigen::MatrixXd massNormalised (const ChainProblem& problem, Eigen::MatrixXd vectors)
 {
-    const Eigen::MatrixXd moved = problem.displacement * vectors;
-    Eigen::MatrixXd gram = moved.transpose() * moved;
+    auto gram = watchedGram (watchedProduct (problem.displacement, vectors));
     factorLower (gram);
     solveLowerTransposedFromRight (gram, vectors);
     return vectors;
@@ -147,7 +164,7 @@ ChainModes solveChain (const ElementChain& chain, int degree, double angularFreq
 
     ChainModes modes;
     modes.rigidBodyModes = static_cast<int> (rigid);
-    modes.coefficients = problem.allowed * massNormalised (problem, vectors);
+    modes.coefficients = watchedProduct (problem.allowed, massNormalised (problem, vectors));
     modes.angularFrequencies = rayleighFrequencies (basis, modes.coefficients);
     return modes;
 }

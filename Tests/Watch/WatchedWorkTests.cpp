@@ -91,6 +91,7 @@ LongWork placing()
     PlacingOptions options;
     options.count = 6;
     options.grid.modes = 20;
+    options.grid.step = 5e-3;
     return { "place", [=] { placeCeramics (bare, like, options); } };
 }
 
