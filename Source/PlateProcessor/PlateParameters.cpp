@@ -20,8 +20,8 @@ constexpr float silentText = -60 + 1e-3F; // below which it is called silent
 constexpr std::pair<double, double> firstPlaces[PlatePath::probes] = { { 50, 50 }, { 25, 50 }, { 75, 50 }, { 50, 25 },
                                                                        { 50, 75 }, { 25, 25 }, { 75, 75 }, { 25, 75 } };
 
-std::unique_ptr<NumberParameter> numberFor (const juce::String& identifier, const juce::String& name, NumberRange range,
-                                            double initial, NumberTexts texts)
+std::unique_ptr<NumberParameter> numberFor (const juce::String& identifier, const juce::String& name,
+                                            ParameterRange range, double initial, NumberTexts texts)
 {
     return std::make_unique<NumberParameter> (juce::ParameterID { identifier, 1 }, name, range, initial,
                                               std::move (texts), "");

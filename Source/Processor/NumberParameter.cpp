@@ -8,7 +8,7 @@ namespace antinode
 {
 namespace
 {
-juce::NormalisableRange<float> inFloats (NumberRange range)
+juce::NormalisableRange<float> inFloats (ParameterRange range)
 {
     return { static_cast<float> (range.minimum), static_cast<float> (range.maximum),
              [range] (float, float, float share)
@@ -18,22 +18,23 @@ juce::NormalisableRange<float> inFloats (NumberRange range)
 }
 } // namespace
 
-double NumberRange::valueAt (double share) const
+double ParameterRange::valueAt (double share) const
 {
     const auto between =
         isLogarithmic ? minimum * std::pow (maximum / minimum, share) : minimum + (maximum - minimum) * share;
     return std::clamp (between, minimum, maximum);
 }
 
-double NumberRange::normalisedValue (double value) const
+double ParameterRange::normalisedValue (double value) const
 {
     const auto share = isLogarithmic ? std::log (value / minimum) / std::log (maximum / minimum)
                                      : (value - minimum) / (maximum - minimum);
     return std::clamp (share, 0.0, 1.0);
 }
 
-NumberParameter::NumberParameter (const juce::ParameterID& identifier, const juce::String& name, NumberRange rangeToUse,
-                                  double initial, NumberTexts textsToUse, const juce::String& unit)
+NumberParameter::NumberParameter (const juce::ParameterID& identifier, const juce::String& name,
+                                  ParameterRange rangeToUse, double initial, NumberTexts textsToUse,
+                                  const juce::String& unit)
     : RangedAudioParameter (identifier, name, juce::AudioProcessorParameterWithIDAttributes().withLabel (unit)),
       range (rangeToUse), floatRange (inFloats (range)),
       defaultShare (static_cast<float> (range.normalisedValue (initial))),

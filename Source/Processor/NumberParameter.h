@@ -9,7 +9,7 @@
 namespace antinode
 {
 /** The values of a continuous parameter, and which share of the range each is. */
-struct NumberRange
+struct ParameterRange
 {
     double minimum = 0, maximum = 1;
     bool isLogarithmic = false;
@@ -28,7 +28,7 @@ class NumberParameter : public juce::RangedAudioParameter
 {
 public:
     /** @param initial  becomes what a host can set [message thread] */
-    NumberParameter (const juce::ParameterID&, const juce::String& name, NumberRange, double initial, NumberTexts,
+    NumberParameter (const juce::ParameterID&, const juce::String& name, ParameterRange, double initial, NumberTexts,
                      const juce::String& unit);
 
     /** Within the range. [any] */
@@ -47,7 +47,7 @@ private:
     juce::String getText (float share, int maximumLength) const override;
     float getValueForText (const juce::String&) const override;
 
-    NumberRange range;
+    ParameterRange range;
     juce::NormalisableRange<float> floatRange;
     float defaultShare;
     std::atomic<double> value;

@@ -20,7 +20,7 @@ using Group = juce::AudioProcessorParameterGroup;
 constexpr double silentDecibels = -60;
 constexpr float silentText = -60 + 1e-3F; // below which it is called silent
 
-NumberRange logarithmic (double minimum, double maximum)
+ParameterRange logarithmic (double minimum, double maximum)
 {
     return { minimum, maximum, true };
 }
@@ -35,7 +35,7 @@ public:
     {
     }
 
-    NumberParameter* number (const char* identifier, const char* name, const char* unit, NumberRange range,
+    NumberParameter* number (const char* identifier, const char* name, const char* unit, ParameterRange range,
                              double initial, NumberTexts texts)
     {
         return add (std::make_unique<NumberParameter> (juce::ParameterID { identifier, 1 }, name, range, initial,

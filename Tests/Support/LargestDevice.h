@@ -17,7 +17,8 @@ inline nlohmann::json ceramicAt (int row, int column)
              { "size_y_mm", 11 },
              { "thickness_mm", 0.5 },
              { "material", "NCE51" },
-             { "mounting", "one_side" } };
+             { "mounting", "both_sides" },
+             { "wiring", "parallel" } };
 }
 
 /** A plate with 64 ceramics and 500 modes, as a document. @param quality  another one is in no cache */
