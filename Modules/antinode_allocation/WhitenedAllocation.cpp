@@ -25,7 +25,7 @@ bool areIndependent (const Eigen::MatrixXd& triangle)
 constexpr Eigen::Index samplesAtOnce = 1024;
 
 /** The norm of each drive; 1 of one that is 0. */
-Eigen::VectorXd lengthsOf (const Eigen::MatrixXd& waveforms)
+Eigen::VectorXd rowLengths (const Eigen::MatrixXd& waveforms)
 {
     Eigen::VectorXd squares = Eigen::VectorXd::Zero (waveforms.rows());
 
@@ -61,7 +61,7 @@ void whitenDrives (WhitenedAllocation& whitened, const Eigen::MatrixXd& waveform
 {
     constexpr auto ownSample = 1e-4;
     const auto drives = waveforms.rows();
-    const auto lengths = lengthsOf (waveforms);
+    const auto lengths = rowLengths (waveforms);
     auto columns = unitColumns (waveforms, lengths);
     auto triangle = orthogonalTriangle (columns);
 
@@ -80,8 +80,9 @@ void whitenDrives (WhitenedAllocation& whitened, const Eigen::MatrixXd& waveform
     addTransposedLeft (rounding, 1, whitened.basis, whitened.basis);
     factorLower (rounding);
     solveLowerTransposedFromRight (rounding, whitened.basis);
+    // From the left: its errors are then those of a column of the inverse, which the waveforms do not magnify.
     whitened.toShares = Eigen::MatrixXd::Identity (drives, drives);
-    solveLowerTransposedFromRight (lower, whitened.toShares);
+    solveLowerTransposed (lower, whitened.toShares);
     solveLowerTransposedFromRight (rounding, whitened.toShares);
     whitened.toShares = whitened.voltageUnit * lengths.cwiseInverse().asDiagonal() * whitened.toShares;
 }
