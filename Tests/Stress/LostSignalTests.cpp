@@ -5,9 +5,12 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
+#include <future>
+#include <numeric>
 #include <thread>
 
 // Waits without a time limit, thousands of them, while the other side is as quick as it can be: where a signal can be
@@ -93,18 +96,25 @@ TEST_CASE ("Whoever waits for designs is woken", "[stress]")
     const auto request = smallRequest();
     BankHandOver handOver;
     DesignWorker worker (handOver);
+    std::array<int, FocusBank::places> all {};
+    std::iota (all.begin(), all.end(), 0);
     int touched = 0;
     requireEnd (
         [&]
         {
             for (int i = 0; i < 300; ++i)
             {
+                std::promise<int> place;
                 worker.request (request);
+                const auto isTouched = i % 3 == 0;
 
-                if (i % 3 == 0)
-                    worker.touch (0.01, 0, [&] (int) { ++touched; });
+                if (isTouched)
+                    REQUIRE (worker.touch (0.01, 0, [&] (int designed) { place.set_value (designed); }));
 
-                worker.waitUntilDone();
+                worker.waitFor (all);
+
+                if (isTouched && place.get_future().get() >= 0)
+                    ++touched;
             }
         });
     CHECK (worker.progress().isDone());
