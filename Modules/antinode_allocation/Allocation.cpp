@@ -43,12 +43,30 @@ void addEffort (AllocationCertificate& certificate, const AllocationEffort& effo
     certificate.rounds += effort.rounds;
 }
 
-/** The largest error of a hard row, from the matrix itself. */
+/** What the hard rows miss, from the matrix itself. */
+Eigen::VectorXd missingValues (const AllocationProblem& problem, const Eigen::MatrixXd& matrix)
+{
+    return problem.wanted - problem.participation.cwiseProduct (problem.rows * matrix.transpose()).rowwise().sum();
+}
+
+/** The largest error of a hard row. */
 double rowResidual (const AllocationProblem& problem, const Eigen::MatrixXd& matrix)
 {
-    const Eigen::VectorXd values =
-        problem.participation.cwiseProduct (problem.rows * matrix.transpose()).rowwise().sum();
-    return (values - problem.wanted).cwiseAbs().maxCoeff() / problem.wanted.cwiseAbs().maxCoeff();
+    return missingValues (problem, matrix).cwiseAbs().maxCoeff() / problem.wanted.cwiseAbs().maxCoeff();
+}
+
+/** The matrix of shares. Where drives are nearly dependent the product rounds away what the rows ask for; it is put
+   back. */
+Eigen::MatrixXd refinedMatrix (const AllocationProblem& problem, const WhitenedAllocation& whitened,
+                               const Eigen::MatrixXd& shares)
+{
+    constexpr auto accurate = 1e-10;
+    auto matrix = whitened.matrix (shares);
+
+    if (rowResidual (problem, matrix) > accurate)
+        matrix += whitened.matrix (whitened.completing (missingValues (problem, matrix)));
+
+    return matrix;
 }
 
 /** Of a gap, or of what the rows miss. */
@@ -133,7 +151,7 @@ Allocation solveAllocation (const AllocationProblem& problem, AllocationGoal goa
         whitened.voltages (shares).topRows (problem.waveforms.cols()).cwiseAbs().maxCoeff() * whitened.voltageUnit;
     certificate.gap = (certificate.objective - certificate.bound) / certificate.objective;
     checkSolved (certificate.gap);
-    allocation.matrix = whitened.matrix (shares);
+    allocation.matrix = refinedMatrix (problem, whitened, shares);
     certificate.rowResidual = rowResidual (problem, allocation.matrix);
     checkSolved (certificate.rowResidual);
     certificate.milliseconds = 1000 * secondsSince (begin);

@@ -80,11 +80,13 @@ void whitenDrives (WhitenedAllocation& whitened, const Eigen::MatrixXd& waveform
     addTransposedLeft (rounding, 1, whitened.basis, whitened.basis);
     factorLower (rounding);
     solveLowerTransposedFromRight (rounding, whitened.basis);
-    // From the left: its errors are then those of a column of the inverse, which the waveforms do not magnify.
-    whitened.toShares = Eigen::MatrixXd::Identity (drives, drives);
-    solveLowerTransposed (lower, whitened.toShares);
-    solveLowerTransposedFromRight (rounding, whitened.toShares);
-    whitened.toShares = whitened.voltageUnit * lengths.cwiseInverse().asDiagonal() * whitened.toShares;
+    // From the left: the errors are then those of columns of inverses, which the waveforms do not magnify.
+    Eigen::MatrixXd inverse = Eigen::MatrixXd::Identity (drives, drives), inverseRounding = inverse;
+    solveLowerTransposed (lower, inverse);
+    solveLowerTransposed (rounding, inverseRounding);
+    whitened.toShares = Eigen::MatrixXd::Zero (drives, drives);
+    addProduct (whitened.toShares, whitened.voltageUnit, inverse, inverseRounding);
+    whitened.toShares = lengths.cwiseInverse().asDiagonal() * whitened.toShares;
 }
 
 /** Puts the slopes below the voltages' samples. */
@@ -272,6 +274,13 @@ double WhitenedAllocation::objective (const Eigen::MatrixXd& shares) const
     return 0.5 * (shares.squaredNorm() + (errors.square() / compliance.tail (guards).array()).sum());
 }
 
+Eigen::MatrixXd WhitenedAllocation::completing (const Eigen::VectorXd& missing) const
+{
+    Eigen::VectorXd multipliers = Eigen::VectorXd::Zero (wanted.size());
+    multipliers.head (hardRows) = solveFactored (hardFactor, hardScale.cwiseProduct (missing (hardNames)));
+    return weightedRows (multipliers);
+}
+
 Eigen::MatrixXd WhitenedAllocation::matrix (const Eigen::MatrixXd& shares) const
 {
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero (toShares.rows(), shares.cols());
@@ -289,6 +298,8 @@ WhitenedAllocation whiten (const AllocationProblem& problem)
     appendSlopes (whitened, problem);
     const auto scale = appendRows (whitened, problem.participation (hard, Eigen::all), problem.rows (hard, Eigen::all));
     whitened.hardRows = scale.size();
+    whitened.hardNames = hard;
+    whitened.hardScale = scale;
     whitened.wanted = scale.cwiseProduct (problem.wanted (hard));
     whitened.compliance = Eigen::VectorXd::Zero (scale.size());
     whitened.hardFactor = whitened.rowGram();

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace antinode
 {
 /** The allocation problem in coordinates in which the norm is Euclidean. Docs/Theory.md, section 4.
@@ -32,7 +34,9 @@ struct WhitenedAllocation
     Eigen::VectorXd limits;          ///< N_b; the largest is 1.
     Eigen::MatrixXd hardFactor;      ///< Of the hard rows' Gram matrix, as factorLower leaves it.
     Eigen::Index hardRows = 0;
-    double voltageUnit = 1; ///< V
+    std::vector<Eigen::Index> hardNames; ///< Which rows of the problem they are.
+    Eigen::VectorXd hardScale;           ///< By which factor each was scaled.
+    double voltageUnit = 1;              ///< V
 
     Eigen::Index drives() const { return basis.cols(); }
     Eigen::Index ceramics() const { return participation.cols(); }
@@ -66,6 +70,11 @@ struct WhitenedAllocation
 
     /** The minimised value, including the guards' part. [any] */
     double objective (const Eigen::MatrixXd& shares) const;
+
+    /** The least shares that add so much to the hard rows of the problem, N_d x N_b.
+        @param missing  for all hard rows of the problem
+        [worker] */
+    Eigen::MatrixXd completing (const Eigen::VectorXd& missing) const;
 
     /** M, N_b x N_d, V. [any] */
     Eigen::MatrixXd matrix (const Eigen::MatrixXd& shares) const;

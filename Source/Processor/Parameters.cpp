@@ -145,7 +145,7 @@ Parameters::Parameters (juce::AudioProcessor& processor,
     GroupBuilder output ("output", "Output", ordered);
     outputTrim = output.number ("output_trim", "Output trim", "dB", { silentDecibels, 0 }, 0,
                                 unitTexts ("dB", 1, silentText, "silent"));
-    armed = output.flag ("arm", "Arm", true, "armed (not restored where required)", "disarmed", false);
+    armed = output.flag ("arm", "Arm", true, "armed, not restored", "disarmed", false);
     bypassed = output.flag ("bypass", "Bypass", false, "bypassed", "playing");
     output.addTo (processor);
     steps = std::make_unique<StepReports> (ordered);

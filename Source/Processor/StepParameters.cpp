@@ -2,10 +2,15 @@
 
 namespace antinode
 {
+bool hasSteps (const juce::AudioProcessorParameter& parameter)
+{
+    return parameter.getNumSteps() < juce::AudioProcessor::getDefaultNumParameterSteps();
+}
+
 StepReports::StepReports (const std::vector<juce::RangedAudioParameter*>& parameters)
 {
     for (auto* const parameter : parameters)
-        if (parameter->isDiscrete())
+        if (hasSteps (*parameter))
         {
             steps.push_back (std::make_unique<Step> (parameter));
             parameter->addListener (this);

