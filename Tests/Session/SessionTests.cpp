@@ -13,9 +13,10 @@ namespace
 constexpr double rate = 48000;
 constexpr FocusEvent live { 0, FocusEventKind::trigger, 60, 1 };
 
+/** Up to a minute: to solve the glass plate alone takes 8 s of the processor. */
 bool waitFor (const std::function<bool()>& condition)
 {
-    for (int i = 0; i < 2000; ++i)
+    for (int i = 0; i < 12000; ++i)
     {
         if (condition())
             return true;
