@@ -86,8 +86,8 @@ public:
             thread.join();
     }
 
-    /** Blocks longer than those that were prepared are handed to the processor itself in the tests of the processor: the
-       buffers of JUCE's wrappers, on both sides, do not take them. */
+    /** Blocks longer than those that were prepared are handed to the processor itself in the tests of the processor:
+       the buffers of JUCE's wrappers, on both sides, do not take them. */
     void changeBlockSizes()
     {
         for (const auto block : { 4 * largestBlock, 1, 64, largestBlock })
