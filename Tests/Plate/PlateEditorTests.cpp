@@ -138,5 +138,5 @@ TEST_CASE ("Closing Antinode Plate or its editor does not wait for what is compu
     }
 
     times.print();
-    CHECK (times.longest() <= BlockingTimes::allowed);
+    CHECK (times.longest() <= BlockingTimes::allowed());
 }

@@ -80,5 +80,5 @@ TEST_CASE ("who quits while a device is solved or a focus designed does not wait
     }
 
     times.print();
-    CHECK (times.longest() <= test::BlockingTimes::allowed);
+    CHECK (times.longest() <= test::BlockingTimes::allowed());
 }
