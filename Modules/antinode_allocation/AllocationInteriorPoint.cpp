@@ -12,7 +12,7 @@ namespace antinode
 namespace
 {
 /** Exponent with which the next barrier follows what the predictor reaches; 3 is Mehrotra's, less is steadier when
- * samples join. */
+    samples join. */
 constexpr auto centring = 1.5;
 
 constexpr auto fractionToBoundary = 0.999;

@@ -33,7 +33,7 @@ public:
     Eigen::VectorXd corrected (Eigen::VectorXd s) const;
 
     /** The largest row error beside what is wanted of the row, or beside 1e-4 of what the row can take from such
-     * samples, where that is more. */
+        samples, where that is more. */
     double residual (const Eigen::VectorXd& s) const;
 
     /** What of the wanted values no samples bring. */

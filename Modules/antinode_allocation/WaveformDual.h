@@ -7,7 +7,7 @@
 namespace antinode
 {
 /** The dual of a bounded waveform and its pieces, rows scaled so that each has a Gram entry of 1. Docs/Theory.md,
- * section 4.9. [worker] */
+    section 4.9. [worker] */
 class WaveformDual
 {
 public:
@@ -26,7 +26,7 @@ public:
     double objective (const Eigen::MatrixXd& samples) const;
 
     /** The matrix of the Newton step: compliance and the rows as the samples within the limits see them. Lower
-     * triangle. */
+        triangle. */
     Eigen::MatrixXd curvature (const Eigen::MatrixXd& pulls) const;
 
     Eigen::VectorXd limits;

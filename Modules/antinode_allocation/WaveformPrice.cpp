@@ -67,7 +67,7 @@ struct Terms
     Eigen::VectorXd limits;
 
     /** sum_i limit_i sum_k |gain weight s^order| e^{-a tau}: never less than what the order-th derivatives sum to from
-     * tau on. */
+        tau on. */
     double derivativeBound (double tau, int order) const
     {
         const Eigen::ArrayXd sizes =

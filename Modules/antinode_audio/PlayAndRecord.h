@@ -19,7 +19,7 @@ struct Take
 };
 
 /** Plays takes on an audio device, one after the other, and silence between them. A take that is stopped goes to 0 V on
- * a ramp. */
+    a ramp. */
 class PlayAndRecord : public juce::AudioIODeviceCallback
 {
 public:

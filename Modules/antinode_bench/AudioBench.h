@@ -18,7 +18,7 @@ struct BenchChannels
 };
 
 /** The real bench: an audio device, its outputs on the amplifiers, its inputs on the sensors, one output looped back to
- * one input. */
+    one input. */
 class AudioBench : public Bench
 {
 public:
@@ -33,7 +33,7 @@ public:
     double fullScaleVelocity() const override { return velocity; }
 
     /** A run that lost samples is repeated, at most twice; an interrupted run ramps to 0 V and is incomplete. [message
-     * thread] */
+        thread] */
     RunRecording play (const Excitation&, Eigen::Index ceramic, Eigen::Index firstPoint, Eigen::Index points) override;
 
 private:

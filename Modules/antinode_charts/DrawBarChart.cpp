@@ -94,7 +94,7 @@ void drawGroups (juce::Graphics& g, const PlotFrame& frame, const BarChart& char
 }
 
 /** A series' bars over the whole width of their categories; where several share a column of pixels, what all of them
- * cover. */
+    cover. */
 std::vector<juce::Rectangle<float>> columnRectangles (const PixelGrid& grid, const PlotFrame& frame,
                                                       const Eigen::VectorXd& values)
 {

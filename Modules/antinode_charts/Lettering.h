@@ -23,6 +23,6 @@ void drawText (juce::Graphics&, std::string_view utf8, juce::Rectangle<float> ar
                const TextStyle&);
 
 /** Draws one line that reads upwards, in the middle of its area; made smaller, then shortened, where it is longer.
- * [any] */
+    [any] */
 void drawTextUpwards (juce::Graphics&, std::string_view utf8, juce::Rectangle<float> area, const TextStyle&);
 } // namespace antinode

@@ -9,7 +9,7 @@ namespace antinode
 void drawContours (juce::Graphics&, const PlotFrame&, const HeatMap&, const Theme&);
 
 /** Draws rectangles with their names where these fit and hide no cross, and crosses with theirs: legible on every
- * colour. [any] */
+    colour. [any] */
 void drawPlaces (juce::Graphics&, const PlotFrame&, const std::vector<MapRectangle>&, const std::vector<MapPoint>&,
                  const Theme&);
 } // namespace antinode

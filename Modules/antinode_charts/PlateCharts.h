@@ -40,6 +40,6 @@ LineChart crossSectionChart (const ModalModel&, const FocusDesign&, const Eigen:
 std::vector<MapRectangle> ceramicRectangles (const ModalModel&);
 
 /** The height at which maps of a plate, in the given number of columns and rows, fill a picture of this width with
- * their axes. [any] */
+    their axes. [any] */
 int plateFigureHeight (const Surface&, int width, int columns, int rows);
 } // namespace antinode

@@ -59,7 +59,7 @@ PlotFrame layOutPlot (juce::Rectangle<float> area, ChartAxis x, ChartAxis y, Plo
 PlotFrame withEqualAspect (PlotFrame);
 
 /** The ticks of an axis of the given number of pixels, and in its label the power of ten that the tick labels leave
- * out. [any] */
+    out. [any] */
 ChartAxis withTicks (ChartAxis, float length, float spacing);
 
 /** Background and grid: below the data. [any] */

@@ -14,7 +14,7 @@ namespace antinode
 LineChart toleranceHistogram (const std::vector<DesignTolerance>& designs);
 
 /** Cumulative distribution of the field error over the devices, one curve per design, with the percentiles marked.
- * [any] */
+    [any] */
 LineChart toleranceShares (const std::vector<DesignTolerance>& designs);
 
 /** The largest causes of error: the modes with the largest field errors, each split into frequency, damping and

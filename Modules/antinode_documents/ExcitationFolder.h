@@ -9,7 +9,7 @@
 namespace antinode
 {
 /** Writes the sheet and the signal of a run into a folder, as excitation.json and signal.wav. @throws InputError
- * [worker] */
+    [worker] */
 void writeSheet (OutputFolder&, const ExcitationSheet&);
 
 /** A sheet with the signal beside it. @throws InputError  for anything that cannot be read. [worker] */

@@ -44,7 +44,7 @@ public:
     void processModes (Eigen::Ref<const Eigen::MatrixXd> voltages, Eigen::Ref<Eigen::MatrixXd> velocities);
 
     /** The modal velocities q'_k after the last processed sample (of the time latencySamples() before it), N_m. [audio
-     * thread] */
+        thread] */
     const Eigen::VectorXd& modalVelocities() const { return velocity; }
 
     /** The modal displacements q_k of the same instant, N_m. [audio thread] */

@@ -63,7 +63,7 @@ bool isEasiest (const BrakeAttempt& attempt)
 }
 
 /** The next attempt where the limits do not allow this one: first brakes without decay, which need least, then longer
- * ones. */
+    ones. */
 BrakeAttempt easierThan (const BrakeAttempt& attempt, double peakRatio)
 {
     if (attempt.brake || attempt.folds > 0)

@@ -29,6 +29,6 @@ FocusDesign designModes (const ModalModel&, const FocusDescription&, const std::
                          const Eigen::VectorXd& wanted, Playback);
 
 /** The largest voltage of any ceramic that the drives of a design and their release ask for, before any limiter. V.
- * [any] */
+    [any] */
 double peakVoltage (const FocusDesign&);
 } // namespace antinode

@@ -23,7 +23,7 @@ constexpr double roomForGuards = 1.005;
 constexpr double greatestFolds = 40; // beyond, an earlier start adds less than 1e-17
 
 /** Re[X e^{p tau} (1 - e^{-r tau})^2] as three oscillations; those that only shape the onset end where they have died
- * away. */
+    away. */
 std::vector<Oscillation> risingOscillation (int mode, double start, double end, Complex exponent, Complex phasor)
 {
     const auto part = [&] (int folds, double weight)

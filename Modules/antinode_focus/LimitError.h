@@ -8,7 +8,7 @@
 namespace antinode
 {
 /** The wanted focus cannot be reached within the voltage limit. The text gives the lowest feasible voltage and the
- * highest feasible velocity. */
+    highest feasible velocity. */
 class LimitError : public InputError
 {
 public:

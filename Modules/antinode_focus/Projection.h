@@ -29,6 +29,6 @@ struct ModeSelection
 ModeSelection selectModes (const ModalModel&, const ProjectedTarget&, const ModeChoice&);
 
 /** The part of a target that given modes represent: the last step of selectModes, for modes chosen by other means.
- * [worker] */
+    [worker] */
 ModeSelection restrictToModes (const ModalModel&, const ProjectedTarget&, std::vector<int> modes);
 } // namespace antinode

@@ -66,7 +66,7 @@ public:
 
 private:
     /** Steps of a period so long that no phase of any mode matters, which is easily found since what is left then only
-     * falls. */
+        falls. */
     std::optional<std::int64_t> certainlyEnough() const
     {
         const Eigen::VectorXd left = motion.statesAt (motion.last()).cwiseAbs().cwiseProduct (reach);
@@ -150,7 +150,7 @@ private:
     }
 
     /** The largest amplitude of the velocity anywhere on the surface, whatever the phase; a bound of it where that is
-     * at most `most`. */
+        at most `most`. */
     double amplitude (const Eigen::VectorXcd& states, double maximum) const
     {
         const Eigen::VectorXd sizes = states.cwiseAbs().cwiseProduct (reach);

@@ -122,7 +122,7 @@ double computePrice (AllocationProblem problem, double weight)
 }
 
 /** The strongest rows below the guards that are there. All guards share one weight: those that are there are scaled to
- * keep theirs. */
+    keep theirs. */
 void append (AllocationProblem& problem, std::vector<RobustRow> found, double weight)
 {
     std::erase_if (found, [] (const RobustRow& row) { return ! (row.strength > weakest); });

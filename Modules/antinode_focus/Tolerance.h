@@ -29,7 +29,7 @@ inline constexpr std::array<double, 5> tolerancePercents { 5, 25, 50, 75, 95 };
 using Percentiles = std::array<double, tolerancePercents.size()>;
 
 /** The tolerance of a design to devices that differ from the model. Fields are compared with what the controlled modes
- * represent. */
+    represent. */
 struct Tolerance
 {
     ToleranceOptions options;

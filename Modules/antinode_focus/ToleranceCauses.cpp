@@ -27,7 +27,7 @@ constexpr std::array<Node, 4> gaussHermite { { { 1.3556261799742659, 0.222075922
                                                { -2.8569700138728056, 0.0112574113277207 } } };
 
 /** The velocity of every mode at the focus that each ceramic alone gives it, N_m x N_b, with all frequencies and
- * dampings times a factor. */
+    dampings times a factor. */
 Eigen::MatrixXd velocitiesByCeramic (const ModalModel& model, const FocusDesign& design, double frequencyFactor,
                                      double dampingFactor)
 {

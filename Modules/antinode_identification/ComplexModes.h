@@ -6,7 +6,7 @@
 namespace antinode
 {
 /** Modes whose residues are free: any complex number for each point and reference, by least squares; only the poles are
- * common. */
+    common. */
 struct FreeResidues
 {
     ModalBasis basis; ///< With the fitted poles.

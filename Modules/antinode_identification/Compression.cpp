@@ -55,7 +55,7 @@ Eigen::MatrixXd referenceGram (const std::vector<Eigen::MatrixXcd>& values)
 }
 
 /** Outputs in the place of references, by reciprocity of the poles: shapes then distinguish modes that few references
- * cannot. */
+    cannot. */
 CompressedBand exchanged (CompressedBand band, const std::vector<Eigen::MatrixXcd>& projected, Eigen::Index references)
 {
     const auto allReferences = static_cast<Eigen::Index> (projected.size());

@@ -46,7 +46,7 @@ double ownLengthVariance (const FitState& state, const std::vector<ShapeCoupling
 }
 
 /** What the data do not tell apart is lifted until it can be factored: it is then known badly, all else as well as it
- * is. */
+    is. */
 Eigen::MatrixXd inverse (Eigen::MatrixXd matrix)
 {
     const Eigen::VectorXd scale = matrix.diagonal().cwiseMax (1e-300).cwiseSqrt().cwiseInverse();

@@ -12,7 +12,7 @@ namespace antinode
 namespace
 {
 /** What the coefficients give on the lines of a segment whose weights are 1; of functions that are 0 nothing is
- * computed. */
+    computed. */
 DataBlock synthesised (const LineSegment& segment, const Eigen::MatrixXd& coefficients, Eigen::Index lines)
 {
     const auto columns = coefficients.cols();

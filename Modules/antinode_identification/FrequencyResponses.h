@@ -37,7 +37,7 @@ struct FrequencyResponses
     std::vector<Eigen::MatrixXcd> values;   ///< N_b of N_f x N_p: (m/s)/V or (m/s)/N; not finite where not measured.
     std::vector<Eigen::MatrixXd> variances; ///< As values: E |error|^2 of each, the unit squared; empty if unknown.
     /** How often what was measured was integrated to velocities: 1 accelerations, -1 displacements. Its noise is taken
-     * to be white. */
+        to be white. */
     int integrations = 0;
 };
 

@@ -130,7 +130,7 @@ NormalModeFit fitWhatStandsOut (const PreparedResponses& data, NormalModeStart s
 }
 
 /** The modes that are seen at most orders, or known well. What is neither is misfit of measured data more often than a
- * mode. */
+    mode. */
 std::vector<Eigen::Index> trustworthy (const NormalModeFit& fit, const PreparedResponses& data,
                                        const std::vector<PoleCluster>& clusters, const IdentificationOptions& options)
 {

@@ -21,7 +21,7 @@ ModalBasis makeBasis (const Eigen::VectorXd& angularFrequencies, const Eigen::Ve
                       const PreparedResponses&);
 
 /** x of a x = b for a symmetric positive matrix, made even on its diagonal first. @param ridge on that diagonal
- * [worker] */
+    [worker] */
 Eigen::MatrixXd solveEven (const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double ridge);
 
 /** Products with the powers fitted and taken out of data and functions; what is left are the functions of the modes.

@@ -21,7 +21,7 @@ double poleFrequency (std::complex<double> pole)
 }
 
 /** Enough for all modes of a band and its noise: to 96 poles with many references, 18 to 72 with few. No more unknowns
- * than the lines determine. */
+    than the lines determine. */
 int highestOrder (const CompressedBand& band, const IdentificationOptions& options)
 {
     const auto affordable = std::max (1, static_cast<int> (band.lines() / 4));

@@ -73,7 +73,7 @@ void findMissing (PreparedResponses& data)
 }
 
 /** Of lines or columns: the medians of the variances, each times a weight. A median, so that zeros and outliers do not
- * rule. */
+    rule. */
 void weighByVariances (PreparedResponses& data)
 {
     const auto usable = [] (double variance) { return std::isfinite (variance) && variance > 0; };

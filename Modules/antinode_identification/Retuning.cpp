@@ -76,7 +76,7 @@ double medianDrift (const IdentifiedModes& found, const ModalModel& model, const
 }
 
 /** By what each reference's known share of the signatures is to be multiplied, least squares over the modes, each in
- * its own measure. */
+    its own measure. */
 Eigen::VectorXd participationScales (const Eigen::MatrixXd& found, const Eigen::MatrixXd& known,
                                      const std::vector<Eigen::Index>& partners, Eigen::Index references)
 {

@@ -44,7 +44,7 @@ Eigen::VectorXcd drivenSpectrum (const Eigen::VectorXd& voltage, Eigen::Index le
 }
 
 /** Sensors' velocities on lines first .. first + count - 1 under modal forces: shapes times i omega psi / (omega_k^2 -
- * omega^2 + 2 i xi omega_k omega). */
+    omega^2 + 2 i xi omega_k omega). */
 Eigen::MatrixXcd velocityLines (const ModalModel& model, const Eigen::MatrixXd& shapes, const Eigen::VectorXd& omegas,
                                 const Eigen::MatrixXcd& forces)
 {

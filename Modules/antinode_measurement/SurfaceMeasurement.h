@@ -34,6 +34,6 @@ void place (SurfaceMeasurement&, Eigen::Index ceramic, Eigen::Index firstPoint, 
 std::vector<std::string> collectWarnings (const SurfaceMeasurement&);
 
 /** The mean coherence over the lines, weighted by the responses' power: N_p x N_b, not a number where it is not known.
- * [worker] */
+    [worker] */
 Eigen::MatrixXd meanCoherence (const SurfaceMeasurement&);
 } // namespace antinode

@@ -91,7 +91,7 @@ Eigen::Index leadSamples (const RepeatedSweep& played)
 }
 
 /** Effective values of the harmonics over that of the linear response, each within the room that the closest two of
- * them leave. */
+    them leave. */
 std::vector<double> harmonicLevels (const RepeatedSweep& played, const Eigen::VectorXd& ring)
 {
     const auto room = harmonicLead (played, highestHarmonic + 1) - harmonicLead (played, highestHarmonic);

@@ -170,7 +170,7 @@ void addProduct (const ProductTarget& target, std::ptrdiff_t depth, double facto
 }
 
 /** The same where both lie in memory along the depth and the target has few columns: sums of products of vectors,
- * nothing is copied. */
+    nothing is copied. */
 void addDots (const ProductTarget& target, std::ptrdiff_t depth, double factor, const MatrixInMemory& a,
               const MatrixInMemory& b)
 {

@@ -26,8 +26,14 @@ public:
 
     void run()
     {
-        for (auto index = next++; index < count && ! hasFailed; index = next++)
+        // An index that was taken is always run: which exception is kept must not depend on the threads.
+        while (! hasFailed)
         {
+            const auto index = next++;
+
+            if (index >= count)
+                return;
+
             try
             {
                 checkWatch();

@@ -15,7 +15,7 @@ namespace antinode
 nlohmann::ordered_json paperJson (const std::vector<PaperCell>&, const TwoModeStudy&, const std::vector<PaperFigure>&);
 
 /** The same as tables, for the terminal and the report: captured, v-scores, field errors, voltages, detuned plates, two
- * modes. [any] */
+    modes. [any] */
 std::vector<ReportTable> makePaperTables (const std::vector<PaperCell>&, const TwoModeStudy&);
 
 /** A table as fixed-width text. [any] */

@@ -9,7 +9,7 @@
 namespace antinode
 {
 /** The paper's experiment with two modes and two ceramics (its Fig. 4 and 9 to 11): 20 mm/s each of modes 1 and 3 at
- * the centre. */
+    the centre. */
 struct TwoModeCase
 {
     DriveKind drive = DriveKind::paper;  ///< With its constant, or offset-free.

@@ -7,6 +7,6 @@
 namespace antinode
 {
 /** The report of one rendered focus: scores, warnings, field, spectrum, voltages, probe, transients, spectrogram,
- * tables. [worker] */
+    tables. [worker] */
 ReportPage focusReport (const RenderedFocus&);
 } // namespace antinode

@@ -11,7 +11,7 @@ std::string scalingInWords (const IdentifiedModes&);
 ReportTable modeTable (const IdentificationResult&);
 
 /** One row per pair of an identified and a computed mode: frequencies, their difference, MAC. There is a comparison.
- * [any] */
+    [any] */
 ReportTable pairTable (const IdentificationResult&);
 
 /** A table as text in columns for a terminal. [any] */

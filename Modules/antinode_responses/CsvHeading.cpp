@@ -97,7 +97,7 @@ void takeNames (const std::vector<std::string>& words, CsvHeading& heading)
 }
 
 /** Parts of a text that could be units: between blanks, commas, underscores, colons, equals signs; and in square
- * brackets. */
+    brackets. */
 std::vector<std::string_view> unitCandidates (std::string_view text)
 {
     constexpr std::string_view separators = " \t,;_:=[]{}\"";

@@ -198,7 +198,7 @@ void fillTable (const Responses& responses, const MeasurementOptions& options,
 }
 
 /** The references in the order of the options; or of the first file, which is that of the channels, if it has all; or
- * of their numbers. */
+    of their numbers. */
 std::vector<std::string> referenceNames (const Responses& responses, const MeasurementOptions& options)
 {
     auto names = collectNames (responses, &MeasuredResponse::reference);

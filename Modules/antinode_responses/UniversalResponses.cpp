@@ -113,7 +113,7 @@ std::optional<ResponseUnit> unitOfCode (int quantity, const UniversalUnits& unit
 }
 
 /** What a function's numbers mean: by the units that its axes name, else by the codes of their quantities in the file's
- * units. */
+    units. */
 ResponseUnit findUnit (const UniversalFunction& function, const UniversalUnits& units)
 {
     auto motion = responseUnit (function.ordinate.unit);

@@ -11,7 +11,7 @@
 namespace antinode
 {
 /** A requested bank: one focus at its own position, for FocusBank::livePlace, and moved to many positions, for the
- * notes. */
+    notes. */
 struct DesignRequest
 {
     std::shared_ptr<const ModalModel> model;

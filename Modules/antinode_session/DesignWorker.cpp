@@ -57,7 +57,7 @@ bool DesignWorker::touch (double x, double y, std::function<void (int)> ready)
 void DesignWorker::waitFor (std::span<const int> places)
 {
     std::unique_lock lock (mutex);
-    urgent.insert (urgent.end(), places.begin(), places.end());
+    urgent.assign (places.begin(), places.end()); // those of a wait that was cancelled are not needed any longer
     const auto isPlaceReady = [this] (int place) { return isReady[static_cast<std::size_t> (place)]; };
     const auto isReadyOrIdle = [&]
     {

@@ -13,7 +13,7 @@ enum class NoteLayout
 };
 
 /** The parameters of a host for the focus: numbers as a host keeps them, in the units of their names.
- * Docs/Manual/parameters.md. */
+    Docs/Manual/parameters.md. */
 struct PlaySettings
 {
     float xPercent = 50, yPercent = 50; ///< Of the surface's extent, from its left and its lower edge.

@@ -8,7 +8,7 @@
 namespace antinode
 {
 /** The last second or so of the first probe's velocity, to be drawn: each entry is the largest and the least value of
- * some samples. */
+    some samples. */
 class ProbeTrace
 {
 public:

@@ -62,11 +62,11 @@ public:
     bool touch (const SessionTouch&);
 
     /** Asks for the path of a sample rate, and waits until it is there and its focus designed, or the patience has
-     * ended. [worker] */
+        ended. [worker] */
     void prepare (double sampleRate, Milliseconds patience);
 
     /** Waits until all that was asked for is done, and these places of the bank are designed. [any but a real-time
-     * audio thread] */
+        audio thread] */
     void waitUntilSettled (std::vector<int> places);
 
     /** Ends the session's thread as soon as its work lets it. [any but the audio thread] */
@@ -79,7 +79,7 @@ public:
     bool hasDevice() const;
 
     /** Waits for a request, a few milliseconds at most: settings are looked at so often. @return  none at the end
-     * [session's thread] */
+        [session's thread] */
     std::optional<SessionRound> next();
 
     /** Ends a round. [session's thread] */

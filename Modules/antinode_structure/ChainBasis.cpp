@@ -14,7 +14,7 @@ Eigen::VectorXd energyScales (Eigen::Index count, double length, double stiffnes
 }
 
 /** The free motions of the first end, each of a size like what an element's unit of bending does over the chain's
- * length. */
+    length. */
 Eigen::MatrixXd freeMotions (const ElementChain& chain)
 {
     double length = 0;

@@ -100,6 +100,9 @@ struct PlateDescription
     EdgeCondition bottom = EdgeCondition::free, top = EdgeCondition::free;
 };
 
+/** The kinds of device whose modes are computed, for messages. */
+inline constexpr auto computedKinds = "beam, staple, plate";
+
 /** A device as a file describes it. Docs/FileFormats.md. */
 struct DeviceDescription
 {

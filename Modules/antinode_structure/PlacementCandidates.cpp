@@ -107,7 +107,7 @@ struct CandidateFinder
 
     PlacementCandidates operator() (const ModalModel&) const
     {
-        throw InputError ("device '" + device.name + "'", "is of kind modal; allowed: a kind whose modes are computed");
+        throw InputError ("device '" + device.name + "'", std::string ("is of kind modal; allowed: ") + computedKinds);
     }
 
 private:

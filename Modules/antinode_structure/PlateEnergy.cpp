@@ -36,7 +36,7 @@ AxisSamples sampleAxis (const SplineAxis& axis, Eigen::Index beginCell, Eigen::I
 }
 
 /** Splines of x times coefficients times splines of y for every field, each place by its weight's root: places x
- * fields. */
+    fields. */
 Eigen::MatrixXd sampled (const PlateProblem& problem, const Eigen::MatrixXd& fields, const AxisSamples& x,
                          const AxisSamples& y, Eigen::MatrixXd AxisSamples::*ofX, Eigen::MatrixXd AxisSamples::*ofY)
 {

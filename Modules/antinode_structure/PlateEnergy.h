@@ -13,6 +13,6 @@ Eigen::MatrixXd strainEnergies (const PlateDescription&, const PlateLayout&, con
                                 const Eigen::MatrixXd& fields);
 
 /** The rounding in the stiffness operator relative to 1, in units of eigenvalues: a lower estimate of their error.
- * [any] */
+    [any] */
 double stiffnessRounding (const PlateProblem&);
 } // namespace antinode

@@ -35,7 +35,7 @@ void requireCount (int count)
 }
 
 /** Rigid motions that the edges allow: all three of a free plate, the rotation about a single supported edge, else
- * none. */
+    none. */
 int rigidBodyModes (const PlateDescription& plate)
 {
     const std::array edges { plate.left, plate.right, plate.bottom, plate.top };
@@ -110,7 +110,7 @@ Eigen::MatrixXd innerProducts (const Eigen::MatrixXd& a, const Eigen::MatrixXd& 
 }
 
 /** Replaces the lowest pairs, which rounding in the operator reaches, by Ritz's in the space of them, from strain
- * energies. */
+    energies. */
 void sharpen (Eigenpairs& pairs, const PlateDescription& plate, const PlateLayout& layout, const PlateProblem& problem)
 {
     constexpr double wanted = 1e-8;

@@ -12,7 +12,7 @@ namespace antinode
 double waveNumberAt (const PlateDescription&, double angularFrequency);
 
 /** That of the shortest waves anywhere: of the bare plate, or of a ceramic that is heavier than it is stiff, rad/m.
- * [any] */
+    [any] */
 double largestWaveNumberAt (const PlateDescription&, double angularFrequency);
 
 /** The reverse of waveNumberAt, rad/s. [any] */

@@ -21,7 +21,7 @@ struct SplineValues
 };
 
 /** The B-splines along one side of a plate. Docs/Theory.md, section 1.6; de Boor, A Practical Guide to Splines,
- * chapters IX, X. */
+    chapters IX, X. */
 class SplineAxis
 {
 public:

@@ -17,7 +17,7 @@ class OutputFolder
 {
 public:
     /** Makes the folder where it is missing. @throws InputError when it cannot be made or written, or is a file.
-     * [worker] */
+        [worker] */
     explicit OutputFolder (const std::filesystem::path& target);
     ~OutputFolder();
     OutputFolder (const OutputFolder&) = delete;

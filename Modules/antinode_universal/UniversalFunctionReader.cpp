@@ -17,7 +17,7 @@ std::string_view columns (std::string_view record, std::size_t first, std::size_
 }
 
 /** A whole number in a column that leaves a blank before it; 0 where it is blank or something else, as for unused
- * fields. */
+    fields. */
 UniversalLabel integerIn (std::string_view record, std::size_t first, std::size_t width)
 {
     std::vector<double> numbers;
@@ -88,7 +88,7 @@ UniversalAxis axisIn (std::string_view record)
 }
 
 /** Numbers of binary data, all of one precision; those of an uneven abscissa may have single precision with double
- * values. */
+    values. */
 std::vector<double> binaryNumbers (const UniversalSection& section, const UniversalFunction& function)
 {
     const auto data = *section.data;

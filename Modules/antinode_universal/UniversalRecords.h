@@ -36,7 +36,7 @@ public:
     void appendNumbers (ColumnWidths, std::vector<double>&);
 
     /** The next record's first numbers, which must be whole; there may be more, and zeros stand for those that lack
-     * beyond `fewest`. */
+        beyond `fewest`. */
     std::vector<std::int64_t> integers (std::size_t fewest, std::size_t count, std::size_t width = 10);
 
     /** A number of the last record that must be whole and fit into a column of ten characters, which nothing else may

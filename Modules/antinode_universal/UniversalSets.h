@@ -23,7 +23,7 @@ enum class UniversalEncoding
 };
 
 /** A point that is driven or moves: node and direction; +-1, 2, 3 are along and against x, y, z, +-4 to 6 turn about
- * them. */
+    them. */
 struct UniversalPlace
 {
     std::string entity = "NONE";

@@ -31,7 +31,7 @@ void addCommonOptions (CLI::App&, CommonOptions&);
 void addCacheFlag (CLI::App&, bool& usesCache);
 
 /** The solved device and the focus that these options name. @throws InputError  for anything that cannot be read or
- * solved. [worker] */
+    solved. [worker] */
 std::pair<ModalModel, FocusDescription> inputsFrom (const CommonOptions&);
 
 /** A focus designed as these options say.

@@ -10,7 +10,7 @@ namespace antinode
 namespace
 {
 /** The fields that errors name, and what the user writes for them. A field that begins like another one stands before
- * it. */
+    it. */
 constexpr std::array<std::pair<std::string_view, std::string_view>, 20> fields { {
     { "focus: targets", "focus: /targets" },
     { "focus: focus time", "focus: /focus_time_ms" },

@@ -37,7 +37,7 @@ void addIdentifyOptions (CLI::App&, IdentifyOptions&);
 CsvForm toCsvForm (const IdentifyOptions&);
 
 /** Statements about responses: units, references, positions from a file. @throws InputError  for unreadable options
- * [worker] */
+    [worker] */
 MeasurementOptions toMeasurementOptions (const IdentifyOptions&);
 
 /** How modes are searched in responses of so many points. @throws InputError  for invalid ranges [any] */

@@ -107,7 +107,7 @@ CeramicDescription describedCeramic (nlohmann::json document, const nlohmann::js
         [] (const auto& body) -> CeramicDescription
         {
             if constexpr (std::is_same_v<std::decay_t<decltype (body)>, ModalModel>)
-                throw InputError ("device", "is of kind modal; allowed: a kind whose modes are computed");
+                throw InputError ("device", std::string ("is of kind modal; allowed: ") + computedKinds);
             else
                 return body.common.ceramics.front();
         },

@@ -95,7 +95,7 @@ void EditorContent::showModel()
 }
 
 /** The parameters are looked at here rather than in the session's snapshot: before a host has prepared us there is none
- * of them. */
+    of them. */
 void EditorContent::askForPicture()
 {
     const auto now = processor.session().snapshot();

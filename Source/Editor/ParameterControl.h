@@ -7,7 +7,7 @@
 namespace antinode
 {
 /** A parameter's name and what sets it: a bar to be dragged or typed into, a list of words, or a switch. [message
- * thread] */
+    thread] */
 class ParameterControl : public juce::Component
 {
 public:

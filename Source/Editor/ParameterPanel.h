@@ -22,7 +22,7 @@ public:
     void refreshTexts();
 
     /** Lays the controls out for a width, and fills a place at least so high. @return  the height that the controls
-     * need */
+        need */
     int layOut (int width, int minimumHeight);
 
     const std::vector<std::unique_ptr<ParameterControl>>& controls() const { return all; }

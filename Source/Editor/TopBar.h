@@ -11,7 +11,7 @@
 namespace antinode
 {
 /** The loaded presets, undo and redo, the theme, and the three buttons that control the voltage on the ceramics.
- * [message thread] */
+    [message thread] */
 class TopBar final : public juce::Component
 {
 public:

@@ -54,7 +54,7 @@ public:
     void setMutes (std::uint64_t mask) { mutedCeramics = mask; }
 
     /** A warning for the user: an unreadable state, missing channels; empty if there is none. [any but the audio
-     * thread] */
+        thread] */
     juce::String warning() const;
 
     /** Called on the message thread after the session or the state have changed. [message thread] */

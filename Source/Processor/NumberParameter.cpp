@@ -44,6 +44,9 @@ NumberParameter::NumberParameter (const juce::ParameterID& identifier, const juc
 
 NumberParameter& NumberParameter::operator= (double wanted)
 {
+    if (std::isnan (wanted))
+        return *this;
+
     const auto allowed = std::clamp (wanted, range.minimum, range.maximum);
 
     if (value.exchange (allowed) != allowed)

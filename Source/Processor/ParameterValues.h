@@ -11,6 +11,6 @@ int integerValue (const juce::AudioParameterInt*);
 double parameterValue (const juce::RangedAudioParameter&);
 
 /** Sets what parameterValue gave, to the bit; values beyond the range to its end. Tells the host where it changes. [any
- * but the audio thread] */
+    but the audio thread] */
 void setValue (juce::RangedAudioParameter&, double value);
 } // namespace antinode

@@ -38,7 +38,7 @@ public:
     std::map<std::string, double> values() const;
 
     /** Sets all: those that are not named to their defaults; values beyond a range to its end. Tells the host. [message
-     * thread] */
+        thread] */
     void setValues (const std::map<std::string, double>&);
 
     juce::AudioParameterBool& bypass() const { return *bypassed; }

@@ -8,7 +8,7 @@
 namespace antinode
 {
 /** A switch that takes the step nearest to what a host sets, at once: juce::AudioParameterBool reads back what lies
- * between. */
+    between. */
 class SwitchParameter : public juce::AudioParameterBool
 {
 public:
@@ -27,7 +27,7 @@ class StepReports : private juce::AudioProcessorParameter::Listener
 {
 public:
     /** @param parameters  those with steps are listened to; outlive this; belong to a processor already [message
-     * thread] */
+        thread] */
     explicit StepReports (const std::vector<juce::RangedAudioParameter*>& parameters);
     ~StepReports() override;
 

@@ -15,7 +15,7 @@
 namespace antinode
 {
 /** The callback of an audio device: the processor with all its buses, then the router, on the channels that are open.
- * Blocks of any length. */
+    Blocks of any length. */
 class AudioCallback : public juce::AudioIODeviceCallback
 {
 public:

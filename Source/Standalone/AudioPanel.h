@@ -9,7 +9,7 @@
 namespace antinode
 {
 /** The audio device and its settings. JUCE's own panel is not used, because it has a button that plays half of full
- * scale past the router. */
+    scale past the router. */
 class AudioPanel final : public juce::Component
 {
 public:

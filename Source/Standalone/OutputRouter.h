@@ -64,7 +64,7 @@ public:
     bool isSilent() const { return silent; }
 
     /** Plays the identify tone on one ceramic, and nothing else on any; `none`: back to the foci. Only while armed.
-     * [any] */
+        [any] */
     void identify (int ceramic) { wantedTone = ceramic; }
     int identified() const { return wantedTone; }
 

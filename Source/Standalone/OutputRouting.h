@@ -36,6 +36,6 @@ OutputRouting withOutput (OutputRouting, int ceramic, int output);
 OutputRouting withMonitor (OutputRouting, int firstOutput);
 
 /** @throws InputError  where an output is no output or is used twice, or a chain has a gain or a polarity that is none
- * [any] */
+    [any] */
 void validate (const OutputRouting&);
 } // namespace antinode

@@ -10,7 +10,7 @@
 namespace antinode
 {
 /** The standalone program without its windows: processor, device, routing, MIDI, touch, and their saved settings.
- * Starts disarmed. */
+    Starts disarmed. */
 class StandaloneHost : private juce::ChangeListener,
                        private juce::AudioProcessorListener,
                        private juce::AsyncUpdater,
@@ -49,7 +49,7 @@ public:
     void muteAll();
 
     /** Mutes and waits for the end of the ramp, where a device plays, then closes it. [message thread] blocks for up to
-     * 0.5 s */
+        0.5 s */
     void shutDown();
 
     /** A warning for the user, or empty. [message thread] */

@@ -12,7 +12,7 @@
 namespace antinode
 {
 /** The position of a touch. Fractions are of the surface's extent, millimetres those of its drawing. @return  x, y in m
- * [any] */
+    [any] */
 std::pair<double, double> touchPlace (const Touch&, const Surface&);
 
 /** Valid touches that play nothing. */
@@ -30,7 +30,7 @@ public:
     explicit TouchInput (Session& sessionToPlay) : session (sessionToPlay) {}
 
     /** Closes the ports that are open and opens these. @throws InputError  as TouchReceiver; then none is open [message
-     * thread] */
+        thread] */
     void open (const TouchPorts&);
 
     /** Those that are open; 0 where none is. [message thread] */

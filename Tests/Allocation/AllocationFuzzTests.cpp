@@ -30,7 +30,7 @@ private:
 };
 
 /** What goes wrong in real descriptions: twins, modes that nothing moves, a window in which drives cannot be told
- * apart. */
+    apart. */
 void spoil (AllocationProblem& problem, Choice& choice)
 {
     const auto modes = static_cast<int> (problem.wanted.size());

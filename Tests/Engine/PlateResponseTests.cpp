@@ -25,7 +25,7 @@ constexpr auto pi = std::numbers::pi;
 using Force = std::function<double (double)>;
 
 /** q and q' of a mode at `to`, at rest at `from`, under a force per time, by an adaptive solution that knows no
- * samples. */
+    samples. */
 Eigen::VectorXd adaptiveResponse (double omega, double xi, const Force& force, double from, double to,
                                   const std::vector<double>& breakPoints = {})
 {

@@ -44,7 +44,7 @@ constexpr double bandLimitedSlopeConstant = 1.0 / 24.0;
 const std::vector<double> playedRates { 48e3, 96e3, 192e3, 384e3, 1.3e6 };
 
 /** A mode under a force that has grown by e^34 when it is cut at the focus: all of its past, so that the closed form is
- * short. */
+    short. */
 struct CutForce
 {
     double modal = 0, decay = 0;       // omega_k, rad/s, and a_k, 1/s

@@ -36,7 +36,7 @@ std::vector<std::vector<Sample>> addInBlocks (const VoltageSynthesiser& synthesi
 }
 
 /** 150 oscillations, more than a few chunks, that start and end anywhere within 60 ms, on 23 ceramics: groups of 16, 8,
- * 4, 2, 1. */
+    4, 2, 1. */
 VoltageProgram crowd()
 {
     Draws draws (11);

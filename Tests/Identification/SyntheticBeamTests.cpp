@@ -31,7 +31,7 @@ IdentifiedModes identified (double decibels)
 }
 
 /** RMS of errors over stated deviations: of 20 numbers it lies within these bounds in 98 of 100 measurements, of more
- * within closer ones. */
+    within closer ones. */
 void checkDeviations (const IdentificationScore& result)
 {
     for (const auto z : { result.zFrequency, result.zDamping })

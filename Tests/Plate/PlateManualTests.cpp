@@ -12,7 +12,7 @@ using namespace antinode;
 namespace
 {
 /** The row of the manual's table that a parameter must have, as far as it follows from the parameter; probes 2 to 8
- * share one. */
+    share one. */
 std::string manualRow (const juce::RangedAudioParameter& parameter)
 {
     const auto& range = parameter.getNormalisableRange();

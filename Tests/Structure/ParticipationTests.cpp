@@ -10,7 +10,7 @@ using namespace antinode::examples;
 namespace
 {
 /** Two pairs of ceramics so thin that the beam stays uniform; the moment per volt does not depend on their thickness
- * then. */
+    then. */
 std::vector<CeramicDescription> thinCeramics()
 {
     auto first = ceramicPair (-0.067, 0.021, 0.006, 1e-12);

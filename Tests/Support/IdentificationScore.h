@@ -24,7 +24,7 @@ inline double quantile (const std::vector<double>& ascending, double share)
 }
 
 /** Each identified mode belongs to the true one that is nearest in frequency, within its half width; each true one
- * counts once. */
+    counts once. */
 inline IdentificationScore score (const IdentifiedModes& modes, const KnownStructure& truth)
 {
     IdentificationScore result;

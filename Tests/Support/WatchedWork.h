@@ -13,7 +13,7 @@
 namespace antinode::test
 {
 /** How long each thread of some work computes between two looks at its watch, in time of the processor, which no load
- * of the machine changes. */
+    of the machine changes. */
 class WatchedWork
 {
 public:
@@ -38,7 +38,7 @@ public:
     }
 
     /** ms from any instant of the work until the next look, half of all instants wait less. A cancelled work returns
-     * that much later. */
+        that much later. */
     double medianWait() const
     {
         // Within an interval the wait falls evenly from its length to 0.
