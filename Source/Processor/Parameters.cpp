@@ -29,9 +29,9 @@ ParameterRange logarithmic (double minimum, double maximum)
 class GroupBuilder
 {
 public:
-    GroupBuilder (const juce::String& identifier, const juce::String& name,
+    GroupBuilder (juce::AudioProcessor& owner, const juce::String& identifier, const juce::String& name,
                   std::vector<juce::RangedAudioParameter*>& list)
-        : group (std::make_unique<Group> (identifier, name, " | ")), all (list)
+        : processor (owner), group (std::make_unique<Group> (identifier, name, " | ")), all (list)
     {
     }
 
@@ -42,17 +42,17 @@ public:
                                                        std::move (texts), juce::String::fromUTF8 (unit)));
     }
 
-    juce::AudioParameterInt* integer (const char* identifier, const char* name, int maximum, IntegerTexts texts)
+    IntegerParameter* integer (const char* identifier, const char* name, int maximum, IntegerTexts texts)
     {
         auto attributes = juce::AudioParameterIntAttributes()
                               .withStringFromValueFunction (std::move (texts.toText))
                               .withValueFromStringFunction (std::move (texts.fromText));
-        return add (std::make_unique<juce::AudioParameterInt> (juce::ParameterID { identifier, 1 }, name, 0, maximum, 0,
-                                                               attributes));
+        return add (std::make_unique<IntegerParameter> (juce::ParameterID { identifier, 1 }, name, maximum, attributes,
+                                                        processor.wrapperType));
     }
 
     /** A choice of words: an integer, since JUCE's LV2 wrapper gives choices wrong scale points. */
-    juce::AudioParameterInt* choice (const char* identifier, const char* name, const std::vector<juce::String>& words)
+    IntegerParameter* choice (const char* identifier, const char* name, const std::vector<juce::String>& words)
     {
         const auto maximum = static_cast<int> (words.size()) - 1;
         return integer (identifier, name, maximum, wordTexts (words));
@@ -69,7 +69,7 @@ public:
         return add (std::make_unique<SwitchParameter> (juce::ParameterID { identifier, 1 }, name, initial, attributes));
     }
 
-    void addTo (juce::AudioProcessor& processor) { processor.addParameterGroup (std::move (group)); }
+    void addToProcessor() { processor.addParameterGroup (std::move (group)); }
 
 private:
     template <typename Parameter>
@@ -81,6 +81,7 @@ private:
         return plain;
     }
 
+    juce::AudioProcessor& processor;
     std::unique_ptr<Group> group;
     std::vector<juce::RangedAudioParameter*>& all;
 };
@@ -109,7 +110,7 @@ int wordIndex (const Words& words, Value value)
 Parameters::Parameters (juce::AudioProcessor& processor,
                         const std::function<std::shared_ptr<const ModalModel>()>& model)
 {
-    GroupBuilder focus ("focus", "Focus", ordered);
+    GroupBuilder focus (processor, "focus", "Focus", ordered);
     x = focus.number ("x", "Focus x", "", { 0, 100 }, 50, placeTexts (model, SurfaceAxis::x));
     y = focus.number ("y", "Focus y", "", { 0, 100 }, 50, placeTexts (model, SurfaceAxis::y));
     width = focus.number ("width", "Width", "mm", logarithmic (1, 200), 25, unitTexts ("mm", 2));
@@ -117,37 +118,37 @@ Parameters::Parameters (juce::AudioProcessor& processor,
     peakVelocity =
         focus.number ("peak_velocity", "Peak velocity", "mm/s", logarithmic (0.1, 2000), 40, unitTexts ("mm/s", 2));
     focusTime = focus.number ("focus_time", "Focus time", "ms", logarithmic (1, 500), 25, unitTexts ("ms", 2));
-    focus.addTo (processor);
+    focus.addToProcessor();
 
-    GroupBuilder drive ("drive", "Drive", ordered);
+    GroupBuilder drive (processor, "drive", "Drive", ordered);
     growth = drive.number ("growth", "Growth", "", { -1, 50 }, -1, unitTexts ("", 2, 0, "chosen"));
     brake = drive.number ("brake", "Brake", "", { 0, 50 }, 0, unitTexts ("", 2, 1.0F + 1e-6F, "as the focus says"));
     method = drive.choice ("method", "Allocation", wordsForHosts (allocationMethodWords));
     voltageLimit = drive.number ("voltage_limit", "Voltage limit", "V", { 0, 500 }, 0,
                                  unitTexts ("V", 1, 1e-6F, "as the focus says"));
     modes = drive.integer ("modes", "Controlled modes", 512, countTexts ("chosen"));
-    drive.addTo (processor);
+    drive.addToProcessor();
 
-    GroupBuilder triggers ("triggers", "Triggers", ordered);
+    GroupBuilder triggers (processor, "triggers", "Triggers", ordered);
     notes = triggers.choice ("notes", "Notes play", { "places over the surface", "the focus alone" });
     noteOff = triggers.choice ("note_off", "Note off", { "is ignored", "fades out", "brakes" });
     retrigger = triggers.choice ("retrigger", "Retrigger", { "overlaps", "restarts" });
     focusOnNote = triggers.flag ("focus_on_note", "Focus on the note", false, "focus on the note", "start on the note");
-    triggers.addTo (processor);
+    triggers.addToProcessor();
 
-    GroupBuilder monitor ("monitor", "Monitor", ordered);
+    GroupBuilder monitor (processor, "monitor", "Monitor", ordered);
     probeX = monitor.number ("probe_x", "Probe x", "", { 0, 100 }, 50, placeTexts (model, SurfaceAxis::x));
     probeY = monitor.number ("probe_y", "Probe y", "", { 0, 100 }, 50, placeTexts (model, SurfaceAxis::y));
     monitorGain = monitor.number ("monitor_gain", "Monitor gain", "dB", { silentDecibels, 60 }, 0,
                                   unitTexts ("dB", 1, silentText, "silent"));
-    monitor.addTo (processor);
+    monitor.addToProcessor();
 
-    GroupBuilder output ("output", "Output", ordered);
+    GroupBuilder output (processor, "output", "Output", ordered);
     outputTrim = output.number ("output_trim", "Output trim", "dB", { silentDecibels, 0 }, 0,
                                 unitTexts ("dB", 1, silentText, "silent"));
     armed = output.flag ("arm", "Arm", true, "armed, not restored", "disarmed", false);
     bypassed = output.flag ("bypass", "Bypass", false, "bypassed", "playing");
-    output.addTo (processor);
+    output.addToProcessor();
     steps = std::make_unique<StepReports> (ordered);
 }
 

@@ -57,7 +57,7 @@ public:
 private:
     NumberParameter *x, *y, *width, *peakVelocity, *focusTime, *growth, *brake, *voltageLimit, *probeX, *probeY,
         *monitorGain, *outputTrim;
-    juce::AudioParameterInt *shape, *method, *modes, *notes, *noteOff, *retrigger;
+    IntegerParameter *shape, *method, *modes, *notes, *noteOff, *retrigger;
     SwitchParameter *focusOnNote, *armed, *bypassed;
     std::vector<juce::RangedAudioParameter*> ordered;
     std::unique_ptr<StepReports> steps;

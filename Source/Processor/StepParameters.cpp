@@ -2,6 +2,14 @@
 
 namespace antinode
 {
+IntegerParameter::IntegerParameter (const juce::ParameterID& identifier, const juce::String& name, int maximum,
+                                    const juce::AudioParameterIntAttributes& attributes,
+                                    juce::AudioProcessor::WrapperType wrapper)
+    : AudioParameterInt (identifier, name, 0, maximum, 0, attributes),
+      tellsSteps (wrapper != juce::AudioProcessor::wrapperType_LV2)
+{
+}
+
 bool hasSteps (const juce::AudioProcessorParameter& parameter)
 {
     return parameter.getNumSteps() < juce::AudioProcessor::getDefaultNumParameterSteps();

@@ -18,7 +18,22 @@ private:
     float getValue() const override { return get() ? 1.0F : 0.0F; }
 };
 
-/** Whether a parameter has steps; juce::AudioParameterInt does not say so by isDiscrete(). [any] */
+/** An integer whose steps hosts are told of, which juce::AudioParameterInt does not do. LV2 hosts are not: JUCE's
+   wrapper would name the steps at 0 to 1 and not where they are. */
+class IntegerParameter : public juce::AudioParameterInt
+{
+public:
+    /** [message thread] */
+    IntegerParameter (const juce::ParameterID&, const juce::String& name, int maximum,
+                      const juce::AudioParameterIntAttributes&, juce::AudioProcessor::WrapperType);
+
+    bool isDiscrete() const override { return tellsSteps; }
+
+private:
+    const bool tellsSteps;
+};
+
+/** Whether a parameter has steps, told or not. [any] */
 bool hasSteps (const juce::AudioProcessorParameter&);
 
 /** Hosts keep what they have set. Where that lay between two steps of a parameter, this tells them which step it took.

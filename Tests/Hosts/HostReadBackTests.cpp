@@ -2,11 +2,11 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <random>
 #include <thread>
-#include <utility>
-#include <vector>
 
 // What a host reads of a built plug-in's parameters is what it gets back.
 
@@ -19,36 +19,30 @@ bool dispatchNextMessageOnSystemQueue (bool returnIfNoPendingMessages); // No he
 
 namespace
 {
-std::vector<float> hostValues (const juce::AudioPluginInstance& instance)
+/** Whether the host reads a step of each parameter that has steps. */
+bool readsSteps (const juce::AudioPluginInstance& instance)
 {
-    std::vector<float> values;
-
-    for (const auto* const parameter : instance.getParameters())
-        values.push_back (parameter->getValue());
-
-    return values;
+    return std::all_of (instance.getParameters().begin(), instance.getParameters().end(),
+                        [] (const auto* parameter)
+                        {
+                            const auto steps =
+                                parameter->getValue() * static_cast<float> (parameter->getNumSteps() - 1);
+                            return ! parameter->isDiscrete() || std::abs (steps - std::round (steps)) < 1e-3F;
+                        });
 }
 
-/** Plays until the host has been told nothing new for a tenth of a second: all steps that its values became. The
-   parameters that are integers have steps, but JUCE's wrapper does not tell hosts so. */
+/** Plays until the host has been told of all steps that its values became. */
 void waitForSteps (juce::AudioPluginInstance& instance, const BuiltPlugin& plugin)
 {
     using Clock = std::chrono::steady_clock;
-    auto known = hostValues (instance);
-    auto since = Clock::now();
 
-    while (Clock::now() - since < std::chrono::milliseconds (100))
+    for (const auto end = Clock::now() + std::chrono::seconds (10); ! readsSteps (instance);)
     {
+        REQUIRE (Clock::now() < end);
         play (instance, plugin, 64, 64, -1);
 
         if (! juce::dispatchNextMessageOnSystemQueue (true))
             std::this_thread::sleep_for (std::chrono::milliseconds (1));
-
-        if (auto now = hostValues (instance); now != known)
-        {
-            known = std::move (now);
-            since = Clock::now();
-        }
     }
 }
 

@@ -1,15 +1,19 @@
 #include "RawVst3.h"
 
+#include <antinode_documents/FocusWords.h>
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <set>
 #include <string>
 #include <thread>
 
 // What Steinberg's validator asks of a VST3 before it plays.
 
+using namespace antinode;
 using namespace antinode::test;
 using Steinberg::kResultOk;
 using Steinberg::kResultTrue;
@@ -137,6 +141,29 @@ TEST_CASE ("Parameters have identifiers, titles and units of their own, and one 
     }
 
     CHECK (bypasses == 1);
+}
+
+TEST_CASE ("Hosts are told which parameters have steps, and how many", "[vst3]")
+{
+    // The words that a choice has, less one.
+    const std::map<std::u16string, int> choices { { u"Shape", static_cast<int> (targetShapeWords.size()) - 1 },
+                                                  { u"Allocation",
+                                                    static_cast<int> (allocationMethodWords.size()) - 1 },
+                                                  { u"Controlled modes", 512 },
+                                                  { u"Notes play", 1 },
+                                                  { u"Note off", 2 },
+                                                  { u"Retrigger", 1 },
+                                                  { u"Focus on the note", 1 },
+                                                  { u"Arm", 1 },
+                                                  { u"Bypass", 1 } };
+
+    RawVst3 plugin;
+
+    for (const auto& info : plugin.parameters())
+    {
+        const auto choice = choices.find (wide (info.title));
+        CHECK (info.stepCount == (choice == choices.end() ? 0 : choice->second));
+    }
 }
 
 TEST_CASE ("Parameters come back from texts, from plain values and from their setters", "[vst3]")
