@@ -92,11 +92,11 @@ FocusDesign makeDesign (const FocusDescription& description, const std::vector<i
     return design;
 }
 
-FocusDesign designDrives (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
-                          std::vector<FocusMoment> moments, Playback playback, double peakVelocity, DesignExtent extent)
+/** Adds what is played, and its certificates. */
+FocusDesign designDrives (FocusDesign design, const ModalModel& model, DesignExtent extent)
 {
-    checkRate (model, modes, playback);
-    auto design = makeDesign (description, modes, std::move (moments), playback, peakVelocity);
+    const auto& description = design.description;
+    checkRate (model, design.controlledModes, design.playback);
 
     if (methodTraits (description.allocation.method).waveforms == AllocatedWaveforms::samples)
         sampleProgram (design, model, extent);
@@ -142,7 +142,7 @@ FocusDesign designFocus (const ModalModel& model, const FocusDescription& descri
     for (const auto& wantedPlace : description.targets)
         peakVelocity = std::max (peakVelocity, wantedPlace.peakVelocity);
 
-    return designDrives (model, description, modes, std::move (moments), playback, peakVelocity, extent);
+    return designDrives (makeDesign (description, modes, std::move (moments), playback, peakVelocity), model, extent);
 }
 
 FocusDesign designModes (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
@@ -150,7 +150,7 @@ FocusDesign designModes (const ModalModel& model, const FocusDescription& descri
 {
     const Eigen::VectorXd field = model.shapes (Eigen::all, modes) * wanted;
     FocusMoment moment { description.focusTime, description.targets, projectField (model, field), wanted, field, 1 };
-    return designDrives (model, description, modes, { std::move (moment) }, playback, field.cwiseAbs().maxCoeff(),
-                         DesignExtent::complete);
+    return designDrives (makeDesign (description, modes, { std::move (moment) }, playback, field.cwiseAbs().maxCoeff()),
+                         model, DesignExtent::complete);
 }
 } // namespace antinode

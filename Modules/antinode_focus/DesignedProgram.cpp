@@ -66,9 +66,10 @@ void allocateProgram (FocusDesign& design, const ModalModel& model)
     const auto& choice = design.description.allocation;
     const auto limits = voltageLimits (model, choice);
     auto drives = makeDrives (design, model);
-    const auto allocate = [&] {
-        return allocateDrives (model, design.description, design.controlledModes, design.moments, drives,
-                               design.playback);
+    const auto allocate = [&]
+    {
+        return allocateDrives ({ model, design.description, design.controlledModes, design.moments, design.playback },
+                               drives);
     };
     auto allocation = allocate();
 

@@ -107,10 +107,9 @@ void addDisplacementRows (AllocationProblem& problem, const Eigen::MatrixXd& res
     problem.wanted.tail (count).setZero();
 }
 
-AllocationProblem allocationProblem (const ModalModel& model, const FocusDescription& description,
-                                     const std::vector<int>& modes, const std::vector<FocusMoment>& moments,
-                                     const DriveList& drives, DriveSpan span, Playback playback)
+AllocationProblem allocationProblem (const DriveTask& task, const DriveList& drives, DriveSpan span)
 {
+    const auto& [model, description, modes, moments, playback] = task;
     const auto& choice = description.allocation;
 
     AllocationProblem problem;
@@ -232,15 +231,14 @@ double longestDrive (const FocusDescription& description)
                        description.allocation.window.value_or (time) });
 }
 
-Allocation allocateDrives (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
-                           const std::vector<FocusMoment>& moments, const DriveList& drives, Playback playback)
+Allocation allocateDrives (const DriveTask& task, const DriveList& drives)
 {
-    const auto& choice = description.allocation;
+    const auto& choice = task.description.allocation;
+    const auto& moments = task.moments;
     const auto start = firstStart (drives);
     const auto first = choice.window ? std::max (moments.front().time - *choice.window, start) : start;
     const DriveSpan span { first, moments.back().time + releaseDuration() };
-    return allocate (allocationProblem (model, description, modes, moments, drives, span, playback), choice.method,
-                     drives, span);
+    return allocate (allocationProblem (task, drives, span), choice.method, drives, span);
 }
 
 /** A drive's oscillations share its column of the matrix. */

@@ -16,6 +16,17 @@ namespace antinode
 /** Drives: the oscillations of each, which share a column of the allocation. */
 using DriveList = std::vector<std::vector<Oscillation>>;
 
+/** What drives have to reach: the controlled modes, ascending, and the foci by time with the modal velocities wanted,
+   one where rows are not exact. What it refers to outlives it. */
+struct DriveTask
+{
+    const ModalModel& model;
+    const FocusDescription& description;
+    const std::vector<int>& modes;
+    const std::vector<FocusMoment>& moments;
+    Playback playback;
+};
+
 /** When drives are looked at, s from the trigger. */
 struct DriveSpan
 {
@@ -42,12 +53,9 @@ std::vector<int> guardModes (const ModalModel&, const std::vector<int>& controll
 double longestDrive (const FocusDescription&);
 
 /** Allocates drives to ceramics so that the controlled modes have the wanted velocities at the time of every focus.
-    @param modes    the controlled modes, ascending
-    @param moments  the foci by time, with the modal velocities wanted; one where rows are not exact
     @throws InputError  as solveAllocation
     [worker] Docs/Theory.md, section 4. */
-Allocation allocateDrives (const ModalModel&, const FocusDescription&, const std::vector<int>& modes,
-                           const std::vector<FocusMoment>& moments, const DriveList&, Playback);
+Allocation allocateDrives (const DriveTask&, const DriveList&);
 
 /** Drives mixed by a matrix, N_b x drives, as a program. [any] */
 VoltageProgram makeProgram (const DriveList&, const Eigen::MatrixXd& matrix, const Eigen::VectorXd& limits,

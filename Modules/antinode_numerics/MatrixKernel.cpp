@@ -60,10 +60,20 @@ void pack (const double* from, std::ptrdiff_t rowStep, std::ptrdiff_t depthStep,
     }
 }
 
-/** One tile: to += factor (panel of a) (panel of b). */
-HWY_INLINE void addTile (const double* a, const double* b, std::ptrdiff_t depth, double factor, double* to,
-                         std::ptrdiff_t stride)
+/** Panels of two matrices, packed to a depth, and what their product is multiplied by. */
+struct Panels
 {
+    const double* a;
+    const double* b;
+    std::ptrdiff_t depth;
+    double factor;
+};
+
+/** One tile: to += factor (panel of a) (panel of b). */
+HWY_INLINE void addTile (Panels panels, double* to, std::ptrdiff_t stride)
+{
+    const auto* a = panels.a;
+    const auto* b = panels.b;
     const Tag tag;
     Vector sums[tileColumns][vectors];
 
@@ -73,7 +83,7 @@ HWY_INLINE void addTile (const double* a, const double* b, std::ptrdiff_t depth,
         for (std::ptrdiff_t v = 0; v < vectors; ++v)
             sums[j][v] = hn::Zero (tag);
 
-    for (std::ptrdiff_t k = 0; k < depth; ++k)
+    for (std::ptrdiff_t k = 0; k < panels.depth; ++k)
     {
         const auto a0 = hn::Load (tag, a), a1 = hn::Load (tag, a + lanes), a2 = hn::Load (tag, a + 2 * lanes);
 
@@ -90,7 +100,7 @@ HWY_INLINE void addTile (const double* a, const double* b, std::ptrdiff_t depth,
         b += tileColumns;
     }
 
-    const auto scale = hn::Set (tag, factor);
+    const auto scale = hn::Set (tag, panels.factor);
 
 #pragma GCC unroll 8
     for (std::ptrdiff_t j = 0; j < tileColumns; ++j)
@@ -103,11 +113,10 @@ HWY_INLINE void addTile (const double* a, const double* b, std::ptrdiff_t depth,
 }
 
 /** A tile at the end of the matrix or across its diagonal: only what belongs there is written. */
-void addPartOfTile (const double* a, const double* b, std::ptrdiff_t depth, double factor, const ProductTarget& target,
-                    std::ptrdiff_t row, std::ptrdiff_t column)
+void addPartOfTile (Panels panels, const ProductTarget& target, std::ptrdiff_t row, std::ptrdiff_t column)
 {
     HWY_ALIGN double tile[tileRows * tileColumns] = {};
-    addTile (a, b, depth, factor, tile, tileRows);
+    addTile (panels, tile, tileRows);
     const auto rows = std::min (tileRows, target.rows - row), columns = std::min (tileColumns, target.columns - column);
 
     for (std::ptrdiff_t j = 0; j < columns; ++j)
@@ -120,14 +129,15 @@ struct Range
     std::ptrdiff_t start, end;
 };
 
-void addPanels (const ProductTarget& target, const double* a, const double* b, std::ptrdiff_t depth, double factor,
-                Range rows, Range columns)
+void addPanels (const ProductTarget& target, const Panels& all, Range rows, Range columns)
 {
-    for (auto column = columns.start; column < columns.end; column += tileColumns, b += tileColumns * depth)
-    {
-        const auto* panel = a;
+    auto panels = all;
 
-        for (auto row = rows.start; row < rows.end; row += tileRows, panel += tileRows * depth)
+    for (auto column = columns.start; column < columns.end; column += tileColumns, panels.b += tileColumns * all.depth)
+    {
+        panels.a = all.a;
+
+        for (auto row = rows.start; row < rows.end; row += tileRows, panels.a += tileRows * all.depth)
         {
             if (target.isLowerOnly && row + tileRows <= column)
                 continue;
@@ -136,9 +146,9 @@ void addPanels (const ProductTarget& target, const double* a, const double* b, s
                                  && (! target.isLowerOnly || row >= column + tileColumns);
 
             if (isWhole)
-                addTile (panel, b, depth, factor, target.data + row + column * target.stride, target.stride);
+                addTile (panels, target.data + row + column * target.stride, target.stride);
             else
-                addPartOfTile (panel, b, depth, factor, target, row, column);
+                addPartOfTile (panels, target, row, column);
         }
     }
 }
@@ -164,7 +174,7 @@ void addProduct (const ProductTarget& target, std::ptrdiff_t depth, double facto
                 checkWatch();
                 const Range rows { row, std::min (row + rowRoom, target.rows) };
                 pack<tileRows> (across + row * a.rowStep, a.rowStep, a.columnStep, rows.end - row, part, packedA.get());
-                addPanels (target, packedA.get(), packedB.get(), part, factor, rows, columns);
+                addPanels (target, { packedA.get(), packedB.get(), part, factor }, rows, columns);
             }
         }
 }
