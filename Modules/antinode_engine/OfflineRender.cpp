@@ -171,6 +171,7 @@ void renderAll (Kernels& kernels, int blockSize, Eigen::Index samples, const std
 
     render.limitedSamples = kernels.limiter.limitedSamples();
 
+    checkWatch();
     // What the plate does at the end depends on the voltages a little beyond it.
     renderBlock (kernels, samples, render.voltages.cols() - samples, render.voltages, render.modalVelocities);
     render.voltages.conservativeResize (Eigen::NoChange, samples);
@@ -191,6 +192,7 @@ Render renderOffline (const ModalModel& model, const VoltageProgram& program, co
     Kernels kernels { std::move (synthesiser), std::move (ownSamples), VoltageLimiter (program.voltageLimits),
                       PlateModel (model, settings.playback, settings.probeShapes) };
 
+    checkWatch();
     Render render;
     const auto rows = model.actuators() + model.modes() + settings.probeShapes.rows();
     const auto samples = countSamples (settings, rows, kernels.synthesiser.focusSample());

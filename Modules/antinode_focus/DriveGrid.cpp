@@ -44,6 +44,21 @@ void addSamples (Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> samples
     }
 }
 
+/** Memory that is touched for the first time takes long: the watch is looked at between pieces. */
+Eigen::MatrixXd makeZeros (Eigen::Index rows, Eigen::Index columns)
+{
+    constexpr Eigen::Index piece = 2048;
+    Eigen::MatrixXd zeros (rows, columns);
+
+    for (Eigen::Index first = 0; first < columns; first += piece)
+    {
+        checkWatch();
+        zeros.middleCols (first, std::min (piece, columns - first)).setZero();
+    }
+
+    return zeros;
+}
+
 /** The oscillation whose value is the slope of the given one. */
 Oscillation differentiated (Oscillation oscillation)
 {
@@ -81,7 +96,7 @@ Eigen::MatrixXd sampleDrives (const std::vector<std::vector<Oscillation>>& drive
             highest = std::max (highest, std::abs (oscillation.exponent()) / (2 * std::numbers::pi));
 
     const auto steps = std::max (2.0, std::ceil ((last - first) * highest * samplesPerCycle));
-    Eigen::MatrixXd samples = Eigen::MatrixXd::Zero (drives.size(), static_cast<Eigen::Index> (steps) + 1);
+    auto samples = makeZeros (static_cast<Eigen::Index> (drives.size()), static_cast<Eigen::Index> (steps) + 1);
 
     const SampleTimes times { last, last - first, steps };
 

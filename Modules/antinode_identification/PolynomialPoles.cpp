@@ -1,5 +1,6 @@
 #include "PolynomialPoles.h"
 
+#include <antinode_base/Watch.h>
 #include <antinode_numerics/ComplexKernels.h>
 #include <antinode_numerics/Decompositions.h>
 
@@ -109,6 +110,8 @@ Matrix normalEquations (const LagSums& sums, Eigen::Index order, Eigen::Index ma
 
     for (Eigen::Index o = 0; o < outputs; ++o)
     {
+        checkWatch();
+
         for (Eigen::Index j = 0; j < size; ++j)
             for (Eigen::Index k = 0; k < size; ++k)
                 between.block (j, k * references, 1, references) =
@@ -182,8 +185,10 @@ std::vector<OrderPoles> polynomialPoles (const CompressedBand& band, int minimum
 
     for (auto order = minimumOrder; order <= maximumOrder; ++order)
     {
-        const auto normal = normalEquations (sums, order, maximumOrder);
-        result.push_back (computePoles (coefficients (normal, band.references(), ridge), band.references(), band));
+        const auto blocks = coefficients (normalEquations (sums, order, maximumOrder), band.references(), ridge);
+        checkWatch();
+        result.push_back (computePoles (blocks, band.references(), band));
+        checkWatch();
     }
 
     return result;

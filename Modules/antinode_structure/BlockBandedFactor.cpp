@@ -39,6 +39,7 @@ BlockBandedFactor::BlockBandedFactor (const TensorOperator& stiffness, const Ten
 {
     for (Eigen::Index block = 0; block < outer.size(); ++block)
     {
+        checkWatch(); // Memory that is touched for the first time takes long.
         last.push_back (outer.lastNeighbour (block));
         panels.emplace_back (Eigen::MatrixXd::Zero ((last.back() - block + 1) * blockSize, blockSize));
     }
