@@ -25,7 +25,8 @@ void MotionCapture::write (std::span<const double> velocities)
 
     for (std::uint64_t k = 0; k < modes; ++k)
     {
-        to[k].store (static_cast<float> (velocities[k]), std::memory_order_relaxed);
+        // Whoever reads this value reads at least the present count afterwards: take() sees what was overwritten.
+        to[k].store (static_cast<float> (velocities[k]), std::memory_order_release);
         energy += velocities[k] * velocities[k];
     }
 
@@ -72,9 +73,8 @@ bool MotionCapture::take (Eigen::MatrixXd& window)
     for (std::uint64_t f = 0; f < frames; ++f)
         for (std::uint64_t k = 0; k < modes; ++k)
             copied (static_cast<Eigen::Index> (k), static_cast<Eigen::Index> (f)) = static_cast<double> (
-                ring[(first + f) % (windows * frames) * modes + k].load (std::memory_order_relaxed));
+                ring[(first + f) % (windows * frames) * modes + k].load (std::memory_order_acquire));
 
-    std::atomic_thread_fence (std::memory_order_acquire);
     const auto isWhole = written.load (std::memory_order_relaxed) < first + windows * frames;
     ready.store (0, std::memory_order_relaxed);
 
