@@ -104,16 +104,26 @@ std::u32string shortened (std::u32string text, float width, const TextStyle& sty
     return text.empty() ? text : text + ellipsis;
 }
 
-juce::Path textOutline (const std::u32string& text, const TextStyle& style)
+/** The offset of each character from the start of the line. */
+std::vector<float> characterOffsets (const std::u32string& text, const TextStyle& style)
 {
-    juce::Path outline;
+    std::vector<float> offsets;
     auto x = 0.0f;
     for (const auto codePoint : text)
     {
-        const auto& glyph = findGlyphs (style).find (codePoint);
-        outline.addPath (glyph.outline, juce::AffineTransform::scale (style.height).translated (x, 0));
-        x += glyph.advance * style.height;
+        offsets.push_back (x);
+        x += findGlyphs (style).find (codePoint).advance * style.height;
     }
+    return offsets;
+}
+
+juce::Path textOutline (const PlacedText& text, const TextStyle& style)
+{
+    juce::Path outline;
+    for (std::size_t i = 0; i < text.characters.size(); ++i)
+        outline.addPath (
+            findGlyphs (style).find (text.characters[i]).outline,
+            juce::AffineTransform::scale (text.height).translated (text.offsets[i] + text.start.x, text.start.y));
     return outline;
 }
 } // namespace
@@ -129,8 +139,13 @@ void drawText (juce::Graphics& g, std::string_view utf8, juce::Rectangle<float> 
     const auto text = shortened (decodeUtf8 (utf8), area.getWidth(), style);
     const auto line = justification.appliedToRectangle ({ measureWidth (text, style), style.height }, area);
     const auto baseline = line.getY() + findGlyphs (style).ascent() * style.height;
+    const auto offsets = characterOffsets (text, style);
+    const PlacedText placed { text, offsets, { line.getX(), baseline }, style.height, style.bold };
     g.setColour (style.colour);
-    g.fillPath (textOutline (text, style), juce::AffineTransform::translation (line.getX(), baseline));
+    if (auto* const drawing = dynamic_cast<TextDrawing*> (&g.getInternalContext()))
+        drawing->showText (placed);
+    else
+        g.fillPath (textOutline (placed, style));
 }
 
 void drawTextUpwards (juce::Graphics& g, std::string_view utf8, juce::Rectangle<float> area, const TextStyle& style)

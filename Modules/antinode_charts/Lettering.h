@@ -3,9 +3,28 @@
 #include <juce_graphics/juce_graphics.h>
 
 #include <string_view>
+#include <vector>
 
 namespace antinode
 {
+/** One line of text, character by character. */
+struct PlacedText
+{
+    std::u32string_view characters;
+    const std::vector<float>& offsets; ///< Of each character from the start.
+    juce::Point<float> start;          ///< On the baseline.
+    float height = 0;                  ///< Of a line.
+    bool isBold = false;
+};
+
+/** A drawing that keeps text as text, as files for print do; others get outlines. */
+class TextDrawing
+{
+public:
+    virtual ~TextDrawing() = default;
+    virtual void showText (const PlacedText&) = 0;
+};
+
 /** The style of text. */
 struct TextStyle
 {

@@ -69,6 +69,22 @@ const Theme& Theme::dark()
     return theme;
 }
 
+const Theme& Theme::print()
+{
+    static const auto theme = []
+    {
+        auto made = makeLight();
+        made.axis = made.text = made.mutedText = juce::Colours::black;
+        made.grid = rgb (0xD0D0D0);
+        made.titleHeight = made.labelHeight;
+        made.boldTitle = false;
+        made.lineWidth = 1.2f;
+        made.padding = 4;
+        return made;
+    }();
+    return theme;
+}
+
 Theme compact (Theme theme)
 {
     theme.titleHeight = 13;

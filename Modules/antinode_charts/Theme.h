@@ -29,6 +29,9 @@ struct Theme
 
     /** For a dark page. [any] */
     static const Theme& dark();
+
+    /** For print: black on white, thin lines, small titles. [any] */
+    static const Theme& print();
 };
 
 /** The same theme for smaller panels: smaller text, thinner lines. [any] */

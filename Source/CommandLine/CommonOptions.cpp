@@ -21,7 +21,6 @@ Playback CommonOptions::playback() const
 
 void addCommonOptions (CLI::App& command, CommonOptions& options)
 {
-    command.add_option ("focus", options.focus, "Focus: an embedded name or a .json file")->capture_default_str();
     command.add_option ("--device", options.device, "Device: an embedded name or a .json file")->capture_default_str();
     command.add_option ("--out", options.folder, "Output folder")->capture_default_str();
     command.add_option ("--rate", options.rate, "Sample rate, Hz")->capture_default_str();
@@ -44,16 +43,21 @@ void addCacheFlag (CLI::App& command, bool& usesCache)
     command.add_flag ("!--no-cache", usesCache, "Solves the device without reading or writing the cache");
 }
 
-std::pair<ModalModel, FocusDescription> inputsFrom (const CommonOptions& options)
+ModalModel modelFrom (const CommonOptions& options)
 {
     checkAssignments (options.assignments);
 
     if (! (options.rate >= lowestRate && options.rate <= highestRate))
         throw InputError ("--rate", "is " + numberText (options.rate) + " Hz; allowed: 8000 to 2000000 Hz");
 
+    return solveDevice (loadDevice (options.device, options.assignments), {}, options.usesCache);
+}
+
+std::pair<ModalModel, FocusDescription> inputsFrom (const CommonOptions& options)
+{
+    checkAssignments (options.assignments);
     const auto focus = loadFocus (options.focus, options.assignments);
-    auto model = solveDevice (loadDevice (options.device, options.assignments), {}, options.usesCache);
-    return { std::move (model), focus };
+    return { modelFrom (options), focus };
 }
 
 std::pair<ModalModel, FocusDesign> designFrom (const CommonOptions& options)

@@ -24,11 +24,15 @@ struct CommonOptions
     Playback playback() const;
 };
 
-/** Adds them to a sub-command. The struct must live as long as the app. */
+/** Adds them to a sub-command, which adds its focus itself. The struct must live as long as the app. */
 void addCommonOptions (CLI::App&, CommonOptions&);
 
 /** The flag that bypasses the user's cache. The bool must live as long as the app. */
 void addCacheFlag (CLI::App&, bool& usesCache);
+
+/** The solved device that these options name. @throws InputError  for anything that cannot be read or solved. [worker]
+ */
+ModalModel modelFrom (const CommonOptions&);
 
 /** The solved device and the focus that these options name. @throws InputError  for anything that cannot be read or
     solved. [worker] */

@@ -92,6 +92,8 @@ void addDesignCommand (CLI::App& app)
 {
     auto* command = app.add_subcommand ("design", "Computes the voltages of a focus and writes design.json");
     auto options = std::make_shared<DesignCommandOptions>();
+    command->add_option ("focus", options->common.focus, "Focus: an embedded name or a .json file")
+        ->capture_default_str();
     addCommonOptions (*command, options->common);
     addToleranceOptions (*command, options->tolerance);
     auto* tradeoff =

@@ -1,18 +1,24 @@
 #include "Commands.h"
 #include "CommonOptions.h"
+#include "FieldFiles.h"
 #include "Progress.h"
 #include "RenderFiles.h"
+#include "RenderSeries.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_documents/DesignFile.h>
+#include <antinode_figures/FigureFiles.h>
+#include <antinode_focus/DesignFocus.h>
 #include <antinode_reports/FocusReport.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 namespace antinode
@@ -27,6 +33,8 @@ struct RenderCommandOptions
     int blockSize = 512;
     std::string format = "wav";
     bool hasReport = true;
+    std::vector<std::string> figures, focuses { "demonstrator" };
+    std::string placesFile, rankBy = "field_error";
 };
 
 /** "X" or "X,Y" in mm. */
@@ -88,26 +96,102 @@ void printSummary (const RenderedFocus& focus, const RenderCommandOptions& optio
                  options.hasReport ? "report.html" : "summary.json");
 }
 
-void render (const RenderCommandOptions& options)
+void writePages (OutputFolder& folder, const ReportPage& page, const RenderCommandOptions& options)
+{
+    if (options.hasReport)
+        folder.write ("report.html", renderReport (page));
+
+    for (const auto& format : options.figures)
+        writeFigures (folder, page, format == "svg" ? VectorFormat::svg : VectorFormat::pdf);
+}
+
+/** All files of a rendered focus. */
+void writeRendered (const std::filesystem::path& path, const RenderedFocus& focus, const RenderCommandOptions& options)
+{
+    OutputFolder folder (path);
+    writeSamples (folder, focus, options.format);
+    writeFields (folder, focus);
+    folder.write ("design.json", designToJson (focus.design, focus.model).dump (2) + "\n");
+    folder.write ("summary.json", summaryToJson (focus).dump (2) + "\n");
+
+    if (options.hasReport || ! options.figures.empty())
+        writePages (folder, focusReport (focus), options);
+
+    folder.commit();
+}
+
+void renderOne (const RenderCommandOptions& options)
 {
     Progress progress (options.common.isQuiet);
     const auto settings = renderOptions (options);
     auto [model, design] = designFrom (options.common);
     const auto focus = renderFocus (std::move (model), std::move (design), settings,
                                     [&] (double share) { progress.show ("Rendering", share); });
-
-    OutputFolder folder (options.common.folder);
-    writeSamples (folder, focus, options.format);
-    folder.write ("design.json", designToJson (focus.design, focus.model).dump (2) + "\n");
-    folder.write ("summary.json", summaryToJson (focus).dump (2) + "\n");
-
-    if (options.hasReport)
-        folder.write ("report.html", renderReport (focusReport (focus)));
-
-    folder.commit();
+    writeRendered (options.common.folder, focus, options);
 
     if (! options.common.isQuiet)
         printSummary (focus, options);
+}
+
+SeriesResult renderOfSeries (const ModalModel& model, const SeriesFocus& each, const RenderCommandOptions& options)
+{
+    try
+    {
+        auto design = designFocus (model, each.focus, options.common.playback());
+        const auto focus = renderFocus (model, std::move (design), renderOptions (options));
+        writeRendered (std::filesystem::path (options.common.folder) / each.folder, focus, options);
+        return { each.folder, summaryToJson (focus), {} };
+    }
+    catch (const InputError& error)
+    {
+        return { each.folder, {}, error.what() };
+    }
+}
+
+void printRanking (const std::vector<SeriesResult>& results, const RenderCommandOptions& options)
+{
+    std::printf ("%4s  %-24s %12s  %s\n", "rank", "folder", options.rankBy.c_str(), "peak voltage");
+
+    for (std::size_t i = 0; i < results.size(); ++i)
+        if (const auto& [folder, summary, error] = results[i]; error.empty())
+            std::printf ("%4zu  %-24s %12s  %s V of %s V\n", i + 1, folder.c_str(),
+                         inWords (summary.at (options.rankBy).get<double>()).c_str(),
+                         inWords (summary.at ("peak_voltage_V").get<double>()).c_str(),
+                         inWords (summary.at ("voltage_limit_V").get<double>()).c_str());
+        else
+            std::printf ("   -  %-24s failed: %s\n", folder.c_str(), error.c_str());
+
+    std::printf ("All numbers: %s/scores.csv\n", options.common.folder.c_str());
+}
+
+/** Each focus into a folder of its own, and a table of all. What one of them cannot do does not stop the others. */
+void renderSeries (const RenderCommandOptions& options)
+{
+    Progress progress (options.common.isQuiet);
+    const auto model = modelFrom (options.common);
+    const auto series = readSeries (options.focuses, options.placesFile, options.common.assignments);
+    std::vector<SeriesResult> results;
+
+    for (const auto& each : series)
+    {
+        progress.show (formatted ("Focus %zu of %zu", results.size() + 1, series.size()),
+                       static_cast<double> (results.size()) / static_cast<double> (series.size()));
+        results.push_back (renderOfSeries (model, each, options));
+        writeWholeFile (std::filesystem::path (options.common.folder) / "scores.csv", scoreTable (results));
+    }
+
+    results = ranked (std::move (results), options.rankBy);
+    writeWholeFile (std::filesystem::path (options.common.folder) / "scores.csv", scoreTable (results));
+
+    if (! options.common.isQuiet)
+        printRanking (results, options);
+
+    const auto failed =
+        std::count_if (results.begin(), results.end(), [] (const auto& each) { return ! each.error.empty(); });
+
+    if (failed > 0)
+        throw InputError ("render", std::to_string (failed) + " of " + std::to_string (results.size())
+                                        + " focuses failed; scores.csv says why");
 }
 } // namespace
 
@@ -116,6 +200,10 @@ void addRenderCommand (CLI::App& app)
     auto* command =
         app.add_subcommand ("render", "Renders a focus: voltages, velocities, scores and a report with figures");
     auto options = std::make_shared<RenderCommandOptions>();
+    command
+        ->add_option ("focus", options->focuses,
+                      "Focus: an embedded name or a .json file; several: each into a folder of its own")
+        ->capture_default_str();
     addCommonOptions (*command, options->common);
     command->add_option ("--probe", options->probes, "Position of a velocity probe, mm (repeatable)")
         ->allow_extra_args (false)
@@ -128,6 +216,25 @@ void addRenderCommand (CLI::App& app)
         ->check (CLI::IsMember ({ "wav", "csv", "tfw" }))
         ->capture_default_str();
     command->add_flag ("!--no-report", options->hasReport, "Writes no report.html");
-    command->callback ([options] { render (*options); });
+    command
+        ->add_option ("--figures", options->figures,
+                      "Also writes the figures of the report for print: svg, pdf (repeatable)")
+        ->check (CLI::IsMember ({ "svg", "pdf" }))
+        ->allow_extra_args (false);
+    command->add_option ("--places", options->placesFile, "CSV of x and y in mm: the focus at each of these places");
+    command
+        ->add_option ("--rank-by", options->rankBy,
+                      "Number of summary.json by which several focuses are ranked in scores.csv")
+        ->capture_default_str();
+    command->callback (
+        [options]
+        {
+            options->common.focus = options->focuses.front();
+
+            if (options->focuses.size() == 1 && options->placesFile.empty())
+                renderOne (*options);
+            else
+                renderSeries (*options);
+        });
 }
 } // namespace antinode
