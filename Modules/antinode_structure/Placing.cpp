@@ -4,6 +4,7 @@
 
 #include <antinode_base/InputError.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace antinode
@@ -40,12 +41,39 @@ Eigen::MatrixXd scaledKernel (const Eigen::VectorXd& angularFrequencies, const E
     const Eigen::VectorXd inverse = scaling.kernel.cwiseInverse();
     return inverse.asDiagonal() * velocityKernel (angularFrequencies, dampingRatios, duration) * inverse.asDiagonal();
 }
+bool overlaps (const CeramicDescription& ceramic, const KeepOut& zone)
+{
+    return ceramic.x < zone.right && ceramic.x + ceramic.sizeX > zone.left && ceramic.y < zone.top
+           && ceramic.y + ceramic.sizeY > zone.bottom;
+}
+
+/** Those candidates that keep out of all zones. */
+PlacementCandidates outside (const std::vector<KeepOut>& zones, PlacementCandidates candidates)
+{
+    std::vector<Eigen::Index> kept;
+    std::vector<CeramicDescription> ceramics;
+
+    for (std::size_t i = 0; i < candidates.ceramics.size(); ++i)
+        if (std::none_of (zones.begin(), zones.end(),
+                          [&] (const auto& zone) { return overlaps (candidates.ceramics[i], zone); }))
+        {
+            kept.push_back (static_cast<Eigen::Index> (i));
+            ceramics.push_back (candidates.ceramics[i]);
+        }
+
+    if (kept.empty())
+        throw InputError ("placement: keep-out zones", "leave no position for a ceramic; allowed: smaller zones");
+
+    candidates.participation = Eigen::MatrixXd (candidates.participation (Eigen::all, kept));
+    candidates.ceramics = std::move (ceramics);
+    return candidates;
+}
 } // namespace
 
 PlacedCeramics placeCeramics (const DeviceDescription& device, const CeramicDescription& like,
                               const PlacingOptions& options, const std::function<void (double)>& progress)
 {
-    const auto candidates = placementCandidates (device, like, options.grid);
+    const auto candidates = outside (options.keepOut, placementCandidates (device, like, options.grid));
     const auto kernel = velocityKernel (candidates.angularFrequencies, candidates.dampingRatios, options.duration);
     const auto scaling = computeScaling (candidates, kernel, options.count);
     const Eigen::MatrixXd participation = scaling.participation.cwiseInverse().asDiagonal() * candidates.participation;
@@ -55,7 +83,20 @@ PlacedCeramics placeCeramics (const DeviceDescription& device, const CeramicDesc
     problem.participation = participation;
     problem.count = options.count;
     problem.exclude = [&] (Eigen::Index a, Eigen::Index b) { return candidates.overlap (a, b); };
-    const auto placement = searchPlacement (problem, progress);
+    const auto begins = options.cost ? 0.05 : 1.0; // The share of the work that the search is.
+    const auto report = [&] (double share)
+    {
+        if (progress)
+            progress (share);
+    };
+    auto placement = searchPlacement (problem, [&] (double share) { report (begins * share); });
+
+    if (options.cost)
+    {
+        placement.chosen = exchangeNeighbours (candidates, placement.chosen, options.cost,
+                                               [&] (double share) { report (begins + (1 - begins) * share); });
+        placement.controllability = worstControllability (problem.kernel, participation (Eigen::all, placement.chosen));
+    }
 
     PlacedCeramics placed;
     placed.candidates = participation.cols();
@@ -64,11 +105,7 @@ PlacedCeramics placeCeramics (const DeviceDescription& device, const CeramicDesc
     placed.perMode =
         participation (Eigen::all, placement.chosen).cwiseAbs2().rowwise().sum() / static_cast<double> (options.count);
 
-    for (const auto index : placement.chosen)
-    {
-        placed.ceramics.push_back (candidates.ceramics[static_cast<std::size_t> (index)]);
-        placed.ceramics.back().name = "C" + std::to_string (placed.ceramics.size());
-    }
+    placed.ceramics = chosenCeramics (candidates, placement.chosen);
 
     if (options.isResolved)
     {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "PlacementCandidates.h"
+#include "PlacementExchange.h"
 #include "PlacementSearch.h"
 
 namespace antinode
@@ -16,18 +17,26 @@ struct PlacedCeramics
     int exchanges = 0;
 };
 
+/** A rectangle of a surface that ceramics keep out of: a display, a cable, a hole. m */
+struct KeepOut
+{
+    double left = 0, bottom = 0, right = 0, top = 0;
+};
+
 struct PlacingOptions
 {
     CandidateGrid grid;
     Eigen::Index count = 0;  ///< How many ceramics.
     double duration = 0.025; ///< Time available to excite the modes, s.
-    bool isResolved = true;  ///< Whether the device is solved again with its ceramics.
+    PlacementCost cost;      ///< What the places are exchanged for in the end; none: controllability alone counts.
+    std::vector<KeepOut> keepOut;
+    bool isResolved = true; ///< Whether the device is solved again with its ceramics.
 };
 
-/** Chooses places by the worst controllability of the lowest modes, on the bare device's modes; then solves it with its
-   ceramics.
-    @throws InputError  as placementCandidates and searchPlacement, and when some mode is moved from none of the places
-    [worker], on all cores. Docs/Theory.md, section 1.9. */
+/** Chooses places by the worst controllability of the lowest modes, or by the goal that costs most, on the bare
+   device's modes; then solves it with its ceramics.
+    @throws InputError  where keep-out zones leave no position; as placementCandidates and searchPlacement, and when
+   some mode is moved from none of the places [worker], on all cores. Docs/Theory.md, section 1.9. */
 PlacedCeramics placeCeramics (const DeviceDescription&, const CeramicDescription& like, const PlacingOptions&,
                               const std::function<void (double)>& progress = {});
 } // namespace antinode

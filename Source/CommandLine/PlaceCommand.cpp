@@ -1,7 +1,9 @@
 #include "Commands.h"
+#include "PlaceOutcome.h"
 #include "Progress.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_structure/Placing.h>
@@ -10,9 +12,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <memory>
 
 namespace antinode
@@ -29,7 +33,8 @@ struct PlaceOptions
     std::optional<double> step, edgeDistance, duration; // mm, mm, ms
     int modes = 40;
     std::string file;
-    std::vector<std::string> assignments;
+    std::vector<std::string> assignments, focuses, keepOut;
+    std::vector<int> counts;
     bool isFrozen = false, isQuiet = false;
 };
 
@@ -133,15 +138,32 @@ void printResult (const PlacedCeramics& placed, const PlaceOptions& options)
     std::printf ("Device: %s\n", options.file.c_str());
 }
 
-void place (PlaceOptions options)
+/** "X0,Y0,X1,Y1", mm. */
+KeepOut parseKeepOut (const std::string& text)
 {
-    checkAssignments (options.assignments);
-    auto document = loadDeviceDocument (options.device, options.assignments);
-    const auto device = loadDevice (options.device, options.assignments);
-    const auto isPlate = deviceExtent (device).kind == SurfaceKind::plate;
-    const auto like = ceramicLike (document, isPlate, options.size);
-    const auto ceramic = describedCeramic (document, like);
+    std::array<double, 4> values {};
+    const auto* at = text.data();
+    const auto* const end = at + text.size();
 
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+        const auto [next, error] = std::from_chars (at, end, values[i]);
+        const auto isLast = i + 1 == values.size();
+
+        if (error != std::errc() || (isLast ? next != end : next == end || *next != ','))
+            throw InputError ("--keep-out-mm " + text, "is not a rectangle; allowed: X0,Y0,X1,Y1 in mm");
+
+        at = next + (isLast ? 0 : 1);
+    }
+
+    if (! (values[0] < values[2] && values[1] < values[3]))
+        throw InputError ("--keep-out-mm " + text, "is empty; allowed: X0 below X1 and Y0 below Y1");
+
+    return { values[0] / milli, values[1] / milli, values[2] / milli, values[3] / milli };
+}
+
+PlacingOptions placingOptions (const PlaceOptions& options, const CeramicDescription& ceramic)
+{
     PlacingOptions placing;
     placing.count = options.count;
     placing.grid.modes = options.modes;
@@ -153,6 +175,75 @@ void place (PlaceOptions options)
 
     if (options.duration)
         placing.duration = *options.duration / milli;
+
+    for (const auto& text : options.keepOut)
+        placing.keepOut.push_back (parseKeepOut (text));
+
+    return placing;
+}
+
+std::vector<FocusDescription> loadFocuses (const PlaceOptions& options)
+{
+    std::vector<FocusDescription> focuses;
+
+    for (const auto& name : options.focuses)
+        focuses.push_back (loadFocus (name, options.assignments));
+
+    return focuses;
+}
+
+void printOutcomes (const ModalModel& model, const std::vector<FocusDescription>& focuses)
+{
+    for (const auto& outcome : placementOutcomes (model, focuses))
+        std::printf ("  %-24s %8s V of %s V, field error %.2f %%, contrast %s\n", outcome.focus.c_str(),
+                     inWords (outcome.peakVoltage).c_str(), inWords (outcome.limit).c_str(), 100 * outcome.fieldError,
+                     inWords (outcome.contrast).c_str());
+}
+
+/** What each number of ceramics comes to: the worst of all focuses. */
+void printCurve (const DeviceDescription& device, const CeramicDescription& like, PlacingOptions placing,
+                 const std::vector<FocusDescription>& focuses, const PlaceOptions& options)
+{
+    std::printf ("ceramics  peak voltage  field error  contrast  (the worst of %zu focuses)\n", focuses.size());
+
+    for (const auto count : options.counts)
+    {
+        Progress progress (options.isQuiet);
+        placing.count = count;
+        const auto placed =
+            placeCeramics (device, like, placing, [&] (double share) { progress.show ("Placing ceramics", share); });
+        PlacementOutcome worst { {}, 0, 0, 0, std::numeric_limits<double>::infinity() };
+
+        for (const auto& each : placementOutcomes (solveStructure (withCeramics (device, placed.ceramics)), focuses))
+        {
+            worst.peakVoltage = std::max (worst.peakVoltage, each.peakVoltage);
+            worst.fieldError = std::max (worst.fieldError, each.fieldError);
+            worst.contrast = std::min (worst.contrast, each.contrast);
+        }
+
+        std::printf ("%8d  %10s V  %9.2f %%  %8s\n", count, inWords (worst.peakVoltage).c_str(), 100 * worst.fieldError,
+                     inWords (worst.contrast).c_str());
+    }
+}
+
+void place (PlaceOptions options)
+{
+    checkAssignments (options.assignments);
+    auto document = loadDeviceDocument (options.device, options.assignments);
+    const auto device = loadDevice (options.device, options.assignments);
+    const auto isPlate = deviceExtent (device).kind == SurfaceKind::plate;
+    const auto like = ceramicLike (document, isPlate, options.size);
+    const auto ceramic = describedCeramic (document, like);
+    const auto focuses = loadFocuses (options);
+    auto placing = placingOptions (options, ceramic);
+
+    if (! focuses.empty())
+        placing.cost = peakVoltageCost (device, focuses);
+    else if (! options.counts.empty())
+        throw InputError ("--counts", "compares what focuses come to; allowed with --focus");
+
+    if (! options.counts.empty())
+        return printCurve (device, ceramic, placing, focuses, options);
 
     Progress progress (options.isQuiet);
     const auto placed =
@@ -168,8 +259,13 @@ void place (PlaceOptions options)
 
     writeWholeFile (options.file, document.dump (2) + "\n");
 
-    if (! options.isQuiet)
-        printResult (placed, options);
+    if (options.isQuiet)
+        return;
+
+    printResult (placed, options);
+
+    if (! focuses.empty())
+        printOutcomes (solveStructure (withCeramics (device, placed.ceramics)), focuses);
 }
 } // namespace
 
@@ -187,6 +283,18 @@ void addPlaceCommand (CLI::App& app)
     command->add_option ("--step-mm", options->step, "Spacing of positions, mm; default: half a ceramic");
     command->add_option ("--rim-mm", options->edgeDistance, "On a plate: largest distance of ceramics from an edge, mm")
         ->check (CLI::NonNegativeNumber);
+    command
+        ->add_option ("--focus", options->focuses,
+                      "Places for the voltage that this focus needs, an embedded name or a .json file (repeatable)")
+        ->allow_extra_args (false);
+    command
+        ->add_option ("--counts", options->counts,
+                      "With --focus: prints what each of these numbers of ceramics comes to")
+        ->delimiter (',')
+        ->check (CLI::Range (1, 64));
+    command->add_option ("--keep-out-mm", options->keepOut, "Rectangle without ceramics, mm (repeatable)")
+        ->allow_extra_args (false)
+        ->type_name ("X0,Y0,X1,Y1");
     command->add_option ("--modes", options->modes, "Number of the lowest modes to excite")
         ->check (CLI::Range (1, 200))
         ->capture_default_str();
