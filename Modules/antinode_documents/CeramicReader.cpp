@@ -52,6 +52,12 @@ CeramicDescription readCeramic (const JsonObject& object)
     if (const auto polarity = object.optional ("polarity"))
         ceramic.polarity = polarity->sign();
 
+    if (const auto capacitance = object.optional ("capacitance_nF"))
+        ceramic.capacitance = fromNanofarads (capacitance->number (ranges::capacitanceNanofarad));
+
+    if (const auto loss = object.optional ("loss_factor"))
+        ceramic.lossFactor = loss->number (ranges::lossFactor);
+
     return ceramic;
 }
 
@@ -79,8 +85,8 @@ std::vector<CeramicDescription> readCentredCeramics (const JsonValue& list, doub
 
     for (const auto& place : places)
     {
-        const auto object = place.object (
-            { "name", "x_mm", "length_mm", "width_mm", "thickness_mm", "material", "mounting", "wiring", "polarity" });
+        const auto object = place.object ({ "name", "x_mm", "length_mm", "width_mm", "thickness_mm", "material",
+                                            "mounting", "wiring", "polarity", "capacitance_nF", "loss_factor" });
         const auto ownLength = readSize (object.required ("length_mm"), length);
         const auto ownWidth = readSize (object.required ("width_mm"), width);
         const auto reach = (length - ownLength) / 2;
@@ -104,8 +110,9 @@ std::vector<CeramicDescription> readCornerCeramics (const JsonValue& list, doubl
 
     for (const auto& place : places)
     {
-        const auto object = place.object ({ "name", "x_mm", "y_mm", "size_x_mm", "size_y_mm", "thickness_mm",
-                                            "material", "mounting", "wiring", "polarity" });
+        const auto object =
+            place.object ({ "name", "x_mm", "y_mm", "size_x_mm", "size_y_mm", "thickness_mm", "material", "mounting",
+                            "wiring", "polarity", "capacitance_nF", "loss_factor" });
         const auto sizeX = readSize (object.required ("size_x_mm"), lengthX);
         const auto sizeY = readSize (object.required ("size_y_mm"), lengthY);
         auto ceramic = readCeramic (object);

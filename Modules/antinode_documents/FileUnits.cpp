@@ -60,6 +60,11 @@ double fromMilliamperes (double milliamperes)
     return milliamperes / 1000;
 }
 
+double fromNanofarads (double nanofarads)
+{
+    return nanofarads / 1e9;
+}
+
 double fromHertz (double hertz)
 {
     return 2 * std::numbers::pi * hertz;
@@ -83,6 +88,11 @@ double toMilliseconds (double seconds)
 double toVoltsPerMicrosecond (double voltsPerSecond)
 {
     return inverted (fromVoltsPerMicrosecond, voltsPerSecond, voltsPerSecond / 1e6);
+}
+
+double toNanofarads (double farads)
+{
+    return inverted (fromNanofarads, farads, farads * 1e9);
 }
 
 double toPercent (double share)

@@ -14,6 +14,9 @@ double fromVoltsPerMicrosecond (double voltsPerMicrosecond);
 /** mA to A, correctly rounded. [any] */
 double fromMilliamperes (double milliamperes);
 
+/** nF to F. [any] */
+double fromNanofarads (double nanofarads);
+
 /** Hz to rad/s. [any] */
 double fromHertz (double hertz);
 
@@ -29,6 +32,9 @@ double toMilliseconds (double seconds);
 
 /** The same for V/us. [any] */
 double toVoltsPerMicrosecond (double voltsPerSecond);
+
+/** The same for nF. [any] */
+double toNanofarads (double farads);
 
 /** The same for %. [any] */
 double toPercent (double share);

@@ -101,13 +101,15 @@ void readModes (const JsonObject& device, const std::vector<Eigen::Index>& order
 
 Ceramic readCeramic (const JsonValue& value, const VoltageLimits& limits)
 {
-    const auto object =
-        value.object ({ "name", "x_mm", "y_mm", "size_x_mm", "size_y_mm", "voltage_limit_V", "slew_limit_V_per_us" });
+    const auto object = value.object ({ "name", "x_mm", "y_mm", "size_x_mm", "size_y_mm", "voltage_limit_V",
+                                        "slew_limit_V_per_us", "capacitance_nF", "loss_factor" });
     const auto x = object.required ("x_mm").number (ranges::positionMillimetre);
     const auto y = object.required ("y_mm").number (ranges::positionMillimetre);
     const auto name = object.optional ("name");
     const auto ownLimit = object.optional ("voltage_limit_V");
     const auto ownSlew = object.optional ("slew_limit_V_per_us");
+    const auto capacitance = object.optional ("capacitance_nF");
+    const auto loss = object.optional ("loss_factor");
 
     Ceramic ceramic;
     ceramic.name = name ? name->text (ranges::maximumNameBytes) : "";
@@ -118,6 +120,9 @@ Ceramic readCeramic (const JsonValue& value, const VoltageLimits& limits)
     ceramic.voltageLimit = ownLimit ? ownLimit->number ({ 0, limits.voltage }) : limits.voltage;
     ceramic.slewLimit =
         ownSlew ? fromVoltsPerMicrosecond (ownSlew->number (ranges::slewVoltsPerMicrosecond)) : limits.slew;
+    ceramic.capacitance = capacitance ? fromNanofarads (capacitance->number (ranges::capacitanceNanofarad)) : 0.0;
+    ceramic.lossFactor = loss ? loss->number (ranges::lossFactor) : usualLossFactor;
+    ceramic.area = (ceramic.xMaximum - ceramic.xMinimum) * (ceramic.yMaximum - ceramic.yMinimum);
     return ceramic;
 }
 

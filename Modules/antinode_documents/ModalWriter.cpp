@@ -66,6 +66,12 @@ Json ceramicsToJson (const ModalModel& model)
         if (ceramic.slewLimit > 0)
             item["slew_limit_V_per_us"] = toVoltsPerMicrosecond (ceramic.slewLimit);
 
+        if (ceramic.capacitance > 0)
+        {
+            item["capacitance_nF"] = toNanofarads (ceramic.capacitance);
+            item["loss_factor"] = ceramic.lossFactor;
+        }
+
         ceramics.push_back (std::move (item));
     }
 

@@ -4,13 +4,19 @@
 
 namespace antinode
 {
+/** The dielectric loss factor of soft ceramics (PZT-5A) at low fields: taken where none is given. */
+inline constexpr double usualLossFactor = 0.02;
+
 /** A ceramic (bimorph): its extent and limits. Ceramic k is output channel k. */
 struct Ceramic
 {
     std::string name;
-    double xMinimum = 0, xMaximum = 0; ///< Extent, m.
-    double yMinimum = 0, yMaximum = 0; ///< Extent, m; both 0 on a line.
-    double voltageLimit = 0;           ///< U_max, V, at least 0.
-    double slewLimit = 0;              ///< max |dU/dt|, V/s; 0: none.
+    double xMinimum = 0, xMaximum = 0;   ///< Extent, m.
+    double yMinimum = 0, yMaximum = 0;   ///< Extent, m; both 0 on a line.
+    double voltageLimit = 0;             ///< U_max, V, at least 0.
+    double slewLimit = 0;                ///< max |dU/dt|, V/s; 0: none.
+    double capacitance = 0;              ///< What its amplifier charges, F; 0: unknown.
+    double lossFactor = usualLossFactor; ///< tan delta of the capacitance.
+    double area = 0;                     ///< Of one face, m^2; 0: unknown.
 };
 } // namespace antinode

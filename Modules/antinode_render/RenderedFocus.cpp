@@ -157,6 +157,10 @@ RenderedFocus renderFocus (ModalModel model, FocusDesign design, const RenderOpt
     result.model = std::move (model);
     result.design = std::move (design);
     result.residual = residualMotion (result);
+
+    if (options.repetitions)
+        result.power = focusPower (result.model, result.render.voltages, options.playback, *options.repetitions);
+
     return result;
 }
 
@@ -211,6 +215,10 @@ nlohmann::ordered_json summaryToJson (const RenderedFocus& focus)
                           { "time_ms", certificate.milliseconds } };
     summary["probes"] = probesJson (focus);
     summary["warnings"] = design.warnings;
+
+    if (focus.power)
+        summary["power"] = powerToJson (focus.model, *focus.power);
+
     return summary;
 }
 } // namespace antinode

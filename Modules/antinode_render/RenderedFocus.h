@@ -1,5 +1,7 @@
 #pragma once
 
+#include "FocusPower.h"
+
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/FocusDesign.h>
 #include <antinode_focus/FocusScore.h>
@@ -23,6 +25,7 @@ struct RenderOptions
                                     ///< until 2 ms after the brake.
     std::vector<std::pair<double, double>> probes; ///< x, y in m; none: the focus's, or its targets.
     int blockSize = 512;
+    std::optional<double> repetitions = {}; ///< Per second, at which the electrical power is wanted; none: without it.
 };
 
 /** The result of the plate model at the time of one focus. */
@@ -56,6 +59,7 @@ struct RenderedFocus
     double contrast = 0;
     std::vector<ReachedMoment> moments; ///< One each of the design's; the first is what the fields above speak of.
     std::optional<ResidualMotion> residual;
+    std::optional<FocusPower> power; ///< Where it is wanted.
 };
 
 /** Plays a design through synthesiser, limiter and plate model, and scores what the plate did.

@@ -2,6 +2,7 @@
 
 #include "FieldFigures.h"
 #include "FocusScores.h"
+#include "PowerSection.h"
 
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
@@ -151,6 +152,10 @@ ReportPage focusReport (const RenderedFocus& focus)
     page.scores = focusScores (focus);
     page.warnings = design.warnings;
     page.sections = { fieldSection (focus), voltageSection (focus), motionSection (focus), designSection (focus) };
+
+    if (focus.power)
+        page.sections.insert (page.sections.end() - 1, powerSection (focus));
+
     page.links = { { "summary.json", "summary.json" }, { "design.json", "design.json" }, { "probe.csv", "probe.csv" } };
     page.footer =
         "Antinode " ANTINODE_VERSION ". The scores are computed by the plate model from the rendered samples.";

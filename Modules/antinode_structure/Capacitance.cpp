@@ -8,6 +8,9 @@ namespace antinode
 {
 double capacitance (const CeramicDescription& ceramic)
 {
+    if (ceramic.capacitance > 0)
+        return ceramic.capacitance;
+
     constexpr auto vacuumPermittivity = 8.8541878128e-12; // F/m
     const auto one =
         vacuumPermittivity * ceramic.material.permittivityRelative * ceramic.sizeX * ceramic.sizeY / ceramic.thickness;

@@ -5,7 +5,7 @@
 namespace antinode
 {
 /** The capacitance that an amplifier sees of a ceramic, or of a pair as it is wired. F.
-    @return  0 where the material's permittivity is not known
+    @return  what was measured, else from the material; 0 where its permittivity is not known
     [any] Docs/Theory.md, section 1.10. */
 double capacitance (const CeramicDescription&);
 

@@ -21,8 +21,9 @@ void fields (auto& stream, Struct<PiezoelectricMaterial> auto& material)
 
 void fields (auto& stream, Struct<CeramicDescription> auto& ceramic)
 {
-    auto& [name, x, y, sizeX, sizeY, thickness, material, mounting, wiring, polarity] = ceramic;
-    stream (name, x, y, sizeX, sizeY, thickness, material, mounting, wiring, polarity);
+    auto& [name, x, y, sizeX, sizeY, thickness, material, mounting, wiring, polarity, capacitance, lossFactor] =
+        ceramic;
+    stream (name, x, y, sizeX, sizeY, thickness, material, mounting, wiring, polarity, capacitance, lossFactor);
 }
 
 void fields (auto& stream, Struct<StructureCommon> auto& common)

@@ -58,7 +58,9 @@ struct CeramicDescription
     PiezoelectricMaterial material;
     CeramicMounting mounting = CeramicMounting::bothSides;
     CeramicWiring wiring = CeramicWiring::parallel;
-    int polarity = 1; ///< 1 or -1
+    int polarity = 1;                    ///< 1 or -1
+    double capacitance = 0;              ///< Measured, of what the amplifier sees, F; 0: from the material.
+    double lossFactor = usualLossFactor; ///< tan delta
 };
 
 /** The common properties of all described (not measured) devices. */

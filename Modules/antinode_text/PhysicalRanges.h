@@ -19,6 +19,8 @@ constexpr NumberRange frequencyHz { 1e-3, 1e8 };
 constexpr NumberRange voltage { 1e-3, 1e5 };
 constexpr NumberRange slewVoltsPerMicrosecond { 1e-6, 1e6 };
 constexpr NumberRange currentMilliampere { 1e-6, 1e6 };
+constexpr NumberRange capacitanceNanofarad { 1e-6, 1e9 };
+constexpr NumberRange lossFactor { 0, 1 };
 constexpr NumberRange timeMillisecond { 1e-3, 60000 };
 constexpr NumberRange dampingRatio { 0, 1, true, true };
 constexpr NumberRange qualityFactor { 0.5, 1e9, true };

@@ -61,6 +61,10 @@ TEST_CASE ("The ceramics of a plate are given by their lower left corner", "[fil
     CHECK (ceramics[0].y == 0.015);
     CHECK (ceramics[0].sizeY == 0.02);
     CHECK (ceramics[0].polarity == -1);
+    CHECK (ceramics[0].capacitance == 21.5e-9);
+    CHECK (ceramics[0].lossFactor == 0.015);
+    CHECK (ceramics[1].capacitance == 0);
+    CHECK (ceramics[1].lossFactor == 0.02);
     CHECK (ceramics[0].material.d31 == -195e-12);
     CHECK (ceramics[1].mounting == CeramicMounting::oneSide);
     CHECK (ceramics[1].wiring == CeramicWiring::series);

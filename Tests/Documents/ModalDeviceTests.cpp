@@ -78,8 +78,8 @@ ModalModel irregularModel (SurfaceKind kind)
     }
 
     for (Eigen::Index i = 0; i < ceramics; ++i)
-        model.ceramics.push_back (
-            { "C" + std::to_string (i), next(), 1 + next(), 0, next() / 3, i == 2 ? 70.0 : 150.0 });
+        model.ceramics.push_back ({ "C" + std::to_string (i), next(), 1 + next(), 0, next() / 3, i == 2 ? 70.0 : 150.0,
+                                    0, (1 + next()) / 1e9, 0.1 * next() });
 
     return model;
 }
@@ -109,6 +109,8 @@ void checkSame (const ModalModel& a, const ModalModel& b)
     {
         CHECK (a.ceramics[i].name == b.ceramics[i].name);
         CHECK (a.ceramics[i].voltageLimit == b.ceramics[i].voltageLimit);
+        CHECK (a.ceramics[i].capacitance == b.ceramics[i].capacitance);
+        CHECK (a.ceramics[i].lossFactor == b.ceramics[i].lossFactor);
         CHECK (std::pair (a.ceramics[i].xMinimum, a.ceramics[i].xMaximum)
                == std::pair (b.ceramics[i].xMinimum, b.ceramics[i].xMaximum));
         CHECK (std::pair (a.ceramics[i].yMinimum, a.ceramics[i].yMaximum)
@@ -135,6 +137,11 @@ TEST_CASE ("A modal device holds its modes in ascending frequency", "[files]")
     CHECK (model.surface.xMaximum == 0.04);
     CHECK (model.ceramics[0].name == "left");
     CHECK (model.ceramics[0].voltageLimit == 100);
+    CHECK (model.ceramics[0].capacitance == 2.9e-9);
+    CHECK (model.ceramics[0].lossFactor == 0.03);
+    CHECK (model.ceramics[0].area == Approx (45e-6));
+    CHECK (model.ceramics[1].capacitance == 0);
+    CHECK (model.ceramics[1].lossFactor == 0.02);
     CHECK (model.ceramics[0].xMaximum == -0.021);
     CHECK (model.ceramics[1].name == "C2");
     CHECK (model.ceramics[1].voltageLimit == 120);

@@ -149,6 +149,7 @@ private:
                                                       "phase",
                                                       "polarity",
                                                       "permittivity_relative",
+                                                      "capacitance_nF",
                                                       "maximum_duration_ms",
                                                       "peak_velocity_mm_s" };
 

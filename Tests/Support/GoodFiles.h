@@ -25,7 +25,7 @@ inline const std::vector<GoodFile>& goodFiles()
             "quality_factor": [190, 60],
             "ceramics": [
               { "name": "C1", "x_mm": 10, "y_mm": 15, "size_x_mm": 25, "size_y_mm": 20, "thickness_mm": 0.5, "material": "NCE51",
-                "mounting": "both_sides", "wiring": "parallel", "polarity": -1 },
+                "mounting": "both_sides", "wiring": "parallel", "polarity": -1, "capacitance_nF": 21.5, "loss_factor": 0.015 },
               { "x_mm": 35, "y_mm": 15, "size_x_mm": 25, "size_y_mm": 25, "thickness_mm": 0.2,
                 "material": { "youngs_modulus_GPa": 62.5, "poisson_ratio": 0.31, "density_kg_m3": 7800, "d31_m_per_V": -195e-12,
                               "permittivity_relative": 1850 },
@@ -46,7 +46,8 @@ inline const std::vector<GoodFile>& goodFiles()
               { "frequency_Hz": 420, "damping_ratio": 0.003, "participation_per_V": [0.3, 0.4], "shape": [1, 2, 3],
                 "slope": [1, 1, 1], "frequency_error_relative": 2e-6 } ],
             "points_mm": [[-50, 0], [0, 0], [40, 0]], "weights_kg": [0.001, 0.002, 0.001], "areas_m2": [1, 2, 1],
-            "ceramics": [ { "name": "left", "x_mm": -30, "y_mm": 0, "size_x_mm": 9, "size_y_mm": 5, "voltage_limit_V": 100 },
+            "ceramics": [ { "name": "left", "x_mm": -30, "y_mm": 0, "size_x_mm": 9, "size_y_mm": 5, "voltage_limit_V": 100,
+                            "capacitance_nF": 2.9, "loss_factor": 0.03 },
                           { "x_mm": 20, "y_mm": 0, "size_x_mm": 9, "size_y_mm": 5 } ],
             "limits": { "voltage_V": 120, "full_scale_V": 150 }, "delay_s": 1e-5, "covers_whole_body": false,
             "rigid_body_modes": 2 })" },

@@ -1,0 +1,239 @@
+#include "PowerFlow.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
+#include <antinode_base/Watch.h>
+#include <antinode_engine/PlateModel.h>
+#include <antinode_numerics/Fourier.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace antinode
+{
+namespace
+{
+constexpr double nano = 1e9; // F to nF
+
+double sumOf (const std::vector<CeramicFlow>& ceramics, double CeramicFlow::*amount)
+{
+    double sum = 0;
+
+    for (const auto& ceramic : ceramics)
+        sum += ceramic.*amount;
+
+    return sum;
+}
+
+/** N_b: the part of each capacitance that the modes store as they follow a constant voltage, F. */
+Eigen::VectorXd modalCapacitances (const ModalModel& model)
+{
+    return (model.angularFrequencies.cwiseInverse().asDiagonal() * model.participation).colwise().squaredNorm();
+}
+
+/** The motion as the ceramics feel it, sample by sample. */
+struct FeltMotion
+{
+    Eigen::MatrixXd charge;  ///< N_b x (N_s + 1): participation by modal displacement, C.
+    Eigen::MatrixXd current; ///< N_b x N_s: participation by modal velocity, A.
+};
+
+/** Moves the body by the voltages and notes its energies. */
+FeltMotion moveBody (const ModalModel& model, const Eigen::MatrixXd& voltages, Playback playback, PowerFlow& flow)
+{
+    constexpr Eigen::Index blockSize = 128;
+    const auto samples = voltages.cols(), actuators = voltages.rows(), modes = model.modes();
+    const Eigen::ArrayXd stiffness = model.angularFrequencies.array().square(),
+                         damping = 2 * decayRates (model).array();
+    PlateModel plate (model, playback, Eigen::MatrixXd (0, modes));
+    FeltMotion felt { Eigen::MatrixXd::Zero (actuators, samples + 1), Eigen::MatrixXd::Zero (actuators, samples) };
+    Eigen::MatrixXd velocities (modes, blockSize), displacements (modes, blockSize);
+    const Eigen::VectorXd silence = Eigen::VectorXd::Zero (actuators);
+
+    for (Eigen::Index n = 0; n < plate.latencySamples(); ++n)
+        plate.processModes (n < samples ? voltages.col (n) : silence, velocities.leftCols (1));
+
+    for (Eigen::Index first = 0; first <= samples; first += blockSize)
+    {
+        checkWatch();
+        const auto count = std::min (blockSize, samples + 1 - first);
+
+        for (Eigen::Index n = 0; n < count; ++n)
+        {
+            const auto fed = first + n + plate.latencySamples();
+            plate.processModes (fed < samples ? voltages.col (fed) : silence, velocities.col (n));
+            displacements.col (n) = plate.modalDisplacements();
+            const auto& velocity = plate.modalVelocities();
+            flow.motionAtEnd =
+                0.5 * (velocity.squaredNorm() + (stiffness * displacements.col (n).array().square()).sum());
+            flow.peakMotion = std::max (flow.peakMotion, flow.motionAtEnd);
+            flow.mechanicalLoss += (damping * velocity.array().square()).sum() / playback.sampleRate;
+        }
+
+        felt.charge.middleCols (first, count) = model.participation.transpose() * displacements.leftCols (count);
+        const auto kept = std::min (count, samples - first);
+        felt.current.middleCols (first, kept) = model.participation.transpose() * velocities.leftCols (kept);
+    }
+
+    return felt;
+}
+
+/** The slope of the band-limited waveform through samples, and the current per farad of a loss factor of 1: whose phase
+   is that of the voltage, whose size grows with the frequency. */
+struct Slopes
+{
+    Eigen::VectorXd rate, loss; ///< V/s
+};
+
+Slopes slopesOf (const Eigen::VectorXd& voltage, double sampleRate)
+{
+    const auto length = quickLength (2.0 * static_cast<double> (voltage.size()));
+    const auto perLine = 2 * std::numbers::pi * sampleRate / static_cast<double> (length);
+    auto rate = forwardFourier (voltage, length);
+    auto loss = rate;
+
+    for (Eigen::Index k = 0; k < rate.size(); ++k)
+    {
+        const auto omega = perLine * static_cast<double> (k);
+        rate[k] *= std::complex<double> (0, 2 * k == length ? 0 : omega);
+        loss[k] *= omega;
+    }
+
+    return { inverseFourier (rate, length).head (voltage.size()), inverseFourier (loss, length).head (voltage.size()) };
+}
+
+/** One ceramic, sample by sample. */
+struct SampledFlow
+{
+    Eigen::ArrayXd voltage, rate, charge, current, lost; ///< V, V/s, C, A, and the part of the current that is lost, A.
+};
+
+SampledFlow sampledFlow (const Eigen::VectorXd& voltage, const Ceramic& ceramic, double modalCapacitance,
+                         const Eigen::VectorXd& feltCharge, const Eigen::VectorXd& feltCurrent, double sampleRate)
+{
+    const auto slopes = slopesOf (voltage, sampleRate);
+    const auto held = ceramic.capacitance - modalCapacitance;
+    SampledFlow flow { voltage.array(),
+                       slopes.rate.array(),
+                       held * voltage.array() + feltCharge.array(),
+                       {},
+                       ceramic.capacitance * ceramic.lossFactor * slopes.loss.array() };
+    flow.current = held * flow.rate + flow.lost + feltCurrent.array();
+    return flow;
+}
+
+CeramicFlow summedFlow (const SampledFlow& flow, const Eigen::VectorXd& feltCurrent, double held, double sampleRate)
+{
+    const Eigen::ArrayXd power = flow.voltage * flow.current;
+    CeramicFlow sums;
+    sums.peakVoltage = flow.voltage.abs().maxCoeff();
+    sums.peakSlew = flow.rate.abs().maxCoeff();
+    sums.peakCurrent = flow.current.abs().maxCoeff();
+    sums.peakCharge = flow.charge.abs().maxCoeff();
+    sums.voltageSquaredTime = flow.voltage.square().sum() / sampleRate;
+    sums.currentSquaredTime = flow.current.square().sum() / sampleRate;
+    sums.currentMagnitudeTime = flow.current.abs().sum() / sampleRate;
+    sums.drawn = power.max (0).sum() / sampleRate;
+    sums.returned = -power.min (0).sum() / sampleRate;
+    sums.dielectricLoss = (flow.voltage * flow.lost).sum() / sampleRate;
+    sums.work = (flow.voltage * feltCurrent.array()).sum() / sampleRate;
+    sums.storedAtEnd = 0.5 * held * flow.voltage.tail<1>().square().value();
+    return sums;
+}
+
+/** s until all voltages stay 0. */
+double playedDuration (const Eigen::MatrixXd& voltages, double sampleRate)
+{
+    auto end = voltages.cols();
+
+    while (end > 0 && (voltages.col (end - 1).array() == 0).all())
+        --end;
+
+    return static_cast<double> (end) / sampleRate;
+}
+} // namespace
+
+double PowerFlow::drawn() const
+{
+    return sumOf (ceramics, &CeramicFlow::drawn);
+}
+
+double PowerFlow::returned() const
+{
+    return sumOf (ceramics, &CeramicFlow::returned);
+}
+
+double PowerFlow::dielectricLoss() const
+{
+    return sumOf (ceramics, &CeramicFlow::dielectricLoss);
+}
+
+double PowerFlow::storedAtEnd() const
+{
+    return motionAtEnd + sumOf (ceramics, &CeramicFlow::storedAtEnd);
+}
+
+double PowerFlow::imbalance() const
+{
+    const auto in = electricalIn();
+    return in == 0 ? 0 : (in - storedAtEnd() - dielectricLoss() - mechanicalLoss) / in;
+}
+
+std::string powerObstacle (const ModalModel& model)
+{
+    const auto modal = modalCapacitances (model);
+
+    for (std::size_t i = 0; i < model.ceramics.size(); ++i)
+    {
+        const auto& ceramic = model.ceramics[i];
+        const auto least = modal[static_cast<Eigen::Index> (i)];
+
+        if (! (ceramic.capacitance > 0))
+            return "the capacitance of ceramic '" + ceramic.name + "' is not known; give it (ceramic: capacitance)";
+
+        if (ceramic.capacitance < least)
+            return "the capacitance of ceramic '" + ceramic.name + "', " + inWords (ceramic.capacitance * nano)
+                   + " nF, is less than its participation in the modes implies, " + inWords (least * nano)
+                   + " nF; correct one of them";
+    }
+
+    return {};
+}
+
+PowerFlow powerFlow (const ModalModel& model, const Eigen::MatrixXd& voltages, Playback playback)
+{
+    if (const auto obstacle = powerObstacle (model); ! obstacle.empty())
+        throw InputError ("power", "cannot be told: " + obstacle);
+
+    if (voltages.rows() != model.actuators() || voltages.cols() == 0 || std::ssize (model.ceramics) != voltages.rows())
+        throw InputError ("power", "needs the voltages of all ceramics of the device");
+
+    const auto rate = playback.sampleRate;
+    const auto samples = voltages.cols();
+    PowerFlow flow;
+    flow.duration = playedDuration (voltages, rate);
+    auto felt = moveBody (model, voltages, playback, flow);
+
+    if (playback.reconstruction == Reconstruction::zeroOrderHold) // The mean over the time that a voltage is held.
+        felt.current = (felt.charge.rightCols (samples) - felt.charge.leftCols (samples)) * rate;
+
+    const auto modal = modalCapacitances (model);
+    Eigen::ArrayXd currents = Eigen::ArrayXd::Zero (samples), powers = currents;
+
+    for (Eigen::Index i = 0; i < voltages.rows(); ++i)
+    {
+        checkWatch();
+        const auto& ceramic = model.ceramics[static_cast<std::size_t> (i)];
+        const auto sampled = sampledFlow (voltages.row (i), ceramic, modal[i], felt.charge.row (i).head (samples),
+                                          felt.current.row (i), rate);
+        currents += sampled.current.abs();
+        powers += sampled.voltage * sampled.current;
+        flow.ceramics.push_back (summedFlow (sampled, felt.current.row (i), ceramic.capacitance - modal[i], rate));
+    }
+
+    flow.peakCurrent = currents.maxCoeff();
+    flow.peakPower = powers.maxCoeff();
+    return flow;
+}
+} // namespace antinode
