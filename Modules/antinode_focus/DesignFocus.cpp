@@ -149,7 +149,7 @@ FocusDesign designModes (const ModalModel& model, const FocusDescription& descri
                          const Eigen::VectorXd& wanted, Playback playback)
 {
     const Eigen::VectorXd field = model.shapes (Eigen::all, modes) * wanted;
-    FocusMoment moment { description.focusTime, description.targets, projectField (model, field), wanted, field, 1 };
+    FocusMoment moment { description.focusTime, {}, projectField (model, field), wanted, field, 1 };
     return designDrives (makeDesign (description, modes, { std::move (moment) }, playback, field.cwiseAbs().maxCoeff()),
                          model, DesignExtent::complete);
 }

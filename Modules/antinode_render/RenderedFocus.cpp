@@ -3,6 +3,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_documents/FocusWords.h>
+#include <antinode_focus/EventPeak.h>
 #include <antinode_focus/TargetField.h>
 
 #include <nlohmann/json.hpp>
@@ -28,14 +29,20 @@ double defaultDuration (const FocusDesign& design)
     return design.restTime ? std::max (end, focus + *design.restTime + 1.5 * residualSpan) : end;
 }
 
-ReachedMoment reachedAt (const ModalModel& model, const FocusMoment& moment, const Render& render, std::int64_t sample)
+ReachedMoment reachedAt (const ModalModel& model, const FocusDesign& design, const FocusMoment& moment,
+                         const Render& render, std::int64_t sample)
 {
+    const auto truncatedPeak = largestTruncated (model, design, moment);
+    const auto wantedPeak = moment.targets.empty()
+                                ? truncatedPeak
+                                : largestWanted (model.surface, moment.targets, design.description.edgeWindow);
     ReachedMoment reached;
     reached.sample = sample;
     reached.modalVelocities = render.modalVelocities.col (sample);
     reached.field = model.shapes * reached.modalVelocities;
-    reached.score = scoreField (model.surface, reached.field, moment.target.field);
-    reached.truncatedScore = scoreField (model.surface, reached.field, moment.truncatedField);
+    reached.peak = largestVelocity (model, reached.modalVelocities);
+    reached.score = scoreFocus (model, reached.modalVelocities, moment.target.field, wantedPeak);
+    reached.truncatedScore = scoreFocus (model, reached.modalVelocities, moment.truncatedField, truncatedPeak);
     return reached;
 }
 
@@ -55,7 +62,7 @@ std::vector<ReachedMoment> reachedMoments (const ModalModel& model, const FocusD
                 "is " + inWords (static_cast<double> (render.modalVelocities.cols()) / render.sampleRate * 1000)
                     + " ms, which ends before the focus at " + inWords (moment.time * 1000) + " ms");
 
-        reached.push_back (reachedAt (model, moment, render, sample));
+        reached.push_back (reachedAt (model, design, moment, render, sample));
     }
 
     return reached;
@@ -75,9 +82,9 @@ std::optional<ResidualMotion> residualMotion (const RenderedFocus& focus)
     if (first + count > render.modalVelocities.cols())
         return {};
 
-    const Eigen::MatrixXd left = focus.model.shapes * render.modalVelocities.middleCols (first, count);
-    return ResidualMotion { *focus.design.restTime,
-                            left.cwiseAbs().maxCoeff() / focus.moments.back().field.cwiseAbs().maxCoeff() };
+    const auto left =
+        largestInEvent (focus.model, { render.modalVelocities, render.sampleRate }, {}, first, first + count - 1);
+    return ResidualMotion { *focus.design.restTime, std::abs (left.velocity / focus.moments.back().peak.velocity) };
 }
 
 nlohmann::ordered_json fociJson (const RenderedFocus& focus)
@@ -119,13 +126,12 @@ nlohmann::ordered_json probesJson (const RenderedFocus& focus)
     for (std::size_t i = 0; i < focus.probes.size(); ++i)
     {
         const auto velocity = focus.render.probeVelocities.row (static_cast<Eigen::Index> (i));
-        Eigen::Index peak = 0;
-        velocity.cwiseAbs().maxCoeff (&peak);
+        const auto peak = largestInTime (velocity);
         list.push_back ({ { "x_mm", focus.probes[i].first * 1000 },
                           { "y_mm", focus.probes[i].second * 1000 },
                           { "velocity_at_focus_mm_s", velocity[focus.render.focusSample] * 1000 },
-                          { "peak_velocity_mm_s", velocity[peak] * 1000 },
-                          { "peak_time_ms", static_cast<double> (peak) / focus.render.sampleRate * 1000 } });
+                          { "peak_velocity_mm_s", peak.value * 1000 },
+                          { "peak_time_ms", peak.position / focus.render.sampleRate * 1000 } });
     }
 
     return list;
@@ -153,7 +159,8 @@ RenderedFocus renderFocus (ModalModel model, FocusDesign design, const RenderOpt
     result.reachedField = result.moments.front().field;
     result.score = result.moments.front().score;
     result.truncatedScore = result.moments.front().truncatedScore;
-    result.contrast = fieldContrast (model.surface, result.reachedField, design.moments.front().targets);
+    result.contrast = fieldContrast (model.surface, result.reachedField, design.moments.front().targets,
+                                     result.moments.front().peak.velocity);
     result.model = std::move (model);
     result.design = std::move (design);
     result.residual = residualMotion (result);
@@ -184,7 +191,7 @@ nlohmann::ordered_json summaryToJson (const RenderedFocus& focus)
     summary["contrast"] = focus.contrast;
     summary["focus_time_ms"] = static_cast<double> (focus.render.focusSample) / focus.render.sampleRate * 1000;
     summary["foci"] = fociJson (focus);
-    summary["peak_velocity_mm_s"] = focus.reachedField.cwiseAbs().maxCoeff() * 1000;
+    summary["peak_velocity_mm_s"] = std::abs (focus.moments.front().peak.velocity) * 1000;
     summary["peak_voltage_V"] = focus.render.voltages.cwiseAbs().maxCoeff();
     summary["voltage_limit_V"] = design.program.voltageLimits.maxCoeff();
     summary["full_scale_V"] = focus.model.fullScaleVoltage;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <antinode_engine/OfflineRender.h>
+#include <antinode_focus/FieldPeak.h>
 #include <antinode_focus/FocusDesign.h>
 #include <antinode_focus/FocusScore.h>
 #include <antinode_model/ModalModel.h>
@@ -31,6 +32,7 @@ struct ReachedMoment
     std::int64_t sample = 0;
     Eigen::VectorXd modalVelocities; ///< N_m, m/s kg^1/2
     Eigen::VectorXd field;           ///< N_p, m/s
+    FieldPeak peak;                  ///< The largest velocity anywhere on the surface.
     FocusScore score;                ///< Against the wanted field.
     FocusScore truncatedScore;       ///< Against the truncated field.
 };

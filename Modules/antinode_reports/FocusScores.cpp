@@ -4,6 +4,8 @@
 #include <antinode_base/Prefixes.h>
 #include <antinode_charts/Numbers.h>
 
+#include <cmath>
+
 namespace antinode
 {
 namespace
@@ -20,7 +22,7 @@ std::vector<ReportScore> focusScores (const RenderedFocus& focus)
     const auto& design = focus.design;
     const auto limit = inWords (design.program.voltageLimits.maxCoeff());
     const auto peakVoltage = focus.render.voltages.cwiseAbs().maxCoeff();
-    const auto peakVelocity = focus.reachedField.cwiseAbs().maxCoeff() * milli;
+    const auto peakVelocity = std::abs (focus.moments.front().peak.velocity) * milli;
     std::vector<ReportScore> scores {
         { "v-score", formatFixed (focus.truncatedScore.vScore, 5),
           "Correlation of the reached field with the part of the wanted field that the controlled modes can represent; "

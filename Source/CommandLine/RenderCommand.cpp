@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -77,7 +78,7 @@ void printSummary (const RenderedFocus& focus, const RenderCommandOptions& optio
                  100 * focus.truncatedScore.fieldError, 100 * focus.score.fieldError);
     std::printf ("  captured       %.4f by %zu of %td modes\n", design.captured, design.controlledModes.size(),
                  focus.model.modes());
-    std::printf ("  peak velocity  %s mm/s\n", inWords (focus.reachedField.cwiseAbs().maxCoeff() * 1000).c_str());
+    std::printf ("  peak velocity  %s mm/s\n", inWords (std::abs (focus.moments.front().peak.velocity) * 1000).c_str());
     std::printf ("  peak voltage   %s V of %s V\n", inWords (focus.render.voltages.cwiseAbs().maxCoeff()).c_str(),
                  inWords (design.program.voltageLimits.maxCoeff()).c_str());
 
