@@ -6,8 +6,6 @@
 #include <antinode_focus/FocusScore.h>
 #include <antinode_model/ModalModel.h>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -65,7 +63,4 @@ struct RenderedFocus
     [worker] */
 RenderedFocus renderFocus (ModalModel, FocusDesign, const RenderOptions&,
                            const std::function<void (double)>& progress = {});
-
-/** The keys of summary.json. [any] */
-nlohmann::ordered_json summaryToJson (const RenderedFocus&);
 } // namespace antinode

@@ -4,15 +4,14 @@
 #include "RenderFiles.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
 #include <antinode_documents/DesignFile.h>
+#include <antinode_render/Summary.h>
 #include <antinode_reports/FocusReport.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <nlohmann/json.hpp>
 
 #include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -68,19 +67,17 @@ RenderOptions renderOptions (const RenderCommandOptions& options)
     return result;
 }
 
-void printSummary (const RenderedFocus& focus, const RenderCommandOptions& options)
+void printSummary (const RenderedFocus& focus, const FocusOutcome& outcome, const RenderCommandOptions& options)
 {
     const auto& design = focus.design;
     std::printf ("%s on %s\n", design.description.name.c_str(), focus.model.name.c_str());
-    std::printf ("  v-score        %.6f   (against the wanted field %.4f)\n", focus.truncatedScore.vScore,
-                 focus.score.vScore);
-    std::printf ("  field error    %.4f %%   (against the wanted field %.2f %%)\n",
-                 100 * focus.truncatedScore.fieldError, 100 * focus.score.fieldError);
+    std::printf ("%s", outcomeToText (focus, outcome).c_str());
+    std::printf ("Scores against the wanted field, and against the part that the controlled modes represent:\n");
+    std::printf ("  v-score        %.4f, %.6f\n", focus.score.vScore, focus.truncatedScore.vScore);
+    std::printf ("  field error    %.2f %%, %.4f %%\n", 100 * focus.score.fieldError,
+                 100 * focus.truncatedScore.fieldError);
     std::printf ("  captured       %.4f by %zu of %td modes\n", design.captured, design.controlledModes.size(),
                  focus.model.modes());
-    std::printf ("  peak velocity  %s mm/s\n", inWords (std::abs (focus.moments.front().peak.velocity) * 1000).c_str());
-    std::printf ("  peak voltage   %s V of %s V\n", inWords (focus.render.voltages.cwiseAbs().maxCoeff()).c_str(),
-                 inWords (design.program.voltageLimits.maxCoeff()).c_str());
 
     for (const auto& warning : design.warnings)
         std::printf ("  warning: %s\n", warning.c_str());
@@ -97,18 +94,19 @@ void render (const RenderCommandOptions& options)
     const auto focus = renderFocus (std::move (model), std::move (design), settings,
                                     [&] (double share) { progress.show ("Rendering", share); });
 
+    const auto outcome = evaluateOutcome (focus);
     OutputFolder folder (options.common.folder);
     writeSamples (folder, focus, options.format);
     folder.write ("design.json", designToJson (focus.design, focus.model).dump (2) + "\n");
-    folder.write ("summary.json", summaryToJson (focus).dump (2) + "\n");
+    folder.write ("summary.json", summaryToJson (focus, outcome).dump (2) + "\n");
 
     if (options.hasReport)
-        folder.write ("report.html", renderReport (focusReport (focus)));
+        folder.write ("report.html", renderReport (focusReport (focus, outcome)));
 
     folder.commit();
 
     if (! options.common.isQuiet)
-        printSummary (focus, options);
+        printSummary (focus, outcome, options);
 }
 } // namespace
 
