@@ -96,12 +96,17 @@ PlanView deviceChart (const ModalModel& model)
     PlanView view;
     view.x = alongX (surface);
     view.rectangles = ceramicRectangles (model);
+    const auto isKnown = model.unknowns > 0; // measured devices do not say
+    view.heldLeft = isKnown && surface.held.left;
+    view.heldRight = isKnown && surface.held.right;
 
     if (isPlate (model))
     {
         view.xLabel = "x (mm)";
         view.yLabel = "y (mm)";
         view.y = { surface.yMinimum * milli, surface.yMaximum * milli };
+        view.heldBottom = isKnown && surface.held.bottom;
+        view.heldTop = isKnown && surface.held.top;
         return view;
     }
 

@@ -12,5 +12,6 @@ struct PlanView
     AxisRange x, y; ///< The surface.
     std::vector<MapRectangle> rectangles;
     std::vector<MapPoint> points;
+    bool heldLeft = false, heldRight = false, heldBottom = false, heldTop = false; ///< Edges drawn hatched.
 };
 } // namespace antinode

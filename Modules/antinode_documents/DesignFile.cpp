@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 Json conventions()
 {
     return {
-        { "mode", "index into the device's flexible modes, the lowest is 0" },
+        { "mode", "number of the device's flexible mode, the lowest is 1" },
         { "time", "seconds from the trigger" },
         { "oscillation", "value(t) = exp(growth_per_s tau) (in_phase sin(2 pi frequency_Hz tau) + quadrature cos(2 pi "
                          "frequency_Hz tau)), "
@@ -36,7 +36,7 @@ Json conventions()
 
 Json oscillationToJson (const Oscillation& oscillation)
 {
-    Json json { { "mode", oscillation.mode },
+    Json json { { "mode", oscillation.mode + 1 },
                 { "start_s", oscillation.start },
                 { "end_s", oscillation.end },
                 { "growth_per_s", oscillation.growth },
@@ -76,7 +76,7 @@ Json controlledModesToJson (const FocusDesign& design, const ModalModel& model)
     for (std::size_t i = 0; i < design.controlledModes.size(); ++i)
     {
         const auto k = design.controlledModes[i];
-        list.push_back ({ { "mode", k },
+        list.push_back ({ { "mode", k + 1 },
                           { "frequency_Hz", model.frequencyHz (k) },
                           { "damping_ratio", model.dampingRatios[k] },
                           { "wanted_velocity_m_s_sqrt_kg", design.target.modalVelocities[k] },

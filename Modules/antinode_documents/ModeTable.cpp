@@ -19,7 +19,7 @@ std::string encodeModeTable (const ModalModel& model)
 
     for (Eigen::Index k = 0; k < model.modes(); ++k)
     {
-        text += '\n' + std::to_string (k);
+        text += '\n' + std::to_string (k + 1);
         appendNumber (model.frequencyHz (k));
         appendNumber (model.dampingRatios[k]);
 

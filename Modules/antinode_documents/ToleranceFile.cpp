@@ -21,7 +21,7 @@ Json causeToJson (const ToleranceCause& cause, const ModalModel& model)
 
     if (cause.mode)
     {
-        json["mode"] = *cause.mode;
+        json["mode"] = *cause.mode + 1;
         json["frequency_Hz"] = model.frequencyHz (*cause.mode);
     }
 

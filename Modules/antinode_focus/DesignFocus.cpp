@@ -19,8 +19,9 @@ namespace antinode
 {
 namespace
 {
-void checkTargets (const Surface& surface, const std::vector<Target>& targets)
+void checkTargets (const ModalModel& model, const std::vector<Target>& targets)
 {
+    const auto& surface = model.surface;
     const auto isPlate = surface.kind == SurfaceKind::plate;
 
     for (std::size_t i = 0; i < targets.size(); ++i)
@@ -29,9 +30,10 @@ void checkTargets (const Surface& surface, const std::vector<Target>& targets)
         const auto check = [&] (const char* name, double value, double minimum, double maximum)
         {
             if (value < minimum || value > maximum)
-                throw InputError (where + name,
-                                  "is " + inWords (value * 1000) + " mm, which is outside the surface; allowed: "
-                                      + inWords (minimum * 1000) + " to " + inWords (maximum * 1000) + " mm");
+                throw InputError (where + name, "is " + inWords (value * 1000)
+                                                    + " mm, which is outside the surface of '" + model.name
+                                                    + "'; allowed: " + inWords (minimum * 1000) + " to "
+                                                    + inWords (maximum * 1000) + " mm");
         };
         check ("x", targets[i].x, surface.xMinimum, surface.xMaximum);
 
@@ -116,6 +118,10 @@ FocusDesign designDrives (FocusDesign design, const ModalModel& model, DesignExt
         design.shortestPeriod = shortestPeriod (model, design.program, momentTimes (design.moments));
 
     addRemarks (design, model);
+
+    if (extent == DesignExtent::complete)
+        addTransientRemark (design, model);
+
     return design;
 }
 } // namespace
@@ -134,7 +140,7 @@ FocusDesign designFocus (const ModalModel& model, const FocusDescription& descri
     if (model.actuators() == 0)
         throw InputError ("device '" + model.name + "'", "has no ceramics; a focus needs at least one");
 
-    checkTargets (model.surface, description.targets);
+    checkTargets (model, description.targets);
     auto moments = focusMoments (model, description, playback);
     const auto modes = controlModes (model, description.modes, moments);
     double peakVelocity = 0;
@@ -149,7 +155,7 @@ FocusDesign designModes (const ModalModel& model, const FocusDescription& descri
                          const Eigen::VectorXd& wanted, Playback playback)
 {
     const Eigen::VectorXd field = model.shapes (Eigen::all, modes) * wanted;
-    FocusMoment moment { description.focusTime, description.targets, projectField (model, field), wanted, field, 1 };
+    FocusMoment moment { description.focusTime, {}, projectField (model, field), wanted, field, 1 };
     return designDrives (makeDesign (description, modes, { std::move (moment) }, playback, field.cwiseAbs().maxCoeff()),
                          model, DesignExtent::complete);
 }

@@ -1,8 +1,11 @@
 #include "DesignRemarks.h"
 
 #include "DriveAllocation.h"
-#include <antinode_allocation/LowerBound.h>
+#include "FieldLimits.h"
+#include "FocusScore.h"
+#include "Prediction.h"
 
+#include <antinode_allocation/LowerBound.h>
 #include <antinode_base/NumberText.h>
 
 #include <algorithm>
@@ -15,6 +18,7 @@ namespace antinode
 namespace
 {
 constexpr double poorCapture = 0.9;
+constexpr double poorTransient = 0.05;         // field error
 constexpr double minimumMove = 1e-9;           // s
 constexpr double wholeCapture = 0.99;          // what the default choice of modes asks for
 constexpr double reliableShareOfNyquist = 0.8; // the interpolation of the plate model and of real converters
@@ -125,26 +129,40 @@ void addSampleRemarks (FocusDesign& design)
         "A free waveform can be played offline only. In real time use the allocation 'dictionary', which "
         "needs nearly the same voltage.");
 }
+void warnOfCapture (FocusDesign& design, const ModalModel& model)
+{
+    const auto& worst =
+        *std::min_element (design.moments.begin(), design.moments.end(),
+                           [] (const FocusMoment& a, const FocusMoment& b) { return a.captured < b.captured; });
+
+    if (worst.captured < poorCapture)
+        design.warnings.push_back ("The controlled modes represent only " + inWords (worst.captured)
+                                   + " of the wanted field (1 is all of it). " + lossInWords (model, design, worst));
+    else if (model.rigidBodyModes > 0 && worst.captured < wholeCapture)
+        design.warnings.emplace_back (
+            "The device can move as a rigid body, and ceramics cannot excite this part of the wanted field. "
+            "Foci of opposite sign, or a sinc, have less of it.");
+}
 } // namespace
+
+void addTransientRemark (FocusDesign& design, const ModalModel& model)
+{
+    for (const auto& moment : design.moments)
+    {
+        const auto velocities = modalVelocities (model, predictStates (model, design.program, moment.time));
+        const auto error = scoreField (model.surface, model.shapes * velocities, moment.truncatedField).fieldError;
+
+        if (error > poorTransient)
+            design.warnings.push_back (transientInWords (design, moment, velocities, error));
+    }
+}
 
 void addRemarks (FocusDesign& design, const ModalModel& model)
 {
     addChoices (design, model);
     design.warnings.insert (design.warnings.end(), model.warnings.begin(), model.warnings.end());
 
-    if (model.rigidBodyModes > 0 && design.captured < wholeCapture)
-        design.warnings.emplace_back (
-            "The device can move as a rigid body, and ceramics cannot excite this part of the wanted field. "
-            "Foci of opposite sign, or a sinc, have less of it.");
-
-    auto captured = design.captured;
-
-    for (const auto& moment : design.moments)
-        captured = std::min (captured, moment.captured);
-
-    if (captured < poorCapture)
-        design.warnings.push_back ("The controlled modes represent only " + inWords (captured)
-                                   + " of the wanted field (1 is all of it); control more modes or widen the target.");
+    warnOfCapture (design, model);
 
     const auto highest = model.frequencyHz (design.controlledModes.back());
 

@@ -4,7 +4,7 @@
 
 namespace antinode
 {
-FocusScore scoreField (const Surface& surface, const Eigen::VectorXd& reached, const Eigen::VectorXd& wanted)
+FieldScore scoreField (const Surface& surface, const Eigen::VectorXd& reached, const Eigen::VectorXd& wanted)
 {
     const Eigen::VectorXd share = surface.areas / surface.areas.sum();
     const Eigen::VectorXd r = (reached.array() - share.dot (reached)).matrix();
@@ -14,13 +14,16 @@ FocusScore scoreField (const Surface& surface, const Eigen::VectorXd& reached, c
     const auto deviations = std::sqrt (inner (r, r) * inner (w, w));
     const Eigen::VectorXd difference = reached - wanted;
 
-    Eigen::Index peak = 0;
-    wanted.cwiseAbs().maxCoeff (&peak);
-
-    FocusScore score;
+    FieldScore score;
     score.vScore = deviations > 0 ? inner (r, w) / deviations : 0.0;
     score.fieldError = std::sqrt (inner (difference, difference) / inner (wanted, wanted));
-    score.peakRatio = reached[peak] / wanted[peak];
     return score;
+}
+
+FocusScore scoreFocus (const ModalModel& model, const Eigen::VectorXd& modalVelocities, const Eigen::VectorXd& wanted,
+                       const FieldPeak& wantedPeak)
+{
+    return { scoreField (model.surface, model.shapes * modalVelocities, wanted),
+             shapesAt (model, wantedPeak.x, wantedPeak.y).dot (modalVelocities) / wantedPeak.velocity };
 }
 } // namespace antinode

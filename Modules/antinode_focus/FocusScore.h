@@ -1,21 +1,34 @@
 #pragma once
 
+#include "FieldPeak.h"
+
 #include <antinode_model/Surface.h>
 
 #include <Eigen/Core>
 
 namespace antinode
 {
-/** The scores of a field against a wanted one. Docs/Theory.md, section 5; paper (33). */
-struct FocusScore
+/** How much a field resembles a wanted one. Docs/Theory.md, section 5; paper (33). */
+struct FieldScore
 {
     double vScore = 0;     ///< Pearson's correlation over the surface, -1 to 1. Blind to amplitude.
     double fieldError = 0; ///< RMS of the difference / RMS of the wanted field.
-    double peakRatio = 0;  ///< Reached / wanted at the point where the wanted field is largest.
+};
+
+/** The scores of a focus. Docs/Theory.md, section 5. */
+struct FocusScore : FieldScore
+{
+    double peakRatio = 0; ///< Reached / wanted where the wanted field is largest, between the points too.
 };
 
 /** Scores of a field on the surface's points, weighted by area.
     @param reached, wanted  N_p values, m/s; wanted not zero everywhere
     [any] */
-FocusScore scoreField (const Surface&, const Eigen::VectorXd& reached, const Eigen::VectorXd& wanted);
+FieldScore scoreField (const Surface&, const Eigen::VectorXd& reached, const Eigen::VectorXd& wanted);
+/** The same, with the ratio at the peak of the wanted field.
+    @param modalVelocities  N_m, reached, m/s kg^1/2
+    @param wantedPeak       as largestWanted or largestTruncated finds it
+    [worker] */
+FocusScore scoreFocus (const ModalModel&, const Eigen::VectorXd& modalVelocities, const Eigen::VectorXd& wanted,
+                       const FieldPeak& wantedPeak);
 } // namespace antinode

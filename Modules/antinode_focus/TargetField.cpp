@@ -29,10 +29,9 @@ double tukey (double fromEnd, double taper)
     return 0.5 * (1 - std::cos (std::numbers::pi * std::max (fromEnd, 0.0) / taper));
 }
 
-/** The window at a point: tapered at the edges that cannot move. */
-double edgeFactor (const Surface& surface, Eigen::Index point, double share)
+/** The window at a place: tapered at the edges that cannot move. */
+double edgeFactor (const Surface& surface, double x, double y, double share)
 {
-    const auto x = surface.points (point, 0), y = surface.points (point, 1);
     const auto taperX = 0.5 * share * (surface.xMaximum - surface.xMinimum);
     const auto taperY = 0.5 * share * (surface.yMaximum - surface.yMinimum);
     const auto& held = surface.held;
@@ -53,15 +52,14 @@ double widthInY (const Target& target)
 }
 
 /** From the target's centre, m. */
-Eigen::Vector2d offsetFrom (const Surface& surface, Eigen::Index point, const Target& target)
+Eigen::Vector2d offsetFrom (const Surface& surface, double x, double y, const Target& target)
 {
-    const auto y = surface.kind == SurfaceKind::line ? 0.0 : surface.points (point, 1) - target.y;
-    return { surface.points (point, 0) - target.x, y };
+    return { x - target.x, surface.kind == SurfaceKind::line ? 0.0 : y - target.y };
 }
 
-double profileAt (const Surface& surface, Eigen::Index point, const Target& target)
+double profileAt (const Surface& surface, double x, double y, const Target& target)
 {
-    const auto offset = offsetFrom (surface, point, target);
+    const auto offset = offsetFrom (surface, x, y, target);
 
     if (target.profile == TargetProfile::radial)
         return targetProfile (target.shape, offset.norm(), target.width);
@@ -73,7 +71,7 @@ double profileAt (const Surface& surface, Eigen::Index point, const Target& targ
 /** The distance from the target's centre in widths, each axis in its own: the spot ends at 1. */
 double widthsAway (const Surface& surface, Eigen::Index point, const Target& target)
 {
-    const auto offset = offsetFrom (surface, point, target);
+    const auto offset = offsetFrom (surface, surface.points (point, 0), surface.points (point, 1), target);
     return std::hypot (offset.x() / target.width, offset.y() / widthInY (target));
 }
 } // namespace
@@ -96,24 +94,30 @@ double targetProfile (TargetShape shape, double distance, double width)
     return 0;
 }
 
+double targetVelocity (const Surface& surface, const std::vector<Target>& targets, std::optional<double> edgeWindow,
+                       double x, double y)
+{
+    double velocity = 0;
+
+    for (const auto& target : targets)
+        velocity += target.phase * target.peakVelocity * profileAt (surface, x, y, target);
+
+    return edgeWindow ? velocity * edgeFactor (surface, x, y, *edgeWindow) : velocity;
+}
+
 Eigen::VectorXd targetField (const Surface& surface, const std::vector<Target>& targets,
                              std::optional<double> edgeWindow)
 {
-    Eigen::VectorXd field = Eigen::VectorXd::Zero (surface.points.rows());
+    Eigen::VectorXd field (surface.points.rows());
 
     for (Eigen::Index i = 0; i < field.size(); ++i)
-    {
-        for (const auto& target : targets)
-            field[i] += target.phase * target.peakVelocity * profileAt (surface, i, target);
-
-        if (edgeWindow)
-            field[i] *= edgeFactor (surface, i, *edgeWindow);
-    }
+        field[i] = targetVelocity (surface, targets, edgeWindow, surface.points (i, 0), surface.points (i, 1));
 
     return field;
 }
 
-double fieldContrast (const Surface& surface, const Eigen::VectorXd& field, const std::vector<Target>& targets)
+double fieldContrast (const Surface& surface, const Eigen::VectorXd& field, const std::vector<Target>& targets,
+                      double peak)
 {
     double square = 0, area = 0;
 
@@ -129,6 +133,6 @@ double fieldContrast (const Surface& surface, const Eigen::VectorXd& field, cons
         }
     }
 
-    return square > 0 ? field.cwiseAbs().maxCoeff() / std::sqrt (square / area) : 0.0;
+    return square > 0 ? std::abs (peak) / std::sqrt (square / area) : 0.0;
 }
 } // namespace antinode

@@ -24,9 +24,14 @@ double targetProfile (TargetShape, double distance, double width);
     [any] Docs/Theory.md, section 2.1. */
 Eigen::VectorXd targetField (const Surface&, const std::vector<Target>&, std::optional<double> edgeWindow);
 
+/** The same at one place, on the surface's points or between them. m/s [any] */
+double targetVelocity (const Surface&, const std::vector<Target>&, std::optional<double> edgeWindow, double x,
+                       double y);
+
 /** Peak over RMS, weighted by area, outside the focal spots: farther than a width from every target's centre, each axis
    in its own width. 0 where nothing lies outside or moves.
     @param field  N_p values, m/s
+    @param peak   m/s, of either sign: what largestVelocity finds
     [any] Docs/Theory.md, section 5. */
-double fieldContrast (const Surface&, const Eigen::VectorXd& field, const std::vector<Target>&);
+double fieldContrast (const Surface&, const Eigen::VectorXd& field, const std::vector<Target>&, double peak);
 } // namespace antinode

@@ -36,14 +36,15 @@ std::uint64_t seedForDraw (std::uint64_t seed, int draw)
     return mix (mix (seed + odd) + odd * static_cast<std::uint64_t> (draw));
 }
 
-FocusScore scoreOn (const ModalModel& modes, const ModalModel& model, const FocusDesign& design)
+FocusScore scoreOn (const ModalModel& modes, const ModalModel& model, const FocusDesign& design,
+                    const FieldPeak& wantedPeak)
 {
     const auto states = predictStates (modes, design.program, design.program.focusTime);
-    return scoreField (model.surface, model.shapes * modalVelocities (modes, states), design.truncatedField);
+    return scoreFocus (model, modalVelocities (modes, states), design.truncatedField, wantedPeak);
 }
 
-std::vector<FocusScore> drawScores (const ModalModel& model, const FocusDesign& design, const ToleranceOptions& options,
-                                    const std::function<void (double)>& progress)
+std::vector<FocusScore> drawScores (const ModalModel& model, const FocusDesign& design, const FieldPeak& wantedPeak,
+                                    const ToleranceOptions& options, const std::function<void (double)>& progress)
 {
     const auto modes = withoutShapes (model);
     std::vector<FocusScore> scores (static_cast<std::size_t> (options.draws));
@@ -53,7 +54,7 @@ std::vector<FocusScore> drawScores (const ModalModel& model, const FocusDesign& 
                  {
                      scores[draw] =
                          scoreOn (detuned (modes, options.spread, seedForDraw (options.seed, static_cast<int> (draw))),
-                                  model, design);
+                                  model, design, wantedPeak);
 
                      if (std::this_thread::get_id() == caller)
                          progress (static_cast<double> (draw + 1) / options.draws);
@@ -91,9 +92,10 @@ Tolerance evaluateTolerance (const ModalModel& model, const FocusDesign& design,
                              const std::function<void (double)>& progress)
 {
     Tolerance tolerance;
+    const auto wantedPeak = largestTruncated (model, design, design.moments.front());
     tolerance.options = options;
-    tolerance.known = scoreOn (withoutShapes (model), model, design);
-    tolerance.draws = drawScores (model, design, options, progress);
+    tolerance.known = scoreOn (withoutShapes (model), model, design, wantedPeak);
+    tolerance.draws = drawScores (model, design, wantedPeak, options, progress);
     tolerance.vScore = scorePercentiles (tolerance.draws, &FocusScore::vScore);
     tolerance.fieldError = scorePercentiles (tolerance.draws, &FocusScore::fieldError);
     tolerance.peakRatio = scorePercentiles (tolerance.draws, &FocusScore::peakRatio);

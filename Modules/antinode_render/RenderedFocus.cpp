@@ -2,10 +2,8 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
-#include <antinode_documents/FocusWords.h>
+#include <antinode_focus/EventPeak.h>
 #include <antinode_focus/TargetField.h>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -28,14 +26,20 @@ double defaultDuration (const FocusDesign& design)
     return design.restTime ? std::max (end, focus + *design.restTime + 1.5 * residualSpan) : end;
 }
 
-ReachedMoment reachedAt (const ModalModel& model, const FocusMoment& moment, const Render& render, std::int64_t sample)
+ReachedMoment reachedAt (const ModalModel& model, const FocusDesign& design, const FocusMoment& moment,
+                         const Render& render, std::int64_t sample)
 {
+    const auto truncatedPeak = largestTruncated (model, design, moment);
+    const auto wantedPeak = moment.targets.empty()
+                                ? truncatedPeak
+                                : largestWanted (model.surface, moment.targets, design.description.edgeWindow);
     ReachedMoment reached;
     reached.sample = sample;
     reached.modalVelocities = render.modalVelocities.col (sample);
     reached.field = model.shapes * reached.modalVelocities;
-    reached.score = scoreField (model.surface, reached.field, moment.target.field);
-    reached.truncatedScore = scoreField (model.surface, reached.field, moment.truncatedField);
+    reached.peak = largestVelocity (model, reached.modalVelocities);
+    reached.score = scoreFocus (model, reached.modalVelocities, moment.target.field, wantedPeak);
+    reached.truncatedScore = scoreFocus (model, reached.modalVelocities, moment.truncatedField, truncatedPeak);
     return reached;
 }
 
@@ -55,7 +59,7 @@ std::vector<ReachedMoment> reachedMoments (const ModalModel& model, const FocusD
                 "is " + inWords (static_cast<double> (render.modalVelocities.cols()) / render.sampleRate * 1000)
                     + " ms, which ends before the focus at " + inWords (moment.time * 1000) + " ms");
 
-        reached.push_back (reachedAt (model, moment, render, sample));
+        reached.push_back (reachedAt (model, design, moment, render, sample));
     }
 
     return reached;
@@ -75,25 +79,9 @@ std::optional<ResidualMotion> residualMotion (const RenderedFocus& focus)
     if (first + count > render.modalVelocities.cols())
         return {};
 
-    const Eigen::MatrixXd left = focus.model.shapes * render.modalVelocities.middleCols (first, count);
-    return ResidualMotion { *focus.design.restTime,
-                            left.cwiseAbs().maxCoeff() / focus.moments.back().field.cwiseAbs().maxCoeff() };
-}
-
-nlohmann::ordered_json fociJson (const RenderedFocus& focus)
-{
-    auto list = nlohmann::ordered_json::array();
-
-    for (const auto& moment : focus.moments)
-        list.push_back ({ { "time_ms", static_cast<double> (moment.sample) / focus.render.sampleRate * 1000 },
-                          { "v_score", moment.score.vScore },
-                          { "field_error", moment.score.fieldError },
-                          { "peak_ratio", moment.score.peakRatio },
-                          { "v_score_truncated", moment.truncatedScore.vScore },
-                          { "field_error_truncated", moment.truncatedScore.fieldError },
-                          { "peak_ratio_truncated", moment.truncatedScore.peakRatio } });
-
-    return list;
+    const auto left =
+        largestInEvent (focus.model, { render.modalVelocities, render.sampleRate }, {}, first, first + count - 1);
+    return ResidualMotion { *focus.design.restTime, std::abs (left.velocity / focus.moments.back().peak.velocity) };
 }
 
 std::vector<std::pair<double, double>> chooseProbes (const FocusDesign& design, const RenderOptions& options)
@@ -112,24 +100,6 @@ std::vector<std::pair<double, double>> chooseProbes (const FocusDesign& design, 
     return probes;
 }
 
-nlohmann::ordered_json probesJson (const RenderedFocus& focus)
-{
-    auto list = nlohmann::ordered_json::array();
-
-    for (std::size_t i = 0; i < focus.probes.size(); ++i)
-    {
-        const auto velocity = focus.render.probeVelocities.row (static_cast<Eigen::Index> (i));
-        Eigen::Index peak = 0;
-        velocity.cwiseAbs().maxCoeff (&peak);
-        list.push_back ({ { "x_mm", focus.probes[i].first * 1000 },
-                          { "y_mm", focus.probes[i].second * 1000 },
-                          { "velocity_at_focus_mm_s", velocity[focus.render.focusSample] * 1000 },
-                          { "peak_velocity_mm_s", velocity[peak] * 1000 },
-                          { "peak_time_ms", static_cast<double> (peak) / focus.render.sampleRate * 1000 } });
-    }
-
-    return list;
-}
 } // namespace
 
 RenderedFocus renderFocus (ModalModel model, FocusDesign design, const RenderOptions& options,
@@ -153,7 +123,8 @@ RenderedFocus renderFocus (ModalModel model, FocusDesign design, const RenderOpt
     result.reachedField = result.moments.front().field;
     result.score = result.moments.front().score;
     result.truncatedScore = result.moments.front().truncatedScore;
-    result.contrast = fieldContrast (model.surface, result.reachedField, design.moments.front().targets);
+    result.contrast = fieldContrast (model.surface, result.reachedField, design.moments.front().targets,
+                                     result.moments.front().peak.velocity);
     result.model = std::move (model);
     result.design = std::move (design);
     result.residual = residualMotion (result);
@@ -162,63 +133,5 @@ RenderedFocus renderFocus (ModalModel model, FocusDesign design, const RenderOpt
         result.power = focusPower (result.model, result.render.voltages, options.playback, *options.repetitions);
 
     return result;
-}
-
-nlohmann::ordered_json summaryToJson (const RenderedFocus& focus)
-{
-    const auto& design = focus.design;
-    const auto& certificate = design.certificate;
-    nlohmann::ordered_json summary;
-    summary["device"] = focus.model.name;
-    summary["focus"] = design.description.name;
-    summary["sample_rate_Hz"] = focus.render.sampleRate;
-    summary["reconstruction"] =
-        design.playback.reconstruction == Reconstruction::bandLimited ? "band_limited" : "zero_order_hold";
-    summary["ceramics"] = focus.model.actuators();
-    summary["modes_controlled"] = design.controlledModes.size();
-    summary["modes_simulated"] = focus.model.modes();
-    summary["captured"] = design.captured;
-    summary["residue"] = design.residue;
-    summary["v_score"] = focus.score.vScore;
-    summary["field_error"] = focus.score.fieldError;
-    summary["peak_ratio"] = focus.score.peakRatio;
-    summary["v_score_truncated"] = focus.truncatedScore.vScore;
-    summary["field_error_truncated"] = focus.truncatedScore.fieldError;
-    summary["peak_ratio_truncated"] = focus.truncatedScore.peakRatio;
-    summary["contrast"] = focus.contrast;
-    summary["focus_time_ms"] = static_cast<double> (focus.render.focusSample) / focus.render.sampleRate * 1000;
-    summary["foci"] = fociJson (focus);
-    summary["peak_velocity_mm_s"] = focus.reachedField.cwiseAbs().maxCoeff() * 1000;
-    summary["peak_voltage_V"] = focus.render.voltages.cwiseAbs().maxCoeff();
-    summary["voltage_limit_V"] = design.program.voltageLimits.maxCoeff();
-    summary["full_scale_V"] = focus.model.fullScaleVoltage;
-    summary["lower_bound_voltage_V"] = design.lowerBoundVoltage;
-    summary["lower_bound_gap"] = design.lowerBoundGap;
-
-    if (design.program.samples)
-        summary["intersample_peak_voltage_V"] = design.intersamplePeakVoltage;
-
-    if (focus.residual)
-    {
-        summary["residual_field_ratio"] = focus.residual->ratio;
-        summary["residual_time_ms"] = focus.residual->time * 1000;
-    }
-
-    if (design.shortestPeriod)
-        summary["shortest_period_ms"] = *design.shortestPeriod * 1000;
-
-    summary["limited_samples"] = focus.render.limitedSamples;
-    summary["allocation"] = wordFor (allocationMethodWords, design.description.allocation.method);
-    summary["solver"] = { { "status", wordFor (allocationStatusWords, certificate.status) },
-                          { "iterations", certificate.iterations },
-                          { "gap", certificate.gap },
-                          { "time_ms", certificate.milliseconds } };
-    summary["probes"] = probesJson (focus);
-    summary["warnings"] = design.warnings;
-
-    if (focus.power)
-        summary["power"] = powerToJson (focus.model, *focus.power);
-
-    return summary;
 }
 } // namespace antinode

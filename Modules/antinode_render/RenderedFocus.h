@@ -3,11 +3,10 @@
 #include "FocusPower.h"
 
 #include <antinode_engine/OfflineRender.h>
+#include <antinode_focus/FieldPeak.h>
 #include <antinode_focus/FocusDesign.h>
 #include <antinode_focus/FocusScore.h>
 #include <antinode_model/ModalModel.h>
-
-#include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -34,6 +33,7 @@ struct ReachedMoment
     std::int64_t sample = 0;
     Eigen::VectorXd modalVelocities; ///< N_m, m/s kg^1/2
     Eigen::VectorXd field;           ///< N_p, m/s
+    FieldPeak peak;                  ///< The largest velocity anywhere on the surface.
     FocusScore score;                ///< Against the wanted field.
     FocusScore truncatedScore;       ///< Against the truncated field.
 };
@@ -67,7 +67,4 @@ struct RenderedFocus
     [worker] */
 RenderedFocus renderFocus (ModalModel, FocusDesign, const RenderOptions&,
                            const std::function<void (double)>& progress = {});
-
-/** The keys of summary.json. [any] */
-nlohmann::ordered_json summaryToJson (const RenderedFocus&);
 } // namespace antinode

@@ -140,7 +140,7 @@ ReportSection designSection (const RenderedFocus& focus)
 }
 } // namespace
 
-ReportPage focusReport (const RenderedFocus& focus)
+ReportPage focusReport (const RenderedFocus& focus, const FocusOutcome& outcome)
 {
     ReportPage page;
     const auto& design = focus.design;
@@ -149,7 +149,7 @@ ReportPage focusReport (const RenderedFocus& focus)
                     + std::to_string (focus.model.modes()) + " modes simulated, focus at "
                     + inWords (static_cast<double> (focus.render.focusSample) / focus.render.sampleRate * milli)
                     + " ms, " + inWords (focus.render.sampleRate) + " Hz";
-    page.scores = focusScores (focus);
+    page.scores = focusScores (focus, outcome);
     page.warnings = design.warnings;
     page.sections = { fieldSection (focus), voltageSection (focus), motionSection (focus), designSection (focus) };
 

@@ -26,7 +26,9 @@ ReportSection deviceSection (const ModalModel& model)
     ReportSection section;
     section.heading = "Device";
     section.figures.push_back (
-        { "The surface from above, with the ceramics. Ceramic k is output channel k.",
+        { "The surface from above, with the ceramics. Ceramic k is output channel k. Hatched edges are held: clamped "
+          "or "
+          "simply supported.",
           {},
           deviceChart (model),
           reportFigureWidth,

@@ -46,6 +46,18 @@ std::vector<double> positions (double from, double to, double step)
     throw InputError ("placement: ceramic size", "is larger than the device; allowed: up to the size of the device");
 }
 
+/** Positions between two ends: a margin is kept from free ones, as far as there is room, and as an edge distance asks.
+ */
+std::vector<double> positionsBetween (double from, double to, EdgeCondition low, EdgeCondition high,
+                                      const CandidateGrid& grid)
+{
+    const auto most = std::min (grid.freeEdgeMargin, grid.edgeDistance.value_or (grid.freeEdgeMargin));
+    const auto free = (low == EdgeCondition::free ? 1 : 0) + (high == EdgeCondition::free ? 1 : 0);
+    const auto margin = free > 0 ? std::min (most, std::max (0.0, to - from) / free) : 0.0;
+    return positions (low == EdgeCondition::free ? from + margin : from, high == EdgeCondition::free ? to - margin : to,
+                      grid.step);
+}
+
 /** The candidates of a plate, row by row. */
 std::vector<CeramicDescription> onPlate (const PlateDescription& plate, const CeramicDescription& like,
                                          const CandidateGrid& grid)
@@ -54,9 +66,9 @@ std::vector<CeramicDescription> onPlate (const PlateDescription& plate, const Ce
         throwTooLarge();
 
     std::vector<CeramicDescription> ceramics;
-    const auto xs = positions (0, plate.lengthX - like.sizeX, grid.step);
+    const auto xs = positionsBetween (0, plate.lengthX - like.sizeX, plate.left, plate.right, grid);
 
-    for (const auto y : positions (0, plate.lengthY - like.sizeY, grid.step))
+    for (const auto y : positionsBetween (0, plate.lengthY - like.sizeY, plate.bottom, plate.top, grid))
         for (const auto x : xs)
         {
             auto ceramic = like;
@@ -64,7 +76,7 @@ std::vector<CeramicDescription> onPlate (const PlateDescription& plate, const Ce
             ceramic.y = y;
             const auto toEdge = std::min ({ x, y, plate.lengthX - x - like.sizeX, plate.lengthY - y - like.sizeY });
 
-            if (! grid.edgeDistance || toEdge <= *grid.edgeDistance)
+            if (! grid.edgeDistance || toEdge <= *grid.edgeDistance + edgeTolerance)
                 ceramics.push_back (ceramic);
         }
 
@@ -102,8 +114,15 @@ struct CandidateFinder
         return candidates;
     }
 
-    PlacementCandidates operator() (const BeamDescription& beam) const { return onLine (beam, beam.length); }
-    PlacementCandidates operator() (const StapleDescription& staple) const { return onLine (staple, staple.topLength); }
+    PlacementCandidates operator() (const BeamDescription& beam) const
+    {
+        return onLine (beam, beam.length, beam.left, beam.right);
+    }
+
+    PlacementCandidates operator() (const StapleDescription& staple) const
+    {
+        return onLine (staple, staple.topLength, EdgeCondition::clamped, EdgeCondition::clamped); // both go on as legs
+    }
 
     PlacementCandidates operator() (const ModalModel&) const
     {
@@ -119,7 +138,7 @@ private:
     }
 
     template <typename Body>
-    PlacementCandidates onLine (const Body& body, double length) const
+    PlacementCandidates onLine (const Body& body, double length, EdgeCondition left, EdgeCondition right) const
     {
         if (like.sizeX > length + edgeTolerance || like.sizeY > body.width + edgeTolerance)
             throwTooLarge();
@@ -129,7 +148,7 @@ private:
         candidates.angularFrequencies = model.angularFrequencies;
         candidates.dampingRatios = model.dampingRatios;
         const auto moment = momentPerVolt (body.common, body.width, like);
-        const auto lefts = positions (-length / 2, length / 2 - like.sizeX, grid.step);
+        const auto lefts = positionsBetween (-length / 2, length / 2 - like.sizeX, left, right, grid);
         candidates.participation.resize (grid.modes, static_cast<Eigen::Index> (lefts.size()));
 
         for (std::size_t i = 0; i < lefts.size(); ++i)

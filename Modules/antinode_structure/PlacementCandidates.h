@@ -21,6 +21,7 @@ struct CandidateGrid
 {
     double step = 0;                    ///< Between neighbouring positions, m, more than 0.
     std::optional<double> edgeDistance; ///< On a plate: the largest distance from an edge, m.
+    double freeEdgeMargin = 0;          ///< Least distance from free edges and ends, m; less where it leaves no room.
     int modes = 40;                     ///< How many of the lowest modes.
 };
 

@@ -55,10 +55,9 @@ void design (const DesignCommandOptions& all)
     if (options.isQuiet)
         return;
 
-    std::printf ("%s on %s: %zu modes, captured %.4f, peak %s V of %s V, duality gap %.1e\n",
-                 result.description.name.c_str(), model.name.c_str(), result.controlledModes.size(), result.captured,
-                 inWords (peakVoltage (result)).c_str(), inWords (result.program.voltageLimits.maxCoeff()).c_str(),
-                 result.certificate.gap);
+    std::printf ("%s on %s: %zu modes, captured %.4f, peak %s V of %s V\n", result.description.name.c_str(),
+                 model.name.c_str(), result.controlledModes.size(), result.captured,
+                 inWords (peakVoltage (result)).c_str(), inWords (result.program.voltageLimits.maxCoeff()).c_str());
 
     for (const auto& warning : result.warnings)
         std::printf ("Warning: %s\n", warning.c_str());

@@ -1,5 +1,8 @@
 #include "Commands.h"
 
+#include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
+#include <antinode_documents/FocusWords.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_structure/Materials.h>
 
@@ -35,10 +38,28 @@ void listDevices()
     }
 }
 
+/** "sinc of 25 mm at 24 mm, 40 mm/s, after 25 ms". */
+std::string targetsInWords (const FocusDescription& focus)
+{
+    std::string text;
+
+    for (const auto& target : focus.targets)
+    {
+        const auto place =
+            inWords (target.x * milli) + (target.y != 0 ? ", " + inWords (target.y * milli) : "") + " mm";
+        text += (text.empty() ? "" : "; ") + std::string (wordFor (targetShapeWords, target.shape)) + " of "
+                + inWords (target.width * milli) + " mm at " + place + ", "
+                + inWords (target.phase * target.peakVelocity * milli) + " mm/s, after "
+                + inWords (target.time.value_or (focus.focusTime) * milli) + " ms";
+    }
+
+    return text;
+}
+
 void listFocuses()
 {
     for (const auto& name : factoryNames (LibraryKind::focus))
-        std::printf ("%-22s %s\n", name.c_str(), loadDocument (LibraryKind::focus, name).value ("name", "").c_str());
+        std::printf ("%-16s %s\n", name.c_str(), targetsInWords (loadFocus (name, {})).c_str());
 }
 
 void listMaterials()

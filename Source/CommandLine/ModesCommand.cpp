@@ -61,14 +61,15 @@ void printTable (const ModalModel& model)
 {
     std::printf ("%s: %td modes, %td ceramics, %d rigid-body modes\n", model.name.c_str(), model.modes(),
                  model.actuators(), model.rigidBodyModes);
-    std::printf ("%5s %14s %8s %10s %22s\n", "mode", "frequency/Hz", "Q", "error", "participation, largest");
+    std::printf ("%5s %14s %8s %16s   %s\n", "mode", "frequency/Hz", "Q", "frequency error",
+                 "largest participation, N kg^-1/2 / V");
 
     for (Eigen::Index k = 0; k < model.modes(); ++k)
     {
         Eigen::Index best = 0;
         const auto largest = model.actuators() > 0 ? model.participation.row (k).cwiseAbs().maxCoeff (&best) : 0.0;
         const auto error = model.frequencyErrors.size() > 0 ? model.frequencyErrors[k] : 0.0;
-        std::printf ("%5td %14.3f %8.1f %10.1e %12.4g (%s)\n", k + 1, model.frequencyHz (k),
+        std::printf ("%5td %14.3f %8.1f %16.1e %14.4g (%s)\n", k + 1, model.frequencyHz (k),
                      0.5 / model.dampingRatios[k], error, largest,
                      model.actuators() > 0 ? model.ceramics[static_cast<std::size_t> (best)].name.c_str() : "none");
     }

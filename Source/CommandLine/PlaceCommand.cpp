@@ -31,6 +31,7 @@ struct PlaceOptions
     int count = 8;
     std::string size;                                   // mm, "L" or "LxW"
     std::optional<double> step, edgeDistance, duration; // mm, mm, ms
+    double freeEdge = 2;                                // mm
     int modes = 40;
     std::string file;
     std::vector<std::string> assignments, focuses, keepOut;
@@ -125,11 +126,12 @@ void printResult (const PlacedCeramics& placed, const PlaceOptions& options)
     placed.perMode.minCoeff (&worst);
     std::printf ("%zu ceramics in the best of %td positions for %d modes\n", placed.ceramics.size(), placed.candidates,
                  options.modes);
-    std::printf ("  worst controllability  %.4g relative to average positions (worst mode %td: %.4g)\n",
+    std::printf ("  The worst combination of modes is moved %.4g times as well as from average positions;\n"
+                 "  the worst single mode, %td, %.4g times.\n",
                  placed.controllability, worst + 1, placed.perMode[worst]);
 
     if (placed.resolved)
-        std::printf ("  with their mass and stiffness  %.4g\n", *placed.resolved);
+        std::printf ("  Including mass and stiffness of the ceramics: %.4g times.\n", *placed.resolved);
 
     for (const auto& ceramic : placed.ceramics)
         std::printf ("  %-4s x %8.3f  y %8.3f mm, %g x %g mm\n", ceramic.name.c_str(), ceramic.x * milli,
@@ -168,6 +170,7 @@ PlacingOptions placingOptions (const PlaceOptions& options, const CeramicDescrip
     placing.count = options.count;
     placing.grid.modes = options.modes;
     placing.grid.step = options.step ? *options.step / milli : std::min (ceramic.sizeX, ceramic.sizeY) / 2;
+    placing.grid.freeEdgeMargin = options.freeEdge / milli;
     placing.isResolved = ! options.isFrozen;
 
     if (options.edgeDistance)
@@ -283,6 +286,9 @@ void addPlaceCommand (CLI::App& app)
     command->add_option ("--step-mm", options->step, "Spacing of positions, mm; default: half a ceramic");
     command->add_option ("--rim-mm", options->edgeDistance, "On a plate: largest distance of ceramics from an edge, mm")
         ->check (CLI::NonNegativeNumber);
+    command->add_option ("--free-edge-mm", options->freeEdge, "Least distance of ceramics from free edges, mm")
+        ->check (CLI::Range (0.0, 1000.0))
+        ->capture_default_str();
     command
         ->add_option ("--focus", options->focuses,
                       "Places for the voltage that this focus needs, an embedded name or a .json file (repeatable)")

@@ -6,10 +6,10 @@
 #include "RenderSeries.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
 #include <antinode_documents/DesignFile.h>
 #include <antinode_figures/FigureFiles.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_render/Summary.h>
 #include <antinode_reports/FocusReport.h>
 #include <antinode_text/OutputFolder.h>
 
@@ -75,19 +75,17 @@ RenderOptions renderOptions (const RenderCommandOptions& options)
     return result;
 }
 
-void printSummary (const RenderedFocus& focus, const RenderCommandOptions& options)
+void printSummary (const RenderedFocus& focus, const FocusOutcome& outcome, const RenderCommandOptions& options)
 {
     const auto& design = focus.design;
     std::printf ("%s on %s\n", design.description.name.c_str(), focus.model.name.c_str());
-    std::printf ("  v-score        %.6f   (against the wanted field %.4f)\n", focus.truncatedScore.vScore,
-                 focus.score.vScore);
-    std::printf ("  field error    %.4f %%   (against the wanted field %.2f %%)\n",
-                 100 * focus.truncatedScore.fieldError, 100 * focus.score.fieldError);
+    std::printf ("%s", outcomeToText (focus, outcome).c_str());
+    std::printf ("Scores against the wanted field, and against the part that the controlled modes represent:\n");
+    std::printf ("  v-score        %.4f, %.6f\n", focus.score.vScore, focus.truncatedScore.vScore);
+    std::printf ("  field error    %.2f %%, %.4f %%\n", 100 * focus.score.fieldError,
+                 100 * focus.truncatedScore.fieldError);
     std::printf ("  captured       %.4f by %zu of %td modes\n", design.captured, design.controlledModes.size(),
                  focus.model.modes());
-    std::printf ("  peak velocity  %s mm/s\n", inWords (focus.reachedField.cwiseAbs().maxCoeff() * 1000).c_str());
-    std::printf ("  peak voltage   %s V of %s V\n", inWords (focus.render.voltages.cwiseAbs().maxCoeff()).c_str(),
-                 inWords (design.program.voltageLimits.maxCoeff()).c_str());
 
     for (const auto& warning : design.warnings)
         std::printf ("  warning: %s\n", warning.c_str());
@@ -106,16 +104,17 @@ void writePages (OutputFolder& folder, const ReportPage& page, const RenderComma
 }
 
 /** All files of a rendered focus. */
-void writeRendered (const std::filesystem::path& path, const RenderedFocus& focus, const RenderCommandOptions& options)
+void writeRendered (const std::filesystem::path& path, const RenderedFocus& focus, const FocusOutcome& outcome,
+                    const RenderCommandOptions& options)
 {
     OutputFolder folder (path);
     writeSamples (folder, focus, options.format);
     writeFields (folder, focus);
     folder.write ("design.json", designToJson (focus.design, focus.model).dump (2) + "\n");
-    folder.write ("summary.json", summaryToJson (focus).dump (2) + "\n");
+    folder.write ("summary.json", summaryToJson (focus, outcome).dump (2) + "\n");
 
     if (options.hasReport || ! options.figures.empty())
-        writePages (folder, focusReport (focus), options);
+        writePages (folder, focusReport (focus, outcome), options);
 
     folder.commit();
 }
@@ -127,10 +126,11 @@ void renderOne (const RenderCommandOptions& options)
     auto [model, design] = designFrom (options.common);
     const auto focus = renderFocus (std::move (model), std::move (design), settings,
                                     [&] (double share) { progress.show ("Rendering", share); });
-    writeRendered (options.common.folder, focus, options);
+    const auto outcome = evaluateOutcome (focus);
+    writeRendered (options.common.folder, focus, outcome, options);
 
     if (! options.common.isQuiet)
-        printSummary (focus, options);
+        printSummary (focus, outcome, options);
 }
 
 SeriesResult renderOfSeries (const ModalModel& model, const SeriesFocus& each, const RenderCommandOptions& options)
@@ -139,8 +139,9 @@ SeriesResult renderOfSeries (const ModalModel& model, const SeriesFocus& each, c
     {
         auto design = designFocus (model, each.focus, options.common.playback());
         const auto focus = renderFocus (model, std::move (design), renderOptions (options));
-        writeRendered (std::filesystem::path (options.common.folder) / each.folder, focus, options);
-        return { each.folder, summaryToJson (focus), {} };
+        const auto outcome = evaluateOutcome (focus);
+        writeRendered (std::filesystem::path (options.common.folder) / each.folder, focus, outcome, options);
+        return { each.folder, summaryToJson (focus, outcome), {} };
     }
     catch (const InputError& error)
     {

@@ -183,7 +183,7 @@ void DesignView::render (DesignPicture& made)
     auto charts = std::make_shared<RenderedCharts>();
     charts->voltages = std::make_shared<const Chart> (voltagesChart (focus.model, focus.design.program, focus.render));
     charts->probe = std::make_shared<const Chart> (probeChart (focus.render, 0, "probe"));
-    charts->scores = focusScores (focus);
+    charts->scores = focusScores (focus, evaluateOutcome (focus));
     charts->warnings = focus.design.warnings;
     charts->choices = focus.design.choices;
     made.rendered = std::move (charts);

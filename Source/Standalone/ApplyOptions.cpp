@@ -76,6 +76,7 @@ StandaloneSettings withOptions (StandaloneSettings settings, const StandaloneOpt
 
     settings.touch.oscPort = options.oscPort.value_or (settings.touch.oscPort);
     settings.touch.tuioPort = options.tuioPort.value_or (settings.touch.tuioPort);
+    settings.touch.address = options.touchAddress.value_or (settings.touch.address);
     return settings;
 }
 

@@ -25,6 +25,9 @@ void addTouchOptions (CLI::App& app, StandaloneOptions& options)
 {
     app.add_option ("--osc-port", options.oscPort, "UDP port for OSC, 0: off")->check (CLI::Range (0, highestPort));
     app.add_option ("--tuio-port", options.tuioPort, "UDP port for TUIO, 0: off")->check (CLI::Range (0, highestPort));
+    app.add_option ("--touch-address", options.touchAddress,
+                    "Accepts touches at this IPv4 address; 127.0.0.1: this computer only, 0.0.0.0: the whole network")
+        ->check (CLI::ValidIPV4);
 }
 
 /** What only a program without windows is asked to do. */

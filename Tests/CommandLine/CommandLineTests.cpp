@@ -101,8 +101,22 @@ TEST_CASE ("render writes what the contract names, and the numbers keep what is 
                              "lower_bound_voltage_V",
                              "lower_bound_gap",
                              "allocation",
-                             "probes" })
+                             "probes",
+                             "targets",
+                             "peak_place_mm",
+                             "side_lobe",
+                             "side_lobe_wanted",
+                             "elsewhere_velocity_mm_s",
+                             "event_contrast",
+                             "limit" })
         CHECK (summary.contains (key));
+
+    // What the user asked for stands first, then what limits it, then the internal scores.
+    const auto place = run.output.find ("  place "), limit = run.output.find (" limit the field"),
+               score = run.output.find ("  v-score ");
+    CHECK (place < limit);
+    CHECK (limit < score);
+    CHECK (score < run.output.size());
 
     for (const auto* key : { "status", "iterations", "gap", "time_ms" })
         CHECK (summary.at ("solver").contains (key));
@@ -160,7 +174,10 @@ TEST_CASE ("devices lists what is embedded, and what it shows can be used as a f
     CHECK_THAT (list.output, Catch::Contains ("staple") && Catch::Contains ("beam"));
     CHECK_THAT (runProgram ({ "devices", "--materials" }).output,
                 Catch::Contains ("NCE51") && Catch::Contains ("aluminium"));
-    CHECK_THAT (runProgram ({ "devices", "--focuses" }).output, Catch::Contains ("paper-bump25-p5"));
+    const auto focuses = runProgram ({ "devices", "--focuses" }).output;
+    CHECK_THAT (focuses, Catch::Contains ("paper-bump25-p5"));
+    CHECK (focuses.find ("demonstrator") == focuses.rfind ("demonstrator"));
+    CHECK_THAT (focuses, Catch::Contains ("sinc of 25 mm at 24 mm, 40 mm/s, after 25 ms"));
     const TemporaryFolder folder;
     std::ofstream (folder.path() / "own.json") << runProgram ({ "devices", "--show", "beam" }).output;
     const auto modes = runProgram ({ "modes", folder.path() / "own.json", "--json" });

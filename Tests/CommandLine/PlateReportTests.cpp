@@ -35,7 +35,8 @@ TEST_CASE ("The report of a focus on a plate has maps and cross sections, with o
 {
     for (const auto& model : { test::SinePlate().model (30), test::scatteredPlate (30, 150) })
     {
-        const auto page = focusReport (twoFocuses (model));
+        const auto focus = twoFocuses (model);
+        const auto page = focusReport (focus, evaluateOutcome (focus));
         const auto& figures = page.sections.front().figures;
         REQUIRE (figures.size() == 6);
         CHECK (std::holds_alternative<HeatMap> (figures[0].chart));

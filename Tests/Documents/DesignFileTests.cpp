@@ -87,7 +87,7 @@ TEST_CASE ("Other programs read what is played from a design to the bit", "[file
     {
         const auto& a = read["oscillations"][c];
         const auto& b = program.oscillations[c];
-        CHECK (a["mode"] == b.mode);
+        CHECK (a["mode"] == b.mode + 1);
         CHECK (a["start_s"] == b.start);
         CHECK (a["end_s"] == b.end);
         CHECK (a["growth_per_s"] == b.growth);
@@ -113,12 +113,12 @@ TEST_CASE ("A design says what is played, in the units of its keys", "[files]")
     CHECK (json["allocation"].dump() == "[[0.5],[-0.25]]");
     CHECK (json["ceramics"].dump() == "[\"C1\",\"C2\"]");
     CHECK (json["certificate"]["status"] == "optimal");
-    CHECK (json["controlled_modes"][0]["mode"] == 1);
+    CHECK (json["controlled_modes"][0]["mode"] == 2);
     CHECK (json["controlled_modes"][0]["cycles"] == 4);
     CHECK (json["choices"] == design.choices);
     CHECK (json["warnings"] == design.warnings);
     CHECK (json["field"]["x_mm"].size() == 3);
-    CHECK (json["conventions"]["mode"].get<std::string>().find ("lowest is 0") != std::string::npos);
+    CHECK (json["conventions"]["mode"].get<std::string>().find ("lowest is 1") != std::string::npos);
 }
 
 TEST_CASE ("The focus inside a design is a focus file of its own", "[files]")

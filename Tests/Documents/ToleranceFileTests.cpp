@@ -13,7 +13,7 @@ TEST_CASE ("A tolerance is written in percent and shares, with what hurts in its
     model.angularFrequencies = Eigen::Vector2d (628.318530717958648, 6283.18530717958648);
     Tolerance tolerance;
     tolerance.options = { { 0.003, 0.2, 0.05, 0.001 }, 1, 9 };
-    tolerance.draws = { { 0.99, 0.04, 1.01 } };
+    tolerance.draws = { FocusScore { { 0.99, 0.04 }, 1.01 } };
     tolerance.fieldError = { 0.01, 0.02, 0.03, 0.04, 0.05 };
     tolerance.causes = { { 1, ToleranceKind::damping, 0.02 }, { {}, ToleranceKind::drift, 0.01 } };
     const auto json = toleranceToJson (model, "focus", { { "nominal", 12.5, tolerance } });
@@ -27,7 +27,7 @@ TEST_CASE ("A tolerance is written in percent and shares, with what hurts in its
     CHECK (design["peak_voltage_V"] == 12.5);
     CHECK (design["field_error"] == nlohmann::json { 0.01, 0.02, 0.03, 0.04, 0.05 });
     CHECK (design["draws"][0]["peak_ratio"] == 1.01);
-    CHECK (design["causes"][0]["mode"] == 1);
+    CHECK (design["causes"][0]["mode"] == 2);
     CHECK (design["causes"][0]["frequency_Hz"] == Approx (1000));
     CHECK (design["causes"][0]["kind"] == "damping");
     CHECK (design["causes"][1]["kind"] == "drift");

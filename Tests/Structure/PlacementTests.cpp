@@ -20,7 +20,8 @@ PlacingOptions optionsFor (Eigen::Index count, int modes, double step)
 {
     PlacingOptions options;
     options.count = count;
-    options.grid = { step, {}, modes };
+    options.grid.step = step;
+    options.grid.modes = modes;
     return options;
 }
 
@@ -66,6 +67,34 @@ TEST_CASE ("One ceramic for the lowest mode of a supported plate goes to its mid
     CHECK (placed.ceramics[0].y == Approx (0.05));
     CHECK (placed.ceramics[0].name == "C1");
     CHECK (placed.resolved.value() > 0);
+}
+
+TEST_CASE ("Ceramics keep a margin from free edges, not from held ones", "[structure][placement]")
+{
+    auto options = optionsFor (1, 3, 0.01);
+    options.grid.freeEdgeMargin = 0.002;
+    const auto plate = barePlate ("CFFS", 0.2, 0.12); // left, bottom, right, top
+    const auto candidates = placementCandidates (makeDevice (plate), plateCeramic (0, 0, 0.02, 0.02), options.grid);
+    const auto range = [&] (auto member)
+    {
+        const auto [low, high] =
+            std::minmax_element (candidates.ceramics.begin(), candidates.ceramics.end(),
+                                 [&] (const auto& a, const auto& b) { return a.*member < b.*member; });
+        return std::pair { *low.*member, *high.*member };
+    };
+    const auto [left, right] = range (&CeramicDescription::x);
+    const auto [bottom, top] = range (&CeramicDescription::y);
+    const auto expect = [] (double value, EdgeCondition edge, double flush, double inside)
+    { CHECK (value == Approx (edge == EdgeCondition::free ? inside : flush).margin (1e-12)); };
+    expect (left, plate.left, 0, 0.002);
+    expect (right, plate.right, 0.18, 0.178);
+    expect (bottom, plate.bottom, 0, 0.002);
+    expect (top, plate.top, 0.1, 0.098);
+    REQUIRE (plate.right == EdgeCondition::free);
+
+    // Without room for the margin it shrinks: one position, in the middle of what is left.
+    const auto tight = placementCandidates (makeDevice (plate), plateCeramic (0, 0, 0.199, 0.02), options.grid);
+    CHECK (tight.ceramics.front().x + 0.199 <= 0.2 + 1e-12);
 }
 
 TEST_CASE ("One ceramic for the lowest mode of a cantilever goes to its clamp", "[structure][placement]")

@@ -69,7 +69,9 @@ inline FocusScore closedCircle (const ModalModel& model, const IdentifiedModes& 
         render.probeShapes.row (p) = shapesAt (model, points (p, 0), points (p, 1));
 
     const auto real = renderOffline (model, design.program, render);
-    return scoreField (copy.surface, real.probeVelocities.col (real.focusSample),
-                       own.probeVelocities.col (own.focusSample));
+    const auto peak = largestVelocity (copy, own.focusVelocities);
+    return { scoreField (copy.surface, real.probeVelocities.col (real.focusSample),
+                         own.probeVelocities.col (own.focusSample)),
+             shapesAt (model, peak.x, peak.y).dot (real.focusVelocities) / peak.velocity };
 }
 } // namespace antinode::test

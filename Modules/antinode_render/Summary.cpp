@@ -1,0 +1,145 @@
+#include "Summary.h"
+
+#include <antinode_base/Prefixes.h>
+#include <antinode_documents/FocusWords.h>
+#include <antinode_focus/EventPeak.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+nlohmann::ordered_json fociJson (const RenderedFocus& focus)
+{
+    auto list = nlohmann::ordered_json::array();
+
+    for (const auto& moment : focus.moments)
+        list.push_back ({ { "time_ms", static_cast<double> (moment.sample) / focus.render.sampleRate * 1000 },
+                          { "v_score", moment.score.vScore },
+                          { "field_error", moment.score.fieldError },
+                          { "peak_ratio", moment.score.peakRatio },
+                          { "v_score_truncated", moment.truncatedScore.vScore },
+                          { "field_error_truncated", moment.truncatedScore.fieldError },
+                          { "peak_ratio_truncated", moment.truncatedScore.peakRatio } });
+
+    return list;
+}
+
+nlohmann::ordered_json probesJson (const RenderedFocus& focus)
+{
+    auto list = nlohmann::ordered_json::array();
+
+    for (std::size_t i = 0; i < focus.probes.size(); ++i)
+    {
+        const auto velocity = focus.render.probeVelocities.row (static_cast<Eigen::Index> (i));
+        const auto peak = largestInTime (velocity);
+        list.push_back ({ { "x_mm", focus.probes[i].first * 1000 },
+                          { "y_mm", focus.probes[i].second * 1000 },
+                          { "velocity_at_focus_mm_s", velocity[focus.render.focusSample] * 1000 },
+                          { "peak_velocity_mm_s", peak.value * 1000 },
+                          { "peak_time_ms", peak.position / focus.render.sampleRate * 1000 } });
+    }
+
+    return list;
+}
+nlohmann::ordered_json placeJson (const FieldPeak& peak)
+{
+    return { peak.x * milli, peak.y * milli };
+}
+
+nlohmann::ordered_json widthJson (const std::optional<double>& width)
+{
+    return width ? nlohmann::ordered_json (*width * milli) : nlohmann::ordered_json();
+}
+
+nlohmann::ordered_json targetsJson (const FocusOutcome& outcome)
+{
+    auto list = nlohmann::ordered_json::array();
+
+    for (const auto& target : outcome.targets)
+        list.push_back (
+            { { "time_ms", target.time * milli },
+              { "wanted_place_mm", { target.wanted.x * milli, target.wanted.y * milli } },
+              { "place_mm", placeJson (target.peak) },
+              { "wanted_velocity_mm_s", target.wanted.phase * target.wanted.peakVelocity * milli },
+              { "velocity_mm_s", target.peak.velocity * milli },
+              { "velocity_at_wanted_place_mm_s", target.velocityAtCentre * milli },
+              { "wanted_width_mm",
+                { target.wanted.width * milli, target.wanted.widthY.value_or (target.wanted.width) * milli } },
+              { "width_mm", { widthJson (target.width), widthJson (target.widthY) } } });
+
+    return list;
+}
+} // namespace
+
+nlohmann::ordered_json summaryToJson (const RenderedFocus& focus, const FocusOutcome& outcome)
+{
+    const auto& design = focus.design;
+    const auto& certificate = design.certificate;
+    nlohmann::ordered_json summary;
+    summary["device"] = focus.model.name;
+    summary["focus"] = design.description.name;
+    summary["sample_rate_Hz"] = focus.render.sampleRate;
+    summary["reconstruction"] =
+        design.playback.reconstruction == Reconstruction::bandLimited ? "band_limited" : "zero_order_hold";
+    summary["ceramics"] = focus.model.actuators();
+    summary["modes_controlled"] = design.controlledModes.size();
+    summary["modes_simulated"] = focus.model.modes();
+    summary["captured"] = design.captured;
+    summary["residue"] = design.residue;
+    summary["v_score"] = focus.score.vScore;
+    summary["field_error"] = focus.score.fieldError;
+    summary["peak_ratio"] = focus.score.peakRatio;
+    summary["v_score_truncated"] = focus.truncatedScore.vScore;
+    summary["field_error_truncated"] = focus.truncatedScore.fieldError;
+    summary["peak_ratio_truncated"] = focus.truncatedScore.peakRatio;
+    summary["contrast"] = focus.contrast;
+    summary["focus_time_ms"] = static_cast<double> (focus.render.focusSample) / focus.render.sampleRate * 1000;
+    summary["foci"] = fociJson (focus);
+    summary["peak_velocity_mm_s"] = std::abs (focus.moments.front().peak.velocity) * 1000;
+    summary["peak_place_mm"] = placeJson (focus.moments.front().peak);
+    summary["targets"] = targetsJson (outcome);
+    summary["side_lobe"] = std::abs (outcome.sideLobe.velocity / focus.moments.front().peak.velocity);
+    summary["side_lobe_place_mm"] = placeJson (outcome.sideLobe);
+    summary["side_lobe_wanted"] = outcome.wantedSideLobe;
+    summary["elsewhere_velocity_mm_s"] = std::abs (outcome.elsewhere.velocity) * milli;
+    summary["elsewhere_place_mm"] = placeJson (outcome.elsewhere);
+    summary["elsewhere_time_ms"] = outcome.elsewhere.time * milli;
+    summary["event_contrast"] = outcome.eventContrast;
+    summary["limit"] = outcome.limit;
+    summary["peak_voltage_V"] = focus.render.voltages.cwiseAbs().maxCoeff();
+    summary["voltage_limit_V"] = design.program.voltageLimits.maxCoeff();
+    summary["full_scale_V"] = focus.model.fullScaleVoltage;
+    summary["lower_bound_voltage_V"] = design.lowerBoundVoltage;
+    summary["lower_bound_gap"] = design.lowerBoundGap;
+
+    if (design.program.samples)
+        summary["intersample_peak_voltage_V"] = design.intersamplePeakVoltage;
+
+    if (focus.residual)
+    {
+        summary["residual_field_ratio"] = focus.residual->ratio;
+        summary["residual_time_ms"] = focus.residual->time * 1000;
+    }
+
+    if (design.shortestPeriod)
+        summary["shortest_period_ms"] = *design.shortestPeriod * 1000;
+
+    summary["limited_samples"] = focus.render.limitedSamples;
+    summary["allocation"] = wordFor (allocationMethodWords, design.description.allocation.method);
+    summary["solver"] = { { "status", wordFor (allocationStatusWords, certificate.status) },
+                          { "iterations", certificate.iterations },
+                          { "gap", certificate.gap },
+                          { "time_ms", certificate.milliseconds } };
+    summary["probes"] = probesJson (focus);
+    summary["warnings"] = design.warnings;
+
+    if (focus.power)
+        summary["power"] = powerToJson (focus.model, *focus.power);
+
+    return summary;
+}
+} // namespace antinode
