@@ -57,6 +57,7 @@ RenderOptions renderOptions (const RenderCommandOptions& options)
     RenderOptions result;
     result.playback = options.common.playback();
     result.blockSize = options.blockSize;
+    result.repetitions = options.common.repetitions;
 
     if (options.duration)
         result.duration = *options.duration / 1000;
@@ -80,6 +81,8 @@ void printSummary (const RenderedFocus& focus, const RenderCommandOptions& optio
     std::printf ("  peak velocity  %s mm/s\n", inWords (focus.reachedField.cwiseAbs().maxCoeff() * 1000).c_str());
     std::printf ("  peak voltage   %s V of %s V\n", inWords (focus.render.voltages.cwiseAbs().maxCoeff()).c_str(),
                  inWords (design.program.voltageLimits.maxCoeff()).c_str());
+
+    printPower (focus.model, *focus.power);
 
     for (const auto& warning : design.warnings)
         std::printf ("  warning: %s\n", warning.c_str());
