@@ -6,7 +6,7 @@ namespace antinode
 {
 namespace
 {
-volatile std::sig_atomic_t arrived = 0;
+volatile std::sig_atomic_t arrived = 0, answered = 0;
 
 void note (int signal)
 {
@@ -25,7 +25,12 @@ void catchInterruptions()
 
 bool isInterrupted()
 {
-    return interruptingSignal() != 0;
+    return arrived != answered;
+}
+
+void answerInterruption()
+{
+    answered = arrived;
 }
 
 int interruptingSignal()

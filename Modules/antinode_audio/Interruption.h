@@ -6,8 +6,12 @@ namespace antinode
  */
 void catchInterruptions();
 
-/** Whether such a signal has arrived. [any] */
+/** Whether such a signal has arrived and has not been answered yet. [any] */
 bool isInterrupted();
+
+/** The answer to a signal: the work has stopped, and what it has done may be kept, which looks at the watch as well. A
+   further signal ends the program as usual. [any] */
+void answerInterruption();
 
 /** The signal that has arrived; 0: none. [any] */
 int interruptingSignal();

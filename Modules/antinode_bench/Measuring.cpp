@@ -3,6 +3,7 @@
 #include <antinode_audio/Interruption.h>
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
+#include <antinode_base/TimeLeft.h>
 #include <antinode_base/Watch.h>
 
 #include <algorithm>
@@ -24,7 +25,24 @@ struct Measuring
     const Eigen::MatrixX2d& points;
     const PointGuide& guide;
     const RunAnalysisSettings& settings;
+    TimeLeft left {}; ///< From the first point that is measured.
 };
+
+Eigen::Index pointsKept (const MeasurementFolder& folder, Eigen::Index points)
+{
+    Eigen::Index kept = 0;
+
+    for (Eigen::Index p = 0; p < points; ++p)
+        kept += folder.has (p) ? 1 : 0;
+
+    return kept;
+}
+
+std::string keptInWords (const MeasurementFolder& folder, Eigen::Index points)
+{
+    return formatted ("ended with %td of %td points kept; the same command resumes it", pointsKept (folder, points),
+                      points);
+}
 
 /** One run. @throws Cancelled  if the user interrupts it: the recording is then incomplete */
 RunRecording playRun (const Measuring& measuring, const Excitation& excitation, Eigen::Index ceramic,
@@ -84,9 +102,17 @@ void checkLevels (const Measuring& measuring, Eigen::Index first, Eigen::Index c
         latency));
 }
 
+/** "point 3 of 99" or "points 17 to 32 of 99". */
+std::string pointsInWords (Eigen::Index first, Eigen::Index count, Eigen::Index points)
+{
+    return count == 1 ? formatted ("point %td of %td", first + 1, points)
+                      : formatted ("points %td to %td of %td", first + 1, first + count, points);
+}
+
 /** Runs all ceramics one after the other. @return whether no input clipped */
 bool measureAt (const Measuring& measuring, SurfaceMeasurement& measurement, Eigen::Index first, Eigen::Index count)
 {
+    const auto points = measuring.points.rows();
     double largest = 0;
 
     for (Eigen::Index ceramic = 0; ceramic < measuring.sheet.excitation.ceramics(); ++ceramic)
@@ -98,20 +124,16 @@ bool measureAt (const Measuring& measuring, SurfaceMeasurement& measurement, Eig
 
     const auto share = largest / measuring.bench.fullScaleVelocity();
     const auto coherence = meanCoherence (measurement).middleRows (first, count).mean();
-    measuring.guide.tell (formatted ("  at most %.3g mm/s, coherence %.5f%s", largest * 1000, coherence,
-                                     share > clipping ? ", CLIPPED: not kept" : ""));
+    const auto pace = measuring.left.at (static_cast<double> (first + count) / static_cast<double> (points));
+    measuring.guide.tell (formatted (
+        "%s: at most %.3g mm/s, coherence %.5f%s%s", pointsInWords (first, count, points).c_str(), largest * 1000,
+        coherence, share > clipping ? ", CLIPPED: not kept" : "", pace.empty() ? "" : ("; " + pace).c_str()));
     return ! (share > clipping);
 }
 
 [[noreturn]] void endForNow (const MeasurementFolder& folder, Eigen::Index points)
 {
-    Eigen::Index kept = 0;
-
-    for (Eigen::Index p = 0; p < points; ++p)
-        kept += folder.has (p) ? 1 : 0;
-
-    throw InputError ("measurement",
-                      formatted ("ended with %td of %td points kept; the same command resumes it", kept, points));
+    throw InputError ("measurement", keptInWords (folder, points));
 }
 
 /** The number of points from one on that are measured together. */
@@ -125,13 +147,10 @@ Eigen::Index pointsTogether (const Bench& bench, const MeasurementFolder& folder
 
     return end - first;
 }
-} // namespace
 
-SurfaceMeasurement measurePoints (Bench& bench, const ExcitationSheet& sheet, const Eigen::MatrixX2d& points,
-                                  const MeasurementFolder& folder, const PointGuide& guide,
-                                  const RunAnalysisSettings& settings)
+SurfaceMeasurement measureAll (const Measuring& measuring, const MeasurementFolder& folder)
 {
-    const Measuring measuring { bench, sheet, points, guide, settings };
+    const auto& [bench, sheet, points, guide, settings, left] = measuring;
     auto measurement = unmeasured (sheet.excitation, sheet.ceramics, points);
     Eigen::Index before = -1;
     bool isChecked = false;
@@ -175,5 +194,25 @@ SurfaceMeasurement measurePoints (Bench& bench, const ExcitationSheet& sheet, co
     }
 
     return measurement;
+}
+} // namespace
+
+SurfaceMeasurement measurePoints (Bench& bench, const ExcitationSheet& sheet, const Eigen::MatrixX2d& points,
+                                  const MeasurementFolder& folder, const PointGuide& guide,
+                                  const RunAnalysisSettings& settings)
+{
+    const auto kept = static_cast<double> (pointsKept (folder, points.rows()));
+
+    try
+    {
+        return measureAll ({ bench, sheet, points, guide, settings,
+                             TimeLeft (kept / static_cast<double> (std::max<Eigen::Index> (1, points.rows()))) },
+                           folder);
+    }
+    catch (const Cancelled&)
+    {
+        guide.tell ("measurement: " + keptInWords (folder, points.rows()));
+        throw;
+    }
 }
 } // namespace antinode

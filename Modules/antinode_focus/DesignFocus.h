@@ -10,7 +10,8 @@ namespace antinode
 enum class DesignExtent
 {
     complete, ///< For inspection: with the lower bound over all waveforms, which takes longer than everything else.
-    playable  ///< For immediate playback: without the bound.
+    compared, ///< As one of many: without the bound and the shortest period.
+    playable  ///< For immediate playback: as compared, and nothing that can be played offline only.
 };
 
 /** Designs a focus: projects the wanted field, chooses modes and transients, allocates.

@@ -6,11 +6,14 @@
 #include "SampledPrediction.h"
 
 #include <antinode_base/Watch.h>
+#include <antinode_numerics/ParallelFor.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <numbers>
+#include <utility>
 
 namespace antinode
 {
@@ -106,10 +109,71 @@ std::vector<TradeoffPoint> plannedPoints()
 
     return points;
 }
+/** What a design by a method usually takes, in multiples of the quickest one. */
+double expectedCost (AllocationMethod method)
+{
+    if (method == AllocationMethod::dictionary)
+        return 20;
+
+    return method == AllocationMethod::minimumPeak || method == AllocationMethod::freeWaveform ? 5 : 1;
+}
+
+/** Collects points from several threads and tells of them. */
+class SharedTradeoff
+{
+public:
+    SharedTradeoff (Tradeoff bounds, std::vector<TradeoffPoint> planned,
+                    const std::function<void (const Tradeoff&)>& progressToUse)
+        : tradeoff (std::move (bounds)), points (std::move (planned)), isDone (points.size()), progress (progressToUse)
+    {
+        tradeoff.planned = points.size();
+    }
+
+    const TradeoffPoint& planned (std::size_t index) const { return points[index]; }
+
+    void add (std::size_t index, TradeoffPoint point)
+    {
+        const std::lock_guard lock (mutex);
+        points[index] = std::move (point);
+        isDone[index] = true;
+
+        if (progress)
+            progress (soFar());
+    }
+
+    Tradeoff soFar()
+    {
+        double done = 0, whole = 0;
+        tradeoff.points.clear();
+
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            const auto cost = expectedCost (points[i].method);
+            whole += cost;
+
+            if (isDone[i])
+            {
+                done += cost;
+                tradeoff.points.push_back (points[i]);
+            }
+        }
+
+        markFront (tradeoff.points);
+        tradeoff.expectedShare = done / whole;
+        return tradeoff;
+    }
+
+private:
+    Tradeoff tradeoff;
+    std::vector<TradeoffPoint> points;
+    std::vector<bool> isDone;
+    const std::function<void (const Tradeoff&)>& progress;
+    std::mutex mutex;
+};
 } // namespace
 
 Tradeoff sweepTradeoff (const ModalModel& device, const FocusDescription& focus, Playback playback,
-                        const std::function<void (double)>& progress)
+                        const std::function<void (const Tradeoff&)>& progress)
 {
     auto model = device;
 
@@ -120,28 +184,31 @@ Tradeoff sweepTradeoff (const ModalModel& device, const FocusDescription& focus,
     first.method = AllocationMethod::minimumNorm;
     const auto start = designFocus (model, describedFor (focus, first, {}, 0), playback);
     const Eigen::VectorXd decay = decayRates (model) (start.controlledModes);
-    Tradeoff result { plannedPoints(), start.lowerBoundVoltage, start.lowerBoundGap };
+    Tradeoff bounds;
+    bounds.lowerBoundVoltage = start.lowerBoundVoltage;
+    bounds.lowerBoundGap = start.lowerBoundGap;
+    SharedTradeoff shared (std::move (bounds), plannedPoints(), progress);
 
-    for (std::size_t i = 0; i < result.points.size(); ++i)
-    {
-        auto& point = result.points[i];
+    parallelFor (plannedPoints().size(),
+                 [&] (std::size_t i)
+                 {
+                     auto point = shared.planned (i);
 
-        try
-        {
-            look (point, model,
-                  designFocus (model, describedFor (focus, point, decay, result.lowerBoundVoltage), playback));
-        }
-        catch (const InputError& error)
-        {
-            point.failure = error.what();
-        }
+                     try
+                     {
+                         look (point, model,
+                               designFocus (model, describedFor (focus, point, decay, start.lowerBoundVoltage),
+                                            playback, DesignExtent::compared));
+                     }
+                     catch (const InputError& error)
+                     {
+                         point.failure = error.what();
+                     }
 
-        if (progress)
-            progress (static_cast<double> (i + 1) / static_cast<double> (result.points.size()));
-    }
+                     shared.add (i, std::move (point));
+                 });
 
-    markFront (result.points);
-    return result;
+    return shared.soFar();
 }
 
 double timeInMotion (const ModalModel& model, const VoltageProgram& program, const std::vector<int>& modes)

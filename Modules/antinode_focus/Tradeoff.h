@@ -6,6 +6,7 @@
 #include <antinode_model/Oscillation.h>
 #include <antinode_model/Playback.h>
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -34,16 +35,19 @@ struct Tradeoff
     std::vector<TradeoffPoint> points; ///< Method by method, growth ascending.
     double lowerBoundVoltage = 0;      ///< V: no waveform does it below.
     double lowerBoundGap = 0;          ///< As FocusDesign has it.
+    std::size_t planned = 0;           ///< How many points there are when all are designed.
+    double expectedShare = 0;          ///< Of the work that is done, 0 to 1, after what each method usually takes.
 };
 
 /** Designs a focus by minimum_norm, paper, exact, minimum_peak and dictionary with each growth, and by free_waveform
-   with each limit, all without the voltage limit, and looks at each in closed form.
+   with each limit, all without the voltage limit, and looks at each in closed form. On all threads of the processor.
     @param playback  with a rate, for the free waveforms
-    @param progress  called with 0..1 after each design; may be empty
-    @throws InputError  as designFocus, where not even the first design can be made
+    @param progress  called with all points so far after each design, from one thread at a time; may be empty. Who keeps
+   them has them where the rest is cancelled.
+    @throws InputError  as designFocus, where not even the first design can be made; Cancelled as checkWatch()
     [worker] Docs/Theory.md, section 4.10. */
 Tradeoff sweepTradeoff (const ModalModel&, const FocusDescription&, Playback,
-                        const std::function<void (double)>& progress = {});
+                        const std::function<void (const Tradeoff&)>& progress = {});
 
 /** How long before the focus the norm of all modal velocities is above half of what it is at the focus. The voltages
    are taken as constant over a tenth of the period of the fastest mode listed. s [worker] Docs/Theory.md, section 4.10.

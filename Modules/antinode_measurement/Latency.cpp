@@ -15,9 +15,10 @@ namespace
 constexpr double minimumCorrelation = 0.5;
 
 /** Recording times conjugate signal: its phase falls by 2 pi f times the lag. */
-Eigen::VectorXcd crossSpectrum (const Excitation& excitation, const Eigen::VectorXd& sync, Eigen::Index length)
+Eigen::VectorXcd crossSpectrum (FourierTables& tables, const Excitation& excitation, const Eigen::VectorXd& sync,
+                                Eigen::Index length)
 {
-    return forwardFourier (sync, length).cwiseProduct (forwardFourier (excitation.signal, length).conjugate());
+    return tables.forward (sync, length).cwiseProduct (tables.forward (excitation.signal, length).conjugate());
 }
 
 /** The part of a sample, -1/2 to 1/2 and a little beyond, by which the largest correlation's lag is too small. */
@@ -54,8 +55,9 @@ double estimateLatency (const Excitation& excitation, const Eigen::VectorXd& syn
 
     // Long enough for lags from -latest to latest not to fold onto each other.
     const auto length = quickLength (static_cast<double> (sync.size() + latest + 1));
-    const auto cross = crossSpectrum (excitation, sync, length);
-    const auto correlation = inverseFourier (cross, length);
+    FourierTables tables;
+    const auto cross = crossSpectrum (tables, excitation, sync, length);
+    const auto correlation = tables.inverse (cross, length);
     Eigen::Index lag = 0;
     const auto largest = correlation.head (latest + 1).cwiseAbs().maxCoeff (&lag);
     const auto power = excitation.signal.norm() * sync.segment (lag, samples).norm();

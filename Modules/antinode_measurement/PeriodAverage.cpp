@@ -1,7 +1,9 @@
 #include "PeriodAverage.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/Watch.h>
 #include <antinode_numerics/Fourier.h>
+#include <antinode_numerics/ParallelFor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +14,12 @@ namespace antinode
 namespace
 {
 /** The lines of all periods of a signal: periods in columns. */
-Eigen::MatrixXcd periodSpectra (const Eigen::VectorXd& signal, Eigen::Index period)
+Eigen::MatrixXcd periodSpectra (FourierTables& tables, const Eigen::VectorXd& signal, Eigen::Index period)
 {
     Eigen::MatrixXcd spectra (period / 2 + 1, signal.size() / period);
 
     for (Eigen::Index r = 0; r < spectra.cols(); ++r)
-        spectra.col (r) = forwardFourier (signal.segment (r * period, period));
+        spectra.col (r) = tables.forward (signal.segment (r * period, period));
 
     return spectra;
 }
@@ -91,7 +93,8 @@ EstimatedResponses averagePeriods (const PeriodicLines& lines, const Eigen::Vect
     const auto& excited = lines.excited;
     const auto count = static_cast<Eigen::Index> (excited.size());
     const auto periods = input.size() / lines.period;
-    const Averages whole (periodSpectra (input, lines.period));
+    FourierTables tables;
+    const Averages whole (periodSpectra (tables, input, lines.period));
     const Eigen::VectorXcd x = whole.mean (excited);
     const Eigen::MatrixXcd dx = whole.deviations (excited, Eigen::all);
 
@@ -104,17 +107,20 @@ EstimatedResponses averagePeriods (const PeriodicLines& lines, const Eigen::Vect
     if (periods > 1)
         result.variances = result.coherence = Eigen::MatrixXd (count, outputs.rows());
 
-    for (Eigen::Index sensor = 0; sensor < outputs.rows(); ++sensor)
+    if (lines.showsDistortion)
+        result.distortion.resize (static_cast<std::size_t> (outputs.rows()));
+
+    const auto estimateSensor = [&] (Eigen::Index sensor, FourierTables& own)
     {
-        const Averages output (periodSpectra (outputs.row (sensor), lines.period));
+        const Averages output (periodSpectra (own, outputs.row (sensor), lines.period));
         const Eigen::VectorXcd y = output.mean (excited);
         result.values.col (sensor) = y.cwiseQuotient (x);
 
         if (lines.showsDistortion)
-            result.distortion.push_back (computeDistortion (lines, output));
+            result.distortion[static_cast<std::size_t> (sensor)] = computeDistortion (lines, output);
 
         if (periods < 2)
-            continue;
+            return;
 
         const Eigen::MatrixXcd dy = output.deviations (excited, Eigen::all);
         // The errors of Y - h X over X, without a division by Y, which may be 0.
@@ -123,8 +129,19 @@ EstimatedResponses averagePeriods (const PeriodicLines& lines, const Eigen::Vect
         const Eigen::ArrayXd single = covarianceOfMeans (dy, dy).real() * static_cast<double> (periods);
         const Eigen::ArrayXd power = y.array().abs2();
         result.coherence.col (sensor) = power / (power + single).max (1e-300);
-    }
+    };
+    const auto parts = std::min<Eigen::Index> (outputs.rows(), static_cast<Eigen::Index> (processorThreads()));
+    parallelFor (static_cast<std::size_t> (parts),
+                 [&] (std::size_t part)
+                 {
+                     FourierTables own;
 
+                     for (auto sensor = static_cast<Eigen::Index> (part); sensor < outputs.rows(); sensor += parts)
+                     {
+                         checkWatch();
+                         estimateSensor (sensor, own);
+                     }
+                 });
     result.variances = averagedOverNeighbours (result.variances);
     return result;
 }

@@ -1,9 +1,11 @@
 #include "SimulatedBench.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/Watch.h>
 #include <antinode_model/ModalRecursion.h>
 #include <antinode_numerics/DenseKernels.h>
 #include <antinode_numerics/Fourier.h>
+#include <antinode_numerics/ParallelFor.h>
 #include <antinode_numerics/RandomNumbers.h>
 
 #include <algorithm>
@@ -48,17 +50,20 @@ Eigen::VectorXcd drivenSpectrum (const Eigen::VectorXd& voltage, Eigen::Index le
 Eigen::MatrixXcd velocityLines (const ModalModel& model, const Eigen::MatrixXd& shapes, const Eigen::VectorXd& omegas,
                                 const Eigen::MatrixXcd& forces)
 {
+    const Eigen::ArrayXd squares = model.angularFrequencies.array().square();
+    const Eigen::ArrayXd dampings = 2 * decayRates (model).array();
     Eigen::MatrixXd real (model.modes(), omegas.size()), imaginary (model.modes(), omegas.size());
 
     for (Eigen::Index f = 0; f < omegas.size(); ++f)
-        for (Eigen::Index k = 0; k < model.modes(); ++k)
-        {
-            const auto omega = omegas[f], own = model.angularFrequencies[k];
-            const std::complex<double> impedance (own * own - omega * omega, 2 * model.dampingRatios[k] * own * omega);
-            const auto velocity = std::complex<double> (0, omega) * forces (k, f) / impedance;
-            real (k, f) = velocity.real();
-            imaginary (k, f) = velocity.imag();
-        }
+    {
+        // i omega (F + i G) (d - i e) / (d^2 + e^2): products of real numbers, which are many at once.
+        const auto omega = omegas[f];
+        const Eigen::ArrayXd d = squares - omega * omega, e = dampings * omega;
+        const Eigen::ArrayXd share = omega / (d.square() + e.square());
+        const Eigen::ArrayXd forceReal = forces.col (f).real().array(), forceImaginary = forces.col (f).imag().array();
+        real.col (f) = (share * (forceReal * e - forceImaginary * d)).matrix();
+        imaginary.col (f) = (share * (forceReal * d + forceImaginary * e)).matrix();
+    }
 
     Eigen::MatrixXd sums = Eigen::MatrixXd::Zero (shapes.rows(), 2 * omegas.size());
     addProduct (sums.leftCols (omegas.size()), 1, shapes, real);
@@ -116,8 +121,9 @@ Eigen::MatrixXcd sensorSpectra (const ModalModel& model, const Eigen::MatrixXd& 
     const auto perLine = 2 * std::numbers::pi * settings.sampleRate / static_cast<double> (length);
     Eigen::MatrixXcd spectra = Eigen::MatrixXcd::Zero (length / 2 + 1, shapes.rows());
 
-    for (std::size_t first = 0; first < lines.size(); first += static_cast<std::size_t> (linesAtOnce))
+    const auto fillPart = [&] (std::size_t part)
     {
+        const auto first = part * static_cast<std::size_t> (linesAtOnce);
         const auto last = std::min (lines.size(), first + static_cast<std::size_t> (linesAtOnce));
         const std::vector<Eigen::Index> some (lines.begin() + static_cast<std::ptrdiff_t> (first),
                                               lines.begin() + static_cast<std::ptrdiff_t> (last));
@@ -127,19 +133,46 @@ Eigen::MatrixXcd sensorSpectra (const ModalModel& model, const Eigen::MatrixXd& 
                                        * perLine;
         const Eigen::MatrixXcd forces = participation * drives.spectra (some, Eigen::all).transpose();
         spectra (some, Eigen::all) = velocityLines (model, shapes, omegas, forces).transpose();
-    }
+    };
 
+    parallelFor ((lines.size() + linesAtOnce - 1) / linesAtOnce, fillPart);
     return spectra;
 }
 
-Eigen::VectorXd delayed (Eigen::VectorXcd spectrum, Eigen::Index length, double samples)
+/** What a delay does to each line. */
+Eigen::VectorXcd turns (Eigen::Index length, double samples)
 {
     const auto turn = 2 * std::numbers::pi * samples / static_cast<double> (length);
+    return Eigen::VectorXcd::NullaryExpr (length / 2 + 1, [turn] (Eigen::Index k)
+                                          { return std::polar (1.0, -turn * static_cast<double> (k)); });
+}
 
-    for (Eigen::Index k = 0; k < spectrum.size(); ++k)
-        spectrum[k] *= std::polar (1.0, -turn * static_cast<double> (k));
+/** Sensors' recordings, their noise in their order, by as many threads as there are, each with its own tables. */
+void recordSensors (const Eigen::MatrixXcd& spectra, const Eigen::VectorXcd& delay, Eigen::Index length,
+                    const SimulatedBenchSettings& settings, Eigen::MatrixXd& recorded)
+{
+    const auto noiseShare = std::pow (10.0, -settings.signalToNoise / 20);
+    const auto samples = recorded.cols();
+    const auto parts = std::min<Eigen::Index> (spectra.cols(), static_cast<Eigen::Index> (processorThreads()));
 
-    return inverseFourier (spectrum, length);
+    parallelFor (static_cast<std::size_t> (parts),
+                 [&] (std::size_t part)
+                 {
+                     FourierTables tables;
+                     RandomNumbers random (settings.seed);
+                     const auto first = static_cast<Eigen::Index> (part) * spectra.cols() / parts;
+                     const auto end = (static_cast<Eigen::Index> (part) + 1) * spectra.cols() / parts;
+                     random.skipNormal (samples, first);
+
+                     for (auto sensor = first; sensor < end; ++sensor)
+                     {
+                         checkWatch();
+                         const Eigen::VectorXd clean =
+                             tables.inverse (spectra.col (sensor).cwiseProduct (delay), length).head (samples);
+                         const auto deviation = noiseShare * clean.norm() / std::sqrt (static_cast<double> (samples));
+                         recorded.row (sensor) = (clean + deviation * random.normal (samples)).transpose();
+                     }
+                 });
 }
 
 void requireUsable (const ModalModel& model, const Eigen::MatrixXd& voltages, const Eigen::VectorXd& sync,
@@ -175,19 +208,11 @@ RunRecording simulateBench (const ModalModel& model, const Eigen::MatrixXd& shap
     const auto length = transformLength (model, samples, settings);
     const auto late = settings.delay * settings.sampleRate;
     const auto spectra = sensorSpectra (model, shapes, makeDrives (voltages, length, settings.cubic), length, settings);
-    const auto noiseShare = std::pow (10.0, -settings.signalToNoise / 20);
-    RandomNumbers random (settings.seed);
+    const auto delay = turns (length, late);
     RunRecording recording;
     recording.sensors.resize (shapes.rows(), samples);
-    recording.sync = delayed (forwardFourier (sync, length), length, late).head (samples);
-
-    for (Eigen::Index sensor = 0; sensor < shapes.rows(); ++sensor)
-    {
-        const Eigen::VectorXd clean = delayed (spectra.col (sensor), length, late).head (samples);
-        const auto deviation = noiseShare * clean.norm() / std::sqrt (static_cast<double> (samples));
-        recording.sensors.row (sensor) = (clean + deviation * random.normal (samples)).transpose();
-    }
-
+    recording.sync = inverseFourier (forwardFourier (sync, length).cwiseProduct (delay), length).head (samples);
+    recordSensors (spectra, delay, length, settings, recording.sensors);
     return recording;
 }
 } // namespace antinode

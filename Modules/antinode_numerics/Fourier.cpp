@@ -9,29 +9,52 @@
 
 namespace antinode
 {
-Eigen::VectorXcd forwardFourier (const Eigen::VectorXd& signal)
+struct FourierTables::Tables
 {
     Eigen::FFT<double> transform;
-    transform.SetFlag (Eigen::FFT<double>::HalfSpectrum);
+};
+
+FourierTables::FourierTables() : tables (std::make_unique<Tables>())
+{
+    tables->transform.SetFlag (Eigen::FFT<double>::HalfSpectrum);
+}
+
+FourierTables::~FourierTables() = default;
+
+Eigen::VectorXcd FourierTables::forward (const Eigen::VectorXd& signal)
+{
     Eigen::VectorXcd spectrum;
-    transform.fwd (spectrum, signal);
+    tables->transform.fwd (spectrum, signal);
     return spectrum;
+}
+
+Eigen::VectorXcd FourierTables::forward (const Eigen::VectorXd& signal, Eigen::Index length)
+{
+    Eigen::VectorXd padded = Eigen::VectorXd::Zero (length);
+    padded.head (signal.size()) = signal;
+    return forward (padded);
+}
+
+Eigen::VectorXd FourierTables::inverse (const Eigen::VectorXcd& spectrum, Eigen::Index length)
+{
+    Eigen::VectorXd signal;
+    tables->transform.inv (signal, spectrum, length);
+    return signal;
+}
+
+Eigen::VectorXcd forwardFourier (const Eigen::VectorXd& signal)
+{
+    return FourierTables().forward (signal);
 }
 
 Eigen::VectorXcd forwardFourier (const Eigen::VectorXd& signal, Eigen::Index length)
 {
-    Eigen::VectorXd padded = Eigen::VectorXd::Zero (length);
-    padded.head (signal.size()) = signal;
-    return forwardFourier (padded);
+    return FourierTables().forward (signal, length);
 }
 
 Eigen::VectorXd inverseFourier (const Eigen::VectorXcd& spectrum, Eigen::Index length)
 {
-    Eigen::FFT<double> transform;
-    transform.SetFlag (Eigen::FFT<double>::HalfSpectrum);
-    Eigen::VectorXd signal;
-    transform.inv (signal, spectrum, length);
-    return signal;
+    return FourierTables().inverse (spectrum, length);
 }
 
 Eigen::Index quickLength (double atLeast)

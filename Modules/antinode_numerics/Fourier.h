@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include <memory>
+
 namespace antinode
 {
 /** The lines 0 to N/2 of a real signal's discrete Fourier transform, sum_n x_n exp (-2 pi i k n / N): a delay decreases
@@ -18,6 +20,26 @@ Eigen::VectorXcd forwardFourier (const Eigen::VectorXd& signal, Eigen::Index len
     @param spectrum  length/2 + 1 lines
     [worker] */
 Eigen::VectorXd inverseFourier (const Eigen::VectorXcd& spectrum, Eigen::Index length);
+
+/** Both transforms, bit for bit, for several signals of few lengths: keeps the tables of each length, which take as
+   long as a transform. One thread at a time. */
+class FourierTables
+{
+public:
+    FourierTables();
+    ~FourierTables();
+    FourierTables (const FourierTables&) = delete;
+    FourierTables& operator= (const FourierTables&) = delete;
+
+    /** As the functions of these names. [worker] */
+    Eigen::VectorXcd forward (const Eigen::VectorXd& signal);
+    Eigen::VectorXcd forward (const Eigen::VectorXd& signal, Eigen::Index length);
+    Eigen::VectorXd inverse (const Eigen::VectorXcd& spectrum, Eigen::Index length);
+
+private:
+    struct Tables;
+    std::unique_ptr<Tables> tables;
+};
 
 /** The least length from a number on that is 4 times a product of 2, 3 and 5: transforms of these are quick. [any] */
 Eigen::Index quickLength (double atLeast);

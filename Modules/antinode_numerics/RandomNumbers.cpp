@@ -26,4 +26,10 @@ Eigen::VectorXd RandomNumbers::normal (Eigen::Index count)
 
     return numbers;
 }
+
+void RandomNumbers::skipNormal (Eigen::Index count, Eigen::Index calls)
+{
+    const auto perCall = (count + 1) / 2 * 2; // Two of the engine's for every two of the normal distribution.
+    engine.discard (static_cast<unsigned long long> (perCall) * static_cast<unsigned long long> (calls));
+}
 } // namespace antinode

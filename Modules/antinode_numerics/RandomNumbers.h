@@ -19,6 +19,9 @@ public:
     /** A number of values of the normal distribution with mean 0 and deviation 1, by Box and Muller. [worker] */
     Eigen::VectorXd normal (Eigen::Index count);
 
+    /** Leaves out what normal() would give for so many calls with a count: what follows is the same. [worker] */
+    void skipNormal (Eigen::Index count, Eigen::Index calls);
+
 private:
     std::mt19937_64 engine;
 };

@@ -49,6 +49,12 @@ const std::vector<std::string>& header()
     return names;
 }
 
+std::string missingPoints (const Tradeoff& tradeoff)
+{
+    return "Interrupted after " + std::to_string (tradeoff.points.size()) + " of " + std::to_string (tradeoff.planned)
+           + " designs; the front is that of these.";
+}
+
 /** The points of one method, from the shortest motion to the longest. */
 Series makeSeries (const Tradeoff& tradeoff, AllocationMethod method)
 {
@@ -106,7 +112,8 @@ nlohmann::ordered_json tradeoffToJson (const Tradeoff& tradeoff, const std::stri
                                   { "focus", focus },
                                   { "device", device },
                                   { "lower_bound_voltage_V", tradeoff.lowerBoundVoltage },
-                                  { "lower_bound_gap", tradeoff.lowerBoundGap } };
+                                  { "lower_bound_gap", tradeoff.lowerBoundGap },
+                                  { "planned_points", tradeoff.planned } };
     json["points"] = nlohmann::ordered_json::array();
 
     for (const auto& point : tradeoff.points)
@@ -176,6 +183,9 @@ std::string tradeoffToText (const Tradeoff& tradeoff)
     for (const auto& point : tradeoff.points)
         text += line (tableCells (point));
 
+    if (tradeoff.points.size() < tradeoff.planned)
+        text += missingPoints (tradeoff) + "\n";
+
     return text + "Lower bound for all waveforms: " + inWords (tradeoff.lowerBoundVoltage) + " V.\n";
 }
 
@@ -205,6 +215,10 @@ ReportPage tradeoffReport (const Tradeoff& tradeoff, const std::string& focus, c
     ReportPage page;
     page.title = "Trade-off: " + focus;
     page.subtitle = device + ", lower bound for all waveforms " + inWords (tradeoff.lowerBoundVoltage) + " V";
+
+    if (tradeoff.points.size() < tradeoff.planned)
+        page.warnings = { missingPoints (tradeoff) };
+
     page.sections = { std::move (section) };
     page.links = { { "tradeoff.json", "tradeoff.json" }, { "tradeoff.csv", "tradeoff.csv" } };
     page.footer = "Antinode " ANTINODE_VERSION ". All numbers are computed in closed form.";

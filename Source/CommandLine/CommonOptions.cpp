@@ -5,6 +5,9 @@
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_library/Inputs.h>
 
+#include <array>
+#include <cstdio>
+
 namespace antinode
 {
 namespace
@@ -34,6 +37,10 @@ void addCommonOptions (CLI::App& command, CommonOptions& options)
         .add_option ("--set", options.assignments, "Overrides a key, for example focus.targets.0.x_mm=24 (repeatable)")
         ->allow_extra_args (false)
         ->type_name ("KEY=VALUE");
+    command.add_option ("--repeat-hz", options.repetitions, "Foci per second for which power and currents are told")
+        ->check (CLI::Range (1e-6, 1e6))
+        ->type_name ("FLOAT")
+        ->capture_default_str();
     addCacheFlag (command, options.usesCache);
     command.add_flag ("--quiet", options.isQuiet, "Prints only errors");
 }
@@ -41,6 +48,15 @@ void addCommonOptions (CLI::App& command, CommonOptions& options)
 void addCacheFlag (CLI::App& command, bool& usesCache)
 {
     command.add_flag ("!--no-cache", usesCache, "Solves the device without reading or writing the cache");
+}
+
+void printPower (const ModalModel& model, const FocusPower& power)
+{
+    const std::array headings { "current", "power", "amplifier" };
+    const auto sentences = powerInWords (model, power);
+
+    for (std::size_t i = 0; i < sentences.size(); ++i)
+        std::printf ("  %-14s %s\n", sentences.size() == 1 ? "power" : headings[i], sentences[i].c_str());
 }
 
 ModalModel modelFrom (const CommonOptions& options)

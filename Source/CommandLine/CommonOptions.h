@@ -17,12 +17,16 @@ struct CommonOptions
     std::string folder = "antinode-out";
     double rate = 192000; ///< Hz
     std::string reconstruction = "band_limited";
+    double repetitions = 10; ///< Per second, for the electrical power.
     std::vector<std::string> assignments;
     bool usesCache = true;
     bool isQuiet = false;
 
     Playback playback() const;
 };
+
+/** The lines of a focus's electrical power, as wide as those of its scores. [any] */
+void printPower (const ModalModel&, const FocusPower&);
 
 /** Adds them to a sub-command, which adds its focus itself. The struct must live as long as the app. */
 void addCommonOptions (CLI::App&, CommonOptions&);

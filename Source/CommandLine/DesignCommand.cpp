@@ -4,7 +4,10 @@
 #include "FieldNames.h"
 #include "Progress.h"
 
+#include <antinode_audio/Interruption.h>
+#include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
+#include <antinode_base/Watch.h>
 #include <antinode_documents/DesignFile.h>
 #include <antinode_documents/ToleranceFile.h>
 #include <antinode_focus/DesignFocus.h>
@@ -35,13 +38,33 @@ void writeTolerances (OutputFolder& folder, const ModalModel& model, const std::
     folder.write ("tolerance.html", renderReport (toleranceReport (model, focus, tolerances)));
 }
 
+/** By a render; where there can be none, the reason is why the power is unknown. */
+FocusPower designedPower (const ModalModel& model, const FocusDesign& design, const CommonOptions& options)
+{
+    RenderOptions render;
+    render.playback = options.playback();
+    render.repetitions = options.repetitions;
+
+    try
+    {
+        return renderFocus (model, design, render).power.value();
+    }
+    catch (const InputError& error)
+    {
+        return { error.what(), {}, {} };
+    }
+}
+
 void design (const DesignCommandOptions& all)
 {
     const auto& options = all.common;
     const auto [model, result] = designFrom (options);
+    const auto power = designedPower (model, result, options);
     std::vector<DesignTolerance> tolerances;
     OutputFolder folder (options.folder);
-    folder.write ("design.json", designToJson (result, model).dump (2) + "\n");
+    auto document = designToJson (result, model);
+    document["power"] = powerToJson (model, power);
+    folder.write ("design.json", document.dump (2) + "\n");
 
     if (all.tolerance.isWanted)
     {
@@ -59,6 +82,8 @@ void design (const DesignCommandOptions& all)
                  model.name.c_str(), result.controlledModes.size(), result.captured,
                  inWords (peakVoltage (result)).c_str(), inWords (result.program.voltageLimits.maxCoeff()).c_str());
 
+    printPower (model, power);
+
     for (const auto& warning : result.warnings)
         std::printf ("Warning: %s\n", warning.c_str());
 
@@ -67,12 +92,38 @@ void design (const DesignCommandOptions& all)
 
     std::printf ("%s/design.json\n", options.folder.c_str());
 }
-void sweep (const CommonOptions& options)
+
+/** All designs, or those that were finished when the user interrupted. @throws Cancelled  where there are none */
+Tradeoff designsSoFar (const ModalModel& model, const FocusDescription& focus, const CommonOptions& options)
 {
     Progress progress (options.isQuiet);
+    Tradeoff soFar;
+
+    try
+    {
+        progress.show ("Finding the lower bound", 0);
+        return sweepTradeoff (model, focus, options.playback(),
+                              [&] (const Tradeoff& now)
+                              {
+                                  soFar = now;
+                                  progress.show ("Designing", now.expectedShare,
+                                                 formatted ("%zu of %zu designs", now.points.size(), now.planned));
+                              });
+    }
+    catch (const Cancelled&)
+    {
+        if (soFar.points.empty())
+            throw;
+
+        answerInterruption();
+        return soFar;
+    }
+}
+
+void sweep (const CommonOptions& options)
+{
     const auto [model, focus] = inputsFrom (options);
-    auto tradeoff =
-        sweepTradeoff (model, focus, options.playback(), [&] (double share) { progress.show ("Designing", share); });
+    auto tradeoff = designsSoFar (model, focus, options);
 
     for (auto& point : tradeoff.points)
         point.failure = withKeysAndOptions (point.failure);
@@ -84,6 +135,9 @@ void sweep (const CommonOptions& options)
 
     if (! options.isQuiet)
         std::printf ("%s%s/tradeoff.html\n", tradeoffToText (tradeoff).c_str(), options.folder.c_str());
+
+    if (tradeoff.points.size() < tradeoff.planned)
+        throw Cancelled();
 }
 } // namespace
 

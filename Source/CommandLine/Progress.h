@@ -1,11 +1,13 @@
 #pragma once
 
+#include <antinode_base/TimeLeft.h>
+
 #include <chrono>
 #include <string>
 
 namespace antinode
 {
-/** A line of progress on a terminal, for work that takes more than a second. Silent elsewhere. */
+/** A line of progress with the time left on a terminal, for work that takes more than a second. Silent elsewhere. */
 class Progress
 {
 public:
@@ -17,14 +19,18 @@ public:
     Progress (const Progress&) = delete;
     Progress& operator= (const Progress&) = delete;
 
-    /** @param what   what is being done
-        @param share  0 to 1 of it
-        [worker] */
-    void show (const std::string& what, double share);
+    /** Shows what is being done, how much of it, and how long the rest will take.
+        @param what    what is being done
+        @param share   0 to 1 of it
+        @param detail  more words, for example "12 of 46"; may be empty
+        [worker] from one thread at a time */
+    void show (const std::string& what, double share, const std::string& detail = {});
 
 private:
     bool isOn;
     bool hasShown = false;
+    std::string current;
+    TimeLeft left;
     std::chrono::steady_clock::time_point start, last;
 };
 } // namespace antinode

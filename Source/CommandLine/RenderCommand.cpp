@@ -65,6 +65,7 @@ RenderOptions renderOptions (const RenderCommandOptions& options)
     RenderOptions result;
     result.playback = options.common.playback();
     result.blockSize = options.blockSize;
+    result.repetitions = options.common.repetitions;
 
     if (options.duration)
         result.duration = *options.duration / 1000;
@@ -86,6 +87,8 @@ void printSummary (const RenderedFocus& focus, const FocusOutcome& outcome, cons
                  100 * focus.truncatedScore.fieldError);
     std::printf ("  captured       %.4f by %zu of %td modes\n", design.captured, design.controlledModes.size(),
                  focus.model.modes());
+
+    printPower (focus.model, *focus.power);
 
     for (const auto& warning : design.warnings)
         std::printf ("  warning: %s\n", warning.c_str());

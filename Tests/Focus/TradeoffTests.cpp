@@ -1,10 +1,13 @@
 #include "Support/SineBeam.h"
 
+#include <antinode_base/Watch.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/Tradeoff.h>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 
@@ -40,12 +43,14 @@ TEST_CASE ("A trade-off: more growth takes more voltage for less motion, and not
     focus.modes.count = 2;
     double last = 0;
     const auto tradeoff = sweepTradeoff (model, focus, { Reconstruction::bandLimited, 96000 },
-                                         [&] (double share)
+                                         [&] (const Tradeoff& soFar)
                                          {
-                                             CHECK (share > last);
-                                             last = share;
+                                             CHECK (soFar.expectedShare > last);
+                                             CHECK (soFar.planned == 46);
+                                             last = soFar.expectedShare;
                                          });
-    CHECK (last == 1);
+    CHECK (last == Approx (1));
+    CHECK (tradeoff.points.size() == 46);
     REQUIRE (tradeoff.lowerBoundVoltage > 0);
     bool hasFront = false;
 
@@ -68,4 +73,41 @@ TEST_CASE ("A trade-off: more growth takes more voltage for less motion, and not
     }
 
     CHECK (hasFront);
+}
+
+TEST_CASE ("A trade-off that is cancelled has handed out its finished designs, the same as in the whole", "[tradeoff]")
+{
+    const auto model = test::sineBeam (8, 4);
+    FocusDescription focus;
+    focus.targets = { { TargetShape::sinc, 0.02, 0, 0.025, 0.04, 1 } };
+    focus.focusTime = 0.015;
+    focus.modes.count = 2;
+    const Playback playback { Reconstruction::bandLimited, 96000 };
+    const auto whole = sweepTradeoff (model, focus, playback);
+    std::atomic<bool> goesOn = true;
+    Tradeoff kept;
+
+    {
+        const WatchScope scope ([&] { return goesOn.load(); });
+        CHECK_THROWS_AS (sweepTradeoff (model, focus, playback,
+                                        [&] (const Tradeoff& soFar)
+                                        {
+                                            kept = soFar;
+                                            goesOn = soFar.points.size() < 3;
+                                        }),
+                         Cancelled);
+    }
+
+    REQUIRE (kept.points.size() >= 3);
+    REQUIRE (kept.points.size() < kept.planned);
+
+    for (const auto& point : kept.points)
+        CHECK (std::any_of (whole.points.begin(), whole.points.end(),
+                            [&] (const TradeoffPoint& other)
+                            {
+                                return other.method == point.method && other.envelopeFolds == point.envelopeFolds
+                                       && other.limitMultiple == point.limitMultiple
+                                       && other.peakVoltage == point.peakVoltage
+                                       && other.fieldError == point.fieldError;
+                            }));
 }
