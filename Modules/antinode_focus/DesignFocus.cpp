@@ -115,6 +115,9 @@ FocusDesign designDrives (FocusDesign design, const ModalModel& model, DesignExt
     if (extent == DesignExtent::complete && ! design.program.samples)
         design.shortestPeriod = shortestPeriod (model, design.program, momentTimes (design.moments));
 
+    if (extent == DesignExtent::complete)
+        design.limit = limitUses (model, description.allocation, design.program).nearest();
+
     addRemarks (design, model);
     return design;
 }

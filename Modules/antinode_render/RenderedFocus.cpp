@@ -3,6 +3,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_documents/FocusWords.h>
+#include <antinode_focus/LimitWords.h>
 #include <antinode_focus/TargetField.h>
 
 #include <nlohmann/json.hpp>
@@ -94,6 +95,18 @@ nlohmann::ordered_json fociJson (const RenderedFocus& focus)
                           { "peak_ratio_truncated", moment.truncatedScore.peakRatio } });
 
     return list;
+}
+
+nlohmann::ordered_json limitJson (const ModalModel& model, const LimitUse& limit)
+{
+    return { { "kind", wordFor (limitKindWords, limit.kind) },
+             { "is_reached", isReached (limit) },
+             { "ceramic", model.ceramics[static_cast<std::size_t> (limit.ceramic)].name },
+             { "time_after_focus_ms", limit.time * 1000 },
+             { "used_share", limit.share() },
+             { "used", limitAmount (limit.kind, limit.used) },
+             { "allowed", limitAmount (limit.kind, limit.allowed) },
+             { "sentence", limitSentence (model, limit) } };
 }
 
 std::vector<std::pair<double, double>> chooseProbes (const FocusDesign& design, const RenderOptions& options)
@@ -188,6 +201,10 @@ nlohmann::ordered_json summaryToJson (const RenderedFocus& focus)
     summary["peak_voltage_V"] = focus.render.voltages.cwiseAbs().maxCoeff();
     summary["voltage_limit_V"] = design.program.voltageLimits.maxCoeff();
     summary["full_scale_V"] = focus.model.fullScaleVoltage;
+
+    if (design.limit)
+        summary["limit"] = limitJson (focus.model, *design.limit);
+
     summary["lower_bound_voltage_V"] = design.lowerBoundVoltage;
     summary["lower_bound_gap"] = design.lowerBoundGap;
 

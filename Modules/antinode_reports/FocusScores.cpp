@@ -3,11 +3,17 @@
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_charts/Numbers.h>
+#include <antinode_focus/LimitWords.h>
 
 namespace antinode
 {
 namespace
 {
+
+std::string limitText (const RenderedFocus& focus)
+{
+    return focus.design.limit ? limitSentence (focus.model, *focus.design.limit) + " " : "";
+}
 
 std::string percentInWords (double share)
 {
@@ -37,9 +43,9 @@ std::vector<ReportScore> focusScores (const RenderedFocus& focus)
           "Largest velocity anywhere on the surface at the focus; " + percentInWords (focus.score.peakRatio)
               + " of the wanted velocity at its position." },
         { "Peak voltage", inWords (peakVoltage) + " V",
-          "Largest voltage of any ceramic; the limit is " + limit + " V. No waveform can reach this focus below "
-              + inWords (design.lowerBoundVoltage) + " V; this bound is tight to "
-              + percentInWords (design.lowerBoundGap) + "." },
+          "Largest voltage of any ceramic; the limit is " + limit + " V. " + limitText (focus)
+              + "No waveform can reach this focus below " + inWords (design.lowerBoundVoltage)
+              + " V; this bound is tight to " + percentInWords (design.lowerBoundGap) + "." },
         { "Contrast", inWords (focus.contrast),
           "Peak divided by the RMS velocity outside the focal spot at the same instant." },
     };

@@ -26,7 +26,8 @@ void describe (ModalModel& model, const std::string& name, const StructureCommon
         const auto alongY = [&] (double y) { return std::clamp (y, surface.yMinimum, surface.yMaximum); };
         model.ceramics.push_back ({ ceramic.name.empty() ? "C" + std::to_string (i + 1) : ceramic.name,
                                     alongX (ceramic.x), alongX (ceramic.x + ceramic.sizeX), alongY (ceramic.y),
-                                    alongY (ceramic.y + ceramic.sizeY), common.voltageLimit, slewLimit (common, i) });
+                                    alongY (ceramic.y + ceramic.sizeY), common.voltageLimit, slewLimit (common, i),
+                                    capacitance (ceramic), common.currentLimit });
     }
 }
 

@@ -8,6 +8,7 @@
 #include <antinode_documents/DesignFile.h>
 #include <antinode_documents/ToleranceFile.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/LimitWords.h>
 #include <antinode_reports/ToleranceReport.h>
 #include <antinode_reports/TradeoffReport.h>
 #include <antinode_text/OutputFolder.h>
@@ -59,6 +60,9 @@ void design (const DesignCommandOptions& all)
                  result.description.name.c_str(), model.name.c_str(), result.controlledModes.size(), result.captured,
                  inWords (peakVoltage (result)).c_str(), inWords (result.program.voltageLimits.maxCoeff()).c_str(),
                  result.certificate.gap);
+
+    if (result.limit)
+        std::printf ("%s\n", limitSentence (model, *result.limit).c_str());
 
     for (const auto& warning : result.warnings)
         std::printf ("Warning: %s\n", warning.c_str());

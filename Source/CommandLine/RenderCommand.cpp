@@ -6,6 +6,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_documents/DesignFile.h>
+#include <antinode_focus/LimitWords.h>
 #include <antinode_reports/FocusReport.h>
 #include <antinode_text/OutputFolder.h>
 
@@ -80,6 +81,9 @@ void printSummary (const RenderedFocus& focus, const RenderCommandOptions& optio
     std::printf ("  peak velocity  %s mm/s\n", inWords (focus.reachedField.cwiseAbs().maxCoeff() * 1000).c_str());
     std::printf ("  peak voltage   %s V of %s V\n", inWords (focus.render.voltages.cwiseAbs().maxCoeff()).c_str(),
                  inWords (design.program.voltageLimits.maxCoeff()).c_str());
+
+    if (design.limit)
+        std::printf ("  limit          %s\n", limitSentence (focus.model, *design.limit).c_str());
 
     for (const auto& warning : design.warnings)
         std::printf ("  warning: %s\n", warning.c_str());
