@@ -4,6 +4,7 @@
 #include "DesignRemarks.h"
 #include "DesignedProgram.h"
 #include "FocusMoments.h"
+#include "ModeWeighing.h"
 #include "Prediction.h"
 #include "Projection.h"
 #include "Repetition.h"
@@ -92,17 +93,23 @@ FocusDesign makeDesign (const FocusDescription& description, const std::vector<i
     return design;
 }
 
-/** Adds what is played, and its certificates. */
-FocusDesign designDrives (FocusDesign design, const ModalModel& model, DesignExtent extent)
+/** Adds what is played until the focus, and its certificate. */
+FocusDesign withProgram (FocusDesign design, const ModalModel& model, DesignExtent extent)
 {
-    const auto& description = design.description;
     checkRate (model, design.controlledModes, design.playback);
 
-    if (methodTraits (description.allocation.method).waveforms == AllocatedWaveforms::samples)
+    if (methodTraits (design.description.allocation.method).waveforms == AllocatedWaveforms::samples)
         sampleProgram (design, model, extent);
     else
         allocateProgram (design, model);
 
+    return design;
+}
+
+/** Adds what is played after the focus, what is known of all, and what is to be said of it. */
+FocusDesign finished (FocusDesign design, const ModalModel& model, DesignExtent extent)
+{
+    const auto& description = design.description;
     const auto& limits = design.program.voltageLimits;
     design.minimumPeakVoltage = design.certificate.minimumPeakRatio * limits.maxCoeff();
 
@@ -138,14 +145,22 @@ FocusDesign designFocus (const ModalModel& model, const FocusDescription& descri
         throw InputError ("device '" + model.name + "'", "has no ceramics; a focus needs at least one");
 
     checkTargets (model.surface, description.targets);
-    auto moments = focusMoments (model, description, playback);
-    const auto modes = controlModes (model, description.modes, moments);
+    const auto wanted = focusMoments (model, description, playback);
     double peakVelocity = 0;
 
     for (const auto& wantedPlace : description.targets)
         peakVelocity = std::max (peakVelocity, wantedPlace.peakVelocity);
 
-    return designDrives (makeDesign (description, modes, std::move (moments), playback, peakVelocity), model, extent);
+    const auto choose = [&] (const ModeChoice& choice)
+    {
+        auto moments = wanted;
+        const auto modes = controlModes (model, choice, moments);
+        return makeDesign (description, modes, std::move (moments), playback, peakVelocity);
+    };
+    const auto allocate = [&] (FocusDesign design) { return withProgram (std::move (design), model, extent); };
+    return finished (leavesModesOpen (description) ? weighModes (model, { choose, allocate })
+                                                   : allocate (choose (description.modes)),
+                     model, extent);
 }
 
 FocusDesign designModes (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
@@ -153,7 +168,8 @@ FocusDesign designModes (const ModalModel& model, const FocusDescription& descri
 {
     const Eigen::VectorXd field = model.shapes (Eigen::all, modes) * wanted;
     FocusMoment moment { description.focusTime, description.targets, projectField (model, field), wanted, field, 1 };
-    return designDrives (makeDesign (description, modes, { std::move (moment) }, playback, field.cwiseAbs().maxCoeff()),
-                         model, DesignExtent::complete);
+    constexpr auto extent = DesignExtent::complete;
+    auto design = makeDesign (description, modes, { std::move (moment) }, playback, field.cwiseAbs().maxCoeff());
+    return finished (withProgram (std::move (design), model, extent), model, extent);
 }
 } // namespace antinode

@@ -2,6 +2,7 @@
 
 #include "DriveAllocation.h"
 #include "LimitWords.h"
+#include "Projection.h"
 
 #include <antinode_allocation/LowerBound.h>
 
@@ -18,7 +19,6 @@ namespace
 {
 constexpr double poorCapture = 0.9;
 constexpr double minimumMove = 1e-9;           // s
-constexpr double wholeCapture = 0.99;          // what the default choice of modes asks for
 constexpr double reliableShareOfNyquist = 0.8; // the interpolation of the plate model and of real converters
 
 std::string robustnessInWords (const Robustness& robustness)
@@ -144,7 +144,7 @@ void addRemarks (FocusDesign& design, const ModalModel& model)
     addChoices (design, model);
     design.warnings.insert (design.warnings.end(), model.warnings.begin(), model.warnings.end());
 
-    if (model.rigidBodyModes > 0 && design.captured < wholeCapture)
+    if (model.rigidBodyModes > 0 && design.captured < defaultCapture())
         design.warnings.emplace_back (
             "The device can move as a rigid body, and ceramics cannot excite this part of the wanted field. "
             "Foci of opposite sign, or a sinc, have less of it.");
