@@ -4,6 +4,7 @@
 #include "FocusFile.h"
 #include "FocusWords.h"
 
+#include <antinode_focus/LimitWords.h>
 #include <antinode_text/EigenJson.h>
 
 #include <nlohmann/json.hpp>
@@ -165,6 +166,10 @@ nlohmann::ordered_json designToJson (const FocusDesign& design, const ModalModel
     json["certificate"] = certificateToJson (design.certificate);
     json["least_peak_voltage_V"] = design.minimumPeakVoltage;
     json["reachable_peak_velocity_mm_s"] = toMillimetres (design.reachablePeakVelocity);
+
+    if (design.limit)
+        json["limit"] = limitSentence (model, *design.limit);
+
     json["lower_bound_voltage_V"] = design.lowerBoundVoltage;
     json["lower_bound_gap"] = design.lowerBoundGap;
 

@@ -3,6 +3,7 @@
 #include <antinode_allocation/Allocation.h>
 #include <antinode_base/WordList.h>
 #include <antinode_focus/FocusDescription.h>
+#include <antinode_focus/LimitUse.h>
 
 #include <algorithm>
 #include <utility>
@@ -36,4 +37,11 @@ inline constexpr WordList<AllocationStatus, 3> allocationStatusWords {
       { "optimal", AllocationStatus::optimal },
       { "infeasible", AllocationStatus::infeasible } }
 };
+
+inline constexpr WordList<LimitKind, 6> limitKindWords { { { "ceramic", LimitKind::ceramic },
+                                                           { "focus", LimitKind::focus },
+                                                           { "amplifier", LimitKind::amplifier },
+                                                           { "full_scale", LimitKind::fullScale },
+                                                           { "slew", LimitKind::slew },
+                                                           { "current", LimitKind::current } } };
 } // namespace antinode

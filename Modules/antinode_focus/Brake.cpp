@@ -90,11 +90,10 @@ void addBrakeRemarks (FocusDesign& design, const BrakeAttempt& asked, const Brak
     design.choices.push_back (choice);
 
     if (taken.duration > asked.duration)
-        design.warnings.push_back ("Within the voltage limit the surface cannot be at rest "
-                                   + milliseconds (asked.duration) + " after the focus; it is at rest after "
-                                   + milliseconds (taken.duration) + ".");
+        design.warnings.push_back ("Within the limits the surface cannot be at rest " + milliseconds (asked.duration)
+                                   + " after the focus; it is at rest after " + milliseconds (taken.duration) + ".");
     else if (asked.brake && ! taken.brake)
-        design.warnings.push_back ("The voltage limit does not allow so fast a brake: the motion decays more slowly "
+        design.warnings.push_back ("The limits do not allow so fast a brake: the motion decays more slowly "
                                    "at first and is at rest at the same time.");
 }
 } // namespace
@@ -124,7 +123,7 @@ void appendBrake (FocusDesign& design, const ModalModel& model)
     {
         const auto share = 1 / allocation.certificate.peakRatio;
         allocation.matrix *= share;
-        design.warnings.push_back ("The voltage limit allows only " + inWords (100 * share)
+        design.warnings.push_back ("The limits allow only " + inWords (100 * share)
                                    + " % of the brake; the remaining motion decays freely.");
     }
 

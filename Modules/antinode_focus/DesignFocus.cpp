@@ -4,6 +4,7 @@
 #include "DesignRemarks.h"
 #include "DesignedProgram.h"
 #include "FocusMoments.h"
+#include "ModeWeighing.h"
 #include "Prediction.h"
 #include "Projection.h"
 #include "Repetition.h"
@@ -94,17 +95,23 @@ FocusDesign makeDesign (const FocusDescription& description, const std::vector<i
     return design;
 }
 
-/** Adds what is played, and its certificates. */
-FocusDesign designDrives (FocusDesign design, const ModalModel& model, DesignExtent extent)
+/** Adds what is played until the focus, and its certificate. */
+FocusDesign withProgram (FocusDesign design, const ModalModel& model, DesignExtent extent)
 {
-    const auto& description = design.description;
     checkRate (model, design.controlledModes, design.playback);
 
-    if (methodTraits (description.allocation.method).waveforms == AllocatedWaveforms::samples)
+    if (methodTraits (design.description.allocation.method).waveforms == AllocatedWaveforms::samples)
         sampleProgram (design, model, extent);
     else
         allocateProgram (design, model);
 
+    return design;
+}
+
+/** Adds what is played after the focus, what is known of all, and what is to be said of it. */
+FocusDesign finished (FocusDesign design, const ModalModel& model, DesignExtent extent)
+{
+    const auto& description = design.description;
     const auto& limits = design.program.voltageLimits;
     design.minimumPeakVoltage = design.certificate.minimumPeakRatio * limits.maxCoeff();
 
@@ -116,6 +123,9 @@ FocusDesign designDrives (FocusDesign design, const ModalModel& model, DesignExt
 
     if (extent == DesignExtent::complete && ! design.program.samples)
         design.shortestPeriod = shortestPeriod (model, design.program, momentTimes (design.moments));
+
+    if (extent == DesignExtent::complete)
+        design.limit = limitUses (model, description.allocation, design.program).nearest();
 
     addRemarks (design, model);
 
@@ -141,14 +151,22 @@ FocusDesign designFocus (const ModalModel& model, const FocusDescription& descri
         throw InputError ("device '" + model.name + "'", "has no ceramics; a focus needs at least one");
 
     checkTargets (model, description.targets);
-    auto moments = focusMoments (model, description, playback);
-    const auto modes = controlModes (model, description.modes, moments);
+    const auto wanted = focusMoments (model, description, playback);
     double peakVelocity = 0;
 
     for (const auto& wantedPlace : description.targets)
         peakVelocity = std::max (peakVelocity, wantedPlace.peakVelocity);
 
-    return designDrives (makeDesign (description, modes, std::move (moments), playback, peakVelocity), model, extent);
+    const auto choose = [&] (const ModeChoice& choice)
+    {
+        auto moments = wanted;
+        const auto modes = controlModes (model, choice, moments);
+        return makeDesign (description, modes, std::move (moments), playback, peakVelocity);
+    };
+    const auto allocate = [&] (FocusDesign design) { return withProgram (std::move (design), model, extent); };
+    return finished (leavesModesOpen (description) ? weighModes (model, { choose, allocate })
+                                                   : allocate (choose (description.modes)),
+                     model, extent);
 }
 
 FocusDesign designModes (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
@@ -156,7 +174,8 @@ FocusDesign designModes (const ModalModel& model, const FocusDescription& descri
 {
     const Eigen::VectorXd field = model.shapes (Eigen::all, modes) * wanted;
     FocusMoment moment { description.focusTime, {}, projectField (model, field), wanted, field, 1 };
-    return designDrives (makeDesign (description, modes, { std::move (moment) }, playback, field.cwiseAbs().maxCoeff()),
-                         model, DesignExtent::complete);
+    constexpr auto extent = DesignExtent::complete;
+    auto design = makeDesign (description, modes, { std::move (moment) }, playback, field.cwiseAbs().maxCoeff());
+    return finished (withProgram (std::move (design), model, extent), model, extent);
 }
 } // namespace antinode

@@ -3,6 +3,7 @@
 #include "DriveAllocation.h"
 #include "FieldLimits.h"
 #include "FocusScore.h"
+#include "LimitWords.h"
 #include "Prediction.h"
 
 #include <antinode_allocation/LowerBound.h>
@@ -20,7 +21,6 @@ namespace
 constexpr double poorCapture = 0.9;
 constexpr double poorTransient = 0.05;         // field error
 constexpr double minimumMove = 1e-9;           // s
-constexpr double wholeCapture = 0.99;          // what the default choice of modes asks for
 constexpr double reliableShareOfNyquist = 0.8; // the interpolation of the plate model and of real converters
 
 std::string robustnessInWords (const Robustness& robustness)
@@ -69,18 +69,28 @@ void addChoices (FocusDesign& design, const ModalModel& model)
         design.choices.emplace_back ("Each mode has a second drive, which rises by 12 e-folds before the focus.");
 }
 
-void warnOfPeak (FocusDesign& design)
+/** What is exceeded, by how much, and what comes of it. */
+std::string excessInWords (const LimitUse& limit, const ModalModel& model)
 {
-    const auto peak = design.certificate.peakRatio;
+    const auto isVoltage = limit.kind != LimitKind::slew && limit.kind != LimitKind::current;
+    return "This allocation needs " + limitAmount (limit.kind, limit.used) + " at " + limitedCeramic (model, limit)
+           + ", but the " + limitName (limit.kind) + " is " + limitAmount (limit.kind, limit.allowed)
+           + (isVoltage ? "; the limiter will clip it and change the field. "
+                        : "; the amplifier will not follow, which changes the field. ")
+           + "Use the allocation 'exact' or 'paper', a lower velocity or a higher limit.";
+}
 
-    if (peak > 1 + 1e-9)
-        design.warnings.push_back ("This allocation needs " + inWords (peak)
-                                   + " times the voltage limit; the limiter will clip it and change the field. "
-                                     "Use the allocation 'exact' or 'paper', a lower velocity or a higher limit.");
+void warnOfPeak (FocusDesign& design, const ModalModel& model)
+{
+    if (! design.limit)
+        return;
+
+    if (const auto& limit = *design.limit; limit.share() > 1 + 1e-6)
+        design.warnings.push_back (excessInWords (limit, model));
     else if (design.certificate.status == AllocationStatus::optimal
              && ! methodTraits (design.description.allocation.method).asksForMinimumPeak)
-        design.warnings.push_back (
-            "The voltage limit is reached: the voltages are spread over more ceramics than without it.");
+        design.warnings.push_back ("The " + limitName (limit.kind)
+                                   + " is reached: the voltages are spread over more ceramics than without it.");
 }
 
 /** Warns of described drives that the method ignores because it makes its own waveforms. */
@@ -172,7 +182,7 @@ void addRemarks (FocusDesign& design, const ModalModel& model)
             + " Hz is close to half the sample rate, where converters roll off; choose a higher rate.");
 
     warnOfUnusedDrives (design);
-    warnOfPeak (design);
+    warnOfPeak (design, model);
     warnOfLooseBound (design);
 
     if (design.program.samples)

@@ -63,8 +63,6 @@ void addFurtherDrives (DriveList& drives, const FocusDesign& design, const Modal
 
 void allocateProgram (FocusDesign& design, const ModalModel& model)
 {
-    const auto& choice = design.description.allocation;
-    const auto limits = voltageLimits (model, choice);
     auto drives = makeDrives (design, model);
     const auto allocate = [&]
     {
@@ -77,15 +75,15 @@ void allocateProgram (FocusDesign& design, const ModalModel& model)
     {
         addFurtherDrives (drives, design, model);
         allocation = allocate();
-        design.choices.emplace_back ("One drive per mode cannot meet the voltage limit: each mode has further drives, "
+        design.choices.emplace_back ("One drive per mode cannot meet the limits: each mode has further drives, "
                                      "which rise faster or start "
                                      "a quarter period later.");
     }
 
-    throwWhereBeyondLimit (allocation.certificate, choice.method, limits, design.reachablePeakVelocity,
-                           hasSlewLimits (model));
-    design.program = makeProgram (drives, allocation.matrix, limits, design.moments.front().time);
+    design.program = makeProgram (drives, allocation.matrix, voltageLimits (model, design.description.allocation),
+                                  design.moments.front().time);
     design.certificate = allocation.certificate;
+    throwWhereBeyondLimit (design, model);
 }
 
 void sampleProgram (FocusDesign& design, const ModalModel& model, DesignExtent extent)

@@ -179,15 +179,8 @@ Allocation allocate (const AllocationProblem& problem, AllocationMethod method, 
 
 Eigen::VectorXd voltageLimits (const ModalModel& model, const AllocationChoice& choice)
 {
-    Eigen::VectorXd limits (model.actuators());
-
-    for (Eigen::Index i = 0; i < limits.size(); ++i)
-    {
-        const auto own = model.ceramics[static_cast<std::size_t> (i)].voltageLimit;
-        limits[i] = std::min (own, choice.voltageLimit.value_or (own));
-    }
-
-    return limits;
+    const auto limits = voltageLimits (model);
+    return choice.voltageLimit ? Eigen::VectorXd (limits.cwiseMin (*choice.voltageLimit)) : limits;
 }
 
 bool hasSlewLimits (const ModalModel& model)

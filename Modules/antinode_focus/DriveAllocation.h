@@ -33,7 +33,8 @@ struct DriveSpan
     double first = 0, last = 0;
 };
 
-/** The voltage limit of each ceramic: the device's, or the focus's where that is lower. N_b, V. [any] */
+/** The voltage limit of each ceramic: what it can be given on the device, or the focus's limit where that is lower.
+   N_b, V. [any] */
 Eigen::VectorXd voltageLimits (const ModalModel&, const AllocationChoice&);
 
 /** Whether any ceramic has a slew limit. [any] */

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "FocusDescription.h"
+#include "LimitUse.h"
 
 #include <antinode_allocation/Allocation.h>
 #include <antinode_model/ModalModel.h>
@@ -57,6 +58,7 @@ struct FocusDesign
                                   ///< where it was not computed.
     double lowerBoundGap =
         0; ///< (upper - lower) / upper, upper the peak of a waveform that was found; 1: none was found.
+    std::optional<LimitUse> limit; ///< The limit of which most is used. None if it was not computed.
     double intersamplePeakVoltage =
         0;             ///< V: of a free waveform, also between its samples; 0 where there are no samples.
     Playback playback; ///< The playback for which the terminal rows were computed.

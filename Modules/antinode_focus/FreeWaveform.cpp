@@ -2,6 +2,7 @@
 
 #include "DriveAllocation.h"
 #include "LimitError.h"
+#include "LimitWords.h"
 #include "SampledPrediction.h"
 
 #include <antinode_allocation/BoundedWaveform.h>
@@ -102,17 +103,25 @@ BoundedWaveformProblem withGuards (const BoundedWaveformProblem& hard, const Eig
     return all;
 }
 
-/** Whether such a limit can be kept is not known, or it can and the search for the least energy did not end. */
-[[noreturn]] void throwTooNear (double limit, double minimumPeakRatio)
+/** Where the largest of the limits is set. */
+std::string largestLimitField (const ModalModel& model, const AllocationChoice& choice, const Eigen::VectorXd& limits)
 {
-    constexpr auto room = 1.01;
-    throw InputError ("focus: voltage limit",
-                      "is " + inWords (limit)
-                          + " V, too close to the lowest feasible voltage of any samples; allowed: at least "
-                          + inWords (room * std::max (1.0, minimumPeakRatio) * limit) + " V");
+    Eigen::Index largest = 0;
+    limits.maxCoeff (&largest);
+    return limitField (voltageLimitKind (model, choice, static_cast<std::size_t> (largest)));
 }
 
-[[noreturn]] void throwBeyondLimit (const BoundedWaveformProblem& hard, const FocusDescription& description)
+/** Whether such a limit can be kept is not known, or it can and the search for the least energy did not end. */
+[[noreturn]] void throwTooNear (const std::string& field, double limit, double minimumPeakRatio)
+{
+    constexpr auto room = 1.01;
+    throw InputError (field, "is " + inWords (limit)
+                                 + " V, too close to the lowest feasible voltage of any samples; allowed: at least "
+                                 + inWords (room * std::max (1.0, minimumPeakRatio) * limit) + " V");
+}
+
+[[noreturn]] void throwBeyondLimit (const std::string& field, const BoundedWaveformProblem& hard,
+                                    const FocusDescription& description)
 {
     constexpr auto tolerance = 0.001;
     const auto bracket = minimumWaveformPeak (hard, tolerance);
@@ -122,7 +131,7 @@ BoundedWaveformProblem withGuards (const BoundedWaveformProblem& hard, const Eig
                           "cannot be controlled independently of each other; control fewer modes");
 
     if (bracket.upper <= 1)
-        throwTooNear (hard.limits.maxCoeff(), bracket.upper);
+        throwTooNear (field, hard.limits.maxCoeff(), bracket.upper);
 
     double peakVelocity = 0;
 
@@ -131,7 +140,7 @@ BoundedWaveformProblem withGuards (const BoundedWaveformProblem& hard, const Eig
 
     const auto limit = hard.limits.maxCoeff();
     const auto reachable = peakVelocity / bracket.upper;
-    throw LimitError ("focus: voltage limit",
+    throw LimitError (field,
                       "is " + inWords (limit) + " V, too low for " + inWords (peakVelocity * 1000)
                           + " mm/s: no sampled waveform reaches it below " + inWords (limit * bracket.lower)
                           + " V; this limit allows " + inWords (reachable * 1000) + " mm/s",
@@ -167,13 +176,15 @@ FreeWaveform freeWaveform (const ModalModel& model, const FocusDescription& desc
                                                             model.participation (guards, Eigen::all),
                                                             description.allocation.guardWeight));
 
+    const auto field = largestLimitField (model, description.allocation, limits);
+
     if (! solution.isMet)
-        throwBeyondLimit (hard, description);
+        throwBeyondLimit (field, hard, description);
 
     auto certificate = makeCertificate (solution, limits, std::chrono::steady_clock::now() - start);
 
     if (! (certificate.gap <= largestGap))
-        throwTooNear (limits.maxCoeff(), 1);
+        throwTooNear (field, limits.maxCoeff(), 1);
 
     const auto firstTime = description.focusTime - static_cast<double> (range.focus) / playback.sampleRate;
     return { { playback, firstTime, solution.samples }, certificate };

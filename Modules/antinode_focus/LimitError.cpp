@@ -1,14 +1,40 @@
 #include "LimitError.h"
 
+#include "LimitWords.h"
+
 #include <antinode_base/NumberText.h>
 
 namespace antinode
 {
 namespace
 {
-double millimetresPerSecond (double velocity)
+/** Limits of which nearly as much is needed as of the one that most is needed of: the least peak touches them all. */
+constexpr double touchingShare = 0.98;
+
+std::string velocityInWords (double velocity)
 {
-    return velocity * 1000;
+    return inWords (velocity * 1000) + " mm/s";
+}
+
+/** What a use comes to where it is as large as the least peak. */
+std::string leastAmount (const LimitUse& use, double ratio)
+{
+    return limitAmount (use.kind, ratio * use.allowed);
+}
+
+std::string voltageNeed (const LimitUse& use, double ratio)
+{
+    return "these drives need at least " + leastAmount (use, ratio);
+}
+
+std::string slewNeed (const ModalModel& model, const LimitUses& uses, double ratio)
+{
+    const auto need = limitedCeramic (model, *uses.slew) + " needs at least " + leastAmount (*uses.slew, ratio) + ", "
+                      + limitTime (*uses.slew);
+    return uses.voltage.share() < touchingShare * ratio
+               ? need
+               : need + ", and " + limitedCeramic (model, uses.voltage) + " " + leastAmount (uses.voltage, ratio)
+                     + " of its " + limitAmount (uses.voltage.kind, uses.voltage.allowed);
 }
 } // namespace
 
@@ -19,27 +45,29 @@ LimitError::LimitError (const std::string& where, const std::string& wrong, doub
 {
 }
 
-void throwWhereBeyondLimit (const AllocationCertificate& certificate, AllocationMethod method,
-                            const Eigen::VectorXd& limits, double peakVelocity, bool hasSlewLimits)
+void throwWhereBeyondLimit (const FocusDesign& design, const ModalModel& model)
 {
-    const auto isBeyond = certificate.status == AllocationStatus::infeasible
-                          || (methodTraits (method).asksForMinimumPeak && certificate.peakRatio > 1);
+    const auto& certificate = design.certificate;
+    const auto& method = methodTraits (design.description.allocation.method);
+    const auto isBeyond =
+        certificate.status == AllocationStatus::infeasible || (method.asksForMinimumPeak && certificate.peakRatio > 1);
 
     if (! isBeyond)
         return;
 
     const auto ratio = certificate.peakRatio;
-    const auto minimum = limits.maxCoeff() * ratio;
-    const auto reachable = peakVelocity / ratio;
-    const auto needed = hasSlewLimits ? "these drives need " + inWords (ratio) + " times these limits, which allow "
-                                      : "these drives need at least " + inWords (minimum) + " V; this limit allows ";
-    const auto* const wayOut = methodTraits (method).waveforms == AllocatedWaveforms::dictionary
+    const auto uses = limitUses (model, design.description.allocation, design.program);
+    const auto isSlew = uses.slew && uses.slew->share() >= touchingShare * ratio;
+    const auto& limit = isSlew ? *uses.slew : uses.voltage;
+    const auto reachable = design.reachablePeakVelocity / ratio;
+    const auto* const wayOut = method.waveforms == AllocatedWaveforms::dictionary
                                    ? ""
                                    : "; the allocation 'dictionary' may reach more"; // has most drives
-    throw LimitError ("focus: voltage limit",
-                      "is " + inWords (limits.maxCoeff()) + (hasSlewLimits ? " V within the slew limits" : " V")
-                          + ", too low for " + inWords (millimetresPerSecond (peakVelocity)) + " mm/s: " + needed
-                          + inWords (millimetresPerSecond (reachable)) + " mm/s" + wayOut,
-                      minimum, reachable);
+    throw LimitError (limitField (limit.kind),
+                      "is " + limitAmount (limit.kind, limit.allowed) + ", too low for "
+                          + velocityInWords (design.reachablePeakVelocity) + ": "
+                          + (isSlew ? slewNeed (model, uses, ratio) : voltageNeed (limit, ratio))
+                          + "; this limit allows " + velocityInWords (reachable) + wayOut,
+                      design.program.voltageLimits.maxCoeff() * ratio, reachable);
 }
 } // namespace antinode

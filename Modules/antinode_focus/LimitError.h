@@ -1,14 +1,13 @@
 #pragma once
 
-#include "FocusDescription.h"
+#include "FocusDesign.h"
 
-#include <antinode_allocation/Allocation.h>
 #include <antinode_base/InputError.h>
 
 namespace antinode
 {
-/** The wanted focus cannot be reached within the voltage limit. The text gives the lowest feasible voltage and the
-    highest feasible velocity. */
+/** The wanted focus cannot be reached within the limits. The text gives what the drives need at least, in the unit of
+    the limit, and the highest feasible velocity. */
 class LimitError : public InputError
 {
 public:
@@ -19,11 +18,9 @@ public:
     double reachableVelocity;  ///< m/s: the peak velocity that the limit allows.
 };
 
-/** @param limits        N_b, V
-    @param peakVelocity  what was wanted, m/s
-    @param hasSlewLimits whether there are slew limits besides
-    @throws LimitError   when an allocation shows that the limits cannot be met
+/** @param design      with its program, its certificate and the peak velocity that was wanted
+    @throws LimitError  when its allocation shows that the limits cannot be met: which one, where, when, and what it
+   would take
     [worker] */
-void throwWhereBeyondLimit (const AllocationCertificate&, AllocationMethod, const Eigen::VectorXd& limits,
-                            double peakVelocity, bool hasSlewLimits);
+void throwWhereBeyondLimit (const FocusDesign& design, const ModalModel&);
 } // namespace antinode

@@ -12,8 +12,6 @@ namespace antinode
 {
 namespace
 {
-constexpr double defaultCapture = 0.99;
-
 /** Coefficients of the fit of a field by the given shapes, in the mass-weighted least-squares sense. */
 Eigen::VectorXd fitted (const Eigen::MatrixXd& shapes, const Eigen::VectorXd& masses, const Eigen::VectorXd& field)
 {
@@ -185,7 +183,7 @@ ModeSelection selectModes (const ModalModel& model, const ProjectedTarget& targe
 
     if (! choice.count)
         return restrictToModes (model, target,
-                                modesForCapture (model, target, modes, choice.captured.value_or (defaultCapture),
+                                modesForCapture (model, target, modes, choice.captured.value_or (defaultCapture()),
                                                  ! choice.captured.has_value()));
 
     if (*choice.count > static_cast<int> (modes.size()))

@@ -23,6 +23,12 @@ struct ModeSelection
     double captured = 0;       ///< sqrt (S/K), 0 to 1.
 };
 
+/** What the modes capture together where a focus says nothing of them: sqrt (S/K). [any] */
+constexpr double defaultCapture()
+{
+    return 0.99;
+}
+
 /** Chooses the modes to control. Modes that no ceramic excites (participation below 1e-9 of the largest) are left out.
     @throws InputError  when no mode is left, more are requested than exist, or the requested captured fraction cannot
    be reached [worker] Docs/Theory.md, section 2.3. */

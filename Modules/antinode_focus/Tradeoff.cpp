@@ -177,8 +177,13 @@ Tradeoff sweepTradeoff (const ModalModel& device, const FocusDescription& focus,
 {
     auto model = device;
 
+    model.fullScaleVoltage = noLimit;
+
     for (auto& ceramic : model.ceramics)
+    {
         ceramic.voltageLimit = noLimit;
+        ceramic.amplifierVoltage = 0;
+    }
 
     TradeoffPoint first;
     first.method = AllocationMethod::minimumNorm;

@@ -4,16 +4,6 @@ namespace antinode
 {
 namespace
 {
-Eigen::VectorXd ceramicLimits (const ModalModel& model)
-{
-    Eigen::VectorXd limits (model.actuators());
-
-    for (Eigen::Index i = 0; i < limits.size(); ++i)
-        limits[i] = model.ceramics[static_cast<std::size_t> (i)].voltageLimit;
-
-    return limits;
-}
-
 /** Gains, limiter and plate behind what gives voltages. */
 void addOutputs (StandardGraph& standard, int voltages, const std::shared_ptr<const ModalModel>& model,
                  const Eigen::MatrixXd& probeShapes, const InsertNodes& insert)
@@ -22,7 +12,7 @@ void addOutputs (StandardGraph& standard, int voltages, const std::shared_ptr<co
     const auto ceramics = static_cast<int> (model->actuators());
     standard.gains = graph.add (std::make_unique<ChannelGainNode> (ceramics), voltages);
     const auto last = insert (graph, GraphPlace::afterGains, standard.gains);
-    standard.limiter = graph.add (std::make_unique<LimiterNode> (ceramicLimits (*model)), last);
+    standard.limiter = graph.add (std::make_unique<LimiterNode> (voltageLimits (*model)), last);
     insert (graph, GraphPlace::afterLimiter, standard.limiter);
     standard.plate = graph.add (std::make_unique<PlateNode> (model, probeShapes), standard.limiter);
     graph.setOutputs ({ standard.limiter, standard.plate });

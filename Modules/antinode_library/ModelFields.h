@@ -10,9 +10,10 @@ namespace antinode
    does not compile. @throws InputError  as FieldReader [worker] */
 void fields (auto& stream, Struct<Ceramic> auto& ceramic)
 {
-    auto& [name, xMinimum, xMaximum, yMinimum, yMaximum, voltageLimit, slewLimit, capacitance, lossFactor, area] =
-        ceramic;
-    stream (name, xMinimum, xMaximum, yMinimum, yMaximum, voltageLimit, slewLimit, capacitance, lossFactor, area);
+    auto& [name, xMinimum, xMaximum, yMinimum, yMaximum, voltageLimit, slewLimit, capacitance, lossFactor, area,
+           currentLimit, amplifierVoltage] = ceramic;
+    stream (name, xMinimum, xMaximum, yMinimum, yMaximum, voltageLimit, slewLimit, capacitance, lossFactor, area,
+            currentLimit, amplifierVoltage);
 }
 
 void fields (auto& stream, Struct<GridAxis> auto& axis)

@@ -14,9 +14,11 @@ struct Ceramic
     double xMinimum = 0, xMaximum = 0;   ///< Extent, m.
     double yMinimum = 0, yMaximum = 0;   ///< Extent, m; both 0 on a line.
     double voltageLimit = 0;             ///< U_max, V, at least 0.
-    double slewLimit = 0;                ///< max |dU/dt|, V/s; 0: none.
+    double slewLimit = 0;                ///< max |dU/dt|, V/s, whatever it follows from; 0: none.
     double capacitance = 0;              ///< What its amplifier charges, F; 0: unknown.
     double lossFactor = usualLossFactor; ///< tan delta of the capacitance.
     double area = 0;                     ///< Of one face, m^2; 0: unknown.
+    double currentLimit = 0;     ///< Of its amplifier, A; 0: none. With the capacitance it limits the slew rate.
+    double amplifierVoltage = 0; ///< What its amplifier gives for a full-scale sample, V; 0: the device's full scale.
 };
 } // namespace antinode

@@ -4,6 +4,7 @@
 
 #include <antinode_base/InputError.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -48,6 +49,18 @@ std::string millimetres (double metres)
 double ModalModel::frequencyHz (Eigen::Index mode) const
 {
     return angularFrequencies[mode] / (2 * std::numbers::pi);
+}
+
+double voltageLimit (const ModalModel& model, std::size_t ceramic)
+{
+    const auto& one = model.ceramics[ceramic];
+    return std::min (one.voltageLimit, one.amplifierVoltage > 0 ? one.amplifierVoltage : model.fullScaleVoltage);
+}
+
+Eigen::VectorXd voltageLimits (const ModalModel& model)
+{
+    return Eigen::VectorXd::NullaryExpr (model.actuators(), [&] (Eigen::Index i)
+                                         { return voltageLimit (model, static_cast<std::size_t> (i)); });
 }
 
 Eigen::VectorXd decayRates (const ModalModel& model)

@@ -37,6 +37,13 @@ struct ModalModel
     double frequencyHz (Eigen::Index mode) const;
 };
 
+/** What a ceramic can be given, V: its own limit, or what a full-scale sample stands for where that is less, since no
+   output gives more. [any] Docs/Decisions/0046-full-scale-is-a-limit.md */
+double voltageLimit (const ModalModel&, std::size_t ceramic);
+
+/** The same of every ceramic: N_b, V. [any] */
+Eigen::VectorXd voltageLimits (const ModalModel&);
+
 /** The decay rate a = xi omega of every mode, 1/s. [any] */
 Eigen::VectorXd decayRates (const ModalModel&);
 

@@ -46,6 +46,8 @@ Eigen::VectorXd wantedVelocities (const ModalModel& model)
 
 double peakOfPair (ModalModel model)
 {
+    model.fullScaleVoltage = freeLimit;
+
     for (auto& ceramic : model.ceramics)
         ceramic.voltageLimit = freeLimit;
 

@@ -3,6 +3,7 @@
 #include <antinode_base/Prefixes.h>
 #include <antinode_documents/FocusWords.h>
 #include <antinode_focus/EventPeak.h>
+#include <antinode_focus/LimitWords.h>
 
 #include <nlohmann/json.hpp>
 
@@ -45,6 +46,19 @@ nlohmann::ordered_json probesJson (const RenderedFocus& focus)
 
     return list;
 }
+
+nlohmann::ordered_json limitJson (const ModalModel& model, const LimitUse& limit)
+{
+    return { { "kind", wordFor (limitKindWords, limit.kind) },
+             { "is_reached", isReached (limit) },
+             { "ceramic", model.ceramics[static_cast<std::size_t> (limit.ceramic)].name },
+             { "time_after_focus_ms", limit.time * 1000 },
+             { "used_share", limit.share() },
+             { "used", limitAmount (limit.kind, limit.used) },
+             { "allowed", limitAmount (limit.kind, limit.allowed) },
+             { "sentence", limitSentence (model, limit) } };
+}
+
 nlohmann::ordered_json placeJson (const FieldPeak& peak)
 {
     return { peak.x * milli, peak.y * milli };
@@ -109,10 +123,14 @@ nlohmann::ordered_json summaryToJson (const RenderedFocus& focus, const FocusOut
     summary["elsewhere_place_mm"] = placeJson (outcome.elsewhere);
     summary["elsewhere_time_ms"] = outcome.elsewhere.time * milli;
     summary["event_contrast"] = outcome.eventContrast;
-    summary["limit"] = outcome.limit;
+    summary["field_limit"] = outcome.limit;
     summary["peak_voltage_V"] = focus.render.voltages.cwiseAbs().maxCoeff();
     summary["voltage_limit_V"] = design.program.voltageLimits.maxCoeff();
     summary["full_scale_V"] = focus.model.fullScaleVoltage;
+
+    if (design.limit)
+        summary["limit"] = limitJson (focus.model, *design.limit);
+
     summary["lower_bound_voltage_V"] = design.lowerBoundVoltage;
     summary["lower_bound_gap"] = design.lowerBoundGap;
 

@@ -3,6 +3,7 @@
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_charts/Numbers.h>
+#include <antinode_focus/LimitWords.h>
 
 #include <cmath>
 
@@ -10,6 +11,10 @@ namespace antinode
 {
 namespace
 {
+std::string limitText (const RenderedFocus& focus)
+{
+    return focus.design.limit ? limitSentence (focus.model, *focus.design.limit) + " " : "";
+}
 
 std::string percentInWords (double share)
 {
@@ -74,9 +79,9 @@ std::vector<ReportScore> focusScores (const RenderedFocus& focus, const FocusOut
     auto scores = outcomeScores (focus, outcome);
     const std::vector<ReportScore> internal {
         { "Peak voltage", inWords (peakVoltage) + " V",
-          "Largest voltage of any ceramic; the limit is " + limit + " V. No waveform can reach this focus below "
-              + inWords (design.lowerBoundVoltage) + " V; this bound is tight to "
-              + percentInWords (design.lowerBoundGap) + "." },
+          "Largest voltage of any ceramic; the limit is " + limit + " V. " + limitText (focus)
+              + "No waveform can reach this focus below " + inWords (design.lowerBoundVoltage)
+              + " V; this bound is tight to " + percentInWords (design.lowerBoundGap) + "." },
         { "v-score", formatFixed (focus.truncatedScore.vScore, 5),
           "Correlation of the reached field with the part of the wanted field that the controlled modes can represent; "
           "with the wanted field itself it is "

@@ -15,16 +15,6 @@ namespace
 {
 constexpr double captureMemory = 3; // s, after which a smaller motion is shown again
 
-Eigen::VectorXd ceramicLimits (const ModalModel& model)
-{
-    Eigen::VectorXd limits (model.actuators());
-
-    for (Eigen::Index i = 0; i < limits.size(); ++i)
-        limits[i] = model.ceramics[static_cast<std::size_t> (i)].voltageLimit;
-
-    return limits;
-}
-
 std::unique_ptr<SurfaceNode> surfaceNode (const std::shared_ptr<const ModalModel>& model,
                                           const Eigen::MatrixXd& probeShapes, SurfaceModel kind)
 {
@@ -46,7 +36,7 @@ PlatePath::PlatePath (std::shared_ptr<const ModalModel> model, double sampleRate
 {
     const auto ceramics = static_cast<int> (modes->actuators());
     input = graph.add (std::make_unique<InputNode> (ceramics), NodeGraph::noSource);
-    limiter = graph.add (std::make_unique<LimiterNode> (ceramicLimits (*modes)), input);
+    limiter = graph.add (std::make_unique<LimiterNode> (voltageLimits (*modes)), input);
     plate = graph.add (surfaceNode (modes, probeShapes, kind), limiter);
     graph.setOutputs ({ limiter, plate });
     graph.prepare ({ rate, stride });

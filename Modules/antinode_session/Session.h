@@ -70,6 +70,11 @@ public:
        thread] */
     void insertNodes (InsertNodes insert);
 
+    /** What the outputs behind the ceramics give, if they differ from the device's full scale: a limit of all foci.
+        @param volts  of a full-scale sample, for each ceramic; 0 or missing: the device's full scale
+        [any but the audio thread] */
+    void setAmplifiers (std::vector<double> volts) { requests->setAmplifiers (std::move (volts)); }
+
     /** Designs the places of these notes before those of the others, in this order; by default that of middle C.
         [any but the audio thread] */
     void designFirst (std::vector<int> notes);

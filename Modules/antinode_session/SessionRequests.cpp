@@ -51,6 +51,12 @@ void SessionRequests::insertNodes (InsertNodes insert)
     asked.isInsertionNew = true;
 }
 
+void SessionRequests::setAmplifiers (std::vector<double> volts)
+{
+    const std::lock_guard lock (mutex);
+    asked.amplifiers = std::move (volts);
+}
+
 bool SessionRequests::touch (const SessionTouch& touch)
 {
     const std::lock_guard lock (mutex);

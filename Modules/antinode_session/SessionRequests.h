@@ -30,7 +30,8 @@ struct SessionRound
     double sampleRate = 0; ///< Hz; 0 before the first preparation.
     GraphChoice graph;
     bool isInsertionNew = false, isOrderNew = false;
-    std::vector<int> firstNotes; ///< Are designed before the others.
+    std::vector<int> firstNotes;    ///< Are designed before the others.
+    std::vector<double> amplifiers; ///< V of a full-scale sample of each ceramic; 0 or missing: the device's.
     std::vector<SessionTouch> touches;
     std::optional<std::vector<int>> awaited; ///< Places of the bank, if somebody waits for their designs.
 };
@@ -53,6 +54,7 @@ public:
     /** [any but the audio thread] */
     void designFirst (std::vector<int> notes);
     void insertNodes (InsertNodes);
+    void setAmplifiers (std::vector<double> volts);
 
     /** [any] */
     void setGraphOpen (bool shouldBeOpen) { wantsOpenGraph = shouldBeOpen; }

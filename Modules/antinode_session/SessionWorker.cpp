@@ -26,6 +26,19 @@ bool needNewPath (const PlaySettings& one, const PlaySettings& other)
 {
     return one.noteOff != other.noteOff || one.retrigger != other.retrigger || one.focusOnNote != other.focusOnNote;
 }
+std::shared_ptr<const ModalModel> withAmplifiers (const std::shared_ptr<const ModalModel>& model,
+                                                  const std::vector<double>& volts)
+{
+    if (std::all_of (volts.begin(), volts.end(), [] (double each) { return each == 0; }))
+        return model;
+
+    auto result = std::make_shared<ModalModel> (*model);
+
+    for (std::size_t i = 0; i < std::min (volts.size(), result->ceramics.size()); ++i)
+        result->ceramics[i].amplifierVoltage = volts[i];
+
+    return result;
+}
 } // namespace
 
 SessionWorker::SessionWorker (std::shared_ptr<SessionRequests> requestsToServe, std::shared_ptr<AudioEntry> entryToUse,
@@ -63,6 +76,7 @@ void SessionWorker::run()
 /** One round: what was loaded, then what the parameters say, then what was touched. */
 void SessionWorker::step (SessionRound round)
 {
+    takeAmplifiers (round);
     takeDocuments (round);
     takeGraphChoice (round);
     entry->collect();
@@ -114,12 +128,13 @@ void SessionWorker::solve (const DeviceDocument& document)
     try
     {
         const WatchScope scope ([this] { return ! requests->hasDevice(); });
-        auto solved = std::make_shared<const ModalModel> (solveDevice (document.description, {}, true));
+        auto made = std::make_shared<const ModalModel> (solveDevice (document.description, {}, true));
 
-        if (solved->actuators() == 0)
+        if (made->actuators() == 0)
             throw InputError ("device '" + document.description.name + "'", "has no ceramics; nothing can be played");
 
-        model = std::move (solved);
+        solved = std::move (made);
+        model = withAmplifiers (solved, amplifiers);
         isModelNew = true;
         deviceError.clear();
     }
@@ -130,6 +145,24 @@ void SessionWorker::solve (const DeviceDocument& document)
     catch (const std::exception& failure)
     {
         deviceError = failure.what();
+    }
+}
+
+/** A path has limits of its own: another one is built where these change. */
+void SessionWorker::takeAmplifiers (const SessionRound& round)
+{
+    if (amplifiers == round.amplifiers)
+        return;
+
+    amplifiers = round.amplifiers;
+
+    if (solved == nullptr)
+        return;
+
+    if (auto made = withAmplifiers (solved, amplifiers); voltageLimits (*made) != voltageLimits (*model))
+    {
+        model = std::move (made);
+        isModelNew = true;
     }
 }
 

@@ -28,6 +28,7 @@ private:
     void step (SessionRound);
     void takeDocuments (const SessionRound&);
     void solve (const DeviceDocument&);
+    void takeAmplifiers (const SessionRound&);
     void buildPath();
     void takeGraphChoice (const SessionRound&);
     void requestDesigns (const std::vector<int>& firstNotes);
@@ -42,7 +43,8 @@ private:
     std::shared_ptr<Owner> owner;
     std::shared_ptr<const DeviceDocument> device;
     std::shared_ptr<const FocusDocument> focus;
-    std::shared_ptr<const ModalModel> model;
+    std::shared_ptr<const ModalModel> solved, model; ///< Without and with the amplifiers.
+    std::vector<double> amplifiers;                  ///< V of a full-scale sample of each ceramic.
     PlaySettings settings;
     double rate = 0;           ///< Hz, of the path.
     AudioPath* path = nullptr; ///< The newest one, which `entry` owns; none where it could not be built.

@@ -30,6 +30,7 @@ void describe (ModalModel& model, const std::string& name, const StructureCommon
                                     capacitance (ceramic) });
         model.ceramics.back().lossFactor = ceramic.lossFactor;
         model.ceramics.back().area = ceramic.sizeX * ceramic.sizeY;
+        model.ceramics.back().currentLimit = common.currentLimit;
     }
 }
 

@@ -11,6 +11,7 @@
 #include <antinode_documents/DesignFile.h>
 #include <antinode_documents/ToleranceFile.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/LimitWords.h>
 #include <antinode_reports/ToleranceReport.h>
 #include <antinode_reports/TradeoffReport.h>
 #include <antinode_text/OutputFolder.h>
@@ -83,6 +84,9 @@ void design (const DesignCommandOptions& all)
                  inWords (peakVoltage (result)).c_str(), inWords (result.program.voltageLimits.maxCoeff()).c_str());
 
     printPower (model, power);
+
+    if (result.limit)
+        std::printf ("%s\n", limitSentence (model, *result.limit).c_str());
 
     for (const auto& warning : result.warnings)
         std::printf ("Warning: %s\n", warning.c_str());

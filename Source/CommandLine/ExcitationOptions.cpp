@@ -109,15 +109,10 @@ ExcitationSheet excitationFor (const ModalModel& model, const ExcitationOptions&
     ExcitationSheet sheet;
     sheet.device = model.name;
     sheet.fullScaleVoltage = model.fullScaleVoltage;
-    sheet.voltageLimits.resize (model.actuators());
+    sheet.voltageLimits = voltageLimits (model);
 
-    for (Eigen::Index i = 0; i < model.actuators(); ++i)
-    {
-        const auto& ceramic = model.ceramics[static_cast<std::size_t> (i)];
+    for (const auto& ceramic : model.ceramics)
         sheet.ceramics.push_back (ceramic.name);
-        // No output gives more than full scale.
-        sheet.voltageLimits[i] = std::min (ceramic.voltageLimit, model.fullScaleVoltage);
-    }
 
     ExcitationSettings settings;
     settings.signal = signalNamed (options.signal);

@@ -11,7 +11,7 @@ namespace
 {
 /** The fields that errors name, and what the user writes for them. A field that begins like another one stands before
     it. */
-constexpr std::array<std::pair<std::string_view, std::string_view>, 20> fields { {
+constexpr std::array<std::pair<std::string_view, std::string_view>, 22> fields { {
     { "focus: targets", "focus: /targets" },
     { "focus: focus time", "focus: /focus_time_ms" },
     { "focus: controlled modes", "focus: /modes" },
@@ -24,6 +24,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 20> fields {
     { "focus: allocation method", "focus: /allocation/method" },
     { "focus: voltage limit", "focus: /allocation/voltage_limit_V" },
     { "focus: robustness", "focus: /allocation/robust" },
+    { "device: voltage limit", "device: /limits/voltage_V" },
+    { "device: full scale", "device: /limits/full_scale_V" },
     { "device: current limit", "device: /limits/current_mA" },
     { "device: slew limit", "device: /limits/slew_V_per_us" },
     { "placement: step", "--step-mm" },

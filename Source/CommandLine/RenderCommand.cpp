@@ -9,6 +9,7 @@
 #include <antinode_documents/DesignFile.h>
 #include <antinode_figures/FigureFiles.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/LimitWords.h>
 #include <antinode_render/Summary.h>
 #include <antinode_reports/FocusReport.h>
 #include <antinode_text/OutputFolder.h>
@@ -89,6 +90,9 @@ void printSummary (const RenderedFocus& focus, const FocusOutcome& outcome, cons
                  focus.model.modes());
 
     printPower (focus.model, *focus.power);
+
+    if (design.limit)
+        std::printf ("  voltages       %s\n", limitSentence (focus.model, *design.limit).c_str());
 
     for (const auto& warning : design.warnings)
         std::printf ("  warning: %s\n", warning.c_str());

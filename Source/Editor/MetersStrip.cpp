@@ -27,7 +27,8 @@ void MetersStrip::setModel (const std::shared_ptr<const ModalModel>& model)
     {
         const auto& ceramic = model->ceramics[static_cast<std::size_t> (i)];
         auto meter = std::make_unique<CeramicMeter> (i + 1);
-        meter->setCeramic (juce::String::fromUTF8 (ceramic.name.c_str()), ceramic.voltageLimit);
+        meter->setCeramic (juce::String::fromUTF8 (ceramic.name.c_str()),
+                           voltageLimit (*model, static_cast<std::size_t> (i)));
         meter->setToggleState (((processor.mutes() >> i) & 1U) != 0, juce::dontSendNotification);
         meter->onClick = [this, i] { mute (static_cast<std::size_t> (i)); };
         addAndMakeVisible (*meter);

@@ -168,7 +168,7 @@ void PlateContent::nameRows()
     rows.clear();
 
     for (std::size_t i = 0; i < snapshot->model->ceramics.size(); ++i)
-        rows.push_back ({ juce::String (i + 1), {}, snapshot->model->ceramics[i].voltageLimit });
+        rows.push_back ({ juce::String (i + 1), {}, voltageLimit (*snapshot->model, i) });
 
     voltages.setRows (std::move (rows));
 }

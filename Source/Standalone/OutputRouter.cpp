@@ -211,7 +211,7 @@ void OutputRouter::fillCeramic (const RouterBlock& block, const Part& part, int 
 
     if (ceramic != OutputRouting::none && static_cast<std::size_t> (ceramic) < block.ceramics.size())
         copyWithin (block.ceramics[static_cast<std::size_t> (ceramic)] + part.offset, to, part.count,
-                    static_cast<float> (gain * chain.polarity), clamped);
+                    gain * chain.polarity, clamped);
     else if (monitor >= 0 && static_cast<std::size_t> (monitor) < block.monitor.size())
         copyWithin (block.monitor[static_cast<std::size_t> (monitor)] + part.offset, to, part.count, 1, clamped);
 

@@ -65,6 +65,17 @@ OutputRouting withMonitor (OutputRouting routing, int firstOutput)
     return routing;
 }
 
+std::vector<double> amplifierVoltages (const OutputRouting& routing)
+{
+    std::vector<double> volts;
+
+    for (const auto output : routing.outputs)
+        volts.push_back (
+            output == OutputRouting::none ? 0 : routing.chains[static_cast<std::size_t> (output)].voltsPerFullScale);
+
+    return volts;
+}
+
 void validate (const OutputRouting& routing)
 {
     std::vector<std::string> users (OutputRouting::maximumOutputs);

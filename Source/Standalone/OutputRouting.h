@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 namespace antinode
 {
@@ -34,6 +35,9 @@ OutputRouting withOutput (OutputRouting, int ceramic, int output);
 
 /** The same with the monitor on another pair, or on none; whatever had those outputs loses them. [any] */
 OutputRouting withMonitor (OutputRouting, int firstOutput);
+
+/** The volts of a full-scale sample at the output of each ceramic; 0: the device's full scale, or no output. [any] */
+std::vector<double> amplifierVoltages (const OutputRouting&);
 
 /** @throws InputError  where an output is no output or is used twice, or a chain has a gain or a polarity that is none
     [any] */

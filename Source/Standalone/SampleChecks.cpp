@@ -15,11 +15,12 @@ int firstBadSample (std::span<const float* const> channels, int offset, int coun
     return count;
 }
 
-void copyWithin (const float* from, float* to, int count, float factor, std::int64_t& clamped)
+void copyWithin (const float* from, float* to, int count, double factor, std::int64_t& clamped)
 {
     for (int n = 0; n < count; ++n)
     {
-        const auto value = from[n] * factor;
+        // In single precision the product of a limit could come out beyond full scale.
+        const auto value = static_cast<float> (static_cast<double> (from[n]) * factor);
         const auto allowed = std::isfinite (value) ? std::clamp (value, -1.0F, 1.0F) : 0.0F;
         clamped += static_cast<int> (std::abs (value) > 1.0F);
         to[n] = allowed;

@@ -10,7 +10,7 @@ int firstBadSample (std::span<const float* const> channels, int offset, int coun
 
 /** Copies samples clamped to what an output can play: finite, and within full scale. @param clamped  grows by those
    that were beyond it [audio thread] */
-void copyWithin (const float* from, float* to, int count, float factor, std::int64_t& clamped);
+void copyWithin (const float* from, float* to, int count, double factor, std::int64_t& clamped);
 
 /** The largest magnitude. [audio thread] */
 float absolutePeak (const float* samples, int count);

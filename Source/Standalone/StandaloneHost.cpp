@@ -22,7 +22,7 @@ StandaloneHost::StandaloneHost (SettingsFile fileToUse, bool keepsSettings)
 
     // However it was left: whoever starts the program arms it.
     player.parameters().arm().setValueNotifyingHost (0);
-    outputRouter.setRouting (kept.routing, {});
+    passRouting();
     player.addListener (this);
     deviceManager.addChangeListener (this);
     deviceManager.addAudioCallback (&audio);
@@ -204,14 +204,16 @@ void StandaloneHost::timerCallback()
     }
 }
 
-/** With the limits of the ceramics, which the identify tone needs. */
+/** With the limits of the ceramics, which the identify tone needs. What an output cannot give is a limit of the foci.
+ */
 void StandaloneHost::passRouting()
 {
+    player.session().setAmplifiers (amplifierVoltages (kept.routing));
     std::vector<double> limits;
 
     if (const auto model = player.session().snapshot()->model; model != nullptr)
-        for (const auto& ceramic : model->ceramics)
-            limits.push_back (ceramic.voltageLimit);
+        for (std::size_t i = 0; i < model->ceramics.size(); ++i)
+            limits.push_back (voltageLimit (*model, i));
 
     outputRouter.setRouting (kept.routing, limits);
 }

@@ -1,5 +1,7 @@
 #include "Support/RunProgram.h"
 
+#include <antinode_text/WaveFile.h>
+
 #include <nlohmann/json.hpp>
 
 #include <catch2/catch.hpp>
@@ -66,6 +68,27 @@ TEST_CASE ("A limit that cannot be met is answered with the reachable velocity",
     CHECK_FALSE (std::filesystem::exists (folder.path() / "out" / "summary.json"));
 }
 
+TEST_CASE ("A full scale of 2 V below a voltage limit of 10 V limits what is rendered", "[command line]")
+{
+    const TemporaryFolder folder;
+    const auto run =
+        runProgram ({ "render", "--no-report", "--out", folder.path(), "--set", "device.limits.voltage_V=10", "--set",
+                      "device.limits.full_scale_V=2", "--set", "focus.targets.0.peak_velocity_mm_s=4", "--set",
+                      "focus.allocation.method=minimum_peak" });
+    REQUIRE (run.exitCode == 0);
+    CHECK_THAT (run.output, Catch::Contains ("the full scale of the device: ceramic "));
+    const auto summary = nlohmann::json::parse (readContent (folder.path() / "summary.json"));
+    CHECK (summary.at ("voltage_limit_V") == 2);
+    CHECK (summary.at ("limit").at ("kind") == "full_scale");
+    const auto voltages = decodeWave (readContent (folder.path() / "voltages.wav"), "voltages.wav").samples;
+    CHECK (voltages.cwiseAbs().maxCoeff() <= 1);
+
+    const auto refused = runProgram ({ "render", "--no-report", "--out", folder.path(), "--set",
+                                       "device.limits.voltage_V=10", "--set", "device.limits.full_scale_V=2" });
+    CHECK (refused.exitCode == 1);
+    CHECK_THAT (refused.errors, Catch::Contains ("device: /limits/full_scale_V: is 2 V, too low for 40 mm/s: "));
+}
+
 TEST_CASE ("render writes what the contract names, and the numbers keep what is promised of the demonstrator",
            "[command line]")
 {
@@ -98,6 +121,7 @@ TEST_CASE ("render writes what the contract names, and the numbers keep what is 
                              "peak_voltage_V",
                              "voltage_limit_V",
                              "full_scale_V",
+                             "limit",
                              "lower_bound_voltage_V",
                              "lower_bound_gap",
                              "allocation",

@@ -171,9 +171,8 @@ TEST_CASE ("Where the limit does not allow rest in time, the brake takes longer,
     const auto design = designFocus (model, brakedFocus ({}, 0.004, 1.1 * peak), {});
     REQUIRE (*design.restTime > 0.004);
     CHECK (*design.restTime < 0.04);
-    CHECK (
-        isSaid (design.warnings,
-                "Within the voltage limit the surface cannot be at rest 4 ms after the focus; it is at rest after "));
+    CHECK (isSaid (design.warnings,
+                   "Within the limits the surface cannot be at rest 4 ms after the focus; it is at rest after "));
     CHECK (motion (model, design, 0.025 + *design.restTime) < 2e-3 * motion (model, design, 0.0257));
 
     RenderSettings settings;
@@ -192,7 +191,7 @@ TEST_CASE ("A brake that is too steep for the limit becomes flat before it becom
     const auto peak = peakVoltage (designFocus (model, brakedFocus ({}, {}), {}));
     const auto design = designFocus (model, brakedFocus (3000.0, 0.02, 1.1 * peak), {});
     CHECK (*design.restTime == 0.02);
-    CHECK (isSaid (design.warnings, "does not allow so fast a brake"));
+    CHECK (isSaid (design.warnings, "do not allow so fast a brake"));
     CHECK (isSaid (design.choices, "the voltages do not decay before that"));
 }
 

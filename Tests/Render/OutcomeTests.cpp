@@ -112,7 +112,7 @@ TEST_CASE ("The largest velocity elsewhere is found by all samples on 2000 place
     CHECK (json["event_contrast"] == outcome.eventContrast);
     CHECK (json["targets"][0]["velocity_mm_s"] == Approx (1000 * outcome.targets[0].peak.velocity));
     CHECK (json["targets"][0]["width_mm"][1].is_null());
-    CHECK (json["limit"] == outcome.limit);
+    CHECK (json["field_limit"] == outcome.limit);
 }
 
 TEST_CASE ("Of several targets each has its own peak, sign and width", "[render][peak]")

@@ -126,3 +126,47 @@ TEST_CASE ("a note from an input plays")
     rig.queue.push (juce::MidiMessage::noteOn (1, 60, juce::uint8 (127)), juce::Time::getMillisecondCounterHiRes());
     CHECK_FALSE (isSilent (rig.play (8, 3000, { 256 })[0]));
 }
+
+TEST_CASE ("what an output cannot give limits the foci, so that no sample is clamped")
+{
+    AntinodeProcessor processor { AntinodeProcessor::maximumCeramics, juce::AudioProcessor::wrapperType_Undefined };
+    OutputRouter router;
+    MidiQueue queue;
+    AudioCallback callback { processor, router, queue };
+    auto device = nlohmann::json::parse (processor.device()->text);
+    device["limits"] = { { "voltage_V", 10 }, { "full_scale_V", 3 } };
+    auto focus = nlohmann::json::parse (processor.focus()->text);
+    focus["allocation"] = { { "method", "dictionary" } };
+    focus["targets"][0]["peak_velocity_mm_s"] = 20;
+    processor.load (std::make_shared<const DeviceDocument> (readDeviceDocument (device.dump(), "device")),
+                    std::make_shared<const FocusDocument> (readFocusDocument (focus.dump(), "focus")));
+
+    auto routing = straightRouting();
+    routing.chains[0].voltsPerFullScale = 1.7;
+    routing.chains[1] = { 600, -1 };
+    processor.session().setAmplifiers (amplifierVoltages (routing));
+    router.setRouting (routing, {});
+    juce::BigInteger open;
+    open.setRange (0, 8, true);
+    callback.setSchedule (EventSchedule ({ { 0, juce::MidiMessage::noteOn (1, 60, juce::uint8 (127)) },
+                                           { 0.002, juce::MidiMessage::noteOn (1, 60, juce::uint8 (127)) } }));
+    callback.prepare (48000, 256, open);
+    processor.session().waitUntilSettled();
+    const auto model = processor.session().snapshot()->model;
+    CHECK (voltageLimits (*model).head (3) == Eigen::Vector3d (1.7, 10, 3));
+    CHECK (processor.session().progress().liveError.empty());
+
+    processor.parameters().arm().setValueNotifyingHost (1);
+    callback.startSchedule();
+    auto played = constant (8, 6000, 7);
+    std::vector<float*> channels;
+
+    for (auto& channel : played)
+        channels.push_back (channel.data());
+
+    callback.audioDeviceIOCallbackWithContext (nullptr, 0, channels.data(), 8, 6000, {});
+    CHECK_FALSE (isSilent (played[0]));
+
+    for (int output = 0; output < 8; ++output)
+        CHECK (router.meters().clampedSamples (output) == 0);
+}

@@ -42,8 +42,10 @@ inline bool isSameToTheBit (const Ceramic& a, const Ceramic& b)
 {
     return a.name == b.name && isSameToTheBit (a.xMinimum, b.xMinimum) && isSameToTheBit (a.xMaximum, b.xMaximum)
            && isSameToTheBit (a.yMinimum, b.yMinimum) && isSameToTheBit (a.yMaximum, b.yMaximum)
-           && isSameToTheBit (a.voltageLimit, b.voltageLimit) && isSameToTheBit (a.capacitance, b.capacitance)
-           && isSameToTheBit (a.lossFactor, b.lossFactor) && isSameToTheBit (a.area, b.area);
+           && isSameToTheBit (a.voltageLimit, b.voltageLimit) && isSameToTheBit (a.slewLimit, b.slewLimit)
+           && isSameToTheBit (a.capacitance, b.capacitance) && isSameToTheBit (a.lossFactor, b.lossFactor)
+           && isSameToTheBit (a.area, b.area) && isSameToTheBit (a.currentLimit, b.currentLimit)
+           && isSameToTheBit (a.amplifierVoltage, b.amplifierVoltage);
 }
 
 inline bool isSameToTheBit (const ModalModel& a, const ModalModel& b)

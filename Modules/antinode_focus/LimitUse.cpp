@@ -1,0 +1,166 @@
+#include "LimitUse.h"
+
+#include "DriveGrid.h"
+
+#include <antinode_base/Watch.h>
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+namespace antinode
+{
+namespace
+{
+/** Of what is nearly equal the first counts: rounding must not choose. */
+constexpr double noticeable = 1 + 1e-4;
+
+/** The voltages of a program or their slopes, wherever they are asked for. */
+class ProgramVoltages
+{
+public:
+    explicit ProgramVoltages (const VoltageProgram& programToUse) : program (programToUse)
+    {
+        for (const auto& oscillation : program.oscillations)
+        {
+            drives.push_back ({ oscillation });
+            first = std::min (first, oscillation.start);
+            last = std::max (last, oscillation.end);
+            highest = std::max (highest, std::abs (oscillation.exponent()) / (2 * std::numbers::pi));
+        }
+    }
+
+    /** N_b x N from one time to another, on the grid of the limits or a finer one. */
+    Eigen::MatrixXd between (double from, double to, bool isSlope, int samplesPerCycle) const
+    {
+        return program.allocation
+               * (isSlope ? sampleSlopes (drives, from, to, samplesPerCycle)
+                          : sampleDrives (drives, from, to, samplesPerCycle));
+    }
+
+    const VoltageProgram& program;
+    std::vector<std::vector<Oscillation>> drives;
+    double first = std::numeric_limits<double>::infinity(), last = -first;
+    double highest = 0; ///< Hz
+};
+
+/** The largest share of a limit so far. */
+struct LargestShare
+{
+    double share = 0, time = 0;
+    Eigen::Index ceramic = 0;
+
+    /** @param limits  N_b; 0: none */
+    void look (const Eigen::MatrixXd& values, const Eigen::VectorXd& limits, double from, double to)
+    {
+        const auto interval = values.cols() > 1 ? (to - from) / static_cast<double> (values.cols() - 1) : 0.0;
+
+        for (Eigen::Index n = 0; n < values.cols(); ++n)
+            for (Eigen::Index i = 0; i < values.rows(); ++i)
+                if (const auto now = limits[i] > 0 ? std::abs (values (i, n)) / limits[i] : 0.0;
+                    now > noticeable * share)
+                {
+                    share = now;
+                    time = from + static_cast<double> (n) * interval;
+                    ceramic = i;
+                }
+    }
+};
+
+/** On the grid first, then finer around the largest share. */
+LargestShare largestShare (const ProgramVoltages& voltages, const Eigen::VectorXd& limits, bool isSlope)
+{
+    constexpr auto pieceCycles = 16.0;
+    constexpr auto refinement = 64;
+    LargestShare largest;
+    const auto piece = pieceCycles / voltages.highest;
+
+    for (auto from = voltages.first; from < voltages.last; from += piece)
+    {
+        checkWatch();
+        const auto to = std::min (from + piece, voltages.last);
+        largest.look (voltages.between (from, to, isSlope, gridSamplesPerCycle), limits, from, to);
+    }
+
+    if (largest.share == 0)
+        return largest;
+
+    const auto interval = 1 / (voltages.highest * gridSamplesPerCycle);
+    const auto from = std::max (largest.time - interval, voltages.first);
+    const auto to = std::min (largest.time + interval, voltages.last);
+    Eigen::VectorXd only = Eigen::VectorXd::Zero (limits.size());
+    only[largest.ceramic] = limits[largest.ceramic];
+    const auto fine = voltages.between (from, to, isSlope, refinement * gridSamplesPerCycle);
+    Eigen::Index peak = 0;
+    largest.share = fine.row (largest.ceramic).cwiseAbs().maxCoeff (&peak) / limits[largest.ceramic];
+    largest.time = from + (to - from) * static_cast<double> (peak) / static_cast<double> (fine.cols() - 1);
+    return largest;
+}
+
+LimitUse voltageUse (const ModalModel& model, const AllocationChoice& choice, const VoltageProgram& program,
+                     const LargestShare& largest)
+{
+    const auto allowed = program.voltageLimits[largest.ceramic];
+    return { voltageLimitKind (model, choice, static_cast<std::size_t> (largest.ceramic)),
+             static_cast<int> (largest.ceramic), largest.time - program.focusTime, largest.share * allowed, allowed };
+}
+
+/** In the unit in which the limit was given. */
+LimitUse slewUse (const ModalModel& model, const VoltageProgram& program, const LargestShare& largest)
+{
+    const auto& ceramic = model.ceramics[static_cast<std::size_t> (largest.ceramic)];
+    const auto isCurrent = ceramic.currentLimit > 0 && ceramic.capacitance > 0
+                           && ceramic.currentLimit / ceramic.capacitance <= ceramic.slewLimit;
+    const auto allowed = isCurrent ? ceramic.currentLimit : ceramic.slewLimit;
+    return { isCurrent ? LimitKind::current : LimitKind::slew, static_cast<int> (largest.ceramic),
+             largest.time - program.focusTime, largest.share * allowed, allowed };
+}
+
+LargestShare largestSampleShare (const VoltageProgram& program)
+{
+    const auto& samples = *program.samples;
+    LargestShare largest;
+    largest.look (samples.values, program.voltageLimits, samples.firstTime,
+                  samples.firstTime + static_cast<double> (samples.values.cols() - 1) / samples.playback.sampleRate);
+    return largest;
+}
+} // namespace
+
+LimitKind voltageLimitKind (const ModalModel& model, const AllocationChoice& choice, std::size_t ceramic)
+{
+    const auto& one = model.ceramics[ceramic];
+    const auto isAmplified = one.amplifierVoltage > 0;
+    const auto output = isAmplified ? one.amplifierVoltage : model.fullScaleVoltage;
+    const auto ofFocus = choice.voltageLimit.value_or (std::numeric_limits<double>::infinity());
+
+    if (one.voltageLimit <= std::min (output, ofFocus))
+        return LimitKind::ceramic;
+
+    if (ofFocus <= output)
+        return LimitKind::focus;
+
+    return isAmplified ? LimitKind::amplifier : LimitKind::fullScale;
+}
+
+LimitUses limitUses (const ModalModel& model, const AllocationChoice& choice, const VoltageProgram& program)
+{
+    if (program.samples)
+        return { voltageUse (model, choice, program, largestSampleShare (program)), {} };
+
+    const ProgramVoltages voltages (program);
+
+    if (program.oscillations.empty())
+        return { voltageUse (model, choice, program, {}), {} };
+
+    LimitUses uses { voltageUse (model, choice, program, largestShare (voltages, program.voltageLimits, false)), {} };
+    Eigen::VectorXd slewLimits (model.actuators());
+
+    for (Eigen::Index i = 0; i < slewLimits.size(); ++i)
+        slewLimits[i] = model.ceramics[static_cast<std::size_t> (i)].slewLimit;
+
+    if (slewLimits.maxCoeff() > 0)
+        uses.slew = slewUse (model, program, largestShare (voltages, slewLimits, true));
+
+    return uses;
+}
+} // namespace antinode

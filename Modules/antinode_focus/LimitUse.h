@@ -1,0 +1,54 @@
+#pragma once
+
+#include "FocusDescription.h"
+
+#include <antinode_model/ModalModel.h>
+#include <antinode_model/Oscillation.h>
+
+#include <optional>
+
+namespace antinode
+{
+/** What limits a ceramic. */
+enum class LimitKind
+{
+    ceramic,   ///< The voltage limit that the device has for it.
+    focus,     ///< The voltage limit of the focus.
+    amplifier, ///< The volts of a full-scale sample at its own output.
+    fullScale, ///< The volts of a full-scale sample of the device.
+    slew,      ///< The slew rate of its amplifier.
+    current    ///< The current of its amplifier, into its capacitance.
+};
+
+/** How much of a limit is used, and where: by the ceramic and at the time that use most of it. */
+struct LimitUse
+{
+    LimitKind kind = LimitKind::ceramic;
+    int ceramic = 0;
+    double time = 0;    ///< s after the focus, the first one of a train; before it where negative.
+    double used = 0;    ///< V, of a slew rate V/s, of a current A.
+    double allowed = 0; ///< The same.
+
+    double share() const { return used / allowed; }
+};
+
+/** The uses of all limits. */
+struct LimitUses
+{
+    LimitUse voltage;
+    std::optional<LimitUse> slew; ///< Slew rate or current; none where neither is limited.
+
+    /** The use of the larger share. */
+    const LimitUse& nearest() const { return slew && slew->share() > voltage.share() ? *slew : voltage; }
+};
+
+/** What limits the voltage of a ceramic: the least of its limits, and of equal ones the first of ceramic, focus,
+   amplifier, full scale. [any] */
+LimitKind voltageLimitKind (const ModalModel&, const AllocationChoice&, std::size_t ceramic);
+
+/** How much of their limits the voltages of a program use, to 1e-4, from its first oscillation to its last; of a free
+   waveform at its samples. All 0 for a program without either.
+    @throws Cancelled  when a watch of this thread says no
+    [worker] Docs/Theory.md, section 4.6. */
+LimitUses limitUses (const ModalModel&, const AllocationChoice&, const VoltageProgram&);
+} // namespace antinode

@@ -1,0 +1,135 @@
+#include "ModeWeighing.h"
+
+#include "LimitError.h"
+#include "Projection.h"
+
+#include <antinode_base/NumberText.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+
+namespace antinode
+{
+namespace
+{
+constexpr double cheapShare = 0.25;      // of the limits: below it more modes are not worth their time
+constexpr double noticeableShare = 1.05; // of the least need: fewer modes are preferred within it
+constexpr double usableShareOfNyquist = 0.8;
+constexpr std::array triedMultiples { 1.25, 1.5, 2.0, 3.0 };
+
+std::string needInWords (const FocusDesign& design)
+{
+    return std::to_string (design.controlledModes.size()) + " capture " + inWords (design.captured) + " and need "
+           + inWords (design.certificate.peakVoltage) + " V";
+}
+
+bool suitsRate (const FocusDesign& design, const ModalModel& model)
+{
+    const auto rate = design.playback.sampleRate;
+    return rate <= 0 || model.frequencyHz (design.controlledModes.back()) <= usableShareOfNyquist * 0.5 * rate;
+}
+
+/** Designs with more modes than a number, as far as there are any and they keep the limits. */
+std::vector<FocusDesign> richerDesigns (const ModalModel& model, const ModeTrials& trials, std::size_t fewest)
+{
+    std::vector<FocusDesign> designs;
+    auto last = static_cast<int> (fewest);
+
+    for (const auto multiple : triedMultiples)
+    {
+        ModeChoice choice;
+        choice.count = std::min (static_cast<int> (std::ceil (multiple * static_cast<double> (fewest))),
+                                 static_cast<int> (model.modes()));
+
+        if (*choice.count <= last)
+            break;
+
+        last = *choice.count;
+
+        try
+        {
+            if (auto chosen = trials.choose (choice); suitsRate (chosen, model))
+                designs.push_back (trials.allocate (std::move (chosen)));
+        }
+        catch (const InputError&)
+        {
+            // Not so many modes can be excited, steered apart, or brought within the limits.
+        }
+    }
+
+    return designs;
+}
+
+/** The fewest modes that need hardly more than the least. */
+std::size_t bestOf (const std::vector<FocusDesign>& designs)
+{
+    const auto need = [] (const FocusDesign& design) { return design.certificate.peakRatio; };
+    const auto least = need (*std::min_element (designs.begin(), designs.end(),
+                                                [&] (const auto& a, const auto& b) { return need (a) < need (b); }));
+    const auto best = std::find_if (designs.begin(), designs.end(),
+                                    [&] (const auto& each) { return need (each) <= noticeableShare * least; });
+    return static_cast<std::size_t> (best - designs.begin());
+}
+
+FocusDesign chosenOf (std::vector<FocusDesign> designs, const std::string& refused)
+{
+    auto sentence = "Numbers of modes that were weighed: " + refused;
+
+    for (const auto& design : designs)
+        sentence += (&design == &designs.front() ? "" : "; ") + needInWords (design);
+
+    auto best = std::move (designs[bestOf (designs)]);
+    best.choices.push_back (sentence + ". Controlled are " + std::to_string (best.controlledModes.size())
+                            + ", the fewest that need at most 5 % more than the least.");
+    return best;
+}
+} // namespace
+
+bool leavesModesOpen (const FocusDescription& description)
+{
+    const auto& modes = description.modes;
+    const auto& method = methodTraits (description.allocation.method);
+    return ! modes.count && ! modes.captured && ! modes.maximumFrequency && modes.order == ModeOrder::energy
+           && method.hasExactRows && ! method.asksForMinimumPeak && ! description.allocation.robust;
+}
+
+FocusDesign weighModes (const ModalModel& model, const ModeTrials& trials)
+{
+    auto chosen = trials.choose ({});
+    const auto fewest = chosen.controlledModes.size();
+    const auto isWhole = chosen.captured >= defaultCapture();
+    std::vector<FocusDesign> designs;
+    std::exception_ptr refusal;
+
+    try
+    {
+        designs.push_back (trials.allocate (std::move (chosen)));
+    }
+    catch (const LimitError&)
+    {
+        refusal = std::current_exception();
+    }
+
+    if (! refusal && (! isWhole || designs.front().certificate.peakRatio <= cheapShare))
+    {
+        auto& design = designs.front();
+        design.choices.push_back (isWhole
+                                      ? "These modes are the fewest that capture 0.99 of the wanted field. They need "
+                                        "at most a quarter of the limit, so that more were not weighed."
+                                      : "All modes that the ceramics excite are controlled: together they capture "
+                                        "less than 0.99 of the wanted field.");
+        return std::move (design);
+    }
+
+    for (auto& design : richerDesigns (model, trials, fewest))
+        designs.push_back (std::move (design));
+
+    if (designs.empty())
+        std::rethrow_exception (refusal);
+
+    return chosenOf (std::move (designs),
+                     refusal ? std::to_string (fewest) + " cannot keep the limits; " : std::string());
+}
+} // namespace antinode
