@@ -1,6 +1,6 @@
 #include "Support/RunProgram.h"
 
-#include <antinode_text/WaveFile.h>
+#include <antinode_text/WaveReader.h>
 
 #include <nlohmann/json.hpp>
 
