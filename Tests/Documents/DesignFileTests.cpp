@@ -108,7 +108,7 @@ TEST_CASE ("A design says what is played, in the units of its keys", "[files]")
     CHECK (json["schema"] == "antinode.design/1");
     CHECK (json["device"] == "small");
     CHECK (json["oscillations"].dump()
-           == "[{\"mode\":0,\"start_s\":0.01,\"end_s\":0.025,\"growth_per_s\":80.0,\"frequency_Hz\":420.0,"
+           == "[{\"mode\":1,\"start_s\":0.01,\"end_s\":0.025,\"growth_per_s\":80.0,\"frequency_Hz\":420.0,"
               "\"angular_frequency_rad_s\":2638.9378290154264,\"in_phase\":3.0,\"quadrature\":-4.0}]");
     CHECK (json["allocation"].dump() == "[[0.5],[-0.25]]");
     CHECK (json["ceramics"].dump() == "[\"C1\",\"C2\"]");

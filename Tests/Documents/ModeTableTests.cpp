@@ -50,7 +50,7 @@ TEST_CASE ("The table of modes has a row a mode and gives every number back to t
         const auto& row = rows[static_cast<std::size_t> (k) + 1];
         REQUIRE (row.size() == 7);
         const auto number = [&] (std::size_t column) { return std::strtod (row[column].c_str(), nullptr); };
-        CHECK (row[0] == std::to_string (k));
+        CHECK (row[0] == std::to_string (k + 1));
         CHECK (number (1) == model.angularFrequencies[k] / (2 * std::numbers::pi));
         CHECK (number (2) == model.dampingRatios[k]);
         CHECK (number (3) == model.frequencyErrors[k]);
@@ -73,7 +73,7 @@ TEST_CASE ("Names with commas, quotes and line ends are quoted, unknown errors a
     CHECK (encodeModeTable (model)
            == "mode,frequency_Hz,damping_ratio,error_estimate_relative,\"participation_left, upper_per_V\","
               "\"participation_the \"\"big\"\" one_per_V\",\"participation_two\nlines_per_V\"\n"
-              "0,128,0.10000000000000001,,1,-0.5,9.9999999999999995e-21\n");
+              "1,128,0.10000000000000001,,1,-0.5,9.9999999999999995e-21\n");
 
     model.participation (0, 1) = std::numeric_limits<double>::infinity();
     CHECK (errorText ([&] { encodeModeTable (model); }) == "CSV: has a value that is not finite");
