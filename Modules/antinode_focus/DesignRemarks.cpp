@@ -5,6 +5,7 @@
 #include "FocusScore.h"
 #include "LimitWords.h"
 #include "Prediction.h"
+#include "Projection.h"
 
 #include <antinode_allocation/LowerBound.h>
 #include <antinode_base/NumberText.h>
@@ -139,6 +140,7 @@ void addSampleRemarks (FocusDesign& design)
         "A free waveform can be played offline only. In real time use the allocation 'dictionary', which "
         "needs nearly the same voltage.");
 }
+
 void warnOfCapture (FocusDesign& design, const ModalModel& model)
 {
     const auto& worst =
@@ -148,7 +150,7 @@ void warnOfCapture (FocusDesign& design, const ModalModel& model)
     if (worst.captured < poorCapture)
         design.warnings.push_back ("The controlled modes represent only " + inWords (worst.captured)
                                    + " of the wanted field (1 is all of it). " + lossInWords (model, design, worst));
-    else if (model.rigidBodyModes > 0 && worst.captured < wholeCapture)
+    else if (model.rigidBodyModes > 0 && worst.captured < defaultCapture())
         design.warnings.emplace_back (
             "The device can move as a rigid body, and ceramics cannot excite this part of the wanted field. "
             "Foci of opposite sign, or a sinc, have less of it.");

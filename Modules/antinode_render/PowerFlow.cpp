@@ -190,7 +190,7 @@ std::string powerObstacle (const ModalModel& model)
         const auto least = modal[static_cast<Eigen::Index> (i)];
 
         if (! (ceramic.capacitance > 0))
-            return "the capacitance of ceramic '" + ceramic.name + "' is not known; give it (ceramic: capacitance)";
+            return "the capacitance of ceramic '" + ceramic.name + "' is not known; give its capacitance_nF";
 
         if (ceramic.capacitance < least)
             return "the capacitance of ceramic '" + ceramic.name + "', " + inWords (ceramic.capacitance * nano)

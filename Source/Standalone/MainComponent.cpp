@@ -88,7 +88,7 @@ bool MainComponent::keyPressed (const juce::KeyPress& key)
     return true;
 }
 
-juce::String MainComponent::statusText() const
+juce::String MainComponent::statusText (const std::optional<TriggerLatency>& latency) const
 {
     const auto opened = openedAudio (host.devices());
 
@@ -99,7 +99,8 @@ juce::String MainComponent::statusText() const
            + juce::String (juce::roundToInt (opened.sampleRate)) + " Hz, " + juce::String (opened.blockSize)
            + " samples, " + juce::String (opened.outputs.size()) + " outputs, "
            + juce::String (std::max (0, host.devices().getXRunCount())) + " xruns, "
-           + juce::String (juce::roundToInt (100 * host.devices().getCpuUsage())) + " % CPU";
+           + juce::String (juce::roundToInt (100 * host.devices().getCpuUsage())) + " % CPU"
+           + (latency ? "; " + latencyInWords (*latency) : juce::String());
 }
 
 juce::String MainComponent::warningText() const
@@ -117,7 +118,9 @@ void MainComponent::showState()
     mute.setButtonText (isMuted ? "MUTED: RELEASE" : "MUTE ALL");
     mute.setColour (juce::TextButton::buttonColourId, isMuted ? palette.raised : palette.warning);
     mute.setColour (juce::TextButton::textColourOffId, isMuted ? palette.warning : palette.onStrong);
-    status.setText (statusText(), juce::dontSendNotification);
+    const auto latency = triggerLatency (host);
+    status.setText (statusText (latency), juce::dontSendNotification);
+    status.setTooltip (latency ? latencyAdvice (*latency) : juce::String());
     warning.setText (warningText(), juce::dontSendNotification);
     warning.setTooltip (warning.getText());
 }

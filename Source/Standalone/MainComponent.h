@@ -4,6 +4,7 @@
 #include "MidiPanel.h"
 #include "RoutingPanel.h"
 #include "TouchPanel.h"
+#include "TriggerLatency.h"
 
 #include <Editor/Editor.h>
 
@@ -38,7 +39,7 @@ private:
     void timerCallback() override { showState(); }
     void showState();
     void showTheme();
-    juce::String statusText() const;
+    juce::String statusText (const std::optional<TriggerLatency>&) const;
     juce::String warningText() const;
 
     StandaloneHost& host;
