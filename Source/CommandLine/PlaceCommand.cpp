@@ -1,9 +1,11 @@
 #include "Commands.h"
+#include "PlaceInputs.h"
 #include "PlaceOutcome.h"
 #include "Progress.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_structure/Placing.h>
@@ -12,9 +14,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <memory>
@@ -23,7 +22,6 @@ namespace antinode
 {
 namespace
 {
-constexpr double milli = 1000;
 
 struct PlaceOptions
 {
@@ -38,87 +36,6 @@ struct PlaceOptions
     std::vector<int> counts;
     bool isFrozen = false, isQuiet = false;
 };
-
-/** "20" or "20x10", mm. */
-std::pair<double, double> parseSize (const std::string& text)
-{
-    const auto fail = [&]
-    { throw InputError ("--size-mm " + text, "is not a size; allowed: L or LxW in mm, for example 20 or 20x10"); };
-    std::pair<double, double> size;
-    const auto* const end = text.data() + text.size();
-    const auto first = std::from_chars (text.data(), end, size.first);
-    size.second = size.first;
-
-    if (first.ec == std::errc() && first.ptr != end)
-    {
-        const auto second = std::from_chars (first.ptr + 1, end, size.second);
-
-        if (*first.ptr != 'x' || second.ec != std::errc() || second.ptr != end)
-            fail();
-    }
-
-    if (first.ec != std::errc() || ! (size.first > 0 && size.second > 0))
-        fail();
-
-    return size;
-}
-
-/** The first ceramic of the device, or a default one, in the requested size if any. */
-nlohmann::json ceramicLike (const nlohmann::json& document, bool isPlate, const std::string& size)
-{
-    const auto* const lengthKey = isPlate ? "size_x_mm" : "length_mm";
-    const auto* const widthKey = isPlate ? "size_y_mm" : "width_mm";
-    const auto list = document.value ("ceramics", nlohmann::json::array());
-    auto ceramic = list.is_array() && ! list.empty() ? list.front()
-                                                     : nlohmann::json { { "x_mm", 0 },
-                                                                        { "thickness_mm", 0.5 },
-                                                                        { "material", "NCE51" },
-                                                                        { "wiring", "parallel" },
-                                                                        { "mounting", "both_sides" },
-                                                                        { lengthKey, 10 },
-                                                                        { widthKey, 10 } };
-
-    if (isPlate)
-        ceramic["y_mm"] = 0;
-
-    ceramic["x_mm"] = 0;
-
-    if (! size.empty())
-        std::tie (ceramic[lengthKey], ceramic[widthKey]) = parseSize (size);
-
-    return ceramic;
-}
-
-double rounded (double metres)
-{
-    return std::round (metres * milli * 1e6) / 1e6;
-}
-
-nlohmann::json ceramicJson (nlohmann::json like, const CeramicDescription& ceramic, bool isPlate)
-{
-    like["name"] = ceramic.name;
-    like["x_mm"] = rounded (isPlate ? ceramic.x : ceramic.x + ceramic.sizeX / 2);
-
-    if (isPlate)
-        like["y_mm"] = rounded (ceramic.y);
-
-    return like;
-}
-
-CeramicDescription describedCeramic (nlohmann::json document, const nlohmann::json& ceramic)
-{
-    document["ceramics"] = nlohmann::json::array ({ ceramic });
-    const auto described = readDevice (document, "--size-mm");
-    return std::visit (
-        [] (const auto& body) -> CeramicDescription
-        {
-            if constexpr (std::is_same_v<std::decay_t<decltype (body)>, ModalModel>)
-                throw InputError ("device", std::string ("is of kind modal; allowed: ") + computedKinds);
-            else
-                return body.common.ceramics.front();
-        },
-        described.body);
-}
 
 void printResult (const PlacedCeramics& placed, const PlaceOptions& options)
 {
@@ -138,30 +55,6 @@ void printResult (const PlacedCeramics& placed, const PlaceOptions& options)
                      ceramic.y * milli, ceramic.sizeX * milli, ceramic.sizeY * milli);
 
     std::printf ("Device: %s\n", options.file.c_str());
-}
-
-/** "X0,Y0,X1,Y1", mm. */
-KeepOut parseKeepOut (const std::string& text)
-{
-    std::array<double, 4> values {};
-    const auto* at = text.data();
-    const auto* const end = at + text.size();
-
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-        const auto [next, error] = std::from_chars (at, end, values[i]);
-        const auto isLast = i + 1 == values.size();
-
-        if (error != std::errc() || (isLast ? next != end : next == end || *next != ','))
-            throw InputError ("--keep-out-mm " + text, "is not a rectangle; allowed: X0,Y0,X1,Y1 in mm");
-
-        at = next + (isLast ? 0 : 1);
-    }
-
-    if (! (values[0] < values[2] && values[1] < values[3]))
-        throw InputError ("--keep-out-mm " + text, "is empty; allowed: X0 below X1 and Y0 below Y1");
-
-    return { values[0] / milli, values[1] / milli, values[2] / milli, values[3] / milli };
 }
 
 PlacingOptions placingOptions (const PlaceOptions& options, const CeramicDescription& ceramic)

@@ -1,5 +1,6 @@
 #include "RenderFiles.h"
 
+#include <antinode_base/Prefixes.h>
 #include <antinode_text/TfwFile.h>
 #include <antinode_text/WaveFile.h>
 
@@ -10,7 +11,6 @@ namespace antinode
 {
 namespace
 {
-constexpr double milli = 1000;
 constexpr double probeFullScale = 1; // m/s
 
 std::string numbered (const char* format, std::size_t number)

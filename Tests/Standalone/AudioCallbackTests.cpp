@@ -138,8 +138,8 @@ TEST_CASE ("what an output cannot give limits the foci, so that no sample is cla
     auto focus = nlohmann::json::parse (processor.focus()->text);
     focus["allocation"] = { { "method", "dictionary" } };
     focus["targets"][0]["peak_velocity_mm_s"] = 20;
-    processor.load (std::make_shared<const DeviceDocument> (readDeviceDocument (device.dump(), "device")),
-                    std::make_shared<const FocusDocument> (readFocusDocument (focus.dump(), "focus")));
+    processor.load (std::make_shared<const DeviceDocument> (readDeviceDocument (device, "device")),
+                    std::make_shared<const FocusDocument> (readFocusDocument (focus, "focus")));
 
     auto routing = straightRouting();
     routing.chains[0].voltsPerFullScale = 1.7;

@@ -69,9 +69,10 @@ inline FocusScore closedCircle (const ModalModel& model, const IdentifiedModes& 
         render.probeShapes.row (p) = shapesAt (model, points (p, 0), points (p, 1));
 
     const auto real = renderOffline (model, design.program, render);
-    const auto peak = largestVelocity (copy, own.focusVelocities);
-    return { scoreField (copy.surface, real.probeVelocities.col (real.focusSample),
-                         own.probeVelocities.col (own.focusSample)),
-             shapesAt (model, peak.x, peak.y).dot (real.focusVelocities) / peak.velocity };
+    const Eigen::VectorXd expected = own.probeVelocities.col (own.focusSample);
+    const Eigen::VectorXd reached = real.probeVelocities.col (real.focusSample);
+    Eigen::Index peak = 0;
+    expected.cwiseAbs().maxCoeff (&peak);
+    return { scoreField (copy.surface, reached, expected), reached[peak] / expected[peak] };
 }
 } // namespace antinode::test
