@@ -45,6 +45,7 @@ FieldPeak largestOf (const Surface& surface, const VelocityFunction& velocity, c
 std::vector<FocalSpot> focalSpots (const std::vector<Target>& targets)
 {
     std::vector<FocalSpot> spots;
+    spots.reserve (targets.size());
 
     for (const auto& target : targets)
         spots.push_back ({ target.x, target.y, target.width, target.widthY.value_or (target.width) });

@@ -73,12 +73,15 @@ LargestShare largestShare (const ProgramVoltages& voltages, const Eigen::VectorX
     constexpr auto pieceCycles = 16.0;
     constexpr auto refinement = 64;
     LargestShare largest;
-    const auto piece = pieceCycles / voltages.highest;
+    const auto span = std::max (voltages.last - voltages.first, 0.0);
+    const auto pieces =
+        span > 0 ? std::max (1, static_cast<int> (std::ceil (span * voltages.highest / pieceCycles))) : 0;
 
-    for (auto from = voltages.first; from < voltages.last; from += piece)
+    for (int n = 0; n < pieces; ++n)
     {
         checkWatch();
-        const auto to = std::min (from + piece, voltages.last);
+        const auto from = voltages.first + span * n / pieces;
+        const auto to = voltages.first + span * (n + 1) / pieces;
         largest.look (voltages.between (from, to, isSlope, gridSamplesPerCycle), limits, from, to);
     }
 
@@ -88,8 +91,6 @@ LargestShare largestShare (const ProgramVoltages& voltages, const Eigen::VectorX
     const auto interval = 1 / (voltages.highest * gridSamplesPerCycle);
     const auto from = std::max (largest.time - interval, voltages.first);
     const auto to = std::min (largest.time + interval, voltages.last);
-    Eigen::VectorXd only = Eigen::VectorXd::Zero (limits.size());
-    only[largest.ceramic] = limits[largest.ceramic];
     const auto fine = voltages.between (from, to, isSlope, refinement * gridSamplesPerCycle);
     Eigen::Index peak = 0;
     largest.share = fine.row (largest.ceramic).cwiseAbs().maxCoeff (&peak) / limits[largest.ceramic];

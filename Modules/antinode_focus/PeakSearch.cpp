@@ -313,7 +313,7 @@ std::vector<PeakStart> chooseStarts (std::vector<PeakStart> starts, const PeakSt
     return chosen;
 }
 
-Eigen::VectorXd climb (const std::function<double (const Eigen::VectorXd&)>& height, Eigen::VectorXd from,
+Eigen::VectorXd climb (const std::function<double (const Eigen::VectorXd&)>& height, const Eigen::VectorXd& from,
                        const Eigen::VectorXd& steps)
 {
     Reached reached { from, height (from) };

@@ -55,6 +55,6 @@ FieldPeak climbToPeak (const VelocityFunction&, const std::vector<PeakStart>&, c
     @param height  may be -infinity where it is not defined
     @return        the place reached
     [worker] */
-Eigen::VectorXd climb (const std::function<double (const Eigen::VectorXd&)>& height, Eigen::VectorXd from,
+Eigen::VectorXd climb (const std::function<double (const Eigen::VectorXd&)>& height, const Eigen::VectorXd& from,
                        const Eigen::VectorXd& steps);
 } // namespace antinode

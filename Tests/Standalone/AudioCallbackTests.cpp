@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 using namespace antinode;
 using namespace antinode::test;
@@ -141,6 +143,8 @@ TEST_CASE ("what an output cannot give limits the foci, so that no sample is cla
     processor.load (std::make_shared<const DeviceDocument> (readDeviceDocument (device, "device")),
                     std::make_shared<const FocusDocument> (readFocusDocument (focus, "focus")));
 
+    processor.parameters().find ("notes")->setValueNotifyingHost (1);
+
     auto routing = straightRouting();
     routing.chains[0].voltsPerFullScale = 1.7;
     routing.chains[1] = { 600, -1 };
@@ -152,6 +156,11 @@ TEST_CASE ("what an output cannot give limits the foci, so that no sample is cla
                                            { 0.002, juce::MidiMessage::noteOn (1, 60, juce::uint8 (127)) } }));
     callback.prepare (48000, 256, open);
     processor.session().waitUntilSettled();
+
+    // This method takes a second for a focus, so there is only one.
+    while (! processor.session().progress().isDone())
+        std::this_thread::sleep_for (std::chrono::milliseconds (10));
+
     const auto model = processor.session().snapshot()->model;
     CHECK (voltageLimits (*model).head (3) == Eigen::Vector3d (1.7, 10, 3));
     CHECK (processor.session().progress().liveError.empty());
