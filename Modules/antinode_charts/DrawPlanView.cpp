@@ -16,6 +16,7 @@ PlotFrame makeFrame (const PlanView& chart, juce::Rectangle<float> rest, const T
     const auto frame = layOutPlot (rest, x, y, {}, theme);
     return hasScale ? withEqualAspect (frame) : frame;
 }
+
 /** A band of hatching inside an edge: what holds it. */
 void drawHeldEdge (juce::Graphics& g, const PlotFrame& frame, juce::Rectangle<float> band, const Theme& theme)
 {
@@ -24,8 +25,12 @@ void drawHeldEdge (juce::Graphics& g, const PlotFrame& frame, juce::Rectangle<fl
     g.reduceClipRegion (band.getSmallestIntegerContainer());
     g.setColour (theme.axis);
     const auto reach = frame.plot.getHeight();
-    for (auto x = band.getX() - reach; x < band.getRight(); x += hatching)
+    const auto lines = static_cast<int> ((band.getWidth() + reach) / hatching) + 1;
+    for (int i = 0; i < lines; ++i)
+    {
+        const auto x = band.getX() - reach + static_cast<float> (i) * hatching;
         g.drawLine (x, frame.plot.getBottom(), x + reach, frame.plot.getY(), theme.lineWidth);
+    }
 }
 
 void drawHeldEdges (juce::Graphics& g, const PlotFrame& frame, const PlanView& chart, const Theme& theme)

@@ -6,6 +6,7 @@
 #include "RenderSeries.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
 #include <antinode_documents/DesignFile.h>
 #include <antinode_figures/FigureFiles.h>
 #include <antinode_focus/DesignFocus.h>
@@ -148,7 +149,7 @@ SeriesResult renderOfSeries (const ModalModel& model, const SeriesFocus& each, c
         const auto focus = renderFocus (model, std::move (design), renderOptions (options));
         const auto outcome = evaluateOutcome (focus);
         writeRendered (std::filesystem::path (options.common.folder) / each.folder, focus, outcome, options);
-        return { each.folder, summaryToJson (focus, outcome), {} };
+        return { each.folder, summaryNumbers (summaryToJson (focus, outcome)), {} };
     }
     catch (const InputError& error)
     {
@@ -161,13 +162,13 @@ void printRanking (const std::vector<SeriesResult>& results, const RenderCommand
     std::printf ("%4s  %-24s %12s  %s\n", "rank", "folder", options.rankBy.c_str(), "peak voltage");
 
     for (std::size_t i = 0; i < results.size(); ++i)
-        if (const auto& [folder, summary, error] = results[i]; error.empty())
-            std::printf ("%4zu  %-24s %12s  %s V of %s V\n", i + 1, folder.c_str(),
-                         inWords (summary.at (options.rankBy).get<double>()).c_str(),
-                         inWords (summary.at ("peak_voltage_V").get<double>()).c_str(),
-                         inWords (summary.at ("voltage_limit_V").get<double>()).c_str());
+        if (const auto& each = results[i]; each.error.empty())
+            std::printf ("%4zu  %-24s %12s  %s V of %s V\n", i + 1, each.folder.c_str(),
+                         inWords (seriesNumber (each, options.rankBy)).c_str(),
+                         inWords (seriesNumber (each, "peak_voltage_V")).c_str(),
+                         inWords (seriesNumber (each, "voltage_limit_V")).c_str());
         else
-            std::printf ("   -  %-24s failed: %s\n", folder.c_str(), error.c_str());
+            std::printf ("   -  %-24s failed: %s\n", each.folder.c_str(), each.error.c_str());
 
     std::printf ("All numbers: %s/scores.csv\n", options.common.folder.c_str());
 }

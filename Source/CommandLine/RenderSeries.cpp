@@ -49,18 +49,11 @@ std::vector<std::string> numberKeys (const std::vector<SeriesResult>& results)
     std::vector<std::string> keys;
 
     for (const auto& result : results)
-        for (const auto& [key, value] : result.summary.items())
-            if (value.is_number() && std::find (keys.begin(), keys.end(), key) == keys.end())
+        for (const auto& [key, value] : result.numbers)
+            if (std::find (keys.begin(), keys.end(), key) == keys.end())
                 keys.push_back (key);
 
     return keys;
-}
-
-/** NaN where there is none. */
-double number (const SeriesResult& result, const std::string& key)
-{
-    const auto found = result.summary.find (key);
-    return found != result.summary.end() && found->is_number() ? found->get<double>() : std::nan ("");
 }
 
 /** As a cell of a table: quotation marks are doubled. */
@@ -106,6 +99,24 @@ std::vector<SeriesFocus> readSeries (const std::vector<std::string>& names, cons
     return series;
 }
 
+std::vector<std::pair<std::string, double>> summaryNumbers (const nlohmann::ordered_json& summary)
+{
+    std::vector<std::pair<std::string, double>> numbers;
+
+    for (const auto& [key, value] : summary.items())
+        if (value.is_number())
+            numbers.emplace_back (key, value.get<double>());
+
+    return numbers;
+}
+
+double seriesNumber (const SeriesResult& result, const std::string& key)
+{
+    const auto found = std::find_if (result.numbers.begin(), result.numbers.end(),
+                                     [&] (const auto& each) { return each.first == key; });
+    return found != result.numbers.end() ? found->second : std::nan ("");
+}
+
 std::vector<SeriesResult> ranked (std::vector<SeriesResult> results, const std::string& rankBy)
 {
     const auto keys = numberKeys (results);
@@ -117,7 +128,7 @@ std::vector<SeriesResult> ranked (std::vector<SeriesResult> results, const std::
     const auto sign = std::find (moreIsBetter.begin(), moreIsBetter.end(), rankBy) == moreIsBetter.end() ? 1 : -1;
     const auto place = [&] (const SeriesResult& result)
     {
-        const auto value = number (result, rankBy);
+        const auto value = seriesNumber (result, rankBy);
         return std::isnan (value) ? std::numeric_limits<double>::infinity() : sign * value;
     };
     std::stable_sort (results.begin(), results.end(),
@@ -141,7 +152,7 @@ std::string scoreTable (const std::vector<SeriesResult>& results)
 
         for (const auto& key : keys)
         {
-            const auto value = number (result, key);
+            const auto value = seriesNumber (result, key);
             text += std::isnan (value) ? "," : formatted (",%.9g", value);
         }
 

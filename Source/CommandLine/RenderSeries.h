@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace antinode
@@ -20,8 +21,8 @@ struct SeriesFocus
 struct SeriesResult
 {
     std::string folder;
-    nlohmann::ordered_json summary; ///< As summaryToJson gives it; empty where it failed.
-    std::string error;              ///< Why it failed, or empty.
+    std::vector<std::pair<std::string, double>> numbers; ///< As summaryNumbers gives them; none where it failed.
+    std::string error;                                   ///< Why it failed, or empty.
 };
 
 /** The focuses of files or embedded names; with places, each of them at every place.
@@ -31,6 +32,12 @@ struct SeriesResult
     [worker] */
 std::vector<SeriesFocus> readSeries (const std::vector<std::string>& names, const std::string& placesFile,
                                      const std::vector<std::string>& assignments);
+
+/** The numbers of a summary, by their keys. [any] */
+std::vector<std::pair<std::string, double>> summaryNumbers (const nlohmann::ordered_json& summary);
+
+/** The number of a key; NaN where there is none. [any] */
+double seriesNumber (const SeriesResult&, const std::string& key);
 
 /** The results from the best to the worst: those with the smallest score first, failed ones last.
     @param rankBy       a number of summary.json; those of which more is better (v_score, peak_ratio, contrast,
