@@ -57,7 +57,7 @@ void SessionWorker::run()
         {
             const auto number = round->number;
             const auto awaited = round->awaited;
-            step (*std::move (round));
+            step (*round);
 
             if (awaited && path != nullptr)
                 path->worker().waitFor (*awaited);
@@ -74,7 +74,7 @@ void SessionWorker::run()
 }
 
 /** One round: what was loaded, then what the parameters say, then what was touched. */
-void SessionWorker::step (SessionRound round)
+void SessionWorker::step (const SessionRound& round)
 {
     takeAmplifiers (round);
     takeDocuments (round);

@@ -25,7 +25,7 @@ public:
     void run();
 
 private:
-    void step (SessionRound);
+    void step (const SessionRound&);
     void takeDocuments (const SessionRound&);
     void solve (const DeviceDocument&);
     void takeAmplifiers (const SessionRound&);
