@@ -53,16 +53,14 @@ void SessionWorker::run()
 
     try
     {
-        while (auto round = requests->next())
+        while (const auto round = requests->next())
         {
-            const auto number = round->number;
-            const auto awaited = round->awaited;
             step (*round);
 
-            if (awaited && path != nullptr)
-                path->worker().waitFor (*awaited);
+            if (round->awaited && path != nullptr)
+                path->worker().waitFor (*round->awaited);
 
-            requests->finish (number, designs());
+            requests->finish (round->number, designs());
         }
     }
     catch (const Cancelled&)
