@@ -146,11 +146,17 @@ SamplePeak largestInTime (const Eigen::RowVectorXd& samples)
 
     return largest;
 }
+
 FieldPeak largestInEvent (const ModalModel& model, const RecordedMotion& motion, const std::vector<FocalSpot>& outside,
                           Eigen::Index first, Eigen::Index last)
 {
     const auto isLine = model.surface.kind == SurfaceKind::line;
     auto places = searchPlaces (model, isLine ? lineEventDensity : plateEventDensity, outside);
+
+    // Wide targets cover the whole surface.
+    if (places.starts.empty())
+        return {};
+
     const auto stride = std::min (strideOf (model, motion.sampleRate), std::max<Eigen::Index> (1, last - first));
     const auto steps = (last - first) / stride + 1;
     places.steps.time = static_cast<double> (stride) / motion.sampleRate;

@@ -133,3 +133,14 @@ TEST_CASE ("Of several targets each has its own peak, sign and width", "[render]
         CHECK (target.width.value_or (1) == Approx (0.04).epsilon (0.5));
     }
 }
+
+TEST_CASE ("A target that covers the whole surface has nothing beside it", "[render][peak]")
+{
+    const auto staple = solveStructure (loadDevice ("staple", {}));
+    const auto focus = render (staple, sincAt (0.024, 0, 0.19));
+    const auto outcome = evaluateOutcome (focus);
+    CHECK (outcome.sideLobe.velocity == 0);
+    CHECK (outcome.elsewhere.velocity == 0);
+    CHECK (outcome.eventContrast == 0);
+    CHECK (summaryToJson (focus, outcome).at ("side_lobe") == 0);
+}
