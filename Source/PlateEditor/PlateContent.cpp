@@ -177,6 +177,7 @@ void PlateContent::showLevels (double seconds)
 {
     auto& meters = processor.session().meters();
     std::vector<double> values;
+    values.reserve (static_cast<std::size_t> (LevelMeters::ceramics));
 
     for (int i = 0; i < PlatePath::probes; ++i)
         values.push_back (milli * static_cast<double> (meters.takeProbe (i)));
