@@ -71,10 +71,14 @@ void LevelRows::paint (juce::Graphics& g)
     const auto width = area.getWidth() / static_cast<float> (columns);
 
     for (int i = 0; i < count; ++i)
+    {
+        const auto column = i / lines;
+        const auto line = i % lines;
         paintRow (g,
-                  { area.getX() + width * static_cast<float> (i / lines),
-                    area.getY() + static_cast<float> (rowHeight * (i % lines)), width - 6, rowHeight },
+                  { area.getX() + width * static_cast<float> (column),
+                    area.getY() + static_cast<float> (rowHeight * line), width - 6, rowHeight },
                   rows[static_cast<std::size_t> (i)], levels[static_cast<std::size_t> (i)]);
+    }
 }
 
 void LevelRows::paintRow (juce::Graphics& g, juce::Rectangle<float> area, const Row& row, const Level& level) const
