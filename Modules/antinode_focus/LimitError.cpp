@@ -17,23 +17,23 @@ std::string velocityInWords (double velocity)
 }
 
 /** What a use comes to where it is as large as the least peak. */
-std::string leastAmount (const LimitUse& use, double ratio)
+std::string minimumAmount (const LimitUse& use, double ratio)
 {
     return limitAmount (use.kind, ratio * use.allowed);
 }
 
 std::string voltageNeed (const LimitUse& use, double ratio)
 {
-    return "these drives need at least " + leastAmount (use, ratio);
+    return "these drives need at least " + minimumAmount (use, ratio);
 }
 
 std::string slewNeed (const ModalModel& model, const LimitUses& uses, double ratio)
 {
-    const auto need = limitedCeramic (model, *uses.slew) + " needs at least " + leastAmount (*uses.slew, ratio) + ", "
+    const auto need = limitedCeramic (model, *uses.slew) + " needs at least " + minimumAmount (*uses.slew, ratio) + ", "
                       + limitTime (*uses.slew);
     return uses.voltage.share() < touchingShare * ratio
                ? need
-               : need + ", and " + limitedCeramic (model, uses.voltage) + " " + leastAmount (uses.voltage, ratio)
+               : need + ", and " + limitedCeramic (model, uses.voltage) + " " + minimumAmount (uses.voltage, ratio)
                      + " of its " + limitAmount (uses.voltage.kind, uses.voltage.allowed);
 }
 } // namespace

@@ -143,6 +143,19 @@ LimitKind voltageLimitKind (const ModalModel& model, const AllocationChoice& cho
     return isAmplified ? LimitKind::amplifier : LimitKind::fullScale;
 }
 
+ModalModel withoutVoltageLimits (ModalModel model)
+{
+    model.fullScaleVoltage = noVoltageLimit;
+
+    for (auto& ceramic : model.ceramics)
+    {
+        ceramic.voltageLimit = noVoltageLimit;
+        ceramic.amplifierVoltage = 0;
+    }
+
+    return model;
+}
+
 LimitUses limitUses (const ModalModel& model, const AllocationChoice& choice, const VoltageProgram& program)
 {
     if (program.samples)

@@ -46,6 +46,13 @@ struct LimitUses
    amplifier, full scale. [any] */
 LimitKind voltageLimitKind (const ModalModel&, const AllocationChoice&, std::size_t ceramic);
 
+/** What counts as no voltage limit, V. */
+inline constexpr double noVoltageLimit = 1e5;
+
+/** A model whose ceramics and outputs limit no voltage, for comparing what focuses need. Slew rates stay limited. [any]
+ */
+ModalModel withoutVoltageLimits (ModalModel);
+
 /** How much of their limits the voltages of a program use, to 1e-4, from its first oscillation to its last; of a free
    waveform at its samples. All 0 for a program without either.
     @throws Cancelled  when a watch of this thread says no

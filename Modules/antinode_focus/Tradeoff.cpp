@@ -2,6 +2,7 @@
 
 #include "DesignFocus.h"
 #include "FocusScore.h"
+#include "LimitUse.h"
 #include "Prediction.h"
 #include "SampledPrediction.h"
 
@@ -19,7 +20,6 @@ namespace antinode
 {
 namespace
 {
-constexpr auto noLimit = 1e5; // V
 constexpr auto usableError = 0.05;
 constexpr std::array triedFolds { 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0 };
 constexpr std::array limitMultiples { 1.02, 1.1, 1.3, 1.6, 2.0, 0.0 };
@@ -47,7 +47,7 @@ FocusDescription describedFor (FocusDescription focus, const TradeoffPoint& poin
 {
     const auto time = std::min (focus.focusTime, focus.transients.maximumDuration.value_or (focus.focusTime));
     focus.allocation.method = point.method;
-    focus.allocation.voltageLimit = point.limitMultiple > 0 ? point.limitMultiple * lowerBound : noLimit;
+    focus.allocation.voltageLimit = point.limitMultiple > 0 ? point.limitMultiple * lowerBound : noVoltageLimit;
     focus.transients.cycles.clear();
     focus.transients.growth.clear();
     focus.transients.brake.reset();
@@ -175,16 +175,7 @@ private:
 Tradeoff sweepTradeoff (const ModalModel& device, const FocusDescription& focus, Playback playback,
                         const std::function<void (const Tradeoff&)>& progress)
 {
-    auto model = device;
-
-    model.fullScaleVoltage = noLimit;
-
-    for (auto& ceramic : model.ceramics)
-    {
-        ceramic.voltageLimit = noLimit;
-        ceramic.amplifierVoltage = 0;
-    }
-
+    const auto model = withoutVoltageLimits (device);
     TradeoffPoint first;
     first.method = AllocationMethod::minimumNorm;
     const auto start = designFocus (model, describedFor (focus, first, {}, 0), playback);

@@ -33,8 +33,8 @@ struct PlacingOptions
     bool isResolved = true; ///< Whether the device is solved again with its ceramics.
 };
 
-/** Chooses places by the worst controllability of the lowest modes, or by the goal that costs most, on the bare
-   device's modes; then solves it with its ceramics.
+/** Chooses places by the worst controllability of the lowest modes, on the bare device's
+   modes; exchanges them for neighbours where a cost is given; then solves it with its ceramics.
     @throws InputError  where keep-out zones leave no position; as placementCandidates and searchPlacement, and when
    some mode is moved from none of the places [worker], on all cores. Docs/Theory.md, section 1.9. */
 PlacedCeramics placeCeramics (const DeviceDescription&, const CeramicDescription& like, const PlacingOptions&,

@@ -2,6 +2,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/LimitUse.h>
 #include <antinode_render/RenderedFocus.h>
 
 #include <algorithm>
@@ -12,15 +13,14 @@ namespace antinode
 namespace
 {
 constexpr Playback playback { Reconstruction::bandLimited, 192000 };
-constexpr auto unlimited = 1e9; // V
-/** A model whose ceramics have no limits. */
-ModalModel unlimitedModel (ModalModel model)
+
+/** A model of which nothing limits the drives. */
+ModalModel unlimitedModel (const ModalModel& device)
 {
+    auto model = withoutVoltageLimits (device);
+
     for (auto& ceramic : model.ceramics)
-    {
-        ceramic.voltageLimit = unlimited;
         ceramic.slewLimit = 0;
-    }
 
     return model;
 }
@@ -40,11 +40,8 @@ std::vector<PlacementOutcome> placementOutcomes (const ModalModel& device, const
     for (const auto& focus : focuses)
     {
         const auto rendered = renderFocus (model, designUnlimited (model, focus), { playback, {}, {} });
-        const auto limit =
-            std::max_element (device.ceramics.begin(), device.ceramics.end(),
-                              [] (const auto& a, const auto& b) { return a.voltageLimit < b.voltageLimit; });
-        outcomes.push_back ({ focus.name, rendered.render.voltages.cwiseAbs().maxCoeff(), limit->voltageLimit,
-                              rendered.score.fieldError, rendered.contrast });
+        outcomes.push_back ({ focus.name, rendered.render.voltages.cwiseAbs().maxCoeff(),
+                              voltageLimits (device).maxCoeff(), rendered.score.fieldError, rendered.contrast });
     }
 
     return outcomes;
