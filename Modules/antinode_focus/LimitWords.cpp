@@ -3,8 +3,9 @@
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <stdexcept>
 
 namespace antinode
 {
@@ -12,7 +13,28 @@ namespace
 {
 constexpr double reachedShare = 0.99; // the grid of the limits leaves 0.5 %
 constexpr double roundingShare = 1 + 1e-6;
-constexpr double perMicro = 1e-6; // from V/s to V/us
+
+/** How a limit is called, and where it is set. */
+struct LimitWord
+{
+    LimitKind kind;
+    const char *name, *field;
+};
+
+constexpr std::array limitWords {
+    LimitWord { LimitKind::ceramic, "voltage limit of the ceramic", "device: voltage limit" },
+    LimitWord { LimitKind::focus, "voltage limit of the focus", "focus: voltage limit" },
+    LimitWord { LimitKind::amplifier, "full scale of the amplifier", "output: full scale" },
+    LimitWord { LimitKind::fullScale, "full scale of the device", "device: full scale" },
+    LimitWord { LimitKind::slew, "slew limit", "device: slew limit" },
+    LimitWord { LimitKind::current, "current limit", "device: current limit" }
+};
+
+const LimitWord& words (LimitKind kind)
+{
+    return *std::find_if (limitWords.begin(), limitWords.end(),
+                          [kind] (const auto& each) { return each.kind == kind; });
+}
 } // namespace
 
 bool isReached (const LimitUse& use)
@@ -22,44 +44,12 @@ bool isReached (const LimitUse& use)
 
 std::string limitName (LimitKind kind)
 {
-    switch (kind)
-    {
-        case LimitKind::ceramic:
-            return "voltage limit of the ceramic";
-        case LimitKind::focus:
-            return "voltage limit of the focus";
-        case LimitKind::amplifier:
-            return "full scale of the amplifier";
-        case LimitKind::fullScale:
-            return "full scale of the device";
-        case LimitKind::slew:
-            return "slew limit";
-        case LimitKind::current:
-            return "current limit";
-    }
-
-    throw std::logic_error ("a limit without a name");
+    return words (kind).name;
 }
 
 std::string limitField (LimitKind kind)
 {
-    switch (kind)
-    {
-        case LimitKind::ceramic:
-            return "device: voltage limit";
-        case LimitKind::focus:
-            return "focus: voltage limit";
-        case LimitKind::amplifier:
-            return "output: full scale";
-        case LimitKind::fullScale:
-            return "device: full scale";
-        case LimitKind::slew:
-            return "device: slew limit";
-        case LimitKind::current:
-            return "device: current limit";
-    }
-
-    throw std::logic_error ("a limit without a field");
+    return words (kind).field;
 }
 
 std::string limitAmount (LimitKind kind, double amount)
@@ -67,7 +57,7 @@ std::string limitAmount (LimitKind kind, double amount)
     switch (kind)
     {
         case LimitKind::slew:
-            return inWords (amount * perMicro) + " V/us";
+            return inWords (amount / micro) + " V/us";
         case LimitKind::current:
             return inWords (amount * milli) + " mA";
         default:
