@@ -17,10 +17,10 @@ namespace
 constexpr double samplesPerPeriod = 4;                          // of the highest mode
 constexpr double lineEventDensity = 1, plateEventDensity = 0.5; // at least 3 places per wave of the highest mode
 constexpr double promisingCrest = 0.8;
-constexpr std::size_t mostEventStarts = 32, mostCrests = 20000;
+constexpr std::size_t maximumEventStarts = 32, maximumCrests = 20000;
 constexpr Eigen::Index columnsAtOnce = 128;
 
-Eigen::Index strideOf (const ModalModel& model, double sampleRate)
+Eigen::Index sampleStride (const ModalModel& model, double sampleRate)
 {
     const auto highest = model.angularFrequencies[model.modes() - 1] / (2 * std::numbers::pi);
     return std::max<Eigen::Index> (1, static_cast<Eigen::Index> (sampleRate / (samplesPerPeriod * highest)));
@@ -58,12 +58,12 @@ public:
 private:
     void take (Eigen::Index place, double time, double velocity)
     {
-        if (crests.size() == mostCrests)
+        if (crests.size() == maximumCrests)
         {
             const auto size = [] (const PeakStart& start) { return std::abs (start.at.velocity); };
-            std::nth_element (crests.begin(), crests.begin() + mostCrests / 2, crests.end(),
+            std::nth_element (crests.begin(), crests.begin() + maximumCrests / 2, crests.end(),
                               [&] (const PeakStart& a, const PeakStart& b) { return size (a) > size (b); });
-            crests.resize (mostCrests / 2);
+            crests.resize (maximumCrests / 2);
         }
 
         auto start = places.starts[static_cast<std::size_t> (place)];
@@ -157,7 +157,7 @@ FieldPeak largestInEvent (const ModalModel& model, const RecordedMotion& motion,
     if (places.starts.empty())
         return {};
 
-    const auto stride = std::min (strideOf (model, motion.sampleRate), std::max<Eigen::Index> (1, last - first));
+    const auto stride = std::min (sampleStride (model, motion.sampleRate), std::max<Eigen::Index> (1, last - first));
     const auto steps = (last - first) / stride + 1;
     places.steps.time = static_cast<double> (stride) / motion.sampleRate;
     Crests crests (places, places.steps.time);
@@ -171,7 +171,7 @@ FieldPeak largestInEvent (const ModalModel& model, const RecordedMotion& motion,
     }
 
     const auto begin = static_cast<double> (first) / motion.sampleRate;
-    auto starts = chooseStarts (crests.all(), places.steps, promisingCrest, mostEventStarts);
+    auto starts = chooseStarts (crests.all(), places.steps, promisingCrest, maximumEventStarts);
 
     for (auto& start : starts)
         start.at.time += begin;

@@ -12,7 +12,7 @@ namespace
 {
 constexpr double lineDensity = 4, plateDensity = 2; // more than 12 places per wave of the highest mode
 constexpr double promising = 0.9;                   // so near, a peak between two places may be the largest
-constexpr std::size_t mostFieldStarts = 32;
+constexpr std::size_t maximumFieldStarts = 32;
 
 /** A field as the only mode of a model: its values, and its slopes on a line, interpolate as those of modes do. */
 ModalModel fieldAsMode (const ModalModel& model, const Eigen::VectorXd& modalVelocities)
@@ -34,11 +34,11 @@ double densityOn (const Surface& surface)
     return surface.kind == SurfaceKind::line ? lineDensity : plateDensity;
 }
 
-FieldPeak largestOf (const Surface& surface, const VelocityFunction& velocity, const SearchPlaces& places,
-                     const std::vector<FocalSpot>& outside)
+FieldPeak largestPeak (const Surface& surface, const VelocityFunction& velocity, const SearchPlaces& places,
+                       const std::vector<FocalSpot>& outside)
 {
-    return climbToPeak (velocity, chooseStarts (places.starts, places.steps, promising, mostFieldStarts), places.steps,
-                        { surface, outside });
+    return climbToPeak (velocity, chooseStarts (places.starts, places.steps, promising, maximumFieldStarts),
+                        places.steps, { surface, outside });
 }
 } // namespace
 
@@ -62,7 +62,7 @@ FieldPeak largestVelocity (const ModalModel& model, const Eigen::VectorXd& modal
     for (std::size_t i = 0; i < places.starts.size(); ++i)
         places.starts[i].at.velocity = places.shapes (static_cast<Eigen::Index> (i), 0);
 
-    return largestOf (
+    return largestPeak (
         field.surface, [&] (double x, double y, double) { return shapesAt (field, x, y)[0]; }, places, outside);
 }
 
@@ -84,7 +84,7 @@ FieldPeak largestWanted (const Surface& surface, const std::vector<Target>& targ
     for (auto& start : places.starts)
         start.at.velocity = velocity (start.at.x, start.at.y, 0);
 
-    return largestOf (surface, velocity, places, outside);
+    return largestPeak (surface, velocity, places, outside);
 }
 
 FieldPeak largestTruncated (const ModalModel& model, const FocusDesign& design, const FocusMoment& moment)

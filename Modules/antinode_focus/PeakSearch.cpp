@@ -1,158 +1,22 @@
 #include "PeakSearch.h"
 
+#include "FocalGeometry.h"
+
 #include <antinode_base/Watch.h>
-#include <antinode_model/ShapeInterpolation.h>
 
 #include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace antinode
 {
 namespace
 {
 constexpr auto nowhere = -std::numeric_limits<double>::infinity();
-constexpr double leastScale = 0.01; // of a step: some 1e-6 of a peak
-constexpr int mostRounds = 60;
-
-bool liesIn (const FocalSpot& spot, bool isLine, double x, double y)
-{
-    constexpr double onBoundary = 1 - 1e-9;
-    return std::hypot ((x - spot.x) / spot.radiusX, isLine ? 0.0 : (y - spot.y) / spot.radiusY) < onBoundary;
-}
-
-bool liesOutside (const std::vector<FocalSpot>& spots, bool isLine, double x, double y)
-{
-    return std::none_of (spots.begin(), spots.end(),
-                         [&] (const FocalSpot& spot) { return liesIn (spot, isLine, x, y); });
-}
-
-bool liesOn (const Surface& surface, double x, double y)
-{
-    return x >= surface.xMinimum && x <= surface.xMaximum
-           && (surface.kind == SurfaceKind::line || (y >= surface.yMinimum && y <= surface.yMaximum));
-}
-
-FieldPeak onBoundary (const FocalSpot& spot, double angle)
-{
-    return { spot.x + spot.radiusX * std::cos (angle), spot.y + spot.radiusY * std::sin (angle) };
-}
-
-Eigen::VectorXd evenPlaces (double from, double to, Eigen::Index points, double density)
-{
-    const auto count = std::max<Eigen::Index> (8, std::llround (density * static_cast<double> (points)));
-    return Eigen::VectorXd::LinSpaced (count + 1, from, to);
-}
-
-/** Fills places and shapes of an even grid, column by column of modes. */
-void placeEvenly (SearchPlaces& places, const ModalModel& model, double density)
-{
-    const auto& surface = model.surface;
-    const auto& grid = *surface.grid;
-    const auto x = evenPlaces (surface.xMinimum, surface.xMaximum, grid.x.places.size(), density);
-    const auto y = evenPlaces (surface.yMinimum, surface.yMaximum, grid.y.places.size(), density);
-    const auto rowsX = interpolationRows (grid.x, x), rowsY = interpolationRows (grid.y, y);
-    places.steps = { x[1] - x[0], y[1] - y[0], 0 };
-    places.shapes.resize (x.size() * y.size(), model.modes());
-
-    for (const auto placeY : y)
-        for (const auto placeX : x)
-            places.starts.push_back ({ { placeX, placeY }, -1, 0 });
-
-    for (Eigen::Index k = 0; k < model.modes(); ++k)
-    {
-        checkWatch();
-        const Eigen::Map<const Eigen::MatrixXd> shape (model.shapes.col (k).data(), rowsX.cols(), rowsY.cols());
-        const Eigen::MatrixXd half = rowsX * shape;
-        Eigen::Map<Eigen::MatrixXd> (places.shapes.col (k).data(), x.size(), y.size()).noalias() =
-            half * rowsY.transpose();
-    }
-}
-
-void placeOnLine (SearchPlaces& places, const ModalModel& model, double density)
-{
-    const auto& surface = model.surface;
-    const auto x = evenPlaces (surface.xMinimum, surface.xMaximum, surface.points.rows(), density);
-    places.steps = { x[1] - x[0], 0, 0 };
-    places.shapes.resize (x.size(), model.modes());
-
-    for (Eigen::Index i = 0; i < x.size(); ++i)
-    {
-        places.starts.push_back ({ { x[i], 0 }, -1, 0 });
-        places.shapes.row (i) = shapesAt (model, x[i], 0);
-    }
-}
-
-void placeOnPoints (SearchPlaces& places, const ModalModel& model)
-{
-    const auto& surface = model.surface;
-    const auto perSide = std::sqrt (static_cast<double> (surface.points.rows()));
-    places.steps = { (surface.xMaximum - surface.xMinimum) / perSide, (surface.yMaximum - surface.yMinimum) / perSide,
-                     0 };
-    places.shapes = model.shapes;
-
-    for (const auto& point : surface.points.rowwise())
-        places.starts.push_back ({ { point[0], point[1] }, -1, 0 });
-}
-
-void leaveOut (SearchPlaces& places, const Surface& surface, const std::vector<FocalSpot>& spots)
-{
-    const auto isLine = surface.kind == SurfaceKind::line;
-    std::vector<PeakStart> kept;
-    std::vector<Eigen::Index> rows;
-
-    for (std::size_t i = 0; i < places.starts.size(); ++i)
-        if (const auto& at = places.starts[i].at; liesOutside (spots, isLine, at.x, at.y))
-        {
-            kept.push_back (places.starts[i]);
-            rows.push_back (static_cast<Eigen::Index> (i));
-        }
-
-    places.shapes = places.shapes (rows, Eigen::all).eval();
-    places.starts = std::move (kept);
-}
-
-/** How many places the boundary of a spot has: two on a line. */
-int boundaryPlaces (const FocalSpot& spot, const SearchPlaces& places, bool isLine)
-{
-    constexpr double fewest = 32, most = 360;
-    const auto around = std::numbers::pi * (spot.radiusX + spot.radiusY);
-    return isLine ? 2
-                  : static_cast<int> (
-                      std::clamp (std::ceil (around / std::min (places.steps.x, places.steps.y)), fewest, most));
-}
-
-void addBoundaries (SearchPlaces& places, const ModalModel& model, const std::vector<FocalSpot>& spots)
-{
-    const auto isLine = model.surface.kind == SurfaceKind::line;
-    std::vector<Eigen::RowVectorXd> rows;
-
-    for (std::size_t s = 0; s < spots.size(); ++s)
-    {
-        const auto count = boundaryPlaces (spots[s], places, isLine);
-
-        for (int i = 0; i < count; ++i)
-        {
-            const auto angle = 2 * std::numbers::pi * i / count;
-            const auto at = onBoundary (spots[s], angle);
-
-            if (! liesOn (model.surface, at.x, at.y) || ! liesOutside (spots, isLine, at.x, at.y))
-                continue;
-
-            places.starts.push_back ({ at, static_cast<int> (s), angle });
-            rows.push_back (shapesAt (model, at.x, at.y));
-        }
-    }
-
-    const auto before = places.shapes.rows();
-    places.shapes.conservativeResize (before + static_cast<Eigen::Index> (rows.size()), Eigen::NoChange);
-
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        places.shapes.row (before + static_cast<Eigen::Index> (i)) = rows[i];
-}
+constexpr double minimumScale = 0.01; // of a step: some 1e-6 of a peak
+constexpr int maximumRounds = 60;
 
 /** A place and its height. */
 struct Reached
@@ -232,7 +96,7 @@ public:
             peak.y = std::clamp (values[next++], extent.surface.yMinimum, extent.surface.yMaximum);
 
         if (begin.spot >= 0 && ! isLine)
-            peak = onBoundary (spot(), values[next++]);
+            peak = placeOnBoundary (spot(), values[next++]);
 
         peak.time = next < values.size() ? std::clamp (values[next], extent.firstTime, extent.lastTime) : begin.at.time;
         return peak;
@@ -264,26 +128,6 @@ private:
     bool isLine;
 };
 } // namespace
-
-SearchPlaces searchPlaces (const ModalModel& model, double density, const std::vector<FocalSpot>& outside)
-{
-    SearchPlaces places;
-
-    if (model.surface.kind == SurfaceKind::line)
-        placeOnLine (places, model, density);
-    else if (model.surface.grid)
-        placeEvenly (places, model, density);
-    else
-        placeOnPoints (places, model);
-
-    if (! outside.empty())
-    {
-        leaveOut (places, model.surface, outside);
-        addBoundaries (places, model, outside);
-    }
-
-    return places;
-}
 
 std::vector<PeakStart> chooseStarts (std::vector<PeakStart> starts, const PeakSteps& steps, double share,
                                      std::size_t most)
@@ -319,7 +163,7 @@ Eigen::VectorXd climb (const std::function<double (const Eigen::VectorXd&)>& hei
     Reached reached { from, height (from) };
     double scale = 1;
 
-    for (int round = 0; round < mostRounds && scale >= leastScale; ++round)
+    for (int round = 0; round < maximumRounds && scale >= minimumScale; ++round)
     {
         auto next = stepUp (height, reached, scale * steps);
         const auto isFar = next.height > reached.height

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "FieldPeak.h"
+#include "SearchPlaces.h"
 
 #include <functional>
 
@@ -8,33 +8,6 @@ namespace antinode
 {
 /** A velocity, m/s, at a place, m, and a time, s. */
 using VelocityFunction = std::function<double (double x, double y, double time)>;
-
-/** Where a search for a peak starts: a place on the surface, or on the boundary of a focal spot. */
-struct PeakStart
-{
-    FieldPeak at;
-    int spot = -1;    ///< Index of the focal spot; -1: the place is free.
-    double angle = 0; ///< On the boundary of the spot.
-};
-
-/** How far apart the starts lie, and so how far a search looks. 0: it does not move in that direction. */
-struct PeakSteps
-{
-    double x = 0, y = 0, time = 0; ///< m, m, s
-};
-
-/** Places where a field is looked at first. */
-struct SearchPlaces
-{
-    std::vector<PeakStart> starts; ///< Outside the focal spots, and on their boundaries.
-    Eigen::MatrixXd shapes;        ///< Starts x N_m
-    PeakSteps steps;
-};
-
-/** Even places over a surface, edges included, or its points where these lie on no grid.
-    @param density  places per point of the surface along each axis
-    [worker] */
-SearchPlaces searchPlaces (const ModalModel&, double density, const std::vector<FocalSpot>& outside);
 
 /** Starts that are worth a search: local to their surroundings, of at least that share of the largest one, at most so
     many, the largest first. [worker] */
