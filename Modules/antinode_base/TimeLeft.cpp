@@ -19,9 +19,9 @@ std::string durationInWords (double seconds)
 
 std::string timeLeftInWords (double elapsed, double share)
 {
-    constexpr double leastTime = 2, leastShare = 0.02;
+    constexpr double minimumTime = 2, minimumShare = 0.02;
 
-    if (elapsed < leastTime || share < leastShare || share >= 1)
+    if (elapsed < minimumTime || share < minimumShare || share >= 1)
         return {};
 
     return "about " + durationInWords (std::ceil (elapsed * (1 - share) / share)) + " left";

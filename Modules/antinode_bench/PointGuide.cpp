@@ -1,5 +1,7 @@
 #include "PointGuide.h"
 
+#include <antinode_base/Prefixes.h>
+
 #include <cstdio>
 #include <iostream>
 
@@ -7,7 +9,6 @@ namespace antinode
 {
 namespace
 {
-constexpr double milli = 1000; // m to mm
 } // namespace
 
 PointAnswer PointGuide::ask (const Eigen::MatrixX2d& places, Eigen::Index first, Eigen::Index count) const

@@ -11,7 +11,7 @@ namespace antinode
 namespace
 {
 constexpr double blindParticipation = 1e-9; // of the largest, as modes are chosen
-constexpr int mostPlateModes = 500;
+constexpr int maximumPlateModes = 500;
 
 /** The energy of the part of a field that is a plane over the surface, weighted by mass, as a fraction. */
 double rigidShare (const Surface& surface, const Eigen::VectorXd& field)
@@ -45,7 +45,7 @@ std::string beyondInWords (const ModalModel& model, const FocusDesign& design, d
     if (model.unknowns == 0)
         return sentence + "They are measured: identify higher ones, or widen focus.targets.0.width_mm.";
 
-    if (model.modes() < mostPlateModes)
+    if (model.modes() < maximumPlateModes)
         sentence += "Set device.modes.count above " + count + ", ";
 
     if (! design.description.edgeWindow)

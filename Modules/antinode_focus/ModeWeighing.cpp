@@ -63,7 +63,7 @@ std::vector<FocusDesign> richerDesigns (const ModalModel& model, const ModeTrial
 }
 
 /** The fewest modes that need hardly more than the least. */
-std::size_t bestOf (const std::vector<FocusDesign>& designs)
+std::size_t cheapestDesign (const std::vector<FocusDesign>& designs)
 {
     const auto need = [] (const FocusDesign& design) { return design.certificate.peakRatio; };
     const auto least = need (*std::min_element (designs.begin(), designs.end(),
@@ -73,14 +73,14 @@ std::size_t bestOf (const std::vector<FocusDesign>& designs)
     return static_cast<std::size_t> (best - designs.begin());
 }
 
-FocusDesign chosenOf (std::vector<FocusDesign> designs, const std::string& refused)
+FocusDesign weighedDesign (std::vector<FocusDesign> designs, const std::string& refused)
 {
     auto sentence = "Numbers of modes that were weighed: " + refused;
 
     for (const auto& design : designs)
         sentence += (&design == &designs.front() ? "" : "; ") + needInWords (design);
 
-    auto best = std::move (designs[bestOf (designs)]);
+    auto best = std::move (designs[cheapestDesign (designs)]);
     best.choices.push_back (sentence + ". Controlled are " + std::to_string (best.controlledModes.size())
                             + ", the fewest that need at most 5 % more than the least.");
     return best;
@@ -129,7 +129,7 @@ FocusDesign weighModes (const ModalModel& model, const ModeTrials& trials)
     if (designs.empty())
         std::rethrow_exception (refusal);
 
-    return chosenOf (std::move (designs),
-                     refusal ? std::to_string (fewest) + " cannot keep the limits; " : std::string());
+    return weighedDesign (std::move (designs),
+                          refusal ? std::to_string (fewest) + " cannot keep the limits; " : std::string());
 }
 } // namespace antinode

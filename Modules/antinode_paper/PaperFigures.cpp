@@ -3,6 +3,7 @@
 #include "PaperTables.h"
 
 #include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
 #include <antinode_charts/FocusCharts.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/Prediction.h>
@@ -16,7 +17,6 @@ namespace antinode
 {
 namespace
 {
-constexpr double milli = 1000;
 constexpr double rate = 192000; // Hz
 
 RenderedFocus renderWhole (const ModalModel& model, double focusTime)

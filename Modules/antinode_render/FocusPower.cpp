@@ -1,6 +1,7 @@
 #include "FocusPower.h"
 
 #include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
 
 #include <nlohmann/json.hpp>
 
@@ -10,26 +11,24 @@ namespace antinode
 {
 namespace
 {
-constexpr double thousand = 1e3, million = 1e6, billion = 1e9;
-
 nlohmann::ordered_json ceramicToJson (const Ceramic& ceramic, const CeramicFlow& once, const RepeatedCeramic& repeated)
 {
     nlohmann::ordered_json json { { "name", ceramic.name },
-                                  { "capacitance_nF", ceramic.capacitance * billion },
+                                  { "capacitance_nF", ceramic.capacitance * nano },
                                   { "loss_factor", ceramic.lossFactor },
                                   { "peak_voltage_V", once.peakVoltage },
-                                  { "peak_slew_V_per_us", once.peakSlew / million },
-                                  { "peak_current_mA", once.peakCurrent * thousand },
-                                  { "peak_charge_uC", once.peakCharge * million },
-                                  { "energy_drawn_uJ", once.drawn * million },
-                                  { "energy_returned_uJ", once.returned * million },
-                                  { "dielectric_loss_uJ", once.dielectricLoss * million },
-                                  { "work_on_motion_uJ", once.work * million },
+                                  { "peak_slew_V_per_us", once.peakSlew / micro },
+                                  { "peak_current_mA", once.peakCurrent * milli },
+                                  { "peak_charge_uC", once.peakCharge * micro },
+                                  { "energy_drawn_uJ", once.drawn * micro },
+                                  { "energy_returned_uJ", once.returned * micro },
+                                  { "dielectric_loss_uJ", once.dielectricLoss * micro },
+                                  { "work_on_motion_uJ", once.work * micro },
                                   { "rms_voltage_V", repeated.rmsVoltage },
-                                  { "rms_current_mA", repeated.rmsCurrent * thousand },
-                                  { "real_power_mW", repeated.realPower * thousand },
-                                  { "reactive_power_mvar", repeated.reactivePower * thousand },
-                                  { "dielectric_power_mW", repeated.dielectricPower * thousand } };
+                                  { "rms_current_mA", repeated.rmsCurrent * milli },
+                                  { "real_power_mW", repeated.realPower * milli },
+                                  { "reactive_power_mvar", repeated.reactivePower * milli },
+                                  { "dielectric_power_mW", repeated.dielectricPower * milli } };
 
     if (ceramic.area > 0)
         json["warming_estimate_K"] = repeated.warming;
@@ -39,7 +38,7 @@ nlohmann::ordered_json ceramicToJson (const Ceramic& ceramic, const CeramicFlow&
 
 nlohmann::ordered_json amplifierToJson (const AmplifierPower& amplifier)
 {
-    return { { "supply_mW", amplifier.supply * thousand }, { "heat_mW", amplifier.heat * thousand } };
+    return { { "supply_mW", amplifier.supply * milli }, { "heat_mW", amplifier.heat * milli } };
 }
 
 /** The ceramic with the largest amount. */
@@ -70,21 +69,21 @@ nlohmann::ordered_json powerToJson (const ModalModel& model, const FocusPower& p
     const auto& once = power.once;
     const auto& repeated = power.repeated;
     nlohmann::ordered_json json { { "per_focus",
-                                    { { "electrical_in_uJ", once.electricalIn() * million },
-                                      { "drawn_uJ", once.drawn() * million },
-                                      { "returned_uJ", once.returned() * million },
-                                      { "dielectric_loss_uJ", once.dielectricLoss() * million },
-                                      { "mechanical_loss_uJ", once.mechanicalLoss * million },
-                                      { "stored_at_end_uJ", once.storedAtEnd() * million },
-                                      { "peak_energy_of_motion_uJ", once.peakMotion * million },
+                                    { { "electrical_in_uJ", once.electricalIn() * micro },
+                                      { "drawn_uJ", once.drawn() * micro },
+                                      { "returned_uJ", once.returned() * micro },
+                                      { "dielectric_loss_uJ", once.dielectricLoss() * micro },
+                                      { "mechanical_loss_uJ", once.mechanicalLoss * micro },
+                                      { "stored_at_end_uJ", once.storedAtEnd() * micro },
+                                      { "peak_energy_of_motion_uJ", once.peakMotion * micro },
                                       { "imbalance", once.imbalance() },
-                                      { "peak_current_mA", once.peakCurrent * thousand },
-                                      { "peak_power_mW", once.peakPower * thousand } } },
+                                      { "peak_current_mA", once.peakCurrent * milli },
+                                      { "peak_power_mW", once.peakPower * milli } } },
                                   { "repeated",
                                     { { "per_second", repeated.rate },
                                       { "overlapping", repeated.overlaps },
-                                      { "real_power_mW", repeated.realPower * thousand },
-                                      { "reactive_power_mvar", repeated.reactivePower * thousand } } },
+                                      { "real_power_mW", repeated.realPower * milli },
+                                      { "reactive_power_mvar", repeated.reactivePower * milli } } },
                                   { "amplifier",
                                     { { "linear_class_B", amplifierToJson (repeated.linear) },
                                       { "switching_class_D", amplifierToJson (repeated.switching) },
@@ -107,13 +106,13 @@ std::vector<std::string> powerInWords (const ModalModel& model, const FocusPower
     const auto most = largestBy (once.ceramics, &CeramicFlow::peakCurrent);
     const auto slewest = largestBy (once.ceramics, &CeramicFlow::peakSlew);
     const auto often = " at " + inWords (repeated.rate) + " foci per second";
-    return { inWords (once.ceramics[most].peakCurrent * thousand) + " mA at most (" + model.ceramics[most].name + "), "
-                 + inWords (once.peakCurrent * thousand) + " mA in all; "
-                 + inWords (repeated.ceramics[most].rmsCurrent * thousand) + " mA RMS" + often + "; slew at most "
-                 + inWords (once.ceramics[slewest].peakSlew / million) + " V/us",
-             inWords (once.electricalIn() * million) + " uJ per focus, " + inWords (once.dielectricLoss() * million)
-                 + " uJ of them heat the ceramics; " + inWords (repeated.realPower * thousand) + " mW and "
-                 + inWords (repeated.reactivePower * thousand) + " mvar" + often
+    return { inWords (once.ceramics[most].peakCurrent * milli) + " mA at most (" + model.ceramics[most].name + "), "
+                 + inWords (once.peakCurrent * milli) + " mA in all; "
+                 + inWords (repeated.ceramics[most].rmsCurrent * milli) + " mA RMS" + often + "; slew at most "
+                 + inWords (once.ceramics[slewest].peakSlew / micro) + " V/us",
+             inWords (once.electricalIn() * micro) + " uJ per focus, " + inWords (once.dielectricLoss() * micro)
+                 + " uJ of them heat the ceramics; " + inWords (repeated.realPower * milli) + " mW and "
+                 + inWords (repeated.reactivePower * milli) + " mvar" + often
                  + (repeated.overlaps ? ", which overlap: added as if they did not" : ""),
              amplifierAdvice (repeated) };
 }

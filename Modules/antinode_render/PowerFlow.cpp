@@ -2,6 +2,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
 #include <antinode_base/Watch.h>
 #include <antinode_engine/PlateModel.h>
 #include <antinode_numerics/Fourier.h>
@@ -14,9 +15,7 @@ namespace antinode
 {
 namespace
 {
-constexpr double nano = 1e9; // F to nF
-
-double sumOf (const std::vector<CeramicFlow>& ceramics, double CeramicFlow::*amount)
+double total (const std::vector<CeramicFlow>& ceramics, double CeramicFlow::*amount)
 {
     double sum = 0;
 
@@ -86,7 +85,7 @@ struct Slopes
     Eigen::VectorXd rate, loss; ///< V/s
 };
 
-Slopes slopesOf (const Eigen::VectorXd& voltage, double sampleRate)
+Slopes waveformSlopes (const Eigen::VectorXd& voltage, double sampleRate)
 {
     const auto length = quickLength (2.0 * static_cast<double> (voltage.size()));
     const auto perLine = 2 * std::numbers::pi * sampleRate / static_cast<double> (length);
@@ -112,7 +111,7 @@ struct SampledFlow
 SampledFlow sampledFlow (const Eigen::VectorXd& voltage, const Ceramic& ceramic, double modalCapacitance,
                          const Eigen::VectorXd& feltCharge, const Eigen::VectorXd& feltCurrent, double sampleRate)
 {
-    const auto slopes = slopesOf (voltage, sampleRate);
+    const auto slopes = waveformSlopes (voltage, sampleRate);
     const auto held = ceramic.capacitance - modalCapacitance;
     SampledFlow flow { voltage.array(),
                        slopes.rate.array(),
@@ -156,22 +155,22 @@ double playedDuration (const Eigen::MatrixXd& voltages, double sampleRate)
 
 double PowerFlow::drawn() const
 {
-    return sumOf (ceramics, &CeramicFlow::drawn);
+    return total (ceramics, &CeramicFlow::drawn);
 }
 
 double PowerFlow::returned() const
 {
-    return sumOf (ceramics, &CeramicFlow::returned);
+    return total (ceramics, &CeramicFlow::returned);
 }
 
 double PowerFlow::dielectricLoss() const
 {
-    return sumOf (ceramics, &CeramicFlow::dielectricLoss);
+    return total (ceramics, &CeramicFlow::dielectricLoss);
 }
 
 double PowerFlow::storedAtEnd() const
 {
-    return motionAtEnd + sumOf (ceramics, &CeramicFlow::storedAtEnd);
+    return motionAtEnd + total (ceramics, &CeramicFlow::storedAtEnd);
 }
 
 double PowerFlow::imbalance() const

@@ -12,7 +12,7 @@ namespace
 {
 /** Heat that leaves by one face only: the other is glued to the body, which takes heat away as well, so the ceramic
    stays cooler. */
-double warmingOf (double heat, double area)
+double estimatedWarming (double heat, double area)
 {
     return area > 0 ? heat / (heatTransfer * area) : 0;
 }
@@ -26,7 +26,7 @@ RepeatedCeramic repeatedCeramic (const CeramicFlow& flow, double area, double ra
     const auto apparent = result.rmsVoltage * result.rmsCurrent;
     result.reactivePower = std::sqrt (std::max (0.0, apparent * apparent - result.realPower * result.realPower));
     result.dielectricPower = flow.dielectricLoss * rate;
-    result.warming = warmingOf (result.dielectricPower, area);
+    result.warming = estimatedWarming (result.dielectricPower, area);
     return result;
 }
 } // namespace

@@ -12,8 +12,8 @@ struct RepeatedCeramic
     double realPower = 0;       ///< W that the ceramic keeps: its own loss and the work on the body.
     double reactivePower = 0;   ///< var: sqrt ((U_rms i_rms)^2 - realPower^2).
     double dielectricPower = 0; ///< W that heat the ceramic.
-    double warming =
-        0; ///< K above the air, in the steady state: an estimate, see warmingOf(); 0 where the area is unknown.
+    double warming = 0; ///< K above the air, in the steady state: an estimate, Docs/Theory.md, section 6.8; 0 where the
+                        ///< area is unknown.
 };
 
 /** What a kind of amplifier takes from its supply and turns into heat, all channels together. */

@@ -9,8 +9,6 @@ namespace antinode
 {
 namespace
 {
-constexpr double micro = 1e6; // From SI units to millionths.
-
 std::string perSecond (const RepeatedPower& power)
 {
     return inWords (power.rate) + " foci per second";
