@@ -44,7 +44,7 @@ void Session::prepare (double sampleRate)
 
 void Session::waitUntilSettled (std::span<const FocusEvent> events)
 {
-    std::vector<int> places;
+    std::vector places { FocusBank::livePlace };
 
     for (const auto& event : events)
         if (event.kind == FocusEventKind::trigger)

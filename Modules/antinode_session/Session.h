@@ -56,8 +56,9 @@ public:
         entry->process (block, events, controls);
     }
 
-    /** Waits until all that was loaded is taken up, with what the parameters say, and the foci are designed that these
-       events trigger: for offline rendering. One caller at a time. [any but a real-time audio thread] */
+    /** Waits until all that was loaded is taken up, with what the parameters say, and the focus at its own place is
+       designed, and those that these events trigger: for offline rendering. One caller at a time. [any but a real-time
+       audio thread] */
     void waitUntilSettled (std::span<const FocusEvent> events = {});
 
     /** Plays by separate nodes (openGraph), or by the fused ones, which are the same samples at less cost. What plays
