@@ -185,6 +185,10 @@ std::string outcomeToText (const RenderedFocus& focus, const FocusOutcome& outco
     text += row ("contrast", "",
                  inWords (outcome.eventContrast) + " over the whole event, against the largest elsewhere; "
                      + inWords (focus.contrast) + " at the focus, against the RMS elsewhere");
+
+    if (focus.felt)
+        text += row ("felt", "", feltInWords (focus.model.surface, *focus.felt));
+
     text += row ("peak voltage", inWords (focus.design.program.voltageLimits.maxCoeff()) + " V at most",
                  inWords (focus.render.voltages.cwiseAbs().maxCoeff()) + " V");
     return text + "  " + outcome.limit + "\n";

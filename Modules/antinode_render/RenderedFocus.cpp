@@ -84,6 +84,17 @@ std::optional<ResidualMotion> residualMotion (const RenderedFocus& focus)
     return ResidualMotion { *focus.design.restTime, std::abs (left.velocity / focus.moments.back().peak.velocity) };
 }
 
+/** Of all foci of a train. */
+std::vector<Target> allTargets (const FocusDesign& design)
+{
+    std::vector<Target> all;
+
+    for (const auto& moment : design.moments)
+        all.insert (all.end(), moment.targets.begin(), moment.targets.end());
+
+    return all;
+}
+
 std::vector<std::pair<double, double>> chooseProbes (const FocusDesign& design, const RenderOptions& options)
 {
     if (! options.probes.empty())
@@ -131,6 +142,9 @@ RenderedFocus renderFocus (ModalModel model, FocusDesign design, const RenderOpt
 
     if (options.repetitions)
         result.power = focusPower (result.model, result.render.voltages, options.playback, *options.repetitions);
+
+    if (options.threshold)
+        result.felt = feltOutcome (result.model, result.render, allTargets (result.design), *options.threshold);
 
     return result;
 }

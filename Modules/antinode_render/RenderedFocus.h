@@ -1,5 +1,6 @@
 #pragma once
 
+#include "FeltOutcome.h"
 #include "FocusPower.h"
 
 #include <antinode_engine/OfflineRender.h>
@@ -25,6 +26,7 @@ struct RenderOptions
     std::vector<std::pair<double, double>> probes; ///< x, y in m; none: the focus's, or its targets.
     int blockSize = 512;
     std::optional<double> repetitions = {}; ///< Per second, at which the electrical power is wanted; none: without it.
+    std::optional<SkinThreshold> threshold = {}; ///< By which it is wanted what skin feels; none: without it.
 };
 
 /** The result of the plate model at the time of one focus. */
@@ -60,6 +62,7 @@ struct RenderedFocus
     std::vector<ReachedMoment> moments; ///< One each of the design's; the first is what the fields above speak of.
     std::optional<ResidualMotion> residual;
     std::optional<FocusPower> power; ///< Where it is wanted.
+    std::optional<FeltOutcome> felt; ///< Where it is wanted.
 };
 
 /** Plays a design through synthesiser, limiter and plate model, and scores what the plate did.

@@ -155,6 +155,9 @@ nlohmann::ordered_json summaryToJson (const RenderedFocus& focus, const FocusOut
     summary["probes"] = probesJson (focus);
     summary["warnings"] = design.warnings;
 
+    if (focus.felt)
+        summary["felt"] = feltToJson (*focus.felt);
+
     if (focus.power)
         summary["power"] = powerToJson (focus.model, *focus.power);
 

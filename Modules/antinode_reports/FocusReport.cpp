@@ -1,5 +1,6 @@
 #include "FocusReport.h"
 
+#include "FeltSection.h"
 #include "FieldFigures.h"
 #include "FocusScores.h"
 #include "PowerSection.h"
@@ -152,6 +153,9 @@ ReportPage focusReport (const RenderedFocus& focus, const FocusOutcome& outcome)
     page.scores = focusScores (focus, outcome);
     page.warnings = design.warnings;
     page.sections = { fieldSection (focus), voltageSection (focus), motionSection (focus), designSection (focus) };
+
+    if (focus.felt)
+        page.sections.insert (page.sections.begin() + 1, feltSection (focus));
 
     if (focus.power)
         page.sections.insert (page.sections.end() - 1, powerSection (focus));

@@ -65,6 +65,12 @@ std::vector<ReportScore> outcomeScores (const RenderedFocus& focus, const FocusO
     scores.push_back ({ "Contrast of the event", inWords (outcome.eventContrast),
                         "Peak at the focus divided by the largest velocity elsewhere at any time: "
                             + elsewhereInWords (focus, outcome) + "." });
+
+    if (const auto contrast = focus.felt ? focus.felt->contrast() : std::nullopt)
+        scores.push_back (
+            { "Felt contrast", fixedText (*contrast, 1) + " dB",
+              "What skin feels of the whole event: " + feltInWords (focus.model.surface, *focus.felt) + "." });
+
     const auto end = outcome.limit.find (" limit");
     scores.push_back ({ "Limited by", outcome.limit.substr (0, end), outcome.limit });
     return scores;

@@ -11,6 +11,7 @@
 #include <antinode_figures/FigureFiles.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/LimitWords.h>
+#include <antinode_library/SkinThresholds.h>
 #include <antinode_render/Summary.h>
 #include <antinode_reports/FocusReport.h>
 #include <antinode_text/OutputFolder.h>
@@ -36,7 +37,7 @@ struct RenderCommandOptions
     std::string format = "wav";
     bool hasReport = true;
     std::vector<std::string> figures, focuses { "demonstrator" };
-    std::string placesFile, rankBy = "field_error";
+    std::string placesFile, rankBy = "field_error", thresholdFile;
 };
 
 /** "X" or "X,Y" in mm. */
@@ -68,6 +69,7 @@ RenderOptions renderOptions (const RenderCommandOptions& options)
     result.playback = options.common.playback();
     result.blockSize = options.blockSize;
     result.repetitions = options.common.repetitions;
+    result.threshold = findSkinThreshold (options.thresholdFile);
 
     if (options.duration)
         result.duration = *options.duration / 1000;
@@ -230,6 +232,8 @@ void addRenderCommand (CLI::App& app)
                       "Also writes the figures of the report for print: svg, pdf (repeatable)")
         ->check (CLI::IsMember ({ "svg", "pdf" }))
         ->allow_extra_args (false);
+    command->add_option ("--threshold", options->thresholdFile,
+                         "CSV of Hz and um: what skin feels, in place of the built-in table");
     command->add_option ("--places", options->placesFile, "CSV of x and y in mm: the focus at each of these places");
     command
         ->add_option ("--rank-by", options->rankBy,

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "SkinThreshold.h"
+
+#include <antinode_model/ModalModel.h>
+
+namespace antinode
+{
+/** The motion of modes as skin weighs it: displacement over threshold, at a rate that is enough for skin. */
+struct FeltMotion
+{
+    double sampleRate = 0; ///< Hz, 8 to 16 kHz, or that of the motion where it is lower.
+    Eigen::MatrixXd modal; ///< N_m x N_s, kg^1/2: times mode shapes, how many times the threshold a place moves.
+};
+
+/** Weighs recorded motion. Each frequency is divided by the threshold without a shift in time. After the last sample
+   modes go on as they decay freely, fading out within .4 s.
+    @param modalVelocities  N_m x N_s, at least two samples, m/s kg^1/2; at rest before the first one, without drive at
+   the last two
+    @throws Cancelled  when a watch of this thread says no
+    [worker] Docs/Theory.md, section 5.1. */
+FeltMotion feltMotion (const ModalModel&, const Eigen::MatrixXd& modalVelocities, double sampleRate,
+                       const SkinThreshold&);
+
+/** How many times the threshold a weighted motion is felt: the larger of its peak and root 2 times its largest RMS
+   within 100 ms.
+    @param weighted  N_s, times the threshold
+    [any] Docs/Theory.md, section 5.1. */
+double feltAmount (const Eigen::Ref<const Eigen::RowVectorXd>& weighted, double sampleRate);
+
+/** The sensation level of an amount, dB over threshold; at least -120 dB. [any] */
+double sensationLevel (double amount);
+} // namespace antinode

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "Report.h"
+
+#include <antinode_render/RenderedFocus.h>
+
+namespace antinode
+{
+/** What skin feels of a whole event: a map of sensation levels, the contrast in words. The focus has it.
+    [worker] Docs/Theory.md, section 5.1. */
+ReportSection feltSection (const RenderedFocus&);
+} // namespace antinode

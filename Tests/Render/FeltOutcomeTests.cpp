@@ -1,0 +1,129 @@
+#include <antinode_documents/SkinThresholdFile.h>
+#include <antinode_focus/DesignFocus.h>
+#include <antinode_library/Inputs.h>
+#include <antinode_library/SkinThresholds.h>
+#include <antinode_render/RenderedFocus.h>
+
+#include <nlohmann/json.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+using namespace antinode;
+
+namespace
+{
+constexpr double pi = std::numbers::pi;
+
+/** Velocity of one place, averaged over eight samples each, faded out within its last tenth of a second. */
+Eigen::VectorXd slowedProbe (const Render& render)
+{
+    Eigen::VectorXd slow (render.probeVelocities.cols() / 8);
+    const auto fade = 0.1 * render.sampleRate / 8;
+
+    for (Eigen::Index n = 0; n < slow.size(); ++n)
+    {
+        const auto left = static_cast<double> (slow.size() - 1 - n);
+        slow[n] = render.probeVelocities.row (0).segment (8 * n, 8).mean()
+                  * (left < fade ? 0.5 - 0.5 * std::cos (pi * left / fade) : 1.0);
+    }
+
+    return slow;
+}
+
+/** The level of a recorded velocity by sums over all samples and all lines of 2 Hz, without any transform of ours. */
+double levelBySums (const Render& render, const SkinThreshold& threshold)
+{
+    const auto velocity = slowedProbe (render);
+    const auto rate = render.sampleRate / 8;
+    constexpr double step = 2;
+    std::vector<std::complex<double>> lines;
+
+    for (double f = step; f < 2500; f += step)
+    {
+        std::complex<double> sum = 0, phasor = 1;
+        const auto turn = std::polar (1.0, -2 * pi * f / rate);
+
+        for (const auto value : velocity)
+        {
+            sum += value * phasor;
+            phasor *= turn;
+        }
+
+        lines.push_back (sum / rate / std::complex (0.0, 2 * pi * f) / thresholdAt (threshold, f));
+    }
+
+    double peak = 0, energy = 0, most = 0;
+    std::vector<double> squares;
+
+    for (double t = 0; t < 0.4; t += 1 / 8000.0)
+    {
+        std::complex<double> sum = 0, phasor = std::polar (1.0, 2 * pi * step * t);
+        const auto turn = phasor;
+
+        for (const auto& line : lines)
+        {
+            sum += line * phasor;
+            phasor *= turn;
+        }
+
+        const auto value = 2 * step * sum.real();
+        peak = std::max (peak, std::abs (value));
+        squares.push_back (value * value);
+        energy += squares.back() - (squares.size() > 800 ? squares[squares.size() - 801] : 0);
+        most = std::max (most, energy);
+    }
+
+    return 20 * std::log10 (std::max (peak, std::sqrt (2 * most / 800)));
+}
+
+RenderedFocus renderFelt (std::optional<double> duration)
+{
+    const auto model = solveDevice (loadDevice ("staple", {}), {}, true);
+    RenderOptions options;
+    options.duration = duration;
+    options.threshold = findSkinThreshold ({});
+    return renderFocus (
+        model, designFocus (model, loadFocus ("demonstrator", {}), options.playback, DesignExtent::playable), options);
+}
+} // namespace
+
+TEST_CASE ("The felt level at a focus is that of its recorded velocity, summed line by line", "[felt]")
+{
+    const auto recorded = renderFelt (0.4);
+    const auto byHand = levelBySums (recorded.render, findSkinThreshold ({}));
+    CHECK (recorded.felt->targets.front().level == Approx (byHand).margin (0.2));
+
+    // A file that ends 25 ms after the focus is felt as the whole event is.
+    CHECK (renderFelt ({}).felt->targets.front().level == Approx (byHand).margin (0.2));
+}
+
+TEST_CASE ("The demonstrator is felt far from its focus as strongly as there", "[felt]")
+{
+    const auto felt = renderFelt ({}).felt.value();
+    CHECK (felt.contrast().value() == Approx (felt.targets.front().level - felt.elsewhere->level));
+    CHECK (std::abs (felt.contrast().value()) < 3);
+    CHECK (std::abs (felt.elsewhere->x - 0.024) > feltNeighbourhood);
+
+    const auto strongest = std::max_element (felt.places.begin(), felt.places.end(),
+                                             [] (const auto& a, const auto& b) { return a.level < b.level; });
+    CHECK (strongest->level >= felt.targets.front().level - 0.1);
+    const auto json = feltToJson (felt);
+    CHECK (json["contrast_dB"] == felt.contrast().value());
+    CHECK (json["targets"].size() == 1);
+}
+
+TEST_CASE ("A threshold is a table of Hz and um, or says what it lacks", "[felt]")
+{
+    const auto threshold = readSkinThreshold ("# mine\nHz,um\n100,0.5\n250,0.1\n", "mine.csv");
+    CHECK (thresholdAt (threshold, 250) == Approx (1e-7));
+    CHECK_THROWS_WITH (readSkinThreshold ("100,0.5\n", "mine.csv"),
+                       Catch::Contains ("mine.csv") && Catch::Contains ("at least two lines"));
+    CHECK_THROWS_WITH (readSkinThreshold ("100,0.5,1\n250,0.1,1\n", "mine.csv"), Catch::Contains ("3 columns"));
+    CHECK_THROWS_WITH (readSkinThreshold ("250,0.5\n100,0.1\n", "mine.csv"), Catch::Contains ("ascending"));
+    CHECK_THROWS_WITH (findSkinThreshold ("/no/such.csv"), Catch::Contains ("/no/such.csv"));
+}
