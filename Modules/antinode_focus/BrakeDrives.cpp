@@ -15,14 +15,8 @@ constexpr double greatestCounterShare =
 
 std::vector<Oscillation> brakeDrive (int mode, double a, double b, const BrakeWindow& window, Complex phasor)
 {
-    const auto part = [&] (double folds, double weight, double end) -> Oscillation
-    {
-        const auto x = weight * phasor;
-        return { mode, window.start, end, -window.decay - folds * releaseRate(), b, -x.imag(), x.real() };
-    };
-    const auto onsetEnd = window.start + releaseDuration();
-    std::vector<Oscillation> drive { part (0, 1, window.end - releaseDuration()), part (1, -2, onsetEnd),
-                                     part (2, 1, onsetEnd) };
+    auto drive = makeOnset (
+        { mode, window.start, window.end - releaseDuration(), -window.decay, b, -phasor.imag(), phasor.real() });
 
     for (const auto& release : makeRelease (drive.front()))
         drive.push_back (release);

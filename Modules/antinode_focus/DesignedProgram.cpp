@@ -31,6 +31,9 @@ DriveList makeDrives (FocusDesign& design, const ModalModel& model)
             design.cycles.push_back (drive.cycles);
         }
 
+    if (driveStart (model) == DriveStart::smooth)
+        design.choices.emplace_back ("Slew rate or current is limited: drives begin smoothly, without a jump.");
+
     if (description.allocation.robust)
         for (const auto& drive :
              fasterDrives (model, design.controlledModes, description.focusTime, description.transients))

@@ -22,36 +22,12 @@ constexpr double roomForGuards = 1.005;
 
 constexpr double greatestFolds = 40; // beyond, an earlier start adds less than 1e-17
 
-/** Re[X e^{p tau} (1 - e^{-r tau})^2] as three oscillations; those that only shape the onset end where they have died
-    away. */
-std::vector<Oscillation> risingOscillation (int mode, double start, double end, Complex exponent, Complex phasor)
-{
-    const auto part = [&] (int folds, double weight)
-    {
-        const auto last = folds == 0 ? end : std::min (end, start + releaseDuration());
-        return Oscillation { mode,
-                             start,
-                             last,
-                             exponent.real() - folds * releaseRate(),
-                             exponent.imag(),
-                             -weight * phasor.imag(),
-                             weight * phasor.real() };
-    };
-    return { part (0, 1), part (1, -2), part (2, 1) };
-}
-
-/** The same, with the phasor it has at its end, and released there. */
+/** Re[X e^{p tau} (1 - e^{-r tau})^2] with the phasor that it has at its end, and released there. */
 std::vector<Oscillation> dictionaryDrive (int mode, double start, double end, Complex exponent, Complex phasorAtEnd)
 {
-    auto drive = risingOscillation (mode, start, end, exponent, phasorAtEnd * std::exp (exponent * (start - end)));
-    const auto rising = drive;
-
-    for (const auto& oscillation : rising)
-        if (oscillation.end == end)
-            for (const auto& release : makeRelease (oscillation))
-                drive.push_back (release);
-
-    return drive;
+    const auto phasor = phasorAtEnd * std::exp (exponent * (start - end));
+    return playedDrive ({ { mode, start, end, exponent.real(), exponent.imag(), -phasor.imag(), phasor.real() } },
+                        DriveStart::smooth);
 }
 } // namespace
 

@@ -22,7 +22,7 @@ std::vector<ModeDrive> steeperDrives (const ModalModel& model, const std::vector
 }
 
 /** An offset-free drive that is a quarter period later; empty if it would begin before the trigger. */
-std::vector<Oscillation> shifted (const ModeDrive& drive)
+std::vector<Oscillation> shifted (const ModeDrive& drive, DriveStart start)
 {
     auto oscillation = drive.oscillations.front();
     const auto quarter = 0.5 * std::numbers::pi / oscillation.angularFrequency;
@@ -31,12 +31,7 @@ std::vector<Oscillation> shifted (const ModeDrive& drive)
     if (oscillation.start < 0)
         return {};
 
-    std::vector<Oscillation> result { oscillation };
-
-    for (const auto& release : makeRelease (oscillation))
-        result.push_back (release);
-
-    return result;
+    return playedDrive ({ oscillation }, start);
 }
 
 void append (DriveList& list, const std::vector<ModeDrive>& drives)
@@ -45,10 +40,10 @@ void append (DriveList& list, const std::vector<ModeDrive>& drives)
         list.push_back (drive.oscillations);
 }
 
-void appendShifted (DriveList& list, const std::vector<ModeDrive>& drives)
+void appendShifted (DriveList& list, const std::vector<ModeDrive>& drives, DriveStart start)
 {
     for (const auto& drive : drives)
-        if (auto other = shifted (drive); ! other.empty())
+        if (auto other = shifted (drive, start); ! other.empty())
             list.push_back (std::move (other));
 }
 } // namespace
@@ -68,10 +63,11 @@ DriveList furtherDrives (const ModalModel& model, const std::vector<int>& modes,
                          const TransientChoice& choice)
 {
     auto drives = fasterDrives (model, modes, focusTime, choice);
-    appendShifted (drives, driveModes (model, modes, focusTime, choice));
+    const auto start = driveStart (model);
+    appendShifted (drives, driveModes (model, modes, focusTime, choice), start);
 
     if (choice.growth.empty())
-        appendShifted (drives, steeperDrives (model, modes, focusTime, choice));
+        appendShifted (drives, steeperDrives (model, modes, focusTime, choice), start);
 
     return drives;
 }

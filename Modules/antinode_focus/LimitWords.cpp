@@ -84,7 +84,7 @@ std::string limitTime (const LimitUse& use)
 std::string limitSentence (const ModalModel& model, const LimitUse& use)
 {
     const auto* const verb = use.kind == LimitKind::slew      ? " changes by "
-                             : use.kind == LimitKind::current ? " draws "
+                             : use.kind == LimitKind::current ? " charges its capacitance with "
                                                               : " has ";
     const auto where = limitedCeramic (model, use) + verb + limitAmount (use.kind, use.used) + " of "
                        + limitAmount (use.kind, use.allowed) + ", " + limitTime (use);

@@ -1,5 +1,8 @@
 #include "Transients.h"
 
+#include "DriveAllocation.h"
+#include "Prediction.h"
+
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 
@@ -73,6 +76,23 @@ int chooseCycles (const ModalModel& model, const DrivenMode& driven, double time
     return std::clamp (cyclesThatFit (b, chosenGreatestFolds / rate), 0, maximum);
 }
 
+/** An onset takes a little of the motion: the drive is made that much larger. */
+void normalise (ModeDrive& drive, Complex pole, double focusTime)
+{
+    Complex state = 0;
+
+    for (const auto& oscillation : drive.oscillations)
+        state += modalResponse (pole, oscillation, focusTime);
+
+    const auto velocity = state.real() + pole.real() / pole.imag() * state.imag();
+
+    for (auto& oscillation : drive.oscillations)
+    {
+        oscillation.inPhase /= velocity;
+        oscillation.quadrature /= velocity;
+    }
+}
+
 void checkCycles (const ModalModel& model, const DrivenMode& driven, double time)
 {
     const auto rate = driven.growth * driven.decayRate;
@@ -110,11 +130,46 @@ std::vector<Oscillation> makeRelease (const Oscillation& oscillation)
     return { part (1, 2 + share), part (2, -1 - share) };
 }
 
-ModeDrive driveMode (const DrivenMode& driven, DriveKind kind, double focusTime)
+std::vector<Oscillation> makeOnset (const Oscillation& oscillation)
+{
+    const auto part = [&] (int folds, double weight)
+    {
+        auto shaping = oscillation;
+        shaping.end = std::min (oscillation.end, oscillation.start + releaseDuration());
+        shaping.growth = oscillation.growth - folds * releaseRate();
+        shaping.inPhase *= weight;
+        shaping.quadrature *= weight;
+        return shaping;
+    };
+    return { oscillation, part (1, -2), part (2, 1) };
+}
+
+std::vector<Oscillation> playedDrive (const std::vector<Oscillation>& untilFocus, DriveStart start)
+{
+    std::vector<Oscillation> played;
+
+    for (const auto& oscillation : untilFocus)
+        if (start == DriveStart::jump)
+            played.push_back (oscillation);
+        else
+            for (const auto& part : makeOnset (oscillation))
+                played.push_back (part);
+
+    const auto rising = played;
+
+    for (const auto& oscillation : rising)
+        if (oscillation.end == untilFocus.front().end)
+            for (const auto& release : makeRelease (oscillation))
+                played.push_back (release);
+
+    return played;
+}
+
+ModeDrive driveMode (const DrivenMode& driven, DriveKind kind, double focusTime, DriveStart start)
 {
     const auto [mode, a, b, growth, cycles] = driven;
     const auto duration = driveDuration (b, cycles);
-    const auto start = focusTime - duration;
+    const auto begin = focusTime - duration;
     const Complex exponent (growth * a, b);
     const auto squaredExponent = std::norm (exponent);                     // D of the paper
     const auto constantShare = (a * a + b * b) / squaredExponent;          // rho
@@ -125,19 +180,23 @@ ModeDrive driveMode (const DrivenMode& driven, DriveKind kind, double focusTime)
     const auto amplitude =
         kind == DriveKind::paper ? 1 / grown : 1 / (grown - constantShare * std::exp (-a * duration));
     drive.oscillations.push_back (
-        oscillationFrom (mode, start, focusTime, exponent, -1i * amplitude * stiffness / exponent));
+        oscillationFrom (mode, begin, focusTime, exponent, -1i * amplitude * stiffness / exponent));
 
     // Without the constant the mode's own decay e^{-at} adds to the envelope; with it the paper's (26) is exact.
     if (kind == DriveKind::paper)
-        drive.oscillations.push_back (oscillationFrom (mode, start, focusTime, 0.0, amplitude * b * constantShare));
+        drive.oscillations.push_back (oscillationFrom (mode, begin, focusTime, 0.0, amplitude * b * constantShare));
 
-    const auto untilFocus = drive.oscillations;
+    drive.oscillations = playedDrive (drive.oscillations, start);
 
-    for (const auto& oscillation : untilFocus)
-        for (const auto& release : makeRelease (oscillation))
-            drive.oscillations.push_back (release);
+    if (start == DriveStart::smooth)
+        normalise (drive, { -a, b }, focusTime);
 
     return drive;
+}
+
+DriveStart driveStart (const ModalModel& model)
+{
+    return hasSlewLimits (model) ? DriveStart::smooth : DriveStart::jump;
 }
 
 std::vector<ModeDrive> driveModes (const ModalModel& model, const std::vector<int>& modes, double focusTime,
@@ -156,7 +215,7 @@ std::vector<ModeDrive> driveModes (const ModalModel& model, const std::vector<in
         driven.growth = choice.growth.empty() ? envelopeFolds / (time * driven.decayRate) : valueFor (choice.growth, i);
         driven.cycles = choice.cycles.empty() ? chooseCycles (model, driven, time) : valueFor (choice.cycles, i);
         checkCycles (model, driven, time);
-        drives.push_back (driveMode (driven, choice.drive, focusTime));
+        drives.push_back (driveMode (driven, choice.drive, focusTime, driveStart (model)));
     }
 
     return drives;

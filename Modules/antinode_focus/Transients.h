@@ -41,9 +41,27 @@ double releaseDuration();
    the focus. [any] Docs/Theory.md, section 3.7. */
 std::vector<Oscillation> makeRelease (const Oscillation&);
 
+/** An oscillation that begins without a jump of its value or slope: times (1 - e^{-r tau})^2, r that of the release, as
+   three oscillations. The first is the given one; those that only shape the onset end where they have died away, or
+   with it. [any] Docs/Theory.md, section 3.7. */
+std::vector<Oscillation> makeOnset (const Oscillation&);
+
+/** How a drive begins. */
+enum class DriveStart
+{
+    jump,  ///< As its closed form says: at a value that is small where the envelope grows slowly.
+    smooth ///< With an onset, as limited slew rates and currents need it.
+};
+
+/** Oscillations that end together, as they are played: with the onset where wanted, and the release. [any] */
+std::vector<Oscillation> playedDrive (const std::vector<Oscillation>&, DriveStart);
+
 /** The drive of one mode from rest. Starts at t_f - T, b T = pi/2 + 2 pi N, is released after t_f.
     [any] Docs/Theory.md, sections 3.2, 3.3 and 3.7; paper (26). */
-ModeDrive driveMode (const DrivenMode&, DriveKind, double focusTime);
+ModeDrive driveMode (const DrivenMode&, DriveKind, double focusTime, DriveStart = DriveStart::jump);
+
+/** How the drives of a device begin: smoothly where it limits slew rates or currents. [any] */
+DriveStart driveStart (const ModalModel&);
 
 /** The drives of all controlled modes, growth and cycles chosen if they are not given: all velocities then grow with
    one common rate of 4 / (time before the focus), with as many cycles as fit.

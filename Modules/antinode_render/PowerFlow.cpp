@@ -32,21 +32,21 @@ Eigen::VectorXd modalCapacitances (const ModalModel& model)
 }
 
 /** The motion as the ceramics feel it, sample by sample. */
-struct FeltMotion
+struct BodyMotion
 {
     Eigen::MatrixXd charge;  ///< N_b x (N_s + 1): participation by modal displacement, C.
     Eigen::MatrixXd current; ///< N_b x N_s: participation by modal velocity, A.
 };
 
 /** Moves the body by the voltages and notes its energies. */
-FeltMotion moveBody (const ModalModel& model, const Eigen::MatrixXd& voltages, Playback playback, PowerFlow& flow)
+BodyMotion moveBody (const ModalModel& model, const Eigen::MatrixXd& voltages, Playback playback, PowerFlow& flow)
 {
     constexpr Eigen::Index blockSize = 128;
     const auto samples = voltages.cols(), actuators = voltages.rows(), modes = model.modes();
     const Eigen::ArrayXd stiffness = model.angularFrequencies.array().square(),
                          damping = 2 * decayRates (model).array();
     PlateModel plate (model, playback, Eigen::MatrixXd (0, modes));
-    FeltMotion felt { Eigen::MatrixXd::Zero (actuators, samples + 1), Eigen::MatrixXd::Zero (actuators, samples) };
+    BodyMotion felt { Eigen::MatrixXd::Zero (actuators, samples + 1), Eigen::MatrixXd::Zero (actuators, samples) };
     Eigen::MatrixXd velocities (modes, blockSize), displacements (modes, blockSize);
     const Eigen::VectorXd silence = Eigen::VectorXd::Zero (actuators);
 
