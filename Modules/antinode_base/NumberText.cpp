@@ -21,7 +21,13 @@ std::string formatted (const char* format, ...)
 
 std::string fixedText (double value, int decimals)
 {
-    return formatted ("%.*f", decimals, value);
+    auto text = formatted ("%.*f", decimals, value);
+
+    // Zero has no sign.
+    if (text.front() == '-' && text.find_first_of ("123456789") == std::string::npos)
+        text.erase (0, 1);
+
+    return text;
 }
 
 std::string inWords (double value)

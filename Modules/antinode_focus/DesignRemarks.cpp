@@ -38,6 +38,9 @@ void addChoices (FocusDesign& design, const ModalModel& model)
     const auto& description = design.description;
     std::string modes;
 
+    if (! design.weighing.empty())
+        design.choices.push_back (design.weighing);
+
     for (const auto mode : design.controlledModes)
         modes += (modes.empty() ? "" : ", ") + std::to_string (mode + 1);
 

@@ -60,8 +60,9 @@ struct FocusDesign
         0; ///< (upper - lower) / upper, upper the peak of a waveform that was found; 1: none was found.
     std::optional<LimitUse> limit; ///< The limit of which most is used. None if it was not computed.
     double intersamplePeakVoltage =
-        0;             ///< V: of a free waveform, also between its samples; 0 where there are no samples.
-    Playback playback; ///< The playback for which the terminal rows were computed.
+        0;                ///< V: of a free waveform, also between its samples; 0 where there are no samples.
+    Playback playback;    ///< The playback for which the terminal rows were computed.
+    std::string weighing; ///< How the number of modes was chosen, a sentence or two; empty where it was given.
     std::vector<std::string> choices;  ///< What was chosen and why, in sentences.
     std::vector<std::string> warnings; ///< In sentences.
 };

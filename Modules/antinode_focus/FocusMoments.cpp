@@ -53,6 +53,20 @@ ProjectedTarget jointTarget (const std::vector<FocusMoment>& moments)
     joint.modalVelocities = energies.cwiseSqrt();
     return joint;
 }
+/** Where a target has no velocity on any point: what to do. */
+std::string remedyForNothing (const Surface& surface, const Target& target)
+{
+    Eigen::Index nearest = 0;
+    const Eigen::RowVector2d place (target.x, target.y);
+    const auto distance = (surface.points.rowwise() - place).rowwise().norm().minCoeff (&nearest);
+
+    if (distance < 0.5 * target.width)
+        return "widen a target or narrow the edge window";
+
+    return "the nearest of its " + std::to_string (surface.points.rows()) + " points lies " + inWords (distance * 1000)
+           + " mm from the target, at " + inWords (surface.points (nearest, 0) * 1000) + ", "
+           + inWords (surface.points (nearest, 1) * 1000) + " mm: measure more points, or widen the target";
+}
 } // namespace
 
 double earliestFocusTime (const FocusDescription& description)
@@ -103,8 +117,8 @@ std::vector<FocusMoment> focusMoments (const ModalModel& model, const FocusDescr
 
         if (! (moment.target.energy > 0))
             throw InputError ("focus: targets", "give no velocity anywhere on '" + model.name + "' at "
-                                                    + inWords (time * 1000)
-                                                    + " ms; widen a target or narrow the edge window");
+                                                    + inWords (time * 1000) + " ms; "
+                                                    + remedyForNothing (model.surface, targets.front()));
 
         moments.push_back (std::move (moment));
     }

@@ -81,8 +81,8 @@ FocusDesign weighedDesign (std::vector<FocusDesign> designs, const std::string& 
         sentence += (&design == &designs.front() ? "" : "; ") + needInWords (design);
 
     auto best = std::move (designs[cheapestDesign (designs)]);
-    best.choices.push_back (sentence + ". Controlled are " + std::to_string (best.controlledModes.size())
-                            + ", the fewest that need at most 5 % more than the least.");
+    best.weighing = sentence + ". Controlled are " + std::to_string (best.controlledModes.size())
+                    + ", the fewest that need at most 5 % more than the least.";
     return best;
 }
 } // namespace
@@ -115,11 +115,10 @@ FocusDesign weighModes (const ModalModel& model, const ModeTrials& trials)
     if (! refusal && (! isWhole || designs.front().certificate.peakRatio <= cheapShare))
     {
         auto& design = designs.front();
-        design.choices.push_back (isWhole
-                                      ? "These modes are the fewest that capture 0.99 of the wanted field. They need "
-                                        "at most a quarter of the limit, so that more were not weighed."
-                                      : "All modes that the ceramics excite are controlled: together they capture "
-                                        "less than 0.99 of the wanted field.");
+        design.weighing = isWhole ? "These modes are the fewest that capture 0.99 of the wanted field. They need at "
+                                    "most a quarter of the limit, so that more were not weighed."
+                                  : "All modes that the ceramics excite are controlled: together they capture less "
+                                    "than 0.99 of the wanted field.";
         return std::move (design);
     }
 

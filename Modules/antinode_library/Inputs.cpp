@@ -5,6 +5,8 @@
 #include <antinode_documents/FocusFile.h>
 #include <antinode_text/JsonText.h>
 
+#include <filesystem>
+
 namespace antinode
 {
 namespace
@@ -35,8 +37,13 @@ DeviceDescription loadDevice (const std::string& nameOrFile, const std::vector<s
 
 FocusDescription loadFocus (const std::string& nameOrFile, const std::vector<std::string>& assignments)
 {
-    return readFocus (loadAssigned (LibraryKind::focus, nameOrFile, assignments),
-                      documentSource (LibraryKind::focus, nameOrFile));
+    auto focus = readFocus (loadAssigned (LibraryKind::focus, nameOrFile, assignments),
+                            documentSource (LibraryKind::focus, nameOrFile));
+
+    if (focus.name.empty())
+        focus.name = std::filesystem::path (nameOrFile).stem().string();
+
+    return focus;
 }
 
 void checkAssignments (const std::vector<std::string>& assignments)

@@ -95,7 +95,7 @@ std::vector<CeramicDescription> chosenCeramics (const PlacementCandidates& candi
 }
 
 std::vector<Eigen::Index> exchangeNeighbours (const PlacementCandidates& candidates, std::vector<Eigen::Index> chosen,
-                                              const PlacementCost& cost, const std::function<void (double)>& progress)
+                                              const PlacementCost& cost, const PlacementNews& news)
 {
     constexpr double expectedRounds = 3;
     const auto places = chosen.size();
@@ -108,8 +108,8 @@ std::vector<Eigen::Index> exchangeNeighbours (const PlacementCandidates& candida
         unchanged = exchange.improve (place) ? 0 : unchanged + 1;
         done += 1 / (expectedRounds * static_cast<double> (places));
 
-        if (progress)
-            progress (std::min (done, 1.0));
+        if (news)
+            news (chosenCeramics (candidates, exchange.result()), std::min (done, 1.0));
     }
 
     auto result = exchange.result();

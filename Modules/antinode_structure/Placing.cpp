@@ -62,7 +62,7 @@ PlacementCandidates outside (const std::vector<KeepOut>& zones, PlacementCandida
         }
 
     if (kept.empty())
-        throw InputError ("placement: keep-out zones", "leave no position for a ceramic; allowed: smaller zones");
+        throw InputError ("placement: keep-out zones", "leaves no position for a ceramic; allowed: smaller zones");
 
     candidates.participation = Eigen::MatrixXd (candidates.participation (Eigen::all, kept));
     candidates.ceramics = std::move (ceramics);
@@ -93,8 +93,14 @@ PlacedCeramics placeCeramics (const DeviceDescription& device, const CeramicDesc
 
     if (options.cost)
     {
-        placement.chosen = exchangeNeighbours (candidates, placement.chosen, options.cost,
-                                               [&] (double share) { report (begins + (1 - begins) * share); });
+        const auto news = [&] (const std::vector<CeramicDescription>& ceramics, double share)
+        {
+            if (options.better)
+                options.better (ceramics);
+
+            report (begins + (1 - begins) * share);
+        };
+        placement.chosen = exchangeNeighbours (candidates, placement.chosen, options.cost, news);
         placement.controllability = worstControllability (problem.kernel, participation (Eigen::all, placement.chosen));
     }
 

@@ -2,6 +2,8 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
+#include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_library/Inputs.h>
 
@@ -59,6 +61,18 @@ void printPower (const ModalModel& model, const FocusPower& power)
         std::printf ("  %-14s %s\n", sentences.size() == 1 ? "power" : headings[i], sentences[i].c_str());
 }
 
+void checkKindOfPlaces (const ModalModel& model, const FocusDescription& focus)
+{
+    if (model.surface.kind == SurfaceKind::plate)
+        return;
+
+    for (std::size_t i = 0; i < focus.targets.size(); ++i)
+        if (const auto y = focus.targets[i].y; y != 0)
+            throw InputError ("focus: target " + std::to_string (i + 1) + " y",
+                              "is " + inWords (y * milli) + " mm, but the surface of '" + model.name
+                                  + "' is a line; allowed: 0, or a plate as --device");
+}
+
 ModalModel modelFrom (const CommonOptions& options)
 {
     checkAssignments (options.assignments);
@@ -73,7 +87,9 @@ std::pair<ModalModel, FocusDescription> inputsFrom (const CommonOptions& options
 {
     checkAssignments (options.assignments);
     const auto focus = loadFocus (options.focus, options.assignments);
-    return { modelFrom (options), focus };
+    auto model = modelFrom (options);
+    checkKindOfPlaces (model, focus);
+    return { std::move (model), focus };
 }
 
 std::pair<ModalModel, FocusDesign> designFrom (const CommonOptions& options)

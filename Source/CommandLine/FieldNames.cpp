@@ -11,7 +11,7 @@ namespace
 {
 /** The fields that errors name, and what the user writes for them. A field that begins like another one stands before
     it. */
-constexpr std::array<std::pair<std::string_view, std::string_view>, 22> fields { {
+constexpr std::array<std::pair<std::string_view, std::string_view>, 23> fields { {
     { "focus: targets", "focus: /targets" },
     { "focus: focus time", "focus: /focus_time_ms" },
     { "focus: controlled modes", "focus: /modes" },
@@ -28,6 +28,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 22> fields {
     { "device: full scale", "device: /limits/full_scale_V" },
     { "device: current limit", "device: /limits/current_mA" },
     { "device: slew limit", "device: /limits/slew_V_per_us" },
+    { "placement: keep-out zones", "--keep-out-mm" },
     { "placement: step", "--step-mm" },
     { "placement: ceramic size", "--size-mm" },
     { "placement: number of ceramics", "--count" },

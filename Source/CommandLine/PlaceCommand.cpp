@@ -3,9 +3,11 @@
 #include "PlaceOutcome.h"
 #include "Progress.h"
 
+#include <antinode_audio/Interruption.h>
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
+#include <antinode_base/Watch.h>
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_structure/Placing.h>
@@ -122,6 +124,32 @@ void printCurve (const DeviceDescription& device, const CeramicDescription& like
     }
 }
 
+/** Where the user interrupts, the best places so far are written. @throws Cancelled  then */
+PlacedCeramics placedOrBest (const DeviceDescription& device, const CeramicDescription& like, PlacingOptions placing,
+                             const PlaceOptions& options,
+                             const std::function<void (const std::vector<CeramicDescription>&)>& write)
+{
+    Progress progress (options.isQuiet);
+    std::vector<CeramicDescription> best;
+    placing.better = [&] (const std::vector<CeramicDescription>& ceramics) { best = ceramics; };
+
+    try
+    {
+        return placeCeramics (device, like, placing, [&] (double share) { progress.show ("Placing ceramics", share); });
+    }
+    catch (const Cancelled&)
+    {
+        if (! best.empty())
+        {
+            answerInterruption();
+            write (best);
+            std::fprintf (stderr, "The best places so far are in %s\n", options.file.c_str());
+        }
+
+        throw;
+    }
+}
+
 void place (PlaceOptions options)
 {
     checkAssignments (options.assignments);
@@ -136,24 +164,27 @@ void place (PlaceOptions options)
     if (! focuses.empty())
         placing.cost = peakVoltageCost (device, focuses);
     else if (! options.counts.empty())
-        throw InputError ("--counts", "compares what focuses come to; allowed with --focus");
+        throw InputError ("--counts", "needs --focus: it compares what focuses come to with each number of ceramics");
 
     if (! options.counts.empty())
         return printCurve (device, ceramic, placing, focuses, options);
 
-    Progress progress (options.isQuiet);
-    const auto placed =
-        placeCeramics (device, ceramic, placing, [&] (double share) { progress.show ("Placing ceramics", share); });
-    document["ceramics"] = nlohmann::json::array();
     document["name"] = device.name + ", " + std::to_string (options.count) + " ceramics placed";
-
-    for (const auto& one : placed.ceramics)
-        document["ceramics"].push_back (ceramicJson (like, one, isPlate));
 
     if (options.file.empty())
         options.file = device.name + "-placed.json";
 
-    writeWholeFile (options.file, document.dump (2) + "\n");
+    const auto write = [&] (const std::vector<CeramicDescription>& ceramics)
+    {
+        document["ceramics"] = nlohmann::json::array();
+
+        for (const auto& one : ceramics)
+            document["ceramics"].push_back (ceramicJson (like, one, isPlate));
+
+        writeWholeFile (options.file, document.dump (2) + "\n");
+    };
+    const auto placed = placedOrBest (device, ceramic, placing, options, write);
+    write (placed.ceramics);
 
     if (options.isQuiet)
         return;

@@ -1,6 +1,7 @@
 #include "Commands.h"
 #include "CommonOptions.h"
 #include "FieldFiles.h"
+#include "FieldNames.h"
 #include "Progress.h"
 #include "RenderFiles.h"
 #include "RenderSeries.h"
@@ -92,6 +93,9 @@ void printSummary (const RenderedFocus& focus, const FocusOutcome& outcome, cons
     std::printf ("  captured       %.4f by %zu of %td modes\n", design.captured, design.controlledModes.size(),
                  focus.model.modes());
 
+    if (! design.weighing.empty())
+        std::printf ("  modes          %s\n", design.weighing.c_str());
+
     printPower (focus.model, *focus.power);
 
     if (design.limit)
@@ -147,6 +151,7 @@ SeriesResult renderOfSeries (const ModalModel& model, const SeriesFocus& each, c
 {
     try
     {
+        checkKindOfPlaces (model, each.focus);
         auto design = designFocus (model, each.focus, options.common.playback());
         const auto focus = renderFocus (model, std::move (design), renderOptions (options));
         const auto outcome = evaluateOutcome (focus);
@@ -155,7 +160,7 @@ SeriesResult renderOfSeries (const ModalModel& model, const SeriesFocus& each, c
     }
     catch (const InputError& error)
     {
-        return { each.folder, {}, error.what() };
+        return { each.folder, {}, withKeysAndOptions (error.what()) };
     }
 }
 

@@ -5,6 +5,7 @@
 #include <antinode_base/NumberText.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_responses/PointsFile.h>
+#include <antinode_text/CsvText.h>
 
 #include <nlohmann/json.hpp>
 
@@ -56,16 +57,6 @@ std::vector<std::string> numberKeys (const std::vector<SeriesResult>& results)
     return keys;
 }
 
-/** As a cell of a table: quotation marks are doubled. */
-std::string quoted (const std::string& text)
-{
-    std::string cell = "\"";
-
-    for (const auto character : text)
-        cell += character == '"' ? std::string ("\"\"") : std::string (1, character);
-
-    return cell + "\"";
-}
 } // namespace
 
 std::vector<SeriesFocus> readSeries (const std::vector<std::string>& names, const std::string& placesFile,
@@ -102,6 +93,15 @@ std::vector<SeriesFocus> readSeries (const std::vector<std::string>& names, cons
 std::vector<std::pair<std::string, double>> summaryNumbers (const nlohmann::ordered_json& summary)
 {
     std::vector<std::pair<std::string, double>> numbers;
+
+    if (! summary["targets"].empty())
+    {
+        const auto& place = summary["targets"][0]["wanted_place_mm"];
+        numbers = { { "x_mm", place[0].get<double>() }, { "y_mm", place[1].get<double>() } };
+    }
+
+    if (summary.contains ("felt") && summary["felt"]["contrast_dB"].is_number())
+        numbers.emplace_back ("felt_contrast_dB", summary["felt"]["contrast_dB"].get<double>());
 
     for (const auto& [key, value] : summary.items())
         if (value.is_number())
@@ -156,7 +156,7 @@ std::string scoreTable (const std::vector<SeriesResult>& results)
             text += std::isnan (value) ? "," : formatted (",%.9g", value);
         }
 
-        text += "," + (result.error.empty() ? "" : quoted (result.error)) + "\n";
+        text += "," + (result.error.empty() ? "" : csvField (result.error)) + "\n";
     }
 
     return text;
