@@ -1,9 +1,14 @@
 #include "IdentificationCharts.h"
 
+#include <antinode_identification/FitDiagram.h>
+#include <antinode_identification/ResponseLines.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace antinode
 {
@@ -47,33 +52,73 @@ Eigen::VectorXd meanMagnitude (const FrequencyResponses& responses)
     return sum.sqrt();
 }
 
-/** The magnitude in decades, stretched between two orders. */
-Series magnitudeBehind (const FrequencyResponses& responses, double lowest, double highest)
+/** The magnitude in decades, stretched between two orders, at the lines that were used. */
+Series magnitudeBehind (const FrequencyResponses& responses, const IdentifiedModes& modes, double lowest,
+                        double highest)
 {
-    const Eigen::ArrayXd magnitude = meanMagnitude (responses);
-    const auto largest = magnitude.maxCoeff();
-    const Eigen::ArrayXd decades = (magnitude / largest).max (1e-12).log10();
+    const auto lines = usedLines (responses, modes);
     Series series;
     series.name = "mean magnitude (logarithmic, arbitrary scale)";
-    series.x = responses.frequencies;
-    series.y = lowest + (highest - lowest) * (decades - decades.minCoeff()) / std::max (-decades.minCoeff(), 1e-12);
     series.colour = series_colour::neutral;
+
+    if (lines.empty())
+        return series;
+
+    const Eigen::ArrayXd magnitude = meanMagnitude (responses) (lines);
+    const Eigen::ArrayXd decades = (magnitude / magnitude.maxCoeff()).max (1e-12).log10();
+    series.x = responses.frequencies (lines);
+    series.y = lowest + (highest - lowest) * (decades - decades.minCoeff()) / std::max (-decades.minCoeff(), 1e-12);
     return series;
 }
 
-Eigen::VectorXd phaseDegrees (const Eigen::VectorXcd& values)
+/** Degrees over frequency without the delay; a gap stands at each leap from one end of the scale to the other, so that
+   no line crosses it, and where the values are less than hidden. */
+Series phaseCurve (const Eigen::VectorXd& frequencies, const Eigen::VectorXcd& values, double delay,
+                   const Eigen::VectorXd& hidden)
 {
     constexpr double halfTurn = 180;
-    return values.array().arg() * (halfTurn / std::numbers::pi);
+    std::vector<double> x, y;
+
+    for (Eigen::Index n = 0; n < values.size(); ++n)
+    {
+        const auto turned = values[n] * std::polar (1.0, 2 * std::numbers::pi * frequencies[n] * delay);
+        const auto degrees = std::abs (turned) > hidden[n] ? std::arg (turned) * halfTurn / std::numbers::pi : nothing;
+
+        if (! y.empty() && std::abs (degrees - y.back()) > halfTurn)
+        {
+            x.push_back (frequencies[n]);
+            y.push_back (nothing);
+        }
+
+        x.push_back (frequencies[n]);
+        y.push_back (degrees);
+    }
+
+    Series series;
+    series.x = Eigen::Map<const Eigen::VectorXd> (x.data(), static_cast<Eigen::Index> (x.size()));
+    series.y = Eigen::Map<const Eigen::VectorXd> (y.data(), static_cast<Eigen::Index> (y.size()));
+    return series;
 }
 
-LineChart comparison (const Eigen::VectorXd& frequencies, const Eigen::VectorXd& measured,
-                      const Eigen::VectorXd& synthesised, const std::string& label)
+/** Magnitudes over frequency. */
+Series magnitudeCurve (const Eigen::VectorXd& frequencies, const Eigen::VectorXcd& values)
 {
+    Series series;
+    series.x = frequencies;
+    series.y = values.cwiseAbs();
+    return series;
+}
+
+LineChart comparison (Series measured, Series synthesised, const std::string& label)
+{
+    measured.name = "measured";
+    measured.colour = series_colour::neutral;
+    synthesised.name = "synthesised from the modes";
+    synthesised.style = LineStyle::dashed;
+    synthesised.colour = 0;
     LineChart chart;
     chart.yLabel = label;
-    chart.series = { { "measured", frequencies, measured, LineStyle::solid, false, false, series_colour::neutral },
-                     { "synthesised from the modes", frequencies, synthesised, LineStyle::dashed, false, false, 0 } };
+    chart.series = { std::move (measured), std::move (synthesised) };
     return chart;
 }
 } // namespace
@@ -95,8 +140,8 @@ LineChart stabilisationChart (const IdentifiedModes& modes, const FrequencyRespo
     if (modes.stabilisation.empty())
         return chart;
 
-    chart.series = { magnitudeBehind (measured, lowest, highest + 1), dots ("alone", modes.stabilisation, false, 1),
-                     dots ("of a mode", modes.stabilisation, true, 0) };
+    chart.series = { magnitudeBehind (measured, modes, lowest, highest + 1),
+                     dots ("alone", modes.stabilisation, false, 1), dots ("of a mode", modes.stabilisation, true, 0) };
 
     for (Eigen::Index k = 0; k < modes.modes(); ++k)
         chart.markers.push_back ({ modes.angularFrequencies[k] / (2 * std::numbers::pi), std::to_string (k + 1) });
@@ -105,16 +150,20 @@ LineChart stabilisationChart (const IdentifiedModes& modes, const FrequencyRespo
 }
 
 ChartGrid responseChart (const FrequencyResponses& measured, const FrequencyResponses& synthesised, Eigen::Index point,
-                         Eigen::Index reference)
+                         Eigen::Index reference, double delay)
 {
     const auto perDrive = measured.drive == DriveQuantity::force ? "(m/s)/N" : "(m/s)/V";
+    const auto& frequencies = measured.frequencies;
     const Eigen::VectorXcd was = measured.values[static_cast<std::size_t> (reference)].col (point);
     const Eigen::VectorXcd is = synthesised.values[static_cast<std::size_t> (reference)].col (point);
-    auto magnitude =
-        comparison (measured.frequencies, was.cwiseAbs(), is.cwiseAbs(), std::string ("magnitude (") + perDrive + ")");
-    auto phase = comparison (measured.frequencies, phaseDegrees (was), phaseDegrees (is), "phase (degrees)");
+    auto magnitude = comparison (magnitudeCurve (frequencies, was), magnitudeCurve (frequencies, is),
+                                 std::string ("magnitude (") + perDrive + ")");
+    auto phase = comparison (phaseCurve (frequencies, was, delay, 2 * localNoise (was)),
+                             phaseCurve (frequencies, is, delay, Eigen::VectorXd::Zero (is.size())), "phase (degrees)");
     magnitude.logarithmicY = true;
     phase.yRange = AxisRange { -180, 180 };
+    phase.xRange = AxisRange { frequencies[0], frequencies[frequencies.size() - 1] };
+    magnitude.xRange = phase.xRange;
     phase.legend = LegendPlace::none;
     phase.xLabel = "frequency (Hz)";
     ChartGrid grid;

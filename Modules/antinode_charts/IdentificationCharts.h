@@ -11,9 +11,12 @@ namespace antinode
    without a scale. [any] */
 LineChart stabilisationChart (const IdentifiedModes&, const FrequencyResponses& measured);
 
-/** Magnitude and phase of one measured response, and of the same as the modes give it. Sizes of both agree. [any] */
+/** Magnitude and phase of one measured response, and of the same as the modes give it. Sizes of both agree. The phases
+   are those without the delay; that of the measured response has gaps where its noise hides it.
+    @param delay  common to both, s
+    [any] */
 ChartGrid responseChart (const FrequencyResponses& measured, const FrequencyResponses& synthesised, Eigen::Index point,
-                         Eigen::Index reference);
+                         Eigen::Index reference, double delay);
 
 /** A matrix of the modal assurance criterion, 0 to 1: a row and a column a mode, which are named by their numbers
    from 1.

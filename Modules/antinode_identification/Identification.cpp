@@ -220,6 +220,28 @@ IdentifiedModes described (const NormalModeFit& fit, const FreeResidues& residue
     return result;
 }
 
+/** What may be picked, and which of it became a mode. */
+std::vector<PoleCandidate> candidatesOf (const std::vector<PoleCluster>& found, const std::vector<PoleCluster>& fitted)
+{
+    std::vector<PoleCandidate> candidates;
+
+    for (const auto& cluster : found)
+    {
+        const auto frequency = std::abs (cluster.pole);
+        PoleCandidate candidate {
+            frequency / (2 * std::numbers::pi), -cluster.pole.real() / frequency, cluster.presence, {}
+        };
+
+        for (std::size_t k = 0; k < fitted.size() && ! candidate.mode; ++k)
+            if (fitted[k].pole == cluster.pole)
+                candidate.mode = static_cast<Eigen::Index> (k);
+
+        candidates.push_back (candidate);
+    }
+
+    return candidates;
+}
+
 [[noreturn]] void throwNoModes (const FrequencyResponses& responses, const IdentificationOptions& options)
 {
     auto conjugated = responses;
@@ -240,7 +262,7 @@ IdentifiedModes fitModes (const FrequencyResponses& responses, const Identificat
     auto data =
         weighted (prepare (responses, options.minimumFrequency, options.maximumFrequency), options.pointWeights);
     auto found = searchPoles (data, options);
-    auto clusters = picked (found.clusters, options);
+    auto clusters = picked (options.selected.empty() ? found.clusters : found.candidates, options);
 
     if (clusters.empty())
         throwNoModes (responses, options);
@@ -279,6 +301,7 @@ IdentifiedModes fitModes (const FrequencyResponses& responses, const Identificat
         result.warnings.emplace_back ("the fit of the modes did not converge: select modes, or limit the band");
 
     result.stabilisation = std::move (found.stabilisation);
+    result.candidates = candidatesOf (found.candidates, clusters);
     return result;
 }
 } // namespace

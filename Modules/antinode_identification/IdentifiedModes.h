@@ -54,6 +54,15 @@ struct StabilisationPoint
     bool stable = false;     ///< True where it belongs to a mode that is found at enough orders.
 };
 
+/** A pole that recurs: what may be picked as a mode. */
+struct PoleCandidate
+{
+    double frequency = 0; ///< Hz
+    double dampingRatio = 0;
+    double presence = 0;              ///< Share of the model orders at which it was found.
+    std::optional<Eigen::Index> mode; ///< The mode that was fitted from it.
+};
+
 /** Modes as they follow from frequency responses. N_m modes, ascending in frequency; N_p points; N_b references.
 
     H(p, i) = [ sum_k phi_pk alpha_ki i omega / (omega_k^2 - omega^2 + 2 i xi_k omega_k omega) + residual terms ]
@@ -77,6 +86,7 @@ struct IdentifiedModes
     std::string scalingReason; ///< Why this scaling, as a sentence.
     std::vector<ResidualTerm> residuals;
     std::vector<StabilisationPoint> stabilisation;
+    std::vector<PoleCandidate> candidates; ///< Those among which IdentificationOptions::selected chooses; ascending.
     double minimumFrequency = 0, maximumFrequency = 0; ///< Hz: the lines that were used.
     double reconstructionError =
         0; ///< RMS of measured minus synthesised velocities over RMS of measured, dB, on those lines.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace antinode
@@ -33,8 +34,13 @@ struct BandPoles
 {
     SearchBand band;
     std::vector<OrderPoles> orders;
-    std::vector<PoleCluster> clusters;
+    std::vector<PoleCluster> candidates;
 };
+
+bool isFrequent (const PoleCluster& cluster)
+{
+    return cluster.presence >= minimumPresence;
+}
 
 BandPoles searchBand (const PreparedResponses& data, const SearchBand& band, const IdentificationOptions& options)
 {
@@ -57,9 +63,9 @@ BandPoles searchBand (const PreparedResponses& data, const SearchBand& band, con
                || cluster.pole.real() < -0.7 * std::abs (cluster.pole);
     };
 
-    for (auto& cluster : clusterPoles (result.orders, options.selected.empty() ? minimumPresence : presenceForPicks))
+    for (auto& cluster : clusterPoles (result.orders, presenceForPicks))
         if (isWithin (cluster) && ! isBroad (cluster))
-            result.clusters.push_back (cluster);
+            result.candidates.push_back (cluster);
 
     return result;
 }
@@ -68,10 +74,12 @@ BandPoles searchBand (const PreparedResponses& data, const SearchBand& band, con
 std::vector<BandPoles> searchDensely (const PreparedResponses& data, const SearchBand& band,
                                       const IdentificationOptions& options)
 {
-    constexpr std::size_t maximumModes = 12;
+    constexpr std::ptrdiff_t maximumModes = 12;
     std::vector<BandPoles> result { searchBand (data, band, options) };
 
-    if (! options.bands.empty() || result.front().clusters.size() <= maximumModes)
+    const auto& found = result.front().candidates;
+
+    if (! options.bands.empty() || std::count_if (found.begin(), found.end(), &isFrequent) <= maximumModes)
         return result;
 
     const auto halves = splitBand (data, band);
@@ -97,9 +105,9 @@ void append (std::vector<StabilisationPoint>& points, const BandPoles& found)
                 continue;
 
             const auto isNear = [pole] (const PoleCluster& cluster)
-            { return std::abs (cluster.pole - pole) < -0.35 * cluster.pole.real(); };
+            { return isFrequent (cluster) && std::abs (cluster.pole - pole) < -0.35 * cluster.pole.real(); };
             points.push_back ({ order.order, poleFrequency (pole), -pole.real() / std::abs (pole),
-                                std::any_of (found.clusters.begin(), found.clusters.end(), isNear) });
+                                std::any_of (found.candidates.begin(), found.candidates.end(), isNear) });
         }
 }
 
@@ -114,7 +122,7 @@ std::vector<PoleCluster> withoutRepetitions (const std::vector<BandPoles>& ofBan
     std::vector<Entry> entries;
 
     for (std::size_t n = 0; n < ofBands.size(); ++n)
-        for (const auto& cluster : ofBands[n].clusters)
+        for (const auto& cluster : ofBands[n].candidates)
             entries.push_back ({ cluster, n });
 
     std::stable_sort (entries.begin(), entries.end(),
@@ -156,7 +164,9 @@ FoundPoles searchPoles (const PreparedResponses& data, const IdentificationOptio
     for (const auto& found : ofBands)
         append (result.stabilisation, found);
 
-    result.clusters = withoutRepetitions (ofBands);
+    result.candidates = withoutRepetitions (ofBands);
+    std::copy_if (result.candidates.begin(), result.candidates.end(), std::back_inserter (result.clusters),
+                  &isFrequent);
     return result;
 }
 } // namespace antinode

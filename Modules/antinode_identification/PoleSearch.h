@@ -9,7 +9,8 @@ namespace antinode
 /** Poles found in all bands, and all that were looked at. */
 struct FoundPoles
 {
-    std::vector<PoleCluster> clusters; ///< Ascending in frequency.
+    std::vector<PoleCluster> clusters;   ///< Ascending in frequency: those that are taken unless the user picks.
+    std::vector<PoleCluster> candidates; ///< Also poles that are seen rarely: those among which the user picks.
     std::vector<StabilisationPoint> stabilisation;
 };
 

@@ -6,9 +6,11 @@
 #include <antinode_charts/IdentificationCharts.h>
 #include <antinode_charts/ModeCharts.h>
 #include <antinode_charts/PlateCharts.h>
+#include <antinode_identification/ResponseLines.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace antinode
 {
@@ -55,6 +57,40 @@ std::vector<Pair> strongestPairs (const FrequencyResponses& measured)
     return chosen;
 }
 
+/** One response as a measurement of its own, at some lines. */
+FrequencyResponses onlyPair (const FrequencyResponses& measured, const Pair& pair,
+                             const std::vector<Eigen::Index>& lines)
+{
+    const auto& values = measured.values[static_cast<std::size_t> (pair.reference)];
+    return { measured.frequencies (lines),
+             measured.drive,
+             { measured.references[static_cast<std::size_t> (pair.reference)] },
+             measured.points.row (pair.point),
+             { values (lines, Eigen::seqN (pair.point, 1)) },
+             {},
+             measured.integrations };
+}
+
+/** The modes as one point and one reference see them. */
+IdentifiedModes onlyPair (IdentifiedModes modes, const Pair& pair)
+{
+    modes.references = { modes.references[static_cast<std::size_t> (pair.reference)] };
+    modes.points = modes.points.row (pair.point).eval();
+    modes.shapes = modes.shapes.row (pair.point).eval();
+    modes.participation = modes.participation.col (pair.reference).eval();
+
+    if (modes.complexShapes.size() > 0)
+    {
+        modes.complexShapes = modes.complexShapes.row (pair.point).eval();
+        modes.complexParticipation = modes.complexParticipation.col (pair.reference).eval();
+    }
+
+    for (auto& term : modes.residuals)
+        term.coefficients = term.coefficients.block (pair.point, pair.reference, 1, 1).eval();
+
+    return modes;
+}
+
 ReportSection stabilisationSection (const IdentificationResult& result)
 {
     ReportSection section;
@@ -73,23 +109,42 @@ ReportSection stabilisationSection (const IdentificationResult& result)
 
 ReportSection responseSection (const IdentificationResult& result)
 {
-    const auto synthesised = synthesise (result.modes, result.measured.frequencies);
+    const auto& measured = result.measured;
+    const auto lines = usedLines (measured, result.modes);
     ReportSection section;
     section.heading = "Measured and synthesised responses";
+    section.paragraphs = { "In the band in which the modes were fitted. The phases are without the common delay; where "
+                           "the noise of a response is more than half of it, its phase is left out." };
 
-    for (const auto& pair : strongestPairs (result.measured))
+    for (const auto& pair : strongestPairs (measured))
+    {
+        const auto ofPair = onlyPair (measured, pair, lines);
         section.figures.push_back (
             { "Point " + result.pointNames[static_cast<std::size_t> (pair.point)] + ", reference "
-                  + result.measured.references[static_cast<std::size_t> (pair.reference)].name + ".",
+                  + measured.references[static_cast<std::size_t> (pair.reference)].name + ".",
               {},
-              responseChart (result.measured, synthesised, pair.point, pair.reference),
+              responseChart (ofPair, synthesise (onlyPair (result.modes, pair), ofPair.frequencies), 0, 0,
+                             result.modes.delay),
               reportFigureWidth,
               440 });
+    }
 
     return section;
 }
 
-ReportSection shapeSection (const IdentificationResult& result)
+/** How many of the shapes are shown, and where the others are. */
+std::string galleryCaption (const IdentificationResult& result, bool hasDiagram)
+{
+    const std::string scale = "Each shape is scaled to its largest value.";
+
+    if (result.model.modes() <= galleryCount)
+        return scale;
+
+    return "The lowest " + std::to_string (galleryCount) + " of " + std::to_string (result.model.modes()) + " shapes. "
+           + scale + (hasDiagram ? " The diagram to work with shows all of them." : "");
+}
+
+ReportSection shapeSection (const IdentificationResult& result, bool hasDiagram)
 {
     const auto& model = result.model;
     ReportSection section;
@@ -97,11 +152,12 @@ ReportSection shapeSection (const IdentificationResult& result)
     section.paragraphs = { scalingInWords (result.modes) };
 
     if (model.points() > 1)
-        section.figures.push_back ({ "Each shape is scaled to its largest value.",
+        section.figures.push_back ({ galleryCaption (result, hasDiagram),
                                      {},
                                      modeGallery (model, galleryCount),
                                      reportFigureWidth,
-                                     comfortableGalleryHeight (model, galleryCount, reportFigureWidth) });
+                                     comfortableGalleryHeight (model, galleryCount, reportFigureWidth),
+                                     1 });
 
     if (model.actuators() > 1)
         section.figures.push_back (
@@ -158,26 +214,35 @@ ReportSection numberSection (const IdentificationResult& result)
         "collinearity) is 1 if all points move in phase. One shape: the fraction of a mode's energy that one shape "
         "times one participation explains."
     };
-    section.tables.push_back (modeTable (result));
+    auto table = modeTable (result);
+    const auto warnings = warningColumn (result);
+    table.header.emplace_back ("warnings");
+
+    for (std::size_t k = 0; k < table.rows.size(); ++k)
+        table.rows[k].push_back (k < warnings.size() ? warnings[k] : "");
+
+    section.tables.push_back (std::move (table));
     return section;
 }
 } // namespace
 
-ReportPage identificationReport (const IdentificationResult& result)
+ReportPage identificationReport (const IdentificationResult& result, const std::string& diagramName)
 {
     const auto& modes = result.modes;
     ReportPage page;
     page.title = result.model.name + ": identified modes";
-    page.subtitle = std::to_string (modes.modes()) + " modes from " + std::to_string (result.measured.points.rows())
-                    + " points and " + std::to_string (result.measured.references.size()) + " references, "
-                    + fixedText (modes.minimumFrequency, 1) + " to " + fixedText (modes.maximumFrequency, 1) + " Hz";
+    page.subtitle = sizeInWords (result);
+
+    if (! diagramName.empty())
+        page.links = { { "Diagram to work with: pick and reject poles, all responses, moving shapes", diagramName } };
+
     page.scores = { { "modes", std::to_string (modes.modes()), "found in this band" },
                     { "reconstruction error", fixedText (modes.reconstructionError, 1) + " dB",
                       "part of the measured responses that the modes do not explain" },
                     { "delay", fixedText (1e6 * modes.delay, 3) + " \xC2\xB5s", "common delay of all responses" } };
-    page.warnings = collectWarnings (result);
-    page.sections = { stabilisationSection (result), responseSection (result), shapeSection (result),
-                      assuranceSection (result) };
+    page.warnings = summariseWarnings (result);
+    page.sections = { stabilisationSection (result), responseSection (result),
+                      shapeSection (result, ! diagramName.empty()), assuranceSection (result) };
 
     if (result.comparison)
         page.sections.push_back (comparisonSection (result));

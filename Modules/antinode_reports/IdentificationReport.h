@@ -24,8 +24,10 @@ struct IdentificationResult
 /** Warnings about the files, the whole identification and every mode, as sentences. [any] */
 std::vector<std::string> collectWarnings (const IdentificationResult&);
 
-/** The report of an identification: stabilisation diagram, measured and synthesised responses, shapes, participation,
-   MAC, the modes in numbers with their standard deviations, the comparison with a computed device, and warnings.
-   [worker] */
-ReportPage identificationReport (const IdentificationResult&);
+/** The report of an identification: stabilisation diagram, measured and synthesised responses in the band, shapes,
+   participation, MAC, the modes in numbers with their standard deviations and warnings, the comparison with a computed
+   device.
+    @param diagramName  the file of identificationDiagram() in the same folder; none if empty
+    [worker] */
+ReportPage identificationReport (const IdentificationResult&, const std::string& diagramName);
 } // namespace antinode

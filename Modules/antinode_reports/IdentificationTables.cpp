@@ -36,6 +36,43 @@ std::size_t countCharacters (const std::string& text)
     return static_cast<std::size_t> (
         std::count_if (text.begin(), text.end(), [] (char byte) { return (byte & 0xc0) != 0x80; }));
 }
+std::string joined (const std::vector<std::string>& texts, const std::string& between)
+{
+    std::string all;
+
+    for (const auto& text : texts)
+        all += (all.empty() ? "" : between) + text;
+
+    return all;
+}
+
+std::vector<std::string> modeWarnings (const IdentificationResult& result)
+{
+    std::vector<std::string> warnings;
+
+    for (std::size_t k = 0; k < result.modes.quality.size(); ++k)
+        for (const auto& warning : result.modes.quality[k].warnings)
+            warnings.push_back ("Mode " + std::to_string (k + 1) + ": " + warning);
+
+    return warnings;
+}
+
+/** What was said about files, then about the identification, then these about modes, then about the device. */
+std::vector<std::string> withGeneralWarnings (const IdentificationResult& result,
+                                              const std::vector<std::string>& ofModes)
+{
+    auto warnings = result.remarks;
+    warnings.insert (warnings.end(), result.modes.warnings.begin(), result.modes.warnings.end());
+    warnings.insert (warnings.end(), ofModes.begin(), ofModes.end());
+    const auto all = modeWarnings (result);
+
+    for (const auto& warning : result.model.warnings)
+        if (std::find (warnings.begin(), warnings.end(), warning) == warnings.end()
+            && std::find (all.begin(), all.end(), warning) == all.end())
+            warnings.push_back (warning);
+
+    return warnings;
+}
 } // namespace
 
 std::string scalingInWords (const IdentifiedModes& modes)
@@ -120,19 +157,44 @@ std::string tableText (const ReportTable& table)
     return text;
 }
 
+std::string sizeInWords (const IdentificationResult& result)
+{
+    const auto& modes = result.modes;
+    return std::to_string (modes.modes()) + " modes from " + std::to_string (result.measured.points.rows())
+           + " points and " + std::to_string (result.measured.references.size()) + " references, "
+           + fixedText (modes.minimumFrequency, 1) + " to " + fixedText (modes.maximumFrequency, 1) + " Hz";
+}
+
+std::vector<std::string> warningColumn (const IdentificationResult& result)
+{
+    std::vector<std::string> column;
+
+    for (const auto& quality : result.modes.quality)
+        column.push_back (joined (quality.warnings, "; "));
+
+    return column;
+}
+
+std::vector<std::string> summariseWarnings (const IdentificationResult& result)
+{
+    constexpr std::size_t fewest = 4; // Fewer are said one by one.
+    const auto column = warningColumn (result);
+    std::vector<std::string> numbers;
+
+    for (std::size_t k = 0; k < column.size(); ++k)
+        if (! column[k].empty())
+            numbers.push_back (std::to_string (k + 1));
+
+    return withGeneralWarnings (
+        result, numbers.size() < fewest
+                    ? modeWarnings (result)
+                    : std::vector { std::to_string (numbers.size()) + " of " + std::to_string (column.size())
+                                    + " modes have warnings, which the table of modes gives: " + joined (numbers, ", ")
+                                    + "." });
+}
+
 std::vector<std::string> collectWarnings (const IdentificationResult& result)
 {
-    auto warnings = result.remarks;
-    warnings.insert (warnings.end(), result.modes.warnings.begin(), result.modes.warnings.end());
-
-    for (std::size_t k = 0; k < result.modes.quality.size(); ++k)
-        for (const auto& warning : result.modes.quality[k].warnings)
-            warnings.push_back ("Mode " + std::to_string (k + 1) + ": " + warning);
-
-    for (const auto& warning : result.model.warnings)
-        if (std::find (warnings.begin(), warnings.end(), warning) == warnings.end())
-            warnings.push_back (warning);
-
-    return warnings;
+    return withGeneralWarnings (result, modeWarnings (result));
 }
 } // namespace antinode

@@ -7,6 +7,15 @@ namespace antinode
 /** The origin of the scale of the shapes, as a sentence. [any] */
 std::string scalingInWords (const IdentifiedModes&);
 
+/** Modes, points, references and band in one phrase. [any] */
+std::string sizeInWords (const IdentificationResult&);
+
+/** The warnings of collectWarnings(), those of modes as one sentence that names the modes. [any] */
+std::vector<std::string> summariseWarnings (const IdentificationResult&);
+
+/** A column for modeTable(): the warnings of each mode. [any] */
+std::vector<std::string> warningColumn (const IdentificationResult&);
+
 /** One row per mode: frequency and damping ratio with standard deviations, quality. [any] */
 ReportTable modeTable (const IdentificationResult&);
 

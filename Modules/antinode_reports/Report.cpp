@@ -11,8 +11,6 @@ namespace antinode
 {
 namespace
 {
-constexpr auto pictureScale = 2.0f;
-
 /** A figure in both themes, as data URIs. */
 struct Pictures
 {
@@ -30,7 +28,7 @@ std::vector<const ReportFigure*> collectFigures (const ReportPage& page)
 
 std::string drawFigure (const ReportFigure& figure, const Theme& theme)
 {
-    return pngDataUri (renderPng (figure.chart, figure.width, figure.height, pictureScale, theme));
+    return pngDataUri (renderPng (figure.chart, figure.width, figure.height, figure.scale, theme));
 }
 
 // Every picture is a job of its own.

@@ -17,6 +17,7 @@ struct ReportFigure
     std::string alternativeText; ///< Text alternative of the picture; the caption if empty.
     Chart chart;
     int width = reportFigureWidth, height = 360; ///< Pixels at scale 1.
+    float scale = 2;                             ///< Of the picture: 2 for text and lines, 1 for many coloured maps.
 };
 
 /** A table: cells that are numbers are aligned at the right. */

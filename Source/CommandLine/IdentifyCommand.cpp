@@ -9,6 +9,7 @@
 #include <antinode_documents/UniversalModes.h>
 #include <antinode_identification/IdentifiedModel.h>
 #include <antinode_library/Inputs.h>
+#include <antinode_reports/IdentificationDiagram.h>
 #include <antinode_reports/IdentificationReport.h>
 #include <antinode_reports/IdentificationTables.h>
 #include <antinode_text/OutputFolder.h>
@@ -114,13 +115,28 @@ std::string reportName (const IdentifyOptions& options)
         .string();
 }
 
+/** plate.html has plate-diagram.html beside it. */
+std::string diagramName (std::filesystem::path report)
+{
+    return report.replace_filename (report.stem().string() + "-diagram.html").string();
+}
+
+std::string fileNameOf (const std::filesystem::path& path)
+{
+    return path.filename().string();
+}
+
 /** All are computed before the first is written. */
 void writeFiles (const IdentificationResult& result, const IdentifyOptions& options, bool hasReport)
 {
     std::vector<std::pair<std::string, std::string>> files;
 
     if (hasReport)
-        files.emplace_back (reportName (options), renderReport (identificationReport (result)));
+    {
+        const auto report = reportName (options), diagram = diagramName (report);
+        files.emplace_back (report, renderReport (identificationReport (result, fileNameOf (diagram))));
+        files.emplace_back (diagram, identificationDiagram (result, fileNameOf (report)));
+    }
 
     if (! options.universalFile.empty())
         files.emplace_back (options.universalFile, encodeUniversalFile (modeSets (result.model)));

@@ -84,7 +84,8 @@ void addOutputOptions (CLI::App& command, IdentifyOptions& options)
     command.add_option ("--out", options.deviceFile, "Device file to write")->type_name ("DEVICE.json");
     command
         .add_option ("--report", options.reportFile,
-                     "Writes a report with figures; default name: that of the device file, .html")
+                     "Writes a report with figures and, beside it, a diagram to pick modes in a browser; default name: "
+                     "that of the device file, .html")
         ->expected (0, 1)
         ->type_name ("FILE.html");
     command.add_option ("--uff", options.universalFile, "Writes frequencies and shapes as a Universal File")

@@ -40,8 +40,44 @@ TEST_CASE ("A stabilisation diagram tells poles of modes from others and names t
 TEST_CASE ("A response is shown as magnitude and phase in degrees", "[views]")
 {
     const auto measured = someResponses();
-    const auto chart = responseChart (measured, measured, 0, 0);
+    const auto chart = responseChart (measured, measured, 0, 0, 0);
     REQUIRE (chart.panels.size() == 2);
     CHECK (std::get<LineChart> (chart.panels[0]).series[0].y[0] == 2);
     CHECK (std::get<LineChart> (chart.panels[1]).series[1].y[4] == Approx (90));
+}
+
+TEST_CASE ("The phase of a response is that without the delay, with gaps where it leaps and where noise hides it",
+           "[views]")
+{
+    constexpr double delay = 2e-3;
+    auto measured = someResponses();
+    measured.frequencies = Eigen::VectorXd::LinSpaced (400, 1, 400);
+    measured.values = { Eigen::MatrixXcd (400, 1) };
+
+    for (Eigen::Index n = 0; n < 400; ++n)
+    {
+        // From 100.4 to 259.6 degrees, then noise: signs that change from line to line.
+        const auto line = static_cast<double> (n);
+        const auto turned = std::polar (1.0, (100.4 + 0.8 * line) * std::numbers::pi / 180);
+        measured.values[0](n, 0) = n < 200 ? turned * std::polar (1.0, -2 * std::numbers::pi * (line + 1) * delay)
+                                           : std::complex<double> (n % 2 == 0 ? 1 : -1);
+    }
+
+    const auto chart = responseChart (measured, measured, 0, 0, delay);
+    const auto& phase = std::get<LineChart> (chart.panels[1]).series[0];
+    CHECK (phase.y[50] == Approx (140.4));
+    CHECK (std::isnan (phase.y[100])); // The gap at 180 degrees.
+    CHECK (phase.y[150] == Approx (-140.4));
+    CHECK (phase.x.size() == 401);
+    CHECK (phase.y.tail (180).array().isNaN().all());
+}
+
+TEST_CASE ("Charts of an identification end with its band", "[views]")
+{
+    IdentifiedModes modes;
+    modes.minimumFrequency = 200;
+    modes.maximumFrequency = 400;
+    modes.stabilisation = { { 3, 250, 0.01, true } };
+    const auto chart = stabilisationChart (modes, someResponses());
+    CHECK (chart.series[0].x == Eigen::Vector3d (200, 300, 400));
 }

@@ -103,6 +103,8 @@ TEST_CASE ("identify makes a device of a universal file that other commands take
     }
 
     CHECK (readContent (path ("beam.html")).find ("Stabilisation diagram") != std::string::npos);
+    CHECK (readContent (path ("beam.html")).find ("href=\"beam-diagram.html\"") != std::string::npos);
+    CHECK (readContent (path ("beam-diagram.html")).find ("\"report\":\"beam.html\"") != std::string::npos);
     CHECK (readUniversalFile (readContent (path ("beam.uff")), "beam.uff").size() >= 4 + modeCount);
     CHECK (runProgram ({ "modes", path ("beam.json") }).exitCode == 0);
 
@@ -159,6 +161,7 @@ TEST_CASE ("identify refuses in one line and writes nothing", "[command line][id
         CHECK (std::count (run.errors.begin(), run.errors.end(), '\n') == 1);
         CHECK_FALSE (std::filesystem::exists (path ("out.json")));
         CHECK_FALSE (std::filesystem::exists (path ("out.html")));
+        CHECK_FALSE (std::filesystem::exists (path ("out-diagram.html")));
         return run.errors;
     };
     CHECK (refusal ({ "--transfer", path ("t.json") })
