@@ -96,6 +96,16 @@ juce::AudioDeviceManager::AudioDeviceSetup makeSetup (const AudioChoice& choice,
     return setup;
 }
 
+std::vector<int> openChannels (const juce::BigInteger& open)
+{
+    std::vector<int> channels;
+
+    for (auto i = open.findNextSetBit (0); i >= 0; i = open.findNextSetBit (i + 1))
+        channels.push_back (i);
+
+    return channels;
+}
+
 /** Devices fall back silently to what they support, so compare with the request. */
 void checkOpened (const juce::AudioIODevice& device, const AudioChoice& choice)
 {
@@ -183,10 +193,8 @@ AudioChoice openedAudio (juce::AudioDeviceManager& manager)
         choice.device = manager.getAudioDeviceSetup().outputDeviceName.toStdString();
         choice.sampleRate = device->getCurrentSampleRate();
         choice.blockSize = device->getCurrentBufferSizeSamples();
-        const auto open = device->getActiveOutputChannels();
-
-        for (auto i = open.findNextSetBit (0); i >= 0; i = open.findNextSetBit (i + 1))
-            choice.outputs.push_back (i);
+        choice.outputs = openChannels (device->getActiveOutputChannels());
+        choice.inputs = openChannels (device->getActiveInputChannels());
     }
 
     return choice;

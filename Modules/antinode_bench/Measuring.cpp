@@ -56,24 +56,10 @@ RunRecording playRun (const Measuring& measuring, const Excitation& excitation, 
     return run;
 }
 
-/** A short excitation in the same band at a tenth of the levels. */
-Excitation quietExcitation (const ExcitationSheet& sheet)
-{
-    constexpr double coarse = 20, share = 0.1;
-    auto settings = sheet.excitation.settings;
-    settings.signal = ExcitationSignal::multisine;
-    settings.hasOddGrid = false;
-    settings.resolution =
-        std::min (std::max (coarse, settings.resolution), (settings.highestFrequency - settings.lowestFrequency) / 4);
-    settings.periods = settings.settlingPeriods = 1;
-    settings.levels *= share;
-    return makeExcitation (settings, sheet.voltageLimits);
-}
-
 /** Plays every ceramic at a low level and predicts the inputs at full level. */
 void checkLevels (const Measuring& measuring, Eigen::Index first, Eigen::Index count)
 {
-    const auto quiet = quietExcitation (measuring.sheet);
+    const auto quiet = levelCheckExcitation (measuring.sheet);
     const auto fullScale = measuring.bench.fullScaleVelocity();
     double largest = 0, latency = measuring.settings.latency;
 
@@ -196,6 +182,19 @@ SurfaceMeasurement measureAll (const Measuring& measuring, const MeasurementFold
     return measurement;
 }
 } // namespace
+
+Excitation levelCheckExcitation (const ExcitationSheet& sheet)
+{
+    constexpr double coarse = 20, share = 0.1;
+    auto settings = sheet.excitation.settings;
+    settings.signal = ExcitationSignal::multisine;
+    settings.hasOddGrid = false;
+    settings.resolution =
+        std::min (std::max (coarse, settings.resolution), (settings.highestFrequency - settings.lowestFrequency) / 4);
+    settings.periods = settings.settlingPeriods = 1;
+    settings.levels *= share;
+    return makeExcitation (settings, sheet.voltageLimits);
+}
 
 SurfaceMeasurement measurePoints (Bench& bench, const ExcitationSheet& sheet, const Eigen::MatrixX2d& points,
                                   const MeasurementFolder& folder, const PointGuide& guide,

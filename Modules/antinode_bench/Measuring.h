@@ -8,6 +8,10 @@
 
 namespace antinode
 {
+/** What the level check plays before the first point: a short multisine in the same band at a tenth of the levels.
+    [worker] */
+Excitation levelCheckExcitation (const ExcitationSheet&);
+
 /** Measures all points that are not kept yet: checks levels first, leads from point to point, keeps each when it is
    finished.
     @param settings  of the analysis; the latency for benches without a sync channel

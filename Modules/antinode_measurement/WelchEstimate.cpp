@@ -36,19 +36,6 @@ Eigen::MatrixXcd blockSpectra (const Eigen::VectorXd& signal, const Eigen::Vecto
 
     return spectra;
 }
-
-Eigen::VectorXcd response (ResponseEstimator estimator, const Eigen::ArrayXd& xx, const Eigen::ArrayXd& yy,
-                           const Eigen::ArrayXcd& yx)
-{
-    const Eigen::ArrayXcd h1 = yx / xx.cast<std::complex<double>>();
-
-    if (estimator == ResponseEstimator::h1)
-        return h1;
-
-    // |H2| / |H1| = S_xx S_yy / |S_yx|^2, 1 over the coherence.
-    const Eigen::ArrayXd overH1 = xx * yy / yx.abs2().max (1e-300);
-    return h1 * (estimator == ResponseEstimator::h2 ? overH1 : overH1.sqrt()).cast<std::complex<double>>();
-}
 } // namespace
 
 EstimatedResponses estimateByWelch (Eigen::Index block, const std::vector<Eigen::Index>& lines,
@@ -60,32 +47,23 @@ EstimatedResponses estimateByWelch (Eigen::Index block, const std::vector<Eigen:
                                            + " samples; allowed: at least those of a block, " + std::to_string (block));
 
     const auto window = hann (block);
-    const auto x = blockSpectra (input, window, lines);
-    const Eigen::ArrayXd xx = x.cwiseAbs2().rowwise().sum().array();
+    const AveragedSpectra spectra (blockSpectra (input, window, lines));
 
-    if (! (xx.minCoeff() > 0))
+    if (! spectra.drivesAllLines())
         throw InputError ("recording", "has no input signal on a line to be measured");
 
+    const auto blocks = (input.size() - block) / (block / 2) + 1, count = static_cast<Eigen::Index> (lines.size());
+    const auto averages = std::max (1.0, static_cast<double> (blocks) / overlapLoss);
     EstimatedResponses result;
-    result.values.resize (x.rows(), outputs.rows());
-    result.coherence.resize (x.rows(), outputs.rows());
-    result.variances.resize (x.rows(), outputs.rows());
-    const auto averages = std::max (1.0, static_cast<double> (x.cols()) / overlapLoss);
+    result.values.resize (count, outputs.rows());
+    result.coherence.resize (count, outputs.rows());
+    result.variances.resize (count, outputs.rows());
 
     for (Eigen::Index sensor = 0; sensor < outputs.rows(); ++sensor)
-    {
-        const auto y = blockSpectra (outputs.row (sensor), window, lines);
-        const Eigen::ArrayXd yy = y.cwiseAbs2().rowwise().sum().array();
-        const Eigen::ArrayXcd yx = y.cwiseProduct (x.conjugate()).rowwise().sum().array();
-        const Eigen::ArrayXd coherence = (yx.abs2() / (xx * yy).max (1e-300)).min (1.0);
-        result.values.col (sensor) = response (estimator, xx, yy, yx);
-        result.coherence.col (sensor) = coherence;
-        result.variances.col (sensor) =
-            (yx / xx.cast<std::complex<double>>()).abs2() * (1 - coherence) / (coherence.max (1e-12) * averages);
-    }
+        spectra.estimate (blockSpectra (outputs.row (sensor), window, lines), estimator, averages, sensor, result);
 
     // One block fits itself: it looks perfectly coherent and gives no information about its error.
-    if (x.cols() < 2)
+    if (blocks < 2)
         result.coherence = result.variances = {};
 
     return result;

@@ -1,19 +1,11 @@
 #pragma once
 
-#include "EstimatedResponses.h"
+#include "AveragedSpectra.h"
 
 #include <vector>
 
 namespace antinode
 {
-/** The classical estimators. S_yx = E Y conj X. */
-enum class ResponseEstimator
-{
-    h1, ///< S_yx / S_xx: unbiased by noise at the output.
-    h2, ///< S_yy / S_xy: unbiased by noise at the input.
-    hv  ///< Their geometric mean, with their common phase.
-};
-
 /** Responses from signals of any kind, by Welch's averages: blocks with a Hann window that overlap by half.
 
     The variance is that of H1, |H|^2 (1 - gamma^2) / (gamma^2 n), n the number of blocks over 1.06 for the overlap.

@@ -171,25 +171,6 @@ std::optional<ResponseUnit> findUnit (const CsvTable& table)
     return std::nullopt;
 }
 
-/** The interval of even samples. */
-double samplingInterval (const Eigen::VectorXd& times, const std::string& source)
-{
-    constexpr double tolerance = 1e-3;
-    const auto count = times.size();
-    const auto interval = count > 1 ? (times[count - 1] - times[0]) / static_cast<double> (count - 1) : 0;
-
-    for (Eigen::Index n = 1; n < count; ++n)
-        if (! (interval > 0
-               && std::abs (times[n] - times[n - 1] - interval)
-                      < tolerance * interval + 1e-6 * times.cwiseAbs().maxCoeff()))
-            throw InputError (source, "has unevenly spaced times; allowed: samples at a constant rate");
-
-    if (! (interval > 0))
-        throw InputError (source, "has less than two samples");
-
-    return interval;
-}
-
 void addImpulseResponses (const CsvTable& table, const std::vector<CsvHeading>& headings, const Eigen::VectorXd& times,
                           MeasurementFile& file, MeasuredResponse common)
 {
@@ -211,6 +192,24 @@ void addImpulseResponses (const CsvTable& table, const std::vector<CsvHeading>& 
                             + ": the first column is a time, so the others are read as impulse responses.");
 }
 } // namespace
+
+double samplingInterval (const Eigen::VectorXd& times, const std::string& source)
+{
+    constexpr double tolerance = 1e-3;
+    const auto count = times.size();
+    const auto interval = count > 1 ? (times[count - 1] - times[0]) / static_cast<double> (count - 1) : 0;
+
+    for (Eigen::Index n = 1; n < count; ++n)
+        if (! (interval > 0
+               && std::abs (times[n] - times[n - 1] - interval)
+                      < tolerance * interval + 1e-6 * times.cwiseAbs().maxCoeff()))
+            throw InputError (source, "has unevenly spaced times; allowed: samples at a constant rate");
+
+    if (! (interval > 0))
+        throw InputError (source, "has less than two samples");
+
+    return interval;
+}
 
 MeasurementFile measurementFromCsv (std::string_view text, const std::string& source, CsvForm form)
 {

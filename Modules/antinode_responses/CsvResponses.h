@@ -15,6 +15,9 @@ enum class CsvForm
     decibelRadians
 };
 
+/** The interval of samples with these times, s. @throws InputError  source, where they are not even [worker] */
+double samplingInterval (const Eigen::VectorXd& times, const std::string& source);
+
 /** Frequency responses from a table: frequency first, then two columns a response. Headings tell what a column holds
    (real, imag; magnitude, dB, phase, deg, rad; coherence, which is left out), of which point and reference (P3 C1,
    "point 3 driver 1") and in which unit; units also stand in comments. Where the first column is a time the others are

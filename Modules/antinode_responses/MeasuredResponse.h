@@ -20,6 +20,7 @@ struct MeasuredResponse
         std::make_shared<const Eigen::VectorXd>(); ///< N_f: Hz. Responses of one file share theirs.
     Eigen::VectorXcd values;                       ///< N_f, motion per drive; NaN where not measured.
     double recordLength = 0; ///< s, of the impulse response it was made from; 0 where it was none.
+    double windowDecay = 0;  ///< 1/s, of an exponential window over drive and motion that the file tells; 0: none.
 };
 
 /** Frequencies for a further response of a file: those of the last one where they are the same. [worker] */
@@ -53,6 +54,7 @@ struct Measurement
     std::vector<std::string> pointNames; ///< N_p
     bool hasPlaces = false;  ///< Whether the positions of the points are known; else they are 1 mm apart on a line.
     double recordLength = 0; ///< s: of impulse responses; 0 where there were none.
+    double windowDecay = 0;  ///< 1/s: of the exponential window that the files tell; 0 where there was none.
     std::vector<std::string> remarks;
 };
 

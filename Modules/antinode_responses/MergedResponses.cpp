@@ -110,6 +110,17 @@ int countIntegrations (const Responses& responses, const MeasurementOptions& opt
     return std::all_of (responses.begin(), responses.end(), isSame) ? first : 0;
 }
 
+double commonWindowDecay (const Responses& responses)
+{
+    for (const auto& response : responses)
+        if (response.windowDecay != responses.front().windowDecay)
+            throw InputError (response.source, "has another exponential window than "
+                                                   + inQuotes (responses.front().source)
+                                                   + "; allowed: responses with the same window");
+
+    return responses.front().windowDecay;
+}
+
 /** Names in the order of first appearance. */
 std::vector<std::string> collectNames (const Responses& responses, std::string MeasuredResponse::*name)
 {
@@ -275,6 +286,7 @@ Measurement mergedResponses (const std::vector<MeasurementFile>& files, const Me
     fillTable (responses, options, references, measurement);
     placePoints (files, options, measurement);
     measurement.recordLength = responses.front().recordLength;
+    measurement.windowDecay = commonWindowDecay (responses);
 
     table.references = makeReferences (responses, references, measurement);
     validate (table);

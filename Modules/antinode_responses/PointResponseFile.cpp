@@ -1,5 +1,6 @@
 #include "PointResponseFile.h"
 
+#include "CoherenceSet.h"
 #include "UniversalResponses.h"
 
 #include <antinode_base/InputError.h>
@@ -9,7 +10,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int frequencyResponseType = 4, coherenceFunction = 6, singleReal = 2;
+constexpr int frequencyResponseType = 4, coherenceFunction = 6;
 
 FrequencyResponses responsesAtPoint (const FrequencyResponses& all, Eigen::Index point)
 {
@@ -19,18 +20,6 @@ FrequencyResponses responsesAtPoint (const FrequencyResponses& all, Eigen::Index
         one.values.emplace_back (values.col (point));
 
     return one;
-}
-
-/** The coherence that belongs to a response. */
-UniversalFunction toCoherence (UniversalFunction function, const Eigen::VectorXd& values)
-{
-    function.functionType = coherenceFunction;
-    function.ordinateType = singleReal;
-    function.lines[0] = "Coherence of velocity and drive";
-    function.ordinate = {};
-    function.denominator = {};
-    function.values = values.cast<std::complex<double>>();
-    return function;
 }
 
 std::vector<const UniversalFunction*> functionsOfType (const std::vector<UniversalSet>& sets, int type)
@@ -63,7 +52,7 @@ std::string encodePoint (const SurfaceMeasurement& measurement, Eigen::Index poi
             function->response.node = point + 1;
 
             if (coherence.allFinite())
-                coherences.emplace_back (toCoherence (*function, coherence));
+                coherences.emplace_back (coherenceSet (*function, coherence));
         }
     }
 

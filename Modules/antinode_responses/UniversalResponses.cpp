@@ -6,8 +6,11 @@
 #include <antinode_base/MessageText.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <set>
+#include <string_view>
+#include <tuple>
 
 namespace antinode
 {
@@ -72,24 +75,43 @@ private:
     bool areAmbiguous = false;
 };
 
-/** The axis, 1 to 3, along which most responses are measured; 0 if unknown. */
+/** The axis, 1 to 3, along which most responses are measured; of equally many that along which forces act, else the
+    last one, z: a triaxial sensor has all three. 0 if unknown. */
 int commonAxis (const Functions& functions)
 {
-    std::map<int, int> counts;
+    std::map<int, int> counts, drives;
 
     for (const auto* function : functions)
+    {
         ++counts[std::abs (function->response.direction)];
+        ++drives[std::abs (function->reference.direction)];
+    }
 
     return std::max_element (counts.begin(), counts.end(),
-                             [] (const auto& a, const auto& b) { return a.second < b.second; })
+                             [&drives] (const auto& a, const auto& b) {
+                                 return std::tuple (a.second, drives[a.first], a.first)
+                                        < std::tuple (b.second, drives[b.first], b.first);
+                             })
         ->first;
 }
 
-/** The factors by which the file's lengths and forces are divided. */
-UniversalUnits findUnits (const std::vector<UniversalSet>& sets)
+constexpr std::string_view windowWords = "Exponential window, 1/s: ";
+
+/** What a line of a function says of an exponential window; 0 where none does. */
+double findWindowDecay (const UniversalFunction& function)
 {
-    const auto units = findSets<UniversalUnits> (sets);
-    return units.empty() ? UniversalUnits {} : *units.front();
+    for (const auto& line : function.lines)
+        if (line.starts_with (windowWords))
+        {
+            double decay = 0;
+            const auto digits = std::string_view (line).substr (windowWords.size());
+            const auto [end, error] = std::from_chars (digits.data(), digits.data() + digits.size(), decay);
+
+            if (error == std::errc() && std::isfinite (decay) && decay > 0)
+                return decay;
+        }
+
+    return 0;
 }
 
 std::optional<ResponseUnit> unitOfCode (int quantity, const UniversalUnits& units)
@@ -116,11 +138,8 @@ std::optional<ResponseUnit> unitOfCode (int quantity, const UniversalUnits& unit
     units. */
 ResponseUnit findUnit (const UniversalFunction& function, const UniversalUnits& units)
 {
-    auto motion = responseUnit (function.ordinate.unit);
+    auto motion = universalUnit (function.ordinate, units);
     auto drive = driveUnit (function.denominator.unit);
-
-    if (! motion)
-        motion = unitOfCode (function.ordinate.quantity, units);
 
     if (! motion)
         motion = quantityWord (function.ordinate.label);
@@ -172,23 +191,8 @@ MeasuredResponse toResponse (const UniversalFunction& function, const UniversalU
     }
 
     response.values *= isAgainst ? -1 : 1;
+    response.windowDecay = findWindowDecay (function);
     return response;
-}
-
-PointPlaces readPlaces (const std::vector<UniversalSet>& sets, int normal, const UniversalUnits& units)
-{
-    const Eigen::Index across = normal == 1 ? 1 : 0, up = normal == 2 || normal == 1 ? 2 : 1;
-    PointPlaces places;
-
-    for (const auto* nodes : findSets<UniversalNodes> (sets))
-        for (std::size_t n = 0; n < nodes->labels.size(); ++n)
-        {
-            const auto row = static_cast<Eigen::Index> (n);
-            places.emplace (std::to_string (nodes->labels[n]),
-                            Eigen::Vector2d (nodes->places (row, across), nodes->places (row, up)) / units.length);
-        }
-
-    return places;
 }
 
 /** Places for the points that responses have, where all of them have one. */
@@ -205,6 +209,40 @@ PointPlaces usedPlaces (const PointPlaces& places, const std::vector<MeasuredRes
     return std::all_of (responses.begin(), responses.end(), isPlaced) ? used : PointPlaces {};
 }
 } // namespace
+
+std::optional<ResponseUnit> universalUnit (const UniversalAxis& axis, const UniversalUnits& units)
+{
+    auto unit = responseUnit (axis.unit);
+    return unit ? unit : unitOfCode (axis.quantity, units);
+}
+
+UniversalUnits universalUnits (const std::vector<UniversalSet>& sets)
+{
+    const auto units = findSets<UniversalUnits> (sets);
+    return units.empty() ? UniversalUnits {} : *units.front();
+}
+
+PointPlaces universalPlaces (const std::vector<UniversalSet>& sets, int normal)
+{
+    const auto units = universalUnits (sets);
+    const Eigen::Index across = normal == 1 ? 1 : 0, up = normal == 2 || normal == 1 ? 2 : 1;
+    PointPlaces places;
+
+    for (const auto* nodes : findSets<UniversalNodes> (sets))
+        for (std::size_t n = 0; n < nodes->labels.size(); ++n)
+        {
+            const auto row = static_cast<Eigen::Index> (n);
+            places.emplace (std::to_string (nodes->labels[n]),
+                            Eigen::Vector2d (nodes->places (row, across), nodes->places (row, up)) / units.length);
+        }
+
+    return places;
+}
+
+std::string windowDecayLine (double decay)
+{
+    return std::string (windowWords) + numberText (decay);
+}
 
 MeasurementFile measurementFromUniversal (const std::vector<UniversalSet>& sets, const std::string& source)
 {
@@ -226,7 +264,7 @@ MeasurementFile measurementFromUniversal (const std::vector<UniversalSet>& sets,
         file.remarks.push_back (source + ": " + std::to_string (others)
                                 + " responses in minority directions are left out.");
 
-    const auto units = findUnits (sets);
+    const auto units = universalUnits (sets);
     const PlaceNames points (functions, &UniversalFunction::response),
         references (functions, &UniversalFunction::reference);
     std::map<std::string, std::set<int>> directions;
@@ -249,7 +287,7 @@ MeasurementFile measurementFromUniversal (const std::vector<UniversalSet>& sets,
         file.responses.push_back (std::move (response));
     }
 
-    file.places = usedPlaces (readPlaces (sets, axis, units), file.responses);
+    file.places = usedPlaces (universalPlaces (sets, axis), file.responses);
     return file;
 }
 } // namespace antinode

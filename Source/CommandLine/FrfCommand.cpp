@@ -1,5 +1,6 @@
 #include "Commands.h"
 #include "ExcitationOptions.h"
+#include "HammerRecordings.h"
 #include "SensorOptions.h"
 
 #include <antinode_base/InputError.h>
@@ -18,8 +19,10 @@ namespace
 {
 struct FrfOptions
 {
+    std::vector<std::string> files;
     std::string sheet, pointsFile, outputFile, reportFolder;
-    std::vector<std::string> recordings;
+    std::vector<std::string> recordings; // The files after the sheet.
+    HammerRecordingOptions hammer;
     SensorOptions sensor;
     int syncChannel = -1;          // counted from 1; 0: none, -1: the last one
     int referenceChannel = 0;      // counted from 1; 0: none
@@ -27,6 +30,13 @@ struct FrfOptions
     double latency = 0;            // ms
     std::string estimator = "h1";
 };
+
+ResponseEstimator estimatorOf (const FrfOptions& options)
+{
+    return options.estimator == "h2"   ? ResponseEstimator::h2
+           : options.estimator == "hv" ? ResponseEstimator::hv
+                                       : ResponseEstimator::h1;
+}
 
 /** The roles of the channels of a recording, counted from 0; -1: none. */
 struct ChannelRoles
@@ -127,9 +137,7 @@ void analyse (SurfaceMeasurement& measurement, const PlacedRecording& recording,
 {
     RunAnalysisSettings settings;
     settings.latency = options.latency / 1000 * excitation.settings.sampleRate;
-    settings.estimator = options.estimator == "h2"   ? ResponseEstimator::h2
-                         : options.estimator == "hv" ? ResponseEstimator::hv
-                                                     : ResponseEstimator::h1;
+    settings.estimator = estimatorOf (options);
 
     for (Eigen::Index ceramic = 0; ceramic < excitation.ceramics(); ++ceramic)
         try
@@ -162,6 +170,13 @@ Eigen::MatrixX2d readPlaces (const FrfOptions& options, Eigen::Index sensors)
     return places;
 }
 
+void refuse (const std::vector<const CLI::Option*>& options, const std::string& wrong)
+{
+    for (const auto* const option : options)
+        if (option->count() > 0)
+            throw InputError (option->get_name(), wrong);
+}
+
 void estimateResponses (const FrfOptions& options)
 {
     const auto sheet = readSheet (options.sheet);
@@ -188,23 +203,48 @@ void estimateResponses (const FrfOptions& options)
     writeWholeFile (options.outputFile, encodeUniversalFile (responseSets (measurement.responses)));
     printMeasurement (measurement, sheet);
 }
+/** With a sheet first: of an excitation; else of a hammer. */
+void estimate (FrfOptions& options, const std::vector<const CLI::Option*>& ofExcitation)
+{
+    if (! options.files.front().ends_with (".json"))
+    {
+        refuse (ofExcitation, "belongs to an excitation, whose sheet excitation.json is then the first file");
+        estimateFromHammer (options.files, options.pointsFile, options.outputFile, estimatorOf (options),
+                            options.hammer);
+        return;
+    }
+
+    refuse (options.hammer.options, "belongs to recordings of a hammer, which are given without a sheet");
+
+    if (options.files.size() < 2)
+        throw InputError ("frf", "has no recording; allowed: the sheet and WAV files");
+
+    if (! (options.sensor.sensitivity > 0))
+        throw InputError ("--sensitivity-mm-s-per-v", "is missing; give the sensitivity of the sensor in mm/s per V");
+
+    options.sheet = options.files.front();
+    options.recordings.assign (options.files.begin() + 1, options.files.end());
+    estimateResponses (options);
+}
 } // namespace
 
 void addFrfCommand (CLI::App& app)
 {
-    auto* command = app.add_subcommand ("frf", "Computes frequency responses from recordings of an excitation");
+    auto* command =
+        app.add_subcommand ("frf", "Computes frequency responses from recordings of an excitation or a hammer");
     auto options = std::make_shared<FrfOptions>();
-    command->add_option ("sheet", options->sheet, "Sheet of the excitation: excitation.json")->required();
     command
-        ->add_option ("recordings", options->recordings,
-                      "WAV files, each of one or more points, in the order of the points")
+        ->add_option (
+            "files", options->files,
+            "Sheet of the excitation (excitation.json) and WAV files, each of one or more points, in the order "
+            "of the points; or recordings of a hammer alone")
         ->required();
     command->add_option ("--out", options->outputFile, "Universal file to write")->required()->type_name ("FILE");
     command
         ->add_option ("--points", options->pointsFile,
                       "CSV of the points, x and y in mm; default: 1 mm apart on a line")
         ->type_name ("FILE");
-    addSensorOptions (*command, options->sensor)->required();
+    addSensorOptions (*command, options->sensor);
     command->add_option ("--sync-channel", options->syncChannel,
                          "Channel with the sync output, counted from 1; 0: none; default: the last channel");
     command
@@ -223,6 +263,13 @@ void addFrfCommand (CLI::App& app)
         ->capture_default_str();
     command->add_option ("--report", options->reportFolder, "Writes a report with figures into a folder")
         ->type_name ("DIR");
-    command->callback ([options] { estimateResponses (*options); });
+    std::vector<const CLI::Option*> ofExcitation;
+
+    for (const auto* const name : { "--sensitivity-mm-s-per-v", "--input-full-scale-v", "--sync-channel",
+                                    "--reference-channel", "--reference-full-scale", "--latency-ms", "--report" })
+        ofExcitation.push_back (command->get_option (name));
+
+    addHammerRecordingOptions (*command, options->hammer);
+    command->callback ([options, ofExcitation] { estimate (*options, ofExcitation); });
 }
 } // namespace antinode

@@ -73,7 +73,7 @@ IdentificationResult identifyFiles (const IdentifyOptions& options)
         result.computed = solveDevice (loadDevice (options.against, {}), std::nullopt, options.usesCache);
 
     progress.show ("Identifying", 0.1);
-    const RecordEffects effects { measurement.recordLength, options.windowDecay };
+    const RecordEffects effects { measurement.recordLength, options.windowDecay.value_or (measurement.windowDecay) };
     measurement.responses = withModalNumerators (std::move (measurement.responses), effects);
     result.modes = withoutRecordEffects (identify (measurement.responses, search), effects);
     result.remarks = std::move (measurement.remarks);

@@ -47,7 +47,7 @@ void addInputOptions (CLI::App& command, IdentifyOptions& options)
         ->delimiter (',');
     command
         .add_option ("--window-decay", options.windowDecay,
-                     "Decay rate of the exponential window on the impulse responses, 1/s")
+                     "Decay rate of the exponential window on the impulse responses, 1/s; default: as the files say")
         ->check (CLI::NonNegativeNumber);
 }
 

@@ -25,8 +25,8 @@ struct IdentifyOptions
     std::optional<double> delay;            ///< us
     std::string form, quantity, responseUnit, drive, driveUnit, pointsFile;
     std::vector<std::string> references;
-    std::optional<double> mass; ///< kg
-    double windowDecay = 0;     ///< 1/s
+    std::optional<double> mass;        ///< kg
+    std::optional<double> windowDecay; ///< 1/s; none: as the files say
     double voltageLimit = 150, fullScaleVoltage = 150;
 };
 

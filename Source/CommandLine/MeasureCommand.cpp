@@ -4,6 +4,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_bench/AudioBench.h>
+#include <antinode_bench/Checklist.h>
 #include <antinode_bench/Measuring.h>
 #include <antinode_bench/SimulatedBenchPlayer.h>
 #include <antinode_reports/MeasurementReport.h>
@@ -21,7 +22,7 @@ struct MeasureOptions
 {
     ExcitationOptions excitation;
     std::string pointsFile, folder;
-    bool isSimulated = false, asksNoQuestions = false;
+    bool isSimulated = false, asksNoQuestions = false, onlyChecks = false;
     AudioChoice audio;
     std::vector<int> sensorInputs { 1 }; // counted from 1
     int syncInput = 2;                   // 0: none
@@ -50,11 +51,8 @@ std::unique_ptr<Bench> simulatedBench (const MeasureOptions& options, const Moda
     return std::make_unique<SimulatedBenchPlayer> (excitedDevice (other), points, settings);
 }
 
-std::unique_ptr<Bench> audioBench (const MeasureOptions& options, const ModalModel& model)
+BenchChannels channelsFor (const MeasureOptions& options, const ModalModel& model)
 {
-    if (! (options.sensor.sensitivity > 0))
-        throw InputError ("--sensitivity-mm-s-per-v", "is missing; give the sensitivity of the sensor in mm/s per V");
-
     BenchChannels channels;
     channels.syncInput = options.syncInput - 1;
     channels.syncOutput = options.syncOutput > 0 ? options.syncOutput - 1 : static_cast<int> (model.actuators());
@@ -62,10 +60,29 @@ std::unique_ptr<Bench> audioBench (const MeasureOptions& options, const ModalMod
     for (const auto input : options.sensorInputs)
         channels.sensors.push_back (input - 1);
 
+    return channels;
+}
+
+std::unique_ptr<Bench> audioBench (const MeasureOptions& options, const ModalModel& model)
+{
+    if (! (options.sensor.sensitivity > 0))
+        throw InputError ("--sensitivity-mm-s-per-v", "is missing; give the sensitivity of the sensor in mm/s per V");
+
     auto choice = options.audio;
     choice.sampleRate = options.excitation.rate;
-    return std::make_unique<AudioBench> (choice, channels, model.actuators(), model.fullScaleVoltage,
-                                         options.sensor.fullScaleVelocity());
+    return std::make_unique<AudioBench> (choice, channelsFor (options, model), model.actuators(),
+                                         model.fullScaleVoltage, options.sensor.fullScaleVelocity());
+}
+
+void writeChecklist (const MeasureOptions& options, const ModalModel& model, const ExcitationSheet& sheet,
+                     const Eigen::MatrixX2d& points)
+{
+    const auto text = benchChecklist (model, sheet, points, channelsFor (options, model),
+                                      { options.sensor.sensitivity, options.sensor.inputFullScale });
+    OutputFolder output (options.folder);
+    output.write ("checklist.txt", text);
+    output.commit();
+    std::printf ("%sIn %s/checklist.txt\n", text.c_str(), options.folder.c_str());
 }
 
 void measure (const MeasureOptions& options)
@@ -73,6 +90,13 @@ void measure (const MeasureOptions& options)
     const auto model = excitedDevice (options.excitation);
     const auto sheet = excitationFor (model, options.excitation);
     const auto points = readPointsFile (options.pointsFile);
+
+    if (options.onlyChecks)
+    {
+        writeChecklist (options, model, sheet, points);
+        return;
+    }
+
     const auto bench = options.isSimulated ? simulatedBench (options, model, points) : audioBench (options, model);
     const MeasurementFolder folder (options.folder, sheet, points);
     RunAnalysisSettings analysis;
@@ -153,6 +177,9 @@ void addMeasureCommand (CLI::App& app)
     command->add_option ("--out", options->folder, "Folder of the measurement; an interrupted measurement is resumed")
         ->required()
         ->type_name ("DIR");
+    command->add_flag (
+        "--checklist", options->onlyChecks,
+        "Writes what to connect, to check and to expect for this device and these points, plays nothing");
     command->add_flag ("--no-questions", options->asksNoQuestions, "Measures all points without asking");
     addAudioOptions (*command, *options);
     addSimulationOptions (*command, *options);

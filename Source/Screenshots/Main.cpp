@@ -2,13 +2,19 @@
 
 #include <Standalone/MainComponent.h>
 
+#include <antinode_numerics/RandomNumbers.h>
+
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace
 {
@@ -94,6 +100,30 @@ void takeEditor (const Screenshot& wanted, const juce::File& folder)
     write (editor, folder.getChildFile (wanted.file + ".png"));
 }
 
+/** What a sensor gives of a tone of 200 Hz and two resonances above its noise, on input 3. */
+void feedInput (antinode::AudioCallback& callback)
+{
+    constexpr int samples = 1 << 15;
+    const std::array<std::array<double, 2>, 3> lines { { { 200, 0.02 }, { 1378, 0.3 }, { 8234, 0.1 } } }; // Hz, peak
+    const auto noise = antinode::RandomNumbers (1).normal (samples);
+    std::vector<float> heard (samples);
+
+    for (int n = 0; n < samples; ++n)
+    {
+        auto sum = 1e-3 * noise[n];
+
+        for (const auto& [frequency, peak] : lines)
+            sum += peak * std::sin (2 * std::numbers::pi * frequency * n / sampleRate);
+
+        heard[static_cast<std::size_t> (n)] = static_cast<float> (sum);
+    }
+
+    juce::BigInteger inputs;
+    inputs.setBit (2);
+    callback.prepare (sampleRate, blockSize, {}, inputs);
+    callback.input().write (heard.data(), samples);
+}
+
 void takeStandalone (const Screenshot& wanted, const juce::File& folder)
 {
     antinode::StandaloneHost host (antinode::SettingsFile ({}), false);
@@ -103,6 +133,10 @@ void takeStandalone (const Screenshot& wanted, const juce::File& folder)
     window.showSettings ("Routing");
     window.update();
     write (window, folder.getChildFile (wanted.file + ".png"));
+    window.showSettings ("Audio device");
+    feedInput (host.callback());
+    window.update();
+    write (window, folder.getChildFile (wanted.file + "-input.png"));
 }
 } // namespace
 

@@ -20,11 +20,14 @@ AudioCallback::AudioCallback (AntinodeProcessor& processorToPlay, OutputRouter& 
 
 void AudioCallback::audioDeviceAboutToStart (juce::AudioIODevice* device)
 {
-    prepare (device->getCurrentSampleRate(), device->getCurrentBufferSizeSamples(), device->getActiveOutputChannels());
+    prepare (device->getCurrentSampleRate(), device->getCurrentBufferSizeSamples(), device->getActiveOutputChannels(),
+             device->getActiveInputChannels());
 }
 
-void AudioCallback::prepare (double sampleRate, int blockSize, const juce::BigInteger& openOutputs)
+void AudioCallback::prepare (double sampleRate, int blockSize, const juce::BigInteger& openOutputs,
+                             const juce::BigInteger& openInputs)
 {
+    firstInput = openInputs.findNextSetBit (0);
     openChannels = 0;
 
     for (auto output = openOutputs.findNextSetBit (0); output >= 0 && output < OutputRouting::maximumOutputs;
@@ -41,6 +44,7 @@ void AudioCallback::prepare (double sampleRate, int blockSize, const juce::BigIn
 void AudioCallback::audioDeviceStopped()
 {
     rate = 0;
+    firstInput = -1;
     processor.releaseResources();
 }
 
@@ -56,9 +60,13 @@ juce::String AudioCallback::takeError()
     return std::exchange (lastError, {});
 }
 
-void AudioCallback::audioDeviceIOCallbackWithContext (const float* const*, int, float* const* outputs, int outputCount,
-                                                      int count, const juce::AudioIODeviceCallbackContext&)
+void AudioCallback::audioDeviceIOCallbackWithContext (const float* const* inputs, int inputCount, float* const* outputs,
+                                                      int outputCount, int count,
+                                                      const juce::AudioIODeviceCallbackContext&)
 {
+    if (inputCount > 0 && inputs[0] != nullptr)
+        inputTap.write (inputs[0], count);
+
     channels.fill (nullptr);
 
     for (int i = 0; i < outputCount; ++i)

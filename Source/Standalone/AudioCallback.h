@@ -1,6 +1,7 @@
 #pragma once
 
 #include "EventSchedule.h"
+#include "InputTap.h"
 #include "MidiQueue.h"
 #include "OutputRouter.h"
 
@@ -34,6 +35,12 @@ public:
     /** Samples since the program began: where it stands still, the device does. [any] */
     std::int64_t samplesPlayed() const { return played; }
 
+    /** The samples of the first open input. [message thread] reads */
+    InputTap& input() { return inputTap; }
+
+    /** Its number, counted from 0; -1 where none is open. [any] */
+    int inputNumber() const { return firstInput; }
+
     /** Hz; 0 while no device runs. [any] */
     double sampleRate() const { return rate; }
 
@@ -48,7 +55,8 @@ public:
                                            const juce::AudioIODeviceCallbackContext&) override;
 
     /** For a device with these channels open, as audioDeviceAboutToStart. [message thread] nothing may be playing */
-    void prepare (double sampleRate, int blockSize, const juce::BigInteger& openOutputs);
+    void prepare (double sampleRate, int blockSize, const juce::BigInteger& openOutputs,
+                  const juce::BigInteger& openInputs);
 
 private:
     void gatherNotes (int count);
@@ -58,9 +66,11 @@ private:
     OutputRouter& router;
     MidiQueue& queue;
     EventSchedule schedule;
+    InputTap inputTap;
     std::atomic<bool> scheduleWanted { false };
     std::atomic<std::int64_t> schedulePosition { -1 }, played { 0 };
     std::atomic<double> rate { 0 };
+    std::atomic<int> firstInput { -1 };
     juce::CriticalSection errors; ///< For the next line.
     juce::String lastError;
 

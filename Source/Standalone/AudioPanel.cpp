@@ -13,6 +13,7 @@ namespace antinode
 namespace
 {
 constexpr int nameWidth = 130, buttonWidth = 100;
+constexpr auto noInput = "none";
 
 std::string boxText (const juce::ComboBox& box)
 {
@@ -35,10 +36,11 @@ void fill (juce::ComboBox& box, const std::vector<std::string>& words, const std
 }
 } // namespace
 
-AudioPanel::AudioPanel (StandaloneHost& hostToUse) : host (hostToUse)
+AudioPanel::AudioPanel (StandaloneHost& hostToUse) : host (hostToUse), inputView (hostToUse)
 {
-    const std::array boxes { &type, &device, &rate, &block, &outputs };
-    const std::array words { "Type", "Device", "Sample rate, Hz", "Block, samples", "Outputs, 1 to" };
+    const std::array boxes { &type, &device, &rate, &block, &outputs, &input };
+    const std::array words { "Type",           "Device",        "Sample rate, Hz",
+                             "Block, samples", "Outputs, 1 to", "Input of the sensor" };
 
     for (std::size_t i = 0; i < boxes.size(); ++i)
     {
@@ -54,23 +56,31 @@ AudioPanel::AudioPanel (StandaloneHost& hostToUse) : host (hostToUse)
     failure.setJustificationType (juce::Justification::topLeft);
     addAndMakeVisible (failure);
     addAndMakeVisible (refresh);
+    addAndMakeVisible (inputView);
+    input.setTooltip ("Shows level and spectrum of one input below. Nothing that comes in is played or kept.");
     type.onChange = [this] { open ({ boxText (type), {}, 0, 0, {} }); };
     device.onChange = [this] { open ({ boxText (type), boxText (device), 0, 0, {} }); };
-    rate.onChange = block.onChange = outputs.onChange = [this]
-    {
-        AudioChoice wanted {
-            boxText (type), boxText (device), rate.getText().getDoubleValue(), block.getText().getIntValue(), {}
-        };
-        wanted.outputs.resize (static_cast<std::size_t> (outputs.getText().getIntValue()));
-        std::iota (wanted.outputs.begin(), wanted.outputs.end(), 0);
-        open (wanted);
-    };
+    rate.onChange = block.onChange = outputs.onChange = input.onChange = [this] { open (shownFormat()); };
     refresh.onClick = [this]
     {
         scannedType.clear();
         update();
     };
     update();
+}
+
+AudioChoice AudioPanel::shownFormat() const
+{
+    AudioChoice wanted {
+        boxText (type), boxText (device), rate.getText().getDoubleValue(), block.getText().getIntValue(), {}
+    };
+    wanted.outputs.resize (static_cast<std::size_t> (outputs.getText().getIntValue()));
+    std::iota (wanted.outputs.begin(), wanted.outputs.end(), 0);
+
+    if (const auto chosen = input.getText().getIntValue(); chosen > 0)
+        wanted.inputs = { chosen - 1 };
+
+    return wanted;
 }
 
 void AudioPanel::open (const AudioChoice& choice)
@@ -95,6 +105,7 @@ void AudioPanel::update()
     const auto opened = openedAudio (host.devices());
     updateDevices (opened);
     updateFormat (opened);
+    inputView.refresh();
 }
 
 void AudioPanel::updateDevices (const AudioChoice& opened)
@@ -116,7 +127,7 @@ void AudioPanel::updateDevices (const AudioChoice& opened)
 
 void AudioPanel::updateFormat (const AudioChoice& opened)
 {
-    std::vector<std::string> rates, blocks, counts;
+    std::vector<std::string> rates, blocks, counts, inputs { noInput };
 
     if (auto* const present = host.devices().getCurrentAudioDevice())
     {
@@ -128,11 +139,15 @@ void AudioPanel::updateFormat (const AudioChoice& opened)
 
         for (int i = 1; i <= std::min (present->getOutputChannelNames().size(), OutputRouting::maximumOutputs); ++i)
             counts.push_back (std::to_string (i));
+
+        for (int i = 1; i <= std::min (present->getInputChannelNames().size(), maximumDeviceOutputs); ++i)
+            inputs.push_back (std::to_string (i));
     }
 
     const auto isOpen = ! opened.type.empty();
     fill (rate, rates, isOpen ? std::to_string (juce::roundToInt (opened.sampleRate)) : std::string());
     fill (block, blocks, isOpen ? std::to_string (opened.blockSize) : std::string());
+    fill (input, inputs, opened.inputs.empty() ? noInput : std::to_string (opened.inputs.front() + 1));
     fill (outputs, counts, isOpen ? std::to_string (opened.outputs.size()) : std::string());
 }
 
@@ -144,7 +159,7 @@ void AudioPanel::lookAndFeelChanged()
 void AudioPanel::resized()
 {
     auto area = getLocalBounds().reduced (panelMargin);
-    const std::array boxes { &type, &device, &rate, &block, &outputs };
+    const std::array boxes { &type, &device, &rate, &block, &outputs, &input };
 
     for (std::size_t i = 0; i < boxes.size(); ++i)
     {
@@ -154,6 +169,7 @@ void AudioPanel::resized()
     }
 
     refresh.setBounds (area.removeFromTop (panelRowHeight).reduced (0, 2).removeFromRight (buttonWidth));
-    failure.setBounds (area.removeFromTop (3 * panelRowHeight));
+    failure.setBounds (area.removeFromTop (2 * panelRowHeight));
+    inputView.setBounds (area);
 }
 } // namespace antinode

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "StandaloneHost.h"
+#include "InputView.h"
 
 #include <juce_gui_basics/juce_gui_basics.h>
 
@@ -26,12 +26,14 @@ private:
     void updateDevices (const AudioChoice&);
     void updateFormat (const AudioChoice&);
     void open (const AudioChoice&);
+    AudioChoice shownFormat() const;
 
     StandaloneHost& host;
-    juce::ComboBox type, device, rate, block, outputs;
-    std::array<juce::Label, 5> names;
+    juce::ComboBox type, device, rate, block, outputs, input;
+    std::array<juce::Label, 6> names;
     juce::TextButton refresh { "Refresh" };
     juce::Label failure;
+    InputView inputView;
     std::string scannedType; ///< Of the next line.
     std::vector<std::string> scannedDevices;
 };

@@ -1,7 +1,8 @@
 #include "OutputRouter.h"
 
-#include "IdentifyTone.h"
 #include "SampleChecks.h"
+
+#include <antinode_audio/IdentifyTone.h>
 
 #include <algorithm>
 #include <array>

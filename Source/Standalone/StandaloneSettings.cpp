@@ -25,16 +25,20 @@ Json toJsonNumber (int index)
 
 Json audioToJson (const AudioChoice& audio)
 {
-    auto outputs = Json::array();
+    auto outputs = Json::array(), inputs = Json::array();
 
     for (const auto output : audio.outputs)
         outputs.push_back (toJsonNumber (output));
+
+    for (const auto input : audio.inputs)
+        inputs.push_back (toJsonNumber (input));
 
     return { { "type", audio.type },
              { "device", audio.device },
              { "sample_rate_Hz", audio.sampleRate },
              { "block_samples", audio.blockSize },
-             { "outputs", outputs } };
+             { "outputs", outputs },
+             { "inputs", inputs } };
 }
 
 Json routingToJson (const OutputRouting& routing)
@@ -57,7 +61,7 @@ Json routingToJson (const OutputRouting& routing)
 
 AudioChoice readAudio (const JsonValue& value)
 {
-    const auto audio = value.object ({ "type", "device", "sample_rate_Hz", "block_samples", "outputs" });
+    const auto audio = value.object ({ "type", "device", "sample_rate_Hz", "block_samples", "outputs", "inputs" });
     AudioChoice choice { audio.required ("type").text (longestName),
                          audio.required ("device").text (longestName),
                          audio.required ("sample_rate_Hz").number ({ 0, highestStoredRate }),
@@ -66,6 +70,10 @@ AudioChoice readAudio (const JsonValue& value)
 
     for (const auto& output : audio.required ("outputs").items (0, OutputRouting::maximumOutputs))
         choice.outputs.push_back (output.integer (1, OutputRouting::maximumOutputs) - 1);
+
+    if (const auto inputs = audio.optional ("inputs"))
+        for (const auto& input : inputs->items (0, maximumDeviceOutputs))
+            choice.inputs.push_back (input.integer (1, maximumDeviceOutputs) - 1);
 
     return choice;
 }

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <thread>
 
@@ -26,7 +27,7 @@ struct CallbackRig
             channels.setBit (channel);
 
         callback.setSchedule (EventSchedule (std::move (notes)));
-        callback.prepare (48000, 256, channels);
+        callback.prepare (48000, 256, channels, {});
         processor.session().waitUntilSettled();
         processor.parameters().arm().setValueNotifyingHost (1);
         callback.startSchedule();
@@ -154,7 +155,7 @@ TEST_CASE ("what an output cannot give limits the foci, so that no sample is cla
     open.setRange (0, 8, true);
     callback.setSchedule (EventSchedule ({ { 0, juce::MidiMessage::noteOn (1, 60, juce::uint8 (127)) },
                                            { 0.002, juce::MidiMessage::noteOn (1, 60, juce::uint8 (127)) } }));
-    callback.prepare (48000, 256, open);
+    callback.prepare (48000, 256, open, {});
     processor.session().waitUntilSettled();
 
     // This method takes a second for a focus, so there is only one.
@@ -178,4 +179,18 @@ TEST_CASE ("what an output cannot give limits the foci, so that no sample is cla
 
     for (int output = 0; output < 8; ++output)
         CHECK (router.meters().clampedSamples (output) == 0);
+}
+
+TEST_CASE ("the first open input goes to its tap, whatever the outputs do")
+{
+    CallbackRig rig;
+    const std::vector<float> heard { 0.25F, -0.5F, 0.125F, 1.0F }, other (4, 0.75F);
+    std::vector<float> played (4, 7);
+    const std::array<const float*, 2> inputs { heard.data(), other.data() };
+    const std::array<float*, 1> outputs { played.data() };
+    rig.callback.audioDeviceIOCallbackWithContext (inputs.data(), 2, outputs.data(), 1, 4, {});
+    CHECK (rig.callback.input().take() == heard);
+    CHECK (rig.callback.input().clippedSamples() == 1);
+    rig.callback.audioDeviceIOCallbackWithContext (nullptr, 0, outputs.data(), 1, 4, {});
+    CHECK (rig.callback.input().take().empty());
 }

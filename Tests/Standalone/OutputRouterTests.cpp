@@ -1,7 +1,7 @@
 #include "RouterRig.h"
 #include "Support/AllocationCount.h"
 
-#include <Standalone/IdentifyTone.h>
+#include <antinode_audio/IdentifyTone.h>
 
 #include <catch2/catch.hpp>
 

@@ -18,7 +18,7 @@ namespace
 StandaloneSettings unusualSettings()
 {
     StandaloneSettings settings;
-    settings.audio = { "JACK", "my \"system\" \xC3\xA4", 96000, 128, { 0, 3, 16 } };
+    settings.audio = { "JACK", "my \"system\" \xC3\xA4", 96000, 128, { 0, 3, 16 }, { 1 } };
     settings.routing = withMonitor (withOutput (straightRouting(), 1, 40), 100);
     settings.routing.chains[40] = { 1.0 / 3, -1 };
     settings.midi = { false, { "a", "b" } };
@@ -70,6 +70,15 @@ TEST_CASE ("settings of before there was a theme are dark")
     REQUIRE (text.find (theme) != std::string::npos);
     text.erase (text.find (theme), theme.size());
     CHECK (readSettings (text).isDark);
+}
+
+TEST_CASE ("settings of before there was an input open none")
+{
+    auto text = settingsToText (StandaloneSettings());
+    const std::string inputs = ",\n    \"inputs\": []";
+    REQUIRE (text.find (inputs) != std::string::npos);
+    text.erase (text.find (inputs), inputs.size());
+    CHECK (readSettings (text).audio.inputs.empty());
 }
 
 TEST_CASE ("where nothing is kept the usual settings apply")
