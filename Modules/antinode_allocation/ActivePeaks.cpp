@@ -162,6 +162,16 @@ Eigen::MatrixXd ActivePeaks::gram() const
     for (Eigen::Index j = 0; j < count; ++j)
         onRows.col (j).array() *= problem.participation.col (peak (j).ceramic).array();
 
+    if (problem.secondResponses.rows() > 0)
+    {
+        Eigen::MatrixXd second = Eigen::MatrixXd::Zero (problem.wanted.size(), count);
+        addProduct (second, 1, problem.secondResponses, normals);
+
+        for (Eigen::Index j = 0; j < count; ++j)
+            onRows.col (j).array() +=
+                second.col (j).array() * problem.secondParticipation.col (peak (j).ceramic).array();
+    }
+
     const Eigen::MatrixXd taken = rows.halfSolve (std::move (onRows)).transpose();
     addGram (overlaps, -1, taken);
     return overlaps;

@@ -46,7 +46,13 @@ void addEffort (AllocationCertificate& certificate, const AllocationEffort& effo
 /** What the hard rows miss, from the matrix itself. */
 Eigen::VectorXd missingValues (const AllocationProblem& problem, const Eigen::MatrixXd& matrix)
 {
-    return problem.wanted - problem.participation.cwiseProduct (problem.rows * matrix.transpose()).rowwise().sum();
+    Eigen::VectorXd missing =
+        problem.wanted - problem.participation.cwiseProduct (problem.rows * matrix.transpose()).rowwise().sum();
+
+    if (problem.secondRows.rows() > 0)
+        missing -= problem.secondParticipation.cwiseProduct (problem.secondRows * matrix.transpose()).rowwise().sum();
+
+    return missing;
 }
 
 /** The largest error of a hard row. */

@@ -15,7 +15,8 @@ namespace antinode
                     |(M Psi) (i, n)| <= voltageLimits (i)
                     |(M slopes) (i, n)| <= slewLimits (i)      (where there are any)
 
-    A guard row is built like a hard row, from guardParticipation and guardRows, in the same unit, and wants 0.
+    A guard row is built like a hard row, from guardParticipation and guardRows, in the same unit, and wants 0. Rows of
+   complex modes are sums of two such products: they have a second participation and a second response each.
     `rows` is the identity for the paper's rows (29) and the matrix C of terminal velocities for exact rows.
 
     So that guardWeight has no unit, scale = E / |wanted|^2, where E = ||M Psi||_F^2 is the least energy that meets the
@@ -25,17 +26,21 @@ namespace antinode
 */
 struct AllocationProblem
 {
-    Eigen::MatrixXd waveforms;          ///< Psi, N_d x N_s: the drives on a grid of times on which the limit holds.
-    Eigen::MatrixXd participation;      ///< N_k x N_b
-    Eigen::MatrixXd rows;               ///< N_k x N_d
-    Eigen::VectorXd wanted;             ///< N_k
-    Eigen::MatrixXd guardParticipation; ///< N_g x N_b, or empty
-    Eigen::MatrixXd guardRows;          ///< N_g x N_d, or empty
-    double guardWeight = 0;             ///< lambda, at least 0
-    Eigen::MatrixXd slopes;             ///< dPsi/dt, N_d x N_t, 1/s, on a grid on which the slew limits hold, or empty.
-    Eigen::VectorXd slewLimits;         ///< N_b, V/s, above 0; empty if slopes are empty.
-    Eigen::VectorXd voltageLimits;      ///< N_b, V, more than 0
-    double peakRoom = 1.001; ///< AllocationGoal::peak: the norm is the least within so many times the least peak.
+    Eigen::MatrixXd waveforms;           ///< Psi, N_d x N_s: the drives on a grid of times on which the limit holds.
+    Eigen::MatrixXd participation;       ///< N_k x N_b
+    Eigen::MatrixXd rows;                ///< N_k x N_d
+    Eigen::VectorXd wanted;              ///< N_k
+    Eigen::MatrixXd guardParticipation;  ///< N_g x N_b, or empty
+    Eigen::MatrixXd guardRows;           ///< N_g x N_d, or empty
+    Eigen::MatrixXd secondParticipation; ///< N_k x N_b, or empty: the rows have one product only.
+    Eigen::MatrixXd secondRows;          ///< N_k x N_d, or empty
+    Eigen::MatrixXd secondGuardParticipation; ///< N_g x N_b, or empty as secondParticipation is.
+    Eigen::MatrixXd secondGuardRows;          ///< N_g x N_d, or empty
+    double guardWeight = 0;                   ///< lambda, at least 0
+    Eigen::MatrixXd slopes;        ///< dPsi/dt, N_d x N_t, 1/s, on a grid on which the slew limits hold, or empty.
+    Eigen::VectorXd slewLimits;    ///< N_b, V/s, above 0; empty if slopes are empty.
+    Eigen::VectorXd voltageLimits; ///< N_b, V, more than 0
+    double peakRoom = 1.001;       ///< AllocationGoal::peak: the norm is the least within so many times the least peak.
 };
 
 /** The objective. */

@@ -73,6 +73,14 @@ void validate (const AllocationProblem& problem)
         checkSize ("guard participations", problem.guardParticipation, guards, ceramics);
     }
 
+    if (problem.secondRows.rows() > 0 || problem.secondParticipation.rows() > 0)
+    {
+        checkSize ("second participations", problem.secondParticipation, modes, ceramics);
+        checkSize ("second rows", problem.secondRows, modes, drives);
+        checkSize ("second guard rows", problem.secondGuardRows, guards, drives);
+        checkSize ("second guard participations", problem.secondGuardParticipation, guards, ceramics);
+    }
+
     checkLimits ("voltage", problem.voltageLimits, ceramics, "V");
     checkSlopes (problem, drives, ceramics);
     check (problem.guardWeight >= 0 && problem.guardWeight <= 1e12,

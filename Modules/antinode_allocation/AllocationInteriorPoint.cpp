@@ -93,8 +93,8 @@ bool AllocationInteriorPoint::factor()
     {
         checkWatch();
         auto& ceramic = ceramics[i];
-        ceramic.factor (curvature, problem.responses);
-        const auto participation = problem.participation.col (static_cast<Eigen::Index> (i));
+        ceramic.factor (curvature, problem.responsesTo (static_cast<Eigen::Index> (i)));
+        const auto participation = problem.weightsOf (static_cast<Eigen::Index> (i));
         const Eigen::MatrixXd rows = participation.asDiagonal() * ceramic.halfRows().transpose();
         addGram (matrix, 1, rows);
         ratioOnRows += rows * ceramic.halfRatio();
@@ -149,8 +149,7 @@ AllocationInteriorPoint::Direction AllocationInteriorPoint::solve (const Residua
         checkWatch();
         const auto column = static_cast<Eigen::Index> (i);
         halves.col (column) = ceramics[i].halfSolve (ceramics[i].pull (residuals[i]));
-        rows -=
-            problem.participation.col (column).cwiseProduct (ceramics[i].halfRows().transpose() * halves.col (column));
+        rows -= problem.weightsOf (column).cwiseProduct (ceramics[i].halfRows().transpose() * halves.col (column));
         ratioResidual += ceramics[i].price() + ceramics[i].ratioPull (residuals[i])
                          + ceramics[i].halfRatio().dot (halves.col (column));
     }
@@ -169,9 +168,8 @@ AllocationInteriorPoint::Direction AllocationInteriorPoint::solve (const Residua
         checkWatch();
         const auto& ceramic = ceramics[i];
         const auto column = static_cast<Eigen::Index> (i);
-        const Eigen::VectorXd half =
-            halves.col (column) + ceramic.halfRatio() * direction.ratio
-            + ceramic.halfRows() * direction.rows.cwiseProduct (problem.participation.col (column));
+        const Eigen::VectorXd half = halves.col (column) + ceramic.halfRatio() * direction.ratio
+                                     + ceramic.halfRows() * direction.rows.cwiseProduct (problem.weightsOf (column));
         direction.ceramics.push_back (ceramic.direction (residuals[i], ceramic.otherHalfSolve (half), direction.ratio));
     }
 

@@ -1,5 +1,7 @@
 #include "WhitenedAllocation.h"
 
+#include "RowProducts.h"
+
 #include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>
 #include <antinode_numerics/Decompositions.h>
@@ -12,7 +14,7 @@ namespace antinode
 {
 namespace
 {
-using Rows = std::vector<Eigen::Index>;
+using Rows = RowIndices;
 
 /** Whether columns with this triangle are. */
 bool areIndependent (const Eigen::MatrixXd& triangle)
@@ -104,29 +106,9 @@ void appendSlopes (WhitenedAllocation& whitened, const AllocationProblem& proble
     addTransposedLeft (slopes, 1 / whitened.voltageUnit, problem.slopes, whitened.toShares);
 }
 
-/** Which rows some ceramic moves. */
-Rows movedRows (const Eigen::MatrixXd& participation, const Eigen::MatrixXd& rows)
-{
-    constexpr auto nothing = 1e-13;
-    Rows moved;
-
-    if (participation.size() == 0 || rows.size() == 0)
-        return moved;
-
-    const auto participationFloor = nothing * participation.cwiseAbs().maxCoeff();
-    const auto rowFloor = nothing * rows.cwiseAbs().maxCoeff();
-
-    for (Eigen::Index k = 0; k < rows.rows(); ++k)
-        if (participation.row (k).cwiseAbs().maxCoeff() > participationFloor
-            && rows.row (k).cwiseAbs().maxCoeff() > rowFloor)
-            moved.push_back (k);
-
-    return moved;
-}
-
 Rows movedHardRows (const AllocationProblem& problem)
 {
-    auto moved = movedRows (problem.participation, problem.rows);
+    auto moved = movedRows (hardProducts (problem));
 
     for (Eigen::Index k = 0; k < problem.wanted.size(); ++k)
         if (problem.wanted[k] != 0 && ! std::binary_search (moved.begin(), moved.end(), k))
@@ -137,19 +119,42 @@ Rows movedHardRows (const AllocationProblem& problem)
     return moved;
 }
 
+void appendBelow (Eigen::MatrixXd& matrix, const Eigen::MatrixXd& more)
+{
+    matrix.conservativeResize (matrix.rows() + more.rows(), more.cols());
+    matrix.bottomRows (more.rows()) = more;
+}
+
 /** Puts rows below those that are there, each scaled to a Gram entry of 1.
     @return  the factors by which they were scaled */
-Eigen::VectorXd appendRows (WhitenedAllocation& whitened, const Eigen::MatrixXd& participation,
-                            const Eigen::MatrixXd& rows)
+Eigen::VectorXd appendRows (WhitenedAllocation& whitened, const RowProducts& products)
 {
-    Eigen::MatrixXd responses = Eigen::MatrixXd::Zero (rows.rows(), rows.cols());
-    addProduct (responses, 1, rows, whitened.toShares);
+    const auto seen = [&] (const Eigen::MatrixXd& rows)
+    {
+        Eigen::MatrixXd responses = Eigen::MatrixXd::Zero (rows.rows(), rows.cols());
+        addProduct (responses, 1, rows, whitened.toShares);
+        return responses;
+    };
+    const auto responses = seen (products.rows);
+    const auto& participation = products.participation;
     Eigen::VectorXd scale = responses.rowwise().norm().cwiseProduct (participation.rowwise().norm()).cwiseInverse();
-    const auto first = whitened.responses.rows();
-    whitened.responses.conservativeResize (first + rows.rows(), rows.cols());
-    whitened.responses.bottomRows (rows.rows()) = scale.asDiagonal() * responses;
-    whitened.participation.conservativeResize (first + rows.rows(), participation.cols());
-    whitened.participation.bottomRows (rows.rows()) = participation;
+
+    if (products.hasSecond())
+    {
+        const auto second = seen (products.secondRows);
+        const auto& other = products.secondParticipation;
+        const auto squares = responses.rowwise().squaredNorm().cwiseProduct (participation.rowwise().squaredNorm())
+                             + second.rowwise().squaredNorm().cwiseProduct (other.rowwise().squaredNorm())
+                             + 2
+                                   * responses.cwiseProduct (second).rowwise().sum().cwiseProduct (
+                                       participation.cwiseProduct (other).rowwise().sum());
+        scale = squares.cwiseSqrt().cwiseInverse();
+        appendBelow (whitened.secondResponses, scale.asDiagonal() * second);
+        appendBelow (whitened.secondParticipation, other);
+    }
+
+    appendBelow (whitened.responses, scale.asDiagonal() * responses);
+    appendBelow (whitened.participation, participation);
     return scale;
 }
 
@@ -175,15 +180,15 @@ void checkIndependentRows (Eigen::MatrixXd gram, const Rows& names)
 void appendGuards (WhitenedAllocation& whitened, const AllocationProblem& problem)
 {
     constexpr auto minimumCompliance = 1e-12;
-    const auto moved = movedRows (problem.guardParticipation, problem.guardRows);
+    const auto guards = guardProducts (problem);
+    const auto moved = movedRows (guards);
 
     if (moved.empty() || problem.guardWeight == 0)
         return;
 
     const auto minimumEnergy = whitened.wanted.dot (solveFactored (whitened.hardFactor, whitened.wanted).col (0));
     const auto stiffness = problem.guardWeight * minimumEnergy / problem.wanted.squaredNorm();
-    const auto scale =
-        appendRows (whitened, problem.guardParticipation (moved, Eigen::all), problem.guardRows (moved, Eigen::all));
+    const auto scale = appendRows (whitened, chosenRows (guards, moved));
     const auto count = static_cast<Eigen::Index> (moved.size());
     whitened.wanted.conservativeResize (whitened.hardRows + count);
     whitened.wanted.tail (count).setZero();
@@ -197,6 +202,13 @@ WhitenedAllocation WhitenedAllocation::withoutGuards() const
     auto hard = *this;
     hard.responses.conservativeResize (hardRows, Eigen::NoChange);
     hard.participation.conservativeResize (hardRows, Eigen::NoChange);
+
+    if (hard.secondResponses.rows() > 0)
+    {
+        hard.secondResponses.conservativeResize (hardRows, Eigen::NoChange);
+        hard.secondParticipation.conservativeResize (hardRows, Eigen::NoChange);
+    }
+
     hard.wanted.conservativeResize (hardRows);
     hard.compliance.conservativeResize (hardRows);
     return hard;
@@ -206,23 +218,67 @@ Eigen::VectorXd WhitenedAllocation::rowValues (const Eigen::MatrixXd& shares) co
 {
     Eigen::MatrixXd values = Eigen::MatrixXd::Zero (responses.rows(), shares.cols());
     addProduct (values, 1, responses, shares);
-    return values.cwiseProduct (participation).rowwise().sum();
+    Eigen::VectorXd sums = values.cwiseProduct (participation).rowwise().sum();
+
+    if (secondResponses.rows() > 0)
+    {
+        values.setZero();
+        addProduct (values, 1, secondResponses, shares);
+        sums += values.cwiseProduct (secondParticipation).rowwise().sum();
+    }
+
+    return sums;
 }
 
 Eigen::MatrixXd WhitenedAllocation::rowGram() const
 {
     const auto rows = responses.rows();
-    Eigen::MatrixXd ofDrives = Eigen::MatrixXd::Zero (rows, rows), ofCeramics = ofDrives;
-    addTransposedRight (ofDrives, 1, responses, responses);
-    addTransposedRight (ofCeramics, 1, participation, participation);
-    return ofDrives.cwiseProduct (ofCeramics);
+    const auto overlaps = [rows] (const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
+    {
+        Eigen::MatrixXd product = Eigen::MatrixXd::Zero (rows, rows);
+        addTransposedRight (product, 1, a, b);
+        return product;
+    };
+    Eigen::MatrixXd gram = overlaps (responses, responses).cwiseProduct (overlaps (participation, participation));
+
+    if (secondResponses.rows() > 0)
+    {
+        const Eigen::MatrixXd mixed =
+            overlaps (responses, secondResponses).cwiseProduct (overlaps (participation, secondParticipation));
+        gram += overlaps (secondResponses, secondResponses)
+                    .cwiseProduct (overlaps (secondParticipation, secondParticipation));
+        gram += mixed + mixed.transpose();
+    }
+
+    return gram;
 }
 
 Eigen::MatrixXd WhitenedAllocation::weightedRows (const Eigen::VectorXd& multipliers) const
 {
     Eigen::MatrixXd sums = Eigen::MatrixXd::Zero (responses.cols(), participation.cols());
     addTransposedLeft (sums, 1, responses, multipliers.asDiagonal() * participation);
+
+    if (secondResponses.rows() > 0)
+        addTransposedLeft (sums, 1, secondResponses, multipliers.asDiagonal() * secondParticipation);
+
     return sums;
+}
+
+Eigen::MatrixXd WhitenedAllocation::responsesTo (Eigen::Index ceramic) const
+{
+    if (secondResponses.rows() == 0)
+        return responses;
+
+    return participation.col (ceramic).asDiagonal() * responses
+           + secondParticipation.col (ceramic).asDiagonal() * secondResponses;
+}
+
+Eigen::VectorXd WhitenedAllocation::weightsOf (Eigen::Index ceramic) const
+{
+    if (secondResponses.rows() == 0)
+        return participation.col (ceramic);
+
+    return Eigen::VectorXd::Ones (participation.rows());
 }
 
 Eigen::VectorXd WhitenedAllocation::direction (Eigen::Index ceramic, Eigen::Index sample) const
@@ -296,7 +352,7 @@ WhitenedAllocation whiten (const AllocationProblem& problem)
     whitened.limits = problem.voltageLimits / whitened.voltageUnit;
     whitenDrives (whitened, problem.waveforms);
     appendSlopes (whitened, problem);
-    const auto scale = appendRows (whitened, problem.participation (hard, Eigen::all), problem.rows (hard, Eigen::all));
+    const auto scale = appendRows (whitened, chosenRows (hardProducts (problem), hard));
     whitened.hardRows = scale.size();
     whitened.hardNames = hard;
     whitened.hardScale = scale;

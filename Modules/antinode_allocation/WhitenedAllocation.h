@@ -29,10 +29,11 @@ struct WhitenedAllocation
     Eigen::MatrixXd toShares;        ///< N_d x N_d: m_i = toShares x_i, V.
     Eigen::MatrixXd responses;       ///< N_r x N_d: row r sees ceramic i as participation (r, i) responses (r, :) x_i.
     Eigen::MatrixXd participation;   ///< N_r x N_b
-    Eigen::VectorXd wanted;          ///< N_r; 0 for guards.
-    Eigen::VectorXd compliance;      ///< N_r; 0 for hard rows.
-    Eigen::VectorXd limits;          ///< N_b; the largest is 1.
-    Eigen::MatrixXd hardFactor;      ///< Of the hard rows' Gram matrix, as factorLower leaves it.
+    Eigen::MatrixXd secondResponses, secondParticipation; ///< The same of the rows' second products, or empty.
+    Eigen::VectorXd wanted;                               ///< N_r; 0 for guards.
+    Eigen::VectorXd compliance;                           ///< N_r; 0 for hard rows.
+    Eigen::VectorXd limits;                               ///< N_b; the largest is 1.
+    Eigen::MatrixXd hardFactor;                           ///< Of the hard rows' Gram matrix, as factorLower leaves it.
     Eigen::Index hardRows = 0;
     std::vector<Eigen::Index> hardNames; ///< Which rows of the problem they are.
     Eigen::VectorXd hardScale;           ///< By which factor each was scaled.
@@ -40,6 +41,11 @@ struct WhitenedAllocation
 
     Eigen::Index drives() const { return basis.cols(); }
     Eigen::Index ceramics() const { return participation.cols(); }
+
+    /** What the rows see of one ceramic: row r of N_r x N_d is that of responses times the weight r. Where rows have
+       two products, their sums with weights of 1. [worker] */
+    Eigen::MatrixXd responsesTo (Eigen::Index ceramic) const;
+    Eigen::VectorXd weightsOf (Eigen::Index ceramic) const;
 
     /** The factors from a ceramic's share to one of its samples, N_d. [any] */
     Eigen::VectorXd direction (Eigen::Index ceramic, Eigen::Index sample) const;

@@ -168,7 +168,7 @@ HeatMap spectrogramChart (const Render& render, Eigen::Index probe, double maxim
 
 HeatMap fieldOverTimeChart (const ModalModel& model, const FocusDesign& design, const Render& render, double span)
 {
-    Eigen::MatrixXd shapes (mapColumns, model.modes());
+    Eigen::MatrixXd shapes (mapColumns, model.coordinates());
     const auto& surface = model.surface;
     const auto width = surface.xMaximum - surface.xMinimum;
     const auto isPlate = surface.kind == SurfaceKind::plate;

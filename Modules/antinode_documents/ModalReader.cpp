@@ -9,6 +9,7 @@
 #include <antinode_text/PhysicalRanges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace antinode
@@ -45,11 +46,25 @@ std::vector<JsonObject> readModeList (const JsonObject& device)
 
     for (const auto& mode : device.required ("modes").items (1, ranges::maximumModes))
         modes.push_back (
-            mode.object ({ "frequency_Hz", "damping_ratio", "quality_factor", "participation_per_V", "shape", "slope",
+            mode.object ({ "frequency_Hz", "damping_ratio", "quality_factor", "participation_per_V",
+                           "participation_imaginary_per_V", "shape", "shape_imaginary", "slope", "slope_imaginary",
                            "frequency_error_relative", "frequency_standard_deviation_Hz",
                            "damping_ratio_standard_deviation", "participation_standard_deviation_per_V" }));
 
     return modes;
+}
+
+/** The imaginary parts of a complex mode, which lie behind the real parts of all modes. */
+void readImaginaryParts (const JsonObject& mode, const std::vector<Eigen::Index>& order, Eigen::Index k,
+                         ModalModel& model)
+{
+    const auto points = model.points(), imaginary = model.modes() + k;
+    model.participation.row (imaginary) =
+        readVector (mode.required ("participation_imaginary_per_V"), model.actuators(), anyNumber);
+    model.shapes.col (imaginary) = readVector (mode.required ("shape_imaginary"), points, anyNumber) (order);
+
+    if (model.slopes.rows() > 0)
+        model.slopes.col (imaginary) = readVector (mode.required ("slope_imaginary"), points, anyNumber) (order);
 }
 
 /** One mode. The model has its sizes already. */
@@ -64,6 +79,9 @@ void readMode (const JsonObject& mode, const std::vector<Eigen::Index>& order, E
     if (model.slopes.rows() > 0)
         model.slopes.col (k) = readVector (mode.required ("slope"), points, anyNumber) (order);
 
+    if (model.hasComplexModes())
+        readImaginaryParts (mode, order, k, model);
+
     if (model.frequencyErrors.size() > 0)
         model.frequencyErrors[k] = mode.required ("frequency_error_relative").number (notNegative);
 
@@ -73,6 +91,23 @@ void readMode (const JsonObject& mode, const std::vector<Eigen::Index>& order, E
 
     if (const auto deviations = mode.optional ("participation_standard_deviation_per_V"))
         readVector (*deviations, model.actuators(), notNegative);
+}
+
+/** Whether modes have imaginary parts. @throws InputError  when some have, or they are not whole */
+bool areComplex (const std::vector<JsonObject>& modes, bool haveSlopes)
+{
+    const auto haveShapes = allHave (modes, "shape_imaginary");
+    const auto haveParticipations = allHave (modes, "participation_imaginary_per_V");
+    const auto haveImaginarySlopes = allHave (modes, "slope_imaginary");
+
+    if (haveShapes != haveParticipations)
+        modes.front().fail ("has an imaginary part of its shape or of its participation only; allowed: both or none");
+
+    if (haveImaginarySlopes != (haveShapes && haveSlopes))
+        modes.front().fail ("has 'slope_imaginary' without 'slope' and 'shape_imaginary', or lacks it; allowed: the "
+                            "imaginary part of every quantity or of none");
+
+    return haveShapes;
 }
 
 void readModes (const JsonObject& device, const std::vector<Eigen::Index>& order, ModalModel& model)
@@ -88,11 +123,12 @@ void readModes (const JsonObject& device, const std::vector<Eigen::Index>& order
 
     // The first mode says how many ceramics there are; the others must agree.
     const auto ceramics = modes.front().required ("participation_per_V").items (0, ranges::maximumCeramics).size();
+    const auto coordinates = areComplex (modes, hasSlopes) ? 2 * modeCount : modeCount;
     model.angularFrequencies.resize (modeCount);
     model.dampingRatios.resize (modeCount);
-    model.shapes.resize (points, modeCount);
-    model.slopes.resize (hasSlopes ? points : 0, hasSlopes ? modeCount : 0);
-    model.participation.resize (modeCount, static_cast<Eigen::Index> (ceramics));
+    model.shapes.resize (points, coordinates);
+    model.slopes.resize (hasSlopes ? points : 0, hasSlopes ? coordinates : 0);
+    model.participation.resize (coordinates, static_cast<Eigen::Index> (ceramics));
     model.frequencyErrors.resize (allHave (modes, "frequency_error_relative") ? modeCount : 0);
 
     for (Eigen::Index k = 0; k < modeCount; ++k)
@@ -184,11 +220,17 @@ void sortModes (ModalModel& model)
                       [&] (auto a, auto b) { return model.angularFrequencies[a] < model.angularFrequencies[b]; });
     model.angularFrequencies = model.angularFrequencies (order).eval();
     model.dampingRatios = model.dampingRatios (order).eval();
-    model.shapes = model.shapes (Eigen::all, order).eval();
-    model.participation = model.participation (order, Eigen::all).eval();
+    auto coordinates = order;
+
+    if (model.hasComplexModes())
+        std::transform (order.begin(), order.end(), std::back_inserter (coordinates),
+                        [&] (auto k) { return model.modes() + k; });
+
+    model.shapes = model.shapes (Eigen::all, coordinates).eval();
+    model.participation = model.participation (coordinates, Eigen::all).eval();
 
     if (model.slopes.size() > 0)
-        model.slopes = model.slopes (Eigen::all, order).eval();
+        model.slopes = model.slopes (Eigen::all, coordinates).eval();
 
     if (model.frequencyErrors.size() > 0)
         model.frequencyErrors = model.frequencyErrors (order).eval();
@@ -229,7 +271,11 @@ ModalModel readModalModel (const JsonValue& device)
 
     sortModes (model);
     const auto covers = body.optional ("covers_whole_body");
-    model.coversWholeBody = covers ? covers->boolean() : shapesAreOrthonormal (model);
+
+    if (covers && covers->boolean() && model.hasComplexModes())
+        covers->fail ("is true, but shapes of complex modes are not orthogonal; allowed: false");
+
+    model.coversWholeBody = ! model.hasComplexModes() && (covers ? covers->boolean() : shapesAreOrthonormal (model));
     const auto needsSlopes = model.surface.kind == SurfaceKind::line && model.slopes.size() == 0;
     return needsSlopes ? withSplineSlopes (std::move (model)) : model;
 }

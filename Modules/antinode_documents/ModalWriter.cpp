@@ -21,6 +21,17 @@ double largestLimit (const ModalModel& model)
     return largest > 0 ? largest : model.fullScaleVoltage;
 }
 
+/** Behind the real parts, which are as those of real modes. */
+void addImaginaryParts (Json& mode, const ModalModel& model, Eigen::Index k)
+{
+    const auto imaginary = model.modes() + k;
+    mode["participation_imaginary_per_V"] = toJsonList (model.participation.row (imaginary));
+    mode["shape_imaginary"] = toJsonList (model.shapes.col (imaginary));
+
+    if (model.slopes.size() > 0)
+        mode["slope_imaginary"] = toJsonList (model.slopes.col (imaginary));
+}
+
 Json modesToJson (const ModalModel& model)
 {
     auto modes = Json::array();
@@ -39,6 +50,9 @@ Json modesToJson (const ModalModel& model)
 
         if (model.slopes.size() > 0)
             mode["slope"] = toJsonList (model.slopes.col (k));
+
+        if (model.hasComplexModes())
+            addImaginaryParts (mode, model, k);
 
         modes.push_back (std::move (mode));
     }

@@ -17,6 +17,10 @@ std::string encodeModeTable (const ModalModel& model)
     for (const auto& ceramic : model.ceramics)
         text += ',' + csvField ("participation_" + ceramic.name + "_per_V");
 
+    if (model.hasComplexModes())
+        for (const auto& ceramic : model.ceramics)
+            text += ',' + csvField ("participation_imaginary_" + ceramic.name + "_per_V");
+
     for (Eigen::Index k = 0; k < model.modes(); ++k)
     {
         text += '\n' + std::to_string (k + 1);
@@ -30,6 +34,10 @@ std::string encodeModeTable (const ModalModel& model)
 
         for (Eigen::Index i = 0; i < model.actuators(); ++i)
             appendNumber (model.participation (k, i));
+
+        if (model.hasComplexModes())
+            for (Eigen::Index i = 0; i < model.actuators(); ++i)
+                appendNumber (model.participation (model.modes() + k, i));
     }
 
     return text + '\n';

@@ -10,7 +10,7 @@ namespace antinode
 struct ShapeMesh
 {
     Eigen::MatrixX2d points; ///< N x 2: x and y, m.
-    Eigen::MatrixXd shapes;  ///< N x N_m: normal to the surface, kg^-1/2.
+    Eigen::MatrixXd shapes;  ///< N x N_c: normal to the surface, kg^-1/2.
     std::vector<std::vector<Eigen::Index>>
         traces; ///< Lines of neighbouring points, from 0; each has two points or more.
 };

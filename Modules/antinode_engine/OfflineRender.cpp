@@ -194,12 +194,12 @@ Render renderOffline (const ModalModel& model, const VoltageProgram& program, co
 
     checkWatch();
     Render render;
-    const auto rows = model.actuators() + model.modes() + settings.probeShapes.rows();
+    const auto rows = model.actuators() + model.coordinates() + settings.probeShapes.rows();
     const auto samples = countSamples (settings, rows, kernels.synthesiser.focusSample());
     render.sampleRate = settings.playback.sampleRate;
     render.focusSample = kernels.synthesiser.focusSample();
     render.voltages.resize (model.actuators(), samples + kernels.plate.latencySamples());
-    render.modalVelocities.resize (model.modes(), samples);
+    render.modalVelocities.resize (model.coordinates(), samples);
     renderAll (kernels, settings.blockSize, samples, progress, render);
 
     if (kernels.limiter.isMuted())

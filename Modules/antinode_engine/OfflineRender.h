@@ -16,7 +16,7 @@ struct RenderSettings
     Playback playback;           ///< With a rate of more than 0.
     double duration = 0;         ///< s, from the trigger.
     int blockSize = 512;         ///< Any, 1 or more: the result does not depend on it.
-    Eigen::MatrixXd probeShapes; ///< N_probes x N_m
+    Eigen::MatrixXd probeShapes; ///< N_probes x N_c
 };
 
 /** A whole event: voltages and what the plate does with them. */
@@ -26,8 +26,8 @@ struct Render
     std::int64_t focusSample = 0;             ///< The sample on which the focus falls.
     Eigen::MatrixXd voltages;                 ///< N_b x N_s, V, after the limiter.
     Eigen::MatrixXd probeVelocities;          ///< N_probes x N_s, m/s, aligned with the voltages.
-    Eigen::MatrixXd modalVelocities;          ///< N_m x N_s, m/s kg^1/2, aligned with the voltages.
-    Eigen::VectorXd focusVelocities;          ///< N_m: modal velocities at the focus sample.
+    Eigen::MatrixXd modalVelocities;          ///< N_c x N_s, m/s kg^1/2, aligned with the voltages.
+    Eigen::VectorXd focusVelocities;          ///< N_c: modal velocities at the focus sample.
     std::vector<std::int64_t> limitedSamples; ///< Per ceramic, how many samples the limiter had to clamp.
 };
 

@@ -134,11 +134,84 @@ HWY_INLINE void advanceAll (const PlateTile& tile, const PlateModes& modes, Vect
         advance<1, single> (tile, modes, sample, first, second);
 }
 
+/** Advances complex modes by some samples. The forces on the first coordinates wait where their velocities will be. A
+   single probe is added up here, too. */
+template <int samples, bool single>
+HWY_INLINE void advanceComplex (const PlateTile& tile, const PlateModes& modes, Index sample, Vector* first,
+                                Vector* second)
+{
+    Vector forces[samples][vectorsAtOnce];
+    const double *turn = modes.transition, *shapes = modes.shapes;
+    auto* motion = modes.motion + sample * groupModes;
+    auto* turned = motion + groupModes * plateTile;
+    auto* sums = tile.sums + sample * lanes;
+    drive<samples> (tile, modes, sample, forces);
+
+#pragma GCC unroll 16
+    for (Index n = 0; n < samples; ++n)
+#pragma GCC unroll 16
+        for (Index v = 0; v < vectorsAtOnce; ++v)
+            hn::Store (forces[n][v], tag, motion + n * groupModes + v * lanes);
+
+    auto ofSecond = modes;
+    ofSecond.drive += groupModes * tile.ceramics;
+    drive<samples> (tile, ofSecond, sample, forces);
+
+#pragma GCC unroll 16
+    for (Index n = 0; n < samples; ++n)
+    {
+        [[maybe_unused]] auto sum = single && ! modes.first ? hn::Load (tag, sums + n * lanes) : hn::Zero (tag);
+
+#pragma GCC unroll 16
+        for (Index v = 0; v < vectorsAtOnce; ++v)
+        {
+            const auto half = hn::Load (tag, motion + n * groupModes + v * lanes);
+            const auto velocity =
+                hn::MulAdd (hn::Load (tag, turn + v * lanes), first[v],
+                            hn::MulAdd (hn::Load (tag, turn + groupModes + v * lanes), second[v], half));
+            const auto other =
+                hn::MulAdd (hn::Load (tag, turn + 2 * groupModes + v * lanes), first[v],
+                            hn::MulAdd (hn::Load (tag, turn + 3 * groupModes + v * lanes), second[v], forces[n][v]));
+            first[v] = hn::Add (velocity, half);
+            second[v] = hn::Add (other, forces[n][v]);
+
+            if constexpr (single)
+            {
+                sum = hn::MulAdd (hn::Load (tag, shapes + v * lanes), velocity, sum);
+                sum = hn::MulAdd (hn::Load (tag, shapes + groupModes + v * lanes), other, sum);
+            }
+            else
+            {
+                hn::Store (velocity, tag, motion + n * groupModes + v * lanes);
+                hn::Store (other, tag, turned + n * groupModes + v * lanes);
+            }
+        }
+
+        if constexpr (single)
+            hn::Store (sum, tag, sums + n * lanes);
+    }
+}
+
+/** Advances some complex modes, sample by sample where four are too many. */
+template <bool single>
+HWY_INLINE void advanceAllComplex (const PlateTile& tile, const PlateModes& modes, Vector* first, Vector* second)
+{
+    Index sample = 0;
+
+    for (; sample + samplesAtOnce <= tile.samples; sample += samplesAtOnce)
+        advanceComplex<samplesAtOnce, single> (tile, modes, sample, first, second);
+
+    for (; sample < tile.samples; ++sample)
+        advanceComplex<1, single> (tile, modes, sample, first, second);
+}
+
 enum class Kind
 {
     many, // probes
     single,
-    bank // and one ceramic
+    bank, // and one ceramic
+    complexModes,
+    singleComplex
 };
 
 /** States below 1e-200 become 0 where a tile ends. */
@@ -162,6 +235,8 @@ HWY_NOINLINE void moveSome (const PlateTile& tile, const PlateModes& modes)
 
     if constexpr (kind == Kind::bank)
         advanceBank (tile, modes, first, second);
+    else if constexpr (kind == Kind::complexModes || kind == Kind::singleComplex)
+        advanceAllComplex<kind == Kind::singleComplex> (tile, modes, first, second);
     else
         advanceAll<kind == Kind::single> (tile, modes, first, second);
 
@@ -180,9 +255,22 @@ void moveAll (const PlateTile& tile, Index firstMode)
         moveSome<kind> (tile, plateModes (tile, mode));
 }
 
+/** Of complex modes every other group is the second coordinates of the one before it. */
+template <Kind kind>
+void moveAllComplex (const PlateTile& tile, Index firstMode)
+{
+    for (auto group = firstMode; group < plateModesEnd (tile, firstMode); group += 2 * groupModes)
+        for (auto mode = group; mode < group + groupModes; mode += vectorsAtOnce * lanes)
+            moveSome<kind> (tile, plateComplexModes (tile, mode));
+}
+
 void move (const PlateTile& tile, Index firstMode)
 {
-    if (tile.probes != 1)
+    if (tile.complex && tile.probes == 1)
+        moveAllComplex<Kind::singleComplex> (tile, firstMode);
+    else if (tile.complex)
+        moveAllComplex<Kind::complexModes> (tile, firstMode);
+    else if (tile.probes != 1)
         moveAll<Kind::many> (tile, firstMode);
     else if (tile.ceramics != 1)
         moveAll<Kind::single> (tile, firstMode);

@@ -19,10 +19,15 @@ inline constexpr int plateModesHeard = 128, plateProbeGroup = 8;
 
         v = a11 x1 + a12 x2 + h,   x2 <- a21 x1 + a22 x2,   x1 <- v + h
 
-    where h is half of what the sample's force adds, and v the velocity at the sample. */
+    where h is half of what the sample's force adds, and v the velocity at the sample.
+
+    The force on a complex mode has two parts, which add to either coordinate, and both coordinates at the sample are
+   heard. So each group of 32 modes has its drive twice, for either coordinate, and after the velocities in `motion` the
+   second coordinates; the shapes are those of twice as many modes. */
 struct PlateTile
 {
-    int modes = 0, ceramics = 0, probes = 0;
+    int modes = 0, ceramics = 0, probes = 0; ///< Complex modes count twice, as they are heard.
+    bool complex = false;
     int samples = 0;                    ///< 1..16
     bool last = false;                  ///< Whether the tile ends here: then states below 1e-200 become 0.
     const double* drive = nullptr;      ///< groups x ceramics x 32: half of what 1 V for one sample adds to x1.
@@ -54,6 +59,20 @@ inline PlateModes plateModes (const PlateTile& tile, std::ptrdiff_t mode)
              tile.shapes + group * tile.probes + lane,
              tile.state + group * 2 + lane,
              tile.motion + group % plateModesHeard * plateTile + lane };
+}
+
+/** The data of complex modes, of which a group is heard as two, from one on in its first.
+    @param mode  as it is heard, in the first of its two groups
+    [audio thread] */
+inline PlateModes plateComplexModes (const PlateTile& tile, std::ptrdiff_t mode)
+{
+    const auto lane = mode % plateModeGroup, heard = mode - lane, group = heard / 2;
+    return { mode == 0,
+             tile.drive + heard * tile.ceramics + lane,
+             tile.transition + group * 4 + lane,
+             tile.shapes + heard * tile.probes + lane,
+             tile.state + group * 2 + lane,
+             tile.motion + heard % plateModesHeard * plateTile + lane };
 }
 
 /** The end of the modes that are summed at once, from one on. [audio thread] */

@@ -20,7 +20,7 @@ PlateModel::PlateModel (const ModalModel& model, Playback playback, Eigen::Matri
     : recursion (modalRecursion (model, playback)), participation (model.participation),
       probeShapes (std::move (shapes)), dampedFrequency (dampedFrequencies (model)),
       decayPerTurn (decayRates (model).array() / dampedFrequency), turned (model.modes()),
-      forces (model.modes(), 2 * recursion.tapsReal.cols())
+      forces (participation.rows(), 2 * recursion.tapsReal.cols())
 {
     requirePlayable (model, probeShapes);
     reset();
@@ -30,8 +30,8 @@ void PlateModel::reset()
 {
     stateReal.setZero (turned.size());
     stateImaginary.setZero (turned.size());
-    velocity.setZero (turned.size());
-    displacement.setZero (turned.size());
+    velocity.setZero (forces.rows());
+    displacement.setZero (forces.rows());
     forces.setZero();
     newest = 0;
 }
@@ -60,14 +60,39 @@ void PlateModel::advance (const Eigen::Ref<const Eigen::VectorXd>& voltages)
 
     for (Eigen::Index tap = 0; tap < recursion.tapsReal.cols(); ++tap)
     {
-        const auto force = forces.col (newest + 1 + tap);
+        const auto force = forces.col (newest + 1 + tap).head (turned.size());
         stateReal += recursion.tapsReal.col (tap) * force;
         stateImaginary += recursion.tapsImaginary.col (tap) * force;
     }
 
+    if (forces.rows() > turned.size())
+        addTurned();
+
     dropDenormals (stateReal);
     dropDenormals (stateImaginary);
-    velocity.array() = stateReal - decayPerTurn * stateImaginary;
+    velocity.head (turned.size()).array() = stateReal - decayPerTurn * stateImaginary;
+
+    if (forces.rows() > turned.size())
+        velocity.tail (turned.size()).array() = -stateImaginary - decayPerTurn * stateReal;
+}
+
+/** Adds what the imaginary parts of the forces on complex modes do. */
+void PlateModel::addTurned()
+{
+    for (Eigen::Index tap = 0; tap < recursion.tapsReal.cols(); ++tap)
+    {
+        const auto force = forces.col (newest + 1 + tap).tail (turned.size());
+        stateReal -= recursion.tapsImaginary.col (tap) * force;
+        stateImaginary += recursion.tapsReal.col (tap) * force;
+    }
+}
+
+void PlateModel::takeDisplacements()
+{
+    displacement.head (turned.size()).array() = stateImaginary / dampedFrequency;
+
+    if (forces.rows() > turned.size())
+        displacement.tail (turned.size()).array() = stateReal / dampedFrequency;
 }
 
 void PlateModel::process (Eigen::Ref<const Eigen::MatrixXd> voltages, Eigen::Ref<Eigen::MatrixXd> velocities)
@@ -81,7 +106,7 @@ void PlateModel::process (Eigen::Ref<const Eigen::MatrixXd> voltages, Eigen::Ref
             velocities.col (n) += probeShapes.col (k) * velocity[k];
     }
 
-    displacement.array() = stateImaginary / dampedFrequency;
+    takeDisplacements();
 }
 
 void PlateModel::processModes (Eigen::Ref<const Eigen::MatrixXd> voltages, Eigen::Ref<Eigen::MatrixXd> velocities)
@@ -92,6 +117,6 @@ void PlateModel::processModes (Eigen::Ref<const Eigen::MatrixXd> voltages, Eigen
         velocities.col (n) = velocity;
     }
 
-    displacement.array() = stateImaginary / dampedFrequency;
+    takeDisplacements();
 }
 } // namespace antinode

@@ -12,8 +12,9 @@ namespace antinode
 
     Integrates every mode exactly for the voltage that the samples stand for: held (zero-order hold), or band-limited
     (interpolated by a Kaiser-windowed sinc, then integrated over each sample to rounding). Each mode has a complex
-   state y' = (-a + jb) y + psi, of which q = Im y / b and q' = Re y - (a/b) Im y. Knows nothing of how the voltages
-   were designed. The output does not depend, to the bit, on how the samples are cut into blocks.
+   state y' = (-a + jb) y + psi, of which q = Im y / b and q' = Re y - (a/b) Im y; complex modes have complex forces
+   psi, and also what moves the imaginary parts of their shapes. Knows nothing of how the voltages were designed. The
+   output does not depend, to the bit, on how the samples are cut into blocks.
 
     The velocity of sample n is that of the time nT, before a held sample n acts. Samples before the first are 0.
     A voltage that is not finite stays in the state until reset: VoltageLimiter stands before this and lets none
@@ -23,7 +24,7 @@ namespace antinode
 class PlateModel
 {
 public:
-    /** @param probeShapes  N_probes x N_m: the rows of mode shapes at the probes (shapesAt), kg^-1/2
+    /** @param probeShapes  N_probes x N_c: the rows of mode shapes at the probes (shapesAt), kg^-1/2
         @throws InputError  when the rate is not finite and positive or less than 1/64 of a mode's frequency, or sizes
        do not agree, or a number is not finite [worker] allocates */
     PlateModel (const ModalModel&, Playback, Eigen::MatrixXd probeShapes);
@@ -39,15 +40,15 @@ public:
 
     /** The same with the modal velocities q'_k themselves instead of the probes.
         @param voltages    N_b x n, V
-        @param velocities  N_m x n, m/s kg^1/2
+        @param velocities  N_c x n, m/s kg^1/2
         [audio thread] allocates nothing, locks nothing, any n >= 0 */
     void processModes (Eigen::Ref<const Eigen::MatrixXd> voltages, Eigen::Ref<Eigen::MatrixXd> velocities);
 
-    /** The modal velocities q'_k after the last processed sample (of the time latencySamples() before it), N_m. [audio
+    /** The modal velocities q'_k after the last processed sample (of the time latencySamples() before it), N_c. [audio
         thread] */
     const Eigen::VectorXd& modalVelocities() const { return velocity; }
 
-    /** The modal displacements q_k of the same instant, N_m. [audio thread] */
+    /** The modal displacements q_k of the same instant, N_c. [audio thread] */
     const Eigen::VectorXd& modalDisplacements() const { return displacement; }
 
     /** Back to rest. [audio thread] */
@@ -56,9 +57,11 @@ public:
 private:
     void pushForces (const Eigen::Ref<const Eigen::VectorXd>& voltages);
     void advance (const Eigen::Ref<const Eigen::VectorXd>& voltages);
+    void addTurned();
+    void takeDisplacements();
 
     ModalRecursion recursion;
-    Eigen::MatrixXd participation; // N_m x N_b
+    Eigen::MatrixXd participation; // N_c x N_b
     Eigen::MatrixXd probeShapes;
     Eigen::ArrayXd dampedFrequency, decayPerTurn; // b and a/b
     Eigen::ArrayXd stateReal, stateImaginary, turned;

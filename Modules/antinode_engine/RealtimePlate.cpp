@@ -9,20 +9,33 @@
 
 namespace antinode
 {
+namespace
+{
+/** The place of a mode among those that are heard: complex modes are heard in two groups of 32, one after the other,
+   for their two coordinates. */
+Eigen::Index heardPlace (Eigen::Index mode, bool isComplex)
+{
+    return isComplex ? 2 * mode - mode % plateModeGroup : mode;
+}
+} // namespace
+
 RealtimePlate::RealtimePlate (const ModalModel& model, double sampleRate, const Eigen::MatrixXd& probeShapes)
     : move (plateKernel()), probes (probeKernel())
 {
     requirePlayable (model, probeShapes);
     const auto audible = (model.angularFrequencies.array() < std::numbers::pi * sampleRate).count(); // they ascend
-    sizes.modes = plateModeGroup * static_cast<int> ((audible + plateModeGroup - 1) / plateModeGroup);
+    const auto groups = static_cast<int> ((audible + plateModeGroup - 1) / plateModeGroup);
+    sizes.complex = model.hasComplexModes();
+    sizes.modes = plateModeGroup * (sizes.complex ? 2 * groups : groups);
     sizes.ceramics = static_cast<int> (model.actuators());
     sizes.probes = static_cast<int> (probeShapes.rows());
 
-    const auto padded = static_cast<std::size_t> (sizes.modes);
+    const auto padded = static_cast<std::size_t> (plateModeGroup * groups);
+    const auto heard = static_cast<std::size_t> (sizes.modes);
     const auto rows = static_cast<std::size_t> (sizes.probes), columns = static_cast<std::size_t> (sizes.ceramics);
-    drive.resize (padded * columns);
+    drive.resize (heard * columns);
     transition.resize (padded * 4);
-    shapes.resize (padded * rows);
+    shapes.resize (heard * rows);
     state.resize (padded * 2);
     motion.resize (static_cast<std::size_t> (plateTile) * plateModesHeard);
     sums.resize (rows * plateTile * (plateModeGroup / 4));
@@ -31,18 +44,19 @@ RealtimePlate::RealtimePlate (const ModalModel& model, double sampleRate, const 
     setTransitions (model, sampleRate, audible);
 
     for (Eigen::Index k = 0; k < audible; ++k)
-        setShapes (k, probeShapes.col (k));
+        setModeShapes (k, probeShapes);
 }
 
 void RealtimePlate::setTransitions (const ModalModel& model, double sampleRate, Eigen::Index audible)
 {
     const auto recursion = modalRecursion (model, { Reconstruction::zeroOrderHold, sampleRate });
     const auto decay = decayRates (model);
-    const Eigen::ArrayXd perTurn = decay.array() / dampedFrequencies (model).array();
+    decayPerTurn = decay.array() / dampedFrequencies (model).array();
 
     for (Eigen::Index k = 0; k < audible; ++k)
     {
-        const auto real = recursion.transitionReal[k], imaginary = recursion.transitionImaginary[k], d = perTurn[k];
+        const auto real = recursion.transitionReal[k], imaginary = recursion.transitionImaginary[k];
+        const auto d = decayPerTurn[k];
         const auto lane = k % plateModeGroup, group = k - lane;
         auto* turn = transition.data() + group * 4 + lane;
         turn[0] = real - d * imaginary;
@@ -50,17 +64,50 @@ void RealtimePlate::setTransitions (const ModalModel& model, double sampleRate, 
         turn[2 * plateModeGroup] = imaginary;
         turn[3 * plateModeGroup] = real + d * imaginary;
         const auto half = std::tanh (decay[k] / (2 * sampleRate)) / decay[k];
+        const auto heard = heardPlace (k, sizes.complex);
 
-        for (Eigen::Index i = 0; i < sizes.ceramics; ++i)
-            drive.data()[group * sizes.ceramics + i * plateModeGroup + lane] = half * model.participation (k, i);
+        if (! sizes.complex)
+        {
+            setDrive (heard, half * model.participation.row (k));
+            continue;
+        }
+
+        const auto turned = model.participation.row (model.modes() + k);
+        setDrive (heard, half * (model.participation.row (k) - d * turned));
+        setDrive (heard + plateModeGroup, half * turned);
     }
 }
 
-void RealtimePlate::setShapes (Eigen::Index mode, const Eigen::VectorXd& atProbes)
+void RealtimePlate::setDrive (Eigen::Index heard, const Eigen::RowVectorXd& perVolt)
 {
-    const auto lane = mode % plateModeGroup;
+    const auto lane = heard % plateModeGroup;
+
+    for (Eigen::Index i = 0; i < sizes.ceramics; ++i)
+        drive.data()[(heard - lane) * sizes.ceramics + i * plateModeGroup + lane] = perVolt[i];
+}
+
+/** The turned velocity of a complex mode is -(1 + d^2) x2 - d x1, d = a/b. */
+void RealtimePlate::setModeShapes (Eigen::Index mode, const Eigen::MatrixXd& probeShapes)
+{
+    const auto heard = heardPlace (mode, sizes.complex);
+
+    if (! sizes.complex)
+    {
+        setShapes (heard, probeShapes.col (mode));
+        return;
+    }
+
+    const auto d = decayPerTurn[mode];
+    const auto turned = probeShapes.col (decayPerTurn.size() + mode);
+    setShapes (heard, probeShapes.col (mode) - d * turned);
+    setShapes (heard + plateModeGroup, -(1 + d * d) * turned);
+}
+
+void RealtimePlate::setShapes (Eigen::Index heard, const Eigen::VectorXd& atProbes)
+{
+    const auto lane = heard % plateModeGroup;
     const auto eights = sizes.probes - sizes.probes % plateProbeGroup;
-    auto* group = shapes.data() + (mode - lane) * sizes.probes;
+    auto* group = shapes.data() + (heard - lane) * sizes.probes;
 
     for (Eigen::Index p = 0; p < sizes.probes; ++p)
         if (const auto inEight = p % plateProbeGroup; p < eights)
@@ -87,23 +134,39 @@ void RealtimePlate::copyMotion (const RealtimePlate& other)
     newest = other.newest;
 }
 
-void RealtimePlate::modalVelocities (std::span<double> velocities) const
+/** One of the two coordinates of a mode. The state has all of what the sample's force adds, the motion at the sample
+   half of it. */
+double RealtimePlate::atLastSample (std::size_t mode, int coordinate) const
 {
     const auto ceramics = static_cast<std::size_t> (sizes.ceramics), last = static_cast<std::size_t> (newest);
+    const auto lane = mode % plateModeGroup, group = mode - lane, second = static_cast<std::size_t> (coordinate);
+    auto value = state[(group * 2) + second * plateModeGroup + lane];
 
-    for (std::size_t k = 0; k < velocities.size(); ++k)
+    if (coordinate > 0 && ! sizes.complex)
+        return value;
+
+    const auto heard = (sizes.complex ? 2 * group : group) + second * plateModeGroup;
+
+    for (std::size_t i = 0; i < ceramics; ++i)
+        value -= drive[heard * ceramics + i * plateModeGroup + lane] * inputVoltages[i * plateTile + last];
+
+    return value;
+}
+
+void RealtimePlate::modalVelocities (std::span<double> velocities) const
+{
+    const auto modes = static_cast<std::size_t> (decayPerTurn.size()), padded = state.size() / 2;
+    std::fill (velocities.begin(), velocities.end(), 0.0);
+
+    for (std::size_t k = 0; k < std::min (modes, padded); ++k)
     {
-        const auto lane = k % plateModeGroup, group = k - lane;
-        velocities[k] = 0;
+        velocities[k] = atLastSample (k, 0);
 
-        if (k >= static_cast<std::size_t> (sizes.modes))
+        if (! sizes.complex)
             continue;
 
-        // The state has all of what the sample's force adds, its velocity half of it.
-        velocities[k] = state[group * 2 + lane];
-
-        for (std::size_t i = 0; i < ceramics; ++i)
-            velocities[k] -= drive[group * ceramics + i * plateModeGroup + lane] * inputVoltages[i * plateTile + last];
+        const auto d = decayPerTurn[static_cast<Eigen::Index> (k)];
+        velocities[modes + k] = -(1 + d * d) * atLastSample (k, 1) - d * velocities[k];
     }
 }
 

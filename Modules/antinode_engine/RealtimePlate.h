@@ -27,7 +27,7 @@ class RealtimePlate
 {
 public:
     /** @param sampleRate   Hz
-        @param probeShapes  N_probes x N_m: the rows of mode shapes at the probes (shapesAt), kg^-1/2
+        @param probeShapes  N_probes x N_c: the rows of mode shapes at the probes (shapesAt), kg^-1/2
         @throws InputError  when the rate is not finite and positive, a mode is not usable, sizes do not agree, or a
        number is not finite [worker] allocates */
     RealtimePlate (const ModalModel&, double sampleRate, const Eigen::MatrixXd& probeShapes);
@@ -44,7 +44,7 @@ public:
     void copyMotion (const RealtimePlate&);
 
     /** The modal velocities at the last sample; those that are left out are 0.
-        @param velocities  room for N_m, m/s kg^1/2
+        @param velocities  room for N_c, m/s kg^1/2
         [audio thread] */
     void modalVelocities (std::span<double> velocities) const;
 
@@ -53,10 +53,14 @@ public:
 
 private:
     void setTransitions (const ModalModel&, double sampleRate, Eigen::Index audible);
-    void setShapes (Eigen::Index mode, const Eigen::VectorXd& atProbes);
+    void setDrive (Eigen::Index heard, const Eigen::RowVectorXd& perVolt);
+    void setShapes (Eigen::Index heard, const Eigen::VectorXd& atProbes);
+    void setModeShapes (Eigen::Index mode, const Eigen::MatrixXd& probeShapes);
+    double atLastSample (std::size_t mode, int coordinate) const;
 
     AlignedVector<double> drive, transition, shapes;                   // as PlateTile has them
     AlignedVector<double> state, motion, sums, inputVoltages, outputs; // as PlateTile has them
+    Eigen::VectorXd decayPerTurn;                                      // N_m: a/b
     PlateTile sizes;
     PlateKernel move;
     ProbeKernel probes;

@@ -35,6 +35,11 @@ DriveList brakeDrives (int mode, double a, double b, const BrakeWindow& window)
 
 Complex counterShare (Complex pole, const DriveList& drives, Complex force)
 {
+    return counterShare (pole, drives, force, std::conj (force));
+}
+
+Complex counterShare (Complex pole, const DriveList& drives, Complex force, Complex counterForce)
+{
     const auto responseTo = [&] (const std::vector<Oscillation>& drive)
     {
         Complex state = 0;
@@ -45,7 +50,7 @@ Complex counterShare (Complex pole, const DriveList& drives, Complex force)
         return state;
     };
     const auto first = responseTo (drives[0]), second = 1i * responseTo (drives[1]);
-    const auto with = force * (first + second), against = std::conj (force) * (first - second);
+    const auto with = force * (first + second), against = counterForce * (first - second);
     return std::abs (against) < greatestCounterShare * std::abs (with) ? against / with : 0.0;
 }
 } // namespace antinode

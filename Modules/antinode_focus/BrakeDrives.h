@@ -28,4 +28,10 @@ DriveList brakeDrives (int mode, double decayRate, double dampedFrequency, const
     @return        rho, 0 where there is no force; its magnitude is below 1
     [any] Docs/Theory.md, section 6.6. */
 std::complex<double> counterShare (std::complex<double> pole, const DriveList& drives, std::complex<double> force);
+
+/** The same of a complex mode, which sees what rotates with it and what rotates against it by different forces.
+    @param counterForce  what stands for the conjugate of Z
+    [any] Docs/Theory.md, section 6.6. */
+std::complex<double> counterShare (std::complex<double> pole, const DriveList& drives, std::complex<double> force,
+                                   std::complex<double> counterForce);
 } // namespace antinode

@@ -1,6 +1,7 @@
 #include "BrakeProblem.h"
 
 #include "BrakeDrives.h"
+#include "ComplexRows.h"
 #include "Prediction.h"
 #include "StateRows.h"
 #include "Transients.h"
@@ -64,6 +65,9 @@ Eigen::VectorXd freeMotion (const FocusDesign& design, const ModalModel& model, 
     for (const auto& oscillation : design.program.oscillations)
         single.push_back ({ oscillation });
 
+    if (model.hasComplexModes())
+        return complexRowValues (model, stateRows (time, modes), single, design.program.allocation, design.playback);
+
     const Eigen::MatrixXd forces = stateParticipation (model, modes) * design.program.allocation;
     return rowResponses (model, stateRows (time, modes), single, design.playback).cwiseProduct (forces).rowwise().sum();
 }
@@ -75,10 +79,12 @@ std::pair<std::vector<int>, std::vector<int>> movingModes (const FocusDesign& de
     std::vector<int> all (static_cast<std::size_t> (model.modes())), others;
     std::iota (all.begin(), all.end(), 0);
     const auto motion = freeMotion (design, model, time, all);
+    const auto largestOf = [&] (Eigen::Index column) { return model.shapes.col (column).cwiseAbs().maxCoeff(); };
     const auto stillMoves = [&] (int k)
     {
-        const auto size =
-            std::hypot (motion[k], motion[model.modes() + k]) * model.shapes.col (k).cwiseAbs().maxCoeff();
+        const auto shape =
+            model.hasComplexModes() ? std::hypot (largestOf (k), largestOf (model.modes() + k)) : largestOf (k);
+        const auto size = std::hypot (motion[k], motion[model.modes() + k]) * shape;
         return size > nothingLeft * design.reachablePeakVelocity;
     };
     std::copy_if (all.begin(), all.end(), std::back_inserter (others), [&] (int k) { return ! stillMoves (k); });
@@ -122,9 +128,17 @@ BrakeProblem brakeProblem (const FocusDesign& design, const ModalModel& model, c
     allocation.participation = stateParticipation (model, modes);
     allocation.rows = rowResponses (model, stateRows (rest, modes), problem.drives, design.playback);
     allocation.wanted = -freeMotion (design, model, rest, modes);
+    allocation.guardWeight = design.description.allocation.guardWeight;
+
+    if (model.hasComplexModes())
+    {
+        addComplexRows (allocation, model, { stateRows (rest, modes), stateRows (rest, guards), {} }, problem.drives,
+                        design.playback);
+        return problem;
+    }
+
     allocation.guardParticipation = stateParticipation (model, guards);
     allocation.guardRows = rowResponses (model, stateRows (rest, guards), problem.drives, design.playback);
-    allocation.guardWeight = design.description.allocation.guardWeight;
     return problem;
 }
 
@@ -135,10 +149,19 @@ void addCounterShares (BrakeProblem& problem, const ModalModel& model, const Eig
     for (std::size_t i = 0; i < problem.modes.size(); ++i)
     {
         const auto k = problem.modes[i];
-        const Eigen::RowVectorXd forces =
-            model.participation.row (k) * matrix.middleCols (2 * static_cast<Eigen::Index> (i), 2);
+        const auto shares = matrix.middleCols (2 * static_cast<Eigen::Index> (i), 2);
+        const Eigen::RowVectorXd forces = model.participation.row (k) * shares;
+        std::complex<double> with (forces[0], -forces[1]), against = std::conj (with);
+
+        if (model.hasComplexModes())
+        {
+            const Eigen::RowVectorXd turned = model.participation.row (model.modes() + k) * shares;
+            with += std::complex<double> (turned[1], turned[0]);
+            against += std::complex<double> (-turned[1], turned[0]);
+        }
+
         const DriveList own { problem.drives[2 * i], problem.drives[2 * i + 1] };
-        const auto share = counterShare (poles[k], own, { forces[0], -forces[1] });
+        const auto share = counterShare (poles[k], own, with, against);
 
         for (auto drive = 2 * i; drive < 2 * i + 2; ++drive)
             for (auto& oscillation : problem.drives[drive])

@@ -1,6 +1,7 @@
 #include "DesignFocus.h"
 
 #include "Brake.h"
+#include "ComplexRows.h"
 #include "DesignRemarks.h"
 #include "DesignedProgram.h"
 #include "FocusMoments.h"
@@ -118,10 +119,10 @@ FocusDesign finished (FocusDesign design, const ModalModel& model, DesignExtent 
     if (hasBrake (description.transients))
         appendBrake (design, model);
 
-    if (extent == DesignExtent::complete)
+    if (extent == DesignExtent::complete && ! model.hasComplexModes())
         addLowerBound (design, model);
 
-    if (extent == DesignExtent::complete && ! design.program.samples)
+    if (extent == DesignExtent::complete && ! model.hasComplexModes() && ! design.program.samples)
         design.shortestPeriod = shortestPeriod (model, design.program, momentTimes (design.moments));
 
     if (extent == DesignExtent::complete)
@@ -150,6 +151,7 @@ FocusDesign designFocus (const ModalModel& model, const FocusDescription& descri
     if (model.actuators() == 0)
         throw InputError ("device '" + model.name + "'", "has no ceramics; a focus needs at least one");
 
+    requireComplexModesSuit (model, description);
     checkTargets (model, description.targets);
     const auto wanted = focusMoments (model, description, playback);
     double peakVelocity = 0;
@@ -172,6 +174,7 @@ FocusDesign designFocus (const ModalModel& model, const FocusDescription& descri
 FocusDesign designModes (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
                          const Eigen::VectorXd& wanted, Playback playback)
 {
+    requireRealModes (model, "wanted velocities of single modes");
     const Eigen::VectorXd field = model.shapes (Eigen::all, modes) * wanted;
     FocusMoment moment { description.focusTime, {}, projectField (model, field), wanted, field, 1 };
     constexpr auto extent = DesignExtent::complete;

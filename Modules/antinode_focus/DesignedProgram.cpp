@@ -1,5 +1,6 @@
 #include "DesignedProgram.h"
 
+#include "ComplexRows.h"
 #include "DriveDictionary.h"
 #include "FreeWaveform.h"
 #include "FurtherDrives.h"
@@ -55,6 +56,27 @@ bool mayTakeFurtherDrives (const FocusDescription& description, const Allocation
            && minimumShareToTry * certificate.minimumPeakRatio < 1;
 }
 
+/** Allocates until the wanted velocities of complex modes and what the imaginary parts of their shapes add are the
+   wanted field together. Modes that are nearly real need two or three rounds. */
+Allocation allocateComplex (const FocusDesign& design, const ModalModel& model, const DriveList& drives)
+{
+    constexpr auto maximumRounds = 10;
+    constexpr auto settled = 1e-6; // of the largest velocity
+    auto corrected = design.moments;
+    Allocation allocation;
+
+    for (int round = 0; round < maximumRounds; ++round)
+    {
+        allocation =
+            allocateDrives ({ model, design.description, design.controlledModes, corrected, design.playback }, drives);
+
+        if (correctWanted (corrected, design, model, drives, allocation.matrix) < settled)
+            break;
+    }
+
+    return allocation;
+}
+
 void addFurtherDrives (DriveList& drives, const FocusDesign& design, const ModalModel& model)
 {
     for (const auto& moment : design.moments)
@@ -69,6 +91,9 @@ void allocateProgram (FocusDesign& design, const ModalModel& model)
     auto drives = makeDrives (design, model);
     const auto allocate = [&]
     {
+        if (model.hasComplexModes())
+            return allocateComplex (design, model, drives);
+
         return allocateDrives ({ model, design.description, design.controlledModes, design.moments, design.playback },
                                drives);
     };

@@ -1,5 +1,6 @@
 #include "DriveAllocation.h"
 
+#include "ComplexRows.h"
 #include "DriveDictionary.h"
 #include "DriveGrid.h"
 #include "RobustRows.h"
@@ -124,10 +125,22 @@ AllocationProblem allocationProblem (const DriveTask& task, const DriveList& dri
     }
 
     const auto guards = guardModes (model, modes, choice);
-    problem.rows = rowResponses (model, rowsOver (modes, moments, ModalQuantity::velocity), drives, playback);
-    problem.guardParticipation = model.participation (timesOver (guards, moments), Eigen::all);
-    problem.guardRows = rowResponses (model, rowsOver (guards, moments, ModalQuantity::velocity), drives, playback);
+    const auto hardRows = rowsOver (modes, moments, ModalQuantity::velocity);
+    const auto guardRows = rowsOver (guards, moments, ModalQuantity::velocity);
+    problem.rows = rowResponses (model, hardRows, drives, playback);
     problem.guardWeight = choice.guardWeight;
+
+    if (model.hasComplexModes())
+    {
+        auto turned = rowsOver (modes, moments, ModalQuantity::turnedVelocity);
+        const auto turnedGuards = rowsOver (guards, moments, ModalQuantity::turnedVelocity);
+        turned.insert (turned.end(), turnedGuards.begin(), turnedGuards.end());
+        addComplexRows (problem, model, { hardRows, guardRows, turned }, drives, playback);
+        return problem;
+    }
+
+    problem.guardParticipation = model.participation (timesOver (guards, moments), Eigen::all);
+    problem.guardRows = rowResponses (model, guardRows, drives, playback);
 
     if (choice.isUndisplaced)
         addDisplacementRows (

@@ -24,7 +24,7 @@ SamplePeak largestInTime (const Eigen::RowVectorXd& samples);
 /** What modes did, sample by sample. Refers to the samples. */
 struct RecordedMotion
 {
-    const Eigen::MatrixXd& modalVelocities; ///< N_m x N_s, m/s kg^1/2
+    const Eigen::MatrixXd& modalVelocities; ///< N_c x N_s, m/s kg^1/2
     double sampleRate = 0;                  ///< Hz
 };
 

@@ -89,7 +89,7 @@ FieldPeak largestWanted (const Surface& surface, const std::vector<Target>& targ
 
 FieldPeak largestTruncated (const ModalModel& model, const FocusDesign& design, const FocusMoment& moment)
 {
-    Eigen::VectorXd velocities = Eigen::VectorXd::Zero (model.modes());
+    Eigen::VectorXd velocities = Eigen::VectorXd::Zero (model.coordinates());
     velocities (design.controlledModes) = moment.wanted;
     return largestVelocity (model, velocities);
 }

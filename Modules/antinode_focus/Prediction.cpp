@@ -92,18 +92,44 @@ Eigen::VectorXcd modalPoles (const ModalModel& model)
 Eigen::VectorXd modalVelocities (const ModalModel& model, const Eigen::VectorXcd& states)
 {
     const Eigen::ArrayXd ratio = decayRates (model).array() / dampedFrequencies (model).array();
-    return (states.real().array() - ratio * states.imag().array()).matrix();
+    const Eigen::VectorXd velocities = (states.real().array() - ratio * states.imag().array()).matrix();
+
+    if (! model.hasComplexModes())
+        return velocities;
+
+    Eigen::VectorXd all (2 * velocities.size());
+    all << velocities, (-states.imag().array() - ratio * states.real().array()).matrix();
+    return all;
 }
 
 Eigen::VectorXd modalDisplacements (const ModalModel& model, const Eigen::VectorXcd& states)
 {
-    return states.imag().cwiseQuotient (dampedFrequencies (model));
+    const auto frequencies = dampedFrequencies (model);
+    const Eigen::VectorXd displacements = states.imag().cwiseQuotient (frequencies);
+
+    if (! model.hasComplexModes())
+        return displacements;
+
+    Eigen::VectorXd all (2 * displacements.size());
+    all << displacements, states.real().cwiseQuotient (frequencies);
+    return all;
+}
+
+Eigen::MatrixXcd complexForces (const ModalModel& model, const Eigen::MatrixXd& forces)
+{
+    Eigen::MatrixXcd all = forces.topRows (model.modes()).cast<Complex>();
+
+    if (model.hasComplexModes())
+        all.imag() = forces.bottomRows (model.modes());
+
+    return all;
 }
 
 Eigen::VectorXcd predictStates (const ModalModel& model, const VoltageProgram& program, double time)
 {
     const auto poles = modalPoles (model);
-    Eigen::MatrixXd forces = Eigen::MatrixXd::Zero (model.modes(), program.allocation.cols()); // N_m x oscillations
+    Eigen::MatrixXd forces =
+        Eigen::MatrixXd::Zero (model.participation.rows(), program.allocation.cols()); // N_c x oscillations
     addProduct (forces, 1, model.participation, program.allocation);
     Eigen::VectorXcd states = Eigen::VectorXcd::Zero (model.modes());
 
@@ -112,8 +138,13 @@ Eigen::VectorXcd predictStates (const ModalModel& model, const VoltageProgram& p
         checkWatch();
 
         for (Eigen::Index c = 0; c < forces.cols(); ++c)
-            states[k] +=
-                forces (k, c) * modalResponse (poles[k], program.oscillations[static_cast<std::size_t> (c)], time);
+        {
+            const auto response = modalResponse (poles[k], program.oscillations[static_cast<std::size_t> (c)], time);
+            states[k] += forces (k, c) * response;
+
+            if (model.hasComplexModes())
+                states[k] += forces (model.modes() + k, c) * 1i * response;
+        }
     }
 
     if (program.samples)

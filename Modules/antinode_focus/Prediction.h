@@ -28,7 +28,8 @@ Eigen::VectorXcd modalPoles (const ModalModel&);
 
 /** Velocity and displacement from states.
     @param states  y_k of all modes
-    [any] Docs/Theory.md, section 3.1. */
+    @return        N_c: of complex modes those that move the imaginary parts of the shapes behind the others
+    [any] Docs/Theory.md, sections 1.11 and 3.1. */
 Eigen::VectorXd modalVelocities (const ModalModel&, const Eigen::VectorXcd& states);
 Eigen::VectorXd modalDisplacements (const ModalModel&, const Eigen::VectorXcd& states);
 
@@ -37,6 +38,12 @@ Eigen::VectorXd modalDisplacements (const ModalModel&, const Eigen::VectorXcd& s
     @return      N_m values y_k
     [worker] Docs/Theory.md, section 3.1. */
 Eigen::VectorXcd predictStates (const ModalModel&, const VoltageProgram&, double time);
+
+/** Forces on all modes as complex numbers: of complex modes the imaginary parts lie behind the real ones.
+    @param forces  N_c x any: participation times voltages
+    @return        N_m x any
+    [any] Docs/Theory.md, section 1.11. */
+Eigen::MatrixXcd complexForces (const ModalModel&, const Eigen::MatrixXd& forces);
 
 /** The value of an oscillation at one time: for start <= t < end, else 0. [any] */
 double oscillationValue (const Oscillation&, double time);

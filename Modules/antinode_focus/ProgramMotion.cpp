@@ -31,7 +31,7 @@ ProgramMotion::ProgramMotion (const ModalModel& model, const VoltageProgram& pro
     for (const auto& oscillation : program.oscillations)
         oscillations.push_back (offPoles (oscillation, poles));
 
-    with = against = model.participation * program.allocation;
+    with = against = complexForces (model, model.participation * program.allocation);
     std::set<double> times { program.focusTime };
 
     for (Eigen::Index c = 0; c < with.cols(); ++c)

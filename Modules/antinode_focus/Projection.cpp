@@ -21,7 +21,12 @@ Eigen::VectorXd fitted (const Eigen::MatrixXd& shapes, const Eigen::VectorXd& ma
 
 std::vector<int> drivableModes (const ModalModel& model)
 {
-    const Eigen::VectorXd strength = model.participation.rowwise().norm();
+    Eigen::VectorXd strength = model.participation.topRows (model.modes()).rowwise().norm();
+
+    if (model.hasComplexModes())
+        for (Eigen::Index k = 0; k < strength.size(); ++k)
+            strength[k] = std::hypot (strength[k], model.participation.row (strength.size() + k).norm());
+
     std::vector<int> modes;
 
     for (int k = 0; k < strength.size(); ++k)
@@ -138,7 +143,7 @@ ProjectedTarget projectField (const ModalModel& model, const Eigen::VectorXd& fi
     target.energy = model.surface.masses.dot (field.cwiseAbs2());
     target.modalVelocities =
         model.coversWholeBody ? Eigen::VectorXd (model.shapes.transpose() * model.surface.masses.cwiseProduct (field))
-                              : fitted (model.shapes, model.surface.masses, field);
+                              : fitted (model.shapes.leftCols (model.modes()), model.surface.masses, field);
     return target;
 }
 

@@ -50,7 +50,8 @@ Eigen::VectorXcd addedWithin (const ModalModel& model, const SampledVoltages& vo
 
     for (Eigen::Index i = 0; i < rule.nodes.size(); ++i)
     {
-        const Eigen::VectorXd forces = model.participation * voltagesAtPlace (voltages, place + part * rule.nodes[i]);
+        const Eigen::VectorXcd forces =
+            complexForces (model, model.participation * voltagesAtPlace (voltages, place + part * rule.nodes[i]));
         const Eigen::ArrayXcd decayed = (poles.array() * (interval * part * (1 - rule.nodes[i]))).exp();
         sum.array() += rule.weights[i] * part * interval * decayed * forces.array();
     }
@@ -111,9 +112,9 @@ Eigen::VectorXcd sampledStates (const ModalModel& model, const SampledVoltages& 
     const auto below = std::floor (place + onSample);
     const auto responses =
         sampleResponses (model, modes, voltages.playback, voltages.values.cols(), static_cast<Eigen::Index> (below));
-    Eigen::MatrixXd forces = Eigen::MatrixXd::Zero (model.modes(), voltages.values.cols());
+    Eigen::MatrixXd forces = Eigen::MatrixXd::Zero (model.participation.rows(), voltages.values.cols());
     addProduct (forces, 1, model.participation, voltages.values);
-    Eigen::VectorXcd states = responses.cwiseProduct (forces.cast<Complex>()).rowwise().sum();
+    Eigen::VectorXcd states = responses.cwiseProduct (complexForces (model, forces)).rowwise().sum();
 
     if (place - below > onSample)
     {

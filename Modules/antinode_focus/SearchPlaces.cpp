@@ -28,13 +28,13 @@ void placeEvenly (SearchPlaces& places, const ModalModel& model, double density)
     const auto y = evenPlaces (surface.yMinimum, surface.yMaximum, grid.y.places.size(), density);
     const auto rowsX = interpolationRows (grid.x, x), rowsY = interpolationRows (grid.y, y);
     places.steps = { x[1] - x[0], y[1] - y[0], 0 };
-    places.shapes.resize (x.size() * y.size(), model.modes());
+    places.shapes.resize (x.size() * y.size(), model.coordinates());
 
     for (const auto placeY : y)
         for (const auto placeX : x)
             places.starts.push_back ({ { placeX, placeY }, -1, 0 });
 
-    for (Eigen::Index k = 0; k < model.modes(); ++k)
+    for (Eigen::Index k = 0; k < model.coordinates(); ++k)
     {
         checkWatch();
         const Eigen::Map<const Eigen::MatrixXd> shape (model.shapes.col (k).data(), rowsX.cols(), rowsY.cols());
@@ -49,7 +49,7 @@ void placeOnLine (SearchPlaces& places, const ModalModel& model, double density)
     const auto& surface = model.surface;
     const auto x = evenPlaces (surface.xMinimum, surface.xMaximum, surface.points.rows(), density);
     places.steps = { x[1] - x[0], 0, 0 };
-    places.shapes.resize (x.size(), model.modes());
+    places.shapes.resize (x.size(), model.coordinates());
 
     for (Eigen::Index i = 0; i < x.size(); ++i)
     {

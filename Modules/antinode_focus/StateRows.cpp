@@ -5,6 +5,7 @@
 #include <antinode_base/Watch.h>
 
 #include <complex>
+#include <stdexcept>
 
 namespace antinode
 {
@@ -22,7 +23,17 @@ Complex stateAt (Complex pole, const Oscillation& oscillation, double time, Play
 
 double evaluateQuantity (Complex state, Complex pole, ModalQuantity quantity)
 {
-    return quantity == ModalQuantity::velocity ? state.real() + pole.real() / pole.imag() * state.imag() : state.imag();
+    switch (quantity)
+    {
+        case ModalQuantity::velocity:
+            return state.real() + pole.real() / pole.imag() * state.imag();
+        case ModalQuantity::displacement:
+            return state.imag();
+        case ModalQuantity::turnedVelocity:
+            return pole.real() / pole.imag() * state.real() - state.imag();
+    }
+
+    throw std::logic_error ("a mode has no such quantity");
 }
 } // namespace
 
@@ -38,7 +49,7 @@ std::vector<StateRow> rowsAt (double time, const std::vector<int>& modes, ModalQ
 }
 
 Eigen::MatrixXd rowResponses (const ModalModel& model, const std::vector<StateRow>& rows,
-                              const std::vector<std::vector<Oscillation>>& drives, Playback playback)
+                              const std::vector<std::vector<Oscillation>>& drives, Playback playback, ForceTurn turn)
 {
     const auto poles = modalPoles (model);
     Eigen::MatrixXd responses (rows.size(), drives.size());
@@ -55,6 +66,9 @@ Eigen::MatrixXd rowResponses (const ModalModel& model, const std::vector<StateRo
 
             for (const auto& oscillation : drives[static_cast<std::size_t> (l)])
                 state += stateAt (pole, oscillation, row.time, playback);
+
+            if (turn == ForceTurn::quarter)
+                state = { -state.imag(), state.real() };
 
             responses (r, l) = evaluateQuantity (state, pole, row.quantity);
         }

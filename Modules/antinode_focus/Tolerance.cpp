@@ -91,6 +91,7 @@ Percentiles computePercentiles (std::vector<double> values)
 Tolerance evaluateTolerance (const ModalModel& model, const FocusDesign& design, const ToleranceOptions& options,
                              const std::function<void (double)>& progress)
 {
+    requireRealModes (model, "tolerance studies");
     Tolerance tolerance;
     const auto wantedPeak = largestTruncated (model, design, design.moments.front());
     tolerance.options = options;

@@ -175,6 +175,7 @@ private:
 Tradeoff sweepTradeoff (const ModalModel& device, const FocusDescription& focus, Playback playback,
                         const std::function<void (const Tradeoff&)>& progress)
 {
+    requireRealModes (device, "trade-off studies");
     const auto model = withoutVoltageLimits (device);
     TradeoffPoint first;
     first.method = AllocationMethod::minimumNorm;
@@ -210,6 +211,7 @@ Tradeoff sweepTradeoff (const ModalModel& device, const FocusDescription& focus,
 double timeInMotion (const ModalModel& model, const VoltageProgram& program, const std::vector<int>& modes)
 {
     constexpr auto stepsPerCycle = 10.0;
+    requireRealModes (model, "trade-off studies");
     const auto poles = modalPoles (model);
     const auto highest = poles (modes).cwiseAbs().maxCoeff() / (2 * std::numbers::pi);
     const auto steps = std::max (1.0, std::ceil (program.focusTime * highest * stepsPerCycle));

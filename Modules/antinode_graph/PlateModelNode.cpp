@@ -26,9 +26,9 @@ PlateModelNode::~PlateModelNode()
 void PlateModelNode::prepare (const NodeFormat& format)
 {
     plate = std::make_unique<PlateModel> (*model, Playback { Reconstruction::bandLimited, format.sampleRate },
-                                          Eigen::MatrixXd (0, model->modes()));
+                                          Eigen::MatrixXd (0, model->coordinates()));
     voltages.setZero (model->actuators(), tile);
-    motion.setZero (model->modes(), tile);
+    motion.setZero (model->coordinates(), tile);
     heard.setZero (probes, tile);
 }
 

@@ -15,7 +15,7 @@ namespace antinode
 class PlateModelNode : public SurfaceNode
 {
 public:
-    /** @param probeShapes  N_probes x N_m: the rows of mode shapes at the probes (shapesAt), kg^-1/2 */
+    /** @param probeShapes  N_probes x N_c: the rows of mode shapes at the probes (shapesAt), kg^-1/2 */
     PlateModelNode (std::shared_ptr<const ModalModel>, Eigen::MatrixXd probeShapes);
     ~PlateModelNode() override;
     PlateModelNode (const PlateModelNode&) = delete;

@@ -13,7 +13,7 @@ namespace antinode
 class PlateNode : public SurfaceNode
 {
 public:
-    /** @param probeShapes  N_probes x N_m: the rows of mode shapes at the probes (shapesAt), kg^-1/2 */
+    /** @param probeShapes  N_probes x N_c: the rows of mode shapes at the probes (shapesAt), kg^-1/2 */
     PlateNode (std::shared_ptr<const ModalModel>, Eigen::MatrixXd probeShapes);
     ~PlateNode() override;
     PlateNode (const PlateNode&) = delete;

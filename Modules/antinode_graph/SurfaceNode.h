@@ -18,7 +18,7 @@ public:
         [worker, one at a time, not during prepare] allocates */
     virtual void setProbes (Eigen::MatrixXd probeShapes) = 0;
 
-    /** How the modes move just now. @param velocities  room for N_m, m/s kg^1/2 [audio thread, not before prepare] */
+    /** How the modes move just now. @param velocities  room for N_c, m/s kg^1/2 [audio thread, not before prepare] */
     virtual void modalVelocities (std::span<double> velocities) const = 0;
 };
 } // namespace antinode

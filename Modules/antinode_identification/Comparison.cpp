@@ -46,6 +46,7 @@ Eigen::MatrixXd modalAssurance (const Eigen::MatrixXd& one, const Eigen::MatrixX
 
 ModeComparison compareModes (const IdentifiedModes& identified, const ModalModel& computed)
 {
+    requireRealModes (computed, "comparisons with other modes");
     ModeComparison result;
     result.assurance = modalAssurance (identified.shapes, shapesAtPoints (computed, identified.points), {});
     Eigen::MatrixXd scores = result.assurance;

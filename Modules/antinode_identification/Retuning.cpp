@@ -116,6 +116,7 @@ void check (const ModalModel& model, const FrequencyResponses& responses)
 
 RetunedModel retune (const ModalModel& model, const FrequencyResponses& responses, const IdentificationOptions& options)
 {
+    requireRealModes (model, "updates of modes by new measurements");
     check (model, responses);
     const auto shapes = knownShapes (model, responses.points);
     auto found = identify (responses, options);

@@ -202,6 +202,7 @@ void requireUsable (const ModalModel& model, const Eigen::MatrixXd& voltages, co
 RunRecording simulateBench (const ModalModel& model, const Eigen::MatrixXd& shapes, const Eigen::MatrixXd& voltages,
                             const Eigen::VectorXd& sync, const SimulatedBenchSettings& settings)
 {
+    requireRealModes (model, "simulated measurements");
     requirePlayable (model, shapes);
     requireUsable (model, voltages, sync, settings);
     const auto samples = voltages.cols();

@@ -110,6 +110,31 @@ ModalModel withSplineSlopes (ModalModel model)
     return model;
 }
 
+Eigen::VectorXd phaseCollinearities (const ModalModel& model)
+{
+    Eigen::VectorXd values = Eigen::VectorXd::Ones (model.modes());
+
+    if (! model.hasComplexModes())
+        return values;
+
+    for (Eigen::Index k = 0; k < values.size(); ++k)
+    {
+        const auto real = model.shapes.col (k), imaginary = model.shapes.col (model.modes() + k);
+        const auto sum = real.squaredNorm() + imaginary.squaredNorm();
+        const auto difference = real.squaredNorm() - imaginary.squaredNorm(), mixed = 2 * real.dot (imaginary);
+        values[k] = sum > 0 ? (difference * difference + mixed * mixed) / (sum * sum) : 1.0;
+    }
+
+    return values;
+}
+
+void requireRealModes (const ModalModel& model, const std::string& what)
+{
+    require (! model.hasComplexModes(), model,
+             "has complex modes, but " + what + " take real modes only; identify it with real modes, or use another "
+                 + "device");
+}
+
 void validate (const ModalModel& model)
 {
     const auto modes = model.modes();
@@ -118,11 +143,12 @@ void validate (const ModalModel& model)
     require (modes > 0, model, "has no modes");
     require (points > 0, model, "has no points");
     require (model.dampingRatios.size() == modes, model, "needs one damping ratio per mode");
-    require (model.shapes.rows() == points && model.shapes.cols() == modes, model,
-             "needs one shape value for each point and mode");
+    const auto coordinates = model.coordinates();
+    require (model.shapes.rows() == points && model.shapes.cols() == coordinates, model,
+             "needs one shape value for each point and mode, real or complex as its participations");
     require (surface.masses.size() == points && surface.areas.size() == points, model,
              "needs one weight for each point");
-    require (model.participation.rows() == modes, model, "needs the participation of every mode");
+    require (model.participation.rows() == coordinates, model, "needs the participation of every mode");
     require (model.participation.cols() == static_cast<Eigen::Index> (model.ceramics.size()), model,
              "needs one column of participation per ceramic");
     require (surface.points.allFinite() && model.shapes.allFinite() && model.participation.allFinite(), model,
@@ -130,6 +156,11 @@ void validate (const ModalModel& model)
     require (surface.masses.allFinite() && surface.areas.allFinite() && surface.masses.minCoeff() >= 0
                  && surface.areas.minCoeff() >= 0 && surface.masses.sum() > 0 && surface.areas.sum() > 0,
              model, "has weights that are negative, not finite or all zero");
+
+    require (model.slopes.size() == 0 || model.slopes.cols() == coordinates, model,
+             "needs one slope for each point and mode, real or complex as its shapes");
+    require (! (model.hasComplexModes() && model.coversWholeBody), model,
+             "has complex modes, whose shapes are not orthogonal: 'covers_whole_body' must be false");
 
     if (surface.grid)
         require (surface.grid->x.places.size() * surface.grid->y.places.size() == points, model,

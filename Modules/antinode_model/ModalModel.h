@@ -12,6 +12,11 @@ namespace antinode
 
     N_m flexible modes, ascending in frequency; N_p points; N_b ceramics. The shapes are mass-normalised over the whole
     body: integral m phi_k phi_l = delta_kl. Docs/Theory.md, section 1; paper (13) to (23).
+
+    Modes are real, or all are complex, where damping is not proportional. Complex ones have their real parts where real
+    ones have theirs, and their imaginary parts behind them: shapes and slopes have twice as many columns, participation
+    twice as many rows. So the columns of shapes belong to N_c coordinates, N_m or 2 N_m of them, and a field is shapes
+    times the coordinates' velocities, whatever the modes are. Docs/Theory.md, section 1.11.
 */
 struct ModalModel
 {
@@ -19,9 +24,9 @@ struct ModalModel
     Surface surface;
     Eigen::VectorXd angularFrequencies; ///< N_m: omega_k, rad/s, undamped.
     Eigen::VectorXd dampingRatios;      ///< N_m: xi_k, 0 < xi < 1.
-    Eigen::MatrixXd shapes;             ///< N_p x N_m: phi_k normal to the surface, kg^-1/2.
-    Eigen::MatrixXd slopes;             ///< N_p x N_m: dphi_k/dx, kg^-1/2 / m. On a line only, else empty.
-    Eigen::MatrixXd participation;      ///< N_m x N_b: alpha_ki, N kg^-1/2 / V.
+    Eigen::MatrixXd shapes;             ///< N_p x N_c: phi_k normal to the surface, kg^-1/2.
+    Eigen::MatrixXd slopes;             ///< N_p x N_c: dphi_k/dx, kg^-1/2 / m. On a line only, else empty.
+    Eigen::MatrixXd participation;      ///< N_c x N_b: alpha_ki, N kg^-1/2 / V.
     std::vector<Ceramic> ceramics;      ///< N_b
     double fullScaleVoltage = 1;        ///< The voltage of a sample of 1.0 in files and at the outputs, V.
     bool coversWholeBody =
@@ -34,6 +39,8 @@ struct ModalModel
     Eigen::Index modes() const { return angularFrequencies.size(); }
     Eigen::Index points() const { return shapes.rows(); }
     Eigen::Index actuators() const { return participation.cols(); }
+    Eigen::Index coordinates() const { return hasComplexModes() ? 2 * modes() : modes(); }
+    bool hasComplexModes() const { return participation.rows() > modes(); }
     double frequencyHz (Eigen::Index mode) const;
 };
 
@@ -52,7 +59,7 @@ Eigen::VectorXd dampedFrequencies (const ModalModel&);
 
 /** The row of mode shapes at one place of the surface.
     @param x, y  m, inside the surface (y is ignored on a line)
-    @return      N_m values, kg^-1/2: cubic Hermite between points on a line, the polynomial of a grid's segments on a
+    @return      N_c values, kg^-1/2: cubic Hermite between points on a line, the polynomial of a grid's segments on a
    computed plate, thin-plate spline through scattered points
     @throws InputError  when the place lies outside the surface
     [worker] Docs/Theory.md, section 1.5. */
@@ -62,7 +69,18 @@ Eigen::RowVectorXd shapesAt (const ModalModel&, double x, double y);
     @throws InputError  when points do not ascend in x */
 ModalModel withSplineSlopes (ModalModel);
 
-/** Checks a model: sizes agree, numbers are finite, 0 < xi < 1, frequencies ascend and are positive.
+/** How far each mode is from real: the modal phase collinearity, 1 of a real one and of modes that are real. N_m
+    [any] Docs/Theory.md, section 8.5. */
+Eigen::VectorXd phaseCollinearities (const ModalModel&);
+
+/** Refuses complex modes where only real ones are known to be right.
+    @param what  what takes real modes only, a plural: "tolerance studies"
+    @throws InputError  when the modes are complex
+    [any] */
+void requireRealModes (const ModalModel&, const std::string& what);
+
+/** Checks a model: sizes agree, numbers are finite, 0 < xi < 1, frequencies ascend and are positive; complex shapes do
+    not claim to be orthogonal.
     @throws InputError  naming the first thing that is wrong. [worker] */
 void validate (const ModalModel&);
 } // namespace antinode

@@ -83,10 +83,12 @@ ModalRecursion modalRecursion (const ModalModel& model, Playback playback)
 
 void requirePlayable (const ModalModel& model, const Eigen::MatrixXd& probeShapes)
 {
-    if (model.participation.rows() != model.modes() || ! model.participation.allFinite())
+    const auto coordinates = model.coordinates();
+
+    if (model.participation.rows() != coordinates || ! model.participation.allFinite())
         throw InputError ("device '" + model.name + "'", "needs one row of finite participations for every mode");
 
-    if (probeShapes.cols() != model.modes() || ! probeShapes.allFinite())
+    if (probeShapes.cols() != coordinates || ! probeShapes.allFinite())
         throw InputError ("probes", "need one finite shape value for every mode");
 }
 } // namespace antinode

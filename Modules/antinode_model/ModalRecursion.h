@@ -33,7 +33,7 @@ struct ModalRecursion
 ModalRecursion modalRecursion (const ModalModel&, Playback);
 
 /** Checks the sizes and values of participations and probe shapes.
-    @param probeShapes  N_probes x N_m, kg^-1/2
+    @param probeShapes  N_probes x N_c, kg^-1/2
     @throws InputError  when sizes do not agree, or a number is not finite
     [worker] */
 void requirePlayable (const ModalModel&, const Eigen::MatrixXd& probeShapes);

@@ -181,6 +181,9 @@ double PowerFlow::imbalance() const
 
 std::string powerObstacle (const ModalModel& model)
 {
+    if (model.hasComplexModes())
+        return "the energies of complex modes do not add up; identify the device with real modes";
+
     const auto modal = modalCapacitances (model);
 
     for (std::size_t i = 0; i < model.ceramics.size(); ++i)

@@ -123,7 +123,7 @@ RenderedFocus renderFocus (ModalModel model, FocusDesign design, const RenderOpt
     settings.playback = options.playback;
     settings.duration = options.duration.value_or (defaultDuration (design));
     settings.blockSize = options.blockSize;
-    settings.probeShapes.resize (static_cast<Eigen::Index> (result.probes.size()), model.modes());
+    settings.probeShapes.resize (static_cast<Eigen::Index> (result.probes.size()), model.coordinates());
 
     for (std::size_t i = 0; i < result.probes.size(); ++i)
         settings.probeShapes.row (static_cast<Eigen::Index> (i)) =

@@ -33,7 +33,7 @@ struct RenderOptions
 struct ReachedMoment
 {
     std::int64_t sample = 0;
-    Eigen::VectorXd modalVelocities; ///< N_m, m/s kg^1/2
+    Eigen::VectorXd modalVelocities; ///< N_c, m/s kg^1/2
     Eigen::VectorXd field;           ///< N_p, m/s
     FieldPeak peak;                  ///< The largest velocity anywhere on the surface.
     FocusScore score;                ///< Against the wanted field.

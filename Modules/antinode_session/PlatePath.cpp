@@ -30,9 +30,9 @@ PlatePath::PlatePath (std::shared_ptr<const ModalModel> model, double sampleRate
                       const Eigen::MatrixXd& probeShapes, SurfaceModel kind)
     : modes (std::move (model)), rate (sampleRateToUse),
       stride (std::max (1, static_cast<int> (std::lround (rate * capturedSeconds / (capturedFrames - 1))))),
-      capture (std::make_shared<MotionCapture> (static_cast<int> (modes->modes()), capturedFrames,
+      capture (std::make_shared<MotionCapture> (static_cast<int> (modes->coordinates()), capturedFrames,
                                                 captureMemory * rate / stride)),
-      velocities (static_cast<std::size_t> (modes->modes())), heard (probes, stride)
+      velocities (static_cast<std::size_t> (modes->coordinates())), heard (probes, stride)
 {
     const auto ceramics = static_cast<int> (modes->actuators());
     input = graph.add (std::make_unique<InputNode> (ceramics), NodeGraph::noSource);

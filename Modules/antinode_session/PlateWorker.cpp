@@ -202,7 +202,7 @@ void PlateWorker::moveProbes()
 Eigen::MatrixXd PlateWorker::probeShapes() const
 {
     const auto& model = *present.model;
-    Eigen::MatrixXd shapes (PlatePath::probes, model.modes());
+    Eigen::MatrixXd shapes (PlatePath::probes, model.coordinates());
 
     for (std::size_t i = 0; i < settings.probes.size(); ++i)
     {

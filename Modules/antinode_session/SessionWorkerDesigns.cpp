@@ -51,7 +51,7 @@ std::vector<std::pair<double, double>> SessionWorker::notePlaces() const
 Eigen::MatrixXd SessionWorker::probeShapes() const
 {
     const auto places = probePlaces (focus->description, settings, model->surface);
-    Eigen::MatrixXd shapes (AudioPath::probes, model->modes());
+    Eigen::MatrixXd shapes (AudioPath::probes, model->coordinates());
     const auto& surface = model->surface;
 
     for (std::size_t i = 0; i < places.size(); ++i)

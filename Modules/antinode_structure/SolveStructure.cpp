@@ -6,10 +6,12 @@
 #include "SolvedPlate.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
 
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <string>
 #include <utility>
 
 namespace antinode
@@ -137,6 +139,14 @@ ModalModel solveLine (const std::string& name, const Body& body, std::optional<i
     return model;
 }
 
+std::string complexModesInWords (const ModalModel& model)
+{
+    const auto collinearity = phaseCollinearities (model);
+    return "Its modes are complex (modal phase collinearity " + inWords (collinearity.minCoeff()) + " to "
+           + inWords (collinearity.maxCoeff())
+           + "): pictures show the real parts of shapes, tables those of participations.";
+}
+
 /** Solves what a device's body is. */
 struct BodySolver
 {
@@ -149,7 +159,12 @@ struct BodySolver
     {
         validate (measured);
         const auto needsSlopes = measured.surface.kind == SurfaceKind::line && measured.slopes.size() == 0;
-        return needsSlopes ? withSplineSlopes (measured) : measured;
+        auto model = needsSlopes ? withSplineSlopes (measured) : measured;
+
+        if (model.hasComplexModes())
+            model.warnings.push_back (complexModesInWords (model));
+
+        return model;
     }
 
     const std::string& name;

@@ -33,6 +33,7 @@ struct ModesOptions
 nlohmann::ordered_json modesJson (const ModalModel& model, const std::string& kind, double milliseconds)
 {
     auto modes = nlohmann::ordered_json::array();
+    const auto collinearity = phaseCollinearities (model);
 
     for (Eigen::Index k = 0; k < model.modes(); ++k)
     {
@@ -41,6 +42,13 @@ nlohmann::ordered_json modesJson (const ModalModel& model, const std::string& ki
         mode["frequency_Hz"] = model.frequencyHz (k);
         mode["damping_ratio"] = model.dampingRatios[k];
         mode["participation_per_V"] = std::vector<double> (participation.begin(), participation.end());
+
+        if (model.hasComplexModes())
+        {
+            const Eigen::RowVectorXd imaginary = model.participation.row (model.modes() + k);
+            mode["participation_imaginary_per_V"] = std::vector<double> (imaginary.begin(), imaginary.end());
+            mode["phase_collinearity"] = collinearity[k];
+        }
 
         if (model.frequencyErrors.size() > 0)
             mode["error_estimate_relative"] = model.frequencyErrors[k];

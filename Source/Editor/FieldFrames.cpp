@@ -18,7 +18,7 @@ Eigen::VectorXd velocitiesAt (const ModalModel& model, const FocusDesign& design
     return modalVelocities (model, predictStates (model, design.program, time));
 }
 
-/** @param velocities  N_m x frames */
+/** @param velocities  N_c x frames */
 void fill (FieldFrames& frames, const ModalModel& model, const Eigen::MatrixXd& velocities)
 {
     Eigen::MatrixXd fields = model.shapes * velocities;
@@ -57,13 +57,13 @@ FieldFrames makeFrames (const ModalModel& model, const Eigen::MatrixXd& velociti
 
 FieldFrames stillFrames (const ModalModel& model)
 {
-    return framesOfFocus (model, Eigen::VectorXd::Zero (model.modes()));
+    return framesOfFocus (model, Eigen::VectorXd::Zero (model.coordinates()));
 }
 
 std::shared_ptr<const FieldFrames> predictFrames (const ModalModel& model, const FocusDesign& design)
 {
     auto frames = std::make_shared<FieldFrames> (predictFocus (model, design));
-    Eigen::MatrixXd velocities (model.modes(), FieldFrames::count);
+    Eigen::MatrixXd velocities (model.coordinates(), FieldFrames::count);
 
     for (int i = 0; i < FieldFrames::count; ++i)
     {

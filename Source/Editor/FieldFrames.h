@@ -16,7 +16,7 @@ struct FieldFrames
 
     std::vector<Eigen::MatrixXd> maps; ///< Of a plate: rows from below, m/s; one per frame, or only that of the focus.
     Eigen::MatrixXd lines;             ///< Of a line: points x frames, m/s; or one column alone: of the focus.
-    Eigen::VectorXd focusVelocities;   ///< N_m: modal velocities at the focus, m/s kg^1/2.
+    Eigen::VectorXd focusVelocities;   ///< N_c: modal velocities at the focus, m/s kg^1/2.
     Eigen::VectorXd focusField;        ///< N_p: at the focus, m/s.
     double largest = 0;                ///< The largest magnitude at the focus, m/s.
 

@@ -135,7 +135,7 @@ void MotionView::step()
     Eigen::MatrixXd window;
 
     // A path of the device before may still be in the snapshot for a moment.
-    if (isWanted && now->motion != nullptr && now->motion->take (window) && window.rows() == now->model->modes())
+    if (isWanted && now->motion != nullptr && now->motion->take (window) && window.rows() == now->model->coordinates())
         show (*now, window);
 }
 
@@ -155,7 +155,8 @@ void MotionView::show (const PlateSnapshot& snapshot, const Eigen::MatrixXd& win
     auto made = std::make_shared<MotionPicture>();
     made->model = snapshot.model;
     made->field = makePicture (snapshot.model, makeFrames (*snapshot.model, window));
-    made->spectrum = std::make_shared<const Chart> (amplitudeChart (window.cwiseAbs().rowwise().maxCoeff()));
+    const Eigen::VectorXd largest = window.topRows (snapshot.model->modes()).cwiseAbs().rowwise().maxCoeff();
+    made->spectrum = std::make_shared<const Chart> (amplitudeChart (largest));
     made->step = snapshot.captureStep;
     const std::lock_guard lock (mutex);
     newest = std::move (made);

@@ -1,5 +1,6 @@
 #include "Support/ErrorText.h"
 #include "Support/GoodFiles.h"
+#include "Support/ViscousChain.h"
 
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_text/JsonText.h>
@@ -243,4 +244,49 @@ TEST_CASE ("Exact numbers that contradict the keys with units are refused", "[fi
            == "my.json: /exact/points_m/2/0: is 0.04; allowed: 0.041 as in the key with the unit; a file that is "
               "edited by hand "
               "should omit 'exact'");
+}
+
+TEST_CASE ("Complex modes go through a file to the bit, and real ones have no imaginary parts in it",
+           "[files][complex]")
+{
+    const auto model = test::complexModel (test::viscousChain (8, 3, 40));
+    const auto read = writtenAndRead (model);
+    CHECK (read.hasComplexModes());
+    checkSame (model, read);
+    CHECK (read.slopes == model.slopes);
+
+    const auto text = modalDeviceToJson (irregularModel (SurfaceKind::line), {}).dump();
+    CHECK (text.find ("imaginary") == std::string::npos);
+}
+
+TEST_CASE ("Imaginary parts are given for every mode and quantity or for none", "[files][complex]")
+{
+    const auto complexDevice = []
+    { return modalDeviceToJson (test::complexModel (test::viscousChain (8, 3, 40)), {}); };
+    const auto errorAfter = [&] (const auto& change)
+    {
+        nlohmann::json document = complexDevice();
+        change (document);
+        return errorText ([&] { readModel (document); });
+    };
+    CHECK_THAT (errorAfter ([] (auto& d) { d["modes"][2].erase ("shape_imaginary"); }),
+                Catch::Contains ("allowed: for all modes or none"));
+    CHECK_THAT (errorAfter (
+                    [] (auto& d)
+                    {
+                        for (auto& mode : d["modes"])
+                            mode.erase ("participation_imaginary_per_V");
+                    }),
+                Catch::Contains ("allowed: both or none"));
+    CHECK_THAT (errorAfter (
+                    [] (auto& d)
+                    {
+                        for (auto& mode : d["modes"])
+                            mode.erase ("slope_imaginary");
+                    }),
+                Catch::Contains ("allowed: the imaginary part of every quantity or of none"));
+    CHECK_THAT (errorAfter ([] (auto& d) { d["covers_whole_body"] = true; }),
+                Catch::Contains ("not orthogonal; allowed: false"));
+    CHECK_THAT (errorAfter ([] (auto& d) { d["modes"][0]["shape_imaginary"].erase (0); }),
+                Catch::Contains ("shape_imaginary"));
 }

@@ -2,6 +2,7 @@
 #include "Support/GridModel.h"
 #include "Support/SineBeam.h"
 #include "Support/UniversalFileReader.h"
+#include "Support/ViscousChain.h"
 
 #include <antinode_documents/UniversalModes.h>
 #include <antinode_universal/UniversalFile.h>
@@ -175,4 +176,24 @@ TEST_CASE ("A universal file with a number that is not finite is refused", "[fil
     model.shapes (3, 1) = std::numeric_limits<double>::quiet_NaN();
     CHECK (errorText ([&] { encodeUniversalFile (modeSets (model)); })
            == "universal file: has a value that is not finite");
+}
+
+TEST_CASE ("A complex mode is written with its pole, its modal A and B, and complex values", "[files][complex]")
+{
+    const auto model = complexModel (viscousChain (8, 3, 40));
+    const auto sets = readSets (encodeUniversalFile (modeSets (model)), 55);
+    REQUIRE (sets.size() == 8);
+    const auto& mode = sets[1].records;
+    CHECK (mode[5] == "         1         3         2         8         5         3");
+    CHECK (mode[6] == "         2         6         1         2");
+    const auto number = [&] (std::size_t record, std::size_t which)
+    { return std::stod (mode[record].substr (13 * which, 13)); };
+    const std::complex<double> pole (number (7, 0), number (7, 1)), modalA (number (7, 2), number (7, 3)),
+        modalB (number (7, 4), number (7, 5));
+    CHECK (std::abs (pole) == Approx (model.angularFrequencies[1]).epsilon (1e-5));
+    CHECK (-pole.real() / std::abs (pole) == Approx (model.dampingRatios[1]).epsilon (1e-4));
+    CHECK (std::abs (modalB + pole * modalA) < 1e-4 * std::abs (modalB));
+    CHECK (modalA.imag() == Approx (2 * pole.imag()).epsilon (1e-5));
+    CHECK (number (9, 4) == Approx (model.shapes (0, 1)).epsilon (1e-5));
+    CHECK (number (9, 5) == Approx (model.shapes (0, 9)).epsilon (1e-5));
 }
