@@ -118,8 +118,10 @@ FeltMotion feltMotion (const ModalModel& model, const Eigen::MatrixXd& modalVelo
     const auto weigh = [&] (std::size_t index)
     {
         const auto k = static_cast<Eigen::Index> (index);
-        const auto slower = slowed (
-            withDecay (modalVelocities.row (k), lengths, { -decays[k], frequencies[k] }, sampleRate), lengths, taps);
+        const auto mode = k % model.modes(); // both coordinates of a complex mode decay alike
+        const auto slower =
+            slowed (withDecay (modalVelocities.row (k), lengths, { -decays[mode], frequencies[mode] }, sampleRate),
+                    lengths, taps);
         const Eigen::VectorXcd spectrum = forwardFourier (slower, lengths.transformed).cwiseProduct (byLine);
         felt.modal.row (k) = inverseFourier (spectrum, lengths.transformed).head (lengths.slower).transpose();
     };

@@ -10,12 +10,12 @@ namespace antinode
 struct FeltMotion
 {
     double sampleRate = 0; ///< Hz, 8 to 16 kHz, or that of the motion where it is lower.
-    Eigen::MatrixXd modal; ///< N_m x N_s, kg^1/2: times mode shapes, how many times the threshold a place moves.
+    Eigen::MatrixXd modal; ///< N_c x N_s, kg^1/2: times mode shapes, how many times the threshold a place moves.
 };
 
 /** Weighs recorded motion. Each frequency is divided by the threshold without a shift in time. After the last sample
    modes go on as they decay freely, fading out within .4 s.
-    @param modalVelocities  N_m x N_s, at least two samples, m/s kg^1/2; at rest before the first one, without drive at
+    @param modalVelocities  N_c x N_s, at least two samples, m/s kg^1/2; at rest before the first one, without drive at
    the last two
     @throws Cancelled  when a watch of this thread says no
     [worker] Docs/Theory.md, section 5.1. */
