@@ -11,6 +11,7 @@
 #include "ShapeScales.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
 
 #include <algorithm>
 #include <cmath>
@@ -242,6 +243,21 @@ std::vector<PoleCandidate> candidatesOf (const std::vector<PoleCluster>& found, 
     return candidates;
 }
 
+/** What the user picked and no mode was made of is said. */
+void warnOfLeftOut (IdentifiedModes& result, const std::vector<PoleCluster>& wanted,
+                    const std::vector<PoleCluster>& fitted)
+{
+    for (const auto& cluster : wanted)
+    {
+        const auto isSame = [&cluster] (const PoleCluster& other) { return other.pole == cluster.pole; };
+
+        if (std::none_of (fitted.begin(), fitted.end(), isSame))
+            result.warnings.push_back ("the selected pole at "
+                                       + fixedText (std::abs (cluster.pole) / (2 * std::numbers::pi), 2)
+                                       + " Hz is left out: it does not stand out of noise and misfit");
+    }
+}
+
 [[noreturn]] void throwNoModes (const FrequencyResponses& responses, const IdentificationOptions& options)
 {
     auto conjugated = responses;
@@ -267,6 +283,7 @@ IdentifiedModes fitModes (const FrequencyResponses& responses, const Identificat
     if (clusters.empty())
         throwNoModes (responses, options);
 
+    const auto wanted = options.selected.empty() ? std::vector<PoleCluster> {} : clusters;
     const auto delayIsKnown = options.delay.has_value();
     auto fit = fitWhatStandsOut (data, startFrom (data, clusters, options), clusters, coarse, options.ridge);
 
@@ -300,6 +317,7 @@ IdentifiedModes fitModes (const FrequencyResponses& responses, const Identificat
     if (! isConverged)
         result.warnings.emplace_back ("the fit of the modes did not converge: select modes, or limit the band");
 
+    warnOfLeftOut (result, wanted, clusters);
     result.stabilisation = std::move (found.stabilisation);
     result.candidates = candidatesOf (found.candidates, clusters);
     return result;

@@ -75,7 +75,8 @@ function chooseCandidate (candidate)
     element ("mode-title").textContent = ! candidate ? "Mode shape" : mode === null ? `Candidate at ${written (candidate.frequency, 6)} Hz`
                                                      : `Mode ${mode + 1}: ${written (data.modes[mode].frequency, 6)} Hz`;
     element ("mode-facts").textContent = ! candidate ? "" : mode === null ? "It was not fitted: it has no shape yet."
-        : [`Damping ${written (100 * data.modes[mode].damping, 3)} %, MPC ${written (data.modes[mode].collinearity, 3)}.`, ...data.modes[mode].warnings].join (" Warning: ");
+        : [`Damping ${written (100 * data.modes[mode].damping, 3)} %, MPC ${written (data.modes[mode].collinearity, 3)}.`,
+           ...data.modes[mode].warnings].join (" Warning: ");
     shape.show (mode === null ? shape.x.map (() => 0) : state.synthesis.shape[mode], mode === null ? null : state.synthesis.shapeImaginary[mode]);
 
     for (const row of element ("candidates").rows)
@@ -148,13 +149,15 @@ function fillChoices()
 function showView()
 {
     const digits = Math.max (0, Math.min (6, 3 - Math.floor (Math.log10 (state.range.shown[1] - state.range.shown[0]))));
-    element ("view").textContent = `${state.range.shown.map ((frequency) => frequency.toFixed (digits)).join (" to ")} Hz, ${state.shownPoles()} poles`;
+    const ends = state.range.shown.map ((frequency) => frequency.toFixed (digits));
+    element ("view").textContent = `${ends.join (" to ")} Hz, ${state.shownPoles()} poles`;
 }
 
 /** What the address says after #. */
 function readAddress()
 {
-    const words = new URLSearchParams (location.hash.slice (1)), numbers = (name) => (words.get (name) ?? "").split (/[,:]/).filter (Boolean).map (Number);
+    const words = new URLSearchParams (location.hash.slice (1));
+    const numbers = (name) => (words.get (name) ?? "").split (/[,:]/).filter (Boolean).map (Number);
     const within = (name, count) => Math.min (Math.max ((numbers (name)[0] || 1) - 1, 0), count - 1);
     const fitted = state.picks.candidates.filter ((one) => one.mode !== null);
     Plot.isSilent = true;
@@ -172,9 +175,9 @@ function readAddress()
 
 function writeAddress()
 {
-    const said = (name, isPicked) => state.picks.changed.filter ((one) => one.isPicked === isPicked).map ((one) => state.picks.text (one)).join (",");
-    const words = { zoom: state.range.shown.map ((frequency) => written (frequency, 7)).join (":"), pick: said ("pick", true), reject: said ("reject", false),
-                    point: state.point + 1, reference: state.reference + 1, mode: (state.candidate?.mode ?? 0) + 1 };
+    const said = (isPicked) => state.picks.changed.filter ((one) => one.isPicked === isPicked).map ((one) => state.picks.text (one)).join (",");
+    const words = { zoom: state.range.shown.map ((frequency) => written (frequency, 7)).join (":"),
+                    pick: said (true), reject: said (false), point: state.point + 1, reference: state.reference + 1, mode: (state.candidate?.mode ?? 0) + 1 };
     history.replaceState (null, "", "#" + Object.entries (words).filter (([, value]) => value !== "").map ((pair) => pair.join ("=")).join ("&"));
 }
 

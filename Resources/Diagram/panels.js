@@ -17,7 +17,8 @@ function stabilisationPlot (state, onClick)
         {
             const hasRoom = plot.x (candidate.frequency) > lastName + 24;
             plot.marker (candidate.frequency, colour (candidate.isPicked ? "accent" : "alone"),
-                         { name: hasRoom ? nameOf (candidate) : "", width: candidate === state.candidate ? 3 : 1, dash: candidate.isPicked ? [] : [3, 4] });
+                         { name: hasRoom ? nameOf (candidate) : "", width: candidate === state.candidate ? 3 : 1,
+                           dash: candidate.isPicked ? [] : [3, 4] });
             lastName = hasRoom && candidate.isPicked ? plot.x (candidate.frequency) : lastName;
         }
 
@@ -47,7 +48,7 @@ function indicatorPlot (state)
                      { label: data.unit, yRange: () => decadesShown (state, logarithms, 6), content, tickText: powerText, onHover: state.hover });
 }
 
-const powerText = (exponent) => Number.isInteger (Math.round (exponent * 1e6) / 1e6) ? "1e" + Math.round (exponent) : (10 ** exponent).toPrecision (1);
+const powerText = (exponent) => (10 ** exponent).toExponential (0).replace ("+", "");
 
 /** The ends of logarithms over the shown frequencies, at most so many decades. */
 function decadesShown ({ range, frequencies }, curves, most)
@@ -79,7 +80,7 @@ function responsePlots (state)
             legendOf (plot, [["measured", "measured"], ["synthesised from the picked modes", "accent"], ["difference", "warn"]]);
         } });
     const phase = new Plot (document.getElementById ("phase"), range, {
-        label: "degrees", yRange: () => [-190, 190], onHover: state.hover,
+        label: "degrees", yRange: () => [-190, 190], yTicks: () => [-180, -90, 0, 90, 180], onHover: state.hover,
         content: (plot) =>
         {
             frequencies.forEach ((frequency, n) => plot.shows (frequency) && Number.isFinite (shown.phase[n])

@@ -62,10 +62,12 @@ class Plot
     static isSilent = false; // While much changes at once.
     static margin = { left: 62, right: 28, top: 18, bottom: 22 };
 
-    /** content (plot) draws; yRange() gives the ends of the y axis; onClick (x, y) in pixels and onHover (frequency) may be missing. */
-    constructor (canvas, range, { label, yRange, content, onClick, onHover, tickText = (value) => written (value, 4) })
+    /** content (plot) draws; yRange() gives the ends of the y axis, yTicks (count) its labels; onClick (x, y) in pixels and
+        onHover (frequency) may be missing. */
+    constructor (canvas, range, { label, yRange, yTicks = (count) => ticksBetween (...this.ends, count), content, onClick, onHover,
+                                  tickText = (value) => written (value, 4) })
     {
-        Object.assign (this, { canvas, range, label, yRange, content, onClick, onHover, tickText });
+        Object.assign (this, { canvas, range, label, yRange, yTicks, content, onClick, onHover, tickText });
         range.listeners.push (() => this.draw());
         new Pointer (this);
     }
@@ -111,7 +113,7 @@ class Plot
 
         context.textAlign = "right";
 
-        for (const tick of ticksBetween (...this.ends, plotHeight / 26))
+        for (const tick of this.yTicks (plotHeight / 26))
         {
             line (left, this.y (tick), left + plotWidth, this.y (tick));
             context.fillText (this.tickText (tick), left - 6, this.y (tick) + 4);

@@ -7,7 +7,8 @@ function trianglesOf (x, y)
     const centre = [(Math.min (...x) + Math.max (...x)) / 2, (Math.min (...y) + Math.max (...y)) / 2];
     const size = Math.max (Math.max (...x) - Math.min (...x), Math.max (...y) - Math.min (...y), 1e-9);
     // Shifted a little, so that no four points lie on one circle.
-    const points = Array.from (x, (_, n) => [(x[n] - centre[0]) / size + 1e-6 * Math.sin (12.9898 * n), (y[n] - centre[1]) / size + 1e-6 * Math.cos (78.233 * n)]);
+    const points = Array.from (x, (_, n) => [(x[n] - centre[0]) / size + 1e-6 * Math.sin (12.9898 * n),
+                                             (y[n] - centre[1]) / size + 1e-6 * Math.cos (78.233 * n)]);
     points.push ([-50, -40], [50, -40], [0, 60]);
     let triangles = [withCircle (points, x.length, x.length + 1, x.length + 2)];
 
@@ -31,7 +32,8 @@ function trianglesOf (x, y)
     }
 
     const kept = triangles.filter ((one) => one.corners.every ((corner) => corner < x.length)).map ((one) => one.corners);
-    const longest = ([a, b, c]) => Math.max (...[[a, b], [b, c], [c, a]].map (([p, q]) => Math.hypot (points[p][0] - points[q][0], points[p][1] - points[q][1])));
+    const length = ([p, q]) => Math.hypot (points[p][0] - points[q][0], points[p][1] - points[q][1]);
+    const longest = ([a, b, c]) => Math.max (...[[a, b], [b, c], [c, a]].map (length));
     const lengths = kept.map (longest).sort ((a, b) => a - b);
     return kept.filter ((corners) => longest (corners) < 4 * lengths[lengths.length >> 1]);
 }

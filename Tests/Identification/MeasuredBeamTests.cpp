@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <numbers>
 #include <string>
@@ -65,4 +66,17 @@ TEST_CASE ("A measured beam has its four modes and is reconstructed to 36 dB", "
     const auto measured = responses.values[0].col (0).segment (299, 3691);
     const auto error = 20 * std::log10 ((synthesised.values[0].col (0) - measured).norm() / measured.norm());
     CHECK (error == Approx (modes.reconstructionError).margin (0.01));
+}
+
+TEST_CASE ("A selected pole becomes a mode, or a warning says that it does not", "[identification]")
+{
+    IdentificationOptions options;
+    options.minimumFrequency = 20;
+    options.maximumFrequency = 2000;
+    options.selected = { 695.7, 1202.7, 1898 }; // At 1202.7 Hz is a pole of most orders, far below the resonances.
+    const auto modes = identify (measuredBeam(), options);
+    const auto leftOut =
+        std::count_if (modes.warnings.begin(), modes.warnings.end(),
+                       [] (const auto& warning) { return warning.rfind ("the selected pole at 12", 0) == 0; });
+    CHECK (modes.modes() + leftOut == 3);
 }
