@@ -5,6 +5,8 @@
 #include <antinode_measurement/HammerResponses.h>
 #include <antinode_universal/UniversalSets.h>
 
+#include <tuple>
+
 namespace antinode
 {
 /** Options of a hammer test. */
@@ -24,7 +26,10 @@ struct HammerPoint
     std::string name;
     int axis = 3; ///< 1 to 3: x, y, z.
 
-    auto operator<=> (const HammerPoint&) const = default;
+    bool operator== (const HammerPoint&) const = default;
+
+    /** For sets. */
+    bool operator<(const HammerPoint& other) const { return std::tie (name, axis) < std::tie (other.name, other.axis); }
 };
 
 /** The outcome of a hammer test. N points in one direction each. */
