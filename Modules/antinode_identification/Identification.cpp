@@ -1,8 +1,11 @@
 #include "Identification.h"
 
+#include "Attempts.h"
+#include "Channels.h"
 #include "ComplexModes.h"
 #include "Deviations.h"
 #include "FitErrors.h"
+#include "ModalError.h"
 #include "ModeAssessment.h"
 #include "ModeSelection.h"
 #include "Orthogonalisation.h"
@@ -16,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace antinode
 {
@@ -179,6 +183,43 @@ void describeErrors (IdentifiedModes& result, const PreparedResponses& data, con
     { return 10 * std::log10 (std::max (left / all.dot (active), 1e-32)); };
     result.measuredReconstructionError = decibels (energy, errors.dataEnergies);
     result.reconstructionError = decibels (errors.velocityEnergies.dot (active), errors.velocityDataEnergies);
+    result.misfit = ((errors.energies.array() / errors.roughness.array().max (1e-300)).matrix() * active).sum()
+                    / (active.sum() * static_cast<double> (errors.energies.rows()));
+}
+
+/** In ascending frequency: fits let modes pass each other. */
+void sortModes (IdentifiedModes& modes)
+{
+    std::vector<Eigen::Index> order (static_cast<std::size_t> (modes.modes()));
+    std::iota (order.begin(), order.end(), 0);
+    const auto isLower = [&] (auto a, auto b) { return modes.angularFrequencies[a] < modes.angularFrequencies[b]; };
+
+    if (std::is_sorted (order.begin(), order.end(), isLower))
+        return;
+
+    std::stable_sort (order.begin(), order.end(), isLower);
+    const auto sortVector = [&] (Eigen::VectorXd& values) { values = values (order).eval(); };
+    const auto sortColumns = [&] (auto& values) { values = values (Eigen::all, order).eval(); };
+    const auto sortRows = [&] (auto& values) { values = values (order, Eigen::all).eval(); };
+    const auto quality = modes.quality;
+
+    for (std::size_t k = 0; k < order.size(); ++k)
+        modes.quality[k] = quality[static_cast<std::size_t> (order[k])];
+
+    sortVector (modes.angularFrequencies);
+    sortVector (modes.dampingRatios);
+    sortColumns (modes.shapes);
+    sortRows (modes.participation);
+    sortVector (modes.deviations.angularFrequencies);
+    sortVector (modes.deviations.dampingRatios);
+    sortColumns (modes.deviations.shapes);
+    sortRows (modes.deviations.participation);
+
+    if (modes.complexShapes.size() > 0)
+    {
+        sortColumns (modes.complexShapes);
+        sortRows (modes.complexParticipation);
+    }
 }
 
 /** Points at which nothing was measured have no shape. */
@@ -216,6 +257,8 @@ IdentifiedModes described (const NormalModeFit& fit, const FreeResidues& residue
     const auto coefficients =
         options.complexModes ? addComplexModes (result, residues, data) : fitCoefficients (fit.state);
     describeErrors (result, data, fitErrors (data, residues.basis, coefficients, modes.delay));
+    result.modalReconstructionError = modalError (result, data);
+    sortModes (result);
     scaleShapes (result, options.pointMasses);
     addWarnings (result);
     return result;
@@ -277,6 +320,7 @@ IdentifiedModes fitModes (const FrequencyResponses& responses, const Identificat
 {
     auto data =
         weighted (prepare (responses, options.minimumFrequency, options.maximumFrequency), options.pointWeights);
+    auto said = leaveOutDisturbed (data);
     auto found = searchPoles (data, options);
     auto clusters = picked (options.selected.empty() ? found.clusters : found.candidates, options);
 
@@ -288,7 +332,12 @@ IdentifiedModes fitModes (const FrequencyResponses& responses, const Identificat
     auto fit = fitWhatStandsOut (data, startFrom (data, clusters, options), clusters, coarse, options.ridge);
 
     if (options.pointWeights.size() == 0)
-        weighByErrors (data, fitErrors (data, fit.state.basis, fitCoefficients (fit.state), fit.modes.delay));
+    {
+        const auto errors = fitErrors (data, fit.state.basis, fitCoefficients (fit.state), fit.modes.delay);
+        weighByErrors (data, errors);
+        const auto poor = weighDownMisfits (data, errors);
+        said.insert (said.end(), poor.begin(), poor.end());
+    }
 
     fit = fitWhatStandsOut (data, continued (fit.modes, delayIsKnown), clusters, fine, options.ridge);
 
@@ -313,6 +362,7 @@ IdentifiedModes fitModes (const FrequencyResponses& responses, const Identificat
     }
 
     auto result = described (fit, residues, data, clusters, options);
+    result.warnings.insert (result.warnings.begin(), said.begin(), said.end());
 
     if (! isConverged)
         result.warnings.emplace_back ("the fit of the modes did not converge: select modes, or limit the band");
@@ -330,7 +380,7 @@ IdentifiedModes identify (const FrequencyResponses& responses, const Identificat
     checkOptions (responses, options);
 
     auto result = options.method == IdentificationMethod::peakPicking ? pickPeaks (responses, options)
-                                                                      : fitModes (responses, options);
+                                                                      : bestOfAttempts (responses, options, fitModes);
 
     if (options.gramSchmidt)
         orthogonalise (result, options.pointMasses);

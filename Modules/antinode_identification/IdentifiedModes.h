@@ -91,6 +91,8 @@ struct IdentifiedModes
     double reconstructionError =
         0; ///< RMS of measured minus synthesised velocities over RMS of measured, dB, on those lines.
     double measuredReconstructionError = 0; ///< The same of what was measured, accelerations or displacements.
+    double modalReconstructionError = 0;    ///< As reconstructionError, of the modes alone, without residual terms.
+    double misfit = 1; ///< Energy of the residual over that of its noise: 1 where modes leave nothing but noise.
     double noise =
         0; ///< RMS of the residual, (m/s)/V or (m/s)/N; at the geometric middle of the lines where it is not white.
     std::vector<std::string> warnings; ///< Warnings about the whole identification, as sentences.

@@ -1,5 +1,6 @@
 #include "PeakPicking.h"
 
+#include "ModalError.h"
 #include "NormalModeFit.h"
 #include "ShapeScales.h"
 
@@ -156,6 +157,9 @@ IdentifiedModes pickPeaks (const FrequencyResponses& responses, const Identifica
     result.minimumFrequency = data.omega[0] / (2 * std::numbers::pi);
     result.maximumFrequency = data.omega[data.lines() - 1] / (2 * std::numbers::pi);
     scaleShapes (result, options.pointMasses);
+    result.reconstructionError = modalError (result, data);
+    result.modalReconstructionError = result.reconstructionError;
+    result.measuredReconstructionError = result.reconstructionError;
     return result;
 }
 } // namespace antinode

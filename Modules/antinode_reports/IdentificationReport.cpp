@@ -238,7 +238,8 @@ ReportPage identificationReport (const IdentificationResult& result, const std::
 
     page.scores = { { "modes", std::to_string (modes.modes()), "found in this band" },
                     { "reconstruction error", fixedText (modes.reconstructionError, 1) + " dB",
-                      "part of the measured responses that the modes do not explain" },
+                      "part of the measured responses that modes and residual terms do not explain; "
+                          + fixedText (modes.modalReconstructionError, 1) + " dB by the modes alone" },
                     { "delay", fixedText (1e6 * modes.delay, 3) + " \xC2\xB5s", "common delay of all responses" } };
     page.warnings = summariseWarnings (result);
     page.sections = { stabilisationSection (result), responseSection (result),

@@ -87,14 +87,20 @@ IdentificationResult identifyFiles (const IdentifyOptions& options)
     return result;
 }
 
-/** In dB; also that of the measured quantity where it is not a velocity. */
+/** In dB; also that of the measured quantity where it is not a velocity, and of the modes alone, which are all that a
+    device has, where residual terms make a difference. */
 std::string reconstructionError (const IdentificationResult& result)
 {
     const auto& modes = result.modes;
-    const auto text = fixedText (modes.reconstructionError, 1) + " dB";
-    return result.measured.integrations == 0
-               ? text
-               : text + " (" + fixedText (modes.measuredReconstructionError, 1) + " dB of the measured quantity)";
+    auto text = fixedText (modes.reconstructionError, 1) + " dB";
+
+    if (result.measured.integrations != 0 && modes.measuredReconstructionError != modes.reconstructionError)
+        text += " (" + fixedText (modes.measuredReconstructionError, 1) + " dB of the measured quantity)";
+
+    if (modes.modalReconstructionError > modes.reconstructionError + 0.1)
+        text += ", " + fixedText (modes.modalReconstructionError, 1) + " dB by the modes alone, as in the device";
+
+    return text;
 }
 
 std::string describeResult (const IdentificationResult& result)

@@ -1,0 +1,283 @@
+#include "Causes.h"
+
+#include "NormalModes.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
+#include <antinode_numerics/Median.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace antinode
+{
+namespace
+{
+using Complex = std::complex<double>;
+
+/** dB: by how much a cause must lower the error to be named, and how low it must be then. */
+constexpr double clearly = 4, fair = -15;
+
+/** A cause put right, and what is said of it. */
+struct Remedy
+{
+    FrequencyResponses responses;
+    std::string said;
+};
+
+template <typename Factor>
+FrequencyResponses multiplied (FrequencyResponses responses, const Factor& factor)
+{
+    for (std::size_t i = 0; i < responses.values.size(); ++i)
+        for (Eigen::Index p = 0; p < responses.points.rows(); ++p)
+            for (Eigen::Index f = 0; f < responses.frequencies.size(); ++f)
+                responses.values[i](f, p) *= factor (2 * std::numbers::pi * responses.frequencies[f],
+                                                     static_cast<Eigen::Index> (i) * responses.points.rows() + p);
+
+    return responses;
+}
+
+std::string quantityName (int integrations)
+{
+    return integrations > 0 ? "acceleration" : integrations < 0 ? "displacement" : "velocity";
+}
+
+/** As if another quantity had been measured than the one that was stated. */
+Remedy otherQuantity (const FrequencyResponses& responses, int integrations)
+{
+    const auto power = responses.integrations - integrations;
+    auto changed = multiplied (responses, [power] (double omega, Eigen::Index)
+                               { return omega > 0 ? std::pow (Complex (0, omega), power) : Complex(); });
+    changed.integrations = integrations;
+    return { std::move (changed), "as " + quantityName (integrations) + " the responses fit modes, as "
+                                      + quantityName (responses.integrations)
+                                      + " they do not: the quantity is probably stated wrongly; --quantity "
+                                      + quantityName (integrations) };
+}
+
+Remedy conjugated (FrequencyResponses responses)
+{
+    for (auto& values : responses.values)
+        values = values.conjugate().eval();
+
+    return { std::move (responses), "the complex conjugates of the responses fit modes: the file has the other sign of "
+                                    "time; allowed: the convention exp (+i omega t)" };
+}
+
+/** Residues of each channel on its own at the poles that were found, the common delay taken out, N_m x C. */
+Eigen::MatrixXcd channelResidues (const FrequencyResponses& responses, const IdentifiedModes& modes)
+{
+    const auto data = prepare (responses, modes.minimumFrequency * (1 - 1e-9), modes.maximumFrequency * (1 + 1e-9));
+    const auto basis = makeBasis (modes.angularFrequencies, modes.dampingRatios, data);
+    return complexResidues (basis, modalProducts (basis, data, modes.delay), 1e-12);
+}
+
+/** How one phase of a channel follows its frequency: by a delay, s, or a low-pass of first order, rad/s. */
+struct ChannelPhase
+{
+    double delay = 0, corner = 0;
+    double score = 0; ///< Share of the residues' energy that is real then.
+};
+
+/** Squares have twice the phase, so that signs of shapes do not matter. */
+template <typename Turn>
+double realShare (const Eigen::VectorXcd& residues, const Eigen::VectorXd& omega, const Turn& turn)
+{
+    double real = 0, all = 0;
+
+    for (Eigen::Index k = 0; k < residues.size(); ++k)
+    {
+        // Each mode counts by its amplitude, so that the strongest is not alone.
+        const auto amplitude = std::abs (residues[k]);
+        const auto phase = 2 * (std::arg (residues[k]) + turn (omega[k]));
+        real += amplitude * std::cos (phase);
+        all += amplitude;
+    }
+
+    return all > 0 ? real / all : 0;
+}
+
+ChannelPhase bestDelay (const Eigen::VectorXcd& residues, const Eigen::VectorXd& omega)
+{
+    constexpr double longest = 1e-3;
+    const auto step = 0.1 / omega.maxCoeff();
+    ChannelPhase best { 0, 0, realShare (residues, omega, [] (double) { return 0.0; }) };
+
+    for (auto delay = -longest; delay <= longest; delay += step)
+        if (const auto score = realShare (residues, omega, [delay] (double at) { return at * delay; });
+            score > best.score + 1e-3)
+            best = { delay, 0, score };
+
+    return best;
+}
+
+ChannelPhase bestLowPass (const Eigen::VectorXcd& residues, const Eigen::VectorXd& omega)
+{
+    constexpr int steps = 200;
+    ChannelPhase best;
+
+    for (int n = 0; n < steps; ++n)
+    {
+        const auto corner = omega.maxCoeff() * std::pow (10, 1.5 - 3.0 * n / steps);
+        const auto score = realShare (residues, omega, [corner] (double at) { return std::atan (at / corner); });
+
+        if (score > best.score)
+            best = { 0, corner, score };
+    }
+
+    return best;
+}
+
+std::string channelOf (const FrequencyResponses& responses, Eigen::Index column)
+{
+    const auto points = responses.points.rows();
+    const auto name = "point " + std::to_string (column % points + 1);
+    return responses.references.size() == 1
+               ? name
+               : name + ", driver " + responses.references[static_cast<std::size_t> (column / points)].name;
+}
+
+/** Delays that differ from channel to channel by more than a twentieth of the highest mode's period. */
+std::optional<Remedy> ownDelays (const FrequencyResponses& responses, const Eigen::MatrixXcd& residues,
+                                 const Eigen::VectorXd& omega)
+{
+    const auto micro = 1e6;
+    std::vector<double> delays;
+
+    for (Eigen::Index c = 0; c < residues.cols(); ++c)
+        delays.push_back (bestDelay (residues.col (c), omega).delay);
+
+    const auto [least, most] = std::minmax_element (delays.begin(), delays.end());
+    const auto name = [&] (auto at) { return channelOf (responses, at - delays.begin()); };
+
+    if (delays.size() < 2 || *most - *least < 0.05 * 2 * std::numbers::pi / omega.maxCoeff())
+        return {};
+
+    return Remedy { multiplied (responses, [&delays] (double at, Eigen::Index column)
+                                { return std::polar (1.0, at * delays[static_cast<std::size_t> (column)]); }),
+                    "delays differ from channel to channel by up to " + fixedText (micro * (*most - *least), 0)
+                        + " us: " + name (most) + " is the latest, " + name (least) + " the earliest" };
+}
+
+/** Low-passes of first order in some of the channels: those whose phases they explain clearly better than none. */
+std::optional<Remedy> ownLowPasses (const FrequencyResponses& responses, const Eigen::MatrixXcd& residues,
+                                    const Eigen::VectorXd& omega)
+{
+    constexpr double better = 0.05;
+    std::vector<double> corners;
+    std::string named;
+
+    for (Eigen::Index c = 0; c < residues.cols(); ++c)
+    {
+        const auto without = realShare (residues.col (c), omega, [] (double) { return 0.0; });
+        const auto found = bestLowPass (residues.col (c), omega);
+        corners.push_back (found.score > without + better ? found.corner : 0);
+
+        if (corners.back() > 0 && named.size() < 200)
+            named += (named.empty() ? "" : "; ") + channelOf (responses, c) + " at "
+                     + fixedText (corners.back() / (2 * std::numbers::pi), 0) + " Hz";
+    }
+
+    if (named.empty())
+        return {};
+
+    return Remedy { multiplied (responses,
+                                [&corners] (double at, Eigen::Index column)
+                                {
+                                    const auto corner = corners[static_cast<std::size_t> (column)];
+                                    return corner > 0 ? Complex (1, at / corner) : Complex (1);
+                                }),
+                    "channels have a low-pass of first order: " + named };
+}
+
+/** Channels of the opposite sign from what the other references and points say of them. */
+std::optional<Remedy> inverted (const FrequencyResponses& responses, const Eigen::MatrixXcd& residues)
+{
+    const auto points = responses.points.rows(), references = residues.cols() / points;
+
+    if (references < 2 || points < 3)
+        return {};
+
+    std::vector<bool> isInverted (static_cast<std::size_t> (residues.cols()));
+    std::string named;
+
+    for (Eigen::Index c = 0; c < residues.cols(); ++c)
+    {
+        double agreement = 0, all = 0;
+
+        // Of one shape times one participation every two by two table has determinant 0.
+        for (Eigen::Index k = 0; k < residues.rows(); ++k)
+            for (Eigen::Index i = 0; i < references; ++i)
+                for (Eigen::Index p = 0; p < points; ++p)
+                    if (i != c / points && p != c % points)
+                    {
+                        const auto one = residues (k, c) * residues (k, i * points + p);
+                        const auto other =
+                            residues (k, i * points + c % points) * residues (k, c / points * points + p);
+                        agreement += (one * std::conj (other)).real() / std::max (std::abs (other), 1e-300);
+                        all += std::abs (one);
+                    }
+
+        isInverted[static_cast<std::size_t> (c)] = agreement < -0.3 * all;
+    }
+
+    // A majority of tables is spoilt only where more channels are inverted than not.
+    for (std::size_t c = 0; c < isInverted.size(); ++c)
+        if (isInverted[c])
+            named += (named.empty() ? "" : "; ") + channelOf (responses, static_cast<Eigen::Index> (c));
+
+    if (named.empty())
+        return {};
+
+    return Remedy { multiplied (responses, [&isInverted] (double, Eigen::Index column)
+                                { return isInverted[static_cast<std::size_t> (column)] ? -1.0 : 1.0; }),
+                    "inverted against the other channels: " + named };
+}
+} // namespace
+
+std::string likelyCause (const FrequencyResponses& responses, const IdentificationOptions& options,
+                         const IdentifiedModes& modes, const Identify& identifyWith)
+{
+    const auto test = [&] (const Remedy& remedy, const IdentificationOptions& chosen, double highest)
+    {
+        try
+        {
+            const auto error = identifyWith (remedy.responses, chosen).reconstructionError;
+            return error < std::min (modes.reconstructionError - clearly, highest)
+                       ? remedy.said + " (error then " + fixedText (error, 1) + " instead of "
+                             + fixedText (modes.reconstructionError, 1) + " dB)"
+                       : std::string();
+        }
+        catch (const InputError&)
+        {
+            return std::string();
+        }
+    };
+    const auto residues = channelResidues (responses, modes);
+    const auto& omega = modes.angularFrequencies;
+
+    for (const auto integrations : { -1, 1, 0 })
+        if (integrations != responses.integrations)
+            if (auto said = test (otherQuantity (responses, integrations), options, fair); ! said.empty())
+                return said;
+
+    if (auto said = test (conjugated (responses), options, fair); ! said.empty())
+        return said;
+
+    for (const auto& remedy : { inverted (responses, residues), ownDelays (responses, residues, omega),
+                                ownLowPasses (responses, residues, omega) })
+        if (remedy)
+            if (auto said = test (*remedy, options, fair); ! said.empty())
+                return said;
+
+    auto complex = options;
+    complex.complexModes = true;
+    return options.complexModes
+               ? std::string()
+               : test (
+                   { responses, "complex modes describe the responses better: damping is not proportional; --complex" },
+                   complex, 0);
+}
+} // namespace antinode

@@ -1,0 +1,182 @@
+#include "Channels.h"
+
+#include <antinode_base/NumberText.h>
+#include <antinode_numerics/Median.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace antinode
+{
+namespace
+{
+/** Names of channels, at most a few of them. */
+std::string nameChannels (const PreparedResponses& data, const std::vector<Eigen::Index>& columns)
+{
+    constexpr std::size_t most = 6;
+    std::string text;
+
+    for (std::size_t n = 0; n < std::min (most, columns.size()); ++n)
+        text += (n > 0 ? "; " : "") + channelName (data, columns[n]);
+
+    return columns.size() > most ? text + "; " + std::to_string (columns.size() - most) + " more" : text;
+}
+
+/** Sum over all columns of |H|^2 and of every column on its own. */
+struct Energies
+{
+    Eigen::VectorXd lines, columns;
+};
+
+Energies energies (const PreparedResponses& data)
+{
+    const auto values = dataBlock (data, 0, Eigen::VectorXcd::Ones (data.lines()));
+    const Eigen::MatrixXd squares = values.real.cwiseAbs2() + values.imaginary.cwiseAbs2();
+    return { squares.rowwise().sum(), squares.colwise().sum().transpose() };
+}
+
+bool isOfMains (double frequency, double width)
+{
+    const auto isNear = [&] (double mains)
+    {
+        const auto harmonic = std::round (frequency / mains);
+        return harmonic >= 1 && harmonic <= 20 && std::abs (frequency - harmonic * mains) < 0.6 * width;
+    };
+    return isNear (50) || isNear (60);
+}
+
+/** A line that no resonance explains which lines resolve at all. */
+bool isSpike (const Eigen::VectorXd& power, Eigen::Index line)
+{
+    constexpr double times = 9;
+    return power[line] > times * std::max (power[line - 1], power[line + 1]);
+}
+
+/** All values of a line begin as what lies between its neighbours, and follow the fit. */
+void leaveOutLine (PreparedResponses& data, Eigen::Index line)
+{
+    const Eigen::VectorXcd ones = Eigen::VectorXcd::Ones (1);
+    const auto before = dataBlock (data, line - 1, ones), after = dataBlock (data, line + 1, ones);
+    std::vector<MissingValue> values;
+
+    for (Eigen::Index c = 0; c < data.columns(); ++c)
+        if (data.columnWeights[c] > 0)
+            values.push_back ({ line,
+                                c,
+                                { (before.real (0, c) + after.real (0, c)) / 2,
+                                  (before.imaginary (0, c) + after.imaginary (0, c)) / 2 } });
+
+    std::erase_if (data.missing, [line] (const auto& value) { return value.line == line; });
+    const auto place = std::lower_bound (data.missing.begin(), data.missing.end(), line,
+                                         [] (const auto& value, Eigen::Index at) { return value.line < at; });
+    data.missing.insert (place, values.begin(), values.end());
+}
+
+std::string leaveOutMains (PreparedResponses& data, const Eigen::VectorXd& power)
+{
+    std::string frequencies;
+
+    for (Eigen::Index f = 1; f + 1 < data.lines(); ++f)
+    {
+        const auto frequency = data.omega[f] / (2 * std::numbers::pi);
+        const auto width = (data.omega[f + 1] - data.omega[f - 1]) / (4 * std::numbers::pi);
+
+        if (! isOfMains (frequency, width) || ! isSpike (power, f))
+            continue;
+
+        leaveOutLine (data, f);
+        frequencies += (frequencies.empty() ? "" : ", ") + fixedText (frequency, 0);
+    }
+
+    return frequencies;
+}
+} // namespace
+
+std::string channelName (const PreparedResponses& data, Eigen::Index column)
+{
+    const auto point = "point " + std::to_string (column % data.points() + 1);
+    return data.references() == 1
+               ? point
+               : point + ", driver "
+                     + data.responses->references[static_cast<std::size_t> (column / data.points())].name;
+}
+
+std::vector<std::string> leaveOutDisturbed (PreparedResponses& data)
+{
+    constexpr double silent = 1e-12; // of the median channel's energy
+    std::vector<std::string> said;
+    const auto found = energies (data);
+    std::vector<double> active;
+
+    for (Eigen::Index c = 0; c < data.columns(); ++c)
+        if (data.columnWeights[c] > 0)
+            active.push_back (found.columns[c]);
+
+    const auto typical = median (active);
+    std::vector<Eigen::Index> dead;
+
+    for (Eigen::Index c = 0; c < data.columns(); ++c)
+        if (data.columnWeights[c] > 0 && found.columns[c] < silent * typical)
+            dead.push_back (c);
+
+    for (const auto c : dead)
+        data.columnWeights[c] = 0;
+
+    if (! dead.empty())
+        said.push_back ("without signal, hence left out: " + nameChannels (data, dead));
+
+    if (const auto frequencies = leaveOutMains (data, found.lines); ! frequencies.empty())
+        said.push_back ("single lines of the mains are left out: " + frequencies + " Hz");
+
+    return said;
+}
+
+std::vector<std::string> weighDownMisfits (PreparedResponses& data, const FitErrors& errors)
+{
+    constexpr double overNoise = 4, overOthers = 10, share = 0.03;
+    const Eigen::VectorXd error = errors.energies.colwise().sum().transpose();
+    const Eigen::VectorXd noise = errors.roughness.colwise().sum().transpose();
+    const Eigen::VectorXd energies = errors.dataEnergies.cwiseMax (1e-300);
+    const Eigen::VectorXd relative = error.cwiseQuotient (energies), relativeNoise = noise.cwiseQuotient (energies);
+    std::vector<double> active, activeNoise;
+
+    for (Eigen::Index c = 0; c < data.columns(); ++c)
+        if (data.columnWeights[c] > 0)
+        {
+            active.push_back (relative[c]);
+            activeNoise.push_back (relativeNoise[c]);
+        }
+
+    if (active.size() < 3)
+        return {};
+
+    const auto typical = median (active), typicalNoise = median (activeNoise);
+    std::vector<Eigen::Index> poor, noisy;
+
+    for (Eigen::Index c = 0; c < data.columns(); ++c)
+    {
+        const auto stands = [&] (double value, double ofOthers)
+        { return data.columnWeights[c] > 0 && value > std::max (share, overOthers * ofOthers); };
+
+        if (error[c] > overNoise * noise[c] && stands (relative[c], typical))
+        {
+            data.columnWeights[c] *= typical / relative[c];
+            poor.push_back (c);
+        }
+        else if (stands (relativeNoise[c], typicalNoise))
+            noisy.push_back (c);
+    }
+
+    std::vector<std::string> said;
+
+    if (! poor.empty())
+        said.push_back ("does not follow the modes of the others, hence counts for little: "
+                        + nameChannels (data, poor));
+
+    if (! noisy.empty())
+        said.push_back ("much noisier than the others, hence counts for little: " + nameChannels (data, noisy));
+
+    return said;
+}
+} // namespace antinode
