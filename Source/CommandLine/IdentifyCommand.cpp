@@ -48,7 +48,8 @@ ModalModel makeDevice (IdentifiedModes modes, const IdentifyOptions& options, co
     surface.name = options.name;
     surface.masses = masses;
     surface.voltageLimit = options.voltageLimit;
-    surface.fullScaleVoltage = options.fullScaleVoltage;
+    surface.fullScaleVoltage =
+        options.fullScaleVoltage.value_or (computed ? computed->fullScaleVoltage : options.voltageLimit);
 
     if (computed && computed->ceramics.size() == modes.references.size())
         surface.ceramics = computed->ceramics;

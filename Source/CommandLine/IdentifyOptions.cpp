@@ -101,9 +101,10 @@ void addOutputOptions (CLI::App& command, IdentifyOptions& options)
     command.add_option ("--voltage-limit-v", options.voltageLimit, "Voltage limit of every ceramic, V")
         ->check (CLI::PositiveNumber)
         ->capture_default_str();
-    command.add_option ("--full-scale-v", options.fullScaleVoltage, "Voltage of a sample of 1, V")
-        ->check (CLI::PositiveNumber)
-        ->capture_default_str();
+    command
+        .add_option ("--full-scale-v", options.fullScaleVoltage,
+                     "Voltage of a sample of 1, V; default: that of --against, else the voltage limit")
+        ->check (CLI::PositiveNumber);
     addCacheFlag (command, options.usesCache);
     command.add_flag ("--quiet", options.isQuiet, "Prints only errors");
 }

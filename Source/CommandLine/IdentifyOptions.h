@@ -27,7 +27,8 @@ struct IdentifyOptions
     std::vector<std::string> references;
     std::optional<double> mass;        ///< kg
     std::optional<double> windowDecay; ///< 1/s; none: as the files say
-    double voltageLimit = 150, fullScaleVoltage = 150;
+    double voltageLimit = 150;
+    std::optional<double> fullScaleVoltage; ///< None: that of the computed device, else the voltage limit.
 };
 
 /** Adds them to the sub-command. The struct must live as long as the app. */
