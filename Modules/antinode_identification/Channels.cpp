@@ -4,7 +4,9 @@
 #include <antinode_numerics/Median.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace antinode
@@ -27,13 +29,40 @@ std::string nameChannels (const PreparedResponses& data, const std::vector<Eigen
 struct Energies
 {
     Eigen::VectorXd lines, columns;
+    bool areNoisy = false; ///< Not computed ones, in which a point at a held edge is rightly silent.
 };
+
+/** Whether lines of a response scatter, as fourth differences show: off resonance they leave nothing of a smooth one.
+ */
+bool isNoisy (const Eigen::VectorXd& real, const Eigen::VectorXd& imaginary)
+{
+    constexpr double smooth = 1e-8;
+    constexpr std::array weights { 1.0, -4.0, 6.0, -4.0, 1.0 };
+    std::vector<double> differences, powers;
+
+    for (Eigen::Index f = 0; f + 4 < real.size(); ++f)
+    {
+        std::complex<double> difference = 0;
+
+        for (Eigen::Index n = 0; n < 5; ++n)
+            difference += weights[static_cast<std::size_t> (n)] * std::complex (real[f + n], imaginary[f + n]);
+
+        differences.push_back (std::norm (difference));
+        powers.push_back (std::norm (std::complex (real[f + 2], imaginary[f + 2])));
+    }
+
+    return ! powers.empty() && median (differences) > smooth * median (powers);
+}
 
 Energies energies (const PreparedResponses& data)
 {
     const auto values = dataBlock (data, 0, Eigen::VectorXcd::Ones (data.lines()));
     const Eigen::MatrixXd squares = values.real.cwiseAbs2() + values.imaginary.cwiseAbs2();
-    return { squares.rowwise().sum(), squares.colwise().sum().transpose() };
+    Energies found { squares.rowwise().sum(), squares.colwise().sum().transpose() };
+    Eigen::Index strongest = 0;
+    found.columns.maxCoeff (&strongest);
+    found.areNoisy = isNoisy (values.real.col (strongest), values.imaginary.col (strongest));
+    return found;
 }
 
 bool isOfMains (double frequency, double width)
@@ -46,11 +75,13 @@ bool isOfMains (double frequency, double width)
     return isNear (50) || isNear (60);
 }
 
-/** A line that no resonance explains which lines resolve at all. */
+/** A line that stands alone. A resonance, even one that lines do not resolve, lifts its neighbours too: beside it power
+   falls to a quarter from line to line. */
 bool isSpike (const Eigen::VectorXd& power, Eigen::Index line)
 {
-    constexpr double times = 9;
-    return power[line] > times * std::max (power[line - 1], power[line + 1]);
+    constexpr double times = 9, skirt = 2;
+    return power[line] > times * std::max (power[line - 1], power[line + 1])
+           && power[line - 1] < skirt * power[line - 2] && power[line + 1] < skirt * power[line + 2];
 }
 
 /** All values of a line begin as what lies between its neighbours, and follow the fit. */
@@ -77,7 +108,7 @@ std::string leaveOutMains (PreparedResponses& data, const Eigen::VectorXd& power
 {
     std::string frequencies;
 
-    for (Eigen::Index f = 1; f + 1 < data.lines(); ++f)
+    for (Eigen::Index f = 2; f + 2 < data.lines(); ++f)
     {
         const auto frequency = data.omega[f] / (2 * std::numbers::pi);
         const auto width = (data.omega[f + 1] - data.omega[f - 1]) / (4 * std::numbers::pi);
@@ -117,7 +148,7 @@ std::vector<std::string> leaveOutDisturbed (PreparedResponses& data)
     std::vector<Eigen::Index> dead;
 
     for (Eigen::Index c = 0; c < data.columns(); ++c)
-        if (data.columnWeights[c] > 0 && found.columns[c] < silent * typical)
+        if (found.areNoisy && data.columnWeights[c] > 0 && found.columns[c] < silent * typical)
             dead.push_back (c);
 
     for (const auto c : dead)
