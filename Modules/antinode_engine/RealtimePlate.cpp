@@ -30,7 +30,7 @@ RealtimePlate::RealtimePlate (const ModalModel& model, double sampleRate, const 
     sizes.ceramics = static_cast<int> (model.actuators());
     sizes.probes = static_cast<int> (probeShapes.rows());
 
-    const auto padded = static_cast<std::size_t> (plateModeGroup * groups);
+    const auto padded = static_cast<std::size_t> (plateModeGroup) * static_cast<std::size_t> (groups);
     const auto heard = static_cast<std::size_t> (sizes.modes);
     const auto rows = static_cast<std::size_t> (sizes.probes), columns = static_cast<std::size_t> (sizes.ceramics);
     drive.resize (heard * columns);

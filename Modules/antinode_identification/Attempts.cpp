@@ -5,6 +5,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
+#include <antinode_base/Watch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +74,9 @@ ErrorMap errorMap (const FrequencyResponses& responses, const IdentifiedModes& m
 
     for (std::size_t i = 0; i < responses.values.size(); ++i)
         for (Eigen::Index p = 0; p < points; ++p)
+        {
+            checkWatch();
+
             for (Eigen::Index f = 0; f < count; ++f)
             {
                 const auto measured = responses.values[i](first + f, p);
@@ -85,6 +89,7 @@ ErrorMap errorMap (const FrequencyResponses& responses, const IdentifiedModes& m
                     map.energies (f * spans / count, column) += std::norm (measured);
                 }
             }
+        }
 
     return map;
 }

@@ -1,5 +1,7 @@
 #include "ModalError.h"
 
+#include <antinode_base/Watch.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -19,12 +21,16 @@ double modalError (const IdentifiedModes& modes, const PreparedResponses& data)
         const auto measured = data.responses->values[of].middleRows (data.firstLine, data.lines());
 
         for (Eigen::Index p = 0; p < data.points(); ++p)
+        {
+            checkWatch();
+
             for (Eigen::Index f = 0; f < data.lines(); ++f)
                 if (const auto left = std::norm (measured (f, p) - given.values[of](f, p)); std::isfinite (left))
                 {
                     error += left;
                     energy += std::norm (measured (f, p));
                 }
+        }
     }
 
     return 10 * std::log10 (std::max (error / energy, 1e-32));

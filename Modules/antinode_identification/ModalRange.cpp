@@ -2,6 +2,7 @@
 
 #include "PreparedResponses.h"
 
+#include <antinode_base/Watch.h>
 #include <antinode_numerics/Median.h>
 
 #include <algorithm>
@@ -48,6 +49,7 @@ LinePowers linePowers (const PreparedResponses& data)
 
     for (Eigen::Index c = 0; c < data.columns(); ++c)
     {
+        checkWatch();
         const Eigen::VectorXcd column = values.real.col (c) + std::complex<double> (0, 1) * values.imaginary.col (c);
         const Eigen::VectorXd powers = column.cwiseAbs2();
         const auto typical = data.columnWeights[c] > 0 ? medianPower (powers) : 0;

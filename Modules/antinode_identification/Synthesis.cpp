@@ -1,5 +1,8 @@
 #include "IdentifiedModes.h"
 
+#include <antinode_base/Watch.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -8,6 +11,8 @@ namespace antinode
 namespace
 {
 using Complex = std::complex<double>;
+
+constexpr Eigen::Index columnsAtOnce = 8; // between looks at the watch
 
 /** One mode with residue r per unit of shape times participation: r / (i omega - s) + conj (r) / (i omega - conj (s))
    for a complex product c is its real part times the first function less its imaginary part times the second. */
@@ -55,6 +60,7 @@ FrequencyResponses synthesise (const IdentifiedModes& modes, const Eigen::Vector
 
     for (Eigen::Index k = 0; k < modes.modes(); ++k)
     {
+        checkWatch();
         const auto functions = residueFunctions (modes.angularFrequencies[k], modes.dampingRatios[k], omega);
         real.col (k) = functions.col (0);
         imaginary.col (k) = functions.col (1);
@@ -66,10 +72,18 @@ FrequencyResponses synthesise (const IdentifiedModes& modes, const Eigen::Vector
     for (Eigen::Index i = 0; i < static_cast<Eigen::Index> (modes.references.size()); ++i)
     {
         const auto products = computeProducts (modes, i);
-        Eigen::MatrixXcd values = real * products.real().cast<Complex>();
+        Eigen::MatrixXcd values (omega.size(), products.cols());
 
-        if (modes.complexShapes.size() > 0)
-            values += imaginary * products.imag().cast<Complex>();
+        for (Eigen::Index first = 0; first < products.cols(); first += columnsAtOnce)
+        {
+            checkWatch();
+            const auto count = std::min (columnsAtOnce, products.cols() - first);
+            const Eigen::MatrixXcd part = products.middleCols (first, count);
+            values.middleCols (first, count).noalias() = real * part.real().cast<Complex>();
+
+            if (modes.complexShapes.size() > 0)
+                values.middleCols (first, count) += imaginary * part.imag().cast<Complex>();
+        }
 
         addResidualTerms (values, modes, i, omega);
         values.array().colwise() *= delays;
