@@ -92,7 +92,7 @@ Eigen::VectorXcd modalPoles (const ModalModel& model)
 Eigen::VectorXd modalVelocities (const ModalModel& model, const Eigen::VectorXcd& states)
 {
     const Eigen::ArrayXd ratio = decayRates (model).array() / dampedFrequencies (model).array();
-    const Eigen::VectorXd velocities = (states.real().array() - ratio * states.imag().array()).matrix();
+    Eigen::VectorXd velocities = (states.real().array() - ratio * states.imag().array()).matrix();
 
     if (! model.hasComplexModes())
         return velocities;
@@ -105,7 +105,7 @@ Eigen::VectorXd modalVelocities (const ModalModel& model, const Eigen::VectorXcd
 Eigen::VectorXd modalDisplacements (const ModalModel& model, const Eigen::VectorXcd& states)
 {
     const auto frequencies = dampedFrequencies (model);
-    const Eigen::VectorXd displacements = states.imag().cwiseQuotient (frequencies);
+    Eigen::VectorXd displacements = states.imag().cwiseQuotient (frequencies);
 
     if (! model.hasComplexModes())
         return displacements;

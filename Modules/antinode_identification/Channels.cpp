@@ -1,6 +1,7 @@
 #include "Channels.h"
 
 #include <antinode_base/NumberText.h>
+#include <antinode_base/Watch.h>
 #include <antinode_numerics/Median.h>
 
 #include <algorithm>
@@ -34,21 +35,24 @@ struct Energies
 
 /** Whether lines of a response scatter, as fourth differences show: off resonance they leave nothing of a smooth one.
  */
-bool isNoisy (const Eigen::VectorXd& real, const Eigen::VectorXd& imaginary)
+bool isNoisy (const Eigen::VectorXcd& response)
 {
     constexpr double smooth = 1e-8;
     constexpr std::array weights { 1.0, -4.0, 6.0, -4.0, 1.0 };
     std::vector<double> differences, powers;
 
-    for (Eigen::Index f = 0; f + 4 < real.size(); ++f)
+    for (Eigen::Index f = 0; f + 4 < response.size(); ++f)
     {
         std::complex<double> difference = 0;
 
         for (Eigen::Index n = 0; n < 5; ++n)
-            difference += weights[static_cast<std::size_t> (n)] * std::complex (real[f + n], imaginary[f + n]);
+            difference += weights[static_cast<std::size_t> (n)] * response[f + n];
+
+        if (! std::isfinite (std::norm (difference)))
+            continue;
 
         differences.push_back (std::norm (difference));
-        powers.push_back (std::norm (std::complex (real[f + 2], imaginary[f + 2])));
+        powers.push_back (std::norm (response[f + 2]));
     }
 
     return ! powers.empty() && median (differences) > smooth * median (powers);
@@ -56,12 +60,24 @@ bool isNoisy (const Eigen::VectorXd& real, const Eigen::VectorXd& imaginary)
 
 Energies energies (const PreparedResponses& data)
 {
-    const auto values = dataBlock (data, 0, Eigen::VectorXcd::Ones (data.lines()));
-    const Eigen::MatrixXd squares = values.real.cwiseAbs2() + values.imaginary.cwiseAbs2();
-    Energies found { squares.rowwise().sum(), squares.colwise().sum().transpose() };
+    constexpr Eigen::Index linesAtOnce = 256; // between looks at the watch
+    Energies found { Eigen::VectorXd (data.lines()), Eigen::VectorXd::Zero (data.columns()) };
+
+    for (Eigen::Index first = 0; first < data.lines(); first += linesAtOnce)
+    {
+        checkWatch();
+        const auto count = std::min (linesAtOnce, data.lines() - first);
+        const auto values = dataBlock (data, first, Eigen::VectorXcd::Ones (count));
+        const Eigen::MatrixXd squares = values.real.cwiseAbs2() + values.imaginary.cwiseAbs2();
+        found.lines.segment (first, count) = squares.rowwise().sum();
+        found.columns += squares.colwise().sum().transpose();
+    }
+
     Eigen::Index strongest = 0;
     found.columns.maxCoeff (&strongest);
-    found.areNoisy = isNoisy (values.real.col (strongest), values.imaginary.col (strongest));
+    found.areNoisy = isNoisy (data.responses->values[static_cast<std::size_t> (strongest / data.points())]
+                                  .col (strongest % data.points())
+                                  .segment (data.firstLine, data.lines()));
     return found;
 }
 
