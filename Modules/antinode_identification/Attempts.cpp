@@ -169,7 +169,7 @@ public:
     {
         // Where the first attempt found nothing, what describes next to nothing is no result either.
         if (! best || (failure && best->modes.reconstructionError > nothing))
-            throw *failure;
+            throw InputError (*failure);
 
         auto modes = best->modes;
 

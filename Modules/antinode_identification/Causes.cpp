@@ -103,12 +103,17 @@ ChannelPhase bestDelay (const Eigen::VectorXcd& residues, const Eigen::VectorXd&
 {
     constexpr double longest = 1e-3;
     const auto step = 0.1 / omega.maxCoeff();
+    const auto steps = static_cast<int> (2 * longest / step);
     ChannelPhase best { 0, 0, realShare (residues, omega, [] (double) { return 0.0; }) };
 
-    for (auto delay = -longest; delay <= longest; delay += step)
+    for (int n = 0; n <= steps; ++n)
+    {
+        const auto delay = n * step - longest;
+
         if (const auto score = realShare (residues, omega, [delay] (double at) { return at * delay; });
             score > best.score + 1e-3)
             best = { delay, 0, score };
+    }
 
     return best;
 }
