@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -80,10 +81,17 @@ void listMaterials()
     }
 }
 
+/** Names of focuses are no names of devices. */
+LibraryKind kindOf (const std::string& name)
+{
+    const auto focuses = factoryNames (LibraryKind::focus);
+    return std::find (focuses.begin(), focuses.end(), name) == focuses.end() ? LibraryKind::device : LibraryKind::focus;
+}
+
 void run (const DevicesOptions& options)
 {
     if (! options.shown.empty())
-        std::printf ("%s\n", loadDocument (LibraryKind::device, options.shown).dump (2).c_str());
+        std::printf ("%s\n", loadDocument (kindOf (options.shown), options.shown).dump (2).c_str());
     else if (options.showsMaterials)
         listMaterials();
     else if (options.showsFocuses)
@@ -101,7 +109,7 @@ void addDevicesCommand (CLI::App& app)
         command->add_flag ("--materials", options->showsMaterials, "Lists the built-in materials with their values");
     auto* focuses = command->add_flag ("--focuses", options->showsFocuses, "Lists the embedded focuses");
     auto* shown = command->add_option ("--show", options->shown,
-                                       "Writes an embedded device as JSON, as a starting point for a new device");
+                                       "Writes an embedded device or focus as JSON, as a starting point for a new one");
     materials->excludes (focuses)->excludes (shown);
     focuses->excludes (shown);
     command->callback ([options] { run (*options); });

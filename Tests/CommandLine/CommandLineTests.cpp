@@ -1,5 +1,6 @@
 #include "Support/RunProgram.h"
 
+#include <antinode_documents/FocusFile.h>
 #include <antinode_text/WaveReader.h>
 
 #include <nlohmann/json.hpp>
@@ -207,6 +208,8 @@ TEST_CASE ("devices lists what is embedded, and what it shows can be used as a f
     const auto modes = runProgram ({ "modes", folder.path() / "own.json", "--json" });
     REQUIRE (modes.exitCode == 0);
     CHECK (nlohmann::json::parse (modes.output).at ("kind") == "beam");
+    CHECK (readFocus (nlohmann::json::parse (runProgram ({ "devices", "--show", "phone-thumb" }).output), "shown").name
+           == "phone-thumb");
 }
 
 TEST_CASE ("design and render agree on design.json", "[command line]")
