@@ -135,7 +135,7 @@ ReportSection responseSection (const IdentificationResult& result)
 /** How many of the shapes are shown, and where the others are. */
 std::string galleryCaption (const IdentificationResult& result, bool hasDiagram)
 {
-    const std::string scale = "Each shape is scaled to its largest value.";
+    std::string scale = "Each shape is scaled to its largest value.";
 
     if (result.model.modes() <= galleryCount)
         return scale;
