@@ -62,60 +62,54 @@ void appendTraces (std::vector<UniversalSet>& sets, const ShapeMesh& mesh)
         }
 }
 
-/** A complex mode: pole, modal A and modal B with A = 2 j b, so that a mode which is real has modal mass 1. */
-UniversalShape makeComplexShape (const ModalModel& model, const ShapeMesh& mesh, const UniversalNodes& nodes,
-                                 Eigen::Index mode)
+/** What real and complex modes have in common. */
+UniversalShape commonShape (const ModalModel& model, const ShapeMesh& mesh, const UniversalNodes& nodes,
+                            Eigen::Index mode, const std::string& meaning)
 {
-    constexpr int structural = 1, complexMode = 3, translations = 2, displacement = 8, alongZ = 2;
-    const auto decay = decayRates (model)[mode], turn = dampedFrequencies (model)[mode];
+    constexpr int structural = 1, translations = 2, displacement = 8, alongZ = 2;
     std::string place = "Mode      ";
     appendInteger (place, mode + 1);
     place += " Frequency";
     appendReal (place, model.frequencyHz (mode));
 
     UniversalShape shape;
-    shape.lines = { "Device " + model.name, std::string (program), "NONE",
-                    "Complex shape along z, normal to the surface, modal A = 2 j Im(pole), kg^-1/2", place };
+    shape.lines = { "Device " + model.name, std::string (program), "NONE", meaning, place };
     shape.modelType = structural;
-    shape.analysisType = complexMode;
     shape.dataCharacteristic = translations;
     shape.specificType = displacement;
-    shape.isComplex = true;
     shape.integers = { loadCase, mode + 1 };
-    shape.reals = { -decay, turn, 0, 2 * turn, 2 * turn * turn, 2 * turn * decay };
     shape.nodes = nodes.labels;
     shape.values = Eigen::MatrixXcd::Zero (mesh.shapes.rows(), 3);
     shape.values.col (alongZ).real() = mesh.shapes.col (mode);
-    shape.values.col (alongZ).imag() = mesh.shapes.col (model.modes() + mode);
+
+    if (model.hasComplexModes())
+        shape.values.col (alongZ).imag() = mesh.shapes.col (model.modes() + mode);
+
     return shape;
 }
 
+/** A complex mode has its pole, modal A and modal B with A = 2 j b, so that one which is real has modal mass 1. */
 UniversalShape makeShape (const ModalModel& model, const ShapeMesh& mesh, const UniversalNodes& nodes,
                           Eigen::Index mode)
 {
-    constexpr int structural = 1, normalMode = 2, translations = 2, displacement = 8, alongZ = 2;
+    constexpr int normalMode = 2, complexMode = 3;
 
-    if (model.hasComplexModes())
-        return makeComplexShape (model, mesh, nodes, mode);
+    if (! model.hasComplexModes())
+    {
+        constexpr double modalMass = 1, hystereticDamping = 0;
+        auto shape =
+            commonShape (model, mesh, nodes, mode, "Shape along z, normal to the surface, mass-normalised, kg^-1/2");
+        shape.analysisType = normalMode;
+        shape.reals = { model.frequencyHz (mode), modalMass, model.dampingRatios[mode], hystereticDamping };
+        return shape;
+    }
 
-    constexpr double modalMass = 1, hystereticDamping = 0;
-    std::string place = "Mode      ";
-    appendInteger (place, mode + 1);
-    place += " Frequency";
-    appendReal (place, model.frequencyHz (mode));
-
-    UniversalShape shape;
-    shape.lines = { "Device " + model.name, std::string (program), "NONE",
-                    "Shape along z, normal to the surface, mass-normalised, kg^-1/2", place };
-    shape.modelType = structural;
-    shape.analysisType = normalMode;
-    shape.dataCharacteristic = translations;
-    shape.specificType = displacement;
-    shape.integers = { loadCase, mode + 1 };
-    shape.reals = { model.frequencyHz (mode), modalMass, model.dampingRatios[mode], hystereticDamping };
-    shape.nodes = nodes.labels;
-    shape.values = Eigen::MatrixXcd::Zero (mesh.shapes.rows(), 3);
-    shape.values.col (alongZ).real() = mesh.shapes.col (mode);
+    const auto decay = decayRates (model)[mode], turn = dampedFrequencies (model)[mode];
+    auto shape = commonShape (model, mesh, nodes, mode,
+                              "Complex shape along z, normal to the surface, modal A = 2 j Im(pole), kg^-1/2");
+    shape.analysisType = complexMode;
+    shape.isComplex = true;
+    shape.reals = { -decay, turn, 0, 2 * turn, 2 * turn * turn, 2 * turn * decay };
     return shape;
 }
 } // namespace

@@ -1,14 +1,16 @@
 #include "Causes.h"
 
+#include "Channels.h"
 #include "NormalModes.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
-#include <antinode_numerics/Median.h>
+#include <antinode_base/Prefixes.h>
+#include <antinode_base/Watch.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace antinode
@@ -32,9 +34,13 @@ FrequencyResponses multiplied (FrequencyResponses responses, const Factor& facto
 {
     for (std::size_t i = 0; i < responses.values.size(); ++i)
         for (Eigen::Index p = 0; p < responses.points.rows(); ++p)
+        {
+            checkWatch();
+
             for (Eigen::Index f = 0; f < responses.frequencies.size(); ++f)
                 responses.values[i](f, p) *= factor (2 * std::numbers::pi * responses.frequencies[f],
                                                      static_cast<Eigen::Index> (i) * responses.points.rows() + p);
+        }
 
     return responses;
 }
@@ -135,27 +141,20 @@ ChannelPhase bestLowPass (const Eigen::VectorXcd& residues, const Eigen::VectorX
     return best;
 }
 
-std::string channelOf (const FrequencyResponses& responses, Eigen::Index column)
-{
-    const auto points = responses.points.rows();
-    const auto name = "point " + std::to_string (column % points + 1);
-    return responses.references.size() == 1
-               ? name
-               : name + ", driver " + responses.references[static_cast<std::size_t> (column / points)].name;
-}
-
 /** Delays that differ from channel to channel by more than a twentieth of the highest mode's period. */
 std::optional<Remedy> ownDelays (const FrequencyResponses& responses, const Eigen::MatrixXcd& residues,
                                  const Eigen::VectorXd& omega)
 {
-    const auto micro = 1e6;
     std::vector<double> delays;
 
     for (Eigen::Index c = 0; c < residues.cols(); ++c)
+    {
+        checkWatch();
         delays.push_back (bestDelay (residues.col (c), omega).delay);
+    }
 
     const auto [least, most] = std::minmax_element (delays.begin(), delays.end());
-    const auto name = [&] (auto at) { return channelOf (responses, at - delays.begin()); };
+    const auto name = [&] (auto at) { return channelName (responses, at - delays.begin()); };
 
     if (delays.size() < 2 || *most - *least < 0.05 * 2 * std::numbers::pi / omega.maxCoeff())
         return {};
@@ -176,12 +175,13 @@ std::optional<Remedy> ownLowPasses (const FrequencyResponses& responses, const E
 
     for (Eigen::Index c = 0; c < residues.cols(); ++c)
     {
+        checkWatch();
         const auto without = realShare (residues.col (c), omega, [] (double) { return 0.0; });
         const auto found = bestLowPass (residues.col (c), omega);
         corners.push_back (found.score > without + better ? found.corner : 0);
 
         if (corners.back() > 0 && named.size() < 200)
-            named += (named.empty() ? "" : "; ") + channelOf (responses, c) + " at "
+            named += (named.empty() ? "" : "; ") + channelName (responses, c) + " at "
                      + fixedText (corners.back() / (2 * std::numbers::pi), 0) + " Hz";
     }
 
@@ -197,47 +197,62 @@ std::optional<Remedy> ownLowPasses (const FrequencyResponses& responses, const E
                     "channels have a low-pass of first order: " + named };
 }
 
-/** Channels of the opposite sign from what the other references and points say of them. */
-std::optional<Remedy> inverted (const FrequencyResponses& responses, const Eigen::MatrixXcd& residues)
+/** How far the two by two tables of one channel agree, 1 to -1: of one shape times one participation every determinant
+   is 0, and an inverted channel makes it twice a product. */
+double agreement (const Eigen::MatrixXcd& residues, Eigen::Index points, Eigen::Index channel)
 {
+    const auto reference = channel / points, point = channel % points;
+    double agreeing = 0, all = 0;
+
+    for (Eigen::Index k = 0; k < residues.rows(); ++k)
+        for (Eigen::Index i = 0; i < residues.cols() / points; ++i)
+            for (Eigen::Index p = 0; p < points; ++p)
+                if (i != reference && p != point)
+                {
+                    const auto one = residues (k, channel) * residues (k, i * points + p);
+                    const auto other = residues (k, i * points + point) * residues (k, reference * points + p);
+                    agreeing += (one * std::conj (other)).real() / std::max (std::abs (other), 1e-300);
+                    all += std::abs (one);
+                }
+
+    return all > 0 ? agreeing / all : 1;
+}
+
+/** Channels of the opposite sign from what the other references and points say of them. An inverted channel spoils
+   tables of others too, so the worst is turned first, until none is left. */
+std::optional<Remedy> inverted (const FrequencyResponses& responses, Eigen::MatrixXcd residues)
+{
+    constexpr double opposite = -0.3;
     const auto points = responses.points.rows(), references = residues.cols() / points;
+    Eigen::VectorXd signs = Eigen::VectorXd::Ones (residues.cols());
+    std::string named;
 
     if (references < 2 || points < 3)
         return {};
 
-    std::vector<bool> isInverted (static_cast<std::size_t> (residues.cols()));
-    std::string named;
-
-    for (Eigen::Index c = 0; c < residues.cols(); ++c)
+    for (Eigen::Index turned = 0; turned < residues.cols() / 2; ++turned)
     {
-        double agreement = 0, all = 0;
+        Eigen::VectorXd agreements (residues.cols());
+        Eigen::Index worst = 0;
 
-        // Of one shape times one participation every two by two table has determinant 0.
-        for (Eigen::Index k = 0; k < residues.rows(); ++k)
-            for (Eigen::Index i = 0; i < references; ++i)
-                for (Eigen::Index p = 0; p < points; ++p)
-                    if (i != c / points && p != c % points)
-                    {
-                        const auto one = residues (k, c) * residues (k, i * points + p);
-                        const auto other =
-                            residues (k, i * points + c % points) * residues (k, c / points * points + p);
-                        agreement += (one * std::conj (other)).real() / std::max (std::abs (other), 1e-300);
-                        all += std::abs (one);
-                    }
+        for (Eigen::Index c = 0; c < residues.cols(); ++c)
+        {
+            checkWatch();
+            agreements[c] = agreement (residues, points, c);
+        }
 
-        isInverted[static_cast<std::size_t> (c)] = agreement < -0.3 * all;
+        if (agreements.minCoeff (&worst) >= opposite)
+            break;
+
+        residues.col (worst) *= -1;
+        signs[worst] *= -1;
+        named += (named.empty() ? "" : "; ") + channelName (responses, worst);
     }
-
-    // A majority of tables is spoilt only where more channels are inverted than not.
-    for (std::size_t c = 0; c < isInverted.size(); ++c)
-        if (isInverted[c])
-            named += (named.empty() ? "" : "; ") + channelOf (responses, static_cast<Eigen::Index> (c));
 
     if (named.empty())
         return {};
 
-    return Remedy { multiplied (responses, [&isInverted] (double, Eigen::Index column)
-                                { return isInverted[static_cast<std::size_t> (column)] ? -1.0 : 1.0; }),
+    return Remedy { multiplied (responses, [&signs] (double, Eigen::Index column) { return signs[column]; }),
                     "inverted against the other channels: " + named };
 }
 } // namespace
@@ -245,28 +260,47 @@ std::optional<Remedy> inverted (const FrequencyResponses& responses, const Eigen
 std::string likelyCause (const FrequencyResponses& responses, const IdentificationOptions& options,
                          const IdentifiedModes& modes, const Identify& identifyWith)
 {
-    const auto test = [&] (const Remedy& remedy, const IdentificationOptions& chosen, double highest)
+    const auto errorOf = [&] (const Remedy& remedy, const IdentificationOptions& chosen)
     {
         try
         {
-            const auto error = identifyWith (remedy.responses, chosen).reconstructionError;
-            return error < std::min (modes.reconstructionError - clearly, highest)
-                       ? remedy.said + " (error then " + fixedText (error, 1) + " instead of "
-                             + fixedText (modes.reconstructionError, 1) + " dB)"
-                       : std::string();
+            return identifyWith (remedy.responses, chosen).reconstructionError;
         }
         catch (const InputError&)
         {
-            return std::string();
+            return std::numeric_limits<double>::infinity();
         }
     };
+    const auto sayIfLower = [&] (const Remedy& remedy, double error, double highest)
+    {
+        return error < std::min (modes.reconstructionError - clearly, highest)
+                   ? remedy.said + " (error then " + fixedText (error, 1) + " instead of "
+                         + fixedText (modes.reconstructionError, 1) + " dB)"
+                   : std::string();
+    };
+    const auto test = [&] (const Remedy& remedy, const IdentificationOptions& chosen, double highest)
+    { return sayIfLower (remedy, errorOf (remedy, chosen), highest); };
     const auto residues = channelResidues (responses, modes);
     const auto& omega = modes.angularFrequencies;
 
+    // Two integrations more or less turn no phase: what fits best is named.
+    std::optional<Remedy> quantity;
+    auto least = std::numeric_limits<double>::infinity();
+
     for (const auto integrations : { -1, 1, 0 })
         if (integrations != responses.integrations)
-            if (auto said = test (otherQuantity (responses, integrations), options, fair); ! said.empty())
-                return said;
+        {
+            auto other = otherQuantity (responses, integrations);
+
+            if (const auto error = errorOf (other, options); error < least)
+            {
+                least = error;
+                quantity = std::move (other);
+            }
+        }
+
+    if (auto said = quantity ? sayIfLower (*quantity, least, fair) : std::string(); ! said.empty())
+        return said;
 
     if (auto said = test (conjugated (responses), options, fair); ! said.empty())
         return said;

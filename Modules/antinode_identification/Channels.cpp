@@ -21,7 +21,7 @@ std::string nameChannels (const PreparedResponses& data, const std::vector<Eigen
     std::string text;
 
     for (std::size_t n = 0; n < std::min (most, columns.size()); ++n)
-        text += (n > 0 ? "; " : "") + channelName (data, columns[n]);
+        text += (n > 0 ? "; " : "") + channelName (*data.responses, columns[n]);
 
     return columns.size() > most ? text + "; " + std::to_string (columns.size() - most) + " more" : text;
 }
@@ -140,13 +140,13 @@ std::string leaveOutMains (PreparedResponses& data, const Eigen::VectorXd& power
 }
 } // namespace
 
-std::string channelName (const PreparedResponses& data, Eigen::Index column)
+std::string channelName (const FrequencyResponses& responses, Eigen::Index column)
 {
-    const auto point = "point " + std::to_string (column % data.points() + 1);
-    return data.references() == 1
+    const auto points = responses.points.rows();
+    const auto point = "point " + std::to_string (column % points + 1);
+    return responses.references.size() == 1
                ? point
-               : point + ", driver "
-                     + data.responses->references[static_cast<std::size_t> (column / data.points())].name;
+               : point + ", driver " + responses.references[static_cast<std::size_t> (column / points)].name;
 }
 
 std::vector<std::string> leaveOutDisturbed (PreparedResponses& data)

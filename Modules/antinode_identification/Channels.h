@@ -15,6 +15,7 @@ std::vector<std::string> leaveOutDisturbed (PreparedResponses&);
     [worker] Docs/Theory.md, section 8.4. */
 std::vector<std::string> weighDownMisfits (PreparedResponses&, const FitErrors&);
 
-/** "point 3" or "point 3, driver C1" where there are several references. [any] */
-std::string channelName (const PreparedResponses&, Eigen::Index column);
+/** "point 3" or "point 3, driver C1" where there are several references.
+    @param column  reference after reference, each with all points  [any] */
+std::string channelName (const FrequencyResponses&, Eigen::Index column);
 } // namespace antinode

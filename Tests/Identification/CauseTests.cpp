@@ -9,10 +9,10 @@ using namespace antinode::test;
 
 namespace
 {
-/** Five modes of a beam at eight points from two ceramics. */
-KnownStructure beamOfFive()
+/** Five modes of a beam at eight points. */
+KnownStructure beamOfFive (Eigen::Index ceramics)
 {
-    auto beam = knownBeam (7, 8, 2);
+    auto beam = knownBeam (7, 8, ceramics);
     beam.frequencies = beam.frequencies.head (5).eval();
     beam.dampingRatios = beam.dampingRatios.head (5).eval();
     beam.shapes = beam.shapes.leftCols (5).eval();
@@ -20,9 +20,9 @@ KnownStructure beamOfFive()
     return beam;
 }
 
-FrequencyResponses measurement()
+FrequencyResponses measurement (Eigen::Index ceramics = 2)
 {
-    auto responses = idealResponses (beamOfFive(), lines (200, 3500, 2));
+    auto responses = idealResponses (beamOfFive (ceramics), lines (200, 3500, 2));
     addNoise (responses, 45, 3);
     return responses;
 }
@@ -61,4 +61,42 @@ TEST_CASE ("A wrong quantity is named", "[identification]")
         each ([] (double omega) { return 1.0 / std::complex<double> (0, omega); });
         CHECK_THAT (warnings (responses), Catch::Contains ("--quantity displacement"));
     }
+
+    SECTION ("accelerations said to be velocities")
+    {
+        each ([] (double omega) { return std::complex<double> (0, omega); });
+        CHECK_THAT (warnings (responses), Catch::Contains ("--quantity acceleration"));
+    }
+}
+
+TEST_CASE ("An inverted channel is named", "[identification]")
+{
+    // Of two references only their relation is known; three tell which one it is.
+    auto responses = measurement (3);
+    multiply (responses, 1, 4, [] (double) { return -1.0; });
+    const auto said = warnings (responses);
+    CHECK_THAT (said, Catch::Contains ("inverted"));
+    CHECK_THAT (said, Catch::Contains ("point 5, driver C2"));
+}
+
+TEST_CASE ("Delays that differ from channel to channel are named", "[identification]")
+{
+    auto responses = measurement();
+
+    for (std::size_t i = 0; i < 2; ++i)
+        for (Eigen::Index p = 0; p < 8; ++p)
+            multiply (responses, i, p, [p] (double omega) { return std::polar (1.0, -15e-6 * omega * double (p)); });
+
+    const auto said = warnings (responses);
+    CHECK_THAT (said, Catch::Contains ("delays differ"));
+    CHECK_THAT (said, Catch::Contains ("point 8"));
+}
+
+TEST_CASE ("Good responses have no cause named", "[identification]")
+{
+    const auto said = warnings (measurement());
+    CHECK_THAT (said, ! Catch::Contains ("quantity"));
+    CHECK_THAT (said, ! Catch::Contains ("delays differ"));
+    CHECK_THAT (said, ! Catch::Contains ("inverted"));
+    CHECK_THAT (said, ! Catch::Contains ("left out"));
 }
