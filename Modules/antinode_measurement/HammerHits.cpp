@@ -330,7 +330,8 @@ HammerTest examineHits (const std::vector<HammerRecording>& recordings, const Ha
         refuseFaults (recordings[i], test, test.hits[i]);
 
     if (test.usedHits() == 0)
-        throw InputError (recordings.front().source, "and all other recordings have no usable hit; the first one: "
+        throw InputError (recordings.front().source, (recordings.size() > 1 ? "as all other recordings " : "")
+                                                         + std::string ("has no usable hit; the first one: ")
                                                          + test.hits.front().front().fault);
 
     const auto shares = largestShares (recordings, test);
