@@ -5,6 +5,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
+#include <antinode_base/NumberText.h>
 #include <antinode_text/CsvTable.h>
 
 #include <algorithm>
@@ -171,6 +172,35 @@ std::optional<ResponseUnit> findUnit (const CsvTable& table)
     return std::nullopt;
 }
 
+/** Motion and force over time are no impulse responses. */
+void refuseForces (const CsvTable& table, const std::string& source)
+{
+    for (const auto& heading : table.headings)
+        for (const auto& word : splitWords (heading))
+            if (word == "force" || word == "hammer")
+                throw InputError (source, "has a force over time " + inQuotes (heading)
+                                              + "; allowed: frequency responses, or impulse responses, which 'frf' "
+                                                "computes from recordings of force and motion");
+}
+
+/** Lines so dense are times without a heading: nothing that vibrates slowly or for minutes is meant. */
+void refuseTimes (const Eigen::VectorXd& frequencies, const std::string& source)
+{
+    constexpr double low = 20, fine = 0.1, finest = 2.5e-3; // Hz
+    const auto count = frequencies.size();
+
+    if (count < 2)
+        return;
+
+    const auto highest = frequencies[count - 1], step = (highest - frequencies[0]) / static_cast<double> (count - 1);
+
+    if ((highest < low && step < fine) || step < finest)
+        throw InputError (source,
+                          "has frequencies up to " + numberText (highest) + " Hz every " + numberText (step)
+                              + " Hz, which look like times; allowed: lines at least 0.0025 Hz apart, and 0.1 Hz "
+                                "where none is above 20 Hz; the heading of a column of times is 'time'");
+}
+
 void addImpulseResponses (const CsvTable& table, const std::vector<CsvHeading>& headings, const Eigen::VectorXd& times,
                           MeasurementFile& file, MeasuredResponse common)
 {
@@ -226,12 +256,16 @@ MeasurementFile measurementFromCsv (std::string_view text, const std::string& so
 
     if (isTime (words))
     {
+        refuseForces (table, source);
         addImpulseResponses (table, headings, abscissae, file, response);
         return file;
     }
 
     const auto isKnown = [] (const auto& heading) { return heading.kind != CsvColumnKind::unknown; };
     const auto areTold = form == CsvForm::byHeadings && std::any_of (headings.begin() + 1, headings.end(), isKnown);
+
+    if (! areTold)
+        refuseTimes (abscissae, source);
 
     for (const auto& pair : areTold ? pairsByHeadings (headings, source) : pairsByOrder (headings, form, source))
     {

@@ -16,7 +16,8 @@ namespace
 constexpr std::size_t headerBytes = 128, elementTagBytes = 8;
 constexpr int deepest = 4; ///< Structures within structures.
 
-constexpr std::uint32_t structureClass = 2, characterClass = 4, firstNumberClass = 6, lastNumberClass = 15;
+constexpr std::uint32_t structureClass = 2, objectClass = 3, characterClass = 4, firstNumberClass = 6,
+                        lastNumberClass = 15, opaqueClass = 17;
 
 /** Where a file is read, and what was found. */
 struct Reader
@@ -80,6 +81,20 @@ void addText (MatlabVariable variable, const MatlabElement& element, Reader& rea
     reader.variables.push_back (std::move (variable));
 }
 
+/** An object of a class: name, the system that stores it if it is opaque, class. */
+void addObject (std::string_view bytes, const std::string& prefix, bool isOpaque, Reader& reader)
+{
+    MatlabVariable variable;
+    const auto name = takeElement (bytes, reader.form).data;
+    variable.name = prefix.empty() ? printable (name) : prefix;
+
+    if (isOpaque)
+        takeElement (bytes, reader.form);
+
+    variable.className = printable (takeElement (bytes, reader.form).data);
+    reader.variables.push_back (std::move (variable));
+}
+
 void addMatrix (std::string_view bytes, const std::string& prefix, int depth, Reader& reader)
 {
     if (bytes.empty() || depth > deepest)
@@ -93,8 +108,16 @@ void addMatrix (std::string_view bytes, const std::string& prefix, int depth, Re
     const auto word = matlabWord (flags.data, reader.form);
     const auto kind = word & 0xff;
     const auto isComplex = (word & 0x800) != 0;
+
+    if (kind == opaqueClass)
+        return addObject (bytes, prefix, true, reader);
+
     MatlabVariable variable;
     variable.sizes = readSizes (takeElement (bytes, reader.form), bytes.size(), reader.form);
+
+    if (kind == objectClass)
+        return addObject (bytes, prefix, false, reader);
+
     const auto name = takeElement (bytes, reader.form).data;
     variable.name = prefix.empty() ? printable (name) : prefix;
     std::size_t count = variable.sizes.size() < 2 ? 0 : 1;

@@ -12,12 +12,14 @@ struct MatlabVariable
     std::string name;
     std::vector<std::size_t> sizes; ///< Two or more.
     std::vector<double> real,
-        imaginary;    ///< As many as the product of the sizes, the first index fastest; imaginary empty if real.
-    std::string text; ///< Of characters, whose numbers are empty.
+        imaginary;         ///< As many as the product of the sizes, the first index fastest; imaginary empty if real.
+    std::string text;      ///< Of characters, whose numbers are empty.
+    std::string className; ///< Of an object such as `frd`, of which nothing can be read; then all else is empty.
 };
 
 /** Variables of a MATLAB file of level 5 (versions 5 to 7, compressed or not, either byte order). Arrays of numbers and
-   text are read, with those in structures of one element; what else there is is left out. Files are read by our own
+   text are read, with those in structures of one element; objects are named with their class; what else there is is
+   left out. Files are read by our own
    code, not by libmatio, which takes memory by what a file says of itself (Docs/Decisions/0030).
     @param source  how errors name the file
     @throws InputError  when it is no such file or is damaged, or unpacks to more than 16 times its size and 16 MB

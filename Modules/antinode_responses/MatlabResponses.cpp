@@ -49,6 +49,20 @@ bool isVector (const MatlabVariable& variable)
            && *std::max_element (variable.sizes.begin(), variable.sizes.end()) == variable.real.size();
 }
 
+/** What to save instead of an object, which only MATLAB can read; empty where there is none. */
+std::string adviceOnObjects (const Variables& variables)
+{
+    const auto object = std::find_if (variables.begin(), variables.end(),
+                                      [] (const auto& variable) { return ! variable.className.empty(); });
+
+    if (object == variables.end())
+        return {};
+
+    const auto name = object->name.empty() ? std::string ("G") : object->name;
+    return "; objects can be read by MATLAB only: save arrays, of an frd or idfrd by G = chgFreqUnit (" + name
+           + ", 'Hz'); f = G.Frequency; H = G.ResponseData; save ('responses.mat', 'f', 'H', '-v7')";
+}
+
 /** The variables of a file: "'f' (1001 x 1), 'H' (1001 x 12)". */
 std::string inventory (const Variables& variables)
 {
@@ -59,13 +73,20 @@ std::string inventory (const Variables& variables)
     {
         text += (i > 0 ? ", " : "") + inQuotes (variables[i].name) + " (";
 
+        if (! variables[i].className.empty())
+        {
+            text += "an object of class " + variables[i].className + ")";
+            continue;
+        }
+
         for (std::size_t s = 0; s < variables[i].sizes.size() && s < maximum; ++s)
             text += (s > 0 ? " x " : "") + std::to_string (variables[i].sizes[s]);
 
         text += variables[i].imaginary.empty() ? ")" : ", complex)";
     }
 
-    return variables.empty() ? "no readable variable" : text + (variables.size() > maximum ? " and more" : "");
+    return (variables.empty() ? "no readable variable" : text + (variables.size() > maximum ? " and more" : ""))
+           + adviceOnObjects (variables);
 }
 
 bool hasSize (const MatlabVariable& variable, std::size_t size)

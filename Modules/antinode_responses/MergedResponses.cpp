@@ -49,6 +49,12 @@ void addUnitRemarks (const Responses& responses, const MeasurementOptions& optio
         remarks.emplace_back ("No file says what excites the surface: assumed to be a voltage in V.");
 }
 
+/** How the first response is named in a message on another one that differs from it. */
+std::string namedBeside (const MeasuredResponse& first, const MeasuredResponse& other)
+{
+    return first.source == other.source ? "an earlier response of it" : inQuotes (first.source);
+}
+
 DriveQuantity commonDrive (const Responses& responses, const MeasurementOptions& options)
 {
     const auto findDrive = [&] (const auto& response)
@@ -58,7 +64,7 @@ DriveQuantity commonDrive (const Responses& responses, const MeasurementOptions&
     for (const auto& response : responses)
         if (findDrive (response) != first)
             throw InputError (response.source, "is excited by a different quantity than "
-                                                   + inQuotes (responses.front().source)
+                                                   + namedBeside (responses.front(), response)
                                                    + "; allowed: responses to voltages only or to forces only");
 
     return first;
@@ -75,7 +81,7 @@ void requireSameFrequencies (const MeasuredResponse& first, const MeasuredRespon
     if (found.size() != lines
         || (found - wanted).cwiseAbs().maxCoeff() > std::max (tolerance * width, std::min (printed, 0.1 * width)))
         throw InputError (other.source,
-                          "has different frequencies from " + inQuotes (first.source)
+                          "has different frequencies from " + namedBeside (first, other)
                               + "; allowed: responses with the same lines; identify the files separately");
 }
 
@@ -115,7 +121,7 @@ double commonWindowDecay (const Responses& responses)
     for (const auto& response : responses)
         if (response.windowDecay != responses.front().windowDecay)
             throw InputError (response.source, "has another exponential window than "
-                                                   + inQuotes (responses.front().source)
+                                                   + namedBeside (responses.front(), response)
                                                    + "; allowed: responses with the same window");
 
     return responses.front().windowDecay;
@@ -178,10 +184,11 @@ void fillTable (const Responses& responses, const MeasurementOptions& options,
     const auto points = measurement.pointNames.size();
 
     if (points * references.size() > fewest + share * responses.size())
-        throw InputError (responses.front().source, "and the other files have " + std::to_string (points)
-                                                        + " points and " + std::to_string (references.size())
-                                                        + " references, but only " + std::to_string (responses.size())
-                                                        + " responses between them");
+        throw InputError (responses.front().source,
+                          (responses.back().source == responses.front().source ? "has " : "and the other files have ")
+                              + std::to_string (points) + " points and " + std::to_string (references.size())
+                              + " references, but only " + std::to_string (responses.size())
+                              + " responses between them");
 
     table.frequencies = frequencies.tail (lines - skipped);
     const auto empty = std::complex<double> (std::numeric_limits<double>::quiet_NaN(), 0);

@@ -79,12 +79,6 @@ ResponseUnit unitByName (std::string name)
 
 constexpr int timeRecordType = 1;
 
-bool isForceRecord (const UniversalFunction& function, const UniversalUnits& units)
-{
-    const auto unit = universalUnit (function.ordinate, units);
-    return driveUnit (function.ordinate.unit).has_value() || (unit && ! unit->quantity && unit->drive);
-}
-
 RecordedSignal toSignal (const UniversalFunction& function, const UniversalUnits& units)
 {
     RecordedSignal signal;

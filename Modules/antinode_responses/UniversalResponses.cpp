@@ -165,6 +165,15 @@ Eigen::VectorXd computeAbscissae (const UniversalFunction& function)
                            : function.abscissae;
 }
 
+/** Motion and force over time are no impulse responses. */
+void refuseForces (const Functions& functions, const UniversalUnits& units, const std::string& source)
+{
+    if (std::any_of (functions.begin(), functions.end(),
+                     [&units] (const auto* function) { return isForceRecord (*function, units); }))
+        throw InputError (source, "has time records of a force; allowed: frequency responses, or impulse responses, "
+                                  "which 'frf' computes from recordings of force and motion");
+}
+
 MeasuredResponse toResponse (const UniversalFunction& function, const UniversalUnits& units, const std::string& source,
                              const std::vector<MeasuredResponse>& earlier)
 {
@@ -216,6 +225,12 @@ std::optional<ResponseUnit> universalUnit (const UniversalAxis& axis, const Univ
     return unit ? unit : unitOfCode (axis.quantity, units);
 }
 
+bool isForceRecord (const UniversalFunction& function, const UniversalUnits& units)
+{
+    const auto unit = universalUnit (function.ordinate, units);
+    return driveUnit (function.ordinate.unit).has_value() || (unit && ! unit->quantity && unit->drive);
+}
+
 UniversalUnits universalUnits (const std::vector<UniversalSet>& sets)
 {
     const auto units = findSets<UniversalUnits> (sets);
@@ -256,6 +271,11 @@ MeasurementFile measurementFromUniversal (const std::vector<UniversalSet>& sets,
         throw InputError (source,
                           "has no frequency response (data set 58 of function type 4, or 1 for impulse responses)");
 
+    const auto units = universalUnits (sets);
+
+    if (functions.front()->functionType == timeRecord)
+        refuseForces (functions, units, source);
+
     const auto axis = commonAxis (functions);
     const auto others = std::erase_if (functions, [&] (const auto* function)
                                        { return std::abs (function->response.direction) != axis; });
@@ -264,7 +284,6 @@ MeasurementFile measurementFromUniversal (const std::vector<UniversalSet>& sets,
         file.remarks.push_back (source + ": " + std::to_string (others)
                                 + " responses in minority directions are left out.");
 
-    const auto units = universalUnits (sets);
     const PlaceNames points (functions, &UniversalFunction::response),
         references (functions, &UniversalFunction::reference);
     std::map<std::string, std::set<int>> directions;

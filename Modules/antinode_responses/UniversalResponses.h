@@ -20,6 +20,9 @@ MeasurementFile measurementFromUniversal (const std::vector<UniversalSet>&, cons
     quantity in the file's units. [any] */
 std::optional<ResponseUnit> universalUnit (const UniversalAxis&, const UniversalUnits&);
 
+/** Whether a function is a force, by unit or quantity. [any] */
+bool isForceRecord (const UniversalFunction&, const UniversalUnits&);
+
 /** The factors by which the file's lengths and forces are divided. [any] */
 UniversalUnits universalUnits (const std::vector<UniversalSet>&);
 

@@ -20,6 +20,48 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> spellings
     { "\xc2\xb7", "*" },
     { "\xc2\xb0", "deg" },
 } };
+
+constexpr std::size_t realWidth = 13;
+constexpr int realDigits = 5;
+constexpr double smallestReal = 1e-99; // An exponent of three digits leaves no space between two columns.
+
+double parsed (const std::string& field)
+{
+    double value = 0;
+    std::from_chars (field.data(), field.data() + field.size(), value);
+    return value;
+}
+
+/** At most so many characters, with as many digits as they hold: any form with a point may stand in a column of E13.5.
+ */
+std::string closest (double number, std::size_t characters)
+{
+    constexpr double fixedFrom = 1e-3, fixedTo = 1e9;
+    constexpr int mostDigits = 11;
+    const auto isFixed = std::abs (number) >= fixedFrom && std::abs (number) < fixedTo;
+    const auto fewestDigits = isFixed ? 1 : realDigits;
+    std::array<char, 48> buffer {};
+
+    if (! std::isfinite (number) || std::abs (number) < smallestReal)
+        return {};
+
+    for (auto digits = mostDigits; digits >= fewestDigits; --digits)
+    {
+        const auto written = std::to_chars (buffer.data(), buffer.data() + buffer.size(), number,
+                                            isFixed ? std::chars_format::fixed : std::chars_format::scientific, digits);
+        std::string field (buffer.data(), written.ptr);
+
+        if (const auto exponent = field.find ("e-0"); exponent != std::string::npos)
+            field.erase (exponent + 2, 1);
+        else if (const auto positive = field.find ("e+"); positive != std::string::npos)
+            field.erase (positive + 1, field[positive + 2] == '0' ? 2 : 1);
+
+        if (field.size() <= characters)
+            return field;
+    }
+
+    return {};
+}
 } // namespace
 
 void appendRight (std::string& text, std::string_view field, std::size_t width)
@@ -35,19 +77,31 @@ void appendInteger (std::string& text, std::int64_t number, std::size_t width)
 
 void appendReal (std::string& text, double number)
 {
-    appendReal (text, number, 13, 5, 'E');
+    const auto longer = closest (number, realWidth - 1);
+    std::string standard;
+    appendReal (standard, longer.empty() ? number : parsed (longer), realWidth, realDigits, 'E');
+    const auto isExact =
+        longer.empty() || parsed (standard.substr (standard.find_first_not_of (' '))) == parsed (longer);
+
+    if (isExact)
+        text += standard;
+    else
+    {
+        auto field = longer;
+        std::replace (field.begin(), field.end(), 'e', 'E');
+        appendRight (text, field, realWidth);
+    }
 }
 
 void appendReal (std::string& text, double number, std::size_t width, int digits, char letter)
 {
-    constexpr double smallest = 1e-99; // An exponent of three digits leaves no space between two columns.
     std::array<char, 48> buffer {};
 
     if (! std::isfinite (number))
         throw InputError ("universal file", "has a value that is not finite");
 
     const auto written =
-        std::to_chars (buffer.data(), buffer.data() + buffer.size(), std::abs (number) < smallest ? 0.0 : number,
+        std::to_chars (buffer.data(), buffer.data() + buffer.size(), std::abs (number) < smallestReal ? 0.0 : number,
                        std::chars_format::scientific, digits);
     std::string field (buffer.data(), written.ptr);
     std::replace (field.begin(), field.end(), 'e', letter);

@@ -15,7 +15,8 @@ void appendRight (std::string& text, std::string_view field, std::size_t width);
 /** Appends I10 or another width. [any] */
 void appendInteger (std::string& text, std::int64_t number, std::size_t width = 10);
 
-/** Appends E13.5. @throws InputError  when it is not finite [any] */
+/** Appends a real in a column of E13.5: in that form where it is exact, else with as many digits as 12 characters hold,
+    7 to 11, which Fortran reads too. @throws InputError  when it is not finite [any] */
 void appendReal (std::string& text, double number);
 
 /** Appends a real in a column of this width with the given number of digits behind the point; `letter` begins the
@@ -44,7 +45,7 @@ void appendRecords (std::string& text, const Items& items, std::size_t aRecord, 
 /** One record of integers, I10. [any] */
 std::string integerRecord (const std::vector<std::int64_t>& numbers);
 
-/** One record of reals, E13.5. @throws InputError  when one is not finite [any] */
+/** One record of reals in columns of E13.5. @throws InputError  when one is not finite [any] */
 std::string realRecord (const std::vector<double>& numbers);
 
 /** Text as a field or record has it: printable ASCII, at most `length` characters. Exponents and a few signs that units

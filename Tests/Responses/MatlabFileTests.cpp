@@ -124,3 +124,31 @@ TEST_CASE ("MATLAB files of other versions and damaged ones are refused in a sen
         refusal (bad);
     }
 }
+
+TEST_CASE ("Objects of MATLAB are named, with what to save instead", "[files][measurement]")
+{
+    const auto element = [] (std::uint32_t type, const std::string& data)
+    {
+        const auto size = static_cast<std::uint32_t> (data.size());
+        return std::string (reinterpret_cast<const char*> (&type), 4)
+               + std::string (reinterpret_cast<const char*> (&size), 4) + data
+               + std::string ((8 - data.size() % 8) % 8, '\0');
+    };
+    const auto head = std::string ("MATLAB 5.0 MAT-file") + std::string (105, ' ') + std::string ("\0\1IM", 4);
+    const std::string opaque { "\x11\0\0\0\0\0\0\0", 8 }, object { "\x3\0\0\0\0\0\0\0", 8 },
+        sizes { "\1\0\0\0\1\0\0\0", 8 };
+    const auto refusal = [&] (const std::string& matrix)
+    { return errorText ([&] { measurementFromBytes (head + element (14, matrix)); }); };
+
+    for (const auto& matrix : { element (6, opaque) + element (1, "G1") + element (1, "MCOS") + element (1, "frd"),
+                                element (6, object) + element (5, sizes) + element (1, "G1") + element (1, "frd") })
+    {
+        const auto text = refusal (matrix);
+        CHECK (text.find ("it has 'G1' (an object of class frd)") != text.npos);
+        CHECK (
+            text.find (
+                "save arrays, of an frd or idfrd by G = chgFreqUnit (G1, 'Hz'); f = G.Frequency; H = G.ResponseData; "
+                "save ('responses.mat', 'f', 'H', '-v7')")
+            != text.npos);
+    }
+}

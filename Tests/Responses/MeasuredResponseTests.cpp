@@ -241,6 +241,53 @@ TEST_CASE ("Inconsistent files are refused with a reason", "[files][measurement]
     CHECK (refusal ({ { "a.csv", "2,1,0\n1,1,0\n" } }) == "frequency responses: have frequencies that do not ascend");
 }
 
+TEST_CASE ("Recordings over time are not taken for responses", "[files][measurement]")
+{
+    const auto refusal = [] (const std::string& text) { return errorText ([&] { merged ({ { "hit.csv", text } }); }); };
+    std::string bare;
+
+    for (int i = 0; i < 100; ++i)
+        bare += std::to_string (i * 5e-4) + ",0.5,1.5\n";
+
+    CHECK (
+        refusal (bare)
+        == "hit.csv: has frequencies up to 0.0495 Hz every 0.0005 Hz, which look like times; allowed: lines at "
+           "least 0.0025 Hz apart, and 0.1 Hz where none is above 20 Hz; the heading of a column of times is 'time'");
+    CHECK (refusal ("time (s),force (N),1 z (m/s^2)\n" + bare)
+           == "hit.csv: has a force over time 'force (N)'; allowed: frequency responses, or impulse responses, which "
+              "'frf' computes from recordings of force and motion");
+
+    UniversalFunction function;
+    function.functionType = 1;
+    function.isEven = true;
+    function.step = 1e-3;
+    function.values = Eigen::VectorXcd::Ones (8);
+    function.ordinate.quantity = 12;
+    auto force = function;
+    force.ordinate.quantity = 13;
+    CHECK (errorText (
+               [&] {
+                   measurementFromUniversal ({ function, force }, "hit.uff");
+               })
+           == "hit.uff: has time records of a force; allowed: frequency responses, or impulse responses, which 'frf' "
+              "computes from recordings of force and motion");
+    CHECK (measurementFromUniversal ({ function }, "response.uff").responses.size() == 1);
+}
+
+TEST_CASE ("A message on one file names it once", "[files][measurement]")
+{
+    CHECK (errorText (
+               []
+               {
+                   auto file =
+                       measurementFromCsv ("f,P1 (m/s)/V real,P1 imag,P2 (m/s)/N real,P2 imag\n1,1,0,1,0\n2,1,0,1,0\n",
+                                           "a.csv", CsvForm::byHeadings);
+                   mergedResponses ({ file }, {});
+               })
+           == "a.csv: is excited by a different quantity than an earlier response of it; allowed: responses to "
+              "voltages only or to forces only");
+}
+
 TEST_CASE ("An impulse response that is cut off has its residues times 1 - e^(sT) on the lines of its record",
            "[files][measurement]")
 {

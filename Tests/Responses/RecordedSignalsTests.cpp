@@ -146,11 +146,11 @@ TEST_CASE ("time records of a universal file belong together by their order, for
 
 TEST_CASE ("a MATLAB file has a rate, a force and an array of motions in either orientation", "[hammer]")
 {
-    MatlabVariable force { "data.force", { 4, 1 }, { 0, 5, 1, 0 }, {}, {} };
-    MatlabVariable rows { "data.Acceleration", { 2, 4 }, { 1, 10, 2, 20, 3, 30, 4, 40 }, {}, {} };
-    MatlabVariable columns { "velocity", { 4, 2 }, { 1, 2, 3, 4, 10, 20, 30, 40 }, {}, {} };
-    const MatlabVariable sampleRate { "fs", { 1, 1 }, { 5000 }, {}, {} },
-        times { "t", { 4, 1 }, { 0, 0.1, 0.2, 0.3 }, {}, {} };
+    MatlabVariable force { "data.force", { 4, 1 }, { 0, 5, 1, 0 }, {}, {}, {} };
+    MatlabVariable rows { "data.Acceleration", { 2, 4 }, { 1, 10, 2, 20, 3, 30, 4, 40 }, {}, {}, {} };
+    MatlabVariable columns { "velocity", { 4, 2 }, { 1, 2, 3, 4, 10, 20, 30, 40 }, {}, {}, {} };
+    const MatlabVariable sampleRate { "fs", { 1, 1 }, { 5000 }, {}, {}, {} },
+        times { "t", { 4, 1 }, { 0, 0.1, 0.2, 0.3 }, {}, {}, {} };
     const auto first = recordingsFromMatlab ({ sampleRate, force, rows }, "a.mat").recordings[0];
     const auto second = recordingsFromMatlab ({ times, force, columns }, "b.mat").recordings[0];
     CHECK (first.sampleRate == 5000);

@@ -191,6 +191,25 @@ TEST_CASE ("Numbers are told apart without blanks, with D, without exponent lett
     CHECK (readValues ("-1.250000000000D+03 2.50000000000D-110-1.000000000000E+00 4.000000000000E+00 \r\n") == numbers);
 }
 
+TEST_CASE ("Columns of E13.5 hold seven digits and more of what six do not give, and are read again",
+           "[files][universal]")
+{
+    UniversalShape shape;
+    shape.reals = { 1234.567890123,  -0.0012345678912, 200, 1.5, 123456789.12, 0, 1e-120,
+                    -1.23456789e-20, 9.99999999999e20 };
+    shape.nodes = { 7 };
+    shape.values = Eigen::MatrixXcd::Constant (1, 1, { -4.4444444444e-5, 0 });
+    const auto text = encodeUniversalFile ({ shape });
+    CHECK (text.find (" 1234.5678901-0.0012345679  2.00000E+02  1.50000E+00  123456789.1  0.00000E+00\n") != text.npos);
+    const auto read = std::get<UniversalShape> (readUniversalFile (text, "file").at (0));
+
+    for (std::size_t i = 0; i < shape.reals.size(); ++i)
+        CHECK (std::abs (read.reals[i] - shape.reals[i]) <= 5e-8 * std::abs (shape.reals[i]) + 1e-99);
+
+    CHECK (std::abs (read.values (0, 0) + 4.4444444444e-5) < 5e-12);
+    CHECK (encodeUniversalFile ({ read }) == text);
+}
+
 TEST_CASE ("A line of -1 closes a set, a -1 among coordinates does not", "[files][universal]")
 {
     const auto sets = readUniversalFile ("    -1   \r\n  2411\r\n        -1         0         0        11\r\n"
