@@ -194,7 +194,7 @@ void refuseTimes (const Eigen::VectorXd& frequencies, const std::string& source)
 
     const auto highest = frequencies[count - 1], step = (highest - frequencies[0]) / static_cast<double> (count - 1);
 
-    if ((highest < low && step < fine) || step < finest)
+    if (step > 0 && ((highest < low && step < fine) || step < finest))
         throw InputError (source,
                           "has frequencies up to " + numberText (highest) + " Hz every " + numberText (step)
                               + " Hz, which look like times; allowed: lines at least 0.0025 Hz apart, and 0.1 Hz "

@@ -16,7 +16,7 @@ void appendRight (std::string& text, std::string_view field, std::size_t width);
 void appendInteger (std::string& text, std::int64_t number, std::size_t width = 10);
 
 /** Appends a real in a column of E13.5: in that form where it is exact, else with as many digits as 12 characters hold,
-    7 to 11, which Fortran reads too. @throws InputError  when it is not finite [any] */
+    6 to 11, which Fortran reads too. @throws InputError  when it is not finite [any] */
 void appendReal (std::string& text, double number);
 
 /** Appends a real in a column of this width with the given number of digits behind the point; `letter` begins the

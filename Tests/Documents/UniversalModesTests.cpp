@@ -81,7 +81,7 @@ TEST_CASE ("Each record of a mode stands in the columns of the format", "[files]
     CHECK (mode[6] == "         2         4         1         2");
     CHECK (mode[7] == "  1.02400E+03  1.00000E+00  2.50000E-03  0.00000E+00");
     CHECK (mode[8] == "         1");
-    CHECK (mode[9] == "  0.00000E+00  0.00000E+00 -1.23457E+01");
+    CHECK (mode[9] == "  0.00000E+00  0.00000E+00 -12.34567800");
     CHECK (mode[10] == "         2");
     CHECK (mode[11] == "  0.00000E+00  0.00000E+00  0.00000E+00");
 
