@@ -315,8 +315,10 @@ Eigen::Index HammerTest::usedHits() const
 HammerTest examineHits (const std::vector<HammerRecording>& recordings, const HammerSettings& settings)
 {
     requireUsable (recordings, settings);
+    constexpr Eigen::Index fewestSamples = 64;
     HammerTest test;
-    test.lead = static_cast<Eigen::Index> (std::ceil (leadTime * recordings.front().sampleRate));
+    test.lead =
+        std::max<Eigen::Index> (2, static_cast<Eigen::Index> (std::ceil (leadTime * recordings.front().sampleRate)));
 
     for (const auto& recording : recordings)
         test.hits.push_back (triggeredHits (recording, settings));
@@ -325,6 +327,11 @@ HammerTest examineHits (const std::vector<HammerRecording>& recordings, const Ha
 
     if (test.block < 2 * test.lead)
         throw InputError ("hammer", "leaves less than 20 ms from hit to hit; --block-s gives the duration of a hit");
+
+    if (test.block < fewestSamples)
+        throw InputError (recordings.front().source,
+                          formatted ("leaves %d samples for a hit; allowed: %d and more", static_cast<int> (test.block),
+                                     static_cast<int> (fewestSamples)));
 
     for (std::size_t i = 0; i < recordings.size(); ++i)
         refuseFaults (recordings[i], test, test.hits[i]);

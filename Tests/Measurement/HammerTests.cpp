@@ -175,6 +175,12 @@ TEST_CASE ("a recording without a hit, and one that ends too early, say so", "[h
                })
                .find ("incomplete")
            != std::string::npos);
+
+    HammerRecording coarse { "hits.wav", 100, Eigen::VectorXd::Zero (40), Eigen::MatrixXd::Zero (1, 40),
+                             Eigen::VectorXd::Zero (2) };
+    coarse.force[5] = 1;
+    CHECK (errorText ([&] { examineHits ({ coarse }, {}); })
+           == "hits.wav: leaves 36 samples for a hit; allowed: 64 and more");
 }
 
 TEST_CASE ("the damping that identify finds is the surface's: the window's is taken off", "[hammer]")
