@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace antinode
 {
@@ -116,6 +117,15 @@ PoleEquations poleEquations (const ModalBasis& basis, const ModalProducts& produ
     return result;
 }
 
+Indices ascendingPoles (const ModalBasis& basis)
+{
+    Indices order (static_cast<std::size_t> (basis.modes()));
+    std::iota (order.begin(), order.end(), Eigen::Index { 0 });
+    std::stable_sort (order.begin(), order.end(),
+                      [&] (auto a, auto b) { return basis.angularFrequencies[a] < basis.angularFrequencies[b]; });
+    return order;
+}
+
 ModalBasis stepped (ModalBasis basis, const Eigen::VectorXd& step)
 {
     for (Eigen::Index k = 0; k < basis.modes(); ++k)
@@ -168,6 +178,14 @@ FreeResidues fitFreeResidues (const PreparedResponses& data, const NormalModes& 
 
         if (! isBetter)
             break;
+    }
+
+    // Poles that passed each other are put in order once more.
+    if (const auto order = ascendingPoles (basis); ! std::is_sorted (order.begin(), order.end()))
+    {
+        basis.angularFrequencies = basis.angularFrequencies (order).eval();
+        basis.dampingRatios = basis.dampingRatios (order).eval();
+        products = modalProducts (basis, data, start.delay);
     }
 
     auto residues = complexResidues (basis, products, ridge);

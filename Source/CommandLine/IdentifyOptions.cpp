@@ -72,7 +72,7 @@ void addSearchOptions (CLI::App& command, IdentifyOptions& options)
         .add_option ("--mass-kg", options.mass,
                      "Mass that the points represent, evenly distributed, kg: scales the shapes")
         ->check (CLI::PositiveNumber);
-    command.add_flag ("--complex", options.isComplex, "Identifies complex modes as well as real modes");
+    command.add_flag ("--complex", options.isComplex, "Identifies complex modes; the device then has them");
     command.add_flag ("--peaks", options.usesPeaks,
                       "Uses peaks and their half-power widths, as in the paper, for comparison");
     command.add_flag ("--gram-schmidt", options.isGramSchmidt,
