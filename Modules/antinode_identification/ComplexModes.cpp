@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 namespace antinode
 {
@@ -117,15 +116,6 @@ PoleEquations poleEquations (const ModalBasis& basis, const ModalProducts& produ
     return result;
 }
 
-Indices ascendingPoles (const ModalBasis& basis)
-{
-    Indices order (static_cast<std::size_t> (basis.modes()));
-    std::iota (order.begin(), order.end(), Eigen::Index { 0 });
-    std::stable_sort (order.begin(), order.end(),
-                      [&] (auto a, auto b) { return basis.angularFrequencies[a] < basis.angularFrequencies[b]; });
-    return order;
-}
-
 ModalBasis stepped (ModalBasis basis, const Eigen::VectorXd& step)
 {
     for (Eigen::Index k = 0; k < basis.modes(); ++k)
@@ -180,14 +170,6 @@ FreeResidues fitFreeResidues (const PreparedResponses& data, const NormalModes& 
             break;
     }
 
-    // Poles that passed each other are put in order once more.
-    if (const auto order = ascendingPoles (basis); ! std::is_sorted (order.begin(), order.end()))
-    {
-        basis.angularFrequencies = basis.angularFrequencies (order).eval();
-        basis.dampingRatios = basis.dampingRatios (order).eval();
-        products = modalProducts (basis, data, start.delay);
-    }
-
     auto residues = complexResidues (basis, products, ridge);
     return { std::move (basis), std::move (products), std::move (residues), isConverged };
 }
@@ -195,6 +177,19 @@ FreeResidues fitFreeResidues (const PreparedResponses& data, const NormalModes& 
 FreeResidues freeResidues (const FitState& state, double ridge)
 {
     return { state.basis, state.products, complexResidues (state.basis, state.products, ridge), true };
+}
+
+double freeCost (const FreeResidues& fit, const Eigen::VectorXd& columnWeights, double ridge)
+{
+    const auto reduced = withoutPowers (fit.basis, fit.products);
+    Indices linear;
+
+    for (const auto function : values)
+        appendColumns (linear, fit.basis, function);
+
+    const Eigen::MatrixXd data = reduced.data (linear, Eigen::all);
+    const auto coefficients = solveEven (reduced.gram (linear, linear), data, ridge);
+    return (reduced.energies - data.cwiseProduct (coefficients).colwise().sum().transpose()).dot (columnWeights);
 }
 
 Eigen::MatrixXd addComplexModes (IdentifiedModes& modes, const FreeResidues& fit, const PreparedResponses& data)

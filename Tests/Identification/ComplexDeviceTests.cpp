@@ -72,9 +72,7 @@ TEST_CASE ("A device identified with complex modes does on the true one what it 
     const auto chain = viscousChain (8, 4, 10);
     const auto responses = measured (chain, 60);
     const auto truth = complexModel (chain);
-    IdentificationOptions options;
-    options.complexModes = true;
-    const auto modes = identify (responses, options);
+    const auto modes = identify (responses, {});
     REQUIRE (modes.modes() == 8);
     CHECK ((modes.angularFrequencies - truth.angularFrequencies)
                .cwiseQuotient (truth.angularFrequencies)
