@@ -1,7 +1,7 @@
 #include "Causes.h"
 
+#include "ChannelPhases.h"
 #include "Channels.h"
-#include "NormalModes.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
@@ -72,75 +72,6 @@ Remedy conjugated (FrequencyResponses responses)
                                     "time; allowed: the convention exp (+i omega t)" };
 }
 
-/** Residues of each channel on its own at the poles that were found, the common delay taken out, N_m x C. */
-Eigen::MatrixXcd channelResidues (const FrequencyResponses& responses, const IdentifiedModes& modes)
-{
-    const auto data = prepare (responses, modes.minimumFrequency * (1 - 1e-9), modes.maximumFrequency * (1 + 1e-9));
-    const auto basis = makeBasis (modes.angularFrequencies, modes.dampingRatios, data);
-    return complexResidues (basis, modalProducts (basis, data, modes.delay), 1e-12);
-}
-
-/** How one phase of a channel follows its frequency: by a delay, s, or a low-pass of first order, rad/s. */
-struct ChannelPhase
-{
-    double delay = 0, corner = 0;
-    double score = 0; ///< Share of the residues' energy that is real then.
-};
-
-/** Squares have twice the phase, so that signs of shapes do not matter. */
-template <typename Turn>
-double realShare (const Eigen::VectorXcd& residues, const Eigen::VectorXd& omega, const Turn& turn)
-{
-    double real = 0, all = 0;
-
-    for (Eigen::Index k = 0; k < residues.size(); ++k)
-    {
-        // Each mode counts by its amplitude, so that the strongest is not alone.
-        const auto amplitude = std::abs (residues[k]);
-        const auto phase = 2 * (std::arg (residues[k]) + turn (omega[k]));
-        real += amplitude * std::cos (phase);
-        all += amplitude;
-    }
-
-    return all > 0 ? real / all : 0;
-}
-
-ChannelPhase bestDelay (const Eigen::VectorXcd& residues, const Eigen::VectorXd& omega)
-{
-    constexpr double longest = 1e-3;
-    const auto step = 0.1 / omega.maxCoeff();
-    const auto steps = static_cast<int> (2 * longest / step);
-    ChannelPhase best { 0, 0, realShare (residues, omega, [] (double) { return 0.0; }) };
-
-    for (int n = 0; n <= steps; ++n)
-    {
-        const auto delay = n * step - longest;
-
-        if (const auto score = realShare (residues, omega, [delay] (double at) { return at * delay; });
-            score > best.score + 1e-3)
-            best = { delay, 0, score };
-    }
-
-    return best;
-}
-
-ChannelPhase bestLowPass (const Eigen::VectorXcd& residues, const Eigen::VectorXd& omega)
-{
-    constexpr int steps = 200;
-    ChannelPhase best;
-
-    for (int n = 0; n < steps; ++n)
-    {
-        const auto corner = omega.maxCoeff() * std::pow (10, 1.5 - 3.0 * n / steps);
-        const auto score = realShare (residues, omega, [corner] (double at) { return std::atan (at / corner); });
-
-        if (score > best.score)
-            best = { 0, corner, score };
-    }
-
-    return best;
-}
-
 /** Delays that differ from channel to channel by more than a twentieth of the highest mode's period. */
 std::optional<Remedy> ownDelays (const FrequencyResponses& responses, const Eigen::MatrixXcd& residues,
                                  const Eigen::VectorXd& omega)
@@ -176,7 +107,7 @@ std::optional<Remedy> ownLowPasses (const FrequencyResponses& responses, const E
     for (Eigen::Index c = 0; c < residues.cols(); ++c)
     {
         checkWatch();
-        const auto without = realShare (residues.col (c), omega, [] (double) { return 0.0; });
+        const auto without = realShare (residues.col (c));
         const auto found = bestLowPass (residues.col (c), omega);
         corners.push_back (found.score > without + better ? found.corner : 0);
 
@@ -197,32 +128,10 @@ std::optional<Remedy> ownLowPasses (const FrequencyResponses& responses, const E
                     "channels have a low-pass of first order: " + named };
 }
 
-/** How far the two by two tables of one channel agree, 1 to -1: of one shape times one participation every determinant
-   is 0, and an inverted channel makes it twice a product. */
-double agreement (const Eigen::MatrixXcd& residues, Eigen::Index points, Eigen::Index channel)
-{
-    const auto reference = channel / points, point = channel % points;
-    double agreeing = 0, all = 0;
-
-    for (Eigen::Index k = 0; k < residues.rows(); ++k)
-        for (Eigen::Index i = 0; i < residues.cols() / points; ++i)
-            for (Eigen::Index p = 0; p < points; ++p)
-                if (i != reference && p != point)
-                {
-                    const auto one = residues (k, channel) * residues (k, i * points + p);
-                    const auto other = residues (k, i * points + point) * residues (k, reference * points + p);
-                    agreeing += (one * std::conj (other)).real() / std::max (std::abs (other), 1e-300);
-                    all += std::abs (one);
-                }
-
-    return all > 0 ? agreeing / all : 1;
-}
-
 /** Channels of the opposite sign from what the other references and points say of them. An inverted channel spoils
    tables of others too, so the worst is turned first, until none is left. */
 std::optional<Remedy> inverted (const FrequencyResponses& responses, Eigen::MatrixXcd residues)
 {
-    constexpr double opposite = -0.3;
     const auto points = responses.points.rows(), references = residues.cols() / points;
     Eigen::VectorXd signs = Eigen::VectorXd::Ones (residues.cols());
     std::string named;
@@ -232,16 +141,9 @@ std::optional<Remedy> inverted (const FrequencyResponses& responses, Eigen::Matr
 
     for (Eigen::Index turned = 0; turned < residues.cols() / 2; ++turned)
     {
-        Eigen::VectorXd agreements (residues.cols());
         Eigen::Index worst = 0;
 
-        for (Eigen::Index c = 0; c < residues.cols(); ++c)
-        {
-            checkWatch();
-            agreements[c] = agreement (residues, points, c);
-        }
-
-        if (agreements.minCoeff (&worst) >= opposite)
+        if (channelAgreements (residues, points).minCoeff (&worst) >= oppositeAgreement)
             break;
 
         residues.col (worst) *= -1;
@@ -313,7 +215,7 @@ std::string likelyCause (const FrequencyResponses& responses, const Identificati
 
     auto complex = options;
     complex.complexModes = true;
-    return options.complexModes
+    return modes.complexShapes.size() > 0
                ? std::string()
                : test (
                    { responses, "complex modes describe the responses better: damping is not proportional; --complex" },

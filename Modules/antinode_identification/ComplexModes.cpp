@@ -179,6 +179,19 @@ FreeResidues freeResidues (const FitState& state, double ridge)
     return { state.basis, state.products, complexResidues (state.basis, state.products, ridge), true };
 }
 
+double freeCost (const FreeResidues& fit, const Eigen::VectorXd& columnWeights, double ridge)
+{
+    const auto reduced = withoutPowers (fit.basis, fit.products);
+    Indices linear;
+
+    for (const auto function : values)
+        appendColumns (linear, fit.basis, function);
+
+    const Eigen::MatrixXd data = reduced.data (linear, Eigen::all);
+    const auto coefficients = solveEven (reduced.gram (linear, linear), data, ridge);
+    return (reduced.energies - data.cwiseProduct (coefficients).colwise().sum().transpose()).dot (columnWeights);
+}
+
 Eigen::MatrixXd addComplexModes (IdentifiedModes& modes, const FreeResidues& fit, const PreparedResponses& data)
 {
     const auto points = data.points(), references = data.references();

@@ -24,6 +24,9 @@ FreeResidues fitFreeResidues (const PreparedResponses&, const NormalModes& start
 /** The same for the poles of real modes as they are. [worker] */
 FreeResidues freeResidues (const FitState&, double ridge);
 
+/** What free residues leave at poles as they are: the weighted sum of squared errors. [worker] */
+double freeCost (const FreeResidues&, const Eigen::VectorXd& columnWeights, double ridge);
+
 /** Adds complex shapes and participations to the real ones: the strongest product of the free residues of each mode.
    Residual terms become those that belong to them.
     @return  coefficients of all functions of the basis for these modes, functions x C

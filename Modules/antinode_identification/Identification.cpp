@@ -7,6 +7,7 @@
 #include "FitErrors.h"
 #include "ModalError.h"
 #include "ModeAssessment.h"
+#include "ModeKind.h"
 #include "ModeSelection.h"
 #include "Orthogonalisation.h"
 #include "PeakPicking.h"
@@ -254,8 +255,9 @@ IdentifiedModes described (const NormalModeFit& fit, const FreeResidues& residue
         result.quality[k].signalToNoise = strengths[static_cast<Eigen::Index> (k)];
     }
 
-    const auto coefficients =
-        options.complexModes ? addComplexModes (result, residues, data) : fitCoefficients (fit.state);
+    const auto coefficients = residues.basis.functions == complexModeFunctions
+                                  ? addComplexModes (result, residues, data)
+                                  : fitCoefficients (fit.state);
     describeErrors (result, data, fitErrors (data, residues.basis, coefficients, modes.delay));
     result.modalReconstructionError = modalError (result, data);
     sortModes (result);
@@ -265,7 +267,8 @@ IdentifiedModes described (const NormalModeFit& fit, const FreeResidues& residue
 }
 
 /** What may be picked, and which of it became a mode. */
-std::vector<PoleCandidate> candidatesOf (const std::vector<PoleCluster>& found, const std::vector<PoleCluster>& fitted)
+std::vector<PoleCandidate> candidatesOf (const std::vector<PoleCluster>& found, const std::vector<PoleCluster>& fitted,
+                                         const Eigen::VectorXd& fittedFrequencies)
 {
     std::vector<PoleCandidate> candidates;
 
@@ -278,7 +281,8 @@ std::vector<PoleCandidate> candidatesOf (const std::vector<PoleCluster>& found, 
 
         for (std::size_t k = 0; k < fitted.size() && ! candidate.mode; ++k)
             if (fitted[k].pole == cluster.pole)
-                candidate.mode = static_cast<Eigen::Index> (k);
+                // Modes are numbered in ascending order, also where poles passed each other.
+                candidate.mode = (fittedFrequencies.array() < fittedFrequencies[static_cast<Eigen::Index> (k)]).count();
 
         candidates.push_back (candidate);
     }
@@ -299,6 +303,62 @@ void warnOfLeftOut (IdentifiedModes& result, const std::vector<PoleCluster>& wan
                                        + fixedText (std::abs (cluster.pole) / (2 * std::numbers::pi), 2)
                                        + " Hz is left out: it does not stand out of noise and misfit");
     }
+}
+
+/** Weights from what a fit leaves, where the user gave none. @return  what was weighed down, as sentences */
+std::vector<std::string> weighAgain (PreparedResponses& data, const FitErrors& errors,
+                                     const IdentificationOptions& options)
+{
+    if (options.pointWeights.size() > 0)
+        return {};
+
+    weighByErrors (data, errors);
+    return weighDownMisfits (data, errors);
+}
+
+/** The errors of complex modes. */
+FitErrors complexErrors (const NormalModeFit& fit, const FreeResidues& residues, PreparedResponses& data)
+{
+    IdentifiedModes modes;
+    modes.shapes = fit.modes.shapes;
+    const auto coefficients = addComplexModes (modes, residues, data);
+    return fitErrors (data, residues.basis, coefficients, fit.modes.delay);
+}
+
+NormalModes withPoles (NormalModes modes, const ModalBasis& basis)
+{
+    modes.angularFrequencies = basis.angularFrequencies;
+    modes.dampingRatios = basis.dampingRatios;
+    return modes;
+}
+
+/** The fit of complex modes, where they are asked for or a test finds them. */
+std::optional<FreeResidues> fitComplexModes (const NormalModeFit& fit, const FreeResidues& residues,
+                                             PreparedResponses& data, const IdentificationOptions& options,
+                                             ModeKind& kind)
+{
+    if (! options.complexModes)
+        if (auto known = evidentlyReal (fit, residues, data, options.ridge))
+        {
+            kind = std::move (*known);
+            return {};
+        }
+
+    if (! options.complexModes.value_or (true))
+        return {};
+
+    auto complexFit = fitFreeResidues (data, fit.modes, options.ridge);
+
+    if (! options.complexModes)
+    {
+        const auto realErrors = fitErrors (data, fit.state.basis, fitCoefficients (fit.state), fit.modes.delay);
+        kind = decideModeKind (realErrors, complexErrors (fit, complexFit, data), complexFit, fit.modes.delay, data);
+
+        if (! kind.areComplex)
+            return {};
+    }
+
+    return complexFit;
 }
 
 [[noreturn]] void throwNoModes (const FrequencyResponses& responses, const IdentificationOptions& options)
@@ -330,15 +390,8 @@ IdentifiedModes fitModes (const FrequencyResponses& responses, const Identificat
     const auto wanted = options.selected.empty() ? std::vector<PoleCluster> {} : clusters;
     const auto delayIsKnown = options.delay.has_value();
     auto fit = fitWhatStandsOut (data, startFrom (data, clusters, options), clusters, coarse, options.ridge);
-
-    if (options.pointWeights.size() == 0)
-    {
-        const auto errors = fitErrors (data, fit.state.basis, fitCoefficients (fit.state), fit.modes.delay);
-        weighByErrors (data, errors);
-        const auto poor = weighDownMisfits (data, errors);
-        said.insert (said.end(), poor.begin(), poor.end());
-    }
-
+    auto poor =
+        weighAgain (data, fitErrors (data, fit.state.basis, fitCoefficients (fit.state), fit.modes.delay), options);
     fit = fitWhatStandsOut (data, continued (fit.modes, delayIsKnown), clusters, fine, options.ridge);
 
     if (const auto kept = trustworthy (fit, data, clusters, options); ! kept.empty() && kept.size() < clusters.size())
@@ -350,18 +403,22 @@ IdentifiedModes fitModes (const FrequencyResponses& responses, const Identificat
 
     auto residues = freeResidues (fit.state, options.ridge);
     auto isConverged = fit.isConverged;
+    ModeKind kind;
 
-    if (options.complexModes)
+    if (const auto complexFit = fitComplexModes (fit, residues, data, options, kind))
     {
-        residues = fitFreeResidues (data, fit.modes, options.ridge);
+        // What real modes left of complex ones was no noise.
+        poor = weighAgain (data, complexErrors (fit, *complexFit, data), options);
+        residues = fitFreeResidues (data, withPoles (fit.modes, complexFit->basis), options.ridge);
         isConverged = residues.isConverged;
         // The best real modes with the poles of the complex ones.
-        fit.modes.angularFrequencies = residues.basis.angularFrequencies;
-        fit.modes.dampingRatios = residues.basis.dampingRatios;
-        fit = fitNormalModes (data, continued (fit.modes, delayIsKnown), options.ridge, fine.precision, 0);
+        fit = fitNormalModes (data, continued (withPoles (fit.modes, residues.basis), delayIsKnown), options.ridge,
+                              fine.precision, 0);
     }
 
+    said.insert (said.end(), poor.begin(), poor.end());
     auto result = described (fit, residues, data, clusters, options);
+    result.kindReason = std::move (kind.reason);
     result.warnings.insert (result.warnings.begin(), said.begin(), said.end());
 
     if (! isConverged)
@@ -369,7 +426,7 @@ IdentifiedModes fitModes (const FrequencyResponses& responses, const Identificat
 
     warnOfLeftOut (result, wanted, clusters);
     result.stabilisation = std::move (found.stabilisation);
-    result.candidates = candidatesOf (found.candidates, clusters);
+    result.candidates = candidatesOf (found.candidates, clusters, fit.modes.angularFrequencies);
     return result;
 }
 } // namespace

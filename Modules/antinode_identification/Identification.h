@@ -26,7 +26,7 @@ struct IdentificationOptions
     std::vector<FrequencyBand> bands; ///< Bands in which poles are searched separately; empty: automatic.
     int minimumOrder = 3;             ///< Of the polynomials, 1 or more.
     int maximumOrder = 0;             ///< 0: chosen.
-    bool complexModes = false;        ///< Complex as well as real shapes and participations.
+    std::optional<bool> complexModes; ///< Complex as well as real shapes and participations; none: a test decides.
     std::vector<double> selected;     ///< Hz: if any, only the candidates nearest to these are kept, each once.
     std::vector<double> rejected;     ///< Hz: the candidates nearest to these are left out.
     Eigen::VectorXd pointWeights; ///< N_p: confidence in each point, at least 0; empty: from variances or residuals.
@@ -39,7 +39,8 @@ struct IdentificationOptions
 };
 
 /** Modes from measured responses, without hints: bands, compression across points, polynomials of rising order whose
-   poles are clustered, then one maximum-likelihood fit of all real normal modes, residual terms and the common delay.
+   poles are clustered, then one maximum-likelihood fit of all real normal modes, residual terms and the common delay;
+   a test decides whether modes are complex.
     @throws InputError  when the responses are not valid, options contradict them, or no mode is found
     [worker] Docs/Theory.md, sections 8.2 to 8.5. */
 IdentifiedModes identify (const FrequencyResponses&, const IdentificationOptions&);

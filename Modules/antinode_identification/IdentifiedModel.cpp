@@ -103,6 +103,22 @@ std::vector<Ceramic> makeCeramics (const IdentifiedModes& modes, const MappedSur
     return ceramics;
 }
 
+/** Real parts, and of complex modes imaginary parts behind them. */
+void takeShapes (ModalModel& model, const IdentifiedModes& modes, const std::vector<Eigen::Index>& used)
+{
+    model.shapes = modes.shapes (used, Eigen::all);
+    model.participation = modes.participation;
+
+    if (modes.complexShapes.size() == 0)
+        return;
+
+    const Eigen::MatrixXcd shapes = modes.complexShapes (used, Eigen::all);
+    model.shapes.resize (shapes.rows(), 2 * shapes.cols());
+    model.shapes << shapes.real(), shapes.imag();
+    model.participation.resize (2 * shapes.cols(), modes.complexParticipation.cols());
+    model.participation << modes.complexParticipation.real(), modes.complexParticipation.imag();
+}
+
 void check (const IdentifiedModes& modes, const MappedSurface& mapped)
 {
     if (modes.drive != DriveQuantity::voltage)
@@ -128,13 +144,14 @@ ModalModel toModalModel (const IdentifiedModes& modes, const MappedSurface& mapp
     model.surface = makeSurface (modes.points (used, Eigen::all));
     model.angularFrequencies = modes.angularFrequencies;
     model.dampingRatios = modes.dampingRatios;
-    model.shapes = modes.shapes (used, Eigen::all);
-    model.participation = modes.participation;
+    takeShapes (model, modes, used);
     model.ceramics = makeCeramics (modes, mapped);
     model.fullScaleVoltage = mapped.fullScaleVoltage;
-    model.surface.masses = mapped.masses.size() > 0 ? Eigen::VectorXd (mapped.masses (used))
-                                                    : massesByShapes (model.shapes, model.surface.areas);
-    model.coversWholeBody = mapped.coversWholeBody.value_or (areOrthonormal (model.shapes, model.surface.masses));
+    model.surface.masses = mapped.masses.size() > 0
+                               ? Eigen::VectorXd (mapped.masses (used))
+                               : massesByShapes (model.shapes.leftCols (modes.modes()), model.surface.areas);
+    model.coversWholeBody = ! model.hasComplexModes()
+                            && mapped.coversWholeBody.value_or (areOrthonormal (model.shapes, model.surface.masses));
     model.frequencyErrors = modes.deviations.angularFrequencies.cwiseQuotient (modes.angularFrequencies);
     model.warnings = modes.warnings;
 

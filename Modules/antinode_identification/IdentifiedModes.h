@@ -77,8 +77,9 @@ struct IdentifiedModes
     Eigen::VectorXd dampingRatios;      ///< N_m
     Eigen::MatrixXd shapes; ///< N_p x N_m: phi_k, kg^-1/2; the largest value is positive. NaN at points without data.
     Eigen::MatrixXd participation;         ///< N_m x N_b: alpha_ki, N kg^-1/2 / V, or kg^-1/2 for forces.
-    Eigen::MatrixXcd complexShapes;        ///< N_p x N_m, rotated onto the real axis; empty unless requested.
-    Eigen::MatrixXcd complexParticipation; ///< N_m x N_b; with complexShapes as the real ones; empty unless requested.
+    Eigen::MatrixXcd complexShapes;        ///< N_p x N_m, rotated onto the real axis; empty where modes are real.
+    Eigen::MatrixXcd complexParticipation; ///< N_m x N_b; with complexShapes as the real ones; empty where they are.
+    std::string kindReason;                ///< Why modes are real or complex, a sentence; empty where options said it.
     double delay = 0;                      ///< s, common to all.
     ModeDeviations deviations;
     std::vector<ModeQuality> quality; ///< N_m

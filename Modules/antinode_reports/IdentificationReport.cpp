@@ -135,7 +135,8 @@ ReportSection responseSection (const IdentificationResult& result)
 /** How many of the shapes are shown, and where the others are. */
 std::string galleryCaption (const IdentificationResult& result, bool hasDiagram)
 {
-    std::string scale = "Each shape is scaled to its largest value.";
+    const std::string scale = std::string (result.model.hasComplexModes() ? "Real parts. " : "")
+                              + "Each shape is scaled to its largest value.";
 
     if (result.model.modes() <= galleryCount)
         return scale;
@@ -150,6 +151,9 @@ ReportSection shapeSection (const IdentificationResult& result, bool hasDiagram)
     ReportSection section;
     section.heading = "Mode shapes";
     section.paragraphs = { scalingInWords (result.modes) };
+
+    if (! result.modes.kindReason.empty())
+        section.paragraphs.push_back (result.modes.kindReason);
 
     if (model.points() > 1)
         section.figures.push_back ({ galleryCaption (result, hasDiagram),
@@ -180,7 +184,7 @@ ReportFigure assuranceFigure (const std::string& caption, HeatMap chart)
 
 ReportSection assuranceSection (const IdentificationResult& result)
 {
-    const auto& shapes = result.model.shapes;
+    const Eigen::MatrixXd shapes = result.model.shapes.leftCols (result.model.modes());
     ReportSection section;
     section.heading = "Independence of the shapes at the points";
     section.paragraphs = {
@@ -188,8 +192,10 @@ ReportSection assuranceSection (const IdentificationResult& result)
         "diagonal it is 0 for modes of a whole body that is mapped densely and evenly, but not necessarily for a "
         "part of a body."
     };
-    section.figures.push_back (assuranceFigure ("MAC of the identified modes with each other.",
-                                                assuranceChart (modalAssurance (shapes, shapes, {}), "mode", "mode")));
+    section.figures.push_back (assuranceFigure (
+        result.model.hasComplexModes() ? "MAC of the identified modes with each other, of their real parts."
+                                       : "MAC of the identified modes with each other.",
+        assuranceChart (modalAssurance (shapes, shapes, {}), "mode", "mode")));
     return section;
 }
 

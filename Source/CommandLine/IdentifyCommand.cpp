@@ -171,6 +171,9 @@ void print (const IdentificationResult& result)
                  result.model.name.c_str(), modes.modes(), modes.minimumFrequency, modes.maximumFrequency,
                  reconstructionError (result).c_str(), 1e6 * modes.delay, tableText (modeTable (result)).c_str());
 
+    if (! modes.kindReason.empty())
+        std::printf ("%s\n", modes.kindReason.c_str());
+
     if (result.comparison)
         std::printf ("\n%s", tableText (pairTable (result)).c_str());
 

@@ -72,11 +72,16 @@ void addSearchOptions (CLI::App& command, IdentifyOptions& options)
         .add_option ("--mass-kg", options.mass,
                      "Mass that the points represent, evenly distributed, kg: scales the shapes")
         ->check (CLI::PositiveNumber);
-    command.add_flag ("--complex", options.isComplex, "Identifies complex modes as well as real modes");
+    auto* const complexModes =
+        command.add_flag ("--complex", options.isComplex, "Identifies complex modes; default: as a test decides");
+    command.add_flag ("--real", options.isReal, "Identifies real modes; default: as a test decides")
+        ->excludes (complexModes);
     command.add_flag ("--peaks", options.usesPeaks,
                       "Uses peaks and their half-power widths, as in the paper, for comparison");
-    command.add_flag ("--gram-schmidt", options.isGramSchmidt,
-                      "Makes the shapes orthogonal as in the paper; distorts shapes of a partly mapped structure");
+    command
+        .add_flag ("--gram-schmidt", options.isGramSchmidt,
+                   "Makes real shapes orthogonal as in the paper; distorts shapes of a partly mapped structure")
+        ->excludes (complexModes);
 }
 
 void addOutputOptions (CLI::App& command, IdentifyOptions& options)
@@ -197,7 +202,10 @@ IdentificationOptions toIdentificationOptions (const IdentifyOptions& options, E
     constexpr double largestOrder = 500;
     IdentificationOptions search;
     search.method = options.usesPeaks ? IdentificationMethod::peakPicking : IdentificationMethod::maximumLikelihood;
-    search.complexModes = options.isComplex;
+
+    if (options.isComplex || options.isReal || options.isGramSchmidt)
+        search.complexModes = options.isComplex;
+
     search.gramSchmidt = options.isGramSchmidt;
     search.selected = options.selected;
     search.rejected = options.rejected;

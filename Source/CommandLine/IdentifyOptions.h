@@ -20,7 +20,7 @@ struct IdentifyOptions
     std::string against;                                             ///< A computed device; none if empty.
     std::vector<std::string> bands;                                  ///< "300:4000"
     std::string orders;                                              ///< "3:18"
-    bool isComplex = false, isGramSchmidt = false, usesPeaks = false, usesCache = true, isQuiet = false;
+    bool isComplex = false, isReal = false, isGramSchmidt = false, usesPeaks = false, usesCache = true, isQuiet = false;
     std::vector<double> selected, rejected; ///< Hz
     std::optional<double> delay;            ///< us
     std::string form, quantity, responseUnit, drive, driveUnit, pointsFile;

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "NormalModes.h"
+
+namespace antinode
+{
+/** How the phases of one channel's residues follow frequency: by a delay, s, or a low-pass of first order, rad/s. */
+struct ChannelPhase
+{
+    double delay = 0, corner = 0;
+    double score = 0; ///< Share of the residues' amplitude that is real then, 1 to -1.
+};
+
+/** Residues of each channel on its own at the poles that were found, the common delay taken out, N_m x C. [worker] */
+Eigen::MatrixXcd channelResidues (const FrequencyResponses&, const IdentifiedModes&);
+
+/** The score of residues as they are. @param residues N_m: of one channel [any] */
+double realShare (const Eigen::VectorXcd& residues);
+
+/** The delay, and the corner of a low-pass, that make one channel's residues as real as can be. Doubled phases do not
+   see the signs of shapes.
+    @param omega  N_m: rad/s, of the modes
+    [worker] Docs/Theory.md, section 8.5. */
+ChannelPhase bestDelay (const Eigen::VectorXcd& residues, const Eigen::VectorXd& omega);
+ChannelPhase bestLowPass (const Eigen::VectorXcd& residues, const Eigen::VectorXd& omega);
+
+/** How far the two by two tables of each channel agree with those of other points and references, 1 to -1: of one shape
+   times one participation every determinant is 0, and an inverted channel makes it twice a product.
+    @param residues  N_m x C
+    @return          C; 1 where there is no other point or reference
+    [worker] Docs/Theory.md, section 8.5. */
+Eigen::VectorXd channelAgreements (const Eigen::MatrixXcd& residues, Eigen::Index points);
+
+/** Below, a channel is inverted against the others. */
+constexpr double oppositeAgreement = -0.3;
+
+/** Whether the phases of residues are those of channels, a delay or a low-pass each or a quarter turn of all, rather
+   than of modes.
+    @param residues  N_m x C @param columnWeights  C
+    [worker] Docs/Theory.md, section 8.5. */
+bool phasesAreOfChannels (const Eigen::MatrixXcd& residues, const Eigen::VectorXd& omega,
+                          const Eigen::VectorXd& columnWeights);
+} // namespace antinode
