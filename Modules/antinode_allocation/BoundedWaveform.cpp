@@ -111,11 +111,11 @@ double worstHardRow (const WaveformDual& dual, const Eigen::VectorXd& slope)
     return largest > 0 ? worst / largest : worst;
 }
 
-/** What multipliers of the hard rows alone prove: wanted' y / sum_i limits (i) sum_n |pull|. */
-double computePeakBound (const WaveformDual& dual, const Eigen::VectorXd& y, const Eigen::VectorXd& limits)
+/** What multipliers of the hard rows alone prove: wanted' y / sum_i sum_n cap (i, n) |pull|. */
+double computePeakBound (const WaveformDual& dual, const Eigen::VectorXd& y)
 {
     const Eigen::VectorXd hard = (dual.compliance.array() == 0).select (y, 0.0);
-    const auto price = dual.computePulls (hard).cwiseAbs().rowwise().sum().dot (limits);
+    const auto price = dual.computePulls (hard).cwiseAbs().cwiseProduct (dual.caps).sum();
     return price > 0 ? std::max (0.0, dual.wanted.dot (hard) / price) : 0;
 }
 
@@ -136,7 +136,7 @@ DualSummit climb (const WaveformDual& dual, const Eigen::VectorXd& start)
     const auto look = [&]
     {
         summit.residual = worstHardRow (dual, point.slope);
-        summit.peakBound = std::max (summit.peakBound, computePeakBound (dual, point.multipliers, dual.limits));
+        summit.peakBound = std::max (summit.peakBound, computePeakBound (dual, point.multipliers));
     };
     const auto isOpen = [&]
     { return summit.residual > rowTolerance || point.slope.norm() > rowTolerance * dual.wanted.norm(); };
@@ -168,12 +168,13 @@ BoundedWaveform solveBoundedWaveform (const BoundedWaveformProblem& problem)
     const auto summit = climb (dual, unlimitedMultipliers (dual));
     const auto& point = summit.point;
     BoundedWaveform result;
-    result.samples = dual.clipped (point.pulls);
+    const auto scaled = dual.clipped (point.pulls);
+    result.samples = scaled * dual.roots.cwiseInverse().asDiagonal();
     result.multipliers = dual.scale.cwiseProduct (point.multipliers);
     result.rowResidual = summit.residual;
     result.isMet = summit.residual <= acceptedResidual;
     result.bound = dual.value (point.multipliers, point.pulls);
-    result.objective = dual.objective (result.samples);
+    result.objective = dual.objective (scaled);
     result.peakBound = summit.peakBound;
     result.iterations = summit.iterations;
     return result;

@@ -8,7 +8,7 @@ namespace antinode
 
     Unknown: samples u, N_b x N_s, V. Row k gives sum_i sum_n participation (k, i) weights (k, n) u (i, n):
 
-        minimise    1/2 ||u||_F^2 + sum over soft rows (row value)^2 / (2 compliance)
+        minimise    1/2 sum_i sum_n costs (n) u (i, n)^2 + sum over soft rows (row value)^2 / (2 compliance)
         subject to  row value = wanted (hard rows, those of compliance 0),   |u (i, n)| <= limits (i)
 */
 struct BoundedWaveformProblem
@@ -18,12 +18,14 @@ struct BoundedWaveformProblem
     Eigen::VectorXd wanted;        ///< N_r; 0 for soft rows.
     Eigen::VectorXd compliance;    ///< N_r, at least 0.
     Eigen::VectorXd limits;        ///< N_b, V, more than 0.
+    Eigen::VectorXd costs;         ///< N_s: of each sample's energy, more than 0; empty: 1 each.
 };
 
 /** An answer, with what proves it. */
 struct BoundedWaveform
 {
-    Eigen::MatrixXd samples;     ///< N_b x N_s, V: clip (A' multipliers), A' the transpose of the rows.
+    Eigen::MatrixXd samples;     ///< N_b x N_s, V: clip (A' multipliers / costs), A' the transpose of the
+                                 ///< rows.
     Eigen::VectorXd multipliers; ///< N_r
     bool isMet = false;          ///< Whether the hard rows are met, to 1e-10 of the largest.
     double rowResidual = 0;      ///< max |row error| / max |wanted|, hard rows.

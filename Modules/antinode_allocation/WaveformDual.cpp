@@ -10,12 +10,12 @@ namespace antinode
 namespace
 {
 /** Where the samples of one ceramic are not at their limit. */
-std::vector<Eigen::Index> freeSamples (const Eigen::MatrixXd& pulls, const Eigen::VectorXd& limits, Eigen::Index i)
+std::vector<Eigen::Index> freeSamples (const Eigen::MatrixXd& pulls, const Eigen::MatrixXd& caps, Eigen::Index i)
 {
     std::vector<Eigen::Index> found;
 
     for (Eigen::Index n = 0; n < pulls.cols(); ++n)
-        if (std::abs (pulls (i, n)) < limits[i])
+        if (std::abs (pulls (i, n)) < caps (i, n))
             found.push_back (n);
 
     return found;
@@ -23,8 +23,13 @@ std::vector<Eigen::Index> freeSamples (const Eigen::MatrixXd& pulls, const Eigen
 } // namespace
 
 WaveformDual::WaveformDual (const BoundedWaveformProblem& problem)
-    : limits (problem.limits), weights (problem.weights), participation (problem.participation)
+    : roots (Eigen::VectorXd::Ones (problem.weights.cols())), participation (problem.participation)
 {
+    if (problem.costs.size() > 0)
+        roots = problem.costs.cwiseSqrt();
+
+    caps = problem.limits * roots.transpose();
+    weights = problem.weights * roots.cwiseInverse().asDiagonal();
     scale = (weights.rowwise().norm().array() * participation.rowwise().norm().array()).matrix();
 
     for (auto& value : scale)
@@ -47,7 +52,7 @@ Eigen::MatrixXd WaveformDual::computePulls (const Eigen::VectorXd& y) const
 
 Eigen::MatrixXd WaveformDual::clipped (const Eigen::MatrixXd& pulls) const
 {
-    return pulls.cwiseMin (limits.replicate (1, pulls.cols())).cwiseMax (-limits.replicate (1, pulls.cols()));
+    return pulls.cwiseMin (caps).cwiseMax (-caps);
 }
 
 Eigen::VectorXd WaveformDual::rowValues (const Eigen::MatrixXd& samples) const
@@ -83,7 +88,7 @@ Eigen::MatrixXd WaveformDual::curvature (const Eigen::MatrixXd& pulls) const
     for (Eigen::Index i = 0; i < pulls.rows(); ++i)
     {
         checkWatch();
-        const Eigen::MatrixXd part = seenBy (freeSamples (pulls, limits, i));
+        const Eigen::MatrixXd part = seenBy (freeSamples (pulls, caps, i));
         const auto column = participation.col (i);
 
         for (Eigen::Index k = 0; k < sum.cols(); ++k)

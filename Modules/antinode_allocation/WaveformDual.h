@@ -6,8 +6,8 @@
 
 namespace antinode
 {
-/** The dual of a bounded waveform and its pieces, rows scaled so that each has a Gram entry of 1. Docs/Theory.md,
-    section 4.9. [worker] */
+/** The dual of a bounded waveform and its pieces, rows scaled so that each has a Gram entry of 1, and samples by the
+    roots of their costs, so that each costs 1. Docs/Theory.md, section 4.9. [worker] */
 class WaveformDual
 {
 public:
@@ -29,7 +29,8 @@ public:
         triangle. */
     Eigen::MatrixXd curvature (const Eigen::MatrixXd& pulls) const;
 
-    Eigen::VectorXd limits;
+    Eigen::VectorXd roots; ///< N_s: of the costs. Samples here are so many times those of the problem.
+    Eigen::MatrixXd caps;  ///< N_b x N_s: the limits of samples.
     Eigen::MatrixXd weights, participation;
     Eigen::VectorXd wanted, compliance, scale;
 

@@ -159,8 +159,9 @@ FocusDesign designFocus (const ModalModel& model, const FocusDescription& descri
     for (const auto& wantedPlace : description.targets)
         peakVelocity = std::max (peakVelocity, wantedPlace.peakVelocity);
 
-    const auto choose = [&] (const ModeChoice& choice)
+    const auto choose = [&] (ModeChoice choice)
     {
+        choice.among = description.modes.among;
         auto moments = wanted;
         const auto modes = controlModes (model, choice, moments);
         return makeDesign (description, modes, std::move (moments), playback, peakVelocity);

@@ -108,6 +108,33 @@ void addDisplacementRows (AllocationProblem& problem, const Eigen::MatrixXd& res
     problem.wanted.tail (count).setZero();
 }
 
+/** Modes that a device does not say are asked to be at rest: guards would trade them against volts, or be ignored for
+   the peak. Robust rows have no place for them, so that they are guarded there. */
+std::vector<int> takeModesAtRest (std::vector<int>& guards, const FocusDescription& description)
+{
+    std::vector<int> atRest;
+
+    if (description.allocation.robust || ! description.modes.among)
+        return atRest;
+
+    const auto first = std::lower_bound (guards.begin(), guards.end(), *description.modes.among);
+    atRest.assign (first, guards.end());
+    guards.erase (first, guards.end());
+    return atRest;
+}
+
+/** Further hard rows of modes that want 0. */
+void addRowsAtRest (AllocationProblem& problem, const Eigen::MatrixXd& participation, const Eigen::MatrixXd& responses)
+{
+    const auto count = problem.rows.rows();
+    problem.participation.conservativeResize (count + participation.rows(), Eigen::NoChange);
+    problem.participation.bottomRows (participation.rows()) = participation;
+    problem.rows.conservativeResize (count + responses.rows(), Eigen::NoChange);
+    problem.rows.bottomRows (responses.rows()) = responses;
+    problem.wanted.conservativeResize (count + responses.rows());
+    problem.wanted.tail (responses.rows()).setZero();
+}
+
 AllocationProblem allocationProblem (const DriveTask& task, const DriveList& drives, DriveSpan span)
 {
     const auto& [model, description, modes, moments, playback] = task;
@@ -124,7 +151,8 @@ AllocationProblem allocationProblem (const DriveTask& task, const DriveList& dri
         return problem;
     }
 
-    const auto guards = guardModes (model, modes, choice);
+    auto guards = guardModes (model, modes, choice);
+    const auto atRest = takeModesAtRest (guards, description);
     const auto hardRows = rowsOver (modes, moments, ModalQuantity::velocity);
     const auto guardRows = rowsOver (guards, moments, ModalQuantity::velocity);
     problem.rows = rowResponses (model, hardRows, drives, playback);
@@ -145,6 +173,10 @@ AllocationProblem allocationProblem (const DriveTask& task, const DriveList& dri
     if (choice.isUndisplaced)
         addDisplacementRows (
             problem, rowResponses (model, rowsOver (modes, moments, ModalQuantity::displacement), drives, playback));
+
+    if (! atRest.empty())
+        addRowsAtRest (problem, model.participation (timesOver (atRest, moments), Eigen::all),
+                       rowResponses (model, rowsOver (atRest, moments, ModalQuantity::velocity), drives, playback));
 
     if (choice.robust)
         return withRobustRows (std::move (problem), model, { modes, guards, drives, moments.front().time, playback },

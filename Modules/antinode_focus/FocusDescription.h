@@ -3,6 +3,8 @@
 #include "AllocationMethods.h"
 #include "Robustness.h"
 
+#include <antinode_fingers/Finger.h>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,6 +52,8 @@ struct ModeChoice
     ModeOrder order = ModeOrder::energy;
     std::optional<double> captured;         ///< sqrt (S/K) to be reached, 0 to 1.
     std::optional<double> maximumFrequency; ///< Hz
+    std::optional<int> among; ///< Only the first so many modes may be controlled, the others are guarded; none: any.
+                              ///< Not in files: designWithin() sets it.
 };
 
 enum class DriveKind
@@ -93,5 +97,6 @@ struct FocusDescription
     AllocationChoice allocation;
     std::optional<double> edgeWindow;              ///< Tukey taper as a fraction of the surface's length, 0 to 1.
     std::vector<std::pair<double, double>> probes; ///< x, y, m.
+    std::vector<Finger> fingers;                   ///< That rest on the surface.
 };
 } // namespace antinode

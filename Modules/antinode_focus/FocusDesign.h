@@ -33,6 +33,20 @@ struct FocusMoment
     double captured = 0;            ///< sqrt (S/K)
 };
 
+/** What of a focus lies in modes that the device does not say. Docs/Theory.md, section 5.2. */
+struct SpillOver
+{
+    int knownModes = 0;           ///< The device's own.
+    int guardedBeyond = 0;        ///< Of those beyond, how many the design guards.
+    int playedModes = 0;          ///< All together.
+    double designedFrequency = 0; ///< The highest that is designed for or guarded, Hz.
+    double playedFrequency = 0;   ///< The highest that is played, Hz.
+    double share = 0;             ///< RMS of the field in modes beyond the known ones / RMS of the whole field.
+    double unguardedShare = 0;    ///< The same of the design that guards none of them.
+    double unguardedPeak = 0;     ///< V that the design needs that guards none of them.
+    std::string obstacle; ///< Why there are no modes to widePlay times the designed frequency; empty: there are.
+};
+
 /** A whole design: what is wanted, what is controlled, what is played. Written as design.json. */
 struct FocusDesign
 {
@@ -60,8 +74,9 @@ struct FocusDesign
         0; ///< (upper - lower) / upper, upper the peak of a waveform that was found; 1: none was found.
     std::optional<LimitUse> limit; ///< The limit of which most is used. None if it was not computed.
     double intersamplePeakVoltage =
-        0;                ///< V: of a free waveform, also between its samples; 0 where there are no samples.
-    Playback playback;    ///< The playback for which the terminal rows were computed.
+        0;             ///< V: of a free waveform, also between its samples; 0 where there are no samples.
+    Playback playback; ///< The playback for which the terminal rows were computed.
+    std::optional<SpillOver> spillOver; ///< None where no modes beyond the device's own were looked for.
     std::string weighing; ///< How the number of modes was chosen, a sentence or two; empty where it was given.
     std::vector<std::string> choices;  ///< What was chosen and why, in sentences.
     std::vector<std::string> warnings; ///< In sentences.

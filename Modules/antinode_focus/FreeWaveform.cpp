@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace antinode
 {
@@ -21,10 +22,13 @@ namespace
 constexpr auto maximumWeights = 128.0 * 1024 * 1024; // row weights: 1 GiB
 constexpr auto largestGap = 1e-6;                    // beyond it the least energy was not found
 
-/** Which samples there are: how many before the focus, and how many in all. */
+/** Which samples are free: those up to the focus. Band-limited ones go on beyond it as their own mirror image, which
+   has no slope at the focus: a step there would move all modes far above those that are guarded. */
 struct SampleRange
 {
-    Eigen::Index focus = 0, count = 0;
+    Eigen::Index focus = 0;    ///< The number of samples before the focus.
+    Eigen::Index count = 0;    ///< Of the free ones.
+    Eigen::Index mirrored = 0; ///< Behind the focus, of those that act before it.
 };
 
 SampleRange findSampleRange (const FocusDescription& description, Playback playback, std::size_t rows)
@@ -42,7 +46,11 @@ SampleRange findSampleRange (const FocusDescription& description, Playback playb
 
     const auto focus = static_cast<Eigen::Index> (before);
     const auto isHeld = playback.reconstruction == Reconstruction::zeroOrderHold;
-    return { focus, isHeld ? std::max<Eigen::Index> (focus, 1) : focus + kaiserSincHalfWidth };
+
+    if (isHeld)
+        return { focus, std::max<Eigen::Index> (focus, 1), 0 };
+
+    return { focus, focus + 1, std::min<Eigen::Index> (focus, kaiserSincHalfWidth) };
 }
 
 /** Rows of modal velocities at the focus. */
@@ -50,8 +58,30 @@ Eigen::MatrixXd velocityWeights (const ModalModel& model, const std::vector<int>
                                  const SampleRange& range)
 {
     const Eigen::VectorXd ratio = (decayRates (model).array() / dampedFrequencies (model).array()) (modes);
-    const auto responses = sampleResponses (model, modes, playback, range.count, range.focus);
+    auto responses = sampleResponses (model, modes, playback, range.count + range.mirrored, range.focus);
+
+    for (Eigen::Index m = 1; m <= range.mirrored; ++m)
+        responses.col (range.focus - m) += responses.col (range.focus + m);
+
+    responses.conservativeResize (Eigen::NoChange, range.count);
     return responses.real() - ratio.asDiagonal() * responses.imag();
+}
+
+/** The free samples and their mirror image, which fades behind those that act before the focus. */
+Eigen::MatrixXd withMirrorImage (const Eigen::MatrixXd& samples, const SampleRange& range)
+{
+    const auto faded = std::min (range.focus, 2 * range.mirrored);
+    Eigen::MatrixXd all (samples.rows(), samples.cols() + faded);
+    all.leftCols (samples.cols()) = samples;
+
+    for (Eigen::Index m = 1; m <= faded; ++m)
+    {
+        const auto beyond = static_cast<double> (std::max<Eigen::Index> (m - range.mirrored, 0));
+        const auto level = std::cos (0.5 * std::numbers::pi * beyond / static_cast<double> (range.mirrored + 1));
+        all.col (range.focus + m) = level * level * samples.col (range.focus - m);
+    }
+
+    return all;
 }
 
 BoundedWaveformProblem hardRows (const ModalModel& model, const std::vector<int>& modes, const Eigen::VectorXd& wanted,
@@ -63,6 +93,12 @@ BoundedWaveformProblem hardRows (const ModalModel& model, const std::vector<int>
     problem.wanted = wanted;
     problem.compliance = Eigen::VectorXd::Zero (wanted.size());
     problem.limits = limits;
+    problem.costs = Eigen::VectorXd::Ones (range.count);
+
+    // Of the focus sample only the half before the focus acts: at full cost it would be half as large as its
+    // neighbours.
+    if (range.mirrored > 0)
+        problem.costs[range.focus] = 0.5;
 
     for (Eigen::Index k = 0; k < wanted.size(); ++k)
         if (wanted[k] != 0 && problem.participation.row (k).isZero (0))
@@ -78,7 +114,7 @@ BoundedWaveformProblem hardRows (const ModalModel& model, const std::vector<int>
 double minimumEnergy (BoundedWaveformProblem problem)
 {
     problem.limits.setConstant (std::numeric_limits<double>::infinity());
-    return solveBoundedWaveform (problem).samples.squaredNorm();
+    return 2 * solveBoundedWaveform (problem).objective;
 }
 
 BoundedWaveformProblem withGuards (const BoundedWaveformProblem& hard, const Eigen::MatrixXd& weights,
@@ -100,6 +136,7 @@ BoundedWaveformProblem withGuards (const BoundedWaveformProblem& hard, const Eig
     all.compliance = Eigen::VectorXd::Zero (rows);
     all.compliance.tail (weights.rows()).setConstant (1 / stiffness);
     all.limits = hard.limits;
+    all.costs = hard.costs;
     return all;
 }
 
@@ -187,6 +224,6 @@ FreeWaveform freeWaveform (const ModalModel& model, const FocusDescription& desc
         throwTooNear (field, limits.maxCoeff(), 1);
 
     const auto firstTime = description.focusTime - static_cast<double> (range.focus) / playback.sampleRate;
-    return { { playback, firstTime, solution.samples }, certificate };
+    return { { playback, firstTime, withMirrorImage (solution.samples, range) }, certificate };
 }
 } // namespace antinode

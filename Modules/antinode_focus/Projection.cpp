@@ -19,7 +19,7 @@ Eigen::VectorXd fitted (const Eigen::MatrixXd& shapes, const Eigen::VectorXd& ma
     return leastSquares (root.asDiagonal() * shapes, root.cwiseProduct (field));
 }
 
-std::vector<int> drivableModes (const ModalModel& model)
+std::vector<int> drivableModes (const ModalModel& model, std::optional<int> among)
 {
     Eigen::VectorXd strength = model.participation.topRows (model.modes()).rowwise().norm();
 
@@ -29,7 +29,7 @@ std::vector<int> drivableModes (const ModalModel& model)
 
     std::vector<int> modes;
 
-    for (int k = 0; k < strength.size(); ++k)
+    for (int k = 0; k < std::min<Eigen::Index> (strength.size(), among.value_or (model.modes())); ++k)
         if (strength[k] > 1e-9 * strength.maxCoeff())
             modes.push_back (k);
 
@@ -169,7 +169,7 @@ ModeSelection restrictToModes (const ModalModel& model, const ProjectedTarget& t
 
 ModeSelection selectModes (const ModalModel& model, const ProjectedTarget& target, const ModeChoice& choice)
 {
-    auto modes = drivableModes (model);
+    auto modes = drivableModes (model, choice.among);
 
     if (choice.maximumFrequency)
     {

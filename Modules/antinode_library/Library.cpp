@@ -3,6 +3,7 @@
 #include "ModeCache.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
 #include <antinode_resources.h>
 #include <antinode_text/JsonText.h>
 #include <antinode_text/OutputFolder.h>
@@ -16,6 +17,7 @@ namespace antinode
 namespace
 {
 constexpr std::string_view extension = ".json";
+constexpr int mostBeamModes = 200, mostPlateModes = 500; // The solvers refuse more.
 
 bool isFileName (const std::string& text)
 {
@@ -85,6 +87,52 @@ std::vector<std::string> userNames (LibraryKind kind)
 
     std::sort (names.begin(), names.end());
     return names;
+}
+
+/** How a solver is asked for modes: up to a frequency, or as many as it gives. */
+struct Reach
+{
+    std::optional<int> count;
+    std::optional<double> frequency; ///< Hz
+};
+
+/** The same device with other modes asked for. None where its modes are given. */
+std::optional<DeviceDescription> reaching (DeviceDescription device, const Reach& reach)
+{
+    const auto ask = [&] (auto& body)
+    {
+        if constexpr (std::is_same_v<std::decay_t<decltype (body)>, ModalModel>)
+            return false;
+        else
+        {
+            body.common.modeCount = reach.count;
+            body.common.maximumFrequency = reach.frequency;
+            return true;
+        }
+    };
+
+    if (! std::visit (ask, device.body))
+        return {};
+
+    return device;
+}
+
+/** A wide model of what one solution gives; none where it cannot be solved or gives no more modes. */
+std::optional<WideModel> tryWide (const DeviceDescription& device, const ModalModel& known, bool usesCache)
+{
+    try
+    {
+        return withModesBeyond (known, solveDevice (device, {}, usesCache));
+    }
+    catch (const InputError&)
+    {
+        return {};
+    }
+}
+
+int mostModes (const DeviceDescription& device)
+{
+    return std::holds_alternative<PlateDescription> (device.body) ? mostPlateModes : mostBeamModes;
 }
 } // namespace
 
@@ -179,5 +227,48 @@ ModalModel solveDevice (const DeviceDescription& device, std::optional<int> mode
     const auto folder = usesCache ? userCacheFolder() : std::nullopt;
     const auto cache = folder ? std::optional (ModeCache (*folder)) : std::nullopt;
     return solveCached (device, modeCount, cache ? &*cache : nullptr);
+}
+
+WideModel solveWide (const DeviceDescription& device, const ModalModel& known, double frequency, bool usesCache)
+{
+    const auto wider = reaching (device, { {}, frequency });
+
+    if (! wider)
+        return { known, known.modes(),
+                 "The device's file gives its modes: what spills over into others is not known." };
+
+    if (auto wide = tryWide (*wider, known, usesCache))
+        return *std::move (wide);
+
+    const auto most = reaching (device, { mostModes (device), {} });
+
+    if (auto wide = tryWide (*most, known, usesCache))
+    {
+        wide->obstacle = "No more than " + std::to_string (wide->model.modes()) + " modes are solved, to "
+                         + inWords (wide->highestFrequency()) + " Hz, where " + inWords (frequency)
+                         + " Hz were wanted: what spills over beyond is not known.";
+        return *std::move (wide);
+    }
+
+    return { known, known.modes(), "No more modes can be solved: what spills over into others is not known." };
+}
+
+WideDesign designWide (const DeviceDescription& device, WideModel wide, const FocusDescription& focus,
+                       Playback playback, bool usesCache)
+{
+    auto design = designWithin (wide, focus, playback);
+
+    if (design.spillOver && design.spillOver->guardedBeyond > 0 && wide.obstacle.empty()
+        && wide.highestFrequency() < widePlay * design.spillOver->designedFrequency)
+    {
+        wide = solveWide (device, firstModes (wide.model, wide.known), widePlay * design.spillOver->designedFrequency,
+                          usesCache);
+        design.spillOver->share = spillOverShare (wide, design);
+        design.spillOver->playedModes = static_cast<int> (wide.model.modes());
+        design.spillOver->playedFrequency = wide.highestFrequency();
+        design.spillOver->obstacle = wide.obstacle;
+    }
+
+    return { std::move (wide), std::move (design) };
 }
 } // namespace antinode

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <antinode_focus/SpillOver.h>
 #include <antinode_model/ModalModel.h>
 #include <antinode_structure/DeviceDescription.h>
 
@@ -60,4 +61,21 @@ void removeDocument (LibraryKind, const std::string& name);
     @param usesCache  false: solved in any case, and not kept
     @throws InputError  as solveStructure. [worker] */
 ModalModel solveDevice (const DeviceDescription&, std::optional<int> modeCount, bool usesCache);
+
+/** A solved device with the modes beyond its own, up to a frequency or as many as can be solved, from the user's cache
+    where they are there. Where there are none, the model alone and why. [worker]
+    @param known      as solveDevice gave it
+    @param frequency  Hz */
+WideModel solveWide (const DeviceDescription&, const ModalModel& known, double frequency, bool usesCache);
+
+/** A design that is made for a device and knows what it leaves in modes beyond it. */
+struct WideDesign
+{
+    WideModel wide; ///< With modes to widePlay times the highest that the design knows, where there are so many.
+    FocusDesign design;
+};
+
+/** Designs a focus within a wide model, which is solved further where the design guards modes beyond the device's own.
+    @throws InputError, LimitError  as designFocus [worker] */
+WideDesign designWide (const DeviceDescription&, WideModel, const FocusDescription&, Playback, bool usesCache);
 } // namespace antinode

@@ -73,7 +73,7 @@ std::string limitInWords (const RenderedFocus& focus)
         return transientInWords (design, design.moments[worst], focus.moments[worst].modalVelocities,
                                  transient (worst));
 
-    return lossInWords (focus.model, design, design.moments[worst]);
+    return lossInWords (focus.known, design, design.moments[worst]);
 }
 
 std::string row (const std::string& name, const std::string& wanted, const std::string& reached)

@@ -26,9 +26,10 @@ double defaultDuration (const FocusDesign& design)
     return design.restTime ? std::max (end, focus + *design.restTime + 1.5 * residualSpan) : end;
 }
 
-ReachedMoment reachedAt (const ModalModel& model, const FocusDesign& design, const FocusMoment& moment,
+ReachedMoment reachedAt (const WideModel& wide, const FocusDesign& design, const FocusMoment& moment,
                          const Render& render, std::int64_t sample)
 {
+    const auto& model = wide.model;
     const auto truncatedPeak = largestTruncated (model, design, moment);
     const auto wantedPeak = moment.targets.empty()
                                 ? truncatedPeak
@@ -40,11 +41,12 @@ ReachedMoment reachedAt (const ModalModel& model, const FocusDesign& design, con
     reached.peak = largestVelocity (model, reached.modalVelocities);
     reached.score = scoreFocus (model, reached.modalVelocities, moment.target.field, wantedPeak);
     reached.truncatedScore = scoreFocus (model, reached.modalVelocities, moment.truncatedField, truncatedPeak);
+    reached.spillOver = spillOverShare (wide, reached.modalVelocities);
     return reached;
 }
 
 /** Later foci fall on samples counted from the first. */
-std::vector<ReachedMoment> reachedMoments (const ModalModel& model, const FocusDesign& design, const Render& render)
+std::vector<ReachedMoment> reachedMoments (const WideModel& wide, const FocusDesign& design, const Render& render)
 {
     std::vector<ReachedMoment> reached;
 
@@ -59,7 +61,7 @@ std::vector<ReachedMoment> reachedMoments (const ModalModel& model, const FocusD
                 "is " + inWords (static_cast<double> (render.modalVelocities.cols()) / render.sampleRate * 1000)
                     + " ms, which ends before the focus at " + inWords (moment.time * 1000) + " ms");
 
-        reached.push_back (reachedAt (model, design, moment, render, sample));
+        reached.push_back (reachedAt (wide, design, moment, render, sample));
     }
 
     return reached;
@@ -113,9 +115,10 @@ std::vector<std::pair<double, double>> chooseProbes (const FocusDesign& design, 
 
 } // namespace
 
-RenderedFocus renderFocus (ModalModel model, FocusDesign design, const RenderOptions& options,
+RenderedFocus renderFocus (WideModel wide, FocusDesign design, const RenderOptions& options,
                            const std::function<void (double)>& progress)
 {
+    const auto& model = wide.model;
     RenderedFocus result;
     result.probes = chooseProbes (design, options);
 
@@ -130,13 +133,15 @@ RenderedFocus renderFocus (ModalModel model, FocusDesign design, const RenderOpt
             shapesAt (model, result.probes[i].first, result.probes[i].second);
 
     result.render = renderOffline (model, design.program, settings, progress);
-    result.moments = reachedMoments (model, design, result.render);
+    result.moments = reachedMoments (wide, design, result.render);
     result.reachedField = result.moments.front().field;
     result.score = result.moments.front().score;
     result.truncatedScore = result.moments.front().truncatedScore;
     result.contrast = fieldContrast (model.surface, result.reachedField, design.moments.front().targets,
                                      result.moments.front().peak.velocity);
-    result.model = std::move (model);
+    result.known = firstModes (model, wide.known);
+    result.obstacle = std::move (wide.obstacle);
+    result.model = std::move (wide.model);
     result.design = std::move (design);
     result.residual = residualMotion (result);
 
@@ -147,5 +152,42 @@ RenderedFocus renderFocus (ModalModel model, FocusDesign design, const RenderOpt
         result.felt = feltOutcome (result.model, result.render, allTargets (result.design), *options.threshold);
 
     return result;
+}
+
+RenderedFocus renderFocus (ModalModel model, FocusDesign design, const RenderOptions& options,
+                           const std::function<void (double)>& progress)
+{
+    const auto known = model.modes();
+    return renderFocus (WideModel { std::move (model), known, "It was played with the modes of its design alone." },
+                        std::move (design), options, progress);
+}
+
+double spillOverShare (const RenderedFocus& focus)
+{
+    double largest = 0;
+
+    for (const auto& moment : focus.moments)
+        largest = std::max (largest, moment.spillOver);
+
+    return largest;
+}
+
+std::string spillOverInWords (const RenderedFocus& focus)
+{
+    const auto beyond = focus.model.modes() - focus.known.modes();
+
+    if (beyond == 0)
+        return focus.obstacle;
+
+    const auto highest = [] (const ModalModel& model) { return inWords (model.frequencyHz (model.modes() - 1)); };
+    return inWords (100 * spillOverShare (focus)) + " % of the field is in " + std::to_string (beyond)
+           + " modes beyond the " + std::to_string (focus.known.modes()) + " of the device, from "
+           + highest (focus.known) + " Hz to " + highest (focus.model) + " Hz."
+           + (focus.obstacle.empty() ? "" : " " + focus.obstacle);
+}
+
+std::string spillOverToText (const RenderedFocus& focus)
+{
+    return formatted ("%-14s %s", "spill-over", spillOverInWords (focus).c_str());
 }
 } // namespace antinode

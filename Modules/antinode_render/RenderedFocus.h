@@ -7,6 +7,7 @@
 #include <antinode_focus/FieldPeak.h>
 #include <antinode_focus/FocusDesign.h>
 #include <antinode_focus/FocusScore.h>
+#include <antinode_focus/SpillOver.h>
 #include <antinode_model/ModalModel.h>
 
 #include <cstdint>
@@ -38,6 +39,7 @@ struct ReachedMoment
     FieldPeak peak;                  ///< The largest velocity anywhere on the surface.
     FocusScore score;                ///< Against the wanted field.
     FocusScore truncatedScore;       ///< Against the truncated field.
+    double spillOver = 0;            ///< RMS of the field in modes beyond the device's own / RMS of the whole field.
 };
 
 /** The residual motion after the last focus if a brake is requested. */
@@ -51,7 +53,9 @@ struct ResidualMotion
 /** A designed focus and what the plate model did with its sampled voltages. */
 struct RenderedFocus
 {
-    ModalModel model;
+    ModalModel model;     ///< That was played: with modes beyond the device's own, where there are any.
+    ModalModel known;     ///< With the device's own modes.
+    std::string obstacle; ///< Why it was not played with modes far enough beyond; empty where it was.
     FocusDesign design;
     Render render;
     std::vector<std::pair<double, double>> probes; ///< x, y, m
@@ -68,6 +72,19 @@ struct RenderedFocus
 /** Plays a design through synthesiser, limiter and plate model, and scores what the plate did.
     @throws InputError  when a probe lies outside the surface or the options are not usable; Cancelled as checkWatch()
     [worker] */
+RenderedFocus renderFocus (WideModel, FocusDesign, const RenderOptions&,
+                           const std::function<void (double)>& progress = {});
+
+/** The same with the modes of a model alone: those that the design knows. */
 RenderedFocus renderFocus (ModalModel, FocusDesign, const RenderOptions&,
                            const std::function<void (double)>& progress = {});
+
+/** The largest spill-over of all foci, 0 where there are no modes beyond. [any] */
+double spillOverShare (const RenderedFocus&);
+
+/** How much of the field is in modes beyond the device's own, and how far they go; or why that is not known. [any] */
+std::string spillOverInWords (const RenderedFocus&);
+
+/** The same as a line of the scores. [any] */
+std::string spillOverToText (const RenderedFocus&);
 } // namespace antinode

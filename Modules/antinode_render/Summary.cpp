@@ -2,6 +2,7 @@
 
 #include <antinode_base/Prefixes.h>
 #include <antinode_documents/FocusWords.h>
+#include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/EventPeak.h>
 #include <antinode_focus/LimitWords.h>
 
@@ -27,6 +28,27 @@ nlohmann::ordered_json fociJson (const RenderedFocus& focus)
                           { "peak_ratio_truncated", moment.truncatedScore.peakRatio } });
 
     return list;
+}
+
+/** What the field has in modes beyond the device's own; null where there are none. */
+nlohmann::ordered_json spillOverJson (const RenderedFocus& focus)
+{
+    nlohmann::ordered_json spill;
+    const auto hasBeyond = focus.model.modes() > focus.known.modes();
+    spill["share"] = hasBeyond ? nlohmann::ordered_json (spillOverShare (focus)) : nlohmann::ordered_json();
+    spill["device_modes"] = focus.known.modes();
+    spill["highest_frequency_Hz"] = focus.model.frequencyHz (focus.model.modes() - 1);
+
+    if (const auto& made = focus.design.spillOver)
+    {
+        spill["designed_frequency_Hz"] = made->designedFrequency;
+        spill["guarded_beyond"] = made->guardedBeyond;
+        spill["share_unguarded"] = made->unguardedShare;
+        spill["peak_voltage_unguarded_V"] = made->guardedBeyond > 0 ? made->unguardedPeak : peakVoltage (focus.design);
+    }
+
+    spill["sentence"] = spillOverInWords (focus);
+    return spill;
 }
 
 nlohmann::ordered_json probesJson (const RenderedFocus& focus)
@@ -102,6 +124,7 @@ nlohmann::ordered_json summaryToJson (const RenderedFocus& focus, const FocusOut
     summary["ceramics"] = focus.model.actuators();
     summary["modes_controlled"] = design.controlledModes.size();
     summary["modes_simulated"] = focus.model.modes();
+    summary["spill_over"] = spillOverJson (focus);
     summary["captured"] = design.captured;
     summary["residue"] = design.residue;
     summary["v_score"] = focus.score.vScore;

@@ -147,7 +147,8 @@ ReportPage focusReport (const RenderedFocus& focus, const FocusOutcome& outcome)
     const auto& design = focus.design;
     page.title = design.description.name.empty() ? "Focus" : design.description.name;
     page.subtitle = focus.model.name + ": " + std::to_string (focus.model.actuators()) + " ceramics, "
-                    + std::to_string (focus.model.modes()) + " modes simulated, focus at "
+                    + std::to_string (focus.known.modes()) + " modes, played with "
+                    + std::to_string (focus.model.modes()) + ", focus at "
                     + inWords (static_cast<double> (focus.render.focusSample) / focus.render.sampleRate * milli)
                     + " ms, " + inWords (focus.render.sampleRate) + " Hz";
     page.scores = focusScores (focus, outcome);

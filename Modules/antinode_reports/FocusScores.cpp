@@ -96,6 +96,9 @@ std::vector<ReportScore> focusScores (const RenderedFocus& focus, const FocusOut
           "RMS difference from the part of the wanted field that the controlled modes can represent; from the wanted "
           "field itself it is "
               + percentInWords (focus.score.fieldError) + "." },
+        { "Spill-over",
+          focus.model.modes() > focus.known.modes() ? percentInWords (spillOverShare (focus)) : "not known",
+          "What the voltages move of modes that the device does not say: " + spillOverInWords (focus) },
         { "Captured", formatFixed (design.captured, 4),
           "Fraction of the wanted field (square root of energy) that the "
               + std::to_string (design.controlledModes.size()) + " controlled modes represent. 1 is all of it." },

@@ -7,6 +7,7 @@
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_library/Inputs.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -92,10 +93,22 @@ std::pair<ModalModel, FocusDescription> inputsFrom (const CommonOptions& options
     return { std::move (model), focus };
 }
 
-std::pair<ModalModel, FocusDesign> designFrom (const CommonOptions& options)
+WideModel wideFrom (const CommonOptions& options, const ModalModel& known)
 {
-    auto [model, focus] = inputsFrom (options);
-    auto design = designFocus (model, focus, options.playback());
-    return { std::move (model), std::move (design) };
+    constexpr auto playableMultiple = 60.0; // of the sample rate: what the plate model takes
+    const auto frequency = std::min (widePlay * known.frequencyHz (known.modes() - 1), playableMultiple * options.rate);
+    return solveWide (loadDevice (options.device, options.assignments), known, frequency, options.usesCache);
+}
+
+WideDesign designFrom (const CommonOptions& options)
+{
+    const auto [model, focus] = inputsFrom (options);
+    return designFrom (options, wideFrom (options, model), focus);
+}
+
+WideDesign designFrom (const CommonOptions& options, const WideModel& wide, const FocusDescription& focus)
+{
+    return designWide (loadDevice (options.device, options.assignments), wide, focus, options.playback(),
+                       options.usesCache);
 }
 } // namespace antinode

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <antinode_library/Library.h>
 #include <antinode_render/RenderedFocus.h>
 
 #include <CLI/CLI.hpp>
@@ -46,7 +47,13 @@ void checkKindOfPlaces (const ModalModel&, const FocusDescription&);
     solved. [worker] */
 std::pair<ModalModel, FocusDescription> inputsFrom (const CommonOptions&);
 
-/** A focus designed as these options say.
+/** The device that these options name, with modes to widePlay times its own. @throws as modelFrom. [worker] */
+WideModel wideFrom (const CommonOptions&, const ModalModel& known);
+
+/** A focus designed as these options say, with the plate that it is played on.
     @throws InputError  for anything that cannot be read, solved or met. [worker] */
-std::pair<ModalModel, FocusDesign> designFrom (const CommonOptions&);
+WideDesign designFrom (const CommonOptions&);
+
+/** The same of a focus and a device that are there already. [worker] */
+WideDesign designFrom (const CommonOptions&, const WideModel&, const FocusDescription&);
 } // namespace antinode

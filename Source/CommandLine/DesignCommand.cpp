@@ -40,7 +40,7 @@ void writeTolerances (OutputFolder& folder, const ModalModel& model, const std::
 }
 
 /** By a render; where there can be none, the reason is why the power is unknown. */
-FocusPower designedPower (const ModalModel& model, const FocusDesign& design, const CommonOptions& options)
+FocusPower designedPower (const WideDesign& made, const CommonOptions& options)
 {
     RenderOptions render;
     render.playback = options.playback();
@@ -48,7 +48,7 @@ FocusPower designedPower (const ModalModel& model, const FocusDesign& design, co
 
     try
     {
-        return renderFocus (model, design, render).power.value();
+        return renderFocus (made.wide, made.design, render).power.value();
     }
     catch (const InputError& error)
     {
@@ -59,8 +59,10 @@ FocusPower designedPower (const ModalModel& model, const FocusDesign& design, co
 void design (const DesignCommandOptions& all)
 {
     const auto& options = all.common;
-    const auto [model, result] = designFrom (options);
-    const auto power = designedPower (model, result, options);
+    const auto made = designFrom (options);
+    const auto& result = made.design;
+    const auto model = firstModes (made.wide.model, made.wide.known);
+    const auto power = designedPower (made, options);
     std::vector<DesignTolerance> tolerances;
     OutputFolder folder (options.folder);
     auto document = designToJson (result, model);

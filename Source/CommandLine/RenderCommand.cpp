@@ -91,7 +91,8 @@ void printSummary (const RenderedFocus& focus, const FocusOutcome& outcome, cons
     std::printf ("  field error    %.2f %%, %.4f %%\n", 100 * focus.score.fieldError,
                  100 * focus.truncatedScore.fieldError);
     std::printf ("  captured       %.4f by %zu of %td modes\n", design.captured, design.controlledModes.size(),
-                 focus.model.modes());
+                 focus.known.modes());
+    std::printf ("  %s\n", spillOverToText (focus).c_str());
 
     if (! design.weighing.empty())
         std::printf ("  modes          %s\n", design.weighing.c_str());
@@ -137,8 +138,8 @@ void renderOne (const RenderCommandOptions& options)
 {
     Progress progress (options.common.isQuiet);
     const auto settings = renderOptions (options);
-    auto [model, design] = designFrom (options.common);
-    const auto focus = renderFocus (std::move (model), std::move (design), settings,
+    auto made = designFrom (options.common);
+    const auto focus = renderFocus (std::move (made.wide), std::move (made.design), settings,
                                     [&] (double share) { progress.show ("Rendering", share); });
     const auto outcome = evaluateOutcome (focus);
     writeRendered (options.common.folder, focus, outcome, options);
@@ -147,13 +148,13 @@ void renderOne (const RenderCommandOptions& options)
         printSummary (focus, outcome, options);
 }
 
-SeriesResult renderOfSeries (const ModalModel& model, const SeriesFocus& each, const RenderCommandOptions& options)
+SeriesResult renderOfSeries (const WideModel& wide, const SeriesFocus& each, const RenderCommandOptions& options)
 {
     try
     {
-        checkKindOfPlaces (model, each.focus);
-        auto design = designFocus (model, each.focus, options.common.playback());
-        const auto focus = renderFocus (model, std::move (design), renderOptions (options));
+        checkKindOfPlaces (wide.model, each.focus);
+        auto made = designFrom (options.common, wide, each.focus);
+        const auto focus = renderFocus (std::move (made.wide), std::move (made.design), renderOptions (options));
         const auto outcome = evaluateOutcome (focus);
         writeRendered (std::filesystem::path (options.common.folder) / each.folder, focus, outcome, options);
         return { each.folder, summaryNumbers (summaryToJson (focus, outcome)), {} };
@@ -184,7 +185,7 @@ void printRanking (const std::vector<SeriesResult>& results, const RenderCommand
 void renderSeries (const RenderCommandOptions& options)
 {
     Progress progress (options.common.isQuiet);
-    const auto model = modelFrom (options.common);
+    const auto wide = wideFrom (options.common, modelFrom (options.common));
     const auto series = readSeries (options.focuses, options.placesFile, options.common.assignments);
     std::vector<SeriesResult> results;
 
@@ -192,7 +193,7 @@ void renderSeries (const RenderCommandOptions& options)
     {
         progress.show (formatted ("Focus %zu of %zu", results.size() + 1, series.size()),
                        static_cast<double> (results.size()) / static_cast<double> (series.size()));
-        results.push_back (renderOfSeries (model, each, options));
+        results.push_back (renderOfSeries (wide, each, options));
         writeWholeFile (std::filesystem::path (options.common.folder) / "scores.csv", scoreTable (results));
     }
 

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "DesignFocus.h"
+
+namespace antinode
+{
+/** Scores come from a plate with modes to so many times the highest frequency that is designed for or guarded. */
+inline constexpr double widePlay = 2.5;
+
+/** What of a field may lie in modes beyond the known ones before more of them are guarded. */
+inline constexpr double allowedSpillOver = 1e-3;
+
+/** A device with modes beyond those that it says, all on its own points. */
+struct WideModel
+{
+    ModalModel model;       ///< The device's modes, bit for bit, then those beyond.
+    Eigen::Index known = 0; ///< How many are the device's own.
+    std::string obstacle;   ///< Why they do not go on to where they were wanted; empty where they do.
+
+    /** The highest frequency of all, Hz. */
+    double highestFrequency() const { return model.frequencyHz (model.modes() - 1); }
+};
+
+/** The lowest modes of a model, for example the device's own of a wide one. [any] */
+ModalModel firstModes (const ModalModel&, Eigen::Index count);
+
+/** A device's modes and those beyond them of a second solution, taken to the points of the first.
+    @param wide  real modes of the same device, more of them
+    @throws InputError  where wide is another device, or has no more modes
+    [worker] Docs/Theory.md, section 5.2. */
+WideModel withModesBeyond (const ModalModel& known, const ModalModel& wide);
+
+/** RMS over the surface of the part of a field that modes beyond the known ones carry, relative to the whole field.
+    @param modalVelocities  of all modes, m/s kg^1/2; 0 where nothing moves
+    [any] */
+double spillOverShare (const WideModel&, const Eigen::VectorXd& modalVelocities);
+
+/** The largest of these at the foci of a design, by the closed form. [worker] */
+double spillOverShare (const WideModel&, const FocusDesign&);
+
+/** Designs a focus with the device's own modes. Where more than allowedSpillOver of the field is then in modes beyond,
+   more and more of these are guarded until it is not; where that does not help, the first design stays, with a warning.
+    @throws  as designFocus
+    [worker] Docs/Decisions/0071-scores-that-do-not-flatter.md */
+FocusDesign designWithin (const WideModel&, const FocusDescription&, Playback,
+                          DesignExtent extent = DesignExtent::complete);
+} // namespace antinode
