@@ -15,10 +15,11 @@ namespace antinode
 enum class LibraryKind
 {
     device,
-    focus
+    focus,
+    waveforms
 };
 
-/** A device or focus that can be chosen by name. */
+/** A device, a focus or waveforms that can be chosen by name. */
 struct LibraryEntry
 {
     std::string name;
@@ -60,4 +61,9 @@ void removeDocument (LibraryKind, const std::string& name);
     @param usesCache  false: solved in any case, and not kept
     @throws InputError  as solveStructure. [worker] */
 ModalModel solveDevice (const DeviceDescription&, std::optional<int> modeCount, bool usesCache);
+
+/** The same with the static share of all modes beyond: one more shape per ceramic behind the modes, where the device is
+    a plate.
+    @throws InputError  as solveWithStaticShare. [worker] Docs/Theory.md, section 1.8. */
+ModalModel solveDeviceWithStaticShare (const DeviceDescription&, std::optional<int> modeCount, bool usesCache);
 } // namespace antinode
