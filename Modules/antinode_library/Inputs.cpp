@@ -3,6 +3,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_documents/FocusFile.h>
+#include <antinode_documents/WaveformsFile.h>
 #include <antinode_text/JsonText.h>
 
 #include <filesystem>
@@ -15,7 +16,9 @@ nlohmann::json loadAssigned (LibraryKind kind, const std::string& nameOrFile,
                              const std::vector<std::string>& assignments)
 {
     auto document = loadDocument (kind, nameOrFile);
-    const std::string prefix = kind == LibraryKind::device ? "device." : "focus.";
+    const std::string prefix = kind == LibraryKind::device  ? "device."
+                               : kind == LibraryKind::focus ? "focus."
+                                                            : "waveforms.";
 
     for (const auto& assignment : assignments)
         if (assignment.starts_with (prefix))
@@ -46,12 +49,26 @@ FocusDescription loadFocus (const std::string& nameOrFile, const std::vector<std
     return focus;
 }
 
+WaveformsDescription loadWaveforms (const std::string& nameOrFile, const std::vector<std::string>& assignments)
+{
+    const std::filesystem::path path (nameOrFile);
+    auto waveforms = readWaveforms (loadAssigned (LibraryKind::waveforms, nameOrFile, assignments),
+                                    documentSource (LibraryKind::waveforms, nameOrFile), path.parent_path());
+
+    if (waveforms.name.empty())
+        waveforms.name = path.stem().string();
+
+    return waveforms;
+}
+
 void checkAssignments (const std::vector<std::string>& assignments)
 {
     for (const auto& assignment : assignments)
-        if (! assignment.starts_with ("device.") && ! assignment.starts_with ("focus."))
-            throw InputError ("--set " + assignment,
-                              "does not start with a document; allowed: focus.KEY=VALUE or device.KEY=VALUE, "
-                              "for example focus.targets.0.x_mm=24");
+        if (! assignment.starts_with ("device.") && ! assignment.starts_with ("focus.")
+            && ! assignment.starts_with ("waveforms."))
+            throw InputError (
+                "--set " + assignment,
+                "does not start with a document; allowed: focus.KEY=VALUE, device.KEY=VALUE or waveforms.KEY=VALUE, "
+                "for example focus.targets.0.x_mm=24");
 }
 } // namespace antinode

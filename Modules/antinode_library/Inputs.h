@@ -4,6 +4,7 @@
 
 #include <antinode_focus/FocusDescription.h>
 #include <antinode_structure/DeviceDescription.h>
+#include <antinode_tracks/Waveforms.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -22,6 +23,11 @@ DeviceDescription loadDevice (const std::string& nameOrFile, const std::vector<s
 /** A focus by embedded name or file, with the assignments that begin with "focus." applied. [worker] */
 FocusDescription loadFocus (const std::string& nameOrFile, const std::vector<std::string>& assignments);
 
-/** @throws InputError  when an assignment begins with neither "device." nor "focus.". [any] */
+/** Waveforms at touched points by embedded name or file, with the assignments that begin with "waveforms." applied.
+    Recordings are looked for beside the file.
+    @throws InputError  as loadDocument and readWaveforms. [worker] */
+WaveformsDescription loadWaveforms (const std::string& nameOrFile, const std::vector<std::string>& assignments);
+
+/** @throws InputError  when an assignment begins with none of "device.", "focus." and "waveforms.". [any] */
 void checkAssignments (const std::vector<std::string>& assignments);
 } // namespace antinode

@@ -5,6 +5,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_resources.h>
+#include <antinode_structure/StaticShare.h>
 #include <antinode_text/JsonText.h>
 #include <antinode_text/OutputFolder.h>
 
@@ -26,12 +27,12 @@ bool isFileName (const std::string& text)
 
 std::string folderName (LibraryKind kind)
 {
-    return kind == LibraryKind::device ? "Devices" : "Focuses";
+    return kind == LibraryKind::device ? "Devices" : kind == LibraryKind::focus ? "Focuses" : "Waveforms";
 }
 
 std::string wordFor (LibraryKind kind)
 {
-    return kind == LibraryKind::device ? "device" : "focus";
+    return kind == LibraryKind::device ? "device" : kind == LibraryKind::focus ? "focus" : "waveforms";
 }
 
 const EmbeddedFile* findFactory (LibraryKind kind, const std::string& name)
@@ -270,5 +271,25 @@ WideDesign designWide (const DeviceDescription& device, WideModel wide, const Fo
     }
 
     return { std::move (wide), std::move (design) };
+}
+
+ModalModel solveDeviceWithStaticShare (const DeviceDescription& device, std::optional<int> modeCount, bool usesCache)
+{
+    auto entry = device;
+    entry.name += ", static share"; // its own name in the cache
+    const auto folder = usesCache ? userCacheFolder() : std::nullopt;
+    const auto cache = folder ? std::optional (ModeCache (*folder)) : std::nullopt;
+    auto found = cache ? cache->find (entry, modeCount) : std::nullopt;
+
+    if (! found)
+    {
+        found = solveWithStaticShare (device, modeCount);
+
+        if (cache)
+            cache->store (entry, modeCount, *found);
+    }
+
+    found->name = device.name;
+    return std::move (*found);
 }
 } // namespace antinode

@@ -16,10 +16,11 @@ namespace antinode
 enum class LibraryKind
 {
     device,
-    focus
+    focus,
+    waveforms
 };
 
-/** A device or focus that can be chosen by name. */
+/** A device, a focus or waveforms that can be chosen by name. */
 struct LibraryEntry
 {
     std::string name;
@@ -78,4 +79,9 @@ struct WideDesign
 /** Designs a focus within a wide model, which is solved further where the design guards modes beyond the device's own.
     @throws InputError, LimitError  as designFocus [worker] */
 WideDesign designWide (const DeviceDescription&, WideModel, const FocusDescription&, Playback, bool usesCache);
+
+/** The same with the static share of all modes beyond: one more shape per ceramic behind the modes, where the device is
+    a plate.
+    @throws InputError  as solveWithStaticShare. [worker] Docs/Theory.md, section 1.8. */
+ModalModel solveDeviceWithStaticShare (const DeviceDescription&, std::optional<int> modeCount, bool usesCache);
 } // namespace antinode

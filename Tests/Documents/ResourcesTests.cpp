@@ -3,6 +3,7 @@
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_documents/FocusFile.h>
 #include <antinode_documents/SkinThresholdFile.h>
+#include <antinode_documents/WaveformsFile.h>
 #include <antinode_text/JsonText.h>
 
 #include <catch2/catch.hpp>
@@ -24,7 +25,7 @@ nlohmann::json resource (const std::string& name)
 }
 } // namespace
 
-TEST_CASE ("Every embedded device and focus can be read and bears its file's name", "[files]")
+TEST_CASE ("Every embedded device, focus and set of waveforms can be read and bears its file's name", "[files]")
 {
     std::size_t devices = 0, focuses = 0;
 
@@ -47,6 +48,10 @@ TEST_CASE ("Every embedded device and focus can be read and bears its file's nam
         {
             CHECK (readDevice (document, path).name == name);
             ++devices;
+        }
+        else if (path.rfind ("Waveforms/", 0) == 0)
+        {
+            CHECK (readWaveforms (document, path, {}).name == name);
         }
         else
         {

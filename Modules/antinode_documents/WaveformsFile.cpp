@@ -1,0 +1,242 @@
+#include "WaveformsFile.h"
+
+#include "FileUnits.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_text/JsonReader.h>
+#include <antinode_text/PhysicalRanges.h>
+#include <antinode_text/WaveReader.h>
+
+#include <array>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+constexpr std::size_t maximumTracks = 64;
+constexpr NumberRange bandFrequency { 1, 10000 };
+constexpr NumberRange signalFrequency { 1, 10000 };
+constexpr NumberRange signalMilliseconds { 0.1, 600000 };
+constexpr NumberRange rollMilliseconds { 0, 10000 };
+constexpr NumberRange startMilliseconds { 0, 600000 };
+constexpr NumberRange levelMicrometres { 1e-6, 1e6 };
+constexpr NumberRange levelMillimetresPerSecond { 1e-6, 1e7 };
+constexpr NumberRange levelDecibels { -60, 120 };
+constexpr NumberRange fingerMillimetres { 0, 50 };
+constexpr NumberRange fingerGrams { 0, 100 };
+constexpr NumberRange fingerDamping { 0, 1000 };
+constexpr NumberRange fingerNewtonsPerMillimetre { 0, 1000 };
+constexpr NumberRange depth { 0, 1 };
+constexpr int largestSeed = 1000000000;
+constexpr double micrometre = 1e-6;
+
+double numberOr (const JsonObject& object, std::string_view key, const NumberRange& range, double usual)
+{
+    const auto given = object.optional (key);
+    return given ? given->number (range) : usual;
+}
+
+double millisecondsOr (const JsonObject& object, std::string_view key, const NumberRange& range, double usual)
+{
+    const auto given = object.optional (key);
+    return given ? fromMilliseconds (given->number (range)) : usual;
+}
+
+/** The name of a built-in finger, or its properties one by one. */
+Finger readFinger (const JsonValue& value, double x, double y)
+{
+    if (value.isString())
+    {
+        constexpr WordList<const char*, 3> words {
+            { { "light", "light" }, { "medium", "medium" }, { "firm", "firm" } }
+        };
+        return builtInFinger (value.choice (words), x, y);
+    }
+
+    const auto object = value.object ({ "mass_g", "damping_N_s_per_m", "stiffness_N_per_mm", "radius_mm" });
+    Finger finger;
+    finger.x = x;
+    finger.y = y;
+    finger.mass = object.required ("mass_g").number (fingerGrams) / 1000;
+    finger.damping = object.required ("damping_N_s_per_m").number (fingerDamping);
+    finger.stiffness = 1000 * object.required ("stiffness_N_per_mm").number (fingerNewtonsPerMillimetre);
+    finger.radius = fromMillimetres (numberOr (object, "radius_mm", fingerMillimetres, 5));
+    return finger;
+}
+
+TouchedPoint readPoint (const JsonObject& object)
+{
+    TouchedPoint point;
+    point.x = fromMillimetres (object.required ("x_mm").number (ranges::positionMillimetre));
+    point.y = fromMillimetres (numberOr (object, "y_mm", ranges::positionMillimetre, 0));
+
+    if (const auto name = object.optional ("name"))
+        point.name = name->text (ranges::maximumNameBytes);
+
+    if (const auto finger = object.optional ("finger"))
+        point.finger = readFinger (*finger, point.x, point.y);
+
+    return point;
+}
+
+ClickSignal readClick (const JsonValue& value)
+{
+    const auto object = value.object ({ "kind", "frequency_Hz" });
+    ClickSignal click;
+    click.frequency = numberOr (object, "frequency_Hz", signalFrequency, click.frequency);
+    return click;
+}
+
+GaborSignal readGabor (const JsonValue& value)
+{
+    const auto object = value.object ({ "kind", "frequency_Hz", "width_ms" });
+    GaborSignal gabor;
+    gabor.frequency = numberOr (object, "frequency_Hz", signalFrequency, gabor.frequency);
+    gabor.width = millisecondsOr (object, "width_ms", signalMilliseconds, gabor.width);
+    return gabor;
+}
+
+ToneSignal readTone (const JsonValue& value)
+{
+    const auto object =
+        value.object ({ "kind", "frequency_Hz", "duration_ms", "attack_ms", "modulation_Hz", "modulation_depth" });
+    ToneSignal tone;
+    tone.frequency = numberOr (object, "frequency_Hz", signalFrequency, tone.frequency);
+    tone.duration = millisecondsOr (object, "duration_ms", signalMilliseconds, tone.duration);
+    tone.attack = millisecondsOr (object, "attack_ms", signalMilliseconds, tone.attack);
+    tone.modulationFrequency = numberOr (object, "modulation_Hz", signalFrequency, 0);
+    tone.modulationDepth = numberOr (object, "modulation_depth", depth, tone.modulationDepth);
+    return tone;
+}
+
+NoiseSignal readNoise (const JsonValue& value)
+{
+    const auto object = value.object ({ "kind", "duration_ms", "attack_ms", "seed" });
+    NoiseSignal noise;
+    noise.duration = millisecondsOr (object, "duration_ms", signalMilliseconds, noise.duration);
+    noise.attack = millisecondsOr (object, "attack_ms", signalMilliseconds, noise.attack);
+
+    if (const auto seed = object.optional ("seed"))
+        noise.seed = static_cast<std::uint64_t> (seed->integer (0, largestSeed));
+
+    return noise;
+}
+
+SampledSignal readRecording (const JsonValue& value, const std::filesystem::path& folder)
+{
+    constexpr std::size_t longestPath = 4000;
+    const auto object = value.object ({ "kind", "file", "channel" });
+    const auto file = object.required ("file").text (longestPath);
+    const auto recorded = readWaveFile (folder / file);
+    const auto channels = static_cast<int> (recorded.samples.rows());
+    const auto channel = object.has ("channel") ? object.required ("channel").integer (1, channels) : 1;
+    return { file, recorded.sampleRate, recorded.samples.row (channel - 1).transpose() };
+}
+
+enum class SignalKind
+{
+    click,
+    gabor,
+    tone,
+    noise,
+    wav
+};
+
+constexpr WordList<SignalKind, 5> signalKindWords { { { "click", SignalKind::click },
+                                                      { "gabor", SignalKind::gabor },
+                                                      { "tone", SignalKind::tone },
+                                                      { "noise", SignalKind::noise },
+                                                      { "wav", SignalKind::wav } } };
+
+TrackSignal readSignal (const JsonValue& value, const std::filesystem::path& folder)
+{
+    switch (value.required ("kind").choice (signalKindWords))
+    {
+        case SignalKind::click:
+            return readClick (value);
+        case SignalKind::gabor:
+            return readGabor (value);
+        case SignalKind::tone:
+            return readTone (value);
+        case SignalKind::noise:
+            return readNoise (value);
+        case SignalKind::wav:
+            break;
+    }
+
+    return readRecording (value, folder);
+}
+
+TrackLevel readLevel (const JsonObject& object)
+{
+    const auto micrometres = object.optional ("level_um");
+    const auto velocity = object.optional ("level_mm_s");
+    const auto sensation = object.optional ("level_dB_SL");
+
+    if (micrometres.has_value() + velocity.has_value() + sensation.has_value() != 1)
+        object.fail ("needs exactly one of 'level_um', 'level_mm_s' and 'level_dB_SL'");
+
+    if (micrometres)
+        return { LevelKind::displacement, micrometre * micrometres->number (levelMicrometres) };
+
+    if (velocity)
+        return { LevelKind::velocity, fromMillimetres (velocity->number (levelMillimetresPerSecond)) };
+
+    return { LevelKind::sensation, sensation->number (levelDecibels) };
+}
+
+Track readTrack (const JsonValue& value, const std::filesystem::path& folder)
+{
+    const auto object = value.object (
+        { "name", "x_mm", "y_mm", "finger", "signal", "level_um", "level_mm_s", "level_dB_SL", "start_ms" });
+    Track track;
+    track.point = readPoint (object);
+    track.signal = readSignal (object.required ("signal"), folder);
+    track.level = readLevel (object);
+    track.start = millisecondsOr (object, "start_ms", startMilliseconds, 0);
+    return track;
+}
+
+FrequencyBand readBand (const JsonValue& value)
+{
+    const auto numbers = value.numbers (2, 2, bandFrequency);
+
+    if (! (numbers[0] < numbers[1]))
+        value.fail ("does not ascend; allowed: a lower and a higher frequency, Hz");
+
+    return { numbers[0], numbers[1] };
+}
+} // namespace
+
+WaveformsDescription readWaveforms (const nlohmann::json& document, const std::string& source,
+                                    const std::filesystem::path& folder)
+{
+    const JsonValue value (document, source);
+    value.requireSchema ("antinode.waveforms/1");
+    const auto object = value.object (
+        { "schema", "name", "description", "band_Hz", "pre_roll_ms", "post_roll_ms", "tracks", "silent" });
+    WaveformsDescription description;
+
+    if (const auto name = object.optional ("name"))
+        description.name = name->text (ranges::maximumNameBytes);
+
+    if (const auto text = object.optional ("description"))
+        text->text (ranges::maximumDescriptionBytes, true);
+
+    if (const auto band = object.optional ("band_Hz"))
+        description.band = readBand (*band);
+
+    description.preRoll = millisecondsOr (object, "pre_roll_ms", rollMilliseconds, description.preRoll);
+    description.postRoll = millisecondsOr (object, "post_roll_ms", rollMilliseconds, description.postRoll);
+
+    for (const auto& track : object.required ("tracks").items (1, maximumTracks))
+        description.tracks.push_back (readTrack (track, folder));
+
+    if (const auto silent = object.optional ("silent"))
+        for (const auto& finger : silent->items (0, maximumTracks))
+            description.silent.push_back (readPoint (finger.object ({ "name", "x_mm", "y_mm", "finger" })));
+
+    return description;
+}
+} // namespace antinode

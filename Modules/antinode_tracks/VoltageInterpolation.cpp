@@ -1,0 +1,44 @@
+#include "VoltageInterpolation.h"
+
+#include <antinode_base/Watch.h>
+#include <antinode_numerics/KaiserSinc.h>
+
+#include <algorithm>
+
+namespace antinode
+{
+namespace
+{
+/** The interpolation at all samples between two, one column for each; its rows are the samples around. */
+Eigen::MatrixXd phaseTaps (Eigen::Index factor)
+{
+    Eigen::MatrixXd taps (2 * kaiserSincHalfWidth, factor);
+
+    for (Eigen::Index phase = 0; phase < factor; ++phase)
+        for (Eigen::Index tap = 0; tap < taps.rows(); ++tap)
+            taps (tap, phase) = kaiserSinc (static_cast<double> (phase) / static_cast<double> (factor)
+                                            - static_cast<double> (tap - (kaiserSincHalfWidth - 1)));
+
+    return taps;
+}
+} // namespace
+
+Eigen::MatrixXd interpolated (const Eigen::MatrixXd& signals, Eigen::Index factor)
+{
+    constexpr Eigen::Index reach = kaiserSincHalfWidth;
+    const auto taps = phaseTaps (factor);
+    Eigen::MatrixXd padded = Eigen::MatrixXd::Zero (signals.rows() + 4 * reach, signals.cols());
+    padded.middleRows (2 * reach, signals.rows()) = signals;
+    Eigen::MatrixXd result ((signals.rows() - 1 + 2 * reach) * factor + 1, signals.cols());
+
+    for (Eigen::Index i = 0; i < signals.cols(); ++i)
+    {
+        checkWatch();
+
+        for (Eigen::Index n = 0; n < result.rows(); ++n)
+            result (n, i) = taps.col (n % factor).dot (padded.col (i).segment (n / factor + 1, 2 * reach));
+    }
+
+    return result;
+}
+} // namespace antinode

@@ -1,0 +1,116 @@
+#include "Support/ErrorText.h"
+#include "Support/TemporaryFolder.h"
+
+#include <antinode_documents/WaveformsFile.h>
+#include <antinode_text/OutputFolder.h>
+#include <antinode_text/WaveFile.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+using namespace antinode;
+using Json = nlohmann::json;
+
+namespace
+{
+Json oneTrack()
+{
+    return Json::parse (R"({ "schema": "antinode.waveforms/1", "tracks": [ { "x_mm": 40, "y_mm": 60, "level_um": 5,
+                             "signal": { "kind": "click" } } ] })");
+}
+
+std::string refusal (const Json& document, const std::filesystem::path& folder = {})
+{
+    return errorText ([&] { readWaveforms (document, "my.json", folder); });
+}
+} // namespace
+
+TEST_CASE ("Waveforms are read with all that they can say", "[documents][tracks]")
+{
+    auto document = oneTrack();
+    document["name"] = "mine";
+    document["band_Hz"] = { 50, 800 };
+    document["pre_roll_ms"] = 5;
+    document["post_roll_ms"] = 15;
+    document["tracks"].push_back (Json::parse (R"({ "name": "index", "x_mm": 90, "level_dB_SL": 30, "start_ms": 20,
+                          "finger": { "mass_g": 0.1, "damping_N_s_per_m": 1.5, "stiffness_N_per_mm": 0.6 },
+                          "signal": { "kind": "tone", "frequency_Hz": 300, "duration_ms": 100, "modulation_Hz": 20 } })"));
+    document["tracks"].push_back (Json::parse (
+        R"({ "x_mm": 10, "level_mm_s": 2, "signal": { "kind": "noise", "seed": 7, "duration_ms": 80 } })"));
+    document["silent"] = Json::parse (R"([ { "x_mm": 70, "y_mm": 30, "finger": "firm" } ])");
+    const auto waveforms = readWaveforms (document, "my.json", {});
+    CHECK (waveforms.name == "mine");
+    CHECK (waveforms.band.lower == 50);
+    CHECK (waveforms.band.upper == 800);
+    CHECK (waveforms.preRoll == 0.005);
+    CHECK (waveforms.postRoll == 0.015);
+    REQUIRE (waveforms.tracks.size() == 3);
+    CHECK (waveforms.tracks[0].level.value == Approx (5e-6));
+    CHECK (std::holds_alternative<ClickSignal> (waveforms.tracks[0].signal));
+    const auto& index = waveforms.tracks[1];
+    CHECK (index.point.name == "index");
+    CHECK (index.point.finger.value().mass == Approx (1e-4));
+    CHECK (index.point.finger->stiffness == Approx (600));
+    CHECK (index.point.finger->x == 0.09);
+    CHECK (index.level.kind == LevelKind::sensation);
+    CHECK (index.start == 0.02);
+    CHECK (std::get<ToneSignal> (index.signal).modulationFrequency == 20);
+    CHECK (std::get<NoiseSignal> (waveforms.tracks[2].signal).seed == 7);
+    CHECK (waveforms.tracks[2].level.kind == LevelKind::velocity);
+    REQUIRE (waveforms.silent.size() == 1);
+    CHECK (waveforms.silent[0].finger.value().name == "firm");
+}
+
+TEST_CASE ("A recording is looked for beside its file, and one channel of it is played", "[documents][tracks]")
+{
+    const TemporaryFolder folder;
+    Eigen::MatrixXd samples (2, 3);
+    samples << 0, 0.5, 0, 0, 0, 0.25;
+    writeWholeFile (folder.path() / "voice.wav", encodeWave (samples, 1, 8000));
+    auto document = oneTrack();
+    document["tracks"][0]["signal"] = { { "kind", "wav" }, { "file", "voice.wav" }, { "channel", 2 } };
+    const auto waveforms = readWaveforms (document, "my.json", folder.path());
+    const auto& recording = std::get<SampledSignal> (waveforms.tracks[0].signal);
+    CHECK (recording.sampleRate == 8000);
+    CHECK (recording.samples == Eigen::Vector3d (0, 0, 0.25));
+
+    document["tracks"][0]["signal"]["channel"] = 3;
+    CHECK_THAT (refusal (document, folder.path()), Catch::Contains ("/tracks/0/signal/channel"));
+
+    // A value that is no number, in the last sample of the file.
+    auto bytes = encodeWave (samples, 1, 8000);
+    const auto broken = std::bit_cast<std::uint32_t> (std::numeric_limits<float>::quiet_NaN());
+
+    for (std::size_t i = 0; i < sizeof (broken); ++i)
+        bytes[bytes.size() - sizeof (broken) + i] = static_cast<char> (broken >> (8 * i) & 0xff);
+
+    writeWholeFile (folder.path() / "voice.wav", bytes);
+    CHECK_THAT (refusal (document, folder.path()),
+                Catch::Contains ("voice.wav") && Catch::Contains ("has a sample that is not finite"));
+}
+
+TEST_CASE ("Waveforms that make no sense are refused with their place", "[documents][tracks]")
+{
+    auto document = oneTrack();
+    document["tracks"][0]["level_mm_s"] = 1;
+    CHECK_THAT (refusal (document), Catch::Contains ("/tracks/0") && Catch::Contains ("exactly one of"));
+    document = oneTrack();
+    document["band_Hz"] = { 500, 100 };
+    CHECK (refusal (document) == "my.json: /band_Hz: does not ascend; allowed: a lower and a higher frequency, Hz");
+    document = oneTrack();
+    document["tracks"][0]["signal"]["kind"] = "clik";
+    CHECK_THAT (refusal (document), Catch::Contains ("did you mean 'click'"));
+    document = oneTrack();
+    document["tracks"][0]["finger"] = "hand";
+    CHECK_THAT (refusal (document), Catch::Contains ("/tracks/0/finger") && Catch::Contains ("'medium'"));
+    document = oneTrack();
+    document["tracks"] = Json::array();
+    CHECK_THAT (refusal (document), Catch::Contains ("/tracks"));
+    document = oneTrack();
+    document["schema"] = "antinode.focus/1";
+    CHECK_THAT (refusal (document), Catch::Contains ("antinode.waveforms/1"));
+}
