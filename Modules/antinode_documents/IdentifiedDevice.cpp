@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace antinode
 {
 nlohmann::ordered_json identifiedDeviceToJson (const ModalModel& model, const IdentifiedModes& modes,
@@ -16,6 +18,9 @@ nlohmann::ordered_json identifiedDeviceToJson (const ModalModel& model, const Id
     const auto& deviations = modes.deviations;
     const auto areKnown = [&] (const auto& values) { return values.rows() == model.modes() && values.allFinite(); };
     device["delay_s"] = modes.delay;
+
+    if (deviations.delay > 0 && std::isfinite (deviations.delay))
+        device["delay_standard_deviation_s"] = deviations.delay;
 
     for (Eigen::Index k = 0; k < model.modes(); ++k)
     {

@@ -246,9 +246,9 @@ bool shapesAreOrthonormal (const ModalModel& model)
 
 ModalModel readModalModel (const JsonValue& device)
 {
-    const auto body =
-        device.object ({ "schema", "name", "description", "kind", "modes", "points_mm", "weights_kg", "areas_m2",
-                         "ceramics", "limits", "delay_s", "covers_whole_body", "rigid_body_modes", "exact" });
+    const auto body = device.object ({ "schema", "name", "description", "kind", "modes", "points_mm", "weights_kg",
+                                       "areas_m2", "ceramics", "limits", "delay_s", "delay_standard_deviation_s",
+                                       "covers_whole_body", "rigid_body_modes", "exact" });
     std::optional<JsonObject> exact;
 
     if (const auto given = body.optional ("exact"))
@@ -265,6 +265,9 @@ ModalModel readModalModel (const JsonValue& device)
 
     if (const auto delay = body.optional ("delay_s"))
         delay->number ({ -1, 1 });
+
+    if (const auto deviation = body.optional ("delay_standard_deviation_s"))
+        deviation->number (notNegative);
 
     if (const auto rigid = body.optional ("rigid_body_modes"))
         model.rigidBodyModes = rigid->integer (0, 6);

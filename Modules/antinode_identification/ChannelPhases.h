@@ -1,5 +1,6 @@
 #pragma once
 
+#include "IdentifiedModes.h"
 #include "NormalModes.h"
 
 namespace antinode

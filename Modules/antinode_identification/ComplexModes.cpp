@@ -62,13 +62,18 @@ void appendColumns (Indices& to, const ModalBasis& basis, ModalFunction function
         to.push_back (basis.column (k, function));
 }
 
-/** Equations of all poles: frequencies in half widths, then dampings relative to themselves. */
-struct PoleEquations
+ModalBasis stepped (ModalBasis basis, const Eigen::VectorXd& step)
 {
-    Eigen::MatrixXd matrix;
-    Eigen::VectorXd gradient;
-    double cost = 0;
-};
+    for (Eigen::Index k = 0; k < basis.modes(); ++k)
+    {
+        basis.angularFrequencies[k] *= 1 + basis.dampingRatios[k] * std::clamp (step[k], -1.0, 1.0);
+        basis.dampingRatios[k] = std::clamp (
+            basis.dampingRatios[k] * std::exp (std::clamp (step[basis.modes() + k], -0.7, 0.7)), 1e-9, 0.999);
+    }
+
+    return basis;
+}
+} // namespace
 
 PoleEquations poleEquations (const ModalBasis& basis, const ModalProducts& products,
                              const Eigen::VectorXd& columnWeights, double ridge)
@@ -93,7 +98,7 @@ PoleEquations poleEquations (const ModalBasis& basis, const ModalProducts& produ
     const Eigen::MatrixXd weighted = coefficients * columnWeights.asDiagonal();
     const Eigen::MatrixXd pairs = weighted * coefficients.transpose();
     PoleEquations result {
-        Eigen::MatrixXd::Zero (2 * modes, 2 * modes), Eigen::VectorXd::Zero (2 * modes),
+        Eigen::MatrixXd::Zero (2 * modes, 2 * modes), Eigen::MatrixXd::Zero (2 * modes, products.data.cols()),
         (reduced.energies - data.cwiseProduct (coefficients).colwise().sum().transpose()).dot (columnWeights)
     };
 
@@ -101,10 +106,8 @@ PoleEquations poleEquations (const ModalBasis& basis, const ModalProducts& produ
     for (Eigen::Index a = 0; a < 2; ++a)
         for (Eigen::Index u = 0; u < 2; ++u)
         {
-            result.gradient.segment (a * modes, modes) += errors.middleRows ((2 * a + u) * modes, modes)
-                                                              .cwiseProduct (weighted.middleRows (u * modes, modes))
-                                                              .rowwise()
-                                                              .sum();
+            result.scores.middleRows (a * modes, modes) +=
+                errors.middleRows ((2 * a + u) * modes, modes).cwiseProduct (weighted.middleRows (u * modes, modes));
 
             for (Eigen::Index b = 0; b < 2; ++b)
                 for (Eigen::Index v = 0; v < 2; ++v)
@@ -115,19 +118,6 @@ PoleEquations poleEquations (const ModalBasis& basis, const ModalProducts& produ
 
     return result;
 }
-
-ModalBasis stepped (ModalBasis basis, const Eigen::VectorXd& step)
-{
-    for (Eigen::Index k = 0; k < basis.modes(); ++k)
-    {
-        basis.angularFrequencies[k] *= 1 + basis.dampingRatios[k] * std::clamp (step[k], -1.0, 1.0);
-        basis.dampingRatios[k] = std::clamp (
-            basis.dampingRatios[k] * std::exp (std::clamp (step[basis.modes() + k], -0.7, 0.7)), 1e-9, 0.999);
-    }
-
-    return basis;
-}
-} // namespace
 
 FreeResidues fitFreeResidues (const PreparedResponses& data, const NormalModes& start, double ridge)
 {
@@ -144,8 +134,9 @@ FreeResidues fitFreeResidues (const PreparedResponses& data, const NormalModes& 
 
     for (int iteration = 0; iteration < maximumIterations && ! isConverged; ++iteration)
     {
-        Eigen::VectorXd step = solveEven (equations.matrix, equations.gradient, 1e-9);
-        const auto promised = step.dot (equations.gradient);
+        const Eigen::VectorXd gradient = equations.scores.rowwise().sum();
+        Eigen::VectorXd step = solveEven (equations.matrix, gradient, 1e-9);
+        const auto promised = step.dot (gradient);
         auto isBetter = false;
 
         // Where poles are far from theirs, a whole step may lead away.

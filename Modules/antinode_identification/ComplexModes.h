@@ -24,6 +24,19 @@ FreeResidues fitFreeResidues (const PreparedResponses&, const NormalModes& start
 /** The same for the poles of real modes as they are. [worker] */
 FreeResidues freeResidues (const FitState&, double ridge);
 
+/** Equations of all poles of free residues, residues and powers eliminated: frequencies in half widths, then dampings
+   relative to themselves. */
+struct PoleEquations
+{
+    Eigen::MatrixXd matrix; ///< 2 N_m x 2 N_m
+    Eigen::MatrixXd scores; ///< 2 N_m x C: of minus half of each channel's part of the cost.
+    double cost = 0;
+};
+
+/** At the poles of a basis with complexModeFunctions. [worker] Docs/Theory.md, section 8.4. */
+PoleEquations poleEquations (const ModalBasis&, const ModalProducts&, const Eigen::VectorXd& columnWeights,
+                             double ridge);
+
 /** What free residues leave at poles as they are: the weighted sum of squared errors. [worker] */
 double freeCost (const FreeResidues&, const Eigen::VectorXd& columnWeights, double ridge);
 

@@ -1,9 +1,11 @@
 #include "Deviations.h"
 
+#include "ClusterScores.h"
 #include "NormalModeFit.h"
 
 #include <antinode_numerics/DenseKernels.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -82,19 +84,33 @@ void addShapes (ModeDeviations& result, const FitState& state, const std::vector
                  * (variance / 2 / state.groups[g].pointWeights[static_cast<Eigen::Index> (n)]))
                     .cwiseSqrt();
 }
-} // namespace
+/** What deviations are computed from at the end of a fit. */
+struct Curvature
+{
+    Eigen::MatrixXd inverse; ///< Of the normal equations.
+    std::vector<ShapeCoupling> couplings;
+    Eigen::MatrixXd lengthChanges; ///< U x N_m
+};
 
-ModeDeviations computeDeviations (const FitState& state, double variance, bool delayIsKnown, double ridge)
+Curvature curvatureOf (const FitState& state, bool delayIsKnown, double ridge)
 {
     auto equations = normalEquations (state, ridge);
     holdWhatIsNotSeen (equations, state, delayIsKnown);
-    // Real and imaginary part have half of the variance each.
-    const Eigen::MatrixXd covariance = inverse (std::move (equations.matrix)) * (variance / 2);
-    std::vector<ShapeCoupling> couplings;
+    Curvature result { inverse (std::move (equations.matrix)), {}, { state.unknowns(), state.modes() } };
 
     for (const auto& group : state.groups)
-        couplings.push_back (shapeCoupling (state, group, ridge));
+        result.couplings.push_back (shapeCoupling (state, group, ridge));
 
+    for (Eigen::Index k = 0; k < state.modes(); ++k)
+        result.lengthChanges.col (k) = lengthChange (state, result.couplings, k);
+
+    return result;
+}
+
+ModeDeviations noiseDeviations (const FitState& state, const Curvature& curvature, double variance, bool delayIsKnown)
+{
+    // Real and imaginary part have half of the variance each.
+    const Eigen::MatrixXd covariance = curvature.inverse * (variance / 2);
     ModeDeviations result { Eigen::VectorXd (state.modes()),
                             Eigen::VectorXd (state.modes()),
                             {},
@@ -107,9 +123,9 @@ ModeDeviations computeDeviations (const FitState& state, double variance, bool d
         const auto resonance = state.basis.angularFrequencies[k], damping = state.basis.dampingRatios[k];
         result.angularFrequencies[k] = damping * resonance * deviation (state.unknown (k, state.references()));
         result.dampingRatios[k] = damping * deviation (state.unknown (k, state.references() + 1));
-        const auto change = lengthChange (state, couplings, k);
+        const Eigen::VectorXd change = curvature.lengthChanges.col (k);
         const Eigen::VectorXd withAll = covariance * change;
-        const auto own = ownLengthVariance (state, couplings, k) * variance / 2;
+        const auto own = ownLengthVariance (state, curvature.couplings, k) * variance / 2;
 
         // A strength at fixed length of the shape: itself plus what the length changed by, in units of itself.
         for (Eigen::Index i = 0; i < state.references(); ++i)
@@ -123,8 +139,113 @@ ModeDeviations computeDeviations (const FitState& state, double variance, bool d
         }
     }
 
-    addShapes (result, state, couplings, variance);
+    addShapes (result, state, curvature.couplings, variance);
     result.delay = delayIsKnown ? 0 : deviation (state.unknowns() - 1) * state.delayUnit();
     return result;
+}
+
+/** Weighted mean square of a mode's frequencies at single points about their mean, half widths squared, from what that
+    does to the variance of the mean. */
+double frequencySpread (const FitState& state, Eigen::Index mode, double varianceOfMean)
+{
+    double sum = 0, squares = 0;
+
+    for (const auto& group : state.groups)
+        for (std::size_t n = 0; n < group.points.size(); ++n)
+        {
+            const auto share =
+                group.pointWeights[static_cast<Eigen::Index> (n)] * std::pow (state.shapes (group.points[n], mode), 2);
+            sum += share;
+            squares += share * share;
+        }
+
+    return std::max (0.0, varianceOfMean) * sum * sum / std::max (squares, 1e-300);
+}
+
+/** Linear functions of the unknowns: all of them, but strengths at fixed lengths of their shapes. U x U */
+Eigen::MatrixXd statedFunctions (const FitState& state, const Curvature& curvature, bool delayIsKnown)
+{
+    Eigen::MatrixXd result = Eigen::MatrixXd::Identity (state.unknowns(), state.unknowns());
+
+    for (Eigen::Index k = 0; k < state.modes(); ++k)
+        for (Eigen::Index i = 0; i < state.references(); ++i)
+            result.col (state.unknown (k, i)) -= state.strengths (k, i) * curvature.lengthChanges.col (k);
+
+    if (delayIsKnown)
+        result.row (state.unknowns() - 1).setZero();
+
+    return result;
+}
+} // namespace
+
+ModeDeviations computeDeviations (const FitState& state, double variance, bool delayIsKnown, double ridge)
+{
+    return noiseDeviations (state, curvatureOf (state, delayIsKnown, ridge), variance, delayIsKnown);
+}
+
+StatedDeviations stateDeviations (const FitState& state, double variance, bool delayIsKnown, double ridge)
+{
+    const auto curvature = curvatureOf (state, delayIsKnown, ridge);
+    StatedDeviations result { noiseDeviations (state, curvature, variance, delayIsKnown), {} };
+    result.stated = result.noise;
+    auto& stated = result.stated;
+    const auto scores = clusterScores (state, curvature.couplings);
+    const Eigen::VectorXd scatter =
+        clusterVariances (scores.unknowns, curvature.inverse, statedFunctions (state, curvature, delayIsKnown))
+            .cwiseSqrt();
+
+    for (Eigen::Index k = 0; k < state.modes(); ++k)
+    {
+        const auto resonance = state.basis.angularFrequencies[k], damping = state.basis.dampingRatios[k];
+        const auto enlarge = [&] (double& value, double by) { value = std::max (value, by); };
+        const auto ofShapes = std::sqrt (std::max (1.0, scores.shapeSpreads[k] / (variance / 2)));
+        const auto length = ofShapes * std::sqrt (ownLengthVariance (state, curvature.couplings, k) * variance / 2);
+        enlarge (stated.angularFrequencies[k], damping * resonance * scatter[state.unknown (k, state.references())]);
+        enlarge (stated.dampingRatios[k], damping * scatter[state.unknown (k, state.references() + 1)]);
+
+        for (Eigen::Index i = 0; i < state.references(); ++i)
+            enlarge (stated.participation (k, i),
+                     resonance * std::hypot (scatter[state.unknown (k, i)], state.strengths (k, i) * length));
+
+        stated.shapes.col (k) *= ofShapes;
+
+        // Resonances that differ widen the common one by their mean square, and lower shapes by a quarter of theirs.
+        const auto noise = result.noise.angularFrequencies[k] / (damping * resonance);
+        const auto spread =
+            frequencySpread (state, k, std::pow (scatter[state.unknown (k, state.references())], 2) - noise * noise);
+        stated.dampingRatios[k] = std::hypot (stated.dampingRatios[k], damping * spread);
+        stated.shapes.col (k) =
+            (stated.shapes.col (k).array().square() + (state.shapes.col (k).array() * (spread / 3)).square()).sqrt();
+    }
+
+    if (! delayIsKnown)
+        stated.delay = std::max (stated.delay, scatter[state.unknowns() - 1] * state.delayUnit());
+
+    return result;
+}
+
+StatedDeviations statedForComplex (StatedDeviations ofReal, double realVariance, const FreeResidues& fit,
+                                   double variance, const PreparedResponses& data, double ridge)
+{
+    auto equations = poleEquations (fit.basis, fit.products, data.columnWeights, ridge);
+    const auto curvature = inverse (std::move (equations.matrix));
+    const auto modes = fit.basis.modes();
+    const Eigen::VectorXd noise = (curvature.diagonal() * (variance / 2)).cwiseSqrt();
+    const Eigen::VectorXd scatter = clusterVariances (clustered (equations.scores, data.columnWeights, data.points()),
+                                                      curvature, Eigen::MatrixXd::Identity (2 * modes, 2 * modes))
+                                        .cwiseSqrt();
+    const auto take = [&] (ModeDeviations& deviations, const Eigen::VectorXd& relative)
+    {
+        const auto scale = std::sqrt (variance / std::max (realVariance, 1e-300));
+        deviations.dampingRatios = fit.basis.dampingRatios.cwiseProduct (relative.tail (modes));
+        deviations.angularFrequencies =
+            fit.basis.angularFrequencies.cwiseProduct (fit.basis.dampingRatios).cwiseProduct (relative.head (modes));
+        deviations.shapes *= scale;
+        deviations.participation *= scale;
+        deviations.delay *= scale;
+    };
+    take (ofReal.noise, noise);
+    take (ofReal.stated, noise.cwiseMax (scatter));
+    return ofReal;
 }
 } // namespace antinode

@@ -112,6 +112,17 @@ double estimateVariance (const NormalModeFit& fit, const PreparedResponses& data
     return data.responses->variances.empty() ? found : std::max (1.0, found);
 }
 
+/** The same of free residues. */
+double freeVariance (const FreeResidues& fit, const PreparedResponses& data, double ridge)
+{
+    const auto columns = static_cast<double> ((data.columnWeights.array() > 0).count());
+    const auto modes = static_cast<double> (fit.basis.modes());
+    const auto freedom =
+        std::max (static_cast<double> (data.lines()) * columns - modes * (columns + 1) - 2 * columns, 1.0);
+    const auto found = freeCost (fit, data.columnWeights, ridge) / freedom;
+    return data.responses->variances.empty() ? found : std::max (1.0, found);
+}
+
 /** Fits, takes out what does not stand out of the noise, and fits again, until all do. */
 NormalModeFit fitWhatStandsOut (const PreparedResponses& data, NormalModeStart start,
                                 std::vector<PoleCluster>& clusters, const Patience& patience, double ridge)
@@ -211,10 +222,14 @@ void sortModes (IdentifiedModes& modes)
     sortVector (modes.dampingRatios);
     sortColumns (modes.shapes);
     sortRows (modes.participation);
-    sortVector (modes.deviations.angularFrequencies);
-    sortVector (modes.deviations.dampingRatios);
-    sortColumns (modes.deviations.shapes);
-    sortRows (modes.deviations.participation);
+
+    for (auto* const deviations : { &modes.deviations, &modes.noiseDeviations })
+    {
+        sortVector (deviations->angularFrequencies);
+        sortVector (deviations->dampingRatios);
+        sortColumns (deviations->shapes);
+        sortRows (deviations->participation);
+    }
 
     if (modes.complexShapes.size() > 0)
     {
@@ -244,7 +259,14 @@ IdentifiedModes described (const NormalModeFit& fit, const FreeResidues& residue
     result.participation = modes.participation;
     result.delay = modes.delay;
     const auto variance = estimateVariance (fit, data);
-    result.deviations = computeDeviations (fit.state, variance, options.delay.has_value(), options.ridge);
+    auto deviations = stateDeviations (fit.state, variance, options.delay.has_value(), options.ridge);
+
+    if (residues.basis.functions == complexModeFunctions)
+        deviations = statedForComplex (std::move (deviations), variance, residues,
+                                       freeVariance (residues, data, options.ridge), data, options.ridge);
+
+    result.deviations = std::move (deviations.stated);
+    result.noiseDeviations = std::move (deviations.noise);
     result.residuals = residualTerms (fit.state, data.points(), data.references());
     result.quality = assessResidues (residues.residues, data);
     const auto strengths = signalToNoise (fit.state, variance, options.ridge);

@@ -14,8 +14,7 @@ enum class ShapeScaling
                   ///< not known.
 };
 
-/** The uncertainty of an estimate: standard deviations from the curvature of the likelihood, the Cramer-Rao bound for
-   the noise that is given or was found in the residuals. N_m modes, N_b references, N_p points. Docs/Theory.md,
+/** The uncertainty of an estimate: standard deviations. N_m modes, N_b references, N_p points. Docs/Theory.md,
    section 8.5. */
 struct ModeDeviations
 {
@@ -81,7 +80,8 @@ struct IdentifiedModes
     Eigen::MatrixXcd complexParticipation; ///< N_m x N_b; with complexShapes as the real ones; empty where they are.
     std::string kindReason;                ///< Why modes are real or complex, a sentence; empty where options said it.
     double delay = 0;                      ///< s, common to all.
-    ModeDeviations deviations;
+    ModeDeviations deviations;             ///< The larger of noise's and of what points and references disagree by.
+    ModeDeviations noiseDeviations;   ///< Of white noise alone, the Cramer-Rao bound; empty where peaks were picked.
     std::vector<ModeQuality> quality; ///< N_m
     ShapeScaling scaling = ShapeScaling::convention;
     std::string scalingReason; ///< Why this scaling, as a sentence.

@@ -95,8 +95,8 @@ ModeKind decideModeKind (const FitErrors& realErrors, const FitErrors& complexEr
     if (const auto gain =
             (total (realErrors.energies) - total (complexErrors.energies)) / realErrors.dataEnergies.dot (isActive);
         gain < negligible)
-        return real ("complex shapes explain only " + fixedText (10 * std::log10 (std::max (gain, 1e-30)), 0)
-                     + " dB more of the responses");
+        return real ("complex shapes would explain no more than "
+                     + fixedText (10 * std::log10 (std::max (gain, 1e-30)), 0) + " dB of the responses");
 
     const auto energy = total (realErrors.energies), noise = total (complexErrors.roughness);
     const auto share = (energy - total (complexErrors.energies)) / std::max (energy - noise, 1e-300);

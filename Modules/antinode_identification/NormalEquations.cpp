@@ -263,6 +263,8 @@ ShapeCoupling shapeCoupling (const FitState& state, const PointGroup& group, dou
     Eigen::MatrixXd right (state.modes(), coupling.cols() + state.modes());
     right << coupling, Eigen::MatrixXd::Identity (state.modes(), state.modes());
     const auto solved = solveSemidefinite (shapeMatrix (state, group, ridge), right);
-    return { solved.leftCols (coupling.cols()), solved.rightCols (state.modes()).diagonal() };
+    Eigen::MatrixXd inverse = solved.rightCols (state.modes());
+    Eigen::VectorXd diagonal = inverse.diagonal();
+    return { solved.leftCols (coupling.cols()), std::move (inverse), std::move (diagonal) };
 }
 } // namespace antinode

@@ -56,10 +56,10 @@ struct NormalEquations
 NormalEquations normalEquations (const FitState&, double ridge);
 
 /** The coupling of the unknowns of one group with the shapes of one of its points, per unit of the shape: K^-1 X, N_m x
-   N_m (N_b + 3), the last N_m columns for a delay of each mode on its own; and the diagonal of K^-1. */
+   N_m (N_b + 3), the last N_m columns for a delay of each mode on its own; K^-1; and its diagonal. */
 struct ShapeCoupling
 {
-    Eigen::MatrixXd perUnknown;
+    Eigen::MatrixXd perUnknown, inverse;
     Eigen::VectorXd inverseDiagonal;
 };
 

@@ -53,8 +53,13 @@ void scaleMode (IdentifiedModes& modes, Eigen::Index mode, double factor)
 {
     modes.shapes.col (mode) *= factor;
     modes.participation.row (mode) /= factor;
-    modes.deviations.shapes.col (mode) *= std::abs (factor);
-    modes.deviations.participation.row (mode) /= std::abs (factor);
+
+    for (auto* const deviations : { &modes.deviations, &modes.noiseDeviations })
+        if (deviations->shapes.size() > 0)
+        {
+            deviations->shapes.col (mode) *= std::abs (factor);
+            deviations->participation.row (mode) /= std::abs (factor);
+        }
 
     if (modes.complexShapes.size() > 0)
     {

@@ -215,11 +215,11 @@ ReportSection numberSection (const IdentificationResult& result)
 {
     ReportSection section;
     section.heading = "Table of modes";
-    section.paragraphs = {
-        "Values after a plus-minus sign are standard deviations from the noise in the responses. MPC (modal phase "
-        "collinearity) is 1 if all points move in phase. One shape: the fraction of a mode's energy that one shape "
-        "times one participation explains."
-    };
+    section.paragraphs = { "Values after a plus-minus sign are standard deviations: the larger of that from the noise "
+                           "in the responses and "
+                           "of that from what points and references disagree by. MPC (modal phase collinearity) is 1 "
+                           "if all points move in phase. One shape: the fraction of a mode's energy that one shape "
+                           "times one participation explains." };
     auto table = modeTable (result);
     const auto warnings = warningColumn (result);
     table.header.emplace_back ("warnings");
@@ -246,7 +246,7 @@ ReportPage identificationReport (const IdentificationResult& result, const std::
                     { "reconstruction error", fixedText (modes.reconstructionError, 1) + " dB",
                       "part of the measured responses that modes and residual terms do not explain; "
                           + fixedText (modes.modalReconstructionError, 1) + " dB by the modes alone" },
-                    { "delay", fixedText (1e6 * modes.delay, 3) + " \xC2\xB5s", "common delay of all responses" } };
+                    { "delay", delayInWords (modes) + " \xC2\xB5s", "common delay of all responses" } };
     page.warnings = summariseWarnings (result);
     page.sections = { stabilisationSection (result), responseSection (result),
                       shapeSection (result, ! diagramName.empty()), assuranceSection (result) };

@@ -86,6 +86,11 @@ std::string scalingInWords (const IdentifiedModes& modes)
     return size + (modes.scalingReason.empty() ? "." : " (" + modes.scalingReason + ").");
 }
 
+std::string delayInWords (const IdentifiedModes& modes)
+{
+    return withDeviation (partsPerMillion * modes.delay, partsPerMillion * modes.deviations.delay, 3);
+}
+
 ReportTable modeTable (const IdentificationResult& result)
 {
     const auto& modes = result.modes;

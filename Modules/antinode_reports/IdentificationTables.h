@@ -16,6 +16,9 @@ std::vector<std::string> summariseWarnings (const IdentificationResult&);
 /** A column for modeTable(): the warnings of each mode. [any] */
 std::vector<std::string> warningColumn (const IdentificationResult&);
 
+/** The delay with its standard deviation, us: "10.700 +- 0.003" [any] */
+std::string delayInWords (const IdentifiedModes&);
+
 /** One row per mode: frequency and damping ratio with standard deviations, quality. [any] */
 ReportTable modeTable (const IdentificationResult&);
 

@@ -167,9 +167,10 @@ void writeFiles (const IdentificationResult& result, const IdentifyOptions& opti
 void print (const IdentificationResult& result)
 {
     const auto& modes = result.modes;
-    std::printf ("%s: %td modes from %.1f to %.1f Hz, reconstruction error %s, delay %.3f us\n%s",
+    std::printf ("%s: %td modes from %.1f to %.1f Hz, reconstruction error %s, delay %s us\n%s",
                  result.model.name.c_str(), modes.modes(), modes.minimumFrequency, modes.maximumFrequency,
-                 reconstructionError (result).c_str(), 1e6 * modes.delay, tableText (modeTable (result)).c_str());
+                 reconstructionError (result).c_str(), delayInWords (modes).c_str(),
+                 tableText (modeTable (result)).c_str());
 
     if (! modes.kindReason.empty())
         std::printf ("%s\n", modes.kindReason.c_str());

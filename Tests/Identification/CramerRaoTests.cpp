@@ -107,7 +107,8 @@ KnownStructure threeModes()
 }
 } // namespace
 
-TEST_CASE ("Stated deviations are the Cramer-Rao bound of the whole model, computed by brute force", "[identification]")
+TEST_CASE ("Stated deviations of noise are the Cramer-Rao bound of the whole model, computed by brute force",
+           "[identification]")
 {
     const auto frequencies = lines (500, 1700, 4);
     auto responses = idealResponses (threeModes(), frequencies);
@@ -130,8 +131,9 @@ TEST_CASE ("Stated deviations are the Cramer-Rao bound of the whole model, compu
 
     for (Eigen::Index k = 0; k < modeCount; ++k)
     {
-        CHECK (modes.deviations.angularFrequencies[k] == Approx (std::sqrt (covariance (k, k))).epsilon (tolerance));
-        CHECK (modes.deviations.dampingRatios[k]
+        CHECK (modes.noiseDeviations.angularFrequencies[k]
+               == Approx (std::sqrt (covariance (k, k))).epsilon (tolerance));
+        CHECK (modes.noiseDeviations.dampingRatios[k]
                == Approx (std::sqrt (covariance (modeCount + k, modeCount + k))).epsilon (tolerance));
 
         // The size of a participation at fixed length of its shape.
@@ -141,11 +143,11 @@ TEST_CASE ("Stated deviations are the Cramer-Rao bound of the whole model, compu
             weights[Parameters::participation + i * modeCount + k] = 1;
             weights.segment (Parameters::shapes + k * pointCount, pointCount) =
                 modes.participation (k, i) * modes.shapes.col (k) / modes.shapes.col (k).squaredNorm();
-            CHECK (modes.deviations.participation (k, i)
+            CHECK (modes.noiseDeviations.participation (k, i)
                    == Approx (std::sqrt (weights.dot (covariance * weights))).epsilon (tolerance));
         }
     }
 
-    CHECK (modes.deviations.delay
+    CHECK (modes.noiseDeviations.delay
            == Approx (std::sqrt (covariance (Parameters::delay, Parameters::delay))).epsilon (tolerance));
 }
