@@ -60,6 +60,16 @@ double fromMilliamperes (double milliamperes)
     return milliamperes / 1000;
 }
 
+double fromGrams (double grams)
+{
+    return grams / 1000;
+}
+
+double fromNewtonsPerMillimetre (double newtonsPerMillimetre)
+{
+    return newtonsPerMillimetre * 1000;
+}
+
 double fromNanofarads (double nanofarads)
 {
     return nanofarads / 1e9;
@@ -88,6 +98,16 @@ double toMilliseconds (double seconds)
 double toVoltsPerMicrosecond (double voltsPerSecond)
 {
     return inverted (fromVoltsPerMicrosecond, voltsPerSecond, voltsPerSecond / 1e6);
+}
+
+double toGrams (double kilograms)
+{
+    return inverted (fromGrams, kilograms, kilograms * 1000);
+}
+
+double toNewtonsPerMillimetre (double newtonsPerMetre)
+{
+    return inverted (fromNewtonsPerMillimetre, newtonsPerMetre, newtonsPerMetre / 1000);
 }
 
 double toNanofarads (double farads)

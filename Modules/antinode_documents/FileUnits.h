@@ -14,6 +14,12 @@ double fromVoltsPerMicrosecond (double voltsPerMicrosecond);
 /** mA to A, correctly rounded. [any] */
 double fromMilliamperes (double milliamperes);
 
+/** g to kg, correctly rounded. [any] */
+double fromGrams (double grams);
+
+/** N/mm to N/m. [any] */
+double fromNewtonsPerMillimetre (double newtonsPerMillimetre);
+
 /** nF to F. [any] */
 double fromNanofarads (double nanofarads);
 
@@ -32,6 +38,12 @@ double toMilliseconds (double seconds);
 
 /** The same for V/us. [any] */
 double toVoltsPerMicrosecond (double voltsPerSecond);
+
+/** The same for g. [any] */
+double toGrams (double kilograms);
+
+/** N/m to N/mm, correctly rounded. [any] */
+double toNewtonsPerMillimetre (double newtonsPerMetre);
 
 /** The same for nF. [any] */
 double toNanofarads (double farads);

@@ -13,6 +13,7 @@ namespace
 {
 constexpr std::size_t maximumTargets = 64;
 constexpr std::size_t maximumProbes = 64;
+constexpr std::size_t maximumFingers = 10;
 constexpr int maximumCycles = 1000000;
 constexpr NumberRange velocityMillimetresPerSecond { 1e-6, 1e7 };
 constexpr NumberRange captured { 0, 1, true };
@@ -22,6 +23,10 @@ constexpr NumberRange brakeMilliseconds { 1, 1000 };
 constexpr NumberRange guardWeight { 0, 1e12 };
 constexpr NumberRange robustWeight { 0, 1e9, true };
 constexpr NumberRange tukey { 0, 1 };
+constexpr NumberRange fingerRadius { 0, 20 };     // mm
+constexpr NumberRange fingerMass { 0, 10 };       // g
+constexpr NumberRange fingerDamping { 0, 1000 };  // N s/m
+constexpr NumberRange fingerStiffness { 0, 100 }; // N/mm
 
 std::optional<double> optionalNumber (const JsonObject& object, std::string_view key, const NumberRange& range)
 {
@@ -204,6 +209,33 @@ AllocationChoice readAllocation (const JsonValue& value)
     return allocation;
 }
 
+/** A built-in finger with what the file says instead. */
+Finger readFinger (const JsonValue& value)
+{
+    const auto object = value.object (
+        { "x_mm", "y_mm", "kind", "radius_mm", "mass_g", "damping_N_s_per_m", "stiffness_N_per_mm", "known" });
+    const auto x = fromMillimetres (object.required ("x_mm").number (ranges::positionMillimetre));
+    const auto y = fromMillimetres (optionalNumber (object, "y_mm", ranges::positionMillimetre).value_or (0));
+    const auto kind = object.optional ("kind");
+    auto finger = builtInFinger (kind ? kind->choice (fingerKindWords) : "medium", x, y);
+
+    if (const auto radius = optionalNumber (object, "radius_mm", fingerRadius))
+        finger.radius = fromMillimetres (*radius);
+
+    if (const auto mass = optionalNumber (object, "mass_g", fingerMass))
+        finger.mass = fromGrams (*mass);
+
+    finger.damping = optionalNumber (object, "damping_N_s_per_m", fingerDamping).value_or (finger.damping);
+
+    if (const auto stiffness = optionalNumber (object, "stiffness_N_per_mm", fingerStiffness))
+        finger.stiffness = fromNewtonsPerMillimetre (*stiffness);
+
+    if (const auto known = object.optional ("known"))
+        finger.isKnown = known->boolean();
+
+    return finger;
+}
+
 std::vector<std::pair<double, double>> readProbes (const JsonValue& value)
 {
     std::vector<std::pair<double, double>> probes;
@@ -223,7 +255,7 @@ FocusDescription readFocus (const nlohmann::json& document, const std::string& s
     const JsonValue value (document, source);
     value.requireSchema ("antinode.focus/1");
     const auto object = value.object ({ "schema", "name", "targets", "focus_time_ms", "modes", "transients",
-                                        "allocation", "edge_window", "probes_mm" });
+                                        "allocation", "edge_window", "probes_mm", "fingers" });
     FocusDescription focus;
 
     for (const auto& target : object.required ("targets").items (1, maximumTargets))
@@ -248,6 +280,10 @@ FocusDescription readFocus (const nlohmann::json& document, const std::string& s
 
     if (const auto probes = object.optional ("probes_mm"))
         focus.probes = readProbes (*probes);
+
+    if (const auto fingers = object.optional ("fingers"))
+        for (const auto& finger : fingers->items (0, maximumFingers))
+            focus.fingers.push_back (readFinger (finger));
 
     return focus;
 }

@@ -24,6 +24,14 @@ inline constexpr WordList<ModeOrder, 2> modeOrderWords { { { "energy", ModeOrder
 inline constexpr WordList<DriveKind, 2> driveKindWords { { { "offset_free", DriveKind::offsetFree },
                                                            { "paper", DriveKind::paper } } };
 
+inline constexpr auto fingerKindWords = []
+{
+    WordList<const char*, fingerKinds.size()> words;
+    std::transform (fingerKinds.begin(), fingerKinds.end(), words.begin(),
+                    [] (const auto& each) { return std::pair (std::string_view (each.name), each.name); });
+    return words;
+}();
+
 inline constexpr auto allocationMethodWords = []
 {
     WordList<AllocationMethod, allocationMethods.size()> words;

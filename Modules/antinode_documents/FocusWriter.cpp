@@ -94,6 +94,18 @@ Json allocationToJson (const AllocationChoice& allocation)
 
     return object;
 }
+
+Json fingerToJson (const Finger& finger)
+{
+    return { { "x_mm", toMillimetres (finger.x) },
+             { "y_mm", toMillimetres (finger.y) },
+             { "kind", finger.name },
+             { "radius_mm", toMillimetres (finger.radius) },
+             { "mass_g", toGrams (finger.mass) },
+             { "damping_N_s_per_m", finger.damping },
+             { "stiffness_N_per_mm", toNewtonsPerMillimetre (finger.stiffness) },
+             { "known", finger.isKnown } };
+}
 } // namespace
 
 nlohmann::ordered_json focusToJson (const FocusDescription& focus)
@@ -116,6 +128,9 @@ nlohmann::ordered_json focusToJson (const FocusDescription& focus)
 
     for (const auto& [x, y] : focus.probes)
         object["probes_mm"].push_back ({ toMillimetres (x), toMillimetres (y) });
+
+    for (const auto& finger : focus.fingers)
+        object["fingers"].push_back (fingerToJson (finger));
 
     return object;
 }

@@ -27,7 +27,6 @@ void requireFinite (const Finger& finger, const std::string& where)
     check ("mass", finger.mass);
     check ("damping", finger.damping);
     check ("stiffness", finger.stiffness);
-    check ("preload", finger.preload);
 }
 
 void requireInside (const std::string& where, double value, double least, double most)

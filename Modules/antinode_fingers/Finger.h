@@ -12,15 +12,13 @@ namespace antinode
    fingertip pressed along the normal, not of a person; nothing measured is known from 1 to 50 kHz. */
 struct Finger
 {
-    std::string name;        ///< For tables and messages: "medium", "thumb".
-    double x = 0, y = 0;     ///< Middle of the contact, m.
-    double radius = 0.005;   ///< Of the contact, m; 0: a point.
-    double mass = 1e-4;      ///< kg that moves with the surface.
-    double damping = 1.5;    ///< N s/m
-    double stiffness = 600;  ///< N/m
-    bool isKnown = true;     ///< False: it is on the plate, but no design knows of it.
-    bool isOneSided = false; ///< It presses, but cannot pull.
-    double preload = 0.5;    ///< N with which a one-sided finger presses at rest.
+    std::string name;       ///< For tables and messages: "medium", "thumb".
+    double x = 0, y = 0;    ///< Middle of the contact, m.
+    double radius = 0.005;  ///< Of the contact, m; 0: a point.
+    double mass = 1e-4;     ///< kg that moves with the surface.
+    double damping = 1.5;   ///< N s/m
+    double stiffness = 600; ///< N/m
+    bool isKnown = true;    ///< False: it is on the plate, but no design knows of it.
 };
 
 /** From where to where the literature leaves a property open. */

@@ -43,7 +43,14 @@ void sortByEnergy (std::vector<int>& modes, const ModalModel& model, const Proje
 {
     Eigen::VectorXd energies = target.modalVelocities.cwiseAbs2();
 
-    if (! model.coversWholeBody)
+    // Of complex shapes some are nearly alike, under a finger for example: their coefficients would cancel each other.
+    if (model.hasComplexModes())
+        for (Eigen::Index k = 0; k < energies.size(); ++k)
+        {
+            const Eigen::VectorXd weighted = model.surface.masses.cwiseProduct (model.shapes.col (k));
+            energies[k] = std::pow (weighted.dot (target.field), 2) / weighted.dot (model.shapes.col (k));
+        }
+    else if (! model.coversWholeBody)
         for (Eigen::Index k = 0; k < energies.size(); ++k)
             energies[k] *= model.surface.masses.dot (model.shapes.col (k).cwiseAbs2());
 

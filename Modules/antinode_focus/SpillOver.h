@@ -13,9 +13,11 @@ inline constexpr double allowedSpillOver = 1e-3;
 /** A device with modes beyond those that it says, all on its own points. */
 struct WideModel
 {
-    ModalModel model;       ///< The device's modes, bit for bit, then those beyond.
-    Eigen::Index known = 0; ///< How many are the device's own.
-    std::string obstacle;   ///< Why they do not go on to where they were wanted; empty where they do.
+    ModalModel model;                        ///< The device's modes, bit for bit, then those beyond.
+    Eigen::Index known = 0;                  ///< How many are the device's own.
+    std::string obstacle;                    ///< Why they do not go on to where they were wanted; empty where they do.
+    std::optional<ModalModel> designed = {}; ///< What designs are made for where fingers change the modes; none: the
+                                             ///< known ones.
 
     /** The highest frequency of all, Hz. */
     double highestFrequency() const { return model.frequencyHz (model.modes() - 1); }

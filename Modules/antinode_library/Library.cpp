@@ -4,6 +4,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
+#include <antinode_fingers/LoadedModel.h>
 #include <antinode_resources.h>
 #include <antinode_structure/StaticShare.h>
 #include <antinode_text/JsonText.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <iterator>
 
 namespace antinode
 {
@@ -254,9 +256,33 @@ WideModel solveWide (const DeviceDescription& device, const ModalModel& known, d
     return { known, known.modes(), "No more modes can be solved: what spills over into others is not known." };
 }
 
+namespace
+{
+/** Fingers change the modes: those that the design knows of are in what it is made for, all of them in what is played.
+ */
+WideDesign designUnderFingers (const WideModel& wide, const FocusDescription& focus, Playback playback)
+{
+    std::vector<Finger> known;
+    std::copy_if (focus.fingers.begin(), focus.fingers.end(), std::back_inserter (known),
+                  [] (const auto& finger) { return finger.isKnown; });
+    auto played = loadedModel (wide.model, focus.fingers);
+    auto designed = loadedModel (firstModes (wide.model, wide.known), known);
+    auto design = known.empty() ? designWithin (wide, focus, playback) : designFocus (designed, focus, playback);
+    const auto count = played.modes();
+    const auto sentence = "Not told apart: fingers mix the modes of the device with those beyond. Played are "
+                          + std::to_string (count) + " modes, to " + inWords (played.frequencyHz (count - 1)) + " Hz.";
+    design.choices.push_back ("Fingers on the surface: " + std::to_string (focus.fingers.size())
+                              + ", of which the design knows " + std::to_string (known.size()) + ".");
+    return { { std::move (played), count, sentence, std::move (designed) }, std::move (design) };
+}
+} // namespace
+
 WideDesign designWide (const DeviceDescription& device, WideModel wide, const FocusDescription& focus,
                        Playback playback, bool usesCache)
 {
+    if (! focus.fingers.empty())
+        return designUnderFingers (wide, focus, playback);
+
     auto design = designWithin (wide, focus, playback);
 
     if (design.spillOver && design.spillOver->guardedBeyond > 0 && wide.obstacle.empty()

@@ -77,6 +77,7 @@ struct WideDesign
 };
 
 /** Designs a focus within a wide model, which is solved further where the design guards modes beyond the device's own.
+    Where fingers are on the surface, the wide model is loaded by all of them, and the design by those that it knows.
     @throws InputError, LimitError  as designFocus [worker] */
 WideDesign designWide (const DeviceDescription&, WideModel, const FocusDescription&, Playback, bool usesCache);
 

@@ -69,6 +69,11 @@ std::string limitInWords (const RenderedFocus& focus)
     if (std::max (transient (worst), missing (worst)) < fine)
         return "Nothing limits the field by more than " + inWords (100 * fine) + " %.";
 
+    if (transient (worst) > missing (worst) && ! design.description.fingers.empty())
+        return "Fingers limit the field: it is " + percent (transient (worst))
+               + " off what the controlled modes represent. Let the design know them (focus.fingers, known), or take "
+                 "the allocation 'exact'.";
+
     if (transient (worst) > missing (worst))
         return transientInWords (design, design.moments[worst], focus.moments[worst].modalVelocities,
                                  transient (worst));

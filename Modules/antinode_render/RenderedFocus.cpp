@@ -139,7 +139,7 @@ RenderedFocus renderFocus (WideModel wide, FocusDesign design, const RenderOptio
     result.truncatedScore = result.moments.front().truncatedScore;
     result.contrast = fieldContrast (model.surface, result.reachedField, design.moments.front().targets,
                                      result.moments.front().peak.velocity);
-    result.known = firstModes (model, wide.known);
+    result.known = wide.designed ? *std::move (wide.designed) : firstModes (model, wide.known);
     result.obstacle = std::move (wide.obstacle);
     result.model = std::move (wide.model);
     result.design = std::move (design);
@@ -176,7 +176,7 @@ std::string spillOverInWords (const RenderedFocus& focus)
 {
     const auto beyond = focus.model.modes() - focus.known.modes();
 
-    if (beyond == 0)
+    if (beyond == 0 || ! focus.design.description.fingers.empty())
         return focus.obstacle;
 
     const auto highest = [] (const ModalModel& model) { return inWords (model.frequencyHz (model.modes() - 1)); };

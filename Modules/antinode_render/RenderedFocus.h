@@ -54,7 +54,7 @@ struct ResidualMotion
 struct RenderedFocus
 {
     ModalModel model;     ///< That was played: with modes beyond the device's own, where there are any.
-    ModalModel known;     ///< With the device's own modes.
+    ModalModel known;     ///< With the device's own modes, loaded by the fingers that the design knows.
     std::string obstacle; ///< Why it was not played with modes far enough beyond; empty where it was.
     FocusDesign design;
     Render render;

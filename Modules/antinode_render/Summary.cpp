@@ -1,5 +1,7 @@
 #include "Summary.h"
 
+#include "FingerMotion.h"
+
 #include <antinode_base/Prefixes.h>
 #include <antinode_documents/FocusWords.h>
 #include <antinode_focus/DesignFocus.h>
@@ -34,7 +36,7 @@ nlohmann::ordered_json fociJson (const RenderedFocus& focus)
 nlohmann::ordered_json spillOverJson (const RenderedFocus& focus)
 {
     nlohmann::ordered_json spill;
-    const auto hasBeyond = focus.model.modes() > focus.known.modes();
+    const auto hasBeyond = focus.model.modes() > focus.known.modes() && focus.design.description.fingers.empty();
     spill["share"] = hasBeyond ? nlohmann::ordered_json (spillOverShare (focus)) : nlohmann::ordered_json();
     spill["device_modes"] = focus.known.modes();
     spill["highest_frequency_Hz"] = focus.model.frequencyHz (focus.model.modes() - 1);
@@ -177,6 +179,9 @@ nlohmann::ordered_json summaryToJson (const RenderedFocus& focus, const FocusOut
                           { "time_ms", certificate.milliseconds } };
     summary["probes"] = probesJson (focus);
     summary["warnings"] = design.warnings;
+
+    if (! design.description.fingers.empty())
+        summary["fingers"] = fingersToJson (focus);
 
     if (focus.felt)
         summary["felt"] = feltToJson (*focus.felt);

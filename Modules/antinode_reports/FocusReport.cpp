@@ -10,6 +10,7 @@
 #include <antinode_charts/FocusCharts.h>
 #include <antinode_documents/FocusWords.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_render/FingerMotion.h>
 
 #include <algorithm>
 #include <array>
@@ -45,6 +46,10 @@ ReportSection fieldSection (const RenderedFocus& focus)
     for (auto& figure : laterFieldFigures (focus))
         section.figures.push_back (std::move (figure));
 
+    // With fingers the modes that are played are not those of the design.
+    if (! design.description.fingers.empty())
+        return section;
+
     section.figures.push_back (
         { "Modal velocities at the focus. Modes without a wanted bar are not controlled, but kept small.",
           {},
@@ -69,10 +74,20 @@ ReportSection voltageSection (const RenderedFocus& focus)
     return section;
 }
 
-ReportSection motionSection (const RenderedFocus& focus)
+ReportFigure transientsFigure (const RenderedFocus& focus)
 {
     auto transients = transientsChart (focus.model, focus.design, focus.render, shownTransients);
     const auto height = comfortableHeight (transients);
+    return { "Transients of the strongest controlled modes: the largest contribution of each mode anywhere on the "
+             "surface.",
+             {},
+             std::move (transients),
+             900,
+             height };
+}
+
+ReportSection motionSection (const RenderedFocus& focus)
+{
     ReportSection section;
     section.heading = "Motion over time";
 
@@ -86,12 +101,8 @@ ReportSection motionSection (const RenderedFocus& focus)
                                      320 });
     }
 
-    section.figures.push_back ({ "Transients of the strongest controlled modes: the largest contribution of each mode "
-                                 "anywhere on the surface.",
-                                 {},
-                                 std::move (transients),
-                                 900,
-                                 height });
+    if (focus.design.description.fingers.empty())
+        section.figures.push_back (transientsFigure (focus));
 
     if (! focus.probes.empty())
         section.figures.push_back ({ "Spectrogram of the velocity at the first probe.",
@@ -114,11 +125,32 @@ ReportTable modeTable (const RenderedFocus& focus)
     for (std::size_t i = 0; i < design.controlledModes.size(); ++i)
     {
         const auto mode = design.controlledModes[i];
-        table.rows.push_back ({ std::to_string (mode + 1), fixedText (focus.model.frequencyHz (mode), 1),
-                                fixedText (0.5 / focus.model.dampingRatios[mode], 0),
-                                fixedText (design.target.modalVelocities[mode] * milli, 4),
-                                fixedText (focus.render.focusVelocities[mode] * milli, 4), inWords (design.growth[i]),
-                                std::to_string (design.cycles[i]) });
+        table.rows.push_back (
+            { std::to_string (mode + 1), fixedText (focus.known.frequencyHz (mode), 1),
+              fixedText (0.5 / focus.known.dampingRatios[mode], 0),
+              fixedText (design.target.modalVelocities[mode] * milli, 4),
+              design.description.fingers.empty() ? fixedText (focus.render.focusVelocities[mode] * milli, 4) : "-",
+              inWords (design.growth[i]), std::to_string (design.cycles[i]) });
+    }
+
+    return table;
+}
+
+ReportTable fingerTable (const RenderedFocus& focus)
+{
+    ReportTable table { "Fingers on the surface",
+                        { "finger", "place", "radius (mm)", "mass (g)", "damping (N s/m)", "stiffness (N/mm)",
+                          "known to the design", "at the focus (mm/s)", "at most (mm/s)" },
+                        {} };
+
+    for (const auto& motion : fingerMotions (focus))
+    {
+        const auto& finger = motion.finger;
+        table.rows.push_back ({ finger.name, placeInWords (focus.model.surface, finger.x, finger.y),
+                                inWords (finger.radius * milli), inWords (finger.mass * milli),
+                                inWords (finger.damping), inWords (finger.stiffness / milli),
+                                finger.isKnown ? "yes" : "no", inWords (motion.velocityAtFocus * milli),
+                                inWords (motion.peakVelocity * milli) });
     }
 
     return table;
@@ -137,6 +169,10 @@ ReportSection designSection (const RenderedFocus& focus)
                                   + inWords (certificate.milliseconds) + " ms. The peak of the designed voltages is "
                                   + inWords (peakVoltage (design)) + " V.");
     section.tables.push_back (modeTable (focus));
+
+    if (! design.description.fingers.empty())
+        section.tables.push_back (fingerTable (focus));
+
     return section;
 }
 } // namespace

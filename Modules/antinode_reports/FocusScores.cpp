@@ -97,7 +97,9 @@ std::vector<ReportScore> focusScores (const RenderedFocus& focus, const FocusOut
           "field itself it is "
               + percentInWords (focus.score.fieldError) + "." },
         { "Spill-over",
-          focus.model.modes() > focus.known.modes() ? percentInWords (spillOverShare (focus)) : "not known",
+          focus.model.modes() > focus.known.modes() && focus.design.description.fingers.empty()
+              ? percentInWords (spillOverShare (focus))
+              : "not known",
           "What the voltages move of modes that the device does not say: " + spillOverInWords (focus) },
         { "Captured", formatFixed (design.captured, 4),
           "Fraction of the wanted field (square root of energy) that the "

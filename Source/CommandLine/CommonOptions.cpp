@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdio>
+#include <iterator>
 
 namespace antinode
 {
@@ -18,6 +20,35 @@ namespace
 constexpr double lowestRate = 8000, highestRate = 2e6; // Hz
 constexpr const char* bandLimited = "band_limited";
 constexpr const char* zeroOrderHold = "zero_order_hold";
+
+/** "X,Y" or "X,Y,KIND", mm. */
+Finger parseFinger (const std::string& text)
+{
+    std::array<double, 2> place {};
+    const auto* at = text.data();
+    const auto* const end = at + text.size();
+
+    for (auto& value : place)
+    {
+        const auto [next, error] = std::from_chars (at, end, value);
+        const auto isLast = &value == &place.back();
+
+        if (error != std::errc() || (next == end ? ! isLast : *next != ','))
+            throw InputError ("--finger " + text,
+                              "is not a finger; allowed: X,Y or X,Y,KIND in mm, for example 60,48,firm");
+
+        at = next == end ? end : next + 1;
+    }
+
+    return builtInFinger (at == end ? "medium" : std::string (at, end), place[0] / milli, place[1] / milli);
+}
+
+/** With the fingers of the options beside its own. */
+FocusDescription withFingers (FocusDescription focus, const std::vector<std::string>& fingers)
+{
+    std::transform (fingers.begin(), fingers.end(), std::back_inserter (focus.fingers), parseFinger);
+    return focus;
+}
 } // namespace
 
 Playback CommonOptions::playback() const
@@ -40,6 +71,11 @@ void addCommonOptions (CLI::App& command, CommonOptions& options)
         .add_option ("--set", options.assignments, "Overrides a key, for example focus.targets.0.x_mm=24 (repeatable)")
         ->allow_extra_args (false)
         ->type_name ("KEY=VALUE");
+    command
+        .add_option ("--finger", options.fingers,
+                     "A finger on the surface, mm; light, medium (default) or firm (repeatable)")
+        ->allow_extra_args (false)
+        ->type_name ("X,Y[,KIND]");
     command.add_option ("--repeat-hz", options.repetitions, "Foci per second for which power and currents are told")
         ->check (CLI::Range (1e-6, 1e6))
         ->type_name ("FLOAT")
@@ -108,7 +144,7 @@ WideDesign designFrom (const CommonOptions& options)
 
 WideDesign designFrom (const CommonOptions& options, const WideModel& wide, const FocusDescription& focus)
 {
-    return designWide (loadDevice (options.device, options.assignments), wide, focus, options.playback(),
-                       options.usesCache);
+    return designWide (loadDevice (options.device, options.assignments), wide, withFingers (focus, options.fingers),
+                       options.playback(), options.usesCache);
 }
 } // namespace antinode

@@ -19,7 +19,7 @@ struct CommonOptions
     double rate = 192000; ///< Hz
     std::string reconstruction = "band_limited";
     double repetitions = 10; ///< Per second, for the electrical power.
-    std::vector<std::string> assignments;
+    std::vector<std::string> assignments, fingers;
     bool usesCache = true;
     bool isQuiet = false;
 

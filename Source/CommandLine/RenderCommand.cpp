@@ -13,6 +13,7 @@
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/LimitWords.h>
 #include <antinode_library/SkinThresholds.h>
+#include <antinode_render/FingerMotion.h>
 #include <antinode_render/Summary.h>
 #include <antinode_reports/FocusReport.h>
 #include <antinode_text/OutputFolder.h>
@@ -101,6 +102,9 @@ void printSummary (const RenderedFocus& focus, const FocusOutcome& outcome, cons
 
     if (design.limit)
         std::printf ("  voltages       %s\n", limitSentence (focus.model, *design.limit).c_str());
+
+    for (const auto& line : fingersToText (focus))
+        std::printf ("  %s\n", line.c_str());
 
     for (const auto& warning : design.warnings)
         std::printf ("  warning: %s\n", warning.c_str());

@@ -164,6 +164,35 @@ TEST_CASE ("Errors for typical mistakes in focuses give their position and what 
     CHECK (errorWith ("device=staple").find ("my.json: /device: is an unknown key; allowed: 'schema', 'name', ") == 0);
 }
 
+TEST_CASE ("Fingers of a focus are read and written; what is not given is that of their kind", "[files][fingers]")
+{
+    auto document = goodFocus();
+    document["fingers"] = nlohmann::json::parse (R"([ { "x_mm": 12, "kind": "firm" },
+        { "x_mm": -30, "y_mm": 2, "radius_mm": 3, "mass_g": 0.07, "damping_N_s_per_m": 2.5,
+          "stiffness_N_per_mm": 0.45, "known": false } ])");
+    const auto focus = readFocus (document, "my.json");
+
+    for (const auto& fingers : { focus.fingers, readFocus (focusToJson (focus), "my.json").fingers })
+    {
+        REQUIRE (fingers.size() == 2);
+        CHECK (fingers[0].x == 0.012);
+        CHECK (fingers[0].name == "firm");
+        CHECK (fingers[0].damping == 5);
+        CHECK (fingers[0].isKnown);
+        CHECK (fingers[1].y == 0.002);
+        CHECK (fingers[1].radius == 0.003);
+        CHECK (fingers[1].mass == 0.07 / 1000);
+        CHECK (fingers[1].damping == 2.5);
+        CHECK (fingers[1].stiffness == 450);
+        CHECK_FALSE (fingers[1].isKnown);
+    }
+
+    CHECK (errorWith ("fingers=[{\"x_mm\": 3, \"kind\": \"thumb\"}]")
+           == "my.json: /fingers/0/kind: is the text 'thumb'; allowed: one of 'light', 'medium', 'firm'");
+    CHECK (errorWith ("fingers=[{\"x_mm\": 3, \"mass_g\": -1}]")
+           == "my.json: /fingers/0/mass_g: is -1; allowed: 0 to 10");
+}
+
 TEST_CASE ("A focus that is to pass undisplaced says so, and still does when it is written", "[files]")
 {
     auto document = goodFocus ("minimal focus");
