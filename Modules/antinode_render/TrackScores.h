@@ -35,6 +35,6 @@ struct TrackScores
 
 /** Compares played with wanted motion. The band is cut out sharply, over the whole event with its ringing.
     @param wanted  N_s x points, m, at the rate of what was played, from the trigger on
-    [worker] Docs/Theory.md, section 5.2. */
-TrackScores scoreTracks (const PlayedTracks&, const Eigen::MatrixXd& wanted, FrequencyBand band);
+    [worker] Docs/Theory.md, section 5.3. */
+TrackScores scoreTracks (const PlayedTracks&, const Eigen::MatrixXd& wanted, TrackBand band);
 } // namespace antinode
