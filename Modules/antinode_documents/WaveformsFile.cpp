@@ -198,7 +198,7 @@ Track readTrack (const JsonValue& value, const std::filesystem::path& folder)
     return track;
 }
 
-FrequencyBand readBand (const JsonValue& value)
+TrackBand readBand (const JsonValue& value)
 {
     const auto numbers = value.numbers (2, 2, bandFrequency);
 

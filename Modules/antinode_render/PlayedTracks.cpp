@@ -16,7 +16,9 @@ PlayedTracks playTracks (const ModalModel& model, const Eigen::MatrixXd& pointSh
     const auto rate = voltages.playback.sampleRate;
     const auto count = voltages.values.cols() + static_cast<Eigen::Index> (std::ceil (ringing * rate));
     const auto stride = std::max<Eigen::Index> (1, static_cast<Eigen::Index> (rate / enoughForSkin));
-    PlayedTracks played { rate, std::llround (-voltages.firstTime * rate), {}, rate / static_cast<double> (stride), {} };
+    PlayedTracks played {
+        rate, std::llround (-voltages.firstTime * rate), {}, rate / static_cast<double> (stride), {}
+    };
     played.displacements.resize (pointShapes.rows(), count);
     played.modalVelocities.resize (model.coordinates(), (count - 1) / stride + 1);
     const Eigen::VectorXd silence = Eigen::VectorXd::Zero (voltages.values.rows());

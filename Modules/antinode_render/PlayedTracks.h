@@ -22,6 +22,5 @@ struct PlayedTracks
     @param ringing      s after the last voltage
     @throws Cancelled   when a watch of this thread says no
     [worker] Docs/Theory.md, section 6.2. */
-PlayedTracks playTracks (const ModalModel&, const Eigen::MatrixXd& pointShapes, const SampledVoltages&,
-                         double ringing);
+PlayedTracks playTracks (const ModalModel&, const Eigen::MatrixXd& pointShapes, const SampledVoltages&, double ringing);
 } // namespace antinode

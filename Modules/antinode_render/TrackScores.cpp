@@ -17,7 +17,7 @@ double decibels (double ratio)
 }
 
 /** The root of the mean square of what a signal has between two frequencies. */
-double rmsWithin (const Eigen::VectorXd& signal, double sampleRate, FrequencyBand band)
+double rmsWithin (const Eigen::VectorXd& signal, double sampleRate, TrackBand band)
 {
     const auto length = quickLength (2 * static_cast<double> (signal.size()));
     const auto spectrum = forwardFourier (signal, length);
@@ -47,7 +47,7 @@ double TrackScores::normalisedError (std::size_t finger) const
     return std::pow (fingers[finger].errorRms / fingers[finger].wantedRms, 2);
 }
 
-TrackScores scoreTracks (const PlayedTracks& played, const Eigen::MatrixXd& wanted, FrequencyBand band)
+TrackScores scoreTracks (const PlayedTracks& played, const Eigen::MatrixXd& wanted, TrackBand band)
 {
     TrackScores scores;
 

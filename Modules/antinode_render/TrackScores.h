@@ -36,5 +36,5 @@ struct TrackScores
 /** Compares played with wanted motion. The band is cut out sharply, over the whole event with its ringing.
     @param wanted  N_s x points, m, at the rate of what was played, from the trigger on
     [worker] Docs/Theory.md, section 5.3. */
-TrackScores scoreTracks (const PlayedTracks&, const Eigen::MatrixXd& wanted, FrequencyBand band);
+TrackScores scoreTracks (const PlayedTracks&, const Eigen::MatrixXd& wanted, TrackBand band);
 } // namespace antinode

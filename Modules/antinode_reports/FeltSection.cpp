@@ -82,7 +82,6 @@ ReportSection feltSection (const RenderedFocus& focus)
 {
     const auto& model = focus.model;
     const auto& felt = focus.felt.value();
-    const auto isLine = model.surface.kind == SurfaceKind::line;
     ReportSection section;
     section.heading = "What a finger feels";
     section.paragraphs = {
@@ -95,19 +94,23 @@ ReportSection feltSection (const RenderedFocus& focus)
               "finger that rests on the surface changes its motion."
     };
 
-    if (isLine)
-        section.figures.push_back ({ "Sensation level over the whole event; 0 dB is the threshold.",
-                                     {},
-                                     feltLineChart (model, felt),
-                                     reportFigureWidth,
-                                     320 });
-    else
-        section.figures.push_back ({ "Sensation level over the whole event. The line is the threshold, 0 dB.",
-                                     {},
-                                     feltMapChart (model, felt),
-                                     reportFigureWidth,
-                                     plateFigureHeight (model.surface, reportFigureWidth, 1, 1) });
-
+    section.figures.push_back (feltFigure (model, felt));
     return section;
+}
+
+ReportFigure feltFigure (const ModalModel& model, const FeltOutcome& felt)
+{
+    if (model.surface.kind == SurfaceKind::line)
+        return { "Sensation level over the whole event; 0 dB is the threshold.",
+                 {},
+                 feltLineChart (model, felt),
+                 reportFigureWidth,
+                 320 };
+
+    return { "Sensation level over the whole event. The line is the threshold, 0 dB.",
+             {},
+             feltMapChart (model, felt),
+             reportFigureWidth,
+             plateFigureHeight (model.surface, reportFigureWidth, 1, 1) };
 }
 } // namespace antinode

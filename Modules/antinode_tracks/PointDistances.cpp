@@ -5,6 +5,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
+#include <antinode_fingers/LoadedModel.h>
 #include <antinode_numerics/Median.h>
 
 #include <cmath>
@@ -18,7 +19,7 @@ constexpr double leastDifference = 0.05; // of the motion of two points: less ca
 constexpr double distanceStep = 2.5e-4;  // m, in which the least distance is looked for
 
 /** How much of the motion of each pair is its own, the median over the band: 0 where two points move alike. */
-double differenceOf (const PointResponses& responses, FrequencyBand band, Eigen::Index p, Eigen::Index q)
+double differenceOf (const PointResponses& responses, TrackBand band, Eigen::Index p, Eigen::Index q)
 {
     const auto step = responses.sampleRate / static_cast<double> (responses.length);
     std::vector<double> shares;
@@ -36,7 +37,7 @@ double differenceOf (const PointResponses& responses, FrequencyBand band, Eigen:
 }
 
 /** The responses at lines 10 Hz apart: enough to compare points by. */
-PointResponses coarseResponses (const ModalModel& model, const Eigen::MatrixXd& shapes, FrequencyBand band)
+PointResponses coarseResponses (const ModalModel& model, const Eigen::MatrixXd& shapes, TrackBand band)
 {
     constexpr double spacing = 10; // Hz
     const auto rate = 4 * band.upper;
@@ -44,7 +45,7 @@ PointResponses coarseResponses (const ModalModel& model, const Eigen::MatrixXd& 
 }
 
 /** The least distance from a point, in a direction, at which another one is told apart; none on the surface. */
-std::optional<double> leastDistance (const ModalModel& model, FrequencyBand band, const TouchedPoint& from,
+std::optional<double> leastDistance (const ModalModel& model, TrackBand band, const TouchedPoint& from,
                                      const TouchedPoint& to)
 {
     const auto distance = std::hypot (to.x - from.x, to.y - from.y);
@@ -74,8 +75,7 @@ std::vector<SurfaceLoad> touchedLoads (const ModalModel& model, const WaveformsD
 
     for (const auto& point : touchedPoints (description))
         if (const auto& finger = point.finger; finger && finger->isKnown)
-            loads.push_back (
-                { shapesAt (model, finger->x, finger->y), finger->mass, finger->damping, finger->stiffness });
+            loads.push_back ({ contactShapes (model, *finger), finger->mass, finger->damping, finger->stiffness });
 
     return loads;
 }

@@ -37,7 +37,7 @@ struct TrackSpan
     Eigen::Index length = 0; // of the transforms
 };
 
-double decayTime (const ModalModel& model, FrequencyBand band)
+double decayTime (const ModalModel& model, TrackBand band)
 {
     const auto rates = decayRates (model);
     auto slowest = rates[0];
@@ -97,7 +97,7 @@ void requireMemory (const TrackSpan& span, Eigen::Index points, Eigen::Index act
 
 /** The median over the band of the smallest singular value of the responses, squared: from the trace of the inverse, of
    which it is the largest part. */
-double smallestResponse (const PointResponses& responses, FrequencyBand band)
+double smallestResponse (const PointResponses& responses, TrackBand band)
 {
     const auto step = responses.sampleRate / static_cast<double> (responses.length);
     std::vector<double> squares;
@@ -211,7 +211,7 @@ double boundOf (TrackWork& work, const LimitedTracks& limited, double level)
 /** The largest share of the wanted levels that the limits allow. */
 [[noreturn]] void throwUnreachable (TrackWork& work, const TrackSolution& unlimited, double unlimitedPeak)
 {
-    constexpr int bisections = 5;
+    constexpr int bisections = 3;
     auto reached = 1 / unlimitedPeak, beyond = 1.0, bound = 0.0;
     const auto attempt = [&] (double level)
     {

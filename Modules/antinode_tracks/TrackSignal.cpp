@@ -79,7 +79,7 @@ double valueAt (const ToneSignal& tone, double time)
 }
 
 template <typename Signal>
-Eigen::VectorXd sampled (const Signal& signal, FrequencyBand, double sampleRate, Eigen::VectorXd samples)
+Eigen::VectorXd sampled (const Signal& signal, TrackBand, double sampleRate, Eigen::VectorXd samples)
 {
     for (Eigen::Index n = 0; n < samples.size(); ++n)
         if (const auto time = static_cast<double> (n) / sampleRate; time <= durationOf (signal))
@@ -89,7 +89,7 @@ Eigen::VectorXd sampled (const Signal& signal, FrequencyBand, double sampleRate,
 }
 
 /** Tones of equal amplitude and random phase, as many as have a whole number of periods. */
-Eigen::VectorXd sampled (const NoiseSignal& noise, FrequencyBand band, double sampleRate, Eigen::VectorXd samples)
+Eigen::VectorXd sampled (const NoiseSignal& noise, TrackBand band, double sampleRate, Eigen::VectorXd samples)
 {
     RandomNumbers random (noise.seed);
     const auto first = static_cast<std::int64_t> (std::ceil (band.lower * noise.duration));
@@ -115,7 +115,7 @@ Eigen::VectorXd sampled (const NoiseSignal& noise, FrequencyBand band, double sa
 }
 
 /** What is in the band, without a shift in time. */
-Eigen::VectorXd withinBand (const Eigen::VectorXd& samples, FrequencyBand band, double sampleRate)
+Eigen::VectorXd withinBand (const Eigen::VectorXd& samples, TrackBand band, double sampleRate)
 {
     constexpr double silence = 0.1; // s, in which the filter dies away
     const auto length = quickLength (static_cast<double> (samples.size()) + silence * sampleRate);
@@ -132,7 +132,7 @@ Eigen::VectorXd withinBand (const Eigen::VectorXd& samples, FrequencyBand band, 
 }
 
 /** At another rate: the interpolation reaches so far that nothing above either Nyquist frequency is left. */
-Eigen::VectorXd sampled (const SampledSignal& signal, FrequencyBand band, double sampleRate, Eigen::VectorXd samples)
+Eigen::VectorXd sampled (const SampledSignal& signal, TrackBand band, double sampleRate, Eigen::VectorXd samples)
 {
     const auto ratio = signal.sampleRate / sampleRate, width = std::max (1.0, ratio);
     const auto reach = kaiserSincHalfWidth * width;
@@ -161,7 +161,7 @@ double signalDuration (const TrackSignal& signal)
     return std::visit ([] (const auto& each) { return durationOf (each); }, signal);
 }
 
-Eigen::VectorXd signalSamples (const TrackSignal& signal, FrequencyBand band, double sampleRate)
+Eigen::VectorXd signalSamples (const TrackSignal& signal, TrackBand band, double sampleRate)
 {
     constexpr double rounding = 1e-9; // samples
     const auto count = static_cast<Eigen::Index> (std::ceil (signalDuration (signal) * sampleRate - rounding)) + 1;

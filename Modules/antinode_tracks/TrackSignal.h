@@ -9,7 +9,7 @@
 namespace antinode
 {
 /** Frequencies from a lower to an upper one, Hz. */
-struct FrequencyBand
+struct TrackBand
 {
     double lower = 40, upper = 1000;
 };
@@ -62,5 +62,5 @@ double signalDuration (const TrackSignal&);
     @param sampleRate  Hz, at least 3 times the band's upper frequency
     @return            N_s samples, the last one not before the signal's end
     [worker] Docs/Theory.md, section 4.13. */
-Eigen::VectorXd signalSamples (const TrackSignal&, FrequencyBand, double sampleRate);
+Eigen::VectorXd signalSamples (const TrackSignal&, TrackBand, double sampleRate);
 } // namespace antinode

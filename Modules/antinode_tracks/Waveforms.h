@@ -48,7 +48,7 @@ struct Track
 struct WaveformsDescription
 {
     std::string name;
-    FrequencyBand band;
+    TrackBand band;
     double preRoll = 0.01, postRoll = 0.02; ///< s of voltages before the first and after the last track.
     std::vector<Track> tracks;              ///< At least one.
     std::vector<TouchedPoint> silent;       ///< Fingers that are to feel nothing.

@@ -45,6 +45,7 @@ int runCommandLine (int argumentCount, const char* const* arguments)
     addIdentifyCommand (app);
     addDesignCommand (app);
     addRenderCommand (app);
+    addPerformCommand (app);
     addPaperCommand (app);
     addExciteCommand (app);
     addMeasureCommand (app);

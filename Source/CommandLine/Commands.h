@@ -11,6 +11,7 @@ void addPlaceCommand (CLI::App&);
 void addIdentifyCommand (CLI::App&);
 void addDesignCommand (CLI::App&);
 void addRenderCommand (CLI::App&);
+void addPerformCommand (CLI::App&);
 void addPaperCommand (CLI::App&);
 void addExciteCommand (CLI::App&);
 void addMeasureCommand (CLI::App&);

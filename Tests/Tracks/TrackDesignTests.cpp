@@ -185,7 +185,22 @@ TEST_CASE ("Waveforms that cannot be are refused in one sentence", "[tracks]")
     description = twoPoints (1e-6);
     description.silent.resize (12);
     CHECK_THAT (refusal (description, 48000), Catch::Contains ("touch 13 points; allowed: at most 12"));
+}
 
-    const auto loud = refusal (twoPoints (1e-4), 48000);
-    CHECK_THAT (loud, Catch::Contains ("times the limits") && Catch::Contains ("reachable"));
+TEST_CASE ("A level beyond all voltages is refused with the share of it that can be reached", "[tracks]")
+{
+    auto model = test::SinePlate().model (10);
+    model.dampingRatios *= 4; // short ringing, quick transforms
+
+    try
+    {
+        designTracks (model, twoPoints (1e-3), settingsFor (4800));
+        FAIL ("1 mm was reached");
+    }
+    catch (const TrackLimitError& error)
+    {
+        CHECK_THAT (error.what(), Catch::Contains ("times the limits of the device; reachable: "));
+        CHECK (error.bound <= 1);
+        CHECK_NOTHROW (designTracks (model, twoPoints (0.99e-3 * error.share), settingsFor (4800)));
+    }
 }

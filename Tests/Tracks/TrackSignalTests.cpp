@@ -21,7 +21,7 @@ SkinThreshold flatThreshold()
 }
 
 /** The share of a signal's energy outside a band. */
-double energyOutside (const Eigen::VectorXd& signal, double rate, FrequencyBand band)
+double energyOutside (const Eigen::VectorXd& signal, double rate, TrackBand band)
 {
     const auto length = quickLength (2 * static_cast<double> (signal.size()));
     const Eigen::VectorXd energies = forwardFourier (signal, length).cwiseAbs2();
@@ -49,7 +49,7 @@ WaveformsDescription oneTrack (const TrackSignal& signal, const TrackLevel& leve
 TEST_CASE ("Built-in signals begin and end at rest and lie in the band", "[tracks]")
 {
     constexpr double rate = 6000;
-    const FrequencyBand band;
+    const TrackBand band;
     const auto check = [&] (const TrackSignal& signal)
     {
         const auto samples = signalSamples (signal, band, rate);

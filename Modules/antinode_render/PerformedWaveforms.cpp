@@ -1,0 +1,134 @@
+#include "PerformedWaveforms.h"
+
+#include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
+#include <antinode_fingers/LoadedModel.h>
+
+#include <nlohmann/json.hpp>
+
+namespace antinode
+{
+namespace
+{
+constexpr double listening = 0.3; // s that the surface is listened to after the last voltage
+
+std::vector<Finger> restingFingers (const WaveformsDescription& description)
+{
+    std::vector<Finger> fingers;
+
+    for (const auto& point : touchedPoints (description))
+        if (point.finger)
+            fingers.push_back (*point.finger);
+
+    return fingers;
+}
+
+FeltOutcome feltByFingers (const PerformedWaveforms& performed, const SkinThreshold& threshold)
+{
+    Render render;
+    render.sampleRate = performed.played.modalRate;
+    render.modalVelocities = performed.played.modalVelocities;
+    std::vector<Target> places;
+
+    for (const auto& point : touchedPoints (performed.design.description))
+    {
+        Target place;
+        place.x = point.x;
+        place.y = point.y;
+        places.push_back (place);
+    }
+
+    return feltOutcome (performed.judge, render, places, threshold);
+}
+
+nlohmann::ordered_json fingerJson (const PerformedWaveforms& performed, std::size_t p)
+{
+    const auto& description = performed.design.description;
+    const auto points = touchedPoints (description);
+    const auto& score = performed.scores.fingers[p];
+    nlohmann::ordered_json json { { "name", fingerName (description, p) },
+                                  { "place_mm", { points[p].x * milli, points[p].y * milli } },
+                                  { "has_track", p < description.tracks.size() },
+                                  { "wanted_peak_um", score.wantedPeak * micro },
+                                  { "reached_peak_um", score.reachedPeak * micro },
+                                  { "suppression_dB", performed.scores.suppression (p) },
+                                  { "suppression_all_frequencies_dB", performed.scores.wideSuppression (p) } };
+
+    if (p < description.tracks.size())
+        json["normalised_error"] = performed.scores.normalisedError (p);
+
+    json["level_dB_SL"] = performed.felt.targets[p].level;
+    return json;
+}
+} // namespace
+
+PerformedWaveforms performWaveforms (const ModalModel& known, const ModalModel& judge,
+                                     const WaveformsDescription& description, const TrackSettings& settings,
+                                     const ShowProgress& progress)
+{
+    PerformedWaveforms performed;
+    performed.design = designTracks (known, description, settings, progress);
+
+    if (progress)
+        progress ("Playing", 0.8);
+
+    const auto fingers = restingFingers (description);
+    performed.judge = fingers.empty() ? judge : loadedModel (judge, fingers);
+    performed.played = playTracks (performed.judge, touchedShapes (performed.judge, description),
+                                   performed.design.voltages, listening);
+    performed.scores = scoreTracks (performed.played, performed.design.wanted, description.band);
+    performed.felt = feltByFingers (performed, settings.threshold);
+    return performed;
+}
+
+std::string fingerName (const WaveformsDescription& description, std::size_t point)
+{
+    const auto name = touchedPoints (description)[point].name;
+    return name.empty() ? pointInWords (description, point) : name;
+}
+
+std::string trackVoltsInWords (const PerformedWaveforms& performed)
+{
+    const auto& design = performed.design;
+    Eigen::Index ceramic = 0;
+    const auto peak = design.peaks.maxCoeff (&ceramic);
+    const auto& use = design.limitUse;
+    const auto text = inWords (peak) + " V at ceramic " + std::to_string (ceramic + 1) + ", "
+                      + inWords (100 * peak / voltageLimits (performed.judge)[ceramic]) + " % of its limit";
+
+    if (use.unlimitedPeak <= 1)
+        return text;
+
+    return text + "; without limits the least-norm voltages would have " + inWords (use.unlimitedPeak)
+           + " times the limits, and none of any form reach this error with less than " + inWords (use.peakBound)
+           + " times";
+}
+
+nlohmann::ordered_json performedToJson (const PerformedWaveforms& performed)
+{
+    const auto& design = performed.design;
+    nlohmann::ordered_json json { { "schema", "antinode.performance/1" },
+                                  { "waveforms", design.description.name },
+                                  { "device", performed.judge.name },
+                                  { "sample_rate_Hz", design.voltages.playback.sampleRate },
+                                  { "trigger_sample", performed.played.trigger },
+                                  { "modes", performed.judge.modes() },
+                                  { "peak_voltage_V", design.peaks.maxCoeff() },
+                                  { "unlimited_peak_over_limit", design.limitUse.unlimitedPeak },
+                                  { "design_error", design.error },
+                                  { "iterations", design.iterations } };
+
+    if (design.limitUse.unlimitedPeak > 1)
+        json["peak_bound_over_limit"] = design.limitUse.peakBound;
+
+    json["fingers"] = nlohmann::ordered_json::array();
+
+    for (std::size_t p = 0; p < performed.scores.fingers.size(); ++p)
+        json["fingers"].push_back (fingerJson (performed, p));
+
+    json["felt_share"] = performed.felt.feltShare;
+    json["threshold"] = performed.felt.threshold;
+    json["warnings"] = design.warnings;
+    return json;
+}
+} // namespace antinode

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "FeltOutcome.h"
+#include "PlayedTracks.h"
+#include "TrackScores.h"
+
+#include <antinode_tracks/TrackDesign.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** Waveforms at fingers, designed, played and judged. */
+struct PerformedWaveforms
+{
+    ModalModel judge; ///< The surface that plays, with its fingers on it.
+    TrackDesign design;
+    PlayedTracks played;
+    TrackScores scores;
+    FeltOutcome felt; ///< Its targets are the touched points, those with tracks first.
+};
+
+/** Designs waveforms for one model of a surface, plays them on another one, and scores what comes of it.
+    @param known  what the design knows
+    @param judge  the same surface without fingers, with more modes
+    @throws InputError, Cancelled  as designTracks
+    [worker] Docs/Theory.md, sections 4.13 and 5.3. */
+PerformedWaveforms performWaveforms (const ModalModel& known, const ModalModel& judge, const WaveformsDescription&,
+                                     const TrackSettings&, const ShowProgress& progress = {});
+
+/** A touched point by its own name, or as a file numbers it. @param point  index in touchedPoints [any] */
+std::string fingerName (const WaveformsDescription&, std::size_t point);
+
+/** What the voltages need of their limits, in one sentence. [any] */
+std::string trackVoltsInWords (const PerformedWaveforms&);
+
+/** As summary.json has it. [any] Docs/FileFormats.md. */
+nlohmann::ordered_json performedToJson (const PerformedWaveforms&);
+} // namespace antinode

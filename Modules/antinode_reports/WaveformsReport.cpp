@@ -1,0 +1,254 @@
+#include "WaveformsReport.h"
+
+#include "FeltSection.h"
+
+#include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
+#include <antinode_numerics/Fourier.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+constexpr double shownBeyondBand = 2; // times the band's upper frequency in spectra
+constexpr double shownDecibels = 100; // below the strongest line
+constexpr double leastLine = 1e-12;   // of the strongest: what is drawn lowest
+
+/** The wanted motion of a finger beside what was played. */
+Eigen::VectorXd wantedOf (const PerformedWaveforms& performed, Eigen::Index finger)
+{
+    Eigen::VectorXd wanted = Eigen::VectorXd::Zero (performed.played.displacements.cols());
+    wanted.segment (performed.played.trigger, performed.design.wanted.rows()) = performed.design.wanted.col (finger);
+    return wanted;
+}
+
+LineChart waveformChart (const PerformedWaveforms& performed, Eigen::Index finger)
+{
+    const auto& played = performed.played;
+    const auto first = -static_cast<double> (played.trigger) / played.sampleRate * milli;
+    const auto count = performed.design.voltages.values.cols();
+    const Eigen::VectorXd times =
+        Eigen::VectorXd::LinSpaced (count, first, first + static_cast<double> (count - 1) / played.sampleRate * milli);
+    LineChart chart;
+    chart.series = { { "reached", times, played.displacements.row (finger).head (count).transpose() * micro },
+                     { "wanted", times, wantedOf (performed, finger).head (count) * micro, LineStyle::dashed } };
+    chart.series.back().colour = series_colour::neutral;
+    return chart;
+}
+
+/** Lines of a motion's spectrum in dB over the strongest wanted one. */
+Series spectrumOf (const std::string& name, const Eigen::VectorXd& motion, double sampleRate, double upper, double zero)
+{
+    const auto length = quickLength (static_cast<double> (motion.size()));
+    const Eigen::VectorXd lines = forwardFourier (motion, length).cwiseAbs();
+    const auto step = sampleRate / static_cast<double> (length);
+    const auto shown = std::min (lines.size() - 1, static_cast<Eigen::Index> (upper / step));
+    Series series;
+    series.name = name;
+    series.x = Eigen::VectorXd::LinSpaced (shown, step, step * static_cast<double> (shown));
+    series.y = 20 * (lines.segment (1, shown) / zero).array().max (leastLine).log10();
+    return series;
+}
+
+double strongestLine (const PerformedWaveforms& performed)
+{
+    double strongest = 0;
+
+    for (Eigen::Index p = 0; p < performed.design.wanted.cols(); ++p)
+    {
+        const auto wanted = wantedOf (performed, p);
+        const auto length = quickLength (static_cast<double> (wanted.size()));
+        strongest = std::max (strongest, forwardFourier (wanted, length).cwiseAbs().maxCoeff());
+    }
+
+    return strongest;
+}
+
+LineChart spectrumChart (const PerformedWaveforms& performed, Eigen::Index finger, double strongest)
+{
+    const auto& played = performed.played;
+    const auto& band = performed.design.description.band;
+    const auto wanted = wantedOf (performed, finger);
+    const Eigen::VectorXd reached = played.displacements.row (finger).transpose();
+    const auto upper = shownBeyondBand * band.upper;
+    LineChart chart;
+    chart.xRange = AxisRange { 0, upper };
+    chart.yRange = AxisRange { -shownDecibels, 5 };
+    chart.series.push_back (spectrumOf ("reached", reached, played.sampleRate, upper, strongest));
+
+    if (wanted.cwiseAbs().maxCoeff() > 0)
+        chart.series.push_back (spectrumOf ("wanted", wanted, played.sampleRate, upper, strongest));
+
+    chart.series.push_back (spectrumOf ("difference", reached - wanted, played.sampleRate, upper, strongest));
+    chart.series.back().style = LineStyle::dotted;
+    return chart;
+}
+
+ChartGrid fingerGrid (const PerformedWaveforms& performed)
+{
+    const auto fingers = performed.scores.fingers.size();
+    ChartGrid grid;
+    grid.columns = static_cast<int> (std::min<std::size_t> (fingers, 4));
+
+    for (std::size_t p = 0; fingers <= 4 && p < fingers; ++p)
+        grid.columnTitles.push_back (fingerName (performed.design.description, p));
+
+    return grid;
+}
+
+int gridHeight (const ChartGrid& grid)
+{
+    constexpr int rowHeight = 240;
+    const auto rows = (static_cast<int> (grid.panels.size()) + grid.columns - 1) / grid.columns;
+    return rowHeight * rows + 60;
+}
+
+ReportSection waveformSection (const PerformedWaveforms& performed)
+{
+    ReportSection section;
+    section.heading = "What each finger gets";
+    section.paragraphs = { "Displacement beneath each finger over the whole event, ringing included, on the surface "
+                           "with the fingers on it." };
+    auto waveforms = fingerWaveformsChart (performed);
+    const auto height = gridHeight (waveforms);
+    section.figures.push_back (
+        { "Wanted (dashed) and reached waveforms.", {}, std::move (waveforms), reportFigureWidth, height });
+    auto spectra = fingerGrid (performed);
+    spectra.xLabel = "frequency (Hz)";
+    spectra.yLabel = "displacement (dB)";
+    const auto strongest = strongestLine (performed);
+
+    for (Eigen::Index p = 0; p < performed.design.wanted.cols(); ++p)
+        spectra.panels.emplace_back (spectrumChart (performed, p, strongest));
+
+    section.figures.push_back ({ "Spectra; 0 dB is the strongest line of all wanted waveforms.",
+                                 {},
+                                 std::move (spectra),
+                                 reportFigureWidth,
+                                 height });
+    return section;
+}
+
+ReportTable fingerTable (const PerformedWaveforms& performed)
+{
+    ReportTable table { "Fingers: what they should not feel is compared with the strongest track, within the band and "
+                        "with all frequencies",
+                        { "finger", "x (mm)", "y (mm)", "wanted (um)", "reached (um)", "error (dB)",
+                          "all frequencies (dB)", "felt (dB SL)" },
+                        {} };
+    const auto points = touchedPoints (performed.design.description);
+
+    for (std::size_t p = 0; p < points.size(); ++p)
+    {
+        const auto& score = performed.scores.fingers[p];
+        table.rows.push_back ({ fingerName (performed.design.description, p), inWords (points[p].x * milli),
+                                inWords (points[p].y * milli), inWords (score.wantedPeak * micro),
+                                inWords (score.reachedPeak * micro), fixedText (performed.scores.suppression (p), 1),
+                                fixedText (performed.scores.wideSuppression (p), 1),
+                                fixedText (performed.felt.targets[p].level, 1) });
+    }
+
+    return table;
+}
+
+ReportSection elsewhereSection (const PerformedWaveforms& performed)
+{
+    ReportSection section;
+    section.heading = "What is felt elsewhere";
+    section.paragraphs = {
+        fixedText (100 * performed.felt.feltShare, 0)
+            + " % of the surface is felt. Below 1 kHz a plate has few modes: no area can be quiet, only the points "
+              "that "
+              "are touched. Every further finger that should feel nothing has to be named.",
+        "The levels are a model: displacement, weighted by the threshold at each frequency (" + performed.felt.threshold
+            + "), the larger of its peak and root 2 times its RMS within 100 ms. Persons differ by 10 to 20 dB."
+    };
+    section.figures.push_back (feltFigure (performed.judge, performed.felt));
+    return section;
+}
+
+ReportSection trackVoltageSection (const PerformedWaveforms& performed)
+{
+    const auto& voltages = performed.design.voltages;
+    StackedTraces traces;
+    traces.xLabel = "time (ms)";
+    traces.unit = "V";
+    traces.start = voltages.firstTime * milli;
+    traces.step = milli / voltages.playback.sampleRate;
+    traces.values = voltages.values;
+    traces.limits = voltageLimits (performed.judge);
+
+    for (const auto& ceramic : performed.judge.ceramics)
+        traces.names.push_back (ceramic.name);
+
+    const auto height = comfortableHeight (traces);
+    ReportSection section;
+    section.heading = "Voltages";
+    section.paragraphs = { "Largest voltage: " + trackVoltsInWords (performed) + "." };
+    section.figures.push_back (
+        { "Voltage of each ceramic with its limits (dashed); the number at the right is its peak.",
+          {},
+          std::move (traces),
+          reportFigureWidth,
+          height });
+    section.tables.push_back (fingerTable (performed));
+    return section;
+}
+
+std::vector<ReportScore> waveformScores (const PerformedWaveforms& performed)
+{
+    const auto& description = performed.design.description;
+    std::vector<ReportScore> scores;
+    double worst = -200, error = 0;
+
+    for (std::size_t p = 0; p < performed.scores.fingers.size(); ++p)
+    {
+        worst = std::max (worst, performed.scores.suppression (p));
+
+        if (p < description.tracks.size())
+            error = std::max (error, performed.scores.normalisedError (p));
+    }
+
+    scores.push_back ({ "Suppression", fixedText (worst, 1) + " dB",
+                        "What a finger should not feel over the strongest track, at the worst finger." });
+    scores.push_back ({ "Error of a track", formatted ("%.1e", error),
+                        "Energy of reached minus wanted over that of the wanted waveform, the worst track." });
+    scores.push_back ({ "Peak voltage", inWords (performed.design.peaks.maxCoeff()) + " V", "Of all ceramics." });
+    return scores;
+}
+} // namespace
+
+ChartGrid fingerWaveformsChart (const PerformedWaveforms& performed)
+{
+    auto grid = fingerGrid (performed);
+    grid.xLabel = "time (ms)";
+    grid.yLabel = "displacement (um)";
+
+    for (Eigen::Index p = 0; p < performed.design.wanted.cols(); ++p)
+        grid.panels.emplace_back (waveformChart (performed, p));
+
+    return grid;
+}
+
+ReportPage waveformsReport (const PerformedWaveforms& performed)
+{
+    const auto& description = performed.design.description;
+    ReportPage page;
+    page.title = description.name;
+    page.subtitle = performed.judge.name + ": " + std::to_string (performed.judge.actuators()) + " ceramics, "
+                    + std::to_string (performed.judge.modes()) + " modes simulated, "
+                    + std::to_string (description.tracks.size()) + " tracks, "
+                    + std::to_string (description.silent.size()) + " silent fingers, "
+                    + inWords (performed.played.sampleRate) + " Hz";
+    page.scores = waveformScores (performed);
+    page.warnings = performed.design.warnings;
+    page.sections = { waveformSection (performed), elsewhereSection (performed), trackVoltageSection (performed) };
+    page.links = { { "summary.json", "summary.json" } };
+    page.footer = "Antinode " ANTINODE_VERSION
+                  ". The waveforms are computed in time by a model of more modes than the design knows.";
+    return page;
+}
+} // namespace antinode

@@ -1,0 +1,144 @@
+#include "Commands.h"
+#include "CommonOptions.h"
+#include "Progress.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
+#include <antinode_library/Inputs.h>
+#include <antinode_library/SkinThresholds.h>
+#include <antinode_render/PerformedWaveforms.h>
+#include <antinode_reports/WaveformsReport.h>
+#include <antinode_text/OutputFolder.h>
+#include <antinode_text/WaveFile.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+namespace antinode
+{
+namespace
+{
+struct PerformOptions
+{
+    std::string waveforms = "three-fingers", device = "glass-148x210", folder = "antinode-out", thresholdFile;
+    double rate = 48000; // Hz
+    std::vector<std::string> assignments;
+    bool hasReport = true, usesCache = true, isQuiet = false;
+};
+
+/** Half as many modes again as the design knows, where the device is solved; a measured one has no more. */
+std::optional<int> judgedModes (const DeviceDescription& description, const ModalModel& known)
+{
+    constexpr Eigen::Index most = 500;
+
+    if (std::holds_alternative<ModalModel> (description.body))
+        return {};
+
+    const auto hasShare = std::holds_alternative<PlateDescription> (description.body);
+    const auto modes = known.modes() - (hasShare ? known.actuators() : 0);
+    return static_cast<int> (std::min (most, 3 * modes / 2));
+}
+
+/** The waveform of each finger as a sound: full scale is the largest displacement of all. */
+void writeFingers (OutputFolder& folder, const PerformedWaveforms& performed)
+{
+    const auto& played = performed.played;
+    const auto loudest = played.displacements.cwiseAbs().maxCoeff();
+
+    for (Eigen::Index p = 0; p < played.displacements.rows(); ++p)
+        folder.write (formatted ("finger-%02td.wav", p + 1),
+                      encodeWave (played.displacements.row (p), loudest, played.sampleRate));
+}
+
+void writePerformed (const PerformOptions& options, const PerformedWaveforms& performed)
+{
+    OutputFolder folder (options.folder);
+    folder.write ("voltages.wav", encodeWave (performed.design.voltages.values, performed.judge.fullScaleVoltage,
+                                              performed.played.sampleRate));
+    writeFingers (folder, performed);
+
+    if (options.hasReport)
+        folder.write ("report.html", renderReport (waveformsReport (performed)));
+
+    folder.write ("summary.json", performedToJson (performed).dump (2) + "\n");
+    folder.commit();
+}
+
+void printPerformed (const PerformOptions& options, const PerformedWaveforms& performed)
+{
+    const auto& description = performed.design.description;
+    std::printf ("%s on %s\n", description.name.c_str(), performed.judge.name.c_str());
+    std::printf ("  %-20s %9s %11s %12s %10s\n", "finger", "wanted/um", "reached/um", "error/dB", "felt/dB SL");
+
+    for (std::size_t p = 0; p < performed.scores.fingers.size(); ++p)
+    {
+        const auto& score = performed.scores.fingers[p];
+        std::printf ("  %-20s %9.3f %11.3f %12.1f %10.1f\n", fingerName (description, p).c_str(),
+                     score.wantedPeak * micro, score.reachedPeak * micro, performed.scores.suppression (p),
+                     performed.felt.targets[p].level);
+    }
+
+    std::printf ("  error: what a finger should not feel over the strongest track, %s to %s Hz\n",
+                 inWords (description.band.lower).c_str(), inWords (description.band.upper).c_str());
+    std::printf ("  voltages: %s\n", trackVoltsInWords (performed).c_str());
+
+    for (const auto& warning : performed.design.warnings)
+        std::printf ("  warning: %s\n", warning.c_str());
+
+    std::printf ("Waveforms, voltages and sounds: %s/%s\n", options.folder.c_str(),
+                 options.hasReport ? "report.html" : "summary.json");
+}
+
+void perform (const PerformOptions& options)
+{
+    checkAssignments (options.assignments);
+    Progress progress (options.isQuiet);
+    const auto show = [&] (const std::string& what, double share) { progress.show (what, share); };
+    const auto description = loadWaveforms (options.waveforms, options.assignments);
+    TrackSettings settings;
+    settings.sampleRate = options.rate;
+    settings.threshold = findSkinThreshold (options.thresholdFile);
+    const auto device = loadDevice (options.device, options.assignments);
+    show ("Modes of the device", 0);
+    const auto known = solveDeviceWithStaticShare (device, {}, options.usesCache);
+    const auto judge = solveDeviceWithStaticShare (device, judgedModes (device, known), options.usesCache);
+    const auto performed = performWaveforms (known, judge, description, settings, show);
+    writePerformed (options, performed);
+
+    if (! options.isQuiet)
+        printPerformed (options, performed);
+}
+} // namespace
+
+void addPerformCommand (CLI::App& app)
+{
+    auto* command =
+        app.add_subcommand ("perform", "Gives every finger its own waveform: voltages, what each feels, a report");
+    auto options = std::make_shared<PerformOptions>();
+    command->add_option ("waveforms", options->waveforms, "Waveforms: an embedded name or a .json file")
+        ->capture_default_str();
+    command->add_option ("--device", options->device, "Device: an embedded name or a .json file")
+        ->capture_default_str();
+    command->add_option ("--out", options->folder, "Output folder")->capture_default_str();
+    command->add_option ("--rate", options->rate, "Sample rate, Hz")
+        ->check (CLI::Range (1000.0, 2e6))
+        ->type_name ("FLOAT")
+        ->capture_default_str();
+    command
+        ->add_option ("--set", options->assignments,
+                      "Overrides a key, for example waveforms.tracks.0.x_mm=24 (repeatable)")
+        ->allow_extra_args (false)
+        ->type_name ("KEY=VALUE");
+    command->add_option ("--threshold", options->thresholdFile,
+                         "CSV of Hz and um: what skin feels, in place of the built-in table");
+    addCacheFlag (*command, options->usesCache);
+    command->add_flag ("!--no-report", options->hasReport, "Writes no report.html");
+    command->add_flag ("--quiet", options->isQuiet, "Prints only errors");
+    command->callback ([options] { perform (*options); });
+}
+} // namespace antinode

@@ -1,0 +1,75 @@
+#include "Support/SinePlate.h"
+
+#include <antinode_render/PerformedWaveforms.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+using namespace antinode;
+
+namespace
+{
+/** A burst at one finger and a tone at another; a third feels nothing. */
+WaveformsDescription threeFingers()
+{
+    WaveformsDescription description;
+    description.band = { 100, 800 };
+    const auto touch = [] (TouchedPoint& point, double x, double y)
+    {
+        point.x = x;
+        point.y = y;
+        point.finger = builtInFinger ("medium", x, y);
+    };
+    description.tracks.resize (2);
+    touch (description.tracks[0].point, 0.05, 0.06);
+    description.tracks[0].signal = GaborSignal { 350, 0.01 };
+    description.tracks[0].level.value = 1e-6;
+    touch (description.tracks[1].point, 0.14, 0.1);
+    description.tracks[1].signal = ToneSignal { 300, 0.06, 0.02, 0, 1 };
+    description.tracks[1].level.value = 0.5e-6;
+    description.silent.resize (1);
+    touch (description.silent[0], 0.15, 0.04);
+    return description;
+}
+
+PerformedWaveforms performed (const WaveformsDescription& description)
+{
+    const auto model = test::SinePlate().model (20);
+    TrackSettings settings;
+    settings.threshold = { "flat", Eigen::Vector2d (50, 1000), Eigen::Vector2d (1e-7, 1e-7) };
+    return performWaveforms (model, model, description, settings);
+}
+} // namespace
+
+// Design: real modes, fingers line by line as terms of rank one. Judge: the complex modes of the loaded surface, sample
+// by sample.
+TEST_CASE ("Every finger gets its track, played on the modes of the surface with the fingers on it", "[tracks][render]")
+{
+    const auto result = performed (threeFingers());
+    REQUIRE (result.scores.fingers.size() == 3);
+
+    for (std::size_t p = 0; p < 3; ++p)
+        CHECK (result.scores.suppression (p) < -55);
+
+    CHECK (result.scores.normalisedError (0) < 1e-5);
+    CHECK (result.scores.normalisedError (1) < 1e-4);
+    CHECK (result.scores.fingers[0].reachedPeak == Approx (1e-6).epsilon (0.02));
+    CHECK (result.felt.targets[0].level > 15);
+    CHECK (result.felt.targets[2].level < -20);
+
+    const auto json = performedToJson (result);
+    CHECK (json["schema"] == "antinode.performance/1");
+    CHECK (json["fingers"].size() == 3);
+    CHECK (json["fingers"][2]["name"] == "silent finger 1");
+    CHECK_FALSE (json["fingers"][2].contains ("normalised_error"));
+    CHECK (json["peak_voltage_V"].get<double>() > 0);
+}
+
+TEST_CASE ("Fingers that no design knows of spoil the silence", "[tracks][render]")
+{
+    auto description = threeFingers();
+    description.tracks[0].point.finger->isKnown = false;
+    description.tracks[1].point.finger->isKnown = false;
+    description.silent[0].finger->isKnown = false;
+    CHECK (performed (description).scores.suppression (2) > -40);
+}
