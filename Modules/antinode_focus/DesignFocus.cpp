@@ -3,6 +3,7 @@
 #include "Brake.h"
 #include "ComplexRows.h"
 #include "DesignRemarks.h"
+#include "DesignSteps.h"
 #include "DesignedProgram.h"
 #include "FocusMoments.h"
 #include "ModeWeighing.h"
@@ -108,9 +109,43 @@ FocusDesign withProgram (FocusDesign design, const ModalModel& model, DesignExte
 
     return design;
 }
+} // namespace
 
-/** Adds what is played after the focus, what is known of all, and what is to be said of it. */
-FocusDesign finished (FocusDesign design, const ModalModel& model, DesignExtent extent)
+double peakVoltage (const FocusDesign& design)
+{
+    if (design.program.samples)
+        return design.program.samples->values.cwiseAbs().maxCoeff();
+
+    return design.certificate.peakVoltage;
+}
+
+FocusDesign allocateFocus (const ModalModel& model, const FocusDescription& description, Playback playback,
+                           DesignExtent extent)
+{
+    if (model.actuators() == 0)
+        throw InputError ("device '" + model.name + "'", "has no ceramics; a focus needs at least one");
+
+    requireComplexModesSuit (model, description);
+    checkTargets (model, description.targets);
+    const auto wanted = focusMoments (model, description, playback);
+    double peakVelocity = 0;
+
+    for (const auto& wantedPlace : description.targets)
+        peakVelocity = std::max (peakVelocity, wantedPlace.peakVelocity);
+
+    const auto choose = [&] (ModeChoice choice)
+    {
+        choice.among = description.modes.among;
+        auto moments = wanted;
+        const auto modes = controlModes (model, choice, moments);
+        return makeDesign (description, modes, std::move (moments), playback, peakVelocity);
+    };
+    const auto allocate = [&] (FocusDesign design) { return withProgram (std::move (design), model, extent); };
+    return leavesModesOpen (description) ? weighModes (model, { choose, allocate })
+                                         : allocate (choose (description.modes));
+}
+
+FocusDesign finishDesign (FocusDesign design, const ModalModel& model, DesignExtent extent)
 {
     const auto& description = design.description;
     const auto& limits = design.program.voltageLimits;
@@ -135,41 +170,11 @@ FocusDesign finished (FocusDesign design, const ModalModel& model, DesignExtent 
 
     return design;
 }
-} // namespace
-
-double peakVoltage (const FocusDesign& design)
-{
-    if (design.program.samples)
-        return design.program.samples->values.cwiseAbs().maxCoeff();
-
-    return design.certificate.peakVoltage;
-}
 
 FocusDesign designFocus (const ModalModel& model, const FocusDescription& description, Playback playback,
                          DesignExtent extent)
 {
-    if (model.actuators() == 0)
-        throw InputError ("device '" + model.name + "'", "has no ceramics; a focus needs at least one");
-
-    requireComplexModesSuit (model, description);
-    checkTargets (model, description.targets);
-    const auto wanted = focusMoments (model, description, playback);
-    double peakVelocity = 0;
-
-    for (const auto& wantedPlace : description.targets)
-        peakVelocity = std::max (peakVelocity, wantedPlace.peakVelocity);
-
-    const auto choose = [&] (ModeChoice choice)
-    {
-        choice.among = description.modes.among;
-        auto moments = wanted;
-        const auto modes = controlModes (model, choice, moments);
-        return makeDesign (description, modes, std::move (moments), playback, peakVelocity);
-    };
-    const auto allocate = [&] (FocusDesign design) { return withProgram (std::move (design), model, extent); };
-    return finished (leavesModesOpen (description) ? weighModes (model, { choose, allocate })
-                                                   : allocate (choose (description.modes)),
-                     model, extent);
+    return finishDesign (allocateFocus (model, description, playback, extent), model, extent);
 }
 
 FocusDesign designModes (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
@@ -180,6 +185,6 @@ FocusDesign designModes (const ModalModel& model, const FocusDescription& descri
     FocusMoment moment { description.focusTime, {}, projectField (model, field), wanted, field, 1 };
     constexpr auto extent = DesignExtent::complete;
     auto design = makeDesign (description, modes, { std::move (moment) }, playback, field.cwiseAbs().maxCoeff());
-    return finished (withProgram (std::move (design), model, extent), model, extent);
+    return finishDesign (withProgram (std::move (design), model, extent), model, extent);
 }
 } // namespace antinode

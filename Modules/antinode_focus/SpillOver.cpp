@@ -1,5 +1,6 @@
 #include "SpillOver.h"
 
+#include "DesignSteps.h"
 #include "Prediction.h"
 
 #include <antinode_base/InputError.h>
@@ -117,7 +118,7 @@ std::optional<FocusDesign> guardedDesign (const WideModel& wide, FocusDescriptio
 
     try
     {
-        auto design = designFocus (firstModes (wide.model, designed), description, playback, extent);
+        auto design = allocateFocus (firstModes (wide.model, designed), description, playback, extent);
         design.description.modes.among.reset();
         design.spillOver = describedSpillOver (wide, designed, spillOverShare (wide, design));
         return design;
@@ -233,10 +234,11 @@ double spillOverShare (const WideModel& wide, const FocusDesign& design)
 FocusDesign designWithin (const WideModel& wide, const FocusDescription& description, Playback playback,
                           DesignExtent extent)
 {
-    auto first = designFocus (firstModes (wide.model, wide.known), description, playback, extent);
+    const auto known = firstModes (wide.model, wide.known);
+    auto first = allocateFocus (known, description, playback, extent);
 
     if (wide.known == wide.model.modes() || wide.model.hasComplexModes())
-        return first;
+        return finishDesign (std::move (first), known, extent);
 
     first.spillOver = describedSpillOver (wide, wide.known, spillOverShare (wide, first));
     auto best = first;
@@ -254,7 +256,10 @@ FocusDesign designWithin (const WideModel& wide, const FocusDescription& descrip
             best = std::move (*next);
     }
 
-    if (best.spillOver->guardedBeyond > 0)
+    const auto guarded = best.spillOver->guardedBeyond;
+    best = finishDesign (std::move (best), firstModes (wide.model, wide.known + guarded), extent);
+
+    if (guarded > 0)
         sayWhatItCost (best, first);
 
     warnOfSpillOver (best);

@@ -182,7 +182,8 @@ public:
         if (modes.reconstructionError > poor)
             modes.warnings.insert (modes.warnings.begin(), sayWhere (responses, modes));
 
-        if (modes.reconstructionError > doubtful)
+        // Modes that move more than all that was measured, residual terms against them, are of another quantity.
+        if (modes.reconstructionError > doubtful || modes.modalReconstructionError > 0)
             if (const auto cause = likelyCause (responses, best->options, modes, identifyWith); ! cause.empty())
                 modes.warnings.insert (modes.warnings.begin(), cause);
 

@@ -135,7 +135,7 @@ FocusDescription withSettings (const FocusDescription& document, const PlaySetti
         focus.allocation.voltageLimit = static_cast<double> (settings.voltageLimitVolts);
 
     if (settings.modeCount > 0)
-        focus.modes = { settings.modeCount, focus.modes.order, {}, {} };
+        focus.modes = { settings.modeCount, focus.modes.order, {}, {}, {} };
 
     // Lists of one value per mode fit only the modes that they were written for.
     if (settings.modeCount > 0 && focus.transients.growth.size() > 1)

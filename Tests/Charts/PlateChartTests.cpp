@@ -19,7 +19,7 @@ FocusDesign designOn (const ModalModel& model)
     FocusDesign design;
     design.description.targets = twoTargets;
     design.target = projectField (model, targetField (model.surface, twoTargets, {}));
-    const auto selection = selectModes (model, design.target, { 30, ModeOrder::energy, {}, {} });
+    const auto selection = selectModes (model, design.target, { 30, ModeOrder::energy, {}, {}, {} });
     design.controlledModes = selection.modes;
     design.truncatedField = selection.truncated;
     return design;

@@ -73,12 +73,12 @@ TEST_CASE ("Modes are chosen by energy, by frequency, by captured energy or by a
     const auto target = projectField (model, model.shapes * amplitudes);
     const auto total = amplitudes.squaredNorm();
 
-    const auto byEnergy = selectModes (model, target, { 2, ModeOrder::energy, {}, {} });
+    const auto byEnergy = selectModes (model, target, { 2, ModeOrder::energy, {}, {}, {} });
     CHECK (byEnergy.modes == std::vector<int> { 1, 4 });
     CHECK (byEnergy.captured == Approx (std::sqrt (25 / total)));
-    CHECK (selectModes (model, target, { 2, ModeOrder::frequency, {}, {} }).modes == std::vector<int> { 0, 1 });
-    CHECK (selectModes (model, target, { {}, ModeOrder::energy, 0.99, {} }).modes == std::vector<int> { 1, 4, 7 });
-    CHECK (selectModes (model, target, { {}, ModeOrder::energy, {}, 9100 / (2 * std::numbers::pi) }).modes
+    CHECK (selectModes (model, target, { 2, ModeOrder::frequency, {}, {}, {} }).modes == std::vector<int> { 0, 1 });
+    CHECK (selectModes (model, target, { {}, ModeOrder::energy, 0.99, {}, {} }).modes == std::vector<int> { 1, 4, 7 });
+    CHECK (selectModes (model, target, { {}, ModeOrder::energy, {}, 9100 / (2 * std::numbers::pi), {} }).modes
            == std::vector<int> { 0, 1, 2 });
     CHECK ((byEnergy.truncated - 3 * model.shapes.col (1) - 4 * model.shapes.col (4)).norm() < 1e-11);
 }
@@ -88,8 +88,8 @@ TEST_CASE ("A mode that no ceramic excites is not chosen", "[focus]")
     auto model = sineModel (4, 101);
     model.participation (1, 0) = 0;
     const auto target = projectField (model, model.shapes * Eigen::Vector4d (1, 5, 2, 3));
-    CHECK (selectModes (model, target, { 2, ModeOrder::energy, {}, {} }).modes == std::vector<int> { 2, 3 });
-    CHECK_THROWS_WITH (selectModes (model, target, { 4, ModeOrder::energy, {}, {} }),
+    CHECK (selectModes (model, target, { 2, ModeOrder::energy, {}, {}, {} }).modes == std::vector<int> { 2, 3 });
+    CHECK_THROWS_WITH (selectModes (model, target, { 4, ModeOrder::energy, {}, {}, {} }),
                        Catch::Contains ("focus: number of modes: is 4; allowed: 1 to 3, the simulated modes of "));
     model.participation.setZero();
     CHECK_THROWS_AS (selectModes (model, target, {}), InputError);
@@ -99,7 +99,7 @@ TEST_CASE ("A captured fraction that cannot be reached is an error that gives th
 {
     const auto model = sineModel (3, 101);
     const Eigen::VectorXd field = Eigen::VectorXd::Ones (101);
-    CHECK_THROWS_WITH (selectModes (model, projectField (model, field), { {}, ModeOrder::energy, 0.999, {} }),
+    CHECK_THROWS_WITH (selectModes (model, projectField (model, field), { {}, ModeOrder::energy, 0.999, {}, {} }),
                        Catch::Contains ("captured fraction: is 0.999; allowed: up to 0.9")
                            && Catch::Contains ("all 3 modes together capture"));
 }
@@ -111,7 +111,7 @@ ModeSelection firstThatCaptures (const ModalModel& model, const ProjectedTarget&
 {
     for (int count = 1; count <= static_cast<int> (model.modes()); ++count)
     {
-        auto selection = selectModes (model, target, { count, ModeOrder::energy, {}, {} });
+        auto selection = selectModes (model, target, { count, ModeOrder::energy, {}, {}, {} });
 
         if (selection.captured >= wanted)
             return selection;
@@ -135,7 +135,7 @@ TEST_CASE ("The modes for a capture are those that trying every count gives", "[
         {
             INFO (model.surface.points.rows() << " points, captured " << wanted);
             const auto expected = firstThatCaptures (model, target, wanted);
-            const auto selection = selectModes (model, target, { {}, ModeOrder::energy, wanted, {} });
+            const auto selection = selectModes (model, target, { {}, ModeOrder::energy, wanted, {}, {} });
             CHECK (selection.modes == expected.modes);
             CHECK (selection.captured == expected.captured);
             CHECK (selection.truncated == expected.truncated);
