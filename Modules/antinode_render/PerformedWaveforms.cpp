@@ -93,8 +93,8 @@ std::string trackVoltsInWords (const PerformedWaveforms& performed)
     Eigen::Index ceramic = 0;
     const auto peak = design.peaks.maxCoeff (&ceramic);
     const auto& use = design.limitUse;
-    const auto text = inWords (peak) + " V at ceramic " + std::to_string (ceramic + 1) + ", "
-                      + inWords (100 * peak / voltageLimits (performed.judge)[ceramic]) + " % of its limit";
+    auto text = inWords (peak) + " V at ceramic " + std::to_string (ceramic + 1) + ", "
+                + inWords (100 * peak / voltageLimits (performed.judge)[ceramic]) + " % of its limit";
 
     if (use.unlimitedPeak <= 1)
         return text;

@@ -135,8 +135,8 @@ ReportSection responseSection (const IdentificationResult& result)
 /** How many of the shapes are shown, and where the others are. */
 std::string galleryCaption (const IdentificationResult& result, bool hasDiagram)
 {
-    const std::string scale = std::string (result.model.hasComplexModes() ? "Real parts. " : "")
-                              + "Each shape is scaled to its largest value.";
+    std::string scale = std::string (result.model.hasComplexModes() ? "Real parts. " : "")
+                        + "Each shape is scaled to its largest value.";
 
     if (result.model.modes() <= galleryCount)
         return scale;
