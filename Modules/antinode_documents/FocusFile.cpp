@@ -1,6 +1,7 @@
 #include "FocusFile.h"
 
 #include "FileUnits.h"
+#include "FingerFile.h"
 #include "FocusWords.h"
 
 #include <antinode_base/MessageText.h>
@@ -23,10 +24,6 @@ constexpr NumberRange brakeMilliseconds { 1, 1000 };
 constexpr NumberRange guardWeight { 0, 1e12 };
 constexpr NumberRange robustWeight { 0, 1e9, true };
 constexpr NumberRange tukey { 0, 1 };
-constexpr NumberRange fingerRadius { 0, 20 };     // mm
-constexpr NumberRange fingerMass { 0, 10 };       // g
-constexpr NumberRange fingerDamping { 0, 1000 };  // N s/m
-constexpr NumberRange fingerStiffness { 0, 100 }; // N/mm
 
 std::optional<double> optionalNumber (const JsonObject& object, std::string_view key, const NumberRange& range)
 {
@@ -209,31 +206,13 @@ AllocationChoice readAllocation (const JsonValue& value)
     return allocation;
 }
 
-/** A built-in finger with what the file says instead. */
-Finger readFinger (const JsonValue& value)
+Finger readPlacedFinger (const JsonValue& value)
 {
-    const auto object = value.object (
-        { "x_mm", "y_mm", "kind", "radius_mm", "mass_g", "damping_N_s_per_m", "stiffness_N_per_mm", "known" });
-    const auto x = fromMillimetres (object.required ("x_mm").number (ranges::positionMillimetre));
-    const auto y = fromMillimetres (optionalNumber (object, "y_mm", ranges::positionMillimetre).value_or (0));
-    const auto kind = object.optional ("kind");
-    auto finger = builtInFinger (kind ? kind->choice (fingerKindWords) : "medium", x, y);
-
-    if (const auto radius = optionalNumber (object, "radius_mm", fingerRadius))
-        finger.radius = fromMillimetres (*radius);
-
-    if (const auto mass = optionalNumber (object, "mass_g", fingerMass))
-        finger.mass = fromGrams (*mass);
-
-    finger.damping = optionalNumber (object, "damping_N_s_per_m", fingerDamping).value_or (finger.damping);
-
-    if (const auto stiffness = optionalNumber (object, "stiffness_N_per_mm", fingerStiffness))
-        finger.stiffness = fromNewtonsPerMillimetre (*stiffness);
-
-    if (const auto known = object.optional ("known"))
-        finger.isKnown = known->boolean();
-
-    return finger;
+    std::vector<std::string_view> keys { "x_mm", "y_mm" };
+    keys.insert (keys.end(), fingerKeys.begin(), fingerKeys.end());
+    const auto object = value.object (keys);
+    return readFinger (object, fromMillimetres (object.required ("x_mm").number (ranges::positionMillimetre)),
+                       fromMillimetres (optionalNumber (object, "y_mm", ranges::positionMillimetre).value_or (0)));
 }
 
 std::vector<std::pair<double, double>> readProbes (const JsonValue& value)
@@ -283,7 +262,7 @@ FocusDescription readFocus (const nlohmann::json& document, const std::string& s
 
     if (const auto fingers = object.optional ("fingers"))
         for (const auto& finger : fingers->items (0, maximumFingers))
-            focus.fingers.push_back (readFinger (finger));
+            focus.fingers.push_back (readPlacedFinger (finger));
 
     return focus;
 }

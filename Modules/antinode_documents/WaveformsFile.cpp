@@ -1,6 +1,7 @@
 #include "WaveformsFile.h"
 
 #include "FileUnits.h"
+#include "FingerFile.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_text/JsonReader.h>
@@ -23,10 +24,6 @@ constexpr NumberRange startMilliseconds { 0, 600000 };
 constexpr NumberRange levelMicrometres { 1e-6, 1e6 };
 constexpr NumberRange levelMillimetresPerSecond { 1e-6, 1e7 };
 constexpr NumberRange levelDecibels { -60, 120 };
-constexpr NumberRange fingerMillimetres { 0, 50 };
-constexpr NumberRange fingerGrams { 0, 100 };
-constexpr NumberRange fingerDamping { 0, 1000 };
-constexpr NumberRange fingerNewtonsPerMillimetre { 0, 1000 };
 constexpr NumberRange depth { 0, 1 };
 constexpr int largestSeed = 1000000000;
 constexpr double micrometre = 1e-6;
@@ -41,28 +38,6 @@ double millisecondsOr (const JsonObject& object, std::string_view key, const Num
 {
     const auto given = object.optional (key);
     return given ? fromMilliseconds (given->number (range)) : usual;
-}
-
-/** The name of a built-in finger, or its properties one by one. */
-Finger readFinger (const JsonValue& value, double x, double y)
-{
-    if (value.isString())
-    {
-        constexpr WordList<const char*, 3> words {
-            { { "light", "light" }, { "medium", "medium" }, { "firm", "firm" } }
-        };
-        return builtInFinger (value.choice (words), x, y);
-    }
-
-    const auto object = value.object ({ "mass_g", "damping_N_s_per_m", "stiffness_N_per_mm", "radius_mm" });
-    Finger finger;
-    finger.x = x;
-    finger.y = y;
-    finger.mass = object.required ("mass_g").number (fingerGrams) / 1000;
-    finger.damping = object.required ("damping_N_s_per_m").number (fingerDamping);
-    finger.stiffness = 1000 * object.required ("stiffness_N_per_mm").number (fingerNewtonsPerMillimetre);
-    finger.radius = fromMillimetres (numberOr (object, "radius_mm", fingerMillimetres, 5));
-    return finger;
 }
 
 TouchedPoint readPoint (const JsonObject& object)

@@ -1,0 +1,46 @@
+#include "FingerFile.h"
+
+#include "FileUnits.h"
+#include "FocusWords.h"
+
+#include <antinode_text/JsonReader.h>
+
+namespace antinode
+{
+namespace
+{
+constexpr NumberRange fingerMillimetres { 0, 20 };
+constexpr NumberRange fingerGrams { 0, 10 };
+constexpr NumberRange fingerDamping { 0, 1000 }; // N s/m
+constexpr NumberRange fingerNewtonsPerMillimetre { 0, 100 };
+} // namespace
+
+Finger readFinger (const JsonObject& object, double x, double y)
+{
+    const auto kind = object.optional ("kind");
+    auto finger = builtInFinger (kind ? kind->choice (fingerKindWords) : "medium", x, y);
+
+    if (const auto radius = object.optional ("radius_mm"))
+        finger.radius = fromMillimetres (radius->number (fingerMillimetres));
+
+    if (const auto mass = object.optional ("mass_g"))
+        finger.mass = fromGrams (mass->number (fingerGrams));
+
+    if (const auto damping = object.optional ("damping_N_s_per_m"))
+        finger.damping = damping->number (fingerDamping);
+
+    if (const auto stiffness = object.optional ("stiffness_N_per_mm"))
+        finger.stiffness = fromNewtonsPerMillimetre (stiffness->number (fingerNewtonsPerMillimetre));
+
+    if (const auto known = object.optional ("known"))
+        finger.isKnown = known->boolean();
+
+    return finger;
+}
+
+Finger readFinger (const JsonValue& value, double x, double y)
+{
+    return value.isString() ? builtInFinger (value.choice (fingerKindWords), x, y)
+                            : readFinger (value.object ({ fingerKeys.begin(), fingerKeys.end() }), x, y);
+}
+} // namespace antinode
