@@ -4,23 +4,20 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
-#include <antinode_fingers/LoadedModel.h>
 #include <antinode_resources.h>
-#include <antinode_structure/StaticShare.h>
+#include <antinode_structure/ModeLimits.h>
 #include <antinode_text/JsonText.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
-#include <iterator>
 
 namespace antinode
 {
 namespace
 {
 constexpr std::string_view extension = ".json";
-constexpr int mostBeamModes = 200, mostPlateModes = 500; // The solvers refuse more.
 
 bool isFileName (const std::string& text)
 {
@@ -133,9 +130,12 @@ std::optional<WideModel> tryWide (const DeviceDescription& device, const ModalMo
     }
 }
 
-int mostModes (const DeviceDescription& device)
+ModalModel solveWithCache (const DeviceDescription& device, std::optional<int> modeCount, bool usesCache,
+                           SolvedShapes shapes)
 {
-    return std::holds_alternative<PlateDescription> (device.body) ? mostPlateModes : mostBeamModes;
+    const auto folder = usesCache ? userCacheFolder() : std::nullopt;
+    const auto cache = folder ? std::optional (ModeCache (*folder)) : std::nullopt;
+    return solveCached (device, modeCount, cache ? &*cache : nullptr, shapes);
 }
 } // namespace
 
@@ -227,9 +227,7 @@ void removeDocument (LibraryKind kind, const std::string& name)
 
 ModalModel solveDevice (const DeviceDescription& device, std::optional<int> modeCount, bool usesCache)
 {
-    const auto folder = usesCache ? userCacheFolder() : std::nullopt;
-    const auto cache = folder ? std::optional (ModeCache (*folder)) : std::nullopt;
-    return solveCached (device, modeCount, cache ? &*cache : nullptr);
+    return solveWithCache (device, modeCount, usesCache, SolvedShapes::modes);
 }
 
 WideModel solveWide (const DeviceDescription& device, const ModalModel& known, double frequency, bool usesCache)
@@ -243,7 +241,7 @@ WideModel solveWide (const DeviceDescription& device, const ModalModel& known, d
     if (auto wide = tryWide (*wider, known, usesCache))
         return *std::move (wide);
 
-    const auto most = reaching (device, { mostModes (device), {} });
+    const auto most = reaching (device, { maximumModes (device), {} });
 
     if (auto wide = tryWide (*most, known, usesCache))
     {
@@ -256,66 +254,8 @@ WideModel solveWide (const DeviceDescription& device, const ModalModel& known, d
     return { known, known.modes(), "No more modes can be solved: what spills over into others is not known." };
 }
 
-namespace
-{
-/** Fingers change the modes: those that the design knows of are in what it is made for, all of them in what is played.
- */
-WideDesign designUnderFingers (const WideModel& wide, const FocusDescription& focus, Playback playback)
-{
-    std::vector<Finger> known;
-    std::copy_if (focus.fingers.begin(), focus.fingers.end(), std::back_inserter (known),
-                  [] (const auto& finger) { return finger.isKnown; });
-    auto played = loadedModel (wide.model, focus.fingers);
-    auto designed = loadedModel (firstModes (wide.model, wide.known), known);
-    auto design = known.empty() ? designWithin (wide, focus, playback) : designFocus (designed, focus, playback);
-    const auto count = played.modes();
-    const auto sentence = "Not told apart: fingers mix the modes of the device with those beyond. Played are "
-                          + std::to_string (count) + " modes, to " + inWords (played.frequencyHz (count - 1)) + " Hz.";
-    design.choices.push_back ("Fingers on the surface: " + std::to_string (focus.fingers.size())
-                              + ", of which the design knows " + std::to_string (known.size()) + ".");
-    return { { std::move (played), count, sentence, std::move (designed) }, std::move (design) };
-}
-} // namespace
-
-WideDesign designWide (const DeviceDescription& device, WideModel wide, const FocusDescription& focus,
-                       Playback playback, bool usesCache)
-{
-    if (! focus.fingers.empty())
-        return designUnderFingers (wide, focus, playback);
-
-    auto design = designWithin (wide, focus, playback);
-
-    if (design.spillOver && design.spillOver->guardedBeyond > 0 && wide.obstacle.empty()
-        && wide.highestFrequency() < widePlay * design.spillOver->designedFrequency)
-    {
-        wide = solveWide (device, firstModes (wide.model, wide.known), widePlay * design.spillOver->designedFrequency,
-                          usesCache);
-        design.spillOver->share = spillOverShare (wide, design);
-        design.spillOver->playedModes = static_cast<int> (wide.model.modes());
-        design.spillOver->playedFrequency = wide.highestFrequency();
-        design.spillOver->obstacle = wide.obstacle;
-    }
-
-    return { std::move (wide), std::move (design) };
-}
-
 ModalModel solveDeviceWithStaticShare (const DeviceDescription& device, std::optional<int> modeCount, bool usesCache)
 {
-    auto entry = device;
-    entry.name += ", static share"; // its own name in the cache
-    const auto folder = usesCache ? userCacheFolder() : std::nullopt;
-    const auto cache = folder ? std::optional (ModeCache (*folder)) : std::nullopt;
-    auto found = cache ? cache->find (entry, modeCount) : std::nullopt;
-
-    if (! found)
-    {
-        found = solveWithStaticShare (device, modeCount);
-
-        if (cache)
-            cache->store (entry, modeCount, *found);
-    }
-
-    found->name = device.name;
-    return std::move (*found);
+    return solveWithCache (device, modeCount, usesCache, SolvedShapes::withStaticShare);
 }
 } // namespace antinode

@@ -69,20 +69,8 @@ ModalModel solveDevice (const DeviceDescription&, std::optional<int> modeCount, 
     @param frequency  Hz */
 WideModel solveWide (const DeviceDescription&, const ModalModel& known, double frequency, bool usesCache);
 
-/** A design that is made for a device and knows what it leaves in modes beyond it. */
-struct WideDesign
-{
-    WideModel wide; ///< With modes to widePlay times the highest that the design knows, where there are so many.
-    FocusDesign design;
-};
-
-/** Designs a focus within a wide model, which is solved further where the design guards modes beyond the device's own.
-    Where fingers are on the surface, the wide model is loaded by all of them, and the design by those that it knows.
-    @throws InputError, LimitError  as designFocus [worker] */
-WideDesign designWide (const DeviceDescription&, WideModel, const FocusDescription&, Playback, bool usesCache);
-
-/** The same with the static share of all modes beyond: one more shape per ceramic behind the modes, where the device is
-    a plate.
+/** As solveDevice, with the static share of all modes beyond: one more shape per ceramic behind the modes, where the
+   device is a plate.
     @throws InputError  as solveWithStaticShare. [worker] Docs/Theory.md, section 1.8. */
 ModalModel solveDeviceWithStaticShare (const DeviceDescription&, std::optional<int> modeCount, bool usesCache);
 } // namespace antinode

@@ -1,9 +1,9 @@
 #include "ModeCache.h"
 
 #include "ModeCacheEntry.h"
-#include "ModeCacheKey.h"
 
 #include <antinode_base/WholeFile.h>
+#include <antinode_structure/StaticShare.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <xxhash.h>
@@ -88,9 +88,10 @@ ModeCache::ModeCache (std::filesystem::path folderToUse, std::uintmax_t maximumB
 {
 }
 
-std::optional<ModalModel> ModeCache::find (const DeviceDescription& device, std::optional<int> modeCount) const
+std::optional<ModalModel> ModeCache::find (const DeviceDescription& device, std::optional<int> modeCount,
+                                           SolvedShapes shapes) const
 {
-    const auto key = modeCacheKey (device, modeCount);
+    const auto key = modeCacheKey (device, modeCount, shapes);
 
     if (! key)
         return {};
@@ -109,9 +110,10 @@ std::optional<ModalModel> ModeCache::find (const DeviceDescription& device, std:
     }
 }
 
-void ModeCache::store (const DeviceDescription& device, std::optional<int> modeCount, const ModalModel& model) const
+void ModeCache::store (const DeviceDescription& device, std::optional<int> modeCount, const ModalModel& model,
+                       SolvedShapes shapes) const
 {
-    const auto key = modeCacheKey (device, modeCount);
+    const auto key = modeCacheKey (device, modeCount, shapes);
 
     if (! key)
         return;
@@ -175,16 +177,19 @@ std::optional<std::filesystem::path> userCacheFolder()
     return {};
 }
 
-ModalModel solveCached (const DeviceDescription& device, std::optional<int> modeCount, const ModeCache* cache)
+ModalModel solveCached (const DeviceDescription& device, std::optional<int> modeCount, const ModeCache* cache,
+                        SolvedShapes shapes)
 {
-    if (cache == nullptr)
-        return solveStructure (device, modeCount);
+    if (cache != nullptr)
+        if (auto found = cache->find (device, modeCount, shapes))
+            return *std::move (found);
 
-    if (auto found = cache->find (device, modeCount))
-        return *std::move (found);
+    auto model =
+        shapes == SolvedShapes::modes ? solveStructure (device, modeCount) : solveWithStaticShare (device, modeCount);
 
-    auto model = solveStructure (device, modeCount);
-    cache->store (device, modeCount, model);
+    if (cache != nullptr)
+        cache->store (device, modeCount, model, shapes);
+
     return model;
 }
 } // namespace antinode

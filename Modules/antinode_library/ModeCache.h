@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_structure/DeviceDescription.h>
+#include "ModeCacheKey.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -22,11 +22,13 @@ public:
 
     /** The model that was stored for this description and count, the same to the bit; none if there is none that can be
         trusted, or the device gives its modes itself. [worker] */
-    std::optional<ModalModel> find (const DeviceDescription&, std::optional<int> modeCount) const;
+    std::optional<ModalModel> find (const DeviceDescription&, std::optional<int> modeCount,
+                                    SolvedShapes shapes = SolvedShapes::modes) const;
 
-    /** Keeps what solveStructure gave for this description and count, and removes what was not used for the longest
+    /** Keeps what was solved for this description and count, and removes what was not used for the longest
        time until all entries are within the limit. [worker] */
-    void store (const DeviceDescription&, std::optional<int> modeCount, const ModalModel&) const;
+    void store (const DeviceDescription&, std::optional<int> modeCount, const ModalModel&,
+                SolvedShapes shapes = SolvedShapes::modes) const;
 
 private:
     void removeOldest() const;
@@ -39,8 +41,9 @@ private:
    set. [any] */
 std::optional<std::filesystem::path> userCacheFolder();
 
-/** solveStructure, unless the cache has it already.
+/** solveStructure or solveWithStaticShare, unless the cache has it already.
     @param cache  none: always solved
     @throws InputError, Cancelled  as solveStructure [worker] */
-ModalModel solveCached (const DeviceDescription&, std::optional<int> modeCount, const ModeCache* cache);
+ModalModel solveCached (const DeviceDescription&, std::optional<int> modeCount, const ModeCache* cache,
+                        SolvedShapes shapes = SolvedShapes::modes);
 } // namespace antinode

@@ -11,7 +11,8 @@ namespace
 constexpr int cacheFormat = 2; // To be raised when an entry is written in another way.
 }
 
-std::optional<std::string> modeCacheKey (const DeviceDescription& device, std::optional<int> modeCount)
+std::optional<std::string> modeCacheKey (const DeviceDescription& device, std::optional<int> modeCount,
+                                         SolvedShapes shapes)
 {
     if (std::holds_alternative<ModalModel> (device.body))
         return {};
@@ -26,6 +27,10 @@ std::optional<std::string> modeCacheKey (const DeviceDescription& device, std::o
                 writer (body);
         },
         device.body);
+
+    if (shapes == SolvedShapes::withStaticShare)
+        writer (std::string ("static share"));
+
     return std::move (writer.bytes);
 }
 } // namespace antinode

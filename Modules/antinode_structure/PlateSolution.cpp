@@ -1,6 +1,7 @@
 #include "PlateSolution.h"
 
 #include "ElementChain.h"
+#include "ModeLimits.h"
 #include "PlateEnergy.h"
 #include "PlateWaves.h"
 
@@ -17,7 +18,6 @@ namespace antinode
 {
 namespace
 {
-constexpr int maximumPlateModes = 500;
 constexpr int defaultPlateModes = 100;
 
 /** Eigenvalues are in units of D / (m L^4) of the bare substrate and the longer side. */

@@ -3,6 +3,7 @@
 #include "DescribedModel.h"
 #include "DescriptionChecks.h"
 #include "DeviceDescription.h"
+#include "ModeLimits.h"
 #include "SolvedPlate.h"
 
 #include <antinode_base/InputError.h>
@@ -18,8 +19,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int elementDegree = 8;      ///< What subdivided() divides for.
-constexpr int maximumBeamModes = 200; ///< A beam of more has waves far shorter than thin-beam theory allows.
+constexpr int elementDegree = 8; ///< What subdivided() divides for.
 constexpr int defaultBeamModes = 40;
 
 /** The wanted modes of a description: a number, or all up to a frequency. */

@@ -144,7 +144,8 @@ WideDesign designFrom (const CommonOptions& options)
 
 WideDesign designFrom (const CommonOptions& options, const WideModel& wide, const FocusDescription& focus)
 {
-    return designWide (loadDevice (options.device, options.assignments), wide, withFingers (focus, options.fingers),
-                       options.playback(), options.usesCache);
+    const auto widen = [&] (const ModalModel& known, double frequency)
+    { return solveWide (loadDevice (options.device, options.assignments), known, frequency, options.usesCache); };
+    return designWide (wide, withFingers (focus, options.fingers), options.playback(), widen);
 }
 } // namespace antinode

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_library/Library.h>
+#include <antinode_focus/WideDesign.h>
 #include <antinode_render/RenderedFocus.h>
 
 #include <CLI/CLI.hpp>

@@ -9,6 +9,7 @@
 #include <antinode_library/SkinThresholds.h>
 #include <antinode_render/PerformedWaveforms.h>
 #include <antinode_reports/WaveformsReport.h>
+#include <antinode_structure/ModeLimits.h>
 #include <antinode_text/OutputFolder.h>
 #include <antinode_text/WaveFile.h>
 
@@ -34,14 +35,12 @@ struct PerformOptions
 /** Half as many modes again as the design knows, where the device is solved; a measured one has no more. */
 std::optional<int> judgedModes (const DeviceDescription& description, const ModalModel& known)
 {
-    constexpr Eigen::Index most = 500;
-
     if (std::holds_alternative<ModalModel> (description.body))
         return {};
 
     const auto hasShare = std::holds_alternative<PlateDescription> (description.body);
     const auto modes = known.modes() - (hasShare ? known.actuators() : 0);
-    return static_cast<int> (std::min (most, 3 * modes / 2));
+    return std::min (maximumModes (description), static_cast<int> (3 * modes / 2));
 }
 
 /** The waveform of each finger as a sound: full scale is the largest displacement of all. */

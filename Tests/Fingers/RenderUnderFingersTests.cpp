@@ -1,6 +1,6 @@
 #include "Support/HeldPlate.h"
 
-#include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/WideDesign.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_library/Library.h>
 #include <antinode_render/FingerMotion.h>
@@ -19,7 +19,7 @@ RenderedFocus renderedUnder (const std::vector<Finger>& fingers)
     const auto known = solveDevice (device, {}, false);
     auto focus = loadFocus ("demonstrator", {});
     focus.fingers = fingers;
-    auto made = designWide (device, { known, known.modes(), "No others." }, focus, held, false);
+    auto made = designWide ({ known, known.modes(), "No others." }, focus, held, {});
     RenderOptions options;
     options.playback = held;
     options.duration = 0.0255;

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "SpillOver.h"
+
+#include <functional>
+
+namespace antinode
+{
+/** A design that is made for a device and knows what it leaves in modes beyond it. */
+struct WideDesign
+{
+    WideModel wide; ///< With modes to widePlay times the highest that the design knows, where there are so many.
+    FocusDesign design;
+};
+
+/** Gives a device with modes to a frequency, Hz, or as far as they can be solved. */
+using WidenModel = std::function<WideModel (const ModalModel& known, double frequency)>;
+
+/** Designs a focus within a wide model, which is widened where the design guards modes beyond the device's own. Where
+    fingers are on the surface, the wide model is loaded by all of them, and the design by those that it knows.
+    @throws InputError, LimitError  as designFocus
+    [worker] Docs/Theory.md, sections 1.12 and 5.2. */
+WideDesign designWide (WideModel, const FocusDescription&, Playback, const WidenModel&);
+} // namespace antinode

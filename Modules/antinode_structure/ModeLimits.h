@@ -1,0 +1,16 @@
+#pragma once
+
+#include "DeviceDescription.h"
+
+namespace antinode
+{
+/** How many modes are solved at most: a beam of more has waves far shorter than thin-beam theory allows; of a plate the
+    memory ends it. */
+inline constexpr int maximumBeamModes = 200, maximumPlateModes = 500;
+
+/** The one of a device that is solved. [any] */
+inline int maximumModes (const DeviceDescription& device)
+{
+    return std::holds_alternative<PlateDescription> (device.body) ? maximumPlateModes : maximumBeamModes;
+}
+} // namespace antinode
