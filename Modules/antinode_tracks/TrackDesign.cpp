@@ -59,8 +59,9 @@ TrackSpan trackSpan (const ModalModel& model, const WaveformsDescription& descri
     const auto least = ratesPerBand * description.band.upper;
 
     if (! (sampleRate >= least))
-        throw InputError ("--rate", "is " + inWords (sampleRate) + " Hz; allowed for a band up to "
-                                        + inWords (description.band.upper) + " Hz: " + inWords (least) + " Hz or more");
+        throw InputError ("sample rate", "is " + inWords (sampleRate) + " Hz; allowed for a band up to "
+                                             + inWords (description.band.upper) + " Hz: " + inWords (least)
+                                             + " Hz or more");
 
     TrackSpan span;
     span.factor = static_cast<Eigen::Index> (sampleRate / least);

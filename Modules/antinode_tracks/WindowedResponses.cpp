@@ -67,55 +67,42 @@ Eigen::MatrixXcd WindowedResponses::spectra (const Eigen::MatrixXd& signalsToTra
     return result;
 }
 
-Eigen::MatrixXd WindowedResponses::motion (const Eigen::MatrixXd& voltages)
+template <typename Term>
+Eigen::MatrixXd WindowedResponses::combined (const Eigen::MatrixXd& signals, Eigen::Index count, Eigen::Index rows,
+                                             const Term& term)
 {
-    const auto driven = spectra (voltages);
-    Eigen::MatrixXd result (length(), points());
-    forEach (points(),
-             [&] (Eigen::Index p, FourierTables& table)
+    const auto lines = spectra (signals);
+    Eigen::MatrixXd result (rows, count);
+    forEach (count,
+             [&] (Eigen::Index to, FourierTables& table)
              {
-                 Eigen::VectorXcd sum = Eigen::VectorXcd::Zero (driven.rows());
+                 Eigen::VectorXcd sum = Eigen::VectorXcd::Zero (lines.rows());
 
-                 for (Eigen::Index i = 0; i < actuators(); ++i)
-                     sum.array() += responses.values.col (p + points() * i).array() * driven.col (i).array();
+                 for (Eigen::Index from = 0; from < lines.cols(); ++from)
+                     sum.array() += term (to, from) * lines.col (from).array();
 
-                 result.col (p) = table.inverse (sum, length());
+                 result.col (to) = table.inverse (sum, length()).head (rows);
              });
     return result;
+}
+
+Eigen::MatrixXd WindowedResponses::motion (const Eigen::MatrixXd& voltages)
+{
+    return combined (voltages, points(), length(),
+                     [this] (Eigen::Index p, Eigen::Index i)
+                     { return responses.values.col (p + points() * i).array(); });
 }
 
 Eigen::MatrixXd WindowedResponses::pulls (const Eigen::MatrixXd& multipliers)
 {
-    const auto pulling = spectra (multipliers);
-    Eigen::MatrixXd result (window, actuators());
-    forEach (actuators(),
-             [&] (Eigen::Index i, FourierTables& table)
-             {
-                 Eigen::VectorXcd sum = Eigen::VectorXcd::Zero (pulling.rows());
-
-                 for (Eigen::Index p = 0; p < points(); ++p)
-                     sum.array() +=
-                         responses.values.col (p + points() * i).array().conjugate() * pulling.col (p).array();
-
-                 result.col (i) = table.inverse (sum, length()).head (window);
-             });
-    return result;
+    return combined (multipliers, actuators(), window,
+                     [this] (Eigen::Index i, Eigen::Index p)
+                     { return responses.values.col (p + points() * i).array().conjugate(); });
 }
 
 Eigen::MatrixXd WindowedResponses::precondition (const Eigen::MatrixXd& right)
 {
-    const auto lines = spectra (right);
-    Eigen::MatrixXd result (length(), points());
-    forEach (points(),
-             [&] (Eigen::Index p, FourierTables& table)
-             {
-                 Eigen::VectorXcd sum = Eigen::VectorXcd::Zero (lines.rows());
-
-                 for (Eigen::Index q = 0; q < points(); ++q)
-                     sum.array() += inverses.col (p + points() * q).array() * lines.col (q).array();
-
-                 result.col (p) = table.inverse (sum, length());
-             });
-    return result;
+    return combined (right, points(), length(),
+                     [this] (Eigen::Index p, Eigen::Index q) { return inverses.col (p + points() * q).array(); });
 }
 } // namespace antinode

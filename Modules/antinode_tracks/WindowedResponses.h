@@ -43,6 +43,9 @@ public:
 
 private:
     Eigen::MatrixXcd spectra (const Eigen::MatrixXd& signals);
+    /** Signals, each line multiplied by a factor from each signal to each result and summed. rows of length. */
+    template <typename Term>
+    Eigen::MatrixXd combined (const Eigen::MatrixXd& signals, Eigen::Index count, Eigen::Index rows, const Term& term);
     void forEach (Eigen::Index count, const std::function<void (Eigen::Index, FourierTables&)>& work);
 
     PointResponses responses;

@@ -180,7 +180,8 @@ TEST_CASE ("Waveforms that cannot be are refused in one sentence", "[tracks]")
     description = twoPoints (1e-6);
     description.tracks[0].signal = ToneSignal { 300, 3000, 0.01, 0, 1 };
     CHECK_THAT (refusal (description, 48000), Catch::Contains ("last 3000 s") && Catch::Contains ("allowed: 1 GiB"));
-    CHECK_THAT (refusal (twoPoints (1e-6), 4000), Catch::Contains ("--rate") && Catch::Contains ("4800 Hz or more"));
+    CHECK_THAT (refusal (twoPoints (1e-6), 4000),
+                Catch::Contains ("sample rate") && Catch::Contains ("4800 Hz or more"));
 
     description = twoPoints (1e-6);
     description.silent.resize (12);
