@@ -60,6 +60,16 @@ inline KnownStructure knownBeam (unsigned seed, Eigen::Index pointCount = 80, Ei
     return beam;
 }
 
+/** The same structure with its lowest modes alone. */
+inline KnownStructure lowestModes (KnownStructure structure, Eigen::Index modes)
+{
+    structure.frequencies = structure.frequencies.head (modes).eval();
+    structure.dampingRatios = structure.dampingRatios.head (modes).eval();
+    structure.shapes = structure.shapes.leftCols (modes).eval();
+    structure.participation = structure.participation.topRows (modes).eval();
+    return structure;
+}
+
 /** A plate of 124 modes to 30 kHz (others are above), Q 60 to 140, so that half-power bands overlap up to 1.2 times, at
    165 points, driven by 8 ceramics. */
 inline KnownStructure knownPlate (unsigned seed, Eigen::Index modes = 124)
