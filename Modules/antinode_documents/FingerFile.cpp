@@ -5,6 +5,8 @@
 
 #include <antinode_text/JsonReader.h>
 
+#include <nlohmann/json.hpp>
+
 namespace antinode
 {
 namespace
@@ -42,5 +44,17 @@ Finger readFinger (const JsonValue& value, double x, double y)
 {
     return value.isString() ? builtInFinger (value.choice (fingerKindWords), x, y)
                             : readFinger (value.object ({ fingerKeys.begin(), fingerKeys.end() }), x, y);
+}
+
+nlohmann::ordered_json fingerToJson (const Finger& finger)
+{
+    return { { "x_mm", toMillimetres (finger.x) },
+             { "y_mm", toMillimetres (finger.y) },
+             { "kind", finger.name },
+             { "radius_mm", toMillimetres (finger.radius) },
+             { "mass_g", toGrams (finger.mass) },
+             { "damping_N_s_per_m", finger.damping },
+             { "stiffness_N_per_mm", toNewtonsPerMillimetre (finger.stiffness) },
+             { "known", finger.isKnown } };
 }
 } // namespace antinode

@@ -2,6 +2,8 @@
 
 #include <antinode_fingers/Finger.h>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <array>
 #include <string_view>
 
@@ -22,4 +24,7 @@ Finger readFinger (const JsonObject&, double x, double y);
 
 /** The same from the name of a built-in finger, or an object of fingerKeys. [worker] */
 Finger readFinger (const JsonValue&, double x, double y);
+
+/** A finger with its place, as focus files have it. [worker] */
+nlohmann::ordered_json fingerToJson (const Finger&);
 } // namespace antinode

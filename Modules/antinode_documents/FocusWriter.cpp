@@ -1,4 +1,5 @@
 #include "FileUnits.h"
+#include "FingerFile.h"
 #include "FocusFile.h"
 #include "FocusWords.h"
 
@@ -93,18 +94,6 @@ Json allocationToJson (const AllocationChoice& allocation)
         object["robust"] = robustnessToJson (*allocation.robust);
 
     return object;
-}
-
-Json fingerToJson (const Finger& finger)
-{
-    return { { "x_mm", toMillimetres (finger.x) },
-             { "y_mm", toMillimetres (finger.y) },
-             { "kind", finger.name },
-             { "radius_mm", toMillimetres (finger.radius) },
-             { "mass_g", toGrams (finger.mass) },
-             { "damping_N_s_per_m", finger.damping },
-             { "stiffness_N_per_mm", toNewtonsPerMillimetre (finger.stiffness) },
-             { "known", finger.isKnown } };
 }
 } // namespace
 

@@ -19,6 +19,8 @@ struct Finger
     double damping = 1.5;   ///< N s/m
     double stiffness = 600; ///< N/m
     bool isKnown = true;    ///< False: it is on the plate, but no design knows of it.
+
+    bool operator== (const Finger&) const = default;
 };
 
 /** From where to where the literature leaves a property open. */

@@ -13,24 +13,37 @@ namespace antinode
 {
 namespace
 {
-/** Fingers change the modes: those that the design knows of are in what it is made for, all of them in what is played.
- */
-WideDesign designUnderFingers (const WideModel& wide, const FocusDescription& focus, Playback playback)
+std::vector<Finger> knownFingers (const std::vector<Finger>& fingers)
 {
     std::vector<Finger> known;
-    std::copy_if (focus.fingers.begin(), focus.fingers.end(), std::back_inserter (known),
+    std::copy_if (fingers.begin(), fingers.end(), std::back_inserter (known),
                   [] (const auto& finger) { return finger.isKnown; });
-    auto played = loadedModel (wide.model, focus.fingers);
-    auto designed = loadedModel (firstModes (wide.model, wide.known), known);
-    auto design = known.empty() ? designWithin (wide, focus, playback) : designFocus (designed, focus, playback);
+    return known;
+}
+
+WideDesign designUnderFingers (const WideModel& wide, const FocusDescription& focus, Playback playback)
+{
+    const auto known = knownFingers (focus.fingers).size();
+    auto played = loadedByFingers (wide, focus.fingers);
+    auto design = known == 0 ? designWithin (wide, focus, playback) : designFocus (*played.designed, focus, playback);
+    design.choices.push_back ("Fingers on the surface: " + std::to_string (focus.fingers.size())
+                              + ", of which the design knows " + std::to_string (known) + ".");
+    return { std::move (played), std::move (design) };
+}
+} // namespace
+
+WideModel loadedByFingers (const WideModel& wide, const std::vector<Finger>& fingers)
+{
+    if (fingers.empty())
+        return wide;
+
+    auto played = loadedModel (wide.model, fingers);
+    auto designed = loadedModel (firstModes (wide.model, wide.known), knownFingers (fingers));
     const auto count = played.modes();
     const auto sentence = "Not told apart: fingers mix the modes of the device with those beyond. Played are "
                           + std::to_string (count) + " modes, to " + inWords (played.frequencyHz (count - 1)) + " Hz.";
-    design.choices.push_back ("Fingers on the surface: " + std::to_string (focus.fingers.size())
-                              + ", of which the design knows " + std::to_string (known.size()) + ".");
-    return { { std::move (played), count, sentence, std::move (designed) }, std::move (design) };
+    return { std::move (played), count, sentence, std::move (designed) };
 }
-} // namespace
 
 WideDesign designWide (WideModel wide, const FocusDescription& focus, Playback playback, const WidenModel& widen)
 {

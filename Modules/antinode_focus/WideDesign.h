@@ -13,6 +13,12 @@ struct WideDesign
     FocusDesign design;
 };
 
+/** A wide model with fingers on it: all of them in what is played, those that designs know in what these are made for.
+    Without fingers itself. The device's own modes and those beyond are not told apart then.
+    @throws InputError  as loadedModel
+    [worker] Docs/Theory.md, section 1.12. */
+WideModel loadedByFingers (const WideModel&, const std::vector<Finger>&);
+
 /** Gives a device with modes to a frequency, Hz, or as far as they can be solved. */
 using WidenModel = std::function<WideModel (const ModalModel& known, double frequency)>;
 

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <antinode_fingers/Finger.h>
 #include <antinode_focus/FocusDescription.h>
 #include <antinode_structure/DeviceDescription.h>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>
+#include <vector>
 
 namespace antinode
 {
@@ -29,4 +31,7 @@ DeviceDocument readDeviceDocument (const nlohmann::json&, const std::string& sou
 
 /** @throws InputError  as readFocus [worker] */
 FocusDocument readFocusDocument (const nlohmann::json&, const std::string& source);
+
+/** A focus with other fingers, in its text too. [worker] */
+FocusDocument withFingers (const FocusDocument&, const std::vector<Finger>&);
 } // namespace antinode

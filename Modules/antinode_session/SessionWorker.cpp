@@ -5,6 +5,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>
 #include <antinode_focus/FocusMoments.h>
+#include <antinode_focus/WideDesign.h>
 #include <antinode_library/Library.h>
 
 #include <algorithm>
@@ -76,6 +77,7 @@ void SessionWorker::step (const SessionRound& round)
 {
     takeAmplifiers (round);
     takeDocuments (round);
+    takeFingers();
     takeGraphChoice (round);
     entry->collect();
     const auto read = owner->settings (settings);
@@ -164,6 +166,34 @@ void SessionWorker::takeAmplifiers (const SessionRound& round)
     }
 }
 
+/** Fingers change the modes, so what plays becomes another path. */
+void SessionWorker::takeFingers()
+{
+    const auto& wanted = focus->description.fingers;
+
+    if (model == loadedModelOf && wanted == fingers)
+        return;
+
+    isModelNew = isModelNew || wanted != fingers;
+    loadedModelOf = played = designed = model;
+    fingers = wanted;
+    fingerError.clear();
+
+    if (model == nullptr || fingers.empty())
+        return;
+
+    try
+    {
+        auto loaded = loadedByFingers ({ *model, model->modes(), {}, {} }, fingers);
+        played = std::make_shared<const ModalModel> (std::move (loaded.model));
+        designed = std::make_shared<const ModalModel> (std::move (*loaded.designed));
+    }
+    catch (const InputError& failure)
+    {
+        fingerError = std::string ("Played without fingers: ") + failure.what();
+    }
+}
+
 /** One that fails is not tried again before something else is wanted. */
 void SessionWorker::buildPath()
 {
@@ -171,12 +201,12 @@ void SessionWorker::buildPath()
 
     try
     {
-        auto made = std::make_unique<AudioPath> (model, rate, toPlayerSettings (settings), probeShapes(), graph);
+        auto made = std::make_unique<AudioPath> (played, rate, toPlayerSettings (settings), probeShapes(), graph);
         path = made.get();
         entry->probeTrace().prepare (std::max (1, static_cast<int> (rate / traceEntriesPerSecond)));
         entry->give (std::move (made));
         requests->setTailSeconds (latestFocusTime (focus->description)
-                                  + std::log (1000) / decayRates (*model).minCoeff());
+                                  + std::log (1000) / decayRates (*played).minCoeff());
     }
     catch (const std::exception& failure)
     {
@@ -208,7 +238,7 @@ void SessionWorker::publish()
     now.model = model;
     now.settings = settings;
     now.isSolving = isSolving;
-    now.deviceError = deviceError;
+    now.deviceError = deviceError.empty() ? fingerError : deviceError;
     now.playback = { Reconstruction::bandLimited, rate };
 
     if (model != nullptr)

@@ -4,6 +4,8 @@
 #include "SessionOwner.h"
 #include "SessionRequests.h"
 
+#include <antinode_fingers/Finger.h>
+
 #include <memory>
 #include <string>
 #include <utility>
@@ -29,6 +31,7 @@ private:
     void takeDocuments (const SessionRound&);
     void solve (const DeviceDocument&);
     void takeAmplifiers (const SessionRound&);
+    void takeFingers();
     void buildPath();
     void takeGraphChoice (const SessionRound&);
     void requestDesigns (const std::vector<int>& firstNotes);
@@ -43,13 +46,16 @@ private:
     std::shared_ptr<Owner> owner;
     std::shared_ptr<const DeviceDocument> device;
     std::shared_ptr<const FocusDocument> focus;
-    std::shared_ptr<const ModalModel> solved, model; ///< Without and with the amplifiers.
-    std::vector<double> amplifiers;                  ///< V of a full-scale sample of each ceramic.
+    std::shared_ptr<const ModalModel> solved, model;    ///< Without and with the amplifiers.
+    std::shared_ptr<const ModalModel> played, designed; ///< Loaded by all fingers, and by those that designs know.
+    std::shared_ptr<const ModalModel> loadedModelOf;    ///< What these were made of.
+    std::vector<Finger> fingers;
+    std::vector<double> amplifiers; ///< V of a full-scale sample of each ceramic.
     PlaySettings settings;
     double rate = 0;           ///< Hz, of the path.
     AudioPath* path = nullptr; ///< The newest one, which `entry` owns; none where it could not be built.
     GraphChoice graph;
     bool isSolving = false, isModelNew = false, isFocusNew = false, isGraphNew = false;
-    std::string deviceError;
+    std::string deviceError, fingerError;
 };
 } // namespace antinode

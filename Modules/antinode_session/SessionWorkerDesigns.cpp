@@ -31,7 +31,7 @@ void SessionWorker::requestDesigns (const std::vector<int>& firstNotes)
         // A focus of another device may have probes outside this surface: the monitor stays where it was.
     }
 
-    path->worker().request ({ model, description, notePlaces(), firstNotes, { Reconstruction::bandLimited, rate } });
+    path->worker().request ({ designed, description, notePlaces(), firstNotes, { Reconstruction::bandLimited, rate } });
 }
 
 std::vector<std::pair<double, double>> SessionWorker::notePlaces() const
@@ -51,12 +51,12 @@ std::vector<std::pair<double, double>> SessionWorker::notePlaces() const
 Eigen::MatrixXd SessionWorker::probeShapes() const
 {
     const auto places = probePlaces (focus->description, settings, model->surface);
-    Eigen::MatrixXd shapes (AudioPath::probes, model->coordinates());
+    Eigen::MatrixXd shapes (AudioPath::probes, played->coordinates());
     const auto& surface = model->surface;
 
     for (std::size_t i = 0; i < places.size(); ++i)
         shapes.row (static_cast<Eigen::Index> (i)) =
-            shapesAt (*model, std::clamp (places[i].first, surface.xMinimum, surface.xMaximum),
+            shapesAt (*played, std::clamp (places[i].first, surface.xMinimum, surface.xMaximum),
                       std::clamp (places[i].second, surface.yMinimum, surface.yMaximum));
 
     return shapes;

@@ -28,7 +28,7 @@ struct DesignQuestion
 /** The result of a render: the same charts and scores as in the report. */
 struct RenderedCharts
 {
-    std::shared_ptr<const Chart> voltages, probe;
+    std::shared_ptr<const Chart> voltages, probe, felt;
     std::vector<ReportScore> scores;
     std::vector<std::string> warnings, choices;
 };

@@ -3,6 +3,9 @@
 #include <antinode_charts/FocusCharts.h>
 #include <antinode_charts/PlateCharts.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/WideDesign.h>
+#include <antinode_library/SkinThresholds.h>
+#include <antinode_reports/FeltSection.h>
 #include <antinode_session/FocusSettings.h>
 
 #include <algorithm>
@@ -32,10 +35,11 @@ std::vector<std::pair<double, double>> chooseProbes (const DesignQuestion& quest
     return probes;
 }
 
-/** What the report shows of the field too. @param design  none: the surface at rest */
-std::shared_ptr<const Chart> makeFieldChart (const DesignPicture& made, const FocusDesign* design)
+/** What the report shows of the field too. @param model  that is played
+    @param design  none: the surface at rest */
+std::shared_ptr<const Chart> makeFieldChart (const DesignPicture& made, const ModalModel& model,
+                                             const FocusDesign* design)
 {
-    const auto& model = *made.question.model;
     const auto& field = made.frames->focusField;
 
     if (model.surface.kind == SurfaceKind::line)
@@ -126,6 +130,7 @@ void DesignView::answer (const DesignQuestion& question)
 
     try
     {
+        load (made);
         answerWith (made, playableDesign (made));
     }
     catch (const Cancelled&)
@@ -135,7 +140,7 @@ void DesignView::answer (const DesignQuestion& question)
     {
         made.error = failure.what();
         made.frames = std::make_shared<const FieldFrames> (stillFrames (*question.model));
-        made.field = makeFieldChart (made, nullptr);
+        made.field = makeFieldChart (made, *question.model, nullptr);
         made.spectrum = nullptr;
         made.rendered = nullptr;
         made.stage = DesignPicture::Stage::complete;
@@ -143,17 +148,34 @@ void DesignView::answer (const DesignQuestion& question)
     }
 }
 
+/** Fingers change the modes; a moving parameter does not. */
+void DesignView::load (const DesignPicture& made)
+{
+    const auto& model = made.question.model;
+    const auto& wanted = made.focus.fingers;
+
+    if (model == loadedModelOf && wanted == fingers)
+        return;
+
+    loadedModelOf = nullptr;
+    loaded =
+        loadedByFingers ({ *model, model->modes(), "It was played with the modes of its design alone.", {} }, wanted);
+    loadedModelOf = model;
+    fingers = wanted;
+}
+
 FocusDesign DesignView::playableDesign (const DesignPicture& made) const
 {
     const WatchScope scope (watch (longDesign));
-    return designFocus (*made.question.model, made.focus, made.question.playback, DesignExtent::playable);
+    const auto& model = loaded.designed ? *loaded.designed : loaded.model;
+    return designFocus (model, made.focus, made.question.playback, DesignExtent::playable);
 }
 
 void DesignView::answerWith (DesignPicture& made, const FocusDesign& playable)
 {
-    const auto& model = *made.question.model;
+    const auto& model = loaded.model;
     made.frames = std::make_shared<const FieldFrames> (predictFocus (model, playable));
-    made.field = makeFieldChart (made, &playable);
+    made.field = makeFieldChart (made, model, &playable);
 
     if (model.surface.kind == SurfaceKind::plate)
         made.section = std::make_shared<const Chart> (
@@ -178,11 +200,14 @@ void DesignView::render (DesignPicture& made)
     RenderOptions options;
     options.playback = question.playback;
     options.probes = chooseProbes (question);
-    auto design = designFocus (*question.model, made.focus, question.playback, DesignExtent::complete);
-    const auto focus = renderFocus (*question.model, std::move (design), options);
+    options.threshold = findSkinThreshold ({});
+    const auto& model = loaded.designed ? *loaded.designed : loaded.model;
+    auto design = designFocus (model, made.focus, question.playback, DesignExtent::complete);
+    const auto focus = renderFocus (loaded, std::move (design), options);
     auto charts = std::make_shared<RenderedCharts>();
     charts->voltages = std::make_shared<const Chart> (voltagesChart (focus.model, focus.design.program, focus.render));
     charts->probe = std::make_shared<const Chart> (probeChart (focus.render, 0, "probe"));
+    charts->felt = std::make_shared<const Chart> (feltFigure (focus.model, focus.felt.value()).chart);
     charts->scores = focusScores (focus, evaluateOutcome (focus));
     charts->warnings = focus.design.warnings;
     charts->choices = focus.design.choices;

@@ -3,7 +3,7 @@
 #include "DesignPicture.h"
 
 #include <antinode_base/Watch.h>
-#include <antinode_focus/FocusDesign.h>
+#include <antinode_focus/SpillOver.h>
 
 #include <atomic>
 #include <chrono>
@@ -37,6 +37,7 @@ public:
 
 private:
     void answer (const DesignQuestion&);
+    void load (const DesignPicture&);
     FocusDesign playableDesign (const DesignPicture&) const;
     void answerWith (DesignPicture&, const FocusDesign& playable);
     void render (DesignPicture&);
@@ -45,6 +46,9 @@ private:
     Watch watch (std::chrono::milliseconds grace) const;
     bool isQuietFor (std::chrono::milliseconds);
 
+    std::shared_ptr<const ModalModel> loadedModelOf; ///< Of the thread only, as the next lines.
+    std::vector<Finger> fingers;
+    WideModel loaded; ///< The device with the fingers on it.
     mutable std::mutex mutex;
     std::condition_variable changed;
     std::optional<DesignQuestion> next; ///< Under the mutex, as the next line.

@@ -12,10 +12,10 @@ constexpr double usualRate = 48000; // Hz, before a host says it
 
 EditorContent::EditorContent (AntinodeProcessor& processorToShow)
     : processor (processorToShow), past (processor), presets (processor, past), top (processor, past),
-      surfaceView (processor), section ("Section along x"), spectrum ("Modal spectrum"),
-      voltages ("Voltages with their limits"), probe (processor.session().probeTrace()), parameters (processor),
-      meters (processor, past), status (processor), browser (std::make_unique<PresetPanel> (presets)),
-      tooltips (this, 600)
+      surfaceView (processor, past), section ("Section along x"), spectrum ("Modal spectrum"),
+      felt ("Sensation level over the whole event"), voltages ("Voltages with their limits"),
+      probe (processor.session().probeTrace()), parameters (processor), meters (processor, past), status (processor),
+      browser (std::make_unique<PresetPanel> (presets)), tooltips (this, 600)
 {
     juce::LookAndFeel::setDefaultLookAndFeel (&fonts.get());
     setLookAndFeel (&look);
@@ -31,6 +31,7 @@ EditorContent::EditorContent (AntinodeProcessor& processorToShow)
     top.onUndo = [this] { undo(); };
     top.onRedo = [this] { redo(); };
     surfaceView.onFire = [this] { fire(); };
+    surfaceView.fingers().say = [this] (const juce::String& sentence) { status.say (sentence); };
     browser->onClose = [this] { browse (std::nullopt); };
 
     for (juce::Component* const child :
@@ -65,7 +66,7 @@ void EditorContent::setDark (bool isDark)
 
 void EditorContent::refresh (double seconds)
 {
-    if (processor.parameters().arm().get())
+    if (const auto isArmed = processor.parameters().arm().get(); ! std::exchange (wasArmed, isArmed) && isArmed)
         status.say ({});
 
     showModel();
@@ -130,6 +131,7 @@ void EditorContent::showPicture()
     section.setChart (picture->section, wording);
     spectrum.setChart (picture->spectrum, wording);
     voltages.setChart (picture->rendered != nullptr ? picture->rendered->voltages : nullptr, wording);
+    felt.setChart (picture->rendered != nullptr ? picture->rendered->felt : nullptr, wording);
     probe.designed().setChart (picture->rendered != nullptr ? picture->rendered->probe : nullptr, wording);
     scores.setPicture (picture);
 }

@@ -56,7 +56,7 @@ public:
     /** Opens the browser of a kind, or closes it. */
     void browse (std::optional<LibraryKind>);
 
-    /** Shows one of the panels at the right: "Spectrum", "Probe", "Voltages", "Scores", "Controls". */
+    /** Shows one of the panels at the right: "Spectrum", "Felt", "Probe", "Voltages", "Scores", "Controls". */
     void showPanel (const juce::String& name);
 
     void paint (juce::Graphics&) override;
@@ -95,7 +95,7 @@ private:
     TopBar top;
     SurfaceView surfaceView;
     Timeline time;
-    ChartView section, spectrum, voltages;
+    ChartView section, spectrum, felt, voltages;
     ProbePanel probe;
     ScoresView scores;
     ParameterPanel parameters;
@@ -106,6 +106,7 @@ private:
     std::unique_ptr<PresetPanel> browser;
     LocalTooltips tooltips;
     Layout layout = Layout::none;
+    bool wasArmed = false;
     std::shared_ptr<const ModalModel> model;
     std::shared_ptr<const DesignPicture> picture;
     std::optional<DesignQuestion> asked;

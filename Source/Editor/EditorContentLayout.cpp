@@ -18,6 +18,7 @@ void EditorContent::setLayout (Layout wanted)
         return;
 
     const PanelGroup::Panel ofSpectrum { "Spectrum", "Wanted and reached velocity of each mode.", &spectrum },
+        ofFelt { "Felt", "What skin feels of the whole event, everywhere: dB over threshold, a model.", &felt },
         ofProbe { "Probe", "Velocity at the probe over time: designed and live.", &probe },
         ofVoltages { "Voltages", "Voltage of each ceramic with its limits.", &voltages },
         ofScores { "Scores", "Scores of the focus, warnings and choices.", &scores },
@@ -28,11 +29,11 @@ void EditorContent::setLayout (Layout wanted)
     if (wanted == Layout::wide)
     {
         addAndMakeVisible (parameterView);
-        upper.setPanels ({ ofSpectrum, ofProbe });
+        upper.setPanels ({ ofSpectrum, ofFelt, ofProbe });
         lower.setPanels ({ ofVoltages, ofScores });
     }
     else
-        upper.setPanels ({ ofControls, ofSpectrum, ofVoltages, ofProbe, ofScores });
+        upper.setPanels ({ ofControls, ofSpectrum, ofFelt, ofVoltages, ofProbe, ofScores });
 
     lower.setVisible (wanted == Layout::wide);
 }

@@ -11,12 +11,8 @@
 
 namespace antinode
 {
-namespace
-{
-
-} // namespace
-
-SurfaceView::SurfaceView (AntinodeProcessor& processorToShow) : processor (processorToShow)
+SurfaceView::SurfaceView (AntinodeProcessor& processorToShow, History& history)
+    : processor (processorToShow), touching (processorToShow, history)
 {
     const auto& parameters = processor.parameters();
     spotX = parameters.find ("x");
@@ -28,10 +24,10 @@ SurfaceView::SurfaceView (AntinodeProcessor& processorToShow) : processor (proce
     setTitle ("Surface");
     setDescription (
         "Velocity of the surface at the focus. Arrow keys move the spot, Alt with arrow keys the probe, Shift makes "
-        "the steps smaller. Space fires.");
-    setTooltip (
-        "Drag the spot (ring) or the probe (diamond).\nArrow keys move the spot by 1 % of the surface, with Shift by "
-        "0.1 %; Alt with arrow keys moves the probe. Space fires.");
+        "the steps smaller. N rests a finger at the probe, Delete lifts the one nearest to it. Space fires.");
+    setTooltip ("Drag the spot (ring), the probe (diamond) or a finger (disc); a right click rests and lifts "
+                "fingers.\nArrow keys move the spot by 1 % of the surface, with Shift by "
+                "0.1 %; Alt with arrow keys moves the probe. Space fires.");
     setWantsKeyboardFocus (true);
 }
 
@@ -53,7 +49,7 @@ void SurfaceView::refresh()
     const std::array values { parameterValue (*spotX),  parameterValue (*spotY), parameterValue (*probeX),
                               parameterValue (*probeY), parameterValue (*width), parameterValue (*height) };
 
-    if (values != shownValues)
+    if (touching.refresh() || values != shownValues)
     {
         shownValues = values;
         repaint();
@@ -108,6 +104,7 @@ void SurfaceView::paint (juce::Graphics& g)
 
     painter.layOut (getLocalBounds(), g.getInternalContext().getPhysicalPixelScaleFactor());
     painter.paint (g, frame);
+    touching.paint (g, painter.frame(), palette);
     paintProbe (g);
     paintSpot (g);
     paintMessage (g);

@@ -1,20 +1,22 @@
 #pragma once
 
+#include "SurfaceFingers.h"
 #include "SurfacePainter.h"
 
 #include <Processor/AntinodeProcessor.h>
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace antinode
 {
-/** The plate or beam from above: ceramics, field, spot and probe; both can be dragged or moved with arrow keys.
-    [message thread] */
+/** The plate or beam from above: ceramics, field, spot, probe and fingers. They can be dragged; spot and probe move
+   with arrow keys too, and a menu puts fingers on the surface. [message thread] */
 class SurfaceView : public juce::Component, public juce::SettableTooltipClient
 {
 public:
-    explicit SurfaceView (AntinodeProcessor&);
+    SurfaceView (AntinodeProcessor&, History&);
 
     void setPicture (std::shared_ptr<const DesignPicture>);
 
@@ -27,6 +29,11 @@ public:
     /** The positions of spot and probe, in pixels of this component. */
     juce::Point<float> spot() const { return pixelPlace (*spotX, *spotY, shownSpotHeight()); }
     juce::Point<float> probe() const { return pixelPlace (*probeX, *probeY, 0); }
+
+    SurfaceFingers& fingers() { return touching; }
+
+    /** What can be done with fingers at a place. @param place  in pixels of this component */
+    juce::PopupMenu fingerMenu (juce::Point<float> place);
 
     /** The action of Space and Return. */
     std::function<void()> onFire;
@@ -48,14 +55,22 @@ private:
     {
         none,
         spot,
-        probe
+        probe,
+        finger
     };
 
     juce::Point<float> pixelPlace (const juce::RangedAudioParameter& x, const juce::RangedAudioParameter& y,
                                    double lineHeight) const;
     double shownSpotHeight() const;
     Handle handleAt (juce::Point<float>) const;
+    std::optional<std::size_t> fingerAt (juce::Point<float>) const;
+    juce::RangedAudioParameter* horizontal (Handle) const;
+    juce::RangedAudioParameter* vertical (Handle) const;
+    juce::Point<float> middleOf (Handle) const;
     void moveHandle (juce::Point<float>);
+    void moveFinger (juce::Point<float>);
+    bool changeFingers (const juce::KeyPress&);
+    juce::Point<double> surfacePlace (juce::Point<float>) const;
     void nudge (Handle, float xPercent, float yPercent);
     void paintSpot (juce::Graphics&) const;
     void paintProbe (juce::Graphics&) const;
@@ -65,6 +80,8 @@ private:
     juce::RangedAudioParameter *spotX, *spotY, *probeX, *probeY, *width, *height;
     std::shared_ptr<const DesignPicture> picture;
     SurfacePainter painter;
+    SurfaceFingers touching;
+    std::size_t draggedFinger = 0;
     int frame = FieldFrames::atFocus;
     Handle dragged = Handle::none;
     juce::Point<float> grabbedAt;         ///< From the handle's middle.

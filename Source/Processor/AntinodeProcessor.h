@@ -38,6 +38,9 @@ public:
         [message thread] */
     void load (std::shared_ptr<const DeviceDocument>, std::shared_ptr<const FocusDocument>);
 
+    /** Puts other fingers on the surface; parameters stay as they are. [message thread] */
+    void setFingers (const std::vector<Finger>&);
+
     /** The complete state for a host. [message thread] */
     SessionState state() const;
 

@@ -45,6 +45,13 @@ void AntinodeProcessor::setState (const SessionState& wanted, bool isRestored)
     player->load (isOtherDevice ? wanted.device : nullptr, isOtherFocus ? wanted.focus : nullptr);
 }
 
+void AntinodeProcessor::setFingers (const std::vector<Finger>& fingers)
+{
+    auto wanted = state();
+    wanted.focus = std::make_shared<const FocusDocument> (withFingers (*wanted.focus, fingers));
+    setState (wanted, false);
+}
+
 void AntinodeProcessor::getStateInformation (juce::MemoryBlock& block)
 {
     const auto text = stateToText (state());

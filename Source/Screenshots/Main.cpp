@@ -28,6 +28,7 @@ struct Screenshot
     int width, height;
     std::string device, focus;
     bool isDark;
+    bool hasFingers = false; ///< Rests two fingers and shows what is felt.
 };
 
 std::shared_ptr<const antinode::DeviceDocument> embeddedDevice (const std::string& name)
@@ -88,6 +89,17 @@ void show (const Screenshot& wanted, antinode::AntinodeProcessor& processor, ant
     content.setDark (wanted.isDark);
     processor.session().waitUntilSettled();
     waitUntilShown (content);
+
+    if (wanted.hasFingers)
+    {
+        content.surface().fingers().rest ("medium", 0.15, 0.11);
+        content.surface().fingers().rest ("firm", 0.03, 0.05);
+        content.surface().fingers().setKnown (1, false);
+        content.showPanel ("Felt");
+        processor.session().waitUntilSettled();
+        waitUntilShown (content);
+    }
+
     play (processor, content);
 }
 
@@ -152,6 +164,7 @@ int main (int argumentCount, char* arguments[])
         { "editor-800x500", 800, 500, "staple", "demonstrator", true },
         { "editor-2560x1440", 2560, 1440, "phone", "phone-thumb", true },
         { "editor-plate", 1280, 800, "glass-148x210", "glass-finger", true },
+        { "editor-fingers", 1280, 800, "glass-148x210", "glass-finger", true, true },
         { "editor-light", 1280, 800, "staple", "demonstrator", false },
     };
 
