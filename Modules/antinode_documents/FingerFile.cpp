@@ -15,6 +15,7 @@ constexpr NumberRange fingerMillimetres { 0, 20 };
 constexpr NumberRange fingerGrams { 0, 10 };
 constexpr NumberRange fingerDamping { 0, 1000 }; // N s/m
 constexpr NumberRange fingerNewtonsPerMillimetre { 0, 100 };
+constexpr NumberRange pressingNewtons { 0, 100 };
 } // namespace
 
 Finger readFinger (const JsonObject& object, double x, double y)
@@ -37,6 +38,9 @@ Finger readFinger (const JsonObject& object, double x, double y)
     if (const auto known = object.optional ("known"))
         finger.isKnown = known->boolean();
 
+    if (const auto force = object.optional ("pressing_force_N"))
+        finger.pressingForce = force->number (pressingNewtons);
+
     return finger;
 }
 
@@ -48,13 +52,18 @@ Finger readFinger (const JsonValue& value, double x, double y)
 
 nlohmann::ordered_json fingerToJson (const Finger& finger)
 {
-    return { { "x_mm", toMillimetres (finger.x) },
-             { "y_mm", toMillimetres (finger.y) },
-             { "kind", finger.name },
-             { "radius_mm", toMillimetres (finger.radius) },
-             { "mass_g", toGrams (finger.mass) },
-             { "damping_N_s_per_m", finger.damping },
-             { "stiffness_N_per_mm", toNewtonsPerMillimetre (finger.stiffness) },
-             { "known", finger.isKnown } };
+    nlohmann::ordered_json object { { "x_mm", toMillimetres (finger.x) },
+                                    { "y_mm", toMillimetres (finger.y) },
+                                    { "kind", finger.name },
+                                    { "radius_mm", toMillimetres (finger.radius) },
+                                    { "mass_g", toGrams (finger.mass) },
+                                    { "damping_N_s_per_m", finger.damping },
+                                    { "stiffness_N_per_mm", toNewtonsPerMillimetre (finger.stiffness) },
+                                    { "known", finger.isKnown } };
+
+    if (finger.pressingForce)
+        object["pressing_force_N"] = *finger.pressingForce;
+
+    return object;
 }
 } // namespace antinode

@@ -13,8 +13,8 @@ class JsonObject;
 class JsonValue;
 
 /** What files say of a finger besides its place. Docs/FileFormats.md, focus. */
-inline constexpr std::array<std::string_view, 6> fingerKeys {
-    "kind", "radius_mm", "mass_g", "damping_N_s_per_m", "stiffness_N_per_mm", "known"
+inline constexpr std::array<std::string_view, 7> fingerKeys {
+    "kind", "radius_mm", "mass_g", "damping_N_s_per_m", "stiffness_N_per_mm", "known", "pressing_force_N"
 };
 
 /** A built-in finger with what an object says instead.

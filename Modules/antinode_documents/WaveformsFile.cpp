@@ -50,7 +50,12 @@ TouchedPoint readPoint (const JsonObject& object)
         point.name = name->text (ranges::maximumNameBytes);
 
     if (const auto finger = object.optional ("finger"))
+    {
         point.finger = readFinger (*finger, point.x, point.y);
+
+        if (point.finger->pressingForce)
+            finger->fail ("has a pressing force; allowed with waveforms: fingers that stay on the surface");
+    }
 
     return point;
 }

@@ -3,6 +3,7 @@
 #include <antinode_model/Surface.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,13 +13,14 @@ namespace antinode
    fingertip pressed along the normal, not of a person; nothing measured is known from 1 to 50 kHz. */
 struct Finger
 {
-    std::string name;       ///< For tables and messages: "medium", "thumb".
-    double x = 0, y = 0;    ///< Middle of the contact, m.
-    double radius = 0.005;  ///< Of the contact, m; 0: a point.
-    double mass = 1e-4;     ///< kg that moves with the surface.
-    double damping = 1.5;   ///< N s/m
-    double stiffness = 600; ///< N/m
-    bool isKnown = true;    ///< False: it is on the plate, but no design knows of it.
+    std::string name;                         ///< For tables and messages: "medium", "thumb".
+    double x = 0, y = 0;                      ///< Middle of the contact, m.
+    double radius = 0.005;                    ///< Of the contact, m; 0: a point.
+    double mass = 1e-4;                       ///< kg that moves with the surface.
+    double damping = 1.5;                     ///< N s/m
+    double stiffness = 600;                   ///< N/m
+    bool isKnown = true;                      ///< False: it is on the plate, but no design knows of it.
+    std::optional<double> pressingForce = {}; ///< N, static: it lifts off where the surface pulls more; none: never.
 
     bool operator== (const Finger&) const = default;
 };

@@ -2,6 +2,7 @@
 
 #include <antinode_base/NumberText.h>
 #include <antinode_fingers/LoadedModel.h>
+#include <antinode_fingers/OneSidedContact.h>
 
 #include <algorithm>
 #include <iterator>
@@ -25,6 +26,13 @@ WideDesign designUnderFingers (const WideModel& wide, const FocusDescription& fo
 {
     const auto known = knownFingers (focus.fingers).size();
     auto played = loadedByFingers (wide, focus.fingers);
+
+    if (canLiftOff (focus.fingers))
+    {
+        played.model = wide.model; // Fingers that come and go are added as the voltages are played.
+        played.known = wide.model.modes();
+    }
+
     auto design = known == 0 ? designWithin (wide, focus, playback) : designFocus (*played.designed, focus, playback);
     design.choices.push_back ("Fingers on the surface: " + std::to_string (focus.fingers.size())
                               + ", of which the design knows " + std::to_string (known) + ".");

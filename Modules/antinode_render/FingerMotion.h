@@ -10,9 +10,10 @@ namespace antinode
 struct FingerMotion
 {
     Finger finger;
-    double velocityAtFocus = 0; ///< m/s
-    double peakVelocity = 0;    ///< m/s, with its sign.
-    double peakTime = 0;        ///< s from the trigger.
+    double velocityAtFocus = 0;                 ///< m/s
+    double peakVelocity = 0;                    ///< m/s, with its sign.
+    double peakTime = 0;                        ///< s from the trigger.
+    std::optional<ContactHistory> contact = {}; ///< Where one of the fingers may lift off.
 };
 
 /** Of each finger of the focus, in their order. [worker] */

@@ -113,6 +113,17 @@ std::vector<std::pair<double, double>> chooseProbes (const FocusDesign& design, 
     return probes;
 }
 
+/** The voltages played again where fingers come and go. */
+void addContacts (RenderedFocus& result, const ModalModel& model, const std::vector<Finger>& fingers,
+                  const RenderSettings& settings)
+{
+    auto& render = result.render;
+    auto motion = motionUnderFingers (model, fingers, settings.playback, render.voltages);
+    render.modalVelocities = std::move (motion.modalVelocities);
+    render.probeVelocities = settings.probeShapes * render.modalVelocities;
+    render.focusVelocities = render.modalVelocities.col (render.focusSample);
+    result.contacts = std::move (motion.histories);
+}
 } // namespace
 
 RenderedFocus renderFocus (WideModel wide, FocusDesign design, const RenderOptions& options,
@@ -132,7 +143,13 @@ RenderedFocus renderFocus (WideModel wide, FocusDesign design, const RenderOptio
         settings.probeShapes.row (static_cast<Eigen::Index> (i)) =
             shapesAt (model, result.probes[i].first, result.probes[i].second);
 
+    const auto canLift = options.mayLiftOff && canLiftOff (design.description.fingers);
+
     result.render = renderOffline (model, design.program, settings, progress);
+
+    if (canLift)
+        addContacts (result, model, design.description.fingers, settings);
+
     result.moments = reachedMoments (wide, design, result.render);
     result.reachedField = result.moments.front().field;
     result.score = result.moments.front().score;
@@ -145,7 +162,9 @@ RenderedFocus renderFocus (WideModel wide, FocusDesign design, const RenderOptio
     result.design = std::move (design);
     result.residual = residualMotion (result);
 
-    if (options.repetitions)
+    if (options.repetitions && canLift)
+        result.power = FocusPower { "fingers may lift off; it is told for fingers that stay on the surface", {}, {} };
+    else if (options.repetitions)
         result.power = focusPower (result.model, result.render.voltages, options.playback, *options.repetitions);
 
     if (options.threshold)

@@ -4,6 +4,7 @@
 #include "FocusPower.h"
 
 #include <antinode_engine/OfflineRender.h>
+#include <antinode_fingers/OneSidedContact.h>
 #include <antinode_focus/FieldPeak.h>
 #include <antinode_focus/FocusDesign.h>
 #include <antinode_focus/FocusScore.h>
@@ -28,6 +29,7 @@ struct RenderOptions
     int blockSize = 512;
     std::optional<double> repetitions = {}; ///< Per second, at which the electrical power is wanted; none: without it.
     std::optional<SkinThreshold> threshold = {}; ///< By which it is wanted what skin feels; none: without it.
+    bool mayLiftOff = true; ///< False: fingers stay on the surface, which is played as they load it.
 };
 
 /** The result of the plate model at the time of one focus. */
@@ -65,8 +67,9 @@ struct RenderedFocus
     double contrast = 0;
     std::vector<ReachedMoment> moments; ///< One each of the design's; the first is what the fields above speak of.
     std::optional<ResidualMotion> residual;
-    std::optional<FocusPower> power; ///< Where it is wanted.
-    std::optional<FeltOutcome> felt; ///< Where it is wanted.
+    std::optional<FocusPower> power;      ///< Where it is wanted.
+    std::optional<FeltOutcome> felt;      ///< Where it is wanted.
+    std::vector<ContactHistory> contacts; ///< Of each finger, where one of them may lift off.
 };
 
 /** Plays a design through synthesiser, limiter and plate model, and scores what the plate did.

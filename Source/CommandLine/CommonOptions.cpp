@@ -21,7 +21,14 @@ constexpr double lowestRate = 8000, highestRate = 2e6; // Hz
 constexpr const char* bandLimited = "band_limited";
 constexpr const char* zeroOrderHold = "zero_order_hold";
 
-/** "X,Y" or "X,Y,KIND", mm. */
+[[noreturn]] void failFinger (const std::string& text)
+{
+    throw InputError (
+        "--finger " + text,
+        "is not a finger; allowed: X,Y or X,Y,KIND or X,Y,KIND,FORCE in mm and N, for example 60,48,firm");
+}
+
+/** "X,Y", "X,Y,KIND" or "X,Y,KIND,FORCE", mm and N. */
 Finger parseFinger (const std::string& text)
 {
     std::array<double, 2> place {};
@@ -34,13 +41,25 @@ Finger parseFinger (const std::string& text)
         const auto isLast = &value == &place.back();
 
         if (error != std::errc() || (next == end ? ! isLast : *next != ','))
-            throw InputError ("--finger " + text,
-                              "is not a finger; allowed: X,Y or X,Y,KIND in mm, for example 60,48,firm");
+            failFinger (text);
 
         at = next == end ? end : next + 1;
     }
 
-    return builtInFinger (at == end ? "medium" : std::string (at, end), place[0] / milli, place[1] / milli);
+    const auto* const comma = std::find (at, end, ',');
+    auto finger = builtInFinger (at == end ? "medium" : std::string (at, comma), place[0] / milli, place[1] / milli);
+
+    if (comma == end)
+        return finger;
+
+    double force = 0;
+
+    if (const auto [next, error] = std::from_chars (comma + 1, end, force);
+        error != std::errc() || next != end || ! (force >= 0))
+        failFinger (text);
+
+    finger.pressingForce = force;
+    return finger;
 }
 
 /** With the fingers of the options beside its own. */
@@ -73,7 +92,8 @@ void addCommonOptions (CLI::App& command, CommonOptions& options)
         ->type_name ("KEY=VALUE");
     command
         .add_option ("--finger", options.fingers,
-                     "A finger on the surface, mm; light, medium (default) or firm (repeatable)")
+                     "A finger on the surface, mm; light, medium (default) or firm; with a pressing force in N it may "
+                     "lift off (repeatable)")
         ->allow_extra_args (false)
         ->type_name ("X,Y[,KIND]");
     command.add_option ("--repeat-hz", options.repetitions, "Foci per second for which power and currents are told")

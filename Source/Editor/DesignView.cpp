@@ -201,6 +201,7 @@ void DesignView::render (DesignPicture& made)
     options.playback = question.playback;
     options.probes = chooseProbes (question);
     options.threshold = findSkinThreshold ({});
+    options.mayLiftOff = false; // as the plug-in plays
     const auto& model = loaded.designed ? *loaded.designed : loaded.model;
     auto design = designFocus (model, made.focus, question.playback, DesignExtent::complete);
     const auto focus = renderFocus (loaded, std::move (design), options);
