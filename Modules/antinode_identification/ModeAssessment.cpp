@@ -132,13 +132,13 @@ void warnOfNeighbour (IdentifiedModes& modes, Eigen::Index k, Eigen::Index other
 
 void warnOfMode (IdentifiedModes& modes, Eigen::Index k)
 {
-    constexpr double uncertain = 0.1, certain = 0.05, often = 0.6;
+    constexpr double uncertain = 0.1, often = 0.6;
     auto& quality = modes.quality[static_cast<std::size_t> (k)];
     auto& warnings = quality.warnings;
     const auto [worst, share] = leastCertain (modes, k);
 
     // What is known well is there, however few orders show it.
-    if (quality.presence < often && ! (share <= certain))
+    if (quality.presence < often && ! (share <= uncertain))
         warnings.push_back ("it was found at only " + percent (quality.presence) + " of the model orders");
 
     if (quality.collinearity < 0.9)
