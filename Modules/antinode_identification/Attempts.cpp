@@ -2,6 +2,7 @@
 
 #include "Causes.h"
 #include "ModalRange.h"
+#include "PointSample.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
@@ -63,33 +64,34 @@ ErrorMap errorMap (const FrequencyResponses& responses, const IdentifiedModes& m
     const auto first = std::lower_bound (begin, end, band.minimum) - begin;
     const auto count = std::upper_bound (begin, end, band.maximum) - begin - first;
     const auto points = responses.points.rows();
-    const auto given = synthesise (modes, responses.frequencies.segment (first, count));
     ErrorMap map { Eigen::VectorXd (spans + 1),
                    Eigen::ArrayXXd::Zero (spans, points * static_cast<Eigen::Index> (responses.values.size())),
                    {} };
     map.energies = map.errors;
+    map.edges[spans] = responses.frequencies[first + count - 1];
 
-    for (Eigen::Index s = 0; s <= spans; ++s)
-        map.edges[s] = responses.frequencies[first + std::min (count - 1, s * count / spans)];
+    for (Eigen::Index s = 0; s < spans; ++s)
+    {
+        checkWatch();
+        const auto from = first + s * count / spans, lines = first + (s + 1) * count / spans - from;
+        map.edges[s] = responses.frequencies[from];
 
-    for (std::size_t i = 0; i < responses.values.size(); ++i)
-        for (Eigen::Index p = 0; p < points; ++p)
-        {
-            checkWatch();
+        const auto given = synthesise (modes, responses.frequencies.segment (from, lines));
 
-            for (Eigen::Index f = 0; f < count; ++f)
-            {
-                const auto measured = responses.values[i](first + f, p);
-                const auto error = std::norm (measured - given.values[i](f, p));
-                const auto column = static_cast<Eigen::Index> (i) * points + p;
-
-                if (std::isfinite (error))
+        for (std::size_t i = 0; i < responses.values.size(); ++i)
+            for (Eigen::Index p = 0; p < points; ++p)
+                for (Eigen::Index f = 0; f < lines; ++f)
                 {
-                    map.errors (f * spans / count, column) += error;
-                    map.energies (f * spans / count, column) += std::norm (measured);
+                    const auto measured = responses.values[i](from + f, p);
+                    const auto column = static_cast<Eigen::Index> (i) * points + p;
+
+                    if (const auto error = std::norm (measured - given.values[i](f, p)); std::isfinite (error))
+                    {
+                        map.errors (s, column) += error;
+                        map.energies (s, column) += std::norm (measured);
+                    }
                 }
-            }
-        }
+    }
 
     return map;
 }
@@ -136,8 +138,9 @@ FrequencyBand commonBand (const IdentifiedModes& one, const IdentifiedModes& oth
 class Attempts
 {
 public:
-    Attempts (const FrequencyResponses& measured, const Identify& function)
-        : responses (measured), identifyWith (function)
+    /** @param result  known already, of these responses or of more points */
+    Attempts (const FrequencyResponses& measured, const Identify& function, std::optional<Attempt> result = {})
+        : responses (measured), identifyWith (function), best (std::move (result))
     {
     }
 
@@ -164,6 +167,7 @@ public:
     bool isUsable() const { return best && best->modes.reconstructionError < doubtful; }
     bool isFair() const { return best && best->modes.reconstructionError < unknown; }
     const std::optional<Attempt>& result() const { return best; }
+    const Identify& identification() const { return identifyWith; }
 
     IdentifiedModes finish() const
     {
@@ -257,10 +261,12 @@ bool hasOwnRange (const IdentificationOptions& options)
     return ! options.bands.empty() || options.minimumFrequency > standard.minimumFrequency
            || options.maximumFrequency < standard.maximumFrequency;
 }
+
+constexpr double gainOfRanges = 3; // dB
+
 /** From below, until one is usable or two in a row have gained nothing on something that is. */
 void tryRanges (Attempts& attempts, const FrequencyResponses& responses, IdentificationOptions options)
 {
-    constexpr double gain = 3; // dB
     constexpr int enough = 2;
     auto inVain = 0;
 
@@ -268,10 +274,30 @@ void tryRanges (Attempts& attempts, const FrequencyResponses& responses, Identif
     {
         options.minimumFrequency = candidate.minimum;
         options.maximumFrequency = candidate.maximum;
-        inVain = attempts.tryRange (options, sayRange (candidate, responses), gain) ? 0 : inVain + 1;
+        inVain = attempts.tryRange (options, sayRange (candidate, responses), gainOfRanges) ? 0 : inVain + 1;
 
         if (attempts.isUsable() || (inVain >= enough && attempts.isFair()))
             break;
+    }
+}
+
+/** Of many points a few choose the range; all of them are fitted in that one alone. */
+void chooseRange (Attempts& attempts, const FrequencyResponses& responses, IdentificationOptions options)
+{
+    const auto points = samplePoints (responses);
+
+    if (static_cast<Eigen::Index> (points.size()) == responses.points.rows())
+        return tryRanges (attempts, responses, std::move (options));
+
+    const auto sample = atPoints (responses, points);
+    Attempts trials (sample, attempts.identification(), attempts.result());
+    tryRanges (trials, sample, atPoints (options, points));
+
+    if (const auto& found = trials.result(); found && ! found->said.empty())
+    {
+        options.minimumFrequency = found->options.minimumFrequency;
+        options.maximumFrequency = found->options.maximumFrequency;
+        attempts.tryRange (options, found->said, gainOfRanges);
     }
 }
 } // namespace
@@ -290,7 +316,7 @@ IdentifiedModes bestOfAttempts (const FrequencyResponses& responses, const Ident
     const auto high = options.maximumOrder == 0 ? highOrder (responses) : 0;
 
     if (! hasOwnRange (options))
-        tryRanges (attempts, responses, high >= highForRanges ? withOrders (options, high) : options);
+        chooseRange (attempts, responses, high >= highForRanges ? withOrders (options, high) : options);
 
     if (! attempts.isDone() && high > 0)
     {

@@ -2,6 +2,7 @@
 
 #include "ChannelPhases.h"
 #include "Channels.h"
+#include "PointSample.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -25,24 +27,32 @@ constexpr double clearly = 4, fair = -15;
 /** A cause put right, and what is said of it. */
 struct Remedy
 {
-    FrequencyResponses responses;
+    std::function<Complex (const Complex& value, double omega, Eigen::Index column)> change;
+    int integrations = 0; ///< As FrequencyResponses::integrations.
     std::string said;
 };
 
-template <typename Factor>
-FrequencyResponses multiplied (FrequencyResponses responses, const Factor& factor)
+/** Some points of responses, changed. */
+FrequencyResponses remedied (const FrequencyResponses& responses, const std::vector<Eigen::Index>& points,
+                             const Remedy& remedy)
 {
-    for (std::size_t i = 0; i < responses.values.size(); ++i)
-        for (Eigen::Index p = 0; p < responses.points.rows(); ++p)
+    auto result = atPoints (responses, points);
+    result.integrations = remedy.integrations;
+
+    for (std::size_t i = 0; i < result.values.size(); ++i)
+        for (std::size_t n = 0; n < points.size(); ++n)
         {
             checkWatch();
+            const auto column = static_cast<Eigen::Index> (i) * responses.points.rows() + points[n];
 
-            for (Eigen::Index f = 0; f < responses.frequencies.size(); ++f)
-                responses.values[i](f, p) *= factor (2 * std::numbers::pi * responses.frequencies[f],
-                                                     static_cast<Eigen::Index> (i) * responses.points.rows() + p);
+            for (Eigen::Index f = 0; f < result.frequencies.size(); ++f)
+            {
+                auto& value = result.values[i](f, static_cast<Eigen::Index> (n));
+                value = remedy.change (value, 2 * std::numbers::pi * result.frequencies[f], column);
+            }
         }
 
-    return responses;
+    return result;
 }
 
 std::string quantityName (int integrations)
@@ -54,22 +64,19 @@ std::string quantityName (int integrations)
 Remedy otherQuantity (const FrequencyResponses& responses, int integrations)
 {
     const auto power = responses.integrations - integrations;
-    auto changed = multiplied (responses, [power] (double omega, Eigen::Index)
-                               { return omega > 0 ? std::pow (Complex (0, omega), power) : Complex(); });
-    changed.integrations = integrations;
-    return { std::move (changed), "as " + quantityName (integrations) + " the responses fit modes, as "
-                                      + quantityName (responses.integrations)
-                                      + " they do not: the quantity is probably stated wrongly; --quantity "
-                                      + quantityName (integrations) };
+    return { [power] (const Complex& value, double omega, Eigen::Index)
+             { return omega > 0 ? value * std::pow (Complex (0, omega), power) : Complex(); },
+             integrations,
+             "as " + quantityName (integrations) + " the responses fit modes, as "
+                 + quantityName (responses.integrations)
+                 + " they do not: the quantity is probably stated wrongly; --quantity " + quantityName (integrations) };
 }
 
-Remedy conjugated (FrequencyResponses responses)
+Remedy conjugated (const FrequencyResponses& responses)
 {
-    for (auto& values : responses.values)
-        values = values.conjugate().eval();
-
-    return { std::move (responses), "the complex conjugates of the responses fit modes: the file has the other sign of "
-                                    "time; allowed: the convention exp (+i omega t)" };
+    return { [] (const Complex& value, double, Eigen::Index) { return std::conj (value); }, responses.integrations,
+             "the complex conjugates of the responses fit modes: the file has the other sign of "
+             "time; allowed: the convention exp (+i omega t)" };
 }
 
 /** Delays that differ from channel to channel by more than a twentieth of the highest mode's period. */
@@ -90,8 +97,9 @@ std::optional<Remedy> ownDelays (const FrequencyResponses& responses, const Eige
     if (delays.size() < 2 || *most - *least < 0.05 * 2 * std::numbers::pi / omega.maxCoeff())
         return {};
 
-    return Remedy { multiplied (responses, [&delays] (double at, Eigen::Index column)
-                                { return std::polar (1.0, at * delays[static_cast<std::size_t> (column)]); }),
+    return Remedy { [delays] (const Complex& value, double at, Eigen::Index column)
+                    { return value * std::polar (1.0, at * delays[static_cast<std::size_t> (column)]); },
+                    responses.integrations,
                     "delays differ from channel to channel by up to " + fixedText (micro * (*most - *least), 0)
                         + " us: " + name (most) + " is the latest, " + name (least) + " the earliest" };
 }
@@ -119,13 +127,12 @@ std::optional<Remedy> ownLowPasses (const FrequencyResponses& responses, const E
     if (named.empty())
         return {};
 
-    return Remedy { multiplied (responses,
-                                [&corners] (double at, Eigen::Index column)
-                                {
-                                    const auto corner = corners[static_cast<std::size_t> (column)];
-                                    return corner > 0 ? Complex (1, at / corner) : Complex (1);
-                                }),
-                    "channels have a low-pass of first order: " + named };
+    return Remedy { [corners] (const Complex& value, double at, Eigen::Index column)
+                    {
+                        const auto corner = corners[static_cast<std::size_t> (column)];
+                        return corner > 0 ? value * Complex (1, at / corner) : value;
+                    },
+                    responses.integrations, "channels have a low-pass of first order: " + named };
 }
 
 /** Channels of the opposite sign from what the other references and points say of them. An inverted channel spoils
@@ -154,19 +161,20 @@ std::optional<Remedy> inverted (const FrequencyResponses& responses, Eigen::Matr
     if (named.empty())
         return {};
 
-    return Remedy { multiplied (responses, [&signs] (double, Eigen::Index column) { return signs[column]; }),
-                    "inverted against the other channels: " + named };
+    return Remedy { [signs] (const Complex& value, double, Eigen::Index column) { return value * signs[column]; },
+                    responses.integrations, "inverted against the other channels: " + named };
 }
 } // namespace
 
 std::string likelyCause (const FrequencyResponses& responses, const IdentificationOptions& options,
                          const IdentifiedModes& modes, const Identify& identifyWith)
 {
+    const auto points = samplePoints (responses);
     const auto errorOf = [&] (const Remedy& remedy, const IdentificationOptions& chosen)
     {
         try
         {
-            return identifyWith (remedy.responses, chosen).reconstructionError;
+            return identifyWith (remedied (responses, points, remedy), atPoints (chosen, points)).reconstructionError;
         }
         catch (const InputError&)
         {
@@ -217,8 +225,8 @@ std::string likelyCause (const FrequencyResponses& responses, const Identificati
     complex.complexModes = true;
     return modes.complexShapes.size() > 0
                ? std::string()
-               : test (
-                   { responses, "complex modes describe the responses better: damping is not proportional; --complex" },
-                   complex, 0);
+               : test ({ [] (const Complex& value, double, Eigen::Index) { return value; }, responses.integrations,
+                         "complex modes describe the responses better: damping is not proportional; --complex" },
+                       complex, 0);
 }
 } // namespace antinode

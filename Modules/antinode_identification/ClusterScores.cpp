@@ -1,5 +1,7 @@
 #include "ClusterScores.h"
 
+#include <antinode_numerics/DenseKernels.h>
+
 #include <algorithm>
 
 namespace antinode
@@ -151,12 +153,15 @@ Eigen::VectorXd clusterVariances (const std::vector<Eigen::MatrixXd>& clusters, 
                                   const Eigen::MatrixXd& functions)
 {
     Eigen::VectorXd largest = Eigen::VectorXd::Zero (functions.cols());
-    const Eigen::MatrixXd steps = functions.transpose() * inverse;
 
     for (const auto& scores : clusters)
     {
         const auto count = static_cast<double> ((scores.colwise().squaredNorm().array() > 0).count());
-        const Eigen::VectorXd sums = (steps * scores).rowwise().squaredNorm();
+        Eigen::MatrixXd steps = Eigen::MatrixXd::Zero (inverse.rows(), scores.cols());
+        Eigen::MatrixXd changes = Eigen::MatrixXd::Zero (functions.cols(), scores.cols());
+        addProduct (steps, 1, inverse, scores);
+        addTransposedLeft (changes, 1, functions, steps);
+        const Eigen::VectorXd sums = changes.rowwise().squaredNorm();
         largest = largest.cwiseMax (sums * (count / std::max (count - 1, 1.0)));
     }
 

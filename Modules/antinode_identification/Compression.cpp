@@ -23,18 +23,13 @@ Eigen::MatrixXd pointGram (const DataBlock& values, Eigen::Index points, Eigen::
 {
     const auto lines = (values.real.rows() + stride - 1) / stride;
     Eigen::MatrixXd gram = Eigen::MatrixXd::Zero (points, points);
-    Eigen::MatrixXd rows (points, 2 * lines);
 
     for (Eigen::Index i = 0; i < allReferences; ++i)
-    {
-        for (Eigen::Index f = 0; f < lines; ++f)
+        for (const auto* const part : { &values.real, &values.imaginary })
         {
-            rows.col (2 * f) = values.real.row (f * stride).segment (i * points, points);
-            rows.col (2 * f + 1) = values.imaginary.row (f * stride).segment (i * points, points);
+            const Eigen::MatrixXd kept = (*part) (Eigen::seqN (0, lines, stride), Eigen::seqN (i * points, points));
+            addTransposedLeft (gram, 1, kept, kept);
         }
-
-        addGram (gram, 1, rows);
-    }
 
     return gram;
 }

@@ -111,6 +111,8 @@ ModeDeviations noiseDeviations (const FitState& state, const Curvature& curvatur
 {
     // Real and imaginary part have half of the variance each.
     const Eigen::MatrixXd covariance = curvature.inverse * (variance / 2);
+    Eigen::MatrixXd withLengths = Eigen::MatrixXd::Zero (state.unknowns(), state.modes());
+    addProduct (withLengths, 1, covariance, curvature.lengthChanges);
     ModeDeviations result { Eigen::VectorXd (state.modes()),
                             Eigen::VectorXd (state.modes()),
                             {},
@@ -123,8 +125,8 @@ ModeDeviations noiseDeviations (const FitState& state, const Curvature& curvatur
         const auto resonance = state.basis.angularFrequencies[k], damping = state.basis.dampingRatios[k];
         result.angularFrequencies[k] = damping * resonance * deviation (state.unknown (k, state.references()));
         result.dampingRatios[k] = damping * deviation (state.unknown (k, state.references() + 1));
-        const Eigen::VectorXd change = curvature.lengthChanges.col (k);
-        const Eigen::VectorXd withAll = covariance * change;
+        const auto change = curvature.lengthChanges.col (k);
+        const auto withAll = withLengths.col (k);
         const auto own = ownLengthVariance (state, curvature.couplings, k) * variance / 2;
 
         // A strength at fixed length of the shape: itself plus what the length changed by, in units of itself.

@@ -91,9 +91,28 @@ Eigen::VectorXd interpolated (const Eigen::VectorXd& at, const Eigen::VectorXd& 
     return result;
 }
 
-Eigen::VectorXd columnEnergies (const Eigen::MatrixXd& real, const Eigen::MatrixXd& imaginary)
+/** Adds what one span of lines leaves, column by column, so that the work stays near the processor. */
+void addSpan (FitErrors& errors, Eigen::Index span, DataBlock& data, const DataBlock& given,
+              const Eigen::VectorXd& scale)
 {
-    return (real.colwise().squaredNorm() + imaginary.colwise().squaredNorm()).transpose();
+    const auto lines = scale.size();
+    const auto perDifference = static_cast<double> (lines) / (2.0 * static_cast<double> (lines - 1));
+    errors.energies.row (span).setZero();
+    errors.roughness.row (span).setZero();
+
+    for (Eigen::Index c = 0; c < given.real.cols(); ++c)
+        for (const auto isReal : { true, false })
+        {
+            auto values = isReal ? data.real.col (c) : data.imaginary.col (c);
+            errors.velocityDataEnergies[c] += values.squaredNorm();
+            errors.dataEnergies[c] += values.cwiseProduct (scale).squaredNorm();
+            values -= isReal ? given.real.col (c) : given.imaginary.col (c);
+            errors.velocityEnergies[c] += values.squaredNorm();
+            values = values.cwiseProduct (scale);
+            errors.energies (span, c) += values.squaredNorm();
+            errors.roughness (span, c) +=
+                perDifference * (values.tail (lines - 1) - values.head (lines - 1)).squaredNorm();
+        }
 }
 } // namespace
 
@@ -127,22 +146,9 @@ FitErrors fitErrors (PreparedResponses& data, const ModalBasis& basis, const Eig
         const auto given = synthesised (lineSegment (basis, omega, Eigen::VectorXd::Ones (count)), coefficients, count);
         fillMissing (data, first, count, delay, given);
         auto error = dataBlock (data, first, advances (data, first, count, delay));
-        const auto scale = data.lineScale.segment (first, count).asDiagonal();
-        errors.velocityDataEnergies += columnEnergies (error.real, error.imaginary);
-        errors.dataEnergies += columnEnergies (scale * error.real, scale * error.imaginary);
-        error.real -= given.real;
-        error.imaginary -= given.imaginary;
-        errors.velocityEnergies += columnEnergies (error.real, error.imaginary);
-        error.real = scale * error.real;
-        error.imaginary = scale * error.imaginary;
+        addSpan (errors, s, error, given, data.lineScale.segment (first, count));
         errors.frequencies[s] = (omega[0] + omega[count - 1]) / 2;
         errors.lines[s] = static_cast<double> (count);
-        errors.energies.row (s) = columnEnergies (error.real, error.imaginary).transpose();
-        errors.roughness.row (s) =
-            columnEnergies (error.real.bottomRows (count - 1) - error.real.topRows (count - 1),
-                            error.imaginary.bottomRows (count - 1) - error.imaginary.topRows (count - 1))
-                .transpose()
-            * (static_cast<double> (count) / (2.0 * static_cast<double> (count - 1)));
     }
 
     return errors;

@@ -9,6 +9,7 @@
 #include "ModeSelection.h"
 #include "Orthogonalisation.h"
 #include "PeakPicking.h"
+#include "PointSample.h"
 #include "PoleSearch.h"
 
 #include <antinode_base/InputError.h>
@@ -17,6 +18,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <utility>
 
 namespace antinode
 {
@@ -126,12 +129,19 @@ std::vector<Eigen::Index> trustworthy (const NormalModeFit& fit, const PreparedR
                                        const std::vector<PoleCluster>& clusters, const IdentificationOptions& options)
 {
     constexpr double often = 0.6, uncertain = 0.1;
+    std::vector<Eigen::Index> kept (clusters.size());
+    std::iota (kept.begin(), kept.end(), 0);
+    const auto isFrequent = [] (const PoleCluster& cluster) { return cluster.presence >= often; };
+
+    if (! options.selected.empty() || std::all_of (clusters.begin(), clusters.end(), isFrequent))
+        return kept;
+
     const auto deviations =
         computeDeviations (fit.state, estimateVariance (fit, data), options.delay.has_value(), options.ridge);
-    std::vector<Eigen::Index> kept;
+    kept.clear();
 
     for (Eigen::Index k = 0; k < fit.modes.modes(); ++k)
-        if (! options.selected.empty() || clusters[static_cast<std::size_t> (k)].presence >= often
+        if (isFrequent (clusters[static_cast<std::size_t> (k)])
             || deviations.dampingRatios[k] <= uncertain * fit.modes.dampingRatios[k])
             kept.push_back (k);
 
@@ -188,9 +198,14 @@ std::vector<std::string> weighAgain (PreparedResponses& data, const FitErrors& e
     return weighDownMisfits (data, errors);
 }
 
-[[noreturn]] void throwNoModes (const FrequencyResponses& responses, const IdentificationOptions& options)
+constexpr auto noPole = "contain no pole that is stable over model orders, hence no mode";
+
+/** Why there are no modes, by another search on some of the points. */
+[[noreturn]] void explainNoModes (const FrequencyResponses& responses, const IdentificationOptions& allOptions)
 {
-    auto conjugated = responses;
+    const auto points = samplePoints (responses);
+    const auto options = atPoints (allOptions, points);
+    auto conjugated = atPoints (responses, points);
 
     for (auto& values : conjugated.values)
         values = values.conjugate().eval();
@@ -198,12 +213,13 @@ std::vector<std::string> weighAgain (PreparedResponses& data, const FitErrors& e
     const auto data = prepare (conjugated, options.minimumFrequency, options.maximumFrequency);
     const auto found = searchPoles (weighted (data, options.pointWeights), options).clusters.size();
     throw InputError ("frequency responses",
-                      found == 0 ? "contain no pole that is stable over model orders, hence no mode"
+                      found == 0 ? noPole
                                  : "contain modes that grow instead of decaying and seem to be complex conjugates; "
                                    "allowed: the convention exp (+i omega t)");
 }
 
-IdentifiedModes fitModes (const FrequencyResponses& responses, const IdentificationOptions& options)
+/** @param explains  whether it is said why there are no modes: that takes as long as the search for them */
+IdentifiedModes fitModes (const FrequencyResponses& responses, const IdentificationOptions& options, bool explains)
 {
     auto data =
         weighted (prepare (responses, options.minimumFrequency, options.maximumFrequency), options.pointWeights);
@@ -211,8 +227,11 @@ IdentifiedModes fitModes (const FrequencyResponses& responses, const Identificat
     auto found = searchPoles (data, options);
     auto clusters = picked (options.selected.empty() ? found.clusters : found.candidates, options);
 
+    if (clusters.empty() && explains)
+        explainNoModes (responses, options);
+
     if (clusters.empty())
-        throwNoModes (responses, options);
+        throw InputError ("frequency responses", noPole);
 
     const auto wanted = options.selected.empty() ? std::vector<PoleCluster> {} : clusters;
     const auto delayIsKnown = options.delay.has_value();
@@ -263,8 +282,12 @@ IdentifiedModes identify (const FrequencyResponses& responses, const Identificat
     validate (responses);
     checkOptions (responses, options);
 
+    // The first attempt's reason is what is said where all fail.
+    auto isFirst = true;
+    const auto fit = [&isFirst] (const FrequencyResponses& tried, const IdentificationOptions& chosen)
+    { return fitModes (tried, chosen, std::exchange (isFirst, false)); };
     auto result = options.method == IdentificationMethod::peakPicking ? pickPeaks (responses, options)
-                                                                      : bestOfAttempts (responses, options, fitModes);
+                                                                      : bestOfAttempts (responses, options, fit);
 
     if (options.gramSchmidt)
         orthogonalise (result, options.pointMasses);

@@ -1,5 +1,7 @@
 #include "ModalError.h"
 
+#include "LineSegment.h"
+
 #include <antinode_base/Watch.h>
 
 #include <algorithm>
@@ -12,24 +14,26 @@ double modalError (const IdentifiedModes& modes, const PreparedResponses& data)
 {
     auto alone = modes;
     alone.residuals.clear();
-    const auto given = synthesise (alone, data.omega / (2 * std::numbers::pi));
     double error = 0, energy = 0;
 
-    for (Eigen::Index i = 0; i < data.references(); ++i)
+    // Part by part: what was measured may fill most of the memory.
+    for (Eigen::Index first = 0; first < data.lines(); first += linesOfSegment)
     {
-        const auto of = static_cast<std::size_t> (i);
-        const auto measured = data.responses->values[of].middleRows (data.firstLine, data.lines());
+        checkWatch();
+        const auto count = std::min (linesOfSegment, data.lines() - first);
+        const auto given = synthesise (alone, data.omega.segment (first, count) / (2 * std::numbers::pi));
 
-        for (Eigen::Index p = 0; p < data.points(); ++p)
+        for (std::size_t i = 0; i < given.values.size(); ++i)
         {
-            checkWatch();
+            const auto measured = data.responses->values[i].middleRows (data.firstLine + first, count);
 
-            for (Eigen::Index f = 0; f < data.lines(); ++f)
-                if (const auto left = std::norm (measured (f, p) - given.values[of](f, p)); std::isfinite (left))
-                {
-                    error += left;
-                    energy += std::norm (measured (f, p));
-                }
+            for (Eigen::Index p = 0; p < data.points(); ++p)
+                for (Eigen::Index f = 0; f < count; ++f)
+                    if (const auto left = std::norm (measured (f, p) - given.values[i](f, p)); std::isfinite (left))
+                    {
+                        error += left;
+                        energy += std::norm (measured (f, p));
+                    }
         }
     }
 

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <string>
+#include <utility>
 
 namespace antinode
 {
@@ -19,44 +20,141 @@ std::string percent (double share)
     return std::to_string (static_cast<int> (std::lround (100 * share))) + " %";
 }
 
-/** Modal phase collinearity of a complex vector: 1 where all values lie on one line through 0. */
-double collinearity (const Eigen::VectorXcd& vector)
+/** A sum over so many numbers of noise exceeds its mean by this share once in a thousand. */
+double noiseMargin (double numbers)
 {
-    const auto real = vector.real().squaredNorm(), imaginary = vector.imag().squaredNorm();
-    const auto between = vector.real().dot (vector.imag());
-    const auto sum = real + imaginary;
-    return sum > 0 ? (std::pow (real - imaginary, 2) + 4 * between * between) / (sum * sum) : 1;
+    return 3 * std::sqrt (2 / std::max (numbers, 1.0));
+}
+
+/** Covariances of real and imaginary part of each mode's free residues, of a channel of weight 1. */
+std::vector<Eigen::Matrix2d> residueCovariances (const FreeResidues& fit, double variance, double ridge)
+{
+    const auto& basis = fit.basis;
+    const auto modes = basis.modes();
+    std::vector<Eigen::Index> columns;
+
+    for (const auto function : { ModalFunction::velocity, ModalFunction::delay })
+        for (Eigen::Index k = 0; k < modes; ++k)
+            columns.push_back (basis.column (k, function));
+
+    const auto reduced = withoutPowers (basis, fit.products);
+    const auto inverse = solveEven (reduced.gram (columns, columns), Eigen::MatrixXd::Identity (2 * modes, 2 * modes),
+                                    std::max (ridge, 1e-14));
+    std::vector<Eigen::Matrix2d> result;
+
+    // As complexResidues makes residues of the coefficients of both functions.
+    for (Eigen::Index k = 0; k < modes; ++k)
+    {
+        const auto resonance = basis.angularFrequencies[k], damping = basis.dampingRatios[k];
+        Eigen::Matrix2d toResidue, ofCoefficients;
+        toResidue << resonance, damping * resonance, 0, -resonance * std::sqrt (1 - damping * damping);
+        ofCoefficients << inverse (k, k), inverse (k, modes + k), inverse (modes + k, k),
+            inverse (modes + k, modes + k);
+        result.emplace_back (variance / 2 * toResidue * ofCoefficients * toResidue.transpose());
+    }
+
+    return result;
+}
+
+/** Modal phase collinearity of a complex vector without what noise of that covariance adds to each of some values: 1
+   where all lie on one line through 0. */
+double collinearity (const Eigen::VectorXcd& vector, const Eigen::Matrix2d& noise, double values)
+{
+    Eigen::MatrixX2d parts (vector.size(), 2);
+    parts << vector.real(), vector.imag();
+    const Eigen::Matrix2d scatter = parts.transpose() * parts - values * (1 + noiseMargin (values)) * noise;
+    const auto sum = scatter.trace();
+    const auto difference = std::hypot (scatter (0, 0) - scatter (1, 1), 2 * scatter (0, 1));
+    return sum > difference ? std::pow (difference / sum, 2) : 1;
+}
+
+/** Share of a table's energy above its noise that is of its strongest product.
+    @param noise    E |error|^2 of one value  @param active, values  rows and columns, and values, that were measured */
+double rankOne (double strongest, double all, double noise, double active, double values)
+{
+    const auto others = std::max (values - active + 1, 0.0);
+    const auto left = std::max (0.0, all - strongest - noise * others * (1 + noiseMargin (others)));
+    const auto strength = std::max (strongest - noise * (active - 1), 1e-300);
+    return strength / (strength + left);
+}
+
+template <typename A, typename B>
+double likeness (const A& one, const B& other)
+{
+    return std::pow (one.dot (other), 2) / std::max (one.squaredNorm() * other.squaredNorm(), 1e-300);
+}
+
+/** Of numbers of which some are NaN. */
+double length (const Eigen::VectorXd& values)
+{
+    return values.array().isFinite().select (values, 0).norm();
+}
+
+/** What of a mode is known worst, and how badly, relative. */
+std::pair<std::string, double> leastCertain (const IdentifiedModes& modes, Eigen::Index k)
+{
+    const auto& deviations = modes.deviations;
+    std::pair<std::string, double> worst { "damping", deviations.dampingRatios[k] / modes.dampingRatios[k] };
+    const auto consider = [&worst] (const char* name, double share)
+    {
+        if (share > worst.second)
+            worst = { name, share };
+    };
+    consider ("participation", deviations.participation.row (k).norm() / modes.participation.row (k).norm());
+    consider ("shape", length (deviations.shapes.col (k)) / length (modes.shapes.col (k)));
+    consider ("frequency, in half widths,",
+              deviations.angularFrequencies[k] / (modes.dampingRatios[k] * modes.angularFrequencies[k]));
+    return worst;
+}
+
+/** Two modes that are near each other and differ in their shapes alone, or in their participations alone. Where modes
+   are two, both differ. */
+void warnOfNeighbour (IdentifiedModes& modes, Eigen::Index k, Eigen::Index other)
+{
+    constexpr double alike = 0.9;
+    constexpr Eigen::Index fewest = 3; // numbers of which two vectors are hardly alike by chance
+    const auto& omega = modes.angularFrequencies;
+    const auto reach = modes.dampingRatios[k] * omega[k] + modes.dampingRatios[other] * omega[other];
+
+    if (std::abs (omega[other] - omega[k]) > reach)
+        return;
+
+    const Eigen::MatrixXd shapes = modes.shapes.array().isFinite().select (modes.shapes, 0);
+    auto& warnings = modes.quality[static_cast<std::size_t> (k)].warnings;
+    const auto name = "mode " + std::to_string (other + 1) + ", within its half-power band, has the same ";
+
+    if (modes.participation.cols() >= fewest
+        && likeness (modes.participation.row (k), modes.participation.row (other)) > alike)
+        warnings.push_back (name + "participation: both may be one mode that differs from point to point");
+    else if (shapes.rows() >= fewest && likeness (shapes.col (k), shapes.col (other)) > alike)
+        warnings.push_back (name + "shape: both may be one mode that differs from driver to driver");
 }
 
 void warnOfMode (IdentifiedModes& modes, Eigen::Index k)
 {
+    constexpr double uncertain = 0.1, often = 0.6;
     auto& quality = modes.quality[static_cast<std::size_t> (k)];
     auto& warnings = quality.warnings;
-    const auto halfWidth = modes.dampingRatios[k] * modes.angularFrequencies[k];
+    const auto [worst, share] = leastCertain (modes, k);
 
-    if (quality.presence < 0.6)
+    // What is known well is there, however few orders show it.
+    if (quality.presence < often && ! (share <= uncertain))
         warnings.push_back ("it was found at only " + percent (quality.presence) + " of the model orders");
-
-    if (quality.signalToNoise < 4)
-        warnings.emplace_back ("it is close to the noise level");
 
     if (quality.collinearity < 0.9)
         warnings.push_back ("its points do not move in phase (MPC " + percent (quality.collinearity)
                             + "): damping is not proportional, or the responses are inconsistent");
 
-    if (quality.rankOne < 0.9 && quality.signalToNoise > 4)
+    if (quality.rankOne < 0.9)
         warnings.push_back ("one shape explains only " + percent (quality.rankOne)
                             + " of its residues: it may be two modes, or references measured differently");
 
-    if (modes.deviations.dampingRatios[k] > 0.1 * modes.dampingRatios[k])
-        warnings.push_back ("its damping is uncertain by "
-                            + percent (modes.deviations.dampingRatios[k] / modes.dampingRatios[k]));
+    if (! (share <= uncertain))
+        warnings.push_back ("its " + worst + " is uncertain by " + percent (share));
 
     for (const auto other : { k - 1, k + 1 })
-        if (other >= 0 && other < modes.modes()
-            && std::abs (modes.angularFrequencies[other] - modes.angularFrequencies[k]) < halfWidth / 4)
-            warnings.push_back ("mode " + std::to_string (other + 1)
-                                + " is within a quarter of its half-power half width");
+        if (other >= 0 && other < modes.modes())
+            warnOfNeighbour (modes, k, other);
 }
 
 /** Points of one half wave of the most rippled shape on a line, or of the wave that as many modes have in the plane. */
@@ -87,18 +185,27 @@ Eigen::VectorXd signalToNoise (const FitState& state, double variance, double ri
     return (energies * (2 / std::max (variance, 1e-300) / points)).cwiseMax (0).cwiseSqrt();
 }
 
-std::vector<ModeQuality> assessResidues (const Eigen::MatrixXcd& residues, const PreparedResponses& data)
+std::vector<ModeQuality> assessResidues (const FreeResidues& fit, const PreparedResponses& data, double variance,
+                                         double ridge)
 {
+    const auto covariances = residueCovariances (fit, variance, ridge);
+    const Eigen::MatrixXd isActive =
+        (data.columnWeights.array() > 0).cast<double>().reshaped (data.points(), data.references());
+    const auto points = isActive.rowwise().maxCoeff().sum(), references = isActive.colwise().maxCoeff().sum();
     std::vector<ModeQuality> result;
 
-    for (Eigen::Index k = 0; k < residues.rows(); ++k)
+    for (Eigen::Index k = 0; k < fit.residues.rows(); ++k)
     {
-        const Eigen::RowVectorXcd weighted = residues.row (k).cwiseProduct (data.columnWeights.cwiseSqrt().transpose());
+        const auto& noise = covariances[static_cast<std::size_t> (k)];
+        const Eigen::RowVectorXcd weighted =
+            fit.residues.row (k).cwiseProduct (data.columnWeights.cwiseSqrt().transpose());
         const Eigen::MatrixXcd table = weighted.reshaped (data.points(), data.references());
-        const auto [strength, direction] = largestEigenpair (adjointGram (table));
+        auto [strength, direction] = largestEigenpair (adjointGram (table));
+        // As real as can be, so that the noise keeps its phases.
+        direction *= std::polar (1.0, -std::arg (direction.array().square().sum()) / 2);
         ModeQuality quality;
-        quality.rankOne = strength / std::max (table.squaredNorm(), 1e-300);
-        quality.collinearity = collinearity (table * direction);
+        quality.rankOne = rankOne (strength, table.squaredNorm(), noise.trace(), points + references, isActive.sum());
+        quality.collinearity = collinearity (table * direction, noise, points);
         result.push_back (quality);
     }
 

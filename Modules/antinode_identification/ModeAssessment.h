@@ -1,6 +1,6 @@
 #pragma once
 
-#include "IdentifiedModes.h"
+#include "ComplexModes.h"
 #include "NormalModeFit.h"
 
 namespace antinode
@@ -12,10 +12,10 @@ namespace antinode
 Eigen::VectorXd signalToNoise (const FitState&, double variance, double ridge);
 
 /** How well one shape times one participation explains the free residues of each mode, and how collinear they are in
-   the complex plane.
-    @param residues   N_m x C: phi alpha, complex, without delay
+   the complex plane; what noise alone does to both is taken out.
+    @param variance  E |error|^2 of a value of weight 1 that is noise
     [worker] Docs/Theory.md, section 8.5. */
-std::vector<ModeQuality> assessResidues (const Eigen::MatrixXcd& residues, const PreparedResponses&);
+std::vector<ModeQuality> assessResidues (const FreeResidues&, const PreparedResponses&, double variance, double ridge);
 
 /** Adds warnings about single modes and about the whole identification, as sentences, to those that exist. [worker] */
 void addWarnings (IdentifiedModes&);

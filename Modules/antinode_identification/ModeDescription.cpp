@@ -143,7 +143,9 @@ IdentifiedModes describeModes (const NormalModeFit& fit, const FreeResidues& res
     result.deviations = std::move (deviations.stated);
     result.noiseDeviations = std::move (deviations.noise);
     result.residuals = residualTerms (fit.state, data.points(), data.references());
-    result.quality = assessResidues (residues.residues, data);
+    // Weights are reciprocal variances of noise, unless the user gave them.
+    const auto noise = options.pointWeights.size() > 0 ? variance : std::min (variance, 1.0);
+    result.quality = assessResidues (residues, data, noise, options.ridge);
     const auto strengths = signalToNoise (fit.state, variance, options.ridge);
 
     for (std::size_t k = 0; k < result.quality.size(); ++k)

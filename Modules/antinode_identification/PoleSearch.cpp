@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <optional>
 
 namespace antinode
 {
@@ -42,12 +43,9 @@ bool isFrequent (const PoleCluster& cluster)
     return cluster.presence >= minimumPresence;
 }
 
-BandPoles searchBand (const PreparedResponses& data, const SearchBand& band, const IdentificationOptions& options)
+std::vector<PoleCluster> candidatesIn (const SearchBand& band, const PreparedResponses& data,
+                                       const std::vector<OrderPoles>& orders, double presence)
 {
-    const auto compressed = compress (data, band.firstLine, band.lines, maximumOutputs, maximumReferences);
-    const auto highest = highestOrder (compressed, options);
-    BandPoles result { band, {}, {} };
-    result.orders = polynomialPoles (compressed, std::min (options.minimumOrder, highest), highest, options.ridge);
     // A mode at the edge of two bands may seem to lie in either, or in none: somewhat beyond the edge it counts for
     // now.
     const auto isWithin = [&] (const PoleCluster& cluster)
@@ -63,29 +61,52 @@ BandPoles searchBand (const PreparedResponses& data, const SearchBand& band, con
                || cluster.pole.real() < -0.7 * std::abs (cluster.pole);
     };
 
-    for (auto& cluster : clusterPoles (result.orders, presenceForPicks))
-        if (isWithin (cluster) && ! isBroad (cluster))
-            result.candidates.push_back (cluster);
-
+    auto result = clusterPoles (orders, presence);
+    std::erase_if (result, [&] (const auto& cluster) { return ! isWithin (cluster) || isBroad (cluster); });
     return result;
 }
 
-/** In one piece, or in two where a chosen band holds so many modes that low orders cannot have them all. */
+/** @return  nothing where the band is to be split: it holds so many modes that low orders cannot have them all. That
+             is seen before the high orders, which cost most */
+std::optional<BandPoles> searchBand (const PreparedResponses& data, const SearchBand& band, bool maySplit,
+                                     const IdentificationOptions& options)
+{
+    constexpr std::ptrdiff_t maximumModes = 12;
+    const auto compressed = compress (data, band.firstLine, band.lines, maximumOutputs, maximumReferences);
+    const auto highest = highestOrder (compressed, options), lowest = std::min (options.minimumOrder, highest);
+    const auto orders = static_cast<std::size_t> (highest - lowest) + 1;
+    auto isDense = false;
+    const auto looksDense = [&] (const std::vector<OrderPoles>& found)
+    {
+        // A pole that has been at 40 % of all orders stays frequent, whatever follows.
+        if (! maySplit || found.size() < (orders + 1) / 2)
+            return false;
+
+        const auto presence = minimumPresence * static_cast<double> (orders) / static_cast<double> (found.size());
+        isDense = static_cast<std::ptrdiff_t> (candidatesIn (band, data, found, presence).size()) > maximumModes;
+        return isDense;
+    };
+    BandPoles result { band, polynomialPoles (compressed, lowest, highest, options.ridge, looksDense), {} };
+
+    if (isDense || looksDense (result.orders))
+        return {};
+
+    result.candidates = candidatesIn (band, data, result.orders, presenceForPicks);
+    return result;
+}
+
+/** In one piece, or in two where a chosen band holds too many modes. */
 std::vector<BandPoles> searchDensely (const PreparedResponses& data, const SearchBand& band,
                                       const IdentificationOptions& options)
 {
-    constexpr std::ptrdiff_t maximumModes = 12;
-    std::vector<BandPoles> result { searchBand (data, band, options) };
+    const auto halves = options.bands.empty() ? splitBand (data, band) : std::vector<SearchBand>();
+    std::vector<BandPoles> result;
 
-    const auto& found = result.front().candidates;
-
-    if (! options.bands.empty() || std::count_if (found.begin(), found.end(), &isFrequent) <= maximumModes)
+    if (auto found = searchBand (data, band, ! halves.empty(), options))
+    {
+        result.push_back (std::move (*found));
         return result;
-
-    const auto halves = splitBand (data, band);
-
-    if (! halves.empty())
-        result.clear();
+    }
 
     for (const auto& half : halves)
         for (auto& part : searchDensely (data, half, options))

@@ -31,6 +31,23 @@ struct LagSums
         denominators; ///< Of z^lag conj (H) H', lag 0 to order: references x references, summed over outputs.
 };
 
+/** @param ofPairs  sums of z^lag conj (H) H', lag -order to order, one column for each pair of references */
+void addDenominators (LagSums& sums, const Matrix& ofPairs, Eigen::Index order)
+{
+    for (Eigen::Index lag = 0; lag <= order; ++lag)
+    {
+        auto& sum = sums.denominators[static_cast<std::size_t> (lag)];
+        Eigen::Index pair = 0;
+
+        for (Eigen::Index i = 0; i < sum.rows(); ++i)
+            for (Eigen::Index j = 0; j <= i; ++j, ++pair)
+            {
+                sum (i, j) = ofPairs (order + lag, pair);
+                sum (j, i) = std::conj (ofPairs (order - lag, pair));
+            }
+    }
+}
+
 LagSums sumOverLines (const CompressedBand& band, Eigen::Index order)
 {
     const auto lines = band.lines(), references = band.references(), outputs = band.outputs();
@@ -55,6 +72,10 @@ LagSums sumOverLines (const CompressedBand& band, Eigen::Index order)
     sums.numerators.assign (static_cast<std::size_t> (2 * order + 1), Matrix (references, outputs));
     sums.denominators.assign (static_cast<std::size_t> (order + 1), Matrix (references, references));
 
+    // One column for each pair of references, the first not below the second.
+    Matrix between (lines, references * (references + 1) / 2);
+    Eigen::Index pair = 0;
+
     for (Eigen::Index i = 0; i < references; ++i)
     {
         const auto& values = band.values[static_cast<std::size_t> (i)];
@@ -63,17 +84,12 @@ LagSums sumOverLines (const CompressedBand& band, Eigen::Index order)
         for (Eigen::Index lag = 0; lag <= 2 * order; ++lag)
             sums.numerators[static_cast<std::size_t> (lag)].row (i) = products.row (lag);
 
-        for (Eigen::Index j = 0; j < references; ++j)
-        {
-            const Eigen::VectorXcd between =
+        for (Eigen::Index j = 0; j <= i; ++j)
+            between.col (pair++) =
                 values.conjugate().cwiseProduct (band.values[static_cast<std::size_t> (j)]).rowwise().sum();
-            const auto sum = productTransposedLeft (powers.rightCols (order + 1), between);
-
-            for (Eigen::Index lag = 0; lag <= order; ++lag)
-                sums.denominators[static_cast<std::size_t> (lag)](i, j) = sum (lag, 0);
-        }
     }
 
+    addDenominators (sums, productTransposedLeft (powers, between), order);
     return sums;
 }
 
@@ -133,6 +149,27 @@ Matrix coefficients (Matrix normal, Eigen::Index references, double ridge)
                                Matrix (normal.bottomLeftCorner (unknowns, references)));
 }
 
+/** The vector that I + z A_1' + ... + z^n A_n' maps to nearly zero, by inverse iteration: the participation of a pole.
+ */
+Eigen::RowVectorXcd participationOf (std::complex<double> z, const Matrix& blocks, Eigen::Index references)
+{
+    constexpr int steps = 3;
+    Matrix sum = Matrix::Identity (references, references);
+    auto power = z;
+
+    for (Eigen::Index j = 0; j < blocks.rows(); j += references, power *= z)
+        sum += power * blocks.middleRows (j, references).transpose();
+
+    Matrix gram = adjointGram (sum);
+    gram.diagonal().array() += 1e-15 * std::max (gram.diagonal().real().sum(), 1e-300);
+    Matrix vector = Matrix::Ones (references, 1);
+
+    for (int step = 0; step < steps; ++step)
+        vector = solveSemidefinite (gram, vector).normalized();
+
+    return vector.col (0).transpose();
+}
+
 /** Solutions of l' (w^n + w^(n-1) A_1 + ... + A_n) = 0, w = 1 / z, by the companion matrix. */
 OrderPoles computePoles (const Matrix& blocks, Eigen::Index references, const CompressedBand& band)
 {
@@ -144,17 +181,17 @@ OrderPoles computePoles (const Matrix& blocks, Eigen::Index references, const Co
             -blocks.middleRows (j * references, references).transpose();
 
     companion.bottomLeftCorner (size - references, size - references).setIdentity();
-    const auto eigen = complexEigen (companion);
+    const auto eigenvalues = complexEigenvalues (companion);
     const auto seconds = secondsOfBasis (band);
     OrderPoles result { static_cast<int> (order), Eigen::VectorXcd (size), Matrix (size, references) };
     Eigen::Index count = 0;
 
-    if (! eigen)
+    if (! eigenvalues)
         return { static_cast<int> (order), {}, Matrix (0, references) };
 
     for (Eigen::Index n = 0; n < size; ++n)
     {
-        const auto w = eigen->values[n];
+        const auto w = (*eigenvalues)[n];
 
         if (std::abs (w) <= 1) // unstable, or exactly 0
             continue;
@@ -168,7 +205,7 @@ OrderPoles computePoles (const Matrix& blocks, Eigen::Index references, const Co
             continue;
 
         result.poles[count] = pole;
-        result.participation.row (count) = eigen->vectors.col (n).head (references).normalized().transpose();
+        result.participation.row (count) = participationOf (1.0 / w, blocks, references);
         ++count;
     }
 
@@ -178,12 +215,13 @@ OrderPoles computePoles (const Matrix& blocks, Eigen::Index references, const Co
 }
 } // namespace
 
-std::vector<OrderPoles> polynomialPoles (const CompressedBand& band, int minimumOrder, int maximumOrder, double ridge)
+std::vector<OrderPoles> polynomialPoles (const CompressedBand& band, int minimumOrder, int maximumOrder, double ridge,
+                                         const std::function<bool (const std::vector<OrderPoles>&)>& isEnough)
 {
     const auto sums = sumOverLines (band, maximumOrder);
     std::vector<OrderPoles> result;
 
-    for (auto order = minimumOrder; order <= maximumOrder; ++order)
+    for (auto order = minimumOrder; order <= maximumOrder && ! isEnough (result); ++order)
     {
         const auto blocks = coefficients (normalEquations (sums, order, maximumOrder), band.references(), ridge);
         checkWatch();

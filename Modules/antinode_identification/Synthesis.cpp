@@ -1,6 +1,7 @@
 #include "IdentifiedModes.h"
 
 #include <antinode_base/Watch.h>
+#include <antinode_numerics/DenseKernels.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,32 @@ namespace
 {
 using Complex = std::complex<double>;
 
-constexpr Eigen::Index columnsAtOnce = 8; // between looks at the watch
+constexpr Eigen::Index columnsAtOnce = 32; // between looks at the watch
+
+/** Functions of all modes, real and imaginary parts on their own: lines x N_m. */
+struct ModeFunctions
+{
+    Eigen::MatrixXd real, imaginary;
+
+    ModeFunctions (Eigen::Index lines, Eigen::Index modes) : real (lines, modes), imaginary (lines, modes) {}
+
+    void setMode (Eigen::Index mode, const Eigen::VectorXcd& values)
+    {
+        real.col (mode) = values.real();
+        imaginary.col (mode) = values.imag();
+    }
+
+    /** values += functions times real factors, N_m x columns. */
+    void addTo (Eigen::Ref<Eigen::MatrixXcd> values, const Eigen::MatrixXd& factors) const
+    {
+        Eigen::MatrixXd part = Eigen::MatrixXd::Zero (values.rows(), values.cols());
+        addProduct (part, 1, real, factors);
+        values.real() += part;
+        part.setZero();
+        addProduct (part, 1, imaginary, factors);
+        values.imag() += part;
+    }
+};
 
 /** One mode with residue r per unit of shape times participation: r / (i omega - s) + conj (r) / (i omega - conj (s))
    for a complex product c is its real part times the first function less its imaginary part times the second. */
@@ -56,14 +82,14 @@ void addResidualTerms (Eigen::MatrixXcd& values, const IdentifiedModes& modes, E
 FrequencyResponses synthesise (const IdentifiedModes& modes, const Eigen::VectorXd& frequencies)
 {
     const Eigen::VectorXd omega = 2 * std::numbers::pi * frequencies;
-    Eigen::MatrixXcd real (omega.size(), modes.modes()), imaginary = real;
+    ModeFunctions ofReal (omega.size(), modes.modes()), ofImaginary = ofReal;
 
     for (Eigen::Index k = 0; k < modes.modes(); ++k)
     {
         checkWatch();
         const auto functions = residueFunctions (modes.angularFrequencies[k], modes.dampingRatios[k], omega);
-        real.col (k) = functions.col (0);
-        imaginary.col (k) = functions.col (1);
+        ofReal.setMode (k, functions.col (0));
+        ofImaginary.setMode (k, functions.col (1));
     }
 
     FrequencyResponses responses { frequencies, modes.drive, modes.references, modes.points, {}, {} };
@@ -72,17 +98,17 @@ FrequencyResponses synthesise (const IdentifiedModes& modes, const Eigen::Vector
     for (Eigen::Index i = 0; i < static_cast<Eigen::Index> (modes.references.size()); ++i)
     {
         const auto products = computeProducts (modes, i);
-        Eigen::MatrixXcd values (omega.size(), products.cols());
+        Eigen::MatrixXcd values = Eigen::MatrixXcd::Zero (omega.size(), products.cols());
 
         for (Eigen::Index first = 0; first < products.cols(); first += columnsAtOnce)
         {
             checkWatch();
             const auto count = std::min (columnsAtOnce, products.cols() - first);
             const Eigen::MatrixXcd part = products.middleCols (first, count);
-            values.middleCols (first, count).noalias() = real * part.real().cast<Complex>();
+            ofReal.addTo (values.middleCols (first, count), part.real());
 
             if (modes.complexShapes.size() > 0)
-                values.middleCols (first, count) += imaginary * part.imag().cast<Complex>();
+                ofImaginary.addTo (values.middleCols (first, count), part.imag());
         }
 
         addResidualTerms (values, modes, i, omega);

@@ -5,14 +5,14 @@
 
 namespace antinode
 {
-std::optional<ComplexEigen> complexEigen (const Eigen::MatrixXcd& a)
+std::optional<Eigen::VectorXcd> complexEigenvalues (const Eigen::MatrixXcd& a)
 {
-    const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> eigen (a);
+    const Eigen::ComplexSchur<Eigen::MatrixXcd> schur (a, false);
 
-    if (eigen.info() != Eigen::Success)
+    if (schur.info() != Eigen::Success)
         return std::nullopt;
 
-    return ComplexEigen { eigen.eigenvalues(), eigen.eigenvectors() };
+    return Eigen::VectorXcd (schur.matrixT().diagonal());
 }
 
 Eigen::MatrixXcd solveSemidefinite (const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b)

@@ -36,16 +36,10 @@ struct ComplexEigenpair
     [worker] */
 ComplexEigenpair largestEigenpair (const Eigen::MatrixXcd& a);
 
-/** The eigenvalues of any complex matrix, in no order, and its eigenvectors, each of length 1, one a column. */
-struct ComplexEigen
-{
-    Eigen::VectorXcd values;
-    Eigen::MatrixXcd vectors;
-};
-
-/** @return  nothing when the iteration does not converge
+/** The eigenvalues of any complex matrix, in no order.
+    @return  nothing when the iteration does not converge
     [worker] */
-std::optional<ComplexEigen> complexEigen (const Eigen::MatrixXcd& a);
+std::optional<Eigen::VectorXcd> complexEigenvalues (const Eigen::MatrixXcd& a);
 
 /** x with a x = b, by pivoted elimination; where a is singular, a solution if there is one.
     @param a  symmetric or Hermitian, semidefinite; its lower triangle is used

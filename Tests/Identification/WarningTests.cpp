@@ -1,0 +1,128 @@
+#include "Support/IdentificationScore.h"
+
+#include <antinode_identification/Identification.h>
+#include <antinode_identification/PointSample.h>
+
+#include <catch2/catch.hpp>
+
+using namespace antinode;
+using namespace antinode::test;
+
+namespace
+{
+/** Resonances that differ from point to point, and white noise 40 dB below. */
+FrequencyResponses driftingResponses (const KnownStructure& truth, double drift, unsigned seed)
+{
+    const auto frequencies = lines (200, 4000, 2);
+    auto responses = idealResponses (truth, frequencies);
+    ComplexNoise noise (seed);
+
+    for (Eigen::Index p = 0; p < truth.points.rows(); ++p)
+    {
+        auto there = truth;
+        there.points = truth.points.row (p);
+        there.shapes = truth.shapes.row (p);
+        there.frequencies *= 1 + drift * std::sqrt (2.0) * noise().real();
+        const auto atPoint = idealResponses (there, frequencies);
+
+        for (std::size_t i = 0; i < responses.values.size(); ++i)
+            responses.values[i].col (p) = atPoint.values[i].col (0);
+    }
+
+    addNoise (responses, 40, seed);
+    return responses;
+}
+
+bool isDoubted (const ModeQuality& quality, const std::string& part)
+{
+    return std::any_of (quality.warnings.begin(), quality.warnings.end(),
+                        [&part] (const auto& warning) { return warning.find (part) != std::string::npos; });
+}
+} // namespace
+
+TEST_CASE ("Noise alone makes no mode doubtful that is known well", "[identification]")
+{
+    // 30 modes of a plate, some closer than their widths: free residues are far noisier than the fit.
+    const auto truth = knownPlate (2, 30);
+    auto responses = idealResponses (truth, lines (200, 11000, 8));
+    addNoise (responses, 10, 6);
+    const auto modes = identify (responses, {});
+    CHECK (score (modes, truth).found == 30);
+
+    for (const auto& quality : modes.quality)
+    {
+        CAPTURE (quality.signalToNoise);
+        CHECK (quality.warnings.empty());
+    }
+}
+
+TEST_CASE ("A resonance that drifts and is taken for two modes is doubted", "[identification]")
+{
+    const auto truth = lowestModes (knownBeam (5, 16, 3), 6);
+    const auto modes = identify (driftingResponses (truth, 500e-6, 3), {});
+    // So much drift splits most resonances.
+    REQUIRE (modes.modes() > truth.frequencies.size() + 2);
+    int split = 0;
+
+    for (Eigen::Index k = 0; k + 1 < modes.modes(); ++k)
+        if (modes.angularFrequencies[k + 1] / modes.angularFrequencies[k] - 1 < modes.dampingRatios[k])
+        {
+            ++split;
+
+            for (const auto l : { k, k + 1 })
+                CHECK (isDoubted (modes.quality[std::size_t (l)], "differs from point to point"));
+        }
+
+    CHECK (split > 2);
+}
+
+TEST_CASE ("What is known badly is named with its uncertainty", "[identification]")
+{
+    // One mode that a tenth of the others' drive excites, in a quarter of their energy as noise.
+    auto truth = lowestModes (knownBeam (4, 12, 2), 4);
+    truth.participation.row (2) *= 0.02;
+    auto responses = idealResponses (truth, lines (200, 3000, 2));
+    addNoise (responses, 6, 4);
+    IdentificationOptions options;
+    options.complexModes = false;
+    const auto modes = identify (responses, options);
+    REQUIRE (modes.modes() >= 3);
+
+    for (Eigen::Index k = 0; k < modes.modes(); ++k)
+    {
+        const auto& deviations = modes.deviations;
+        const auto worst =
+            std::max ({ deviations.dampingRatios[k] / modes.dampingRatios[k],
+                        deviations.angularFrequencies[k] / (modes.dampingRatios[k] * modes.angularFrequencies[k]),
+                        deviations.shapes.col (k).norm() / modes.shapes.col (k).norm(),
+                        deviations.participation.row (k).norm() / modes.participation.row (k).norm() });
+        CHECK (isDoubted (modes.quality[std::size_t (k)], "is uncertain by") == (worst > 0.1));
+    }
+}
+
+TEST_CASE ("A range is chosen on points spread over all", "[identification]")
+{
+    FrequencyResponses responses;
+    responses.frequencies = lines (1, 8, 1);
+    responses.points.setZero (165, 2);
+    responses.references = { { "C1", {} } };
+    responses.values = { Eigen::RowVectorXcd::LinSpaced (165, 0, 164).replicate (8, 1) };
+    const auto points = samplePoints (responses);
+    REQUIRE (points.size() == 24);
+    CHECK (points.front() < 7);
+    CHECK (points.back() > 157);
+
+    for (std::size_t n = 1; n < points.size(); ++n)
+        CHECK (points[n] - points[n - 1] >= 6);
+
+    const auto sample = atPoints (responses, points);
+    CHECK (sample.points.rows() == 24);
+    CHECK (sample.values[0](5, 3).real() == static_cast<double> (points[3]));
+
+    IdentificationOptions options;
+    options.pointMasses = Eigen::VectorXd::LinSpaced (165, 0, 164);
+    CHECK (atPoints (options, points).pointMasses[3] == static_cast<double> (points[3]));
+
+    responses.points.setZero (5, 2);
+    CHECK (samplePoints (responses) == std::vector<Eigen::Index> { 0, 1, 2, 3, 4 });
+}
