@@ -15,7 +15,7 @@ namespace antinode
 {
 namespace
 {
-constexpr double stepPhase = 0.1;      // rad of the highest mode in a step
+constexpr double stepPhase = 0.05;     // rad of the highest mode in a step
 constexpr int maximumMeetings = 20;    // within a step: fingers that rattle faster are taken as touching
 constexpr int bisections = 45;         // of a step, to a meeting
 constexpr Eigen::Index watched = 1024; // samples between looks at the watch
