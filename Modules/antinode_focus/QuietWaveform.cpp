@@ -15,6 +15,7 @@ namespace
 {
 constexpr double knotsPerSecond = 4000; // of the splines that a correction consists of: to about 1 kHz
 constexpr auto settledSlope = 1e-3;     // of the slope at the start: the sum is then the least to about 1e-6
+constexpr auto guardStiffening = 1e4;   // of guards against changes: less felt elsewhere is to leave the field as it is
 constexpr int mostSteps = 400;
 
 double cubicSpline (double knots)
@@ -78,7 +79,7 @@ public:
         Eigen::MatrixXd overlaps = Eigen::MatrixXd::Zero (count, count);
         addTransposedRight (overlaps, 1, participation, participation);
         gram = gram.cwiseProduct (overlaps);
-        gram.diagonal() += task.problem.compliance;
+        gram.diagonal() += task.problem.compliance / guardStiffening;
         scale = (gram.diagonal().array() > 0).select (gram.diagonal().cwiseSqrt().cwiseInverse(), 0.0);
         factor = scale.asDiagonal() * gram * scale.asDiagonal();
         factor.diagonal() = (scale.array() > 0).select (factor.diagonal().array() + rounding, 1.0);
