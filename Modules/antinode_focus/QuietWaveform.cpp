@@ -35,11 +35,12 @@ Eigen::MatrixXd sampledSplines (Eigen::Index samples, Eigen::Index focus, double
     constexpr double reach = 2; // knots
     const auto perKnot = sampleRate / knotsPerSecond;
     const auto place = [&] (Eigen::Index n) { return static_cast<double> (n - focus) / perKnot; };
-    const auto first = std::ceil (place (0) + reach), last = std::floor (place (samples - 1) - reach);
-    std::vector<double> centres;
+    const auto first = static_cast<int> (std::ceil (place (0) + reach));
+    const auto last = static_cast<int> (std::floor (place (samples - 1) - reach));
+    std::vector<int> centres;
 
     for (auto centre = first; centre <= last; ++centre)
-        if (centre != 1 || first == 1)
+        if (centre != 1)
             centres.push_back (centre);
 
     Eigen::MatrixXd splines (centres.size(), samples);
