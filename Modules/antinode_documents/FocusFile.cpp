@@ -15,6 +15,7 @@ namespace
 constexpr std::size_t maximumTargets = 64;
 constexpr std::size_t maximumProbes = 64;
 constexpr std::size_t maximumFingers = 10;
+constexpr std::size_t maximumQuietPlaces = 10;
 constexpr int maximumCycles = 1000000;
 constexpr NumberRange velocityMillimetresPerSecond { 1e-6, 1e7 };
 constexpr NumberRange captured { 0, 1, true };
@@ -23,6 +24,8 @@ constexpr NumberRange brake { 1, 1000, true };
 constexpr NumberRange brakeMilliseconds { 1, 1000 };
 constexpr NumberRange guardWeight { 0, 1e12 };
 constexpr NumberRange robustWeight { 0, 1e9, true };
+constexpr NumberRange feltWeight { 0, 1e6 };
+constexpr NumberRange feltAfter { 5, 100 }; // below, it is the shortness that takes volts
 constexpr NumberRange tukey { 0, 1 };
 
 std::optional<double> optionalNumber (const JsonObject& object, std::string_view key, const NumberRange& range)
@@ -215,17 +218,45 @@ Finger readPlacedFinger (const JsonValue& value)
                        fromMillimetres (optionalNumber (object, "y_mm", ranges::positionMillimetre).value_or (0)));
 }
 
-std::vector<std::pair<double, double>> readProbes (const JsonValue& value)
+std::vector<std::pair<double, double>> readPlaces (const JsonValue& value, std::size_t fewest, std::size_t most)
 {
-    std::vector<std::pair<double, double>> probes;
+    std::vector<std::pair<double, double>> places;
 
-    for (const auto& item : value.items (0, maximumProbes))
+    for (const auto& item : value.items (fewest, most))
     {
         const auto place = item.numbers (2, 2, ranges::positionMillimetre);
-        probes.emplace_back (fromMillimetres (place[0]), fromMillimetres (place[1]));
+        places.emplace_back (fromMillimetres (place[0]), fromMillimetres (place[1]));
     }
 
-    return probes;
+    return places;
+}
+
+/** What else a focus asks for decides whether it can ask for this too. */
+FeltChoice readFelt (const JsonValue& value, const FocusDescription& focus)
+{
+    const auto object = value.object ({ "at", "weight", "after_ms" });
+    FeltChoice felt;
+
+    if (methodTraits (focus.allocation.method).waveforms != AllocatedWaveforms::samples)
+        value.fail ("is given with a method other than free_waveform; allowed only with free_waveform");
+
+    if (focus.transients.brake || focus.transients.brakeDuration)
+        value.fail ("is given together with a brake; allowed: one of the two");
+
+    if (const auto at = object.required ("at"); at.isList())
+    {
+        felt.at = FeltAt::places;
+        felt.places = readPlaces (at, 1, maximumQuietPlaces);
+    }
+    else
+        felt.at = at.choice (feltAtWords);
+
+    felt.weight = optionalNumber (object, "weight", feltWeight).value_or (felt.weight);
+
+    if (const auto after = optionalNumber (object, "after_ms", feltAfter))
+        felt.after = fromMilliseconds (*after);
+
+    return felt;
 }
 } // namespace
 
@@ -234,7 +265,7 @@ FocusDescription readFocus (const nlohmann::json& document, const std::string& s
     const JsonValue value (document, source);
     value.requireSchema ("antinode.focus/1");
     const auto object = value.object ({ "schema", "name", "targets", "focus_time_ms", "modes", "transients",
-                                        "allocation", "edge_window", "probes_mm", "fingers" });
+                                        "allocation", "edge_window", "probes_mm", "fingers", "felt" });
     FocusDescription focus;
 
     for (const auto& target : object.required ("targets").items (1, maximumTargets))
@@ -258,11 +289,14 @@ FocusDescription readFocus (const nlohmann::json& document, const std::string& s
         focus.edgeWindow = window->object ({ "tukey" }).required ("tukey").number (tukey);
 
     if (const auto probes = object.optional ("probes_mm"))
-        focus.probes = readProbes (*probes);
+        focus.probes = readPlaces (*probes, 0, maximumProbes);
 
     if (const auto fingers = object.optional ("fingers"))
         for (const auto& finger : fingers->items (0, maximumFingers))
             focus.fingers.push_back (readPlacedFinger (finger));
+
+    if (const auto felt = object.optional ("felt"))
+        focus.felt = readFelt (*felt, focus);
 
     return focus;
 }

@@ -21,6 +21,9 @@ inline constexpr WordList<TargetProfile, 2> targetProfileWords { { { "radial", T
 inline constexpr WordList<ModeOrder, 2> modeOrderWords { { { "energy", ModeOrder::energy },
                                                            { "frequency", ModeOrder::frequency } } };
 
+inline constexpr WordList<FeltAt, 2> feltAtWords { { { "everywhere", FeltAt::everywhere },
+                                                     { "fingers", FeltAt::fingers } } };
+
 inline constexpr WordList<DriveKind, 2> driveKindWords { { { "offset_free", DriveKind::offsetFree },
                                                            { "paper", DriveKind::paper } } };
 

@@ -95,6 +95,23 @@ Json allocationToJson (const AllocationChoice& allocation)
 
     return object;
 }
+
+Json placesToJson (const std::vector<std::pair<double, double>>& places)
+{
+    auto list = Json::array();
+
+    for (const auto& [x, y] : places)
+        list.push_back ({ toMillimetres (x), toMillimetres (y) });
+
+    return list;
+}
+
+Json feltToJson (const FeltChoice& felt)
+{
+    return { { "at", felt.at == FeltAt::places ? placesToJson (felt.places) : Json (wordFor (feltAtWords, felt.at)) },
+             { "weight", felt.weight },
+             { "after_ms", toMilliseconds (felt.after) } };
+}
 } // namespace
 
 nlohmann::ordered_json focusToJson (const FocusDescription& focus)
@@ -113,13 +130,13 @@ nlohmann::ordered_json focusToJson (const FocusDescription& focus)
     if (focus.edgeWindow)
         object["edge_window"] = { { "tukey", *focus.edgeWindow } };
 
-    object["probes_mm"] = Json::array();
-
-    for (const auto& [x, y] : focus.probes)
-        object["probes_mm"].push_back ({ toMillimetres (x), toMillimetres (y) });
+    object["probes_mm"] = placesToJson (focus.probes);
 
     for (const auto& finger : focus.fingers)
         object["fingers"].push_back (fingerToJson (finger));
+
+    if (focus.felt)
+        object["felt"] = feltToJson (*focus.felt);
 
     return object;
 }

@@ -7,6 +7,9 @@
 #include "SampledPrediction.h"
 #include "Transients.h"
 
+#include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
+
 namespace antinode
 {
 namespace
@@ -54,6 +57,30 @@ bool mayTakeFurtherDrives (const FocusDescription& description, const Allocation
            && description.transients.drive == DriveKind::offsetFree
            && certificate.status == AllocationStatus::infeasible
            && minimumShareToTry * certificate.minimumPeakRatio < 1;
+}
+
+/** Says what less felt elsewhere costs, and what limits leave undone. */
+void sayWhatIsFelt (FocusDesign& design, const LessFelt& felt)
+{
+    constexpr auto settled = 1e-2; // of the slope of what is minimised
+    const auto& choice = design.description.felt.value();
+    design.choices.push_back ("Less is felt elsewhere: by " + fixedText (felt.gain, 1)
+                              + " dB of energy in terms of the modes of the design, at weight " + inWords (felt.weight)
+                              + ". Without that it would need " + inWords (felt.plainPeak) + " V, with it "
+                              + inWords (peakVoltage (design)) + " V. Voltages go on for "
+                              + inWords (choice.after * milli) + " ms after the focus.");
+
+    if (felt.share == 1 && felt.weight < choice.weight)
+        design.warnings.push_back ("The voltage limit allows the weight " + inWords (felt.weight)
+                                   + " of what is felt elsewhere, not " + inWords (choice.weight) + ".");
+
+    if (felt.share < 1)
+        design.warnings.push_back ("The voltage limit leaves room for " + fixedText (100 * felt.share, 0)
+                                   + " % of the change that would make less felt elsewhere.");
+
+    if (felt.residual > settled)
+        design.warnings.emplace_back ("Less could be felt elsewhere for as much voltage: the search stopped after "
+                                      + std::to_string (felt.iterations) + " steps.");
 }
 
 /** Allocates until the wanted velocities of complex modes and what the imaginary parts of their shapes add are the
@@ -140,5 +167,8 @@ void sampleProgram (FocusDesign& design, const ModalModel& model, DesignExtent e
     design.program.voltageLimits = limits;
     design.program.focusTime = moment.time;
     design.program.samples = std::move (waveform.voltages);
+
+    if (waveform.felt)
+        sayWhatIsFelt (design, *waveform.felt);
 }
 } // namespace antinode

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "AllocationMethods.h"
+#include "FeltChoice.h"
 #include "Robustness.h"
 
 #include <antinode_fingers/Finger.h>
@@ -98,5 +99,6 @@ struct FocusDescription
     std::optional<double> edgeWindow;              ///< Tukey taper as a fraction of the surface's length, 0 to 1.
     std::vector<std::pair<double, double>> probes; ///< x, y, m.
     std::vector<Finger> fingers;                   ///< That rest on the surface.
+    std::optional<FeltChoice> felt;                ///< With free waveforms only: less is to be felt elsewhere.
 };
 } // namespace antinode

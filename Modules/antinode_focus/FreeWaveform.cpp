@@ -3,86 +3,22 @@
 #include "DriveAllocation.h"
 #include "LimitError.h"
 #include "LimitWords.h"
-#include "SampledPrediction.h"
+#include "QuietWaveform.h"
+#include "SampleRange.h"
 
 #include <antinode_allocation/BoundedWaveform.h>
 #include <antinode_base/NumberText.h>
-#include <antinode_numerics/KaiserSinc.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace antinode
 {
 namespace
 {
-constexpr auto maximumWeights = 128.0 * 1024 * 1024; // row weights: 1 GiB
-constexpr auto largestGap = 1e-6;                    // beyond it the least energy was not found
-
-/** Which samples are free: those up to the focus. Band-limited ones go on beyond it as their own mirror image, which
-   has no slope at the focus: a step there would move all modes far above those that are guarded. */
-struct SampleRange
-{
-    Eigen::Index focus = 0;    ///< The number of samples before the focus.
-    Eigen::Index count = 0;    ///< Of the free ones.
-    Eigen::Index mirrored = 0; ///< Behind the focus, of those that act before it.
-};
-
-SampleRange findSampleRange (const FocusDescription& description, Playback playback, std::size_t rows)
-{
-    constexpr auto onSample = 1e-6;
-
-    if (! (playback.sampleRate > 0))
-        throw InputError ("sample rate", "is missing; a free waveform consists of samples and needs a rate");
-
-    const auto before = std::floor (longestDrive (description) * playback.sampleRate + onSample);
-
-    if (before * static_cast<double> (rows) > maximumWeights)
-        throw InputError ("sample rate", "is too high for this focus time: a free waveform would need more than 1 GiB; "
-                                         "choose a lower rate, a shorter focus time or fewer guard modes");
-
-    const auto focus = static_cast<Eigen::Index> (before);
-    const auto isHeld = playback.reconstruction == Reconstruction::zeroOrderHold;
-
-    if (isHeld)
-        return { focus, std::max<Eigen::Index> (focus, 1), 0 };
-
-    return { focus, focus + 1, std::min<Eigen::Index> (focus, kaiserSincHalfWidth) };
-}
-
-/** Rows of modal velocities at the focus. */
-Eigen::MatrixXd velocityWeights (const ModalModel& model, const std::vector<int>& modes, Playback playback,
-                                 const SampleRange& range)
-{
-    const Eigen::VectorXd ratio = (decayRates (model).array() / dampedFrequencies (model).array()) (modes);
-    auto responses = sampleResponses (model, modes, playback, range.count + range.mirrored, range.focus);
-
-    for (Eigen::Index m = 1; m <= range.mirrored; ++m)
-        responses.col (range.focus - m) += responses.col (range.focus + m);
-
-    responses.conservativeResize (Eigen::NoChange, range.count);
-    return responses.real() - ratio.asDiagonal() * responses.imag();
-}
-
-/** The free samples and their mirror image, which fades behind those that act before the focus. */
-Eigen::MatrixXd withMirrorImage (const Eigen::MatrixXd& samples, const SampleRange& range)
-{
-    const auto faded = std::min (range.focus, 2 * range.mirrored);
-    Eigen::MatrixXd all (samples.rows(), samples.cols() + faded);
-    all.leftCols (samples.cols()) = samples;
-
-    for (Eigen::Index m = 1; m <= faded; ++m)
-    {
-        const auto beyond = static_cast<double> (std::max<Eigen::Index> (m - range.mirrored, 0));
-        const auto level = std::cos (0.5 * std::numbers::pi * beyond / static_cast<double> (range.mirrored + 1));
-        all.col (range.focus + m) = level * level * samples.col (range.focus - m);
-    }
-
-    return all;
-}
+constexpr auto largestGap = 1e-6; // beyond it the least energy was not found
 
 BoundedWaveformProblem hardRows (const ModalModel& model, const std::vector<int>& modes, const Eigen::VectorXd& wanted,
                                  const Eigen::VectorXd& limits, Playback playback, const SampleRange& range)
@@ -209,10 +145,9 @@ FreeWaveform freeWaveform (const ModalModel& model, const FocusDescription& desc
     const auto guards = guardModes (model, modes, description.allocation);
     const auto range = findSampleRange (description, playback, modes.size() + guards.size());
     const auto hard = hardRows (model, modes, wanted, limits, playback, range);
-    const auto solution = solveBoundedWaveform (withGuards (hard, velocityWeights (model, guards, playback, range),
-                                                            model.participation (guards, Eigen::all),
-                                                            description.allocation.guardWeight));
-
+    const auto problem = withGuards (hard, velocityWeights (model, guards, playback, range),
+                                     model.participation (guards, Eigen::all), description.allocation.guardWeight);
+    const auto solution = solveBoundedWaveform (problem);
     const auto field = largestLimitField (model, description.allocation, limits);
 
     if (! solution.isMet)
@@ -224,6 +159,15 @@ FreeWaveform freeWaveform (const ModalModel& model, const FocusDescription& desc
         throwTooNear (field, limits.maxCoeff(), 1);
 
     const auto firstTime = description.focusTime - static_cast<double> (range.focus) / playback.sampleRate;
-    return { { playback, firstTime, withMirrorImage (solution.samples, range) }, certificate };
+    FreeWaveform waveform { { playback, firstTime, withMirrorImage (solution.samples, range) }, certificate, {} };
+
+    if (description.felt)
+    {
+        auto rows = modes;
+        rows.insert (rows.end(), guards.begin(), guards.end());
+        makeQuieter (waveform, { model, description, problem, rows, range });
+    }
+
+    return waveform;
 }
 } // namespace antinode

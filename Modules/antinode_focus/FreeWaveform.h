@@ -1,11 +1,13 @@
 #pragma once
 
 #include "FocusDescription.h"
+#include "LessFelt.h"
 
 #include <antinode_allocation/Allocation.h>
 #include <antinode_model/ModalModel.h>
 #include <antinode_model/SampledVoltages.h>
 
+#include <optional>
 #include <vector>
 
 namespace antinode
@@ -16,6 +18,7 @@ struct FreeWaveform
     SampledVoltages voltages;
     AllocationCertificate
         certificate; ///< Its peak ratio is that of the samples, its objective 1/2 sum u^2 with the guards' part.
+    std::optional<LessFelt> felt; ///< Where less was to be felt elsewhere; the objective is that without it.
 };
 
 /** Every sample is free: from the beginning (the trigger, or where a window or the maximum duration says) up to the

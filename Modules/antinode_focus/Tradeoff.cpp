@@ -51,6 +51,7 @@ FocusDescription describedFor (FocusDescription focus, const TradeoffPoint& poin
     focus.transients.cycles.clear();
     focus.transients.growth.clear();
     focus.transients.brake.reset();
+    focus.felt.reset();
 
     if (point.envelopeFolds > 0)
         for (const auto rate : decay)

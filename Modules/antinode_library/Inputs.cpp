@@ -1,5 +1,7 @@
 #include "Inputs.h"
 
+#include "SkinThresholds.h"
+
 #include <antinode_base/InputError.h>
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_documents/FocusFile.h>
@@ -45,6 +47,9 @@ FocusDescription loadFocus (const std::string& nameOrFile, const std::vector<std
 
     if (focus.name.empty())
         focus.name = std::filesystem::path (nameOrFile).stem().string();
+
+    if (focus.felt)
+        focus.felt->threshold = findSkinThreshold ({});
 
     return focus;
 }

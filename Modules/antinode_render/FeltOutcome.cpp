@@ -62,6 +62,12 @@ bool isFar (const FeltPlace& place, const std::vector<Target>& targets)
                         { return std::hypot (place.x - target.x, place.y - target.y) > feltNeighbourhood; });
 }
 
+std::string placeInWords (const Surface& surface, const FeltPlace& place)
+{
+    return fixedText (place.x * milli, 1)
+           + (surface.kind == SurfaceKind::line ? "" : ", " + fixedText (place.y * milli, 1)) + " mm";
+}
+
 std::string decibels (double level)
 {
     return fixedText (level, 1) + " dB";
@@ -70,26 +76,34 @@ std::string decibels (double level)
 
 std::optional<double> FeltOutcome::contrast() const
 {
-    if (targets.empty() || ! elsewhere)
+    return elsewhere ? contrastTo (elsewhere->level) : std::nullopt;
+}
+
+std::optional<double> FeltOutcome::contrastTo (double level) const
+{
+    if (targets.empty())
         return {};
 
     const auto weakest = std::min_element (targets.begin(), targets.end(),
                                            [] (const auto& a, const auto& b) { return a.level < b.level; });
-    return weakest->level - elsewhere->level;
+    return weakest->level - level;
 }
 
 FeltOutcome feltOutcome (const ModalModel& model, const Render& render, const std::vector<Target>& targets,
-                         const SkinThreshold& threshold)
+                         const SkinThreshold& threshold, const std::vector<std::pair<double, double>>& bystanders)
 {
     const auto motion = feltMotion (model, render.modalVelocities, render.sampleRate, threshold);
+    const auto feltAt = [&] (double x, double y) {
+        return FeltPlace { x, y, levelsOf (shapesAt (model, x, y), motion).front() };
+    };
     FeltOutcome outcome;
     outcome.threshold = threshold.source;
 
     for (const auto& target : targets)
-    {
-        const auto level = levelsOf (shapesAt (model, target.x, target.y), motion).front();
-        outcome.targets.push_back ({ target.x, target.y, level });
-    }
+        outcome.targets.push_back (feltAt (target.x, target.y));
+
+    for (const auto& [x, y] : bystanders)
+        outcome.bystanders.push_back (feltAt (x, y));
 
     lookEverywhere (outcome, model, motion);
 
@@ -112,13 +126,14 @@ std::string feltInWords (const Surface& surface, const FeltOutcome& outcome)
 
     const auto beyond = fixedText (feltNeighbourhood * milli, 0) + " mm from it";
 
+    for (const auto& place : outcome.bystanders)
+        text += decibels (place.level) + " at " + placeInWords (surface, place) + "; ";
+
     if (! outcome.elsewhere)
         return text + "the surface ends within " + beyond;
 
     const auto& place = *outcome.elsewhere;
-    text += decibels (place.level) + " farther than " + beyond + ", at " + fixedText (place.x * milli, 1);
-    text += (surface.kind == SurfaceKind::line ? "" : ", " + fixedText (place.y * milli, 1)) + " mm";
-    return text;
+    return text + decibels (place.level) + " farther than " + beyond + ", at " + placeInWords (surface, place);
 }
 
 nlohmann::ordered_json feltToJson (const FeltOutcome& outcome)
@@ -132,6 +147,17 @@ nlohmann::ordered_json feltToJson (const FeltOutcome& outcome)
 
     for (const auto& target : outcome.targets)
         json["targets"].push_back (placeJson (target));
+
+    if (! outcome.bystanders.empty())
+        json["bystanders"] = nlohmann::ordered_json::array();
+
+    for (const auto& place : outcome.bystanders)
+    {
+        json["bystanders"].push_back (placeJson (place));
+
+        if (const auto contrast = outcome.contrastTo (place.level))
+            json["bystanders"].back()["contrast_dB"] = *contrast;
+    }
 
     json["elsewhere"] = outcome.elsewhere ? placeJson (*outcome.elsewhere) : nlohmann::ordered_json();
     json["contrast_dB"] = outcome.contrast() ? nlohmann::ordered_json (*outcome.contrast()) : nlohmann::ordered_json();

@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace antinode
@@ -27,21 +28,24 @@ struct FeltOutcome
     std::vector<FeltPlace> targets;     ///< At the wanted places.
     std::optional<FeltPlace> elsewhere; ///< The largest farther than feltNeighbourhood from all targets; none where the
                                         ///< surface ends before.
+    std::vector<FeltPlace> bystanders;  ///< At fingers, and at places where a focus asks for less.
     double feltShare = 0;               ///< Of the places looked at, those over the threshold.
     std::vector<FeltPlace> places; ///< Even places, row by row from below, or the points where they lie on no grid.
     Eigen::Index columns = 0;      ///< Of even places: how many a row has; 0 on no grid.
 
     /** The weakest target over the strongest other place, dB; none without both. */
     std::optional<double> contrast() const;
+
+    /** The same over a level, dB; none without targets. */
+    std::optional<double> contrastTo (double level) const;
 };
 
-/** Beyond this distance from the targets nothing should be felt, m: about the width of two fingertips. */
-inline constexpr double feltNeighbourhood = 0.03;
-
-/** What skin feels of a rendered event, at the targets and everywhere else.
+/** What skin feels of a rendered event, at the targets, at bystanders and everywhere else.
+    @param bystanders  x, y, m
     @throws Cancelled  when a watch of this thread says no
     [worker] */
-FeltOutcome feltOutcome (const ModalModel&, const Render&, const std::vector<Target>&, const SkinThreshold&);
+FeltOutcome feltOutcome (const ModalModel&, const Render&, const std::vector<Target>&, const SkinThreshold&,
+                         const std::vector<std::pair<double, double>>& bystanders = {});
 
 /** Levels and contrast in one sentence. [any] */
 std::string feltInWords (const Surface&, const FeltOutcome&);

@@ -13,6 +13,7 @@ namespace antinode
 namespace
 {
 constexpr double minimumAftermath = 0.025; // s
+constexpr int samplesHeard = 64;           // that the last sample of a free waveform lasts, kernel and latency included
 constexpr double residualSpan = 0.002;     // s: a velocity that passes through zero just then is no rest
 
 double defaultDuration (const FocusDesign& design)
@@ -22,6 +23,11 @@ double defaultDuration (const FocusDesign& design)
 
     for (const auto& oscillation : design.program.oscillations)
         end = std::max (end, oscillation.end);
+
+    if (const auto& samples = design.program.samples)
+        end = std::max (end, samples->firstTime
+                                 + static_cast<double> (samples->values.cols() + samplesHeard)
+                                       / samples->playback.sampleRate);
 
     return design.restTime ? std::max (end, focus + *design.restTime + 1.5 * residualSpan) : end;
 }
@@ -97,6 +103,17 @@ std::vector<Target> allTargets (const FocusDesign& design)
     return all;
 }
 
+/** Fingers, and places where less is to be felt. */
+std::vector<std::pair<double, double>> bystandersOf (const FocusDescription& focus)
+{
+    auto places = focus.felt ? focus.felt->places : std::vector<std::pair<double, double>>();
+
+    for (const auto& finger : focus.fingers)
+        places.emplace_back (finger.x, finger.y);
+
+    return places;
+}
+
 std::vector<std::pair<double, double>> chooseProbes (const FocusDesign& design, const RenderOptions& options)
 {
     if (! options.probes.empty())
@@ -168,7 +185,8 @@ RenderedFocus renderFocus (WideModel wide, FocusDesign design, const RenderOptio
         result.power = focusPower (result.model, result.render.voltages, options.playback, *options.repetitions);
 
     if (options.threshold)
-        result.felt = feltOutcome (result.model, result.render, allTargets (result.design), *options.threshold);
+        result.felt = feltOutcome (result.model, result.render, allTargets (result.design), *options.threshold,
+                                   bystandersOf (result.design.description));
 
     return result;
 }

@@ -6,6 +6,7 @@
 #include <antinode_base/Prefixes.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_library/Inputs.h>
+#include <antinode_library/SkinThresholds.h>
 
 #include <algorithm>
 #include <array>
@@ -164,8 +165,22 @@ WideDesign designFrom (const CommonOptions& options)
 
 WideDesign designFrom (const CommonOptions& options, const WideModel& wide, const FocusDescription& focus)
 {
-    const auto widen = [&] (const ModalModel& known, double frequency)
+    return designWide (wide, completed (options, focus), options.playback(), widenBy (options));
+}
+
+WidenModel widenBy (const CommonOptions& options)
+{
+    return [&options] (const ModalModel& known, double frequency)
     { return solveWide (loadDevice (options.device, options.assignments), known, frequency, options.usesCache); };
-    return designWide (wide, withFingers (focus, options.fingers), options.playback(), widen);
+}
+
+FocusDescription completed (const CommonOptions& options, FocusDescription focus)
+{
+    auto complete = withFingers (std::move (focus), options.fingers);
+
+    if (complete.felt && ! options.thresholdFile.empty())
+        complete.felt->threshold = findSkinThreshold (options.thresholdFile);
+
+    return complete;
 }
 } // namespace antinode

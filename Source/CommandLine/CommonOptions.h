@@ -18,7 +18,8 @@ struct CommonOptions
     std::string folder = "antinode-out";
     double rate = 192000; ///< Hz
     std::string reconstruction = "band_limited";
-    double repetitions = 10; ///< Per second, for the electrical power.
+    double repetitions = 10;   ///< Per second, for the electrical power.
+    std::string thresholdFile; ///< What skin feels; empty: the built-in table.
     std::vector<std::string> assignments, fingers;
     bool usesCache = true;
     bool isQuiet = false;
@@ -56,4 +57,11 @@ WideDesign designFrom (const CommonOptions&);
 
 /** The same of a focus and a device that are there already. [worker] */
 WideDesign designFrom (const CommonOptions&, const WideModel&, const FocusDescription&);
+
+/** How the device that these options name is widened. They outlive it. [any] */
+WidenModel widenBy (const CommonOptions&);
+
+/** A focus as these options have it: with their fingers, and their threshold of skin where it asks for one.
+    @throws InputError  where one cannot be read. [worker] */
+FocusDescription completed (const CommonOptions&, FocusDescription);
 } // namespace antinode

@@ -12,6 +12,8 @@
 #include <antinode_documents/ToleranceFile.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/LimitWords.h>
+#include <antinode_render/FeltTradeoff.h>
+#include <antinode_reports/FeltTradeoffReport.h>
 #include <antinode_reports/ToleranceReport.h>
 #include <antinode_reports/TradeoffReport.h>
 #include <antinode_text/OutputFolder.h>
@@ -126,9 +128,67 @@ Tradeoff designsSoFar (const ModalModel& model, const FocusDescription& focus, c
     }
 }
 
+/** As designsSoFar, by the weight of what is felt elsewhere. */
+FeltTradeoff weightsSoFar (const ModalModel& model, const FocusDescription& focus, const CommonOptions& options)
+{
+    Progress progress (options.isQuiet);
+    RenderOptions render;
+    render.playback = options.playback();
+    render.threshold = focus.felt->threshold;
+    FeltTradeoff soFar;
+
+    try
+    {
+        progress.show ("Designing", 0);
+        return sweepFeltWeights (
+            wideFrom (options, model), focus, render, widenBy (options),
+            [&] (const FeltTradeoff& now)
+            {
+                soFar = now;
+                progress.show ("Designing", static_cast<double> (now.points.size()) / static_cast<double> (now.planned),
+                               formatted ("%zu of %zu designs", now.points.size(), now.planned));
+            });
+    }
+    catch (const Cancelled&)
+    {
+        if (soFar.points.empty())
+            throw;
+
+        answerInterruption();
+        return soFar;
+    }
+}
+
+void sweepWeights (const ModalModel& model, const FocusDescription& focus, const CommonOptions& options)
+{
+    auto tradeoff = weightsSoFar (model, focus, options);
+
+    for (auto& point : tradeoff.points)
+        point.failure = withKeysAndOptions (point.failure);
+
+    OutputFolder folder (options.folder);
+    folder.write ("tradeoff.json", feltTradeoffToJson (tradeoff, focus.name, model.name).dump (2) + "\n");
+    folder.write ("tradeoff.csv", feltTradeoffToCsv (tradeoff));
+    folder.write ("tradeoff.html", renderReport (feltTradeoffReport (tradeoff, focus.name, model.name)));
+    folder.commit();
+
+    if (! options.isQuiet)
+        std::printf ("%s%s/tradeoff.html\n", feltTradeoffToText (tradeoff).c_str(), options.folder.c_str());
+
+    if (tradeoff.points.size() < tradeoff.planned)
+        throw Cancelled();
+}
+
 void sweep (const CommonOptions& options)
 {
     const auto [model, focus] = inputsFrom (options);
+
+    if (focus.felt)
+    {
+        sweepWeights (model, completed (options, focus), options);
+        return;
+    }
+
     auto tradeoff = designsSoFar (model, focus, options);
 
     for (auto& point : tradeoff.points)
@@ -155,9 +215,10 @@ void addDesignCommand (CLI::App& app)
         ->capture_default_str();
     addCommonOptions (*command, options->common);
     addToleranceOptions (*command, options->tolerance);
-    auto* tradeoff =
-        command->add_flag ("--tradeoff", options->isTradeoff,
-                           "Compares all methods and growths instead: peak voltage against time in motion");
+    auto* tradeoff = command->add_flag (
+        "--tradeoff", options->isTradeoff,
+        "Compares all methods and growths instead: peak voltage against time in motion; of a focus with "
+        "'felt' its weights: peak voltage against felt contrast");
     tradeoff->excludes (command->get_option ("--tolerance"));
     command->callback ([options] { options->isTradeoff ? sweep (options->common) : design (*options); });
 }

@@ -39,7 +39,7 @@ struct RenderCommandOptions
     std::string format = "wav";
     bool hasReport = true;
     std::vector<std::string> figures, focuses { "demonstrator" };
-    std::string placesFile, rankBy = "field_error", thresholdFile;
+    std::string placesFile, rankBy = "field_error";
 };
 
 /** "X" or "X,Y" in mm. */
@@ -71,7 +71,7 @@ RenderOptions renderOptions (const RenderCommandOptions& options)
     result.playback = options.common.playback();
     result.blockSize = options.blockSize;
     result.repetitions = options.common.repetitions;
-    result.threshold = findSkinThreshold (options.thresholdFile);
+    result.threshold = findSkinThreshold (options.common.thresholdFile);
 
     if (options.duration)
         result.duration = *options.duration / 1000;
@@ -242,7 +242,7 @@ void addRenderCommand (CLI::App& app)
                       "Also writes the figures of the report for print: svg, pdf (repeatable)")
         ->check (CLI::IsMember ({ "svg", "pdf" }))
         ->allow_extra_args (false);
-    command->add_option ("--threshold", options->thresholdFile,
+    command->add_option ("--threshold", options->common.thresholdFile,
                          "CSV of Hz and um: what skin feels, in place of the built-in table");
     command->add_option ("--places", options->placesFile, "CSV of x and y in mm: the focus at each of these places");
     command

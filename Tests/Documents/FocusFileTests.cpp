@@ -193,6 +193,39 @@ TEST_CASE ("Fingers of a focus are read and written; what is not given is that o
            == "my.json: /fingers/0/mass_g: is -1; allowed: 0 to 10");
 }
 
+TEST_CASE ("Where less is to be felt is read and written; only free waveforms without a brake can", "[files][felt]")
+{
+    const std::string focus = R"({ "schema": "antinode.focus/1", "focus_time_ms": 25,
+        "targets": [{ "shape": "sinc", "x_mm": 1, "width_mm": 25, "peak_velocity_mm_s": 40 }],
+        "allocation": { "method": "free_waveform" }, "felt": { "at": [[-24, 3], [7, 0]], "weight": 4 } })";
+    const auto read = [&] (std::string_view assignment)
+    {
+        auto document = parseJson (focus, "focus");
+
+        if (! assignment.empty())
+            applyAssignment (document, assignment);
+
+        return readFocus (document, "my.json");
+    };
+    const auto felt = read ("").felt.value();
+    CHECK (felt.at == FeltAt::places);
+    CHECK (felt.places == std::vector<std::pair<double, double>> { { -0.024, 0.003 }, { 0.007, 0 } });
+    CHECK (felt.weight == 4);
+    CHECK (felt.after == 0.02);
+    const auto written = focusToJson (read (""))["felt"];
+    CHECK (written["at"].dump() == "[[-24.0,3.0],[7.0,0.0]]");
+    CHECK (written["weight"] == 4);
+    CHECK (written["after_ms"] == 20);
+    CHECK (read ("felt.at=everywhere").felt->at == FeltAt::everywhere);
+    CHECK (focusToJson (read ("felt.at=fingers"))["felt"]["at"] == "fingers");
+    CHECK_THAT (errorText ([&] { read ("felt.at=near"); }),
+                Catch::Contains ("/felt/at") && Catch::Contains ("everywhere"));
+    CHECK_THAT (errorText ([&] { read ("felt.weight=-1"); }), Catch::Contains ("/felt/weight"));
+    CHECK_THAT (errorText ([&] { read ("felt.after_ms=1000"); }), Catch::Contains ("/felt/after_ms"));
+    CHECK_THAT (errorText ([&] { read ("allocation.method=exact"); }), Catch::Contains ("free_waveform"));
+    CHECK_THAT (errorText ([&] { read ("transients={\"brake\": 20}"); }), Catch::Contains ("brake"));
+}
+
 TEST_CASE ("A focus that is to pass undisplaced says so, and still does when it is written", "[files]")
 {
     auto document = goodFocus ("minimal focus");

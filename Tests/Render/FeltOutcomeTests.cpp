@@ -81,14 +81,15 @@ double levelBySums (const Render& render, const SkinThreshold& threshold)
     return 20 * std::log10 (std::max (peak, std::sqrt (2 * most / 800)));
 }
 
-RenderedFocus renderFelt (std::optional<double> duration)
+RenderedFocus renderFelt (std::optional<double> duration, const std::vector<Finger>& fingers = {})
 {
     const auto model = solveDevice (loadDevice ("staple", {}), {}, true);
     RenderOptions options;
     options.duration = duration;
     options.threshold = findSkinThreshold ({});
-    return renderFocus (
-        model, designFocus (model, loadFocus ("demonstrator", {}), options.playback, DesignExtent::playable), options);
+    auto focus = loadFocus ("demonstrator", {});
+    focus.fingers = fingers;
+    return renderFocus (model, designFocus (model, focus, options.playback, DesignExtent::playable), options);
 }
 } // namespace
 
@@ -115,6 +116,23 @@ TEST_CASE ("The demonstrator is felt far from its focus as strongly as there", "
     const auto json = feltToJson (felt);
     CHECK (json["contrast_dB"] == felt.contrast().value());
     CHECK (json["targets"].size() == 1);
+}
+
+TEST_CASE ("Each finger has its level, and the focus its contrast to it", "[felt]")
+{
+    Finger finger;
+    finger.x = -0.02;
+    const auto felt = renderFelt ({}, { finger }).felt.value();
+    REQUIRE (felt.bystanders.size() == 1);
+    const auto json = feltToJson (felt);
+    CHECK (json["bystanders"][0]["place_mm"][0] == Approx (-20));
+    CHECK (json["bystanders"][0]["level_dB"] == felt.bystanders[0].level);
+    CHECK (json["bystanders"][0]["contrast_dB"] == Approx (felt.targets[0].level - felt.bystanders[0].level));
+    CHECK_FALSE (feltToJson (renderFelt ({}).felt.value()).contains ("bystanders"));
+
+    for (const auto& place : felt.places)
+        if (std::abs (place.x - finger.x) < 1e-9)
+            CHECK (place.level == Approx (felt.bystanders[0].level));
 }
 
 TEST_CASE ("A threshold is a table of Hz and um, or says what it lacks", "[felt]")
