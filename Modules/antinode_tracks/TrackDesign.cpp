@@ -93,7 +93,7 @@ std::vector<std::string> warningsOf (const WaveformsDescription& description, do
 } // namespace
 
 TrackDesign designTracks (const ModalModel& model, const WaveformsDescription& description,
-                          const TrackSettings& settings, const ShowProgress& progress)
+                          const TrackSettings& settings, const ShowProgress& progress, const TrackShift& shift)
 {
     const auto show = [&] (const char* what, double share)
     {
@@ -102,6 +102,7 @@ TrackDesign designTracks (const ModalModel& model, const WaveformsDescription& d
     };
     show ("Responses of the surface", 0);
     auto work = trackWork (model, description, settings);
+    applyShift (work, shift, description.band);
     show ("Voltages without limits", 0.2);
     const auto unlimited = solveTracks (work.responses, work.wanted);
     TrackReach found;
@@ -126,9 +127,7 @@ TrackDesign designTracks (const ModalModel& model, const WaveformsDescription& d
     design.voltages = { { Reconstruction::bandLimited, settings.sampleRate },
                         -static_cast<double> (found.span.lead + kaiserSincHalfWidth) / found.span.rate,
                         found.played.transpose() };
-    design.wanted =
-        interpolated (work.wanted.middleRows (work.span.lead, work.span.wanted), work.span.factor)
-            .middleRows (kaiserSincHalfWidth * work.span.factor, (work.span.wanted - 1) * work.span.factor + 1);
+    design.wanted = wantedAsPlayed (model, description, settings);
     design.warnings = warningsOf (description, work.span.rate);
     return design;
 }

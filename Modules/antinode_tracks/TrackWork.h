@@ -33,6 +33,10 @@ struct TrackWork
 /** The design at its own rate. @throws InputError  as designTracks [worker] */
 TrackWork trackWork (const ModalModel&, const WaveformsDescription&, const TrackSettings&);
 
+/** Puts what a shift asks for in place of what is wanted. @throws Cancelled  when a watch of this thread says no
+    [worker] */
+void applyShift (TrackWork&, const TrackShift&, TrackBand);
+
 /** The same design at a multiple of its rate, the one that is played if that is at most eight times as high; none if
     that takes more memory than designs may.
     @param coarse  as trackWork gives it
