@@ -18,9 +18,10 @@ namespace antinode
 {
 namespace
 {
-void requirePass (const RecordedPass& pass, const ModalModel& known, std::size_t points, double sampleRate)
+void requirePass (const RecordedPass& pass, std::size_t number, const ModalModel& known, std::size_t points,
+                  double sampleRate)
 {
-    const std::string where = "recorded pass";
+    const auto where = "recorded pass " + std::to_string (number);
 
     if (static_cast<std::size_t> (pass.displacements.rows()) != points)
         throw InputError (where, "has " + std::to_string (pass.displacements.rows()) + " channels; allowed: "
@@ -92,7 +93,8 @@ TrackCorrection correctionFrom (const ModalModel& known, const WaveformsDescript
 
     for (const auto& pass : passes)
     {
-        requirePass (pass, known, touchedPoints (description).size(), settings.sampleRate);
+        requirePass (pass, correction.errors.size() + 1, known, touchedPoints (description).size(),
+                     settings.sampleRate);
         correction.errors.push_back (worstError (scoreTracks (asPlayed (pass), wanted, description.band)));
     }
 

@@ -9,12 +9,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <filesystem>
 
 namespace antinode
 {
 namespace
 {
+constexpr double sameRate = 1e-3; // times may be rounded
+
 /** The sample of the trigger, from the summary of a pass. */
 double triggerSample (const std::filesystem::path& path)
 {
@@ -44,6 +47,13 @@ Eigen::MatrixXd recordedTable (const std::filesystem::path& path, double sampleR
         throw InputError (path.string(),
                           "does not say what it has; allowed: headings time_s and then displacement_um_1 "
                           "or velocity_mm_s_1 and so on");
+
+    const auto last = table.numbers.rows() - 1;
+
+    if (const auto span = table.numbers (last, 0) - table.numbers (0, 0);
+        last > 0 && ! (std::abs (span * sampleRate / static_cast<double> (last) - 1) < sameRate))
+        throw InputError (path.string(), "does not have a sample each " + inWords (micro / sampleRate)
+                                             + " us in its first column, as voltages.wav has");
 
     const Eigen::MatrixXd samples = table.numbers.rightCols (table.numbers.cols() - 1).transpose();
     return isDisplacement ? Eigen::MatrixXd (samples / micro) : displacementsOf (samples / milli, sampleRate, band);

@@ -151,14 +151,14 @@ TEST_CASE ("Recorded passes that do not belong to a design are refused", "[track
     };
     auto pass = good;
     pass.displacements.conservativeResize (1, Eigen::NoChange);
-    CHECK (refusal (pass) == "recorded pass: has 1 channels; allowed: 2, one per finger, those with tracks first");
+    CHECK (refusal (pass) == "recorded pass 2: has 1 channels; allowed: 2, one per finger, those with tracks first");
     pass = good;
     pass.voltages.playback.sampleRate = 4800;
     CHECK_THAT (refusal (pass), Catch::Contains ("4800 Hz") && Catch::Contains ("9600 Hz"));
     pass = good;
     pass.displacements (1, 7) = NAN;
-    CHECK (refusal (pass) == "recorded pass: has samples that are not finite");
+    CHECK (refusal (pass) == "recorded pass 2: has samples that are not finite");
     pass = good;
     pass.displacements.conservativeResize (Eigen::NoChange, 20);
-    CHECK (refusal (pass) == "recorded pass: ends before its voltages do");
+    CHECK (refusal (pass) == "recorded pass 2: ends before its voltages do");
 }
