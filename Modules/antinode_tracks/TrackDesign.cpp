@@ -1,5 +1,6 @@
 #include "TrackDesign.h"
 
+#include "AppliedShift.h"
 #include "TrackReach.h"
 #include "TrackSolver.h"
 #include "TrackWork.h"
@@ -12,7 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <string>
 #include <utility>
 
 namespace antinode
@@ -54,13 +55,16 @@ TrackReach limitedTracks (TrackWork& work, const Eigen::MatrixXd& start)
 
 [[noreturn]] void throwUnreachable (const TrackReach& reach, double unlimitedPeak)
 {
+    constexpr double tells = 0.5; // where slew rates decide, the bound, which does not know them, says nothing
     const auto share = 1 / reach.times;
+    const auto bound = reach.bound * share;
     throw TrackLimitError (
         "waveforms",
         "need " + inWords (unlimitedPeak) + " times the limits of the device; reachable: " + inWords (100 * share)
-            + " % of the wanted levels (" + fixedText (20 * std::log10 (share), 1) + " dB), by no waveform more than "
-            + inWords (100 / reach.bound) + " %; more with a longer pre_roll_ms and post_roll_ms or fewer fingers",
-        share, reach.bound * share);
+            + " % of the wanted levels (" + fixedText (20 * std::log10 (share), 1) + " dB)"
+            + (bound > tells ? ", by no waveform more than " + inWords (100 / reach.bound) + " %" : std::string())
+            + "; more with a longer pre_roll_ms and post_roll_ms or fewer fingers",
+        share, bound);
 }
 
 /** The least error within the limits, or where that is above what is accepted, the voltages that are known to leave

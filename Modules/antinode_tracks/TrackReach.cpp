@@ -49,13 +49,16 @@ TrackReach reachOf (const ModalModel& model, const WaveformsDescription& descrip
     };
     keep (work);
 
-    for (int i = 0; i < mostStages && reach.times > 1 && lowest.peak > closed * lowest.bound; ++i)
+    // Lower peaks are steeper: where slew rates decide, the soft voltages are the best.
+    for (int i = 0;
+         i < mostStages && reach.times > 1 && lowest.peak > closed * lowest.bound && ! isSteep (work, reach.played);
+         ++i)
     {
         lowest = lowerPeak (work.responses, work.wanted, work.limits, error, lowest);
         keep (work);
     }
 
-    if (reach.times <= std::max (1.0, closed * lowest.peak))
+    if (reach.times <= std::max (1.0, closed * lowest.peak) || isSteep (work, reach.played))
         return reach;
 
     if (auto fine = finerWork (model, description, work))

@@ -1,7 +1,6 @@
 #include "TrackWork.h"
 
 #include "PointDistances.h"
-#include "TrackSolver.h"
 #include "VoltageInterpolation.h"
 #include "WantedMotion.h"
 
@@ -14,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -107,38 +105,23 @@ double smallestResponse (const PointResponses& responses, TrackBand band)
 
     return median (squares);
 }
-/** 1 in the band, 0 below half of it and above twice of it; in between as a raised cosine of the octave. */
-double shareInBand (double frequency, TrackBand band)
+/** Peaks over their limits. */
+double highest (const TrackWork& work, const Eigen::MatrixXd& played)
 {
-    if (frequency <= band.lower / 2 || frequency >= 2 * band.upper)
-        return 0;
-
-    const auto octaves = std::max (std::log2 (band.lower / frequency), std::log2 (frequency / band.upper));
-    return octaves > 0 ? 0.5 + 0.5 * std::cos (std::numbers::pi * octaves) : 1;
+    return (played.cwiseAbs().colwise().maxCoeff().transpose().array() / work.limits.array()).maxCoeff();
 }
-/** Recorded signals at the samples of a design, without what lies beyond a band, where there is one. */
-Eigen::MatrixXd atDesignRate (const TrackWork& work, const TrackShift& shift, const Eigen::MatrixXd& signals,
-                              std::optional<TrackBand> band)
+
+/** Slew rates over their limits. */
+double steepest (const TrackWork& work, const Eigen::MatrixXd& played)
 {
-    const auto& span = work.span;
-    const Eigen::Index first = std::llround (shift.firstTime * work.sampleRate) + span.lead * span.factor;
-    const auto begin = std::max<Eigen::Index> (0, -first);
-    const auto count = std::min (signals.rows(), span.length * span.factor - first) - begin;
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero (span.length, signals.cols());
+    double times = 0;
 
-    for (Eigen::Index p = 0; p < signals.cols() && count > 0; ++p)
-    {
-        Eigen::VectorXd whole = Eigen::VectorXd::Zero (span.length * span.factor);
-        whole.segment (first + begin, count) = signals.col (p).segment (begin, count);
-        Eigen::VectorXcd lines = forwardFourier (whole).head (span.length / 2 + 1);
+    for (Eigen::Index i = 0; i < played.cols(); ++i)
+        if (const auto last = played.rows() - 1; work.slews[i] > 0)
+            times = std::max (times, (played.col (i).tail (last) - played.col (i).head (last)).cwiseAbs().maxCoeff()
+                                         * work.sampleRate / work.slews[i]);
 
-        for (Eigen::Index k = 0; band && k < lines.size(); ++k)
-            lines[k] *= shareInBand (static_cast<double> (k) * span.rate / static_cast<double> (span.length), *band);
-
-        result.col (p) = inverseFourier (lines, span.length) / static_cast<double> (span.factor);
-    }
-
-    return result;
+    return times;
 }
 } // namespace
 
@@ -163,18 +146,6 @@ TrackWork trackWork (const ModalModel& model, const WaveformsDescription& descri
         work.slews[static_cast<Eigen::Index> (i)] = model.ceramics[i].slewLimit;
 
     return work;
-}
-
-void applyShift (TrackWork& work, const TrackShift& shift, TrackBand band)
-{
-    if (shift.missing.cols() == 0)
-        return;
-
-    const auto compliance = work.responses.compliance();
-    work.responses.setCompliance ((getenv ("SOFT") ? atof (getenv ("SOFT")) : 1e3) * compliance);
-    const auto change = solveTracks (work.responses, atDesignRate (work, shift, shift.missing, band)).voltages;
-    work.responses.setCompliance (compliance);
-    work.wanted = atDesignRate (work, shift, shift.predicted, {}) + work.responses.motion (change);
 }
 
 Eigen::MatrixXd wantedAsPlayed (const ModalModel& model, const WaveformsDescription& description,
@@ -232,19 +203,13 @@ Eigen::MatrixXd finer (const Eigen::MatrixXd& signals, Eigen::Index factor)
     return result;
 }
 
+bool isSteep (const TrackWork& work, const Eigen::MatrixXd& played)
+{
+    return steepest (work, played) > highest (work, played);
+}
+
 double timesLimits (const TrackWork& work, const Eigen::MatrixXd& played)
 {
-    double times = 0;
-
-    for (Eigen::Index i = 0; i < played.cols(); ++i)
-    {
-        times = std::max (times, played.col (i).cwiseAbs().maxCoeff() / work.limits[i]);
-
-        if (const auto last = played.rows() - 1; work.slews[i] > 0)
-            times = std::max (times, (played.col (i).tail (last) - played.col (i).head (last)).cwiseAbs().maxCoeff()
-                                         * work.sampleRate / work.slews[i]);
-    }
-
-    return times;
+    return std::max (highest (work, played), steepest (work, played));
 }
 } // namespace antinode

@@ -33,10 +33,6 @@ struct TrackWork
 /** The design at its own rate. @throws InputError  as designTracks [worker] */
 TrackWork trackWork (const ModalModel&, const WaveformsDescription&, const TrackSettings&);
 
-/** Puts what a shift asks for in place of what is wanted. @throws Cancelled  when a watch of this thread says no
-    [worker] */
-void applyShift (TrackWork&, const TrackShift&, TrackBand);
-
 /** The same design at a multiple of its rate, the one that is played if that is at most eight times as high; none if
     that takes more memory than designs may.
     @param coarse  as trackWork gives it
@@ -45,6 +41,9 @@ std::optional<TrackWork> finerWork (const ModalModel&, const WaveformsDescriptio
 
 /** Signals at a multiple of their rate: zeros behind their lines. @param signals  N_s x any number [worker] */
 Eigen::MatrixXd finer (const Eigen::MatrixXd& signals, Eigen::Index factor);
+
+/** Whether a waveform is nearer to its slew rates than to its peaks. @param played  as for timesLimits [worker] */
+bool isSteep (const TrackWork&, const Eigen::MatrixXd& played);
 
 /** How many times its limits a waveform is: the largest of peak and slew over all ceramics.
     @param played  samples x actuators at the rate of what is played
