@@ -64,10 +64,20 @@ nlohmann::ordered_json fingerJson (const PerformedWaveforms& performed, std::siz
 
 PerformedWaveforms performWaveforms (const ModalModel& known, const ModalModel& judge,
                                      const WaveformsDescription& description, const TrackSettings& settings,
-                                     const ShowProgress& progress)
+                                     const ShowProgress& progress, const std::vector<RecordedPass>& passes)
 {
     PerformedWaveforms performed;
-    performed.design = designTracks (known, description, settings, progress);
+
+    if (! passes.empty())
+        performed.correction = correctionFrom (known, description, settings, passes);
+
+    performed.design = designTracks (known, description, settings, progress,
+                                     performed.correction ? performed.correction->shift : TrackShift {});
+
+    if (performed.correction)
+        performed.design.warnings.emplace_back (
+            "Corrected for the recorded surface: on the simulated one, which does not "
+            "differ from its model, the errors are what the correction makes up for.");
 
     if (progress)
         progress ("Playing", 0.8);
@@ -120,6 +130,11 @@ nlohmann::ordered_json performedToJson (const PerformedWaveforms& performed)
 
     if (design.limitUse.unlimitedPeak > 1)
         json["peak_bound_over_limit"] = design.limitUse.peakBound;
+
+    if (const auto& correction = performed.correction)
+        json["passes"] = { { "errors_dB", correction->errors },
+                           { "best", correction->best + 1 },
+                           { "corrected_share", correction->gain } };
 
     json["fingers"] = nlohmann::ordered_json::array();
 

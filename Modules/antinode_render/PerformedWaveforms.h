@@ -2,12 +2,14 @@
 
 #include "FeltOutcome.h"
 #include "PlayedTracks.h"
+#include "TrackCorrection.h"
 #include "TrackScores.h"
 
 #include <antinode_tracks/TrackDesign.h>
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,16 +22,19 @@ struct PerformedWaveforms
     TrackDesign design;
     PlayedTracks played;
     TrackScores scores;
-    FeltOutcome felt; ///< Its targets are the touched points, those with tracks first.
+    FeltOutcome felt;                          ///< Its targets are the touched points, those with tracks first.
+    std::optional<TrackCorrection> correction; ///< Where recorded passes were given.
 };
 
 /** Designs waveforms for one model of a surface, plays them on another one, and scores what comes of it.
     @param known  what the design knows
     @param judge  the same surface without fingers, with more modes
-    @throws InputError, Cancelled  as designTracks
+    @param passes  played and recorded before, in their order: the design corrects the best of them
+    @throws InputError, Cancelled  as designTracks and correctionFrom
     [worker] Docs/Theory.md, sections 4.13 and 5.3. */
 PerformedWaveforms performWaveforms (const ModalModel& known, const ModalModel& judge, const WaveformsDescription&,
-                                     const TrackSettings&, const ShowProgress& progress = {});
+                                     const TrackSettings&, const ShowProgress& progress = {},
+                                     const std::vector<RecordedPass>& passes = {});
 
 /** A touched point by its own name, or as a file numbers it. @param point  index in touchedPoints [any] */
 std::string fingerName (const WaveformsDescription&, std::size_t point);

@@ -22,6 +22,14 @@ struct TrackSettings
     double regularisation = 1e-2; ///< Of the median smallest singular value in the band: what is not worth its volts.
 };
 
+/** What waveforms that were played say about the next ones. */
+struct TrackShift
+{
+    Eigen::MatrixXd predicted; ///< N_s x points, m, at the rate of the voltages: what the model says of them.
+    Eigen::MatrixXd missing;   ///< N_s x points, m: what the surface did not do of what is wanted. Without: no shift.
+    double firstTime = 0;      ///< s from the trigger, of the first sample.
+};
+
 /** What is given up where a limit binds. */
 struct TrackLimitUse
 {
@@ -61,11 +69,17 @@ public:
 
 /** Designs waveforms at touched points. Docs/Theory.md, section 4.13; Docs/Decisions/0073-a-waveform-per-finger.md.
     @param progress  may be empty
+    @param shift     the design is for what was predicted and what is missing, as far as voltages can well bring it:
+                     of that only the band counts, and less and less to half of its lower and twice its upper end
     @throws InputError  for points outside the surface or too near to each other to be told apart, tracks longer than
                         memory, a rate too low for the band
     @throws TrackLimitError  for levels beyond the limits
     @throws Cancelled   when a watch of this thread says no
     [worker] */
 TrackDesign designTracks (const ModalModel&, const WaveformsDescription&, const TrackSettings&,
-                          const ShowProgress& progress = {});
+                          const ShowProgress& progress = {}, const TrackShift& shift = {});
+
+/** What such a design wants, as in TrackDesign. @throws InputError  for a rate too low for the band, tracks that are
+    silent within it [worker] */
+Eigen::MatrixXd wantedAsPlayed (const ModalModel&, const WaveformsDescription&, const TrackSettings&);
 } // namespace antinode

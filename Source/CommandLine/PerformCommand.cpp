@@ -1,6 +1,7 @@
 #include "Commands.h"
 #include "CommonOptions.h"
 #include "Progress.h"
+#include "RecordedPasses.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
@@ -28,7 +29,8 @@ struct PerformOptions
 {
     std::string waveforms = "three-fingers", device = "glass-148x210", folder = "antinode-out", thresholdFile;
     double rate = 48000; // Hz
-    std::vector<std::string> assignments;
+    std::vector<std::string> assignments, passes;
+    SensorOptions sensor;
     bool hasReport = true, usesCache = true, isQuiet = false;
 };
 
@@ -84,6 +86,14 @@ void printPerformed (const PerformOptions& options, const PerformedWaveforms& pe
 
     std::printf ("  error: what a finger should not feel over the strongest track, %s to %s Hz\n",
                  inWords (description.band.lower).c_str(), inWords (description.band.upper).c_str());
+    if (const auto& correction = performed.correction)
+    {
+        for (std::size_t i = 0; i < correction->errors.size(); ++i)
+            std::printf ("  recorded pass %zu: %.1f dB at the worst finger\n", i + 1, correction->errors[i]);
+
+        std::printf ("  corrected: %g %% of the error of pass %zu\n", 100 * correction->gain, correction->best + 1);
+    }
+
     std::printf ("  voltages: %s\n", trackVoltsInWords (performed).c_str());
 
     for (const auto& warning : performed.design.warnings)
@@ -106,7 +116,8 @@ void perform (const PerformOptions& options)
     show ("Modes of the device", 0);
     const auto known = solveDeviceWithStaticShare (device, {}, options.usesCache);
     const auto judge = solveDeviceWithStaticShare (device, judgedModes (device, known), options.usesCache);
-    const auto performed = performWaveforms (known, judge, description, settings, show);
+    const auto passes = readRecordedPasses (options.passes, known, description.band, options.sensor);
+    const auto performed = performWaveforms (known, judge, description, settings, show, passes);
     writePerformed (options, performed);
 
     if (! options.isQuiet)
@@ -135,6 +146,12 @@ void addPerformCommand (CLI::App& app)
         ->type_name ("KEY=VALUE");
     command->add_option ("--threshold", options->thresholdFile,
                          "CSV of Hz and um: what skin feels, in place of the built-in table");
+    command
+        ->add_option ("--correct", options->passes,
+                      "Folder of an earlier pass with recorded.csv or recorded.wav in it (repeatable, in order)")
+        ->allow_extra_args (false)
+        ->type_name ("FOLDER");
+    addSensorOptions (*command, options->sensor);
     addCacheFlag (*command, options->usesCache);
     command->add_flag ("!--no-report", options->hasReport, "Writes no report.html");
     command->add_flag ("--quiet", options->isQuiet, "Prints only errors");

@@ -1,0 +1,140 @@
+#include "TrackCorrection.h"
+
+#include "PlayedTracks.h"
+#include "TrackScores.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
+#include <antinode_fingers/LoadedModel.h>
+#include <antinode_numerics/Fourier.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <string>
+
+namespace antinode
+{
+namespace
+{
+void requirePass (const RecordedPass& pass, std::size_t number, const ModalModel& known, std::size_t points,
+                  double sampleRate)
+{
+    const auto where = "recorded pass " + std::to_string (number);
+
+    if (static_cast<std::size_t> (pass.displacements.rows()) != points)
+        throw InputError (where, "has " + std::to_string (pass.displacements.rows()) + " channels; allowed: "
+                                     + std::to_string (points) + ", one per finger, those with tracks first");
+
+    if (pass.voltages.values.rows() != known.actuators())
+        throw InputError (where, "was played on " + std::to_string (pass.voltages.values.rows())
+                                     + " ceramics, the device has " + std::to_string (known.actuators()));
+
+    if (pass.voltages.playback.sampleRate != sampleRate)
+        throw InputError (where, "was played at " + inWords (pass.voltages.playback.sampleRate)
+                                     + " Hz; allowed: the rate of the design, " + inWords (sampleRate) + " Hz");
+
+    if (! pass.displacements.allFinite() || ! pass.voltages.values.allFinite())
+        throw InputError (where, "has samples that are not finite");
+
+    if (pass.displacements.cols() < pass.voltages.values.cols())
+        throw InputError (where, "ends before its voltages do");
+}
+
+/** The fingers that the design knows of. */
+std::vector<Finger> knownFingers (const WaveformsDescription& description)
+{
+    std::vector<Finger> fingers;
+
+    for (const auto& point : touchedPoints (description))
+        if (point.finger && point.finger->isKnown)
+            fingers.push_back (*point.finger);
+
+    return fingers;
+}
+
+PlayedTracks asPlayed (const RecordedPass& pass)
+{
+    PlayedTracks played;
+    played.sampleRate = pass.voltages.playback.sampleRate;
+    played.trigger = std::llround (-pass.voltages.firstTime * played.sampleRate);
+    played.displacements = pass.displacements;
+    return played;
+}
+
+/** The error of the worst finger, dB. */
+double worstError (const TrackScores& scores)
+{
+    auto worst = scores.suppression (0);
+
+    for (std::size_t p = 1; p < scores.fingers.size(); ++p)
+        worst = std::max (worst, scores.suppression (p));
+
+    return worst;
+}
+
+/** What the model says of the voltages of a pass until it has rung out: an end before that could not be designed.
+    @return  points x N_s, m */
+Eigen::MatrixXd predicted (const ModalModel& known, const WaveformsDescription& description, const RecordedPass& pass)
+{
+    constexpr double untilSilence = 2.2; // s
+    const auto fingers = knownFingers (description);
+    const auto loaded = fingers.empty() ? known : loadedModel (known, fingers);
+    return playTracks (loaded, touchedShapes (loaded, description), pass.voltages, untilSilence).displacements;
+}
+} // namespace
+
+TrackCorrection correctionFrom (const ModalModel& known, const WaveformsDescription& description,
+                                const TrackSettings& settings, const std::vector<RecordedPass>& passes)
+{
+    const auto wanted = wantedAsPlayed (known, description, settings);
+    TrackCorrection correction;
+
+    for (const auto& pass : passes)
+    {
+        requirePass (pass, correction.errors.size() + 1, known, touchedPoints (description).size(),
+                     settings.sampleRate);
+        correction.errors.push_back (worstError (scoreTracks (asPlayed (pass), wanted, description.band)));
+    }
+
+    const auto best = std::min_element (correction.errors.begin(), correction.errors.end());
+    correction.best = static_cast<std::size_t> (best - correction.errors.begin());
+    correction.gain = std::pow (0.5, correction.errors.end() - best - 1);
+    const auto& pass = passes[correction.best];
+
+    correction.shift.predicted = predicted (known, description, pass).transpose();
+    auto& missing = correction.shift.missing;
+    missing = -pass.displacements.transpose();
+    const auto trigger = std::min<Eigen::Index> (asPlayed (pass).trigger, missing.rows());
+    const auto count = std::min (wanted.rows(), missing.rows() - trigger);
+    missing.middleRows (trigger, count) += wanted.topRows (count);
+    missing *= correction.gain;
+    correction.shift.firstTime = pass.voltages.firstTime;
+    return correction;
+}
+
+Eigen::MatrixXd displacementsOf (const Eigen::MatrixXd& velocities, double sampleRate, TrackBand band)
+{
+    constexpr double belowBand = 0.25;
+    const auto length = quickLength (2 * static_cast<double> (velocities.cols()));
+    Eigen::MatrixXd displacements (velocities.rows(), velocities.cols());
+
+    for (Eigen::Index p = 0; p < velocities.rows(); ++p)
+    {
+        auto lines = forwardFourier (velocities.row (p).transpose(), length);
+
+        for (Eigen::Index k = 0; k < lines.size(); ++k)
+        {
+            const auto frequency = static_cast<double> (k) * sampleRate / static_cast<double> (length);
+            lines[k] = frequency < belowBand * band.lower
+                           ? 0
+                           : lines[k] / std::complex (0.0, 2 * std::numbers::pi * frequency);
+        }
+
+        displacements.row (p) = inverseFourier (lines, length).head (velocities.cols()).transpose();
+    }
+
+    return displacements;
+}
+} // namespace antinode

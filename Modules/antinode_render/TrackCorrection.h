@@ -1,0 +1,42 @@
+#pragma once
+
+#include <antinode_model/ModalModel.h>
+#include <antinode_model/SampledVoltages.h>
+#include <antinode_tracks/TrackDesign.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace antinode
+{
+/** What a surface did at the touched points: voltages that were played, and what was recorded. */
+struct RecordedPass
+{
+    SampledVoltages voltages;
+    Eigen::MatrixXd
+        displacements; ///< points x N_s, m, those with tracks first: from the first voltage on, at its rate.
+};
+
+/** What recorded passes say about the next one. */
+struct TrackCorrection
+{
+    std::vector<double> errors; ///< Of each pass, dB: of its worst finger, as TrackScores::suppression.
+    std::size_t best = 0;       ///< The pass with the least error, from which the next one begins.
+    double gain = 1;            ///< The share of its error that the next pass corrects: half for each later pass.
+    TrackShift shift;           ///< For designTracks.
+};
+
+/** Compares passes with what is wanted, and the best one with what the model says of its voltages.
+    @param passes  in the order in which they were played, at least one
+    @throws InputError  when a pass has another number of points or ceramics or another rate, or is not finite
+    @throws Cancelled   when a watch of this thread says no
+    [worker] Docs/Theory.md, section 4.15. */
+TrackCorrection correctionFrom (const ModalModel& known, const WaveformsDescription&, const TrackSettings&,
+                                const std::vector<RecordedPass>& passes);
+
+/** Displacements of recorded velocities: integrated, without what lies below a quarter of the band's lower end.
+    @param velocities  points x N_s, m/s @return  points x N_s, m [worker] */
+Eigen::MatrixXd displacementsOf (const Eigen::MatrixXd& velocities, double sampleRate, TrackBand);
+} // namespace antinode

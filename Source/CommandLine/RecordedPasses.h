@@ -1,0 +1,18 @@
+#pragma once
+
+#include "SensorOptions.h"
+
+#include <antinode_render/TrackCorrection.h>
+
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** Passes that were played and recorded: from each folder voltages.wav and summary.json of antinode perform and what
+   was recorded meanwhile, recorded.csv (headings with _um or _mm_s) or recorded.wav (velocities).
+    @throws InputError  for what is missing or cannot be read, and recorded.wav without a sensitivity
+    [worker] Docs/FileFormats.md. */
+std::vector<RecordedPass> readRecordedPasses (const std::vector<std::string>& folders, const ModalModel&, TrackBand,
+                                              const SensorOptions&);
+} // namespace antinode

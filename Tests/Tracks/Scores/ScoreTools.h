@@ -1,0 +1,56 @@
+#pragma once
+
+#include <antinode_model/ModalModel.h>
+#include <antinode_numerics/Median.h>
+#include <antinode_render/TrackScores.h>
+#include <antinode_tracks/TrackDesign.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace antinode::scores
+{
+inline constexpr double ringing = 0.3; // s that the surface is listened to
+
+/** Numbers of many layouts: the median and the worst. */
+struct Spread
+{
+    std::vector<double> values;
+
+    double middle() const { return median (values); }
+    double worst() const { return *std::max_element (values.begin(), values.end()); }
+};
+
+struct Device
+{
+    std::string name;
+    ModalModel known, judge;
+};
+
+/** The same limit for all ceramics, without one of slew rates. */
+void setLimit (ModalModel&, double volts);
+
+/** An embedded device without limits, and a model to judge it by: half as many modes again. */
+Device deviceNamed (const std::string& name);
+
+/** "click", "Gabor", "AM" or "music". */
+TrackSignal signalNamed (const std::string& name, int seed);
+
+/** One track of 5 um and silence at other points, at least 25 mm apart. */
+WaveformsDescription layout (const Surface&, int count, const std::string& signal, int seed);
+
+TrackSettings usualSettings();
+
+/** The suppression at the worst bystander, within the band or of all frequencies. */
+double worstBystander (const TrackScores&, double (TrackScores::*suppression) (std::size_t) const);
+
+TrackScores judged (const ModalModel& judge, const TrackDesign&);
+
+/** Fingers that differ from a nominal one by +-50 % in each property and +-3 mm, evenly: designs without and with the
+    nominal ones, with those that are there, and from responses that were measured with them. */
+void fingersTable (const Device&, int layouts);
+
+/** Bystanders after the first pass and after each of three corrections, of the pass that has recorded best so far. */
+void passesTable (const Device&, int layouts);
+} // namespace antinode::scores
