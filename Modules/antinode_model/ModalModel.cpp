@@ -131,8 +131,9 @@ Eigen::VectorXd phaseCollinearities (const ModalModel& model)
 void requireRealModes (const ModalModel& model, const std::string& what)
 {
     require (! model.hasComplexModes(), model,
-             "has complex modes, but " + what + " take real modes only; identify it with real modes, or use another "
-                 + "device");
+             "has complex modes, but " + what
+                 + " take real modes only; use a device with real modes, "
+                   "and no fingers that the design knows");
 }
 
 void validate (const ModalModel& model)

@@ -182,7 +182,7 @@ double PowerFlow::imbalance() const
 std::string powerObstacle (const ModalModel& model)
 {
     if (model.hasComplexModes())
-        return "the energies of complex modes do not add up; identify the device with real modes";
+        return "the energies of complex modes do not add up; use a device with real modes and no fingers";
 
     const auto modal = modalCapacitances (model);
 

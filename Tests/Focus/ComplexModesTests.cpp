@@ -168,8 +168,8 @@ TEST_CASE ("What takes real modes only refuses complex ones in a sentence", "[fo
         return errorText ([&] { designFocus (model, description, { Reconstruction::bandLimited, 96000 }); });
     };
     CHECK (refusal ([] (auto& f) { f.allocation.method = AllocationMethod::paper; })
-           == "device 'chain': has complex modes, but designs by the method 'paper' take real modes only; identify it "
-              "with real modes, or use another device");
+           == "device 'chain': has complex modes, but designs by the method 'paper' take real modes only; use a "
+              "device with real modes, and no fingers that the design knows");
     CHECK_THAT (refusal ([] (auto& f) { f.allocation.method = AllocationMethod::oneToOne; }),
                 Catch::Contains ("'one_to_one'"));
     CHECK_THAT (refusal ([] (auto& f) { f.allocation.method = AllocationMethod::minimumNorm; }),
