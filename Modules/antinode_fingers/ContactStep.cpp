@@ -3,6 +3,8 @@
 #include "LoadedModel.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
 #include <antinode_numerics/Decompositions.h>
 
 #include <unsupported/Eigen/MatrixFunctions>
@@ -16,6 +18,8 @@ namespace antinode
 namespace
 {
 using Complex = std::complex<double>;
+
+constexpr double leastContactMass = 1e-6; // kg: lighter ones rattle faster than steps follow
 
 /** The surface's velocities at the fingers, m/s. */
 Eigen::VectorXd surfaceVelocities (const ContactBodies& bodies, const Eigen::VectorXcd& modes)
@@ -106,9 +110,10 @@ ContactBodies contactBodies (const ModalModel& model, const std::vector<Finger>&
     {
         const auto& finger = fingers[static_cast<std::size_t> (f)];
 
-        if (! (finger.mass > 0))
+        if (! (finger.mass >= leastContactMass))
             throw InputError ("finger " + std::to_string (f + 1),
-                              "has no mass; allowed with fingers that can lift off: above 0 g");
+                              "has a mass of " + inWords (finger.mass * milli)
+                                  + " g; allowed where a finger can lift off: 0.001 g or more");
 
         bodies.contacts.row (f) = contactShapes (model, finger);
         bodies.pressing[f] = finger.pressingForce.value_or (std::numeric_limits<double>::infinity());

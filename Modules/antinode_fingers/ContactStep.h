@@ -37,7 +37,7 @@ struct ContactStep
     std::vector<Eigen::Vector2d> fingerGain;
 };
 
-/** @throws InputError  when a finger that can lift off has no mass [worker] */
+/** @throws InputError  when a finger is lighter than 0.001 g [worker] */
 ContactBodies contactBodies (const ModalModel&, const std::vector<Finger>&);
 
 /** All at rest and touching. [worker] */

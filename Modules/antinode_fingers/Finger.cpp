@@ -23,6 +23,9 @@ void requireFinite (const Finger& finger, const std::string& where)
         if (! (std::isfinite (value) && value >= 0))
             throw InputError (where + " " + what, "is " + inWords (value) + "; allowed: 0 or more");
     };
+    if (! std::isfinite (finger.x) || ! std::isfinite (finger.y))
+        throw InputError (where, "has a place that is not finite; allowed: mm on the surface");
+
     check ("radius", finger.radius);
     check ("mass", finger.mass);
     check ("damping", finger.damping);

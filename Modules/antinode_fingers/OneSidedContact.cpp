@@ -16,8 +16,9 @@ namespace antinode
 namespace
 {
 constexpr double stepPhase = 0.05;     // rad of the highest mode in a step
-constexpr int maximumMeetings = 20;    // within a step: fingers that rattle faster are taken as touching
-constexpr int bisections = 45;         // of a step, to a meeting
+constexpr int maximumMeetings = 3;     // within a step: fingers that rattle faster are taken as touching
+constexpr int searches = 40;           // for a meeting within a step
+constexpr double timeTolerance = 1e-6; // of a step
 constexpr Eigen::Index watched = 1024; // samples between looks at the watch
 
 /** A surface and its fingers in time. */
@@ -81,16 +82,36 @@ private:
         return -1;
     }
 
+    /** How far a lifted finger would be below the surface after a time, m. */
+    double depthAfter (double time, const Eigen::VectorXd& forces, int finger) const
+    {
+        const auto then = moved (bodies, contactStep (bodies, time), state, forces);
+        return surfacePlaces (bodies, then)[finger] - then.fingers (0, finger);
+    }
+
+    /** By the Illinois rule: false position that halves the value of an end that stays. Just below the surface. */
     double timeToMeeting (const Eigen::VectorXd& forces, int finger, double latest) const
     {
-        double least = 0, most = latest;
+        double least = 0, most = latest, above = depthAfter (0, forces, finger),
+               below = depthAfter (latest, forces, finger);
 
-        for (int i = 0; i < bisections; ++i)
+        for (int i = 0; i < searches && above < 0 && most - least > timeTolerance * whole.duration; ++i)
         {
-            const auto middle = 0.5 * (least + most);
-            const auto then = moved (bodies, contactStep (bodies, middle), state, forces);
-            const auto isBelow = surfacePlaces (bodies, then)[finger] > then.fingers (0, finger);
-            (isBelow ? most : least) = middle;
+            const auto time = least + (most - least) * above / (above - below);
+            const auto depth = depthAfter (time, forces, finger);
+
+            if (depth > 0)
+            {
+                most = time;
+                below = depth;
+                above /= 2;
+            }
+            else
+            {
+                least = time;
+                above = depth;
+                below /= 2;
+            }
         }
 
         return most;

@@ -30,7 +30,7 @@ bool canLiftOff (const std::vector<Finger>&);
     highest mode's period; forces of contact are even within a step, and meetings are found to rounding.
     @param model     with real modes, without the fingers
     @param voltages  N_b x N_s, V; 0 before the first sample, the last one after it
-    @throws InputError  when modes are complex, fingers are not usable, or one that can lift off has no mass
+    @throws InputError  when modes are complex, fingers are not usable, or lighter than 0.001 g
     @throws Cancelled   when a watch of this thread says no
     [worker] Docs/Theory.md, section 1.12. */
 ContactMotion motionUnderFingers (const ModalModel& model, const std::vector<Finger>& fingers, Playback playback,

@@ -24,7 +24,7 @@ FingerMotion motionUnder (const RenderedFocus& focus, const Finger& finger)
 }
 std::string contactInWords (const std::optional<ContactHistory>& contact)
 {
-    return contact ? "; off the surface " + std::to_string (contact->lifts) + " times, "
+    return contact ? "; lifted off " + std::to_string (contact->lifts) + (contact->lifts == 1 ? " time, " : " times, ")
                          + inWords (contact->liftedTime * milli) + " ms in all"
                    : std::string {};
 }

@@ -69,6 +69,12 @@ std::string limitInWords (const RenderedFocus& focus)
     if (std::max (transient (worst), missing (worst)) < fine)
         return "Nothing limits the field by more than " + inWords (100 * fine) + " %.";
 
+    const auto lifts = [] (const auto& contact) { return contact.lifts > 0; };
+
+    if (transient (worst) > missing (worst) && std::any_of (focus.contacts.begin(), focus.contacts.end(), lifts))
+        return "Fingers that lift off limit the field: it is " + percent (transient (worst))
+               + " off what the controlled modes represent. The design takes them as fingers that stay.";
+
     if (transient (worst) > missing (worst) && ! design.description.fingers.empty())
         return "Fingers limit the field: it is " + percent (transient (worst))
                + " off what the controlled modes represent. Let the design know them (focus.fingers, known), or take "

@@ -79,6 +79,10 @@ PerformedWaveforms performWaveforms (const ModalModel& known, const ModalModel& 
             "Corrected for the recorded surface: on the simulated one, which does not "
             "differ from its model, the errors are what the correction makes up for.");
 
+    if (performed.correction && performed.correction->errors[performed.correction->best] >= 0)
+        performed.design.warnings.push_back ("What was recorded is no nearer to what is wanted than silence is: check "
+                                             "wiring, unit, sign and order of the channels.");
+
     if (progress)
         progress ("Playing", 0.8);
 

@@ -18,6 +18,8 @@ namespace antinode
 {
 namespace
 {
+constexpr double largestError = 20; // dB: beyond, a recording is not one of the pass
+
 void requirePass (const RecordedPass& pass, std::size_t number, const ModalModel& known, std::size_t points,
                   double sampleRate)
 {
@@ -36,10 +38,12 @@ void requirePass (const RecordedPass& pass, std::size_t number, const ModalModel
                                      + " Hz; allowed: the rate of the design, " + inWords (sampleRate) + " Hz");
 
     if (! pass.displacements.allFinite() || ! pass.voltages.values.allFinite())
-        throw InputError (where, "has samples that are not finite");
+        throw InputError (where, "has samples that are not finite; allowed: numbers");
 
     if (pass.displacements.cols() < pass.voltages.values.cols())
-        throw InputError (where, "ends before its voltages do");
+        throw InputError (where, "has " + std::to_string (pass.displacements.cols())
+                                     + " samples; allowed: " + std::to_string (pass.voltages.values.cols())
+                                     + " or more, as many as its voltages.wav");
 }
 
 /** The fingers that the design knows of. */
@@ -96,6 +100,12 @@ TrackCorrection correctionFrom (const ModalModel& known, const WaveformsDescript
         requirePass (pass, correction.errors.size() + 1, known, touchedPoints (description).size(),
                      settings.sampleRate);
         correction.errors.push_back (worstError (scoreTracks (asPlayed (pass), wanted, description.band)));
+
+        if (! (correction.errors.back() < largestError))
+            throw InputError ("recorded pass " + std::to_string (correction.errors.size()),
+                              "is " + inWords (correction.errors.back())
+                                  + " dB over what is wanted at the worst finger; allowed: less than "
+                                  + inWords (largestError) + " dB; check unit, sensitivity and order of the channels");
     }
 
     const auto best = std::min_element (correction.errors.begin(), correction.errors.end());

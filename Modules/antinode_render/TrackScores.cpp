@@ -55,7 +55,9 @@ TrackScores scoreTracks (const PlayedTracks& played, const Eigen::MatrixXd& want
     {
         const Eigen::VectorXd reached = played.displacements.row (p).transpose();
         Eigen::VectorXd asked = Eigen::VectorXd::Zero (reached.size());
-        asked.segment (played.trigger, wanted.rows()) = wanted.col (p);
+        const auto begin = std::min<Eigen::Index> (played.trigger, asked.size());
+        const auto count = std::min (wanted.rows(), asked.size() - begin);
+        asked.segment (begin, count) = wanted.col (p).head (count);
         const Eigen::VectorXd error = reached - asked;
         FingerScore score;
         score.wantedPeak = asked.cwiseAbs().maxCoeff();

@@ -13,6 +13,8 @@ namespace antinode
 {
 namespace
 {
+constexpr auto softness = 1e4; // of the voltages that make up for an error: what they cannot bring is left
+
 /** 1 in the band, 0 below half of it and above twice of it; in between as a raised cosine of the octave. */
 double shareInBand (double frequency, TrackBand band)
 {
@@ -22,6 +24,7 @@ double shareInBand (double frequency, TrackBand band)
     const auto octaves = std::max (std::log2 (band.lower / frequency), std::log2 (frequency / band.upper));
     return octaves > 0 ? 0.5 + 0.5 * std::cos (std::numbers::pi * octaves) : 1;
 }
+
 /** Recorded signals at the samples of a design, without what lies beyond a band, where there is one. */
 Eigen::MatrixXd atDesignRate (const TrackWork& work, const TrackShift& shift, const Eigen::MatrixXd& signals,
                               std::optional<TrackBand> band)
@@ -54,7 +57,7 @@ void applyShift (TrackWork& work, const TrackShift& shift, TrackBand band)
         return;
 
     const auto compliance = work.responses.compliance();
-    work.responses.setCompliance ((getenv ("SOFT") ? atof (getenv ("SOFT")) : 1e3) * compliance);
+    work.responses.setCompliance (softness * compliance);
     const auto change = solveTracks (work.responses, atDesignRate (work, shift, shift.missing, band)).voltages;
     work.responses.setCompliance (compliance);
     work.wanted = atDesignRate (work, shift, shift.predicted, {}) + work.responses.motion (change);

@@ -24,9 +24,8 @@ constexpr const char* zeroOrderHold = "zero_order_hold";
 
 [[noreturn]] void failFinger (const std::string& text)
 {
-    throw InputError (
-        "--finger " + text,
-        "is not a finger; allowed: X,Y or X,Y,KIND or X,Y,KIND,FORCE in mm and N, for example 60,48,firm");
+    throw InputError ("--finger " + text,
+                      "is not a finger; allowed: X,Y[,KIND[,FORCE]] in mm and N (0 to 100), for example 60,48,firm");
 }
 
 /** "X,Y", "X,Y,KIND" or "X,Y,KIND,FORCE", mm and N. */
@@ -53,10 +52,11 @@ Finger parseFinger (const std::string& text)
     if (comma == end)
         return finger;
 
+    constexpr double largestForce = 100; // N, as in files
     double force = 0;
 
     if (const auto [next, error] = std::from_chars (comma + 1, end, force);
-        error != std::errc() || next != end || ! (force >= 0))
+        error != std::errc() || next != end || ! (force >= 0 && force <= largestForce))
         failFinger (text);
 
     finger.pressingForce = force;
@@ -93,7 +93,8 @@ void addCommonOptions (CLI::App& command, CommonOptions& options)
         ->type_name ("KEY=VALUE");
     command
         .add_option ("--finger", options.fingers,
-                     "A finger on the surface, mm; light, medium (default) or firm; with a pressing force in N it may "
+                     "X,Y[,KIND[,FORCE]]: a finger on the surface, mm; light, medium (default) or firm; with a "
+                     "pressing force in N it may "
                      "lift off (repeatable)")
         ->allow_extra_args (false)
         ->type_name ("X,Y[,KIND]");

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -18,15 +19,27 @@ namespace
 {
 constexpr double sameRate = 1e-3; // times may be rounded
 
-/** The sample of the trigger, from the summary of a pass. */
-double triggerSample (const std::filesystem::path& path)
+/** The sample of the trigger, from the summary of a pass of so many samples. */
+double triggerSample (const std::filesystem::path& path, Eigen::Index samples)
 {
     const auto json = nlohmann::json::parse (readWholeFile (path, { "a JSON file" }), nullptr, false);
 
     if (! json.is_object() || ! json.contains ("trigger_sample") || ! json["trigger_sample"].is_number())
         throw InputError (path.string(), "has no \"trigger_sample\"; allowed: summary.json of antinode perform");
 
-    return json["trigger_sample"].get<double>();
+    const auto trigger = json["trigger_sample"].get<double>();
+
+    if (! (trigger >= 0 && trigger < static_cast<double> (samples) && trigger == std::floor (trigger)))
+        throw InputError (path.string(), "has the trigger_sample " + inWords (trigger)
+                                             + "; allowed: a whole number from 0 to " + std::to_string (samples - 1)
+                                             + ", the last sample of voltages.wav");
+
+    return trigger;
+}
+
+bool endsWith (const std::string& text, const std::string& end)
+{
+    return text.size() >= end.size() && text.compare (text.size() - end.size(), end.size(), end) == 0;
 }
 
 /** The columns of a table but the time, points x samples, m. */
@@ -48,7 +61,17 @@ Eigen::MatrixXd recordedTable (const std::filesystem::path& path, double sampleR
                           "does not say what it has; allowed: headings time_s and then displacement_um_1 "
                           "or velocity_mm_s_1 and so on");
 
+    for (std::size_t i = 1; i < table.headings.size(); ++i)
+        if (const auto number = "_" + std::to_string (i); ! endsWith (table.headings[i], number))
+            throw InputError (path.string(), "has '" + table.headings[i] + "' as column " + std::to_string (i + 1)
+                                                 + "; allowed: a heading that ends with '" + number
+                                                 + "', the finger's number");
+
     const auto last = table.numbers.rows() - 1;
+
+    if (const auto begin = table.numbers (0, 0); ! (std::abs (begin) * sampleRate < 0.5))
+        throw InputError (path.string(),
+                          "begins at " + inWords (begin) + " s; allowed: 0 s, with the first sample of voltages.wav");
 
     if (const auto span = table.numbers (last, 0) - table.numbers (0, 0);
         last > 0 && ! (std::abs (span * sampleRate / static_cast<double> (last) - 1) < sameRate))
@@ -80,11 +103,17 @@ std::vector<RecordedPass> readRecordedPasses (const std::vector<std::string>& fo
 {
     std::vector<RecordedPass> passes;
 
-    for (const auto& name : folders)
+    for (std::size_t i = 0; i < folders.size(); ++i)
     {
+        const auto& name = folders[i];
         const std::filesystem::path folder (name);
+
+        if (std::find (folders.begin(), folders.begin() + static_cast<std::ptrdiff_t> (i), name)
+            != folders.begin() + static_cast<std::ptrdiff_t> (i))
+            throw InputError ("--correct " + name, "is given twice; allowed: each pass once, in the order of playing");
+
         const auto wave = readWaveFile (folder / "voltages.wav");
-        const auto trigger = triggerSample (folder / "summary.json");
+        const auto trigger = triggerSample (folder / "summary.json", wave.samples.cols());
         auto& pass = passes.emplace_back();
         pass.voltages = { { Reconstruction::bandLimited, wave.sampleRate },
                           -trigger / wave.sampleRate,

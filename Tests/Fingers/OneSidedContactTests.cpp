@@ -211,5 +211,5 @@ TEST_CASE ("Fingers without mass cannot lift off", "[fingers]")
     finger.mass = 0;
     CHECK_THROWS_WITH (
         motionUnderFingers (beam, { finger }, { Reconstruction::zeroOrderHold, rate }, strongVoltages (beam, 4)),
-        Catch::Contains ("finger 1") && Catch::Contains ("above 0 g"));
+        Catch::Contains ("finger 1") && Catch::Contains ("0.001 g or more"));
 }
