@@ -46,7 +46,7 @@ public:
 
             const auto free = timeToMeeting (forces, met, left);
             accept (moved (bodies, contactStep (bodies, free), state, forces), free);
-            meet (bodies, state, met);
+            strike (met);
             left -= free;
             next = moved (bodies, contactStep (bodies, left), state, forces);
         }
@@ -68,6 +68,16 @@ private:
             }
 
         state = std::move (next);
+    }
+
+    /** A finger that meets the surface may knock others off. */
+    void strike (int finger)
+    {
+        const auto before = state.isTouching;
+        meet (bodies, state, finger);
+
+        for (std::size_t f = 0; f < histories.size(); ++f)
+            histories[f].lifts += before[f] && ! state.isTouching[f] ? 1 : 0;
     }
 
     /** A lifted finger below the surface, or -1. */
