@@ -159,6 +159,20 @@ FeltTradeoff weightsSoFar (const ModalModel& model, const FocusDescription& focu
     }
 }
 
+/** @param text  for the console */
+void writeTradeoff (const CommonOptions& options, const nlohmann::ordered_json& json, const std::string& csv,
+                    const ReportPage& page, const std::string& text)
+{
+    OutputFolder folder (options.folder);
+    folder.write ("tradeoff.json", json.dump (2) + "\n");
+    folder.write ("tradeoff.csv", csv);
+    folder.write ("tradeoff.html", renderReport (page));
+    folder.commit();
+
+    if (! options.isQuiet)
+        std::printf ("%s%s/tradeoff.html\n", text.c_str(), options.folder.c_str());
+}
+
 void sweepWeights (const ModalModel& model, const FocusDescription& focus, const CommonOptions& options)
 {
     auto tradeoff = weightsSoFar (model, focus, options);
@@ -166,14 +180,8 @@ void sweepWeights (const ModalModel& model, const FocusDescription& focus, const
     for (auto& point : tradeoff.points)
         point.failure = withKeysAndOptions (point.failure);
 
-    OutputFolder folder (options.folder);
-    folder.write ("tradeoff.json", feltTradeoffToJson (tradeoff, focus.name, model.name).dump (2) + "\n");
-    folder.write ("tradeoff.csv", feltTradeoffToCsv (tradeoff));
-    folder.write ("tradeoff.html", renderReport (feltTradeoffReport (tradeoff, focus.name, model.name)));
-    folder.commit();
-
-    if (! options.isQuiet)
-        std::printf ("%s%s/tradeoff.html\n", feltTradeoffToText (tradeoff).c_str(), options.folder.c_str());
+    writeTradeoff (options, feltTradeoffToJson (tradeoff, focus.name, model.name), feltTradeoffToCsv (tradeoff),
+                   feltTradeoffReport (tradeoff, focus.name, model.name), feltTradeoffToText (tradeoff));
 
     if (tradeoff.points.size() < tradeoff.planned)
         throw Cancelled();
@@ -193,14 +201,9 @@ void sweep (const CommonOptions& options)
 
     for (auto& point : tradeoff.points)
         point.failure = withKeysAndOptions (point.failure);
-    OutputFolder folder (options.folder);
-    folder.write ("tradeoff.json", tradeoffToJson (tradeoff, focus.name, model.name).dump (2) + "\n");
-    folder.write ("tradeoff.csv", tradeoffToCsv (tradeoff));
-    folder.write ("tradeoff.html", renderReport (tradeoffReport (tradeoff, focus.name, model.name)));
-    folder.commit();
 
-    if (! options.isQuiet)
-        std::printf ("%s%s/tradeoff.html\n", tradeoffToText (tradeoff).c_str(), options.folder.c_str());
+    writeTradeoff (options, tradeoffToJson (tradeoff, focus.name, model.name), tradeoffToCsv (tradeoff),
+                   tradeoffReport (tradeoff, focus.name, model.name), tradeoffToText (tradeoff));
 
     if (tradeoff.points.size() < tradeoff.planned)
         throw Cancelled();
