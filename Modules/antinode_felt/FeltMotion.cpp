@@ -22,58 +22,66 @@ constexpr double leastAmount = 1e-6;          // -120 dB
 /** The lengths of a motion before and after it is made slower. */
 struct Lengths
 {
-    Eigen::Index recorded, ringing, fading; // samples
-    Eigen::Index factor;                    // samples per slower one
-    Eigen::Index slower, transformed;       // slower samples
-
-    Eigen::Index all() const { return recorded + ringing + fading; }
+    Eigen::Index recorded;                    // samples
+    Eigen::Index factor;                      // samples per slower one
+    Eigen::Index slower, fading, transformed; // slower samples
+    Eigen::Index summed;                      // slower samples that are sums over samples; the others decay freely
+    Eigen::Index continued;                   // samples that these sums need
 };
 
 Lengths lengthsOf (Eigen::Index recorded, double sampleRate)
 {
     Lengths lengths {};
     lengths.recorded = recorded;
-    lengths.ringing = std::llround (ringing * sampleRate);
-    lengths.fading = std::llround (fading * sampleRate);
     lengths.factor = std::max<Eigen::Index> (1, static_cast<Eigen::Index> (sampleRate / lowestRate));
-    lengths.slower = (lengths.all() - 1) / lengths.factor + 1;
+    const auto all = recorded + std::llround (ringing * sampleRate) + std::llround (fading * sampleRate);
     const auto rate = sampleRate / static_cast<double> (lengths.factor);
+    const auto reach = kaiserSincHalfWidth * lengths.factor;
+    lengths.slower = (all - 1) / lengths.factor + 1;
+    lengths.fading = std::llround (fading * rate);
     lengths.transformed = quickLength (static_cast<double> (lengths.slower) + silence * rate);
+    // Sums over nothing but free decay decay alike: two of them determine all others. The last two samples are free.
+    lengths.summed = std::min (lengths.slower, (recorded - 2 + reach - 1) / lengths.factor + 3);
+    lengths.continued = (lengths.summed - 1) * lengths.factor + reach + 1;
     return lengths;
 }
 
-/** A modal velocity and its free decay, which two samples determine: v_n = 2 r cos (b T) v_(n-1) - r^2 v_(n-2). */
-Eigen::VectorXd withDecay (const Eigen::RowVectorXd& recorded, const Lengths& lengths, std::complex<double> pole,
-                           double sampleRate)
+/** Appends free decay, which two values determine: v_n = 2 r cos (b T) v_(n-1) - r^2 v_(n-2).
+    @param known  values that are there; the others are computed
+    @param interval  between two values, s */
+void appendDecay (Eigen::VectorXd& values, Eigen::Index known, std::complex<double> pole, double interval)
 {
-    Eigen::VectorXd all (lengths.all());
-    all.head (lengths.recorded) = recorded.transpose();
-    const auto radius = std::exp (pole.real() / sampleRate);
-    const auto first = 2 * radius * std::cos (pole.imag() / sampleRate), second = -radius * radius;
+    const auto radius = std::exp (pole.real() * interval);
+    const auto first = 2 * radius * std::cos (pole.imag() * interval), second = -radius * radius;
 
-    for (auto n = lengths.recorded; n < all.size(); ++n)
-        all[n] = first * all[n - 1] + second * all[n - 2];
-
-    for (Eigen::Index i = 0; i < lengths.fading; ++i)
-        all[all.size() - 1 - i] *=
-            0.5 - 0.5 * std::cos (std::numbers::pi * static_cast<double> (i) / static_cast<double> (lengths.fading));
-
-    return all;
+    for (auto n = known; n < values.size(); ++n)
+        values[n] = first * values[n - 1] + second * values[n - 2];
 }
 
-/** What is below the slower rate's Nyquist frequency, at that rate. */
-Eigen::VectorXd slowed (const Eigen::VectorXd& samples, const Lengths& lengths, const Eigen::VectorXd& taps)
+/** What of a modal velocity and its free decay is below the slower rate's Nyquist frequency, at that rate, faded out.
+ */
+Eigen::VectorXd slowed (const Eigen::RowVectorXd& recorded, const Lengths& lengths, std::complex<double> pole,
+                        double sampleRate, const Eigen::VectorXd& taps)
 {
+    Eigen::VectorXd samples (std::max (lengths.continued, lengths.recorded));
+    samples.head (lengths.recorded) = recorded.transpose();
+    appendDecay (samples, lengths.recorded, pole, 1 / sampleRate);
     const auto reach = (taps.size() - 1) / 2;
     Eigen::VectorXd slower (lengths.slower);
 
-    for (Eigen::Index m = 0; m < slower.size(); ++m)
+    for (Eigen::Index m = 0; m < lengths.summed; ++m)
     {
         const auto centre = m * lengths.factor;
         const auto begin = std::max<Eigen::Index> (0, centre - reach);
         const auto end = std::min (samples.size(), centre + reach + 1);
         slower[m] = samples.segment (begin, end - begin).dot (taps.segment (begin - centre + reach, end - begin));
     }
+
+    appendDecay (slower, lengths.summed, pole, static_cast<double> (lengths.factor) / sampleRate);
+
+    for (Eigen::Index i = 0; i < lengths.fading; ++i)
+        slower[slower.size() - 1 - i] *=
+            0.5 - 0.5 * std::cos (std::numbers::pi * static_cast<double> (i) / static_cast<double> (lengths.fading));
 
     return slower;
 }
@@ -119,9 +127,8 @@ FeltMotion feltMotion (const ModalModel& model, const Eigen::MatrixXd& modalVelo
     {
         const auto k = static_cast<Eigen::Index> (index);
         const auto mode = k % model.modes(); // both coordinates of a complex mode decay alike
-        const auto slower =
-            slowed (withDecay (modalVelocities.row (k), lengths, { -decays[mode], frequencies[mode] }, sampleRate),
-                    lengths, taps);
+        const std::complex pole { -decays[mode], frequencies[mode] };
+        const auto slower = slowed (modalVelocities.row (k), lengths, pole, sampleRate, taps);
         const Eigen::VectorXcd spectrum = forwardFourier (slower, lengths.transformed).cwiseProduct (byLine);
         felt.modal.row (k) = inverseFourier (spectrum, lengths.transformed).head (lengths.slower).transpose();
     };
