@@ -48,8 +48,8 @@ public:
         constexpr int grid = 100;
         const Eigen::MatrixXd matrices[] { matrix (true, force), matrix (false, force) };
         const auto interval = 1 / rate / grid;
-        const Eigen::MatrixXd steps[] { test::HeldPlate::exponential (matrices[0] * interval),
-                                        test::HeldPlate::exponential (matrices[1] * interval) };
+        const Eigen::MatrixXd steps[] { test::exponential (matrices[0] * interval),
+                                        test::exponential (matrices[1] * interval) };
 
         for (int i = 0; i < grid; ++i)
         {
@@ -64,15 +64,15 @@ public:
                 for (int j = 0; j < 40; ++j)
                 {
                     const auto middle = 0.5 * (least + most);
-                    const Eigen::VectorXd then = test::HeldPlate::exponential (now * middle) * state;
+                    const Eigen::VectorXd then = test::exponential (now * middle) * state;
                     (hasEnded (then, matrices[0]) ? most : least) = middle;
                 }
 
-                state = (test::HeldPlate::exponential (now * most) * state).eval();
+                state = (test::exponential (now * most) * state).eval();
                 liftedTime += isTouching ? 0 : most;
                 left -= most;
                 change();
-                after = test::HeldPlate::exponential (matrices[isTouching ? 0 : 1] * left) * state;
+                after = test::exponential (matrices[isTouching ? 0 : 1] * left) * state;
             }
 
             state = after;
