@@ -45,4 +45,11 @@ double kaiserSinc (double x)
     static const double atCentre = besselI0 (quarter);
     return sinc (x) * besselI0 (quarter * (1 - u * u)) / atCentre;
 }
+
+double kaiserSinc (double x, double halfWidth, double shape)
+{
+    const auto u = x / halfWidth;
+    const auto quarter = shape * shape / 4;
+    return std::abs (u) < 1 ? sinc (x) * besselI0 (quarter * (1 - u * u)) / besselI0 (quarter) : 0;
+}
 } // namespace antinode

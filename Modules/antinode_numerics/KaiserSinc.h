@@ -23,4 +23,11 @@ inline constexpr double kaiserSincPassBandError = 2e-6;
     [worker] Kaiser and Schafer, IEEE Transactions on Acoustics, Speech and Signal Processing 28 (1980) 105.
    Docs/Theory.md, section 6.2. */
 double kaiserSinc (double x);
+
+/** The same with another half-width and shape: shorter kernels have less delay and a wider transition.
+    @param x          in samples
+    @param halfWidth  in samples, above 0
+    @param shape      Kaiser's beta, no unit
+    [worker] */
+double kaiserSinc (double x, double halfWidth, double shape);
 } // namespace antinode

@@ -3,6 +3,7 @@
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_fingers/LoadedModel.h>
+#include <antinode_tracks/FingerFilters.h>
 
 #include <nlohmann/json.hpp>
 
@@ -71,8 +72,10 @@ PerformedWaveforms performWaveforms (const ModalModel& known, const ModalModel& 
     if (! passes.empty())
         performed.correction = correctionFrom (known, description, settings, passes);
 
-    performed.design = designTracks (known, description, settings, progress,
-                                     performed.correction ? performed.correction->shift : TrackShift {});
+    performed.design = settings.latency > 0
+                           ? designLiveTracks (known, description, settings, progress)
+                           : designTracks (known, description, settings, progress,
+                                           performed.correction ? performed.correction->shift : TrackShift {});
 
     if (performed.correction)
         performed.design.warnings.emplace_back (
@@ -131,6 +134,9 @@ nlohmann::ordered_json performedToJson (const PerformedWaveforms& performed)
                                   { "unlimited_peak_over_limit", design.limitUse.unlimitedPeak },
                                   { "design_error", design.error },
                                   { "iterations", design.iterations } };
+
+    if (design.latency > 0)
+        json["latency_ms"] = design.latency * milli;
 
     if (design.limitUse.unlimitedPeak > 1)
         json["peak_bound_over_limit"] = design.limitUse.peakBound;

@@ -26,7 +26,8 @@ struct PerformedWaveforms
     std::optional<TrackCorrection> correction; ///< Where recorded passes were given.
 };
 
-/** Designs waveforms for one model of a surface, plays them on another one, and scores what comes of it.
+/** Designs waveforms for one model of a surface, plays them on another one, and scores what comes of it. With a latency
+   in the settings the voltages follow the tracks by filters that could run live.
     @param known  what the design knows
     @param judge  the same surface without fingers, with more modes
     @param passes  played and recorded before, in their order: the design corrects the best of them

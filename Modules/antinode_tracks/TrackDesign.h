@@ -20,6 +20,7 @@ struct TrackSettings
     double sampleRate = 48000;    ///< Of the voltages, Hz.
     SkinThreshold threshold;      ///< For levels in dB over threshold.
     double regularisation = 1e-2; ///< Of the median smallest singular value in the band: what is not worth its volts.
+    double latency = 0;           ///< Of designLiveTracks, s.
 };
 
 /** What waveforms that were played say about the next ones. */
@@ -48,6 +49,7 @@ struct TrackDesign
     Eigen::VectorXd peaks;    ///< N_b, V
     TrackLimitUse limitUse;
     int iterations = 0; ///< Of conjugate gradients.
+    double latency = 0; ///< s from an input to the motion, where the voltages follow inputs; else 0.
     std::vector<std::string> warnings;
 };
 

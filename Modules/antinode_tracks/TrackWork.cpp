@@ -86,12 +86,40 @@ void requireMemory (const TrackSpan& span, Eigen::Index points, Eigen::Index act
                               + " s with this device and rate");
 }
 
-/** The median over the band of the smallest singular value of the responses, squared: from the trace of the inverse, of
-   which it is the largest part. */
+/** Peaks over their limits. */
+double highest (const Eigen::VectorXd& limits, const Eigen::MatrixXd& played)
+{
+    return (played.cwiseAbs().colwise().maxCoeff().transpose().array() / limits.array()).maxCoeff();
+}
+
+/** Slew rates over their limits, 0: none. */
+double steepest (const Eigen::VectorXd& slews, double sampleRate, const Eigen::MatrixXd& played)
+{
+    double times = 0;
+
+    for (Eigen::Index i = 0; i < played.cols(); ++i)
+        if (const auto last = played.rows() - 1; slews[i] > 0)
+            times = std::max (times, (played.col (i).tail (last) - played.col (i).head (last)).cwiseAbs().maxCoeff()
+                                         * sampleRate / slews[i]);
+
+    return times;
+}
+
+Eigen::VectorXd slewLimits (const ModalModel& model)
+{
+    Eigen::VectorXd slews (model.actuators());
+
+    for (std::size_t i = 0; i < model.ceramics.size(); ++i)
+        slews[static_cast<Eigen::Index> (i)] = model.ceramics[i].slewLimit;
+
+    return slews;
+}
+} // namespace
+
 double smallestResponse (const PointResponses& responses, TrackBand band)
 {
     const auto step = responses.sampleRate / static_cast<double> (responses.length);
-    std::vector<double> squares;
+    std::vector<double> squares; // from the trace of the inverse, of which it is the largest part
 
     for (auto line = static_cast<Eigen::Index> (std::ceil (band.lower / step));
          line <= static_cast<Eigen::Index> (band.upper / step); ++line)
@@ -105,25 +133,6 @@ double smallestResponse (const PointResponses& responses, TrackBand band)
 
     return median (squares);
 }
-/** Peaks over their limits. */
-double highest (const TrackWork& work, const Eigen::MatrixXd& played)
-{
-    return (played.cwiseAbs().colwise().maxCoeff().transpose().array() / work.limits.array()).maxCoeff();
-}
-
-/** Slew rates over their limits. */
-double steepest (const TrackWork& work, const Eigen::MatrixXd& played)
-{
-    double times = 0;
-
-    for (Eigen::Index i = 0; i < played.cols(); ++i)
-        if (const auto last = played.rows() - 1; work.slews[i] > 0)
-            times = std::max (times, (played.col (i).tail (last) - played.col (i).head (last)).cwiseAbs().maxCoeff()
-                                         * work.sampleRate / work.slews[i]);
-
-    return times;
-}
-} // namespace
 
 TrackWork trackWork (const ModalModel& model, const WaveformsDescription& description, const TrackSettings& settings)
 {
@@ -138,13 +147,9 @@ TrackWork trackWork (const ModalModel& model, const WaveformsDescription& descri
                      WindowedResponses (std::move (responses), span.window, compliance),
                      Eigen::MatrixXd::Zero (span.length, shapes.rows()),
                      voltageLimits (model),
-                     Eigen::VectorXd (model.actuators()),
+                     slewLimits (model),
                      settings.sampleRate };
     work.wanted.middleRows (span.lead, span.wanted) = wantedMotion (description, settings.threshold, span.rate);
-
-    for (std::size_t i = 0; i < model.ceramics.size(); ++i)
-        work.slews[static_cast<Eigen::Index> (i)] = model.ceramics[i].slewLimit;
-
     return work;
 }
 
@@ -205,11 +210,16 @@ Eigen::MatrixXd finer (const Eigen::MatrixXd& signals, Eigen::Index factor)
 
 bool isSteep (const TrackWork& work, const Eigen::MatrixXd& played)
 {
-    return steepest (work, played) > highest (work, played);
+    return steepest (work.slews, work.sampleRate, played) > highest (work.limits, played);
 }
 
 double timesLimits (const TrackWork& work, const Eigen::MatrixXd& played)
 {
-    return std::max (highest (work, played), steepest (work, played));
+    return std::max (highest (work.limits, played), steepest (work.slews, work.sampleRate, played));
+}
+
+double timesLimits (const ModalModel& model, double sampleRate, const Eigen::MatrixXd& played)
+{
+    return std::max (highest (voltageLimits (model), played), steepest (slewLimits (model), sampleRate, played));
 }
 } // namespace antinode

@@ -30,6 +30,10 @@ struct TrackWork
     double sampleRate = 0; // Hz, of what is played
 };
 
+/** The median over a band of the smallest singular value of responses, squared, m^2/V^2: what voltages can well bring.
+    [worker] */
+double smallestResponse (const PointResponses&, TrackBand band);
+
 /** The design at its own rate. @throws InputError  as designTracks [worker] */
 TrackWork trackWork (const ModalModel&, const WaveformsDescription&, const TrackSettings&);
 
@@ -49,4 +53,7 @@ bool isSteep (const TrackWork&, const Eigen::MatrixXd& played);
     @param played  samples x actuators at the rate of what is played
     [worker] */
 double timesLimits (const TrackWork& work, const Eigen::MatrixXd& played);
+
+/** The same by a device's limits. @param sampleRate  Hz, of what is played [worker] */
+double timesLimits (const ModalModel&, double sampleRate, const Eigen::MatrixXd& played);
 } // namespace antinode

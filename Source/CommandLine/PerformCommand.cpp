@@ -29,6 +29,7 @@ struct PerformOptions
 {
     std::string waveforms = "three-fingers", device = "glass-148x210", folder = "antinode-out", thresholdFile;
     double rate = 48000; // Hz
+    double latency = 0;  // ms
     std::vector<std::string> assignments, passes;
     SensorOptions sensor;
     bool hasReport = true, usesCache = true, isQuiet = false;
@@ -94,6 +95,9 @@ void printPerformed (const PerformOptions& options, const PerformedWaveforms& pe
         std::printf ("  corrected: %g %% of the error of pass %zu\n", 100 * correction->gain, correction->best + 1);
     }
 
+    if (const auto latency = performed.design.latency; latency > 0)
+        std::printf ("  latency: %.2f ms from an input to its finger\n", latency * milli);
+
     std::printf ("  voltages: %s\n", trackVoltsInWords (performed).c_str());
 
     for (const auto& warning : performed.design.warnings)
@@ -111,6 +115,7 @@ void perform (const PerformOptions& options)
     const auto description = loadWaveforms (options.waveforms, options.assignments);
     TrackSettings settings;
     settings.sampleRate = options.rate;
+    settings.latency = options.latency / milli;
     settings.threshold = findSkinThreshold (options.thresholdFile);
     const auto device = loadDevice (options.device, options.assignments);
     show ("Modes of the device", 0);
@@ -146,11 +151,16 @@ void addPerformCommand (CLI::App& app)
         ->type_name ("KEY=VALUE");
     command->add_option ("--threshold", options->thresholdFile,
                          "CSV of Hz and um: what skin feels, in place of the built-in table");
+    auto* latency = command->add_option (
+        "--latency-ms", options->latency,
+        "Voltages follow the tracks as live inputs, by filters with this latency, ms: for example 5");
+    latency->check (CLI::Range (0.1, 1000.0))->type_name ("FLOAT");
     command
         ->add_option ("--correct", options->passes,
                       "Folder of an earlier pass with recorded.csv or recorded.wav in it (repeatable, in order)")
         ->allow_extra_args (false)
-        ->type_name ("FOLDER");
+        ->type_name ("FOLDER")
+        ->excludes (latency);
     addSensorOptions (*command, options->sensor);
     addCacheFlag (*command, options->usesCache);
     command->add_flag ("!--no-report", options->hasReport, "Writes no report.html");

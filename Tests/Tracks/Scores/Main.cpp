@@ -1,9 +1,11 @@
 // The tables of Docs/Decisions/0073-a-waveform-per-finger.md: waveforms at seeded points of the embedded plates, judged
 // by a model of more modes than the design knows, in the time domain.
 //
-//     antinode_track_scores exact|limits|fingers|passes [layouts [devices...]]
+//     antinode_track_scores exact|limits|fingers|passes|live [layouts [devices...]]
 
 #include "ScoreTools.h"
+
+#include <antinode_tracks/FingerFilters.h>
 
 #include <chrono>
 #include <cstdio>
@@ -79,6 +81,39 @@ void limitsTable (const Device& device, int layouts)
         }
 }
 
+/** Tracks as inputs of filters, at three latencies. */
+void liveTable (const Device& device, int layouts)
+{
+    for (const auto latency : { 0.005, 0.01, 0.02 })
+        for (const auto count : { 2, 3, 5 })
+            for (const std::string signal : { "click", "Gabor", "music" })
+            {
+                Spread volts, band, error, iterations, seconds;
+
+                for (int seed = 1; seed <= layouts; ++seed)
+                {
+                    auto settings = usualSettings();
+                    settings.latency = latency;
+                    const auto begin = std::chrono::steady_clock::now();
+                    const auto design =
+                        designLiveTracks (device.known, layout (device.known.surface, count, signal, seed), settings);
+                    seconds.values.push_back (
+                        std::chrono::duration<double> (std::chrono::steady_clock::now() - begin).count());
+                    const auto scores = judged (device.judge, design);
+                    volts.values.push_back (design.peaks.maxCoeff());
+                    band.values.push_back (worstBystander (scores, &TrackScores::suppression));
+                    error.values.push_back (scores.normalisedError (0));
+                    iterations.values.push_back (design.iterations);
+                }
+
+                std::printf ("| %s | %.0f | %d | %s | %.0f / %.0f | %.0f / %.0f | %.0e / %.0e | %.0f | %.1f |\n",
+                             device.name.c_str(), 1e3 * latency, count, signal.c_str(), volts.middle(), volts.worst(),
+                             band.middle(), band.worst(), error.middle(), error.worst(), iterations.middle(),
+                             seconds.middle());
+                std::fflush (stdout);
+            }
+}
+
 } // namespace
 
 int main (int count, char** arguments)
@@ -99,6 +134,8 @@ int main (int count, char** arguments)
 
         if (table == "limits")
             limitsTable (device, layouts);
+        else if (table == "live")
+            liveTable (device, layouts);
         else if (table == "fingers")
             fingersTable (device, layouts);
         else if (table == "passes")
