@@ -3,7 +3,7 @@
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_fingers/LoadedModel.h>
-#include <antinode_tracks/FingerFilters.h>
+#include <antinode_live/LiveTracks.h>
 
 #include <nlohmann/json.hpp>
 

@@ -5,7 +5,7 @@
 
 #include "ScoreTools.h"
 
-#include <antinode_tracks/FingerFilters.h>
+#include <antinode_live/LiveTracks.h>
 
 #include <chrono>
 #include <cstdio>

@@ -1,9 +1,9 @@
 #include "Support/ErrorText.h"
 #include "Support/SinePlate.h"
 
+#include <antinode_live/LiveTracks.h>
 #include <antinode_render/PlayedTracks.h>
 #include <antinode_render/TrackScores.h>
-#include <antinode_tracks/FingerFilters.h>
 
 #include <catch2/catch.hpp>
 
@@ -48,7 +48,7 @@ TrackScores played (const ModalModel& judge, const TrackDesign& design)
 }
 } // namespace
 
-TEST_CASE ("Filters give two fingers different noise at once, and a third one silence, within 5 and 20 ms", "[tracks]")
+TEST_CASE ("Filters give two fingers different noise at once, and a third one silence, within 5 and 20 ms", "[live]")
 {
     const test::SinePlate plate;
 
@@ -65,19 +65,7 @@ TEST_CASE ("Filters give two fingers different noise at once, and a third one si
     }
 }
 
-TEST_CASE ("No voltage of filters precedes the input that causes it", "[tracks]")
-{
-    const auto filters = designFingerFilters (test::SinePlate().model (20), threePoints(), {});
-    Eigen::MatrixXd impulse = Eigen::MatrixXd::Zero (2000, 2);
-    impulse (700, 1) = 1;
-    const auto voltages = filteredTracks (filters, impulse);
-    CHECK (voltages.values.leftCols (700).cwiseAbs().maxCoeff() == 0);
-    CHECK (voltages.values.cwiseAbs().maxCoeff() > 0);
-    // Sample n, of an input at n, is played where it is heard without delay: earlier by the latency.
-    CHECK (voltages.firstTime == Approx (-filters.latency()));
-}
-
-TEST_CASE ("Levels beyond the limits of a live design are refused with the share that is within", "[tracks]")
+TEST_CASE ("Levels beyond the limits of a live design are refused with the share that is within", "[live]")
 {
     auto model = test::SinePlate().model (20);
     auto description = threePoints();
@@ -100,7 +88,7 @@ TEST_CASE ("Levels beyond the limits of a live design are refused with the share
     CHECK (share == Approx (0.5));
 }
 
-TEST_CASE ("A latency that filters cannot have is refused with what is allowed", "[tracks]")
+TEST_CASE ("A latency that filters cannot have is refused with what is allowed", "[live]")
 {
     const auto model = test::SinePlate().model (6);
     const auto design = [&] (double latency) { designLiveTracks (model, threePoints(), liveSettings (latency)); };

@@ -1,16 +1,16 @@
 #include "FingerFilters.h"
 
-#include "PointDistances.h"
-#include "PointResponses.h"
-#include "TrackClimb.h"
-#include "TrackWork.h"
-#include "WindowedResponses.h"
+#include "RateChange.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_numerics/Fourier.h>
-#include <antinode_numerics/KaiserSinc.h>
+#include <antinode_tracks/PointDistances.h>
+#include <antinode_tracks/PointResponses.h>
+#include <antinode_tracks/TrackClimb.h>
+#include <antinode_tracks/TrackWork.h>
+#include <antinode_tracks/WindowedResponses.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,10 +28,6 @@ constexpr double filterTolerance = 1e-3; // of the wanted motion: -60 dB
 constexpr double filterRinging = 0.5;    // s after the last tap that counts
 constexpr double longestLatency = 0.1;   // s
 constexpr Eigen::Index leastDelay = 4;   // samples of the filters
-
-/** A filter rate, a band's width and a change of rate: 1 below a quarter of the rate, -70 dB above three quarters. */
-constexpr Eigen::Index rateChangeReach = 5; // samples of the filters to each side
-constexpr double rateChangeShape = 7;       // Kaiser's beta
 
 /** How much an error counts at a frequency: all of it in the band, nothing below half and above one and a half. */
 double filterWeight (TrackBand band, double frequency)
@@ -96,64 +92,6 @@ Eigen::VectorXd weightedImpulse (const FilterSpan& span, TrackBand band)
     return inverseFourier (lines, span.length);
 }
 
-/** Kaiser's windowed sinc at the samples around a sample of the filters. */
-Eigen::VectorXd rateChangeTaps (Eigen::Index factor)
-{
-    const auto reach = rateChangeReach * factor;
-    Eigen::VectorXd taps (2 * reach + 1);
-
-    for (Eigen::Index n = 0; n < taps.size(); ++n)
-        taps[n] = kaiserSinc (static_cast<double> (n - reach) / static_cast<double> (factor), rateChangeReach,
-                              rateChangeShape);
-
-    return taps;
-}
-
-/** Signals at the filters' rate, from rateChangeReach of its samples before the first one to as many behind the last.
- */
-Eigen::MatrixXd decimated (const Eigen::MatrixXd& signals, Eigen::Index factor)
-{
-    const Eigen::VectorXd taps = rateChangeTaps (factor) / static_cast<double> (factor);
-    const auto reach = rateChangeReach * factor;
-    Eigen::MatrixXd slower ((signals.rows() - 1) / factor + 1 + 2 * rateChangeReach, signals.cols());
-
-    for (Eigen::Index m = 0; m < slower.rows(); ++m)
-    {
-        const auto centre = (m - rateChangeReach) * factor;
-        const auto begin = std::max<Eigen::Index> (0, centre - reach);
-        const auto end = std::min (signals.rows(), centre + reach + 1);
-        slower.row (m) = begin < end
-                             ? Eigen::RowVectorXd (taps.segment (begin - centre + reach, end - begin).transpose()
-                                                   * signals.middleRows (begin, end - begin))
-                             : Eigen::RowVectorXd::Zero (signals.cols()).eval();
-    }
-
-    return slower;
-}
-
-/** The other way, again from rateChangeReach samples before the first to as many behind the last. */
-Eigen::MatrixXd expanded (const Eigen::MatrixXd& signals, Eigen::Index factor)
-{
-    const auto taps = rateChangeTaps (factor);
-    Eigen::MatrixXd result =
-        Eigen::MatrixXd::Zero ((signals.rows() - 1 + 2 * rateChangeReach) * factor + 1, signals.cols());
-
-    for (Eigen::Index i = 0; i < signals.cols(); ++i)
-        for (Eigen::Index m = 0; m < signals.rows(); ++m)
-            result.col (i).segment (m * factor, taps.size()) += signals (m, i) * taps;
-
-    return result;
-}
-
-[[noreturn]] void throwTooLoud (double times)
-{
-    throw TrackLimitError ("waveforms",
-                           "need " + inWords (times)
-                               + " times the limits of the device; reachable: " + inWords (100 / times)
-                               + " % of the wanted levels (" + fixedText (-20 * std::log10 (times), 1)
-                               + " dB); more with a longer latency or fewer fingers",
-                           1 / times, 1 / times);
-}
 } // namespace
 
 double FingerFilters::latency() const
@@ -192,46 +130,5 @@ FingerFilters designFingerFilters (const ModalModel& model, const WaveformsDescr
     }
 
     return filters;
-}
-
-SampledVoltages filteredTracks (const FingerFilters& filters, const Eigen::MatrixXd& inputs)
-{
-    const auto slower = decimated (inputs, filters.factor);
-    const auto taps = filters.taps.front().rows();
-    Eigen::MatrixXd voltages = Eigen::MatrixXd::Zero (slower.rows() + taps - 1, filters.taps.front().cols());
-
-    for (std::size_t j = 0; j < filters.taps.size(); ++j)
-        for (Eigen::Index k = 0; k < taps; ++k)
-            voltages.middleRows (k, slower.rows()).noalias() +=
-                slower.col (static_cast<Eigen::Index> (j)) * filters.taps[j].row (k);
-
-    return { { Reconstruction::bandLimited, filters.sampleRate },
-             -filters.latency(),
-             expanded (voltages, filters.factor).transpose() };
-}
-
-TrackDesign designLiveTracks (const ModalModel& model, const WaveformsDescription& description,
-                              const TrackSettings& settings, const ShowProgress& progress)
-{
-    FilterSettings filterSettings;
-    filterSettings.sampleRate = settings.sampleRate;
-    filterSettings.latency = settings.latency;
-    const auto filters = designFingerFilters (model, description, filterSettings, progress);
-    TrackDesign design;
-    design.description = description;
-    design.wanted = wantedAsPlayed (model, description, settings);
-    design.voltages =
-        filteredTracks (filters, design.wanted.leftCols (static_cast<Eigen::Index> (description.tracks.size())));
-    design.designRate = filters.rate();
-    design.latency = filters.latency();
-    design.error = filters.error;
-    design.iterations = filters.iterations;
-    design.peaks = design.voltages.values.cwiseAbs().rowwise().maxCoeff();
-    design.limitUse.unlimitedPeak = timesLimits (model, settings.sampleRate, design.voltages.values.transpose());
-
-    if (design.limitUse.unlimitedPeak > 1)
-        throwTooLoud (design.limitUse.unlimitedPeak);
-
-    return design;
 }
 } // namespace antinode

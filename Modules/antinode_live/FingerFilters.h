@@ -1,10 +1,9 @@
 #pragma once
 
-#include "TrackDesign.h"
-#include "Waveforms.h"
-
 #include <antinode_base/ShowProgress.h>
 #include <antinode_model/ModalModel.h>
+#include <antinode_tracks/TrackDesign.h>
+#include <antinode_tracks/Waveforms.h>
 
 #include <Eigen/Core>
 
@@ -34,7 +33,7 @@ struct FingerFilters
     /** Of the filters, Hz. */
     double rate() const { return sampleRate / static_cast<double> (factor); }
 
-    /** From an input to the motion, with both changes of rate, s. */
+    /** From an input to the motion, with both changes of rate, s. [any] */
     double latency() const;
 };
 
@@ -46,17 +45,4 @@ struct FingerFilters
     [worker] Docs/Theory.md, section 4.15. */
 FingerFilters designFingerFilters (const ModalModel&, const WaveformsDescription&, const FilterSettings&,
                                    const ShowProgress& progress = {});
-
-/** Voltages of inputs. @param inputs  N_s x tracks, m, at the sample rate, the first sample at time 0
-    @return  voltages whose motion has no delay: they begin before time 0 by the latency
-    [worker] */
-SampledVoltages filteredTracks (const FingerFilters&, const Eigen::MatrixXd& inputs);
-
-/** What designTracks gives, by filters that could run live: its tracks are inputs, and voltages follow them.
-    @throws InputError  as designFingerFilters and wantedAsPlayed
-    @throws TrackLimitError  for levels beyond the limits
-    @throws Cancelled   when a watch of this thread says no
-    [worker] Docs/Theory.md, section 4.15. */
-TrackDesign designLiveTracks (const ModalModel&, const WaveformsDescription&, const TrackSettings&,
-                              const ShowProgress& progress = {});
 } // namespace antinode

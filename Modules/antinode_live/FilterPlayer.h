@@ -1,0 +1,75 @@
+#pragma once
+
+#include "FilterBank.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace antinode
+{
+/** The newest values of some signals, always in one piece: each is written twice. */
+class SlidingWindow
+{
+public:
+    /** @param signals  one a row @param length  values that are kept [worker] */
+    SlidingWindow (Eigen::Index signals, Eigen::Index length);
+
+    /** Takes the place of the oldest values. [audio thread] */
+    auto next()
+    {
+        position = (position + 1) % length;
+        return values.col (position);
+    }
+
+    /** To be called when next() is filled. [audio thread] */
+    void complete() { values.col (position + length) = values.col (position); }
+
+    /** signals x length, the oldest value first. [audio thread] */
+    auto newest() const { return values.middleCols (position + 1, length); }
+
+private:
+    Eigen::Index length, position = 0;
+    Eigen::MatrixXf values;
+};
+
+/** Plays filters: inputs at the sample rate, decimated, filtered, voltages interpolated. Banks are exchanged with a
+    cross-fade; they all see the same past, so that a new one sounds at once as if it had played all the time. The
+    samples do not depend, to the bit, on how time is cut into blocks. */
+class FilterPlayer
+{
+public:
+    /** @param bank  the sizes of this one are those of all; it must live on until another one has taken its place
+        @param fade  of banks, samples of the filters, at least 1
+        [worker] */
+    FilterPlayer (const FilterBank& bank, Eigen::Index fade);
+
+    /** Fades to another bank of the same sizes, which must live on as the first; not while it fades.
+        [audio thread] */
+    void fadeTo (const FilterBank&);
+
+    /** Whether two banks are in use. [audio thread] */
+    bool isFading() const { return next != nullptr; }
+
+    /** One sample: inputs in m, voltages in V, which follow by the filters' latency. Allocates nothing.
+        @param inputs   one per input: what is not finite counts as 0
+        @param outputs  one per ceramic
+        [audio thread] */
+    void process (Eigen::Ref<const Eigen::VectorXf> inputs, Eigen::Ref<Eigen::VectorXf> outputs);
+
+private:
+    void decimate();
+    void filter();
+    void addFiltered (const FilterBank&, float share);
+
+    const FilterBank* bank;
+    const FilterBank* next = nullptr;
+    Eigen::Index factor, phase = 0, fade, faded = 0;
+    Eigen::VectorXf decimation;
+    Eigen::MatrixXf interpolation; // 2 rateChangeReach + 1 x factor: the taps of each phase, those of the oldest first
+    SlidingWindow fast;            // inputs at the sample rate
+    std::vector<SlidingWindow> slow; // each input at the rate of the filters
+    SlidingWindow filtered;          // voltages at that rate
+    Eigen::VectorXf sum;
+};
+} // namespace antinode

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "FingerFilters.h"
+
+namespace antinode
+{
+/** What designTracks gives, by filters that play live: its tracks are inputs, and voltages follow them.
+    @throws InputError  as designFingerFilters and wantedAsPlayed
+    @throws TrackLimitError  for levels beyond the limits
+    @throws Cancelled   when a watch of this thread says no
+    [worker] Docs/Theory.md, section 4.15. */
+TrackDesign designLiveTracks (const ModalModel&, const WaveformsDescription&, const TrackSettings&,
+                              const ShowProgress& progress = {});
+} // namespace antinode
