@@ -73,6 +73,9 @@ void FocusPlayer::add (const Voice& voice, std::int64_t from, std::int64_t to, S
     if (from < voice.trigger + voice.focus->endSample)
         voice.focus->synthesiser.add (from - voice.trigger, count, voice.amplitude, channels);
 
+    if (const auto& samples = voice.focus->samples)
+        samples->add (from - voice.trigger, count, voice.amplitude, channels);
+
     if (const auto& brake = voice.focus->brake; brake && ! voice.holdsBrake)
     {
         const auto start = voice.trigger + voice.brakeDelay;

@@ -17,7 +17,7 @@ enum class AllocationMethod
     exact,       ///< Exact terminal rows within the voltage limit, soft guard modes: the default.
     minimumPeak, ///< Exact terminal rows at the least peak voltage.
     dictionary,  ///< The same with several drives per mode: near the least voltage of any waveform.
-    freeWaveform ///< Samples of any form, of the least energy within the voltage limit; offline only.
+    freeWaveform ///< Samples of any form, of the least energy within the voltage limit.
 };
 
 /** What a method mixes. */

@@ -143,12 +143,6 @@ void allocateProgram (FocusDesign& design, const ModalModel& model)
 
 void sampleProgram (FocusDesign& design, const ModalModel& model, DesignExtent extent)
 {
-    if (extent == DesignExtent::playable)
-        throw InputError (
-            "focus: allocation method",
-            "is 'free_waveform', which can be played offline only; use 'dictionary' in real time, which needs "
-            "nearly the same voltage");
-
     if (hasSlewLimits (model))
         throw InputError ("focus: allocation method",
                           "is 'free_waveform', which ignores the slew or current limit of this device; "
@@ -161,7 +155,10 @@ void sampleProgram (FocusDesign& design, const ModalModel& model, DesignExtent e
     auto waveform = freeWaveform (model, description, design.controlledModes, moment.wanted, limits, design.playback);
     design.growth.assign (design.controlledModes.size(), 0);
     design.cycles.assign (design.controlledModes.size(), 0);
-    design.intersamplePeakVoltage = intersamplePeak (waveform.voltages);
+
+    if (extent != DesignExtent::playable)
+        design.intersamplePeakVoltage = intersamplePeak (waveform.voltages);
+
     design.certificate = waveform.certificate;
     design.program.allocation.resize (model.actuators(), 0);
     design.program.voltageLimits = limits;

@@ -5,6 +5,7 @@
 #include <antinode_focus/DesignFocus.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace antinode
 {
@@ -16,6 +17,14 @@ constexpr auto partInterval = std::chrono::milliseconds (100); ///< Between part
 constexpr auto longDesign = std::chrono::milliseconds (250);
 
 constexpr auto lookInterval = std::chrono::milliseconds (5); ///< Between looks at the watch of those who wait.
+
+/** Of a note's place: whether all of them would fit into a bank, which is asked before the first of them is designed.
+ */
+void requireRoom (const PlayableFocus* focus, const DesignRequest& request, int place)
+{
+    if (focus != nullptr && place < FocusBank::notePlaces)
+        requireRoomInBank (*focus, request.places.size() + FocusBank::places - FocusBank::notePlaces);
+}
 } // namespace
 
 DesignWorker::DesignWorker (BankHandOver& handOverToUse) : handOver (handOverToUse), thread ([this] { run(); }) {}
@@ -215,8 +224,11 @@ bool DesignWorker::designPlace (const DesignRequest& request, int place, const F
 
     try
     {
+        requireRoom (bank.foci[FocusBank::livePlace].get(), request, place);
         const auto design = designFocus (*request.model, description, request.playback, DesignExtent::playable);
-        focus = std::make_shared<const PlayableFocus> (design.program, request.playback);
+        auto made = std::make_shared<const PlayableFocus> (design.program, request.playback);
+        requireRoom (made.get(), request, place);
+        focus = std::move (made);
     }
     catch (const Cancelled&)
     {

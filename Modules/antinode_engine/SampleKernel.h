@@ -1,0 +1,16 @@
+#pragma once
+
+namespace antinode
+{
+/** The loop of sampled voices, in the form for this processor: AVX-512, AVX2 with FMA, SSSE3 or plain C++. */
+template <typename Sample>
+struct SampleKernel
+{
+    /** Adds so many times the samples. Each sum is the same to the bit wherever in a block it stands. */
+    void (*addScaled) (const float* from, Sample amplitude, Sample* to, int count);
+};
+
+/** The kernel for the processor that runs; hwy::SetSupportedTargetsForTest chooses another one. [worker] */
+template <typename Sample>
+SampleKernel<Sample> sampleKernel();
+} // namespace antinode
