@@ -18,8 +18,8 @@ struct PlayableFocus
     /** @throws InputError  as VoltageSynthesiser and PlayableSamples [worker] allocates */
     PlayableFocus (const VoltageProgram&, Playback);
 
-    /** The channels that it takes where forces stand apart: its oscillations, brakes included, and of samples one a
-       ceramic. [any] */
+    /** The channels that it takes where forces stand apart: its oscillations, brakes included, and for samples the
+       ceramics. [any] */
     int forceCount() const
     {
         return synthesiser.oscillationCount() + (brake ? brake->designed().oscillationCount() : 0)

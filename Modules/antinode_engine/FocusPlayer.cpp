@@ -94,13 +94,16 @@ void FocusPlayer::renderFade (const Voice& voice, Sample* const* channels, int o
         const auto length = static_cast<int> (std::min<std::int64_t> (fadeChunk, to - at));
         auto* const* const scratch = scratchChannels<Sample>();
         add (voice, at, at + length, scratch);
+        const auto* const gains = fadeGains.data() + (at - voice.fadeStart);
 
         for (int i = 0; i < ceramics; ++i)
+        {
+            auto* const sums = channels[i] + offset + (at - clock);
+            const auto* const values = scratch[i];
+
             for (int n = 0; n < length; ++n)
-            {
-                const auto gain = fadeGains[static_cast<std::size_t> (at + n - voice.fadeStart)];
-                channels[i][offset + (at - clock) + n] += static_cast<Sample> (gain) * scratch[i][n];
-            }
+                sums[n] += static_cast<Sample> (gains[n]) * values[n];
+        }
     }
 }
 

@@ -18,7 +18,7 @@ struct ForceStretch
 /** The voices of FocusPlayer, with their force oscillations given as they are, before they are shared out among
     ceramics: a channel an oscillation, so many for each voice as its design has. Each focus of a bank has an
     allocation of its own; stretches() says which channels belong to which. Samples of a free waveform have no forces:
-    they take a channel a ceramic.
+    they take as many channels as there are ceramics.
 
     Voices take channels from a common stock while they play. Where a trigger finds too few of them, voices are cut
     for it, the one whose fade began first, else the oldest. Foci that need more channels than there are count
