@@ -231,6 +231,21 @@ double spillOverShare (const WideModel& wide, const FocusDesign& design)
     return largest;
 }
 
+double frequencyBeyond (const ModalModel& known, double sampleRate)
+{
+    constexpr auto playableMultiple = 60.0; // of the sample rate: what the plate model takes
+    return std::min (widePlay * known.frequencyHz (known.modes() - 1), playableMultiple * sampleRate);
+}
+
+FocusDesign designGuarding (const ModalModel& guarded, Eigen::Index known, FocusDescription description,
+                            Playback playback)
+{
+    description.modes.among = static_cast<int> (known);
+    auto design = designFocus (guarded, description, playback, DesignExtent::playable);
+    design.description.modes.among.reset();
+    return design;
+}
+
 FocusDesign designWithin (const WideModel& wide, const FocusDescription& description, Playback playback,
                           DesignExtent extent)
 {

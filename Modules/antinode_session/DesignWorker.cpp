@@ -2,7 +2,6 @@
 
 #include <antinode_base/Watch.h>
 #include <antinode_focus/BankPlaces.h>
-#include <antinode_focus/DesignFocus.h>
 
 #include <algorithm>
 #include <utility>
@@ -130,6 +129,7 @@ void DesignWorker::designBank (const DesignRequest& request, Clock::time_point a
                bank.foci.begin() + FocusBank::livePlace, nullptr);
     std::fill (bank.foci.begin() + FocusBank::firstTouchPlace, bank.foci.end(), nullptr);
     Places isDone {};
+    designer.begin (request);
 
     if (! designPlace (request, FocusBank::livePlace, request.focus))
         return;
@@ -225,7 +225,7 @@ bool DesignWorker::designPlace (const DesignRequest& request, int place, const F
     try
     {
         requireRoom (bank.foci[FocusBank::livePlace].get(), request, place);
-        const auto design = designFocus (*request.model, description, request.playback, DesignExtent::playable);
+        const auto design = designer.design (request, description);
         auto made = std::make_shared<const PlayableFocus> (design.program, request.playback);
         requireRoom (made.get(), request, place);
         focus = std::move (made);

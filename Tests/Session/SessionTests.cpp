@@ -1,7 +1,7 @@
 #include "PlayedSession.h"
 
 #include <antinode_engine/OfflineRender.h>
-#include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/SpillOver.h>
 
 #include <catch2/catch.hpp>
 
@@ -47,17 +47,20 @@ TEST_CASE ("A parameter that moves makes a new design, by itself", "[session]")
 
 TEST_CASE ("Free waveforms are a method as any other: played as rendered, never beyond the limit", "[session][sampled]")
 {
+    const auto method = GENERATE (AllocationMethod::freeWaveform, AllocationMethod::leastVoltage);
     test::PlayedSession played;
     played.change (
-        [] (PlaySettings& settings)
+        [method] (PlaySettings& settings)
         {
-            settings.method = AllocationMethod::freeWaveform;
+            settings.method = method;
             settings.voltageLimitVolts = 3;
         });
     played.prepare (rate);
     const auto now = played.session.snapshot();
-    REQUIRE (now->focus.allocation.method == AllocationMethod::freeWaveform);
-    const auto design = designFocus (*now->model, now->focus, now->playback, DesignExtent::playable);
+    REQUIRE (now->focus.allocation.method == method);
+    const auto wide =
+        solveWide (test::deviceNamed ("staple").description, *now->model, frequencyBeyond (*now->model, rate), true);
+    const auto design = designWithin (wide, now->focus, now->playback, DesignExtent::playable);
     RenderSettings settings;
     settings.playback = now->playback;
     settings.duration = 0.05;
