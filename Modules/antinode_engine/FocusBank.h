@@ -26,6 +26,9 @@ struct PlayableFocus
                + (samples ? samples->channelCount() : 0);
     }
 
+    /** Whether it plays anything but samples. [any] */
+    bool oscillates() const { return synthesiser.oscillationCount() > 0 || brake; }
+
     /** What its samples take of the memory. [any] */
     std::size_t sampleBytes() const { return samples ? samples->bytes() : 0; }
 

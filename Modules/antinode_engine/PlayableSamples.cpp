@@ -84,6 +84,23 @@ void PlayableSamples::add (std::int64_t first, int count, double amplitude, Samp
                                     channels[i] + offset + (from - first), static_cast<int> (to - from));
 }
 
+template <typename Sample>
+void PlayableSamples::addFaded (std::int64_t first, int count, double amplitude, const Sample* gains,
+                                Sample* const* channels) const
+{
+    const auto from = std::max (first, start), to = std::min (first + count, end);
+
+    if (from >= to)
+        return;
+
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        kernel<Sample>().addFaded (samples.channel (i) + (from - start), gains + (from - first),
+                                   static_cast<Sample> (amplitude), channels[i] + (from - first),
+                                   static_cast<int> (to - from));
+}
+
+template void PlayableSamples::addFaded (std::int64_t, int, double, const double*, double* const*) const;
+template void PlayableSamples::addFaded (std::int64_t, int, double, const float*, float* const*) const;
 template void PlayableSamples::add (std::int64_t, int, double, double* const*, std::ptrdiff_t) const;
 template void PlayableSamples::add (std::int64_t, int, double, float* const*, std::ptrdiff_t) const;
 } // namespace antinode

@@ -46,6 +46,12 @@ public:
     void add (std::int64_t first, int count, double amplitude, Sample* const* channels,
               std::ptrdiff_t offset = 0) const;
 
+    /** The same, where a voice fades.
+        @param gains  of each sample of the block
+        [audio thread] as add */
+    template <typename Sample>
+    void addFaded (std::int64_t first, int count, double amplitude, const Sample* gains, Sample* const* channels) const;
+
 private:
     template <typename Sample>
     const SampleKernel<Sample>& kernel() const;

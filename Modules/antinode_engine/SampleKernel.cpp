@@ -19,51 +19,77 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <typename Sample>
 constexpr int sampleLanes = static_cast<int> (hn::MaxLanes (hn::ScalableTag<Sample>()));
 
+/** So many samples in the precision of the sums. */
 template <typename Sample>
-void addVector (const float* from, Sample amplitude, Sample* to)
+auto loadSamples (const float* from)
 {
     const hn::ScalableTag<Sample> tag;
-    const auto gain = hn::Set (tag, amplitude);
 
     if constexpr (std::is_same_v<Sample, float>)
-        hn::StoreU (hn::MulAdd (gain, hn::LoadU (tag, from), hn::LoadU (tag, to)), tag, to);
+        return hn::LoadU (tag, from);
     else
-    {
-        const hn::Rebind<float, hn::ScalableTag<Sample>> half;
-        hn::StoreU (hn::MulAdd (gain, hn::PromoteTo (tag, hn::LoadU (half, from)), hn::LoadU (tag, to)), tag, to);
-    }
+        return hn::PromoteTo (tag, hn::LoadU (hn::Rebind<float, hn::ScalableTag<Sample>>(), from));
+}
+
+template <typename Sample>
+void addVector (const float* from, const Sample* gains, Sample amplitude, Sample* to)
+{
+    const hn::ScalableTag<Sample> tag;
+    auto gain = hn::Set (tag, amplitude);
+
+    if (gains != nullptr)
+        gain = hn::Mul (gain, hn::LoadU (tag, gains));
+
+    hn::StoreU (hn::MulAdd (gain, loadSamples<Sample> (from), hn::LoadU (tag, to)), tag, to);
 }
 
 /** What is left over goes through a whole vector too: a sum that is rounded once and one that is rounded twice differ.
- */
+    @param gains  none: all 1 */
 template <typename Sample>
-void addScaled (const float* from, Sample amplitude, Sample* to, int count)
+HWY_INLINE void addSamples (const float* from, const Sample* gains, Sample amplitude, Sample* to, int count)
 {
+    const auto isFaded = gains != nullptr;
     int n = 0;
 
     for (; n + sampleLanes<Sample> <= count; n += sampleLanes<Sample>)
-        addVector (from + n, amplitude, to + n);
+        addVector (from + n, isFaded ? gains + n : nullptr, amplitude, to + n);
 
     if (n == count)
         return;
 
     float last[sampleLanes<Sample>] {};
-    Sample sums[sampleLanes<Sample>] {};
+    Sample lastGains[sampleLanes<Sample>] {}, sums[sampleLanes<Sample>] {};
     std::copy (from + n, from + count, last);
     std::copy (to + n, to + count, sums);
-    addVector (last, amplitude, sums);
+
+    if (isFaded)
+        std::copy (gains + n, gains + count, lastGains);
+
+    addVector (last, isFaded ? lastGains : nullptr, amplitude, sums);
     std::copy_n (sums, count - n, to + n);
+}
+
+template <typename Sample>
+void addScaled (const float* from, Sample amplitude, Sample* to, int count)
+{
+    addSamples<Sample> (from, nullptr, amplitude, to, count);
+}
+
+template <typename Sample>
+void addFaded (const float* from, const Sample* gains, Sample amplitude, Sample* to, int count)
+{
+    addSamples<Sample> (from, gains, amplitude, to, count);
 }
 } // namespace
 
 SampleKernel<double> doubleSampleKernel()
 {
-    return { &addScaled<double> };
+    return { &addScaled<double>, &addFaded<double> };
 }
 
 SampleKernel<float> floatSampleKernel()
 {
-    return { &addScaled<float> };
+    return { &addScaled<float>, &addFaded<float> };
 }
 } // namespace antinode::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

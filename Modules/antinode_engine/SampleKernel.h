@@ -8,6 +8,9 @@ struct SampleKernel
 {
     /** Adds so many times the samples. Each sum is the same to the bit wherever in a block it stands. */
     void (*addScaled) (const float* from, Sample amplitude, Sample* to, int count);
+
+    /** The same, each sample times a gain of its own too. */
+    void (*addFaded) (const float* from, const Sample* gains, Sample amplitude, Sample* to, int count);
 };
 
 /** The kernel for the processor that runs; hwy::SetSupportedTargetsForTest chooses another one. [worker] */

@@ -87,7 +87,14 @@ TEST_CASE ("A voice of samples fades, and its focus falls on the note", "[engine
     const auto expected = placed (program, 10 + 720 - 480, 1, 1000);
     CHECK (player.latencySamples() == 720); // The later focus of the two.
     CHECK ((result - expected).leftCols (400).cwiseAbs().maxCoeff() < 1e-6 * 10);
-    CHECK (result.middleCols (410, 60).cwiseAbs().maxCoeff() > 0);
+
+    // The fade of 96 samples is half a period of a raised cosine.
+    for (int n = 0; n < 96; ++n)
+    {
+        const auto gain = 0.5 + 0.5 * std::cos (std::numbers::pi * (n + 1) / 96);
+        CHECK ((result.col (400 + n) - gain * expected.col (400 + n)).cwiseAbs().maxCoeff() < 1e-6 * 10);
+    }
+
     CHECK (result.rightCols (1000 - 400 - 96).cwiseAbs().maxCoeff() == 0);
 }
 
