@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace antinode
 {
@@ -32,9 +33,9 @@ DualPoint pointAt (const WaveformDual& dual, Eigen::VectorXd y, Eigen::MatrixXd 
 }
 
 /** The Newton step; the curvature is lifted until it can be factored and leads upwards. */
-Eigen::VectorXd newtonStep (const WaveformDual& dual, const DualPoint& point)
+Eigen::VectorXd newtonStep (const WaveformDual& dual, const DualPoint& point, FreeGrams& seen)
 {
-    const auto curvature = dual.curvature (point.pulls);
+    const auto curvature = dual.curvature (point.pulls, seen);
 
     for (auto lift = 1e-13;; lift *= 100)
     {
@@ -128,7 +129,7 @@ struct DualSummit
     int iterations = 0;
 };
 
-DualSummit climb (const WaveformDual& dual, const Eigen::VectorXd& start)
+DualSummit climb (const WaveformDual& dual, const Eigen::VectorXd& start, FreeGrams& seen)
 {
     DualSummit summit;
     summit.point = pointAt (dual, start, dual.computePulls (start));
@@ -144,7 +145,7 @@ DualSummit climb (const WaveformDual& dual, const Eigen::VectorXd& start)
 
     for (; isOpen() && summit.peakBound <= 1 && summit.iterations < maximumWaveformSteps; ++summit.iterations)
     {
-        const auto step = newtonStep (dual, point);
+        const auto step = newtonStep (dual, point, seen);
         const auto change = dual.computePulls (step);
         const Eigen::VectorXd next = point.multipliers + bestLength (dual, point, step, change) * step;
         point = pointAt (dual, next, dual.computePulls (next));
@@ -155,19 +156,51 @@ DualSummit climb (const WaveformDual& dual, const Eigen::VectorXd& start)
 }
 
 /** The multipliers that would do without limits. */
-Eigen::VectorXd unlimitedMultipliers (const WaveformDual& dual)
+Eigen::VectorXd unlimitedMultipliers (const WaveformDual& dual, FreeGrams& seen)
 {
     const Eigen::VectorXd none = Eigen::VectorXd::Zero (dual.wanted.size());
-    return newtonStep (dual, { none, dual.wanted, dual.computePulls (none) });
+    return newtonStep (dual, { none, dual.wanted, dual.computePulls (none) }, seen);
+}
+
+/** Lowers the caps to so many times the peak bound that is known, which each attempt makes tighter, until they are
+   kept.
+    @return  the summit, its bound in terms of the caps as they were, and the share of them that is left */
+std::pair<DualSummit, double> climbNearBound (WaveformDual& dual, const Eigen::VectorXd& start, double nearness,
+                                              FreeGrams& seen)
+{
+    constexpr auto leastRise = 1.02; // where an attempt proves nothing new
+    auto bound = computePeakBound (dual, start);
+    auto share = std::min (1.0, nearness * bound);
+    dual.caps *= share;
+
+    for (;;)
+    {
+        auto summit = climb (dual, start, seen);
+        bound = std::max (bound, share * summit.peakBound);
+
+        if (summit.residual <= acceptedResidual || share == 1)
+        {
+            summit.peakBound = bound;
+            return { summit, share };
+        }
+
+        const auto next = std::min (1.0, std::max (nearness * bound, leastRise * share));
+        dual.caps *= next / share;
+        share = next;
+    }
 }
 } // namespace
 
 BoundedWaveform solveBoundedWaveform (const BoundedWaveformProblem& problem)
 {
-    const WaveformDual dual (problem);
-    const auto summit = climb (dual, unlimitedMultipliers (dual));
+    WaveformDual dual (problem);
+    auto seen = dual.freeGrams();
+    const auto start = unlimitedMultipliers (dual, seen);
+    const auto [summit, share] = problem.nearness > 0 ? climbNearBound (dual, start, problem.nearness, seen)
+                                                      : std::pair (climb (dual, start, seen), 1.0);
     const auto& point = summit.point;
     BoundedWaveform result;
+    result.limitShare = share;
     const auto scaled = dual.clipped (point.pulls);
     result.samples = scaled * dual.roots.cwiseInverse().asDiagonal();
     result.multipliers = dual.scale.cwiseProduct (point.multipliers);

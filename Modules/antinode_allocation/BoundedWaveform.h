@@ -19,6 +19,7 @@ struct BoundedWaveformProblem
     Eigen::VectorXd compliance;    ///< N_r, at least 0.
     Eigen::VectorXd limits;        ///< N_b, V, more than 0.
     Eigen::VectorXd costs;         ///< N_s: of each sample's energy, more than 0; empty: 1 each.
+    double nearness = 0; ///< Above 1: the limits are lowered to so many times the peak bound. 0: they are as given.
 };
 
 /** An answer, with what proves it. */
@@ -32,6 +33,7 @@ struct BoundedWaveform
     double objective = 0;        ///< What is minimised.
     double bound = 0;            ///< No samples within the limits that meet the hard rows have less (weak duality).
     double peakBound = 0;        ///< No samples that meet the hard rows have a smaller max |u (i, n)| / limits (i).
+    double limitShare = 1;       ///< Of the limits, what the samples kept; below 1 where they were lowered.
     int iterations = 0;
 };
 

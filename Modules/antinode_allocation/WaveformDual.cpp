@@ -3,25 +3,8 @@
 #include <antinode_base/Watch.h>
 #include <antinode_numerics/DenseKernels.h>
 
-#include <cmath>
-
 namespace antinode
 {
-namespace
-{
-/** Where the samples of one ceramic are not at their limit. */
-std::vector<Eigen::Index> freeSamples (const Eigen::MatrixXd& pulls, const Eigen::MatrixXd& caps, Eigen::Index i)
-{
-    std::vector<Eigen::Index> found;
-
-    for (Eigen::Index n = 0; n < pulls.cols(); ++n)
-        if (std::abs (pulls (i, n)) < caps (i, n))
-            found.push_back (n);
-
-    return found;
-}
-} // namespace
-
 WaveformDual::WaveformDual (const BoundedWaveformProblem& problem)
     : roots (Eigen::VectorXd::Ones (problem.weights.cols())), participation (problem.participation)
 {
@@ -81,14 +64,15 @@ double WaveformDual::objective (const Eigen::MatrixXd& samples) const
     return 0.5 * (samples.squaredNorm() + soft);
 }
 
-Eigen::MatrixXd WaveformDual::curvature (const Eigen::MatrixXd& pulls) const
+Eigen::MatrixXd WaveformDual::curvature (const Eigen::MatrixXd& pulls, FreeGrams& seen) const
 {
     Eigen::MatrixXd sum = compliance.asDiagonal();
+    seen.follow (pulls, caps);
 
     for (Eigen::Index i = 0; i < pulls.rows(); ++i)
     {
         checkWatch();
-        const Eigen::MatrixXd part = seenBy (freeSamples (pulls, caps, i));
+        const auto& part = seen.of (i);
         const auto column = participation.col (i);
 
         for (Eigen::Index k = 0; k < sum.cols(); ++k)
@@ -97,33 +81,5 @@ Eigen::MatrixXd WaveformDual::curvature (const Eigen::MatrixXd& pulls) const
     }
 
     return sum;
-}
-
-/** The lower triangle of W W' over some samples: over them, or over all less the others, whichever are fewer. */
-Eigen::MatrixXd WaveformDual::seenBy (const std::vector<Eigen::Index>& samples) const
-{
-    const auto count = static_cast<Eigen::Index> (samples.size());
-
-    if (count == weights.cols())
-        return gram;
-
-    if (2 * count <= weights.cols())
-    {
-        Eigen::MatrixXd part = Eigen::MatrixXd::Zero (gram.rows(), gram.cols());
-        addGram (part, 1, weights (Eigen::all, samples));
-        return part;
-    }
-
-    std::vector<Eigen::Index> others;
-
-    for (Eigen::Index n = 0, next = 0; n < weights.cols(); ++n)
-        if (next < count && samples[static_cast<std::size_t> (next)] == n)
-            ++next;
-        else
-            others.push_back (n);
-
-    Eigen::MatrixXd part = gram;
-    addGram (part, -1, weights (Eigen::all, others));
-    return part;
 }
 } // namespace antinode

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "BoundedWaveform.h"
-
-#include <vector>
+#include "FreeGrams.h"
 
 namespace antinode
 {
@@ -27,7 +26,10 @@ public:
 
     /** The matrix of the Newton step: compliance and the rows as the samples within the limits see them. Lower
         triangle. */
-    Eigen::MatrixXd curvature (const Eigen::MatrixXd& pulls) const;
+    Eigen::MatrixXd curvature (const Eigen::MatrixXd& pulls, FreeGrams&) const;
+
+    /** For the curvature: all samples are free. It refers to this. */
+    FreeGrams freeGrams() const { return { weights, gram, participation.cols() }; }
 
     Eigen::VectorXd roots; ///< N_s: of the costs. Samples here are so many times those of the problem.
     Eigen::MatrixXd caps;  ///< N_b x N_s: the limits of samples.
@@ -35,8 +37,6 @@ public:
     Eigen::VectorXd wanted, compliance, scale;
 
 private:
-    Eigen::MatrixXd seenBy (const std::vector<Eigen::Index>& samples) const;
-
     Eigen::MatrixXd gram;
 };
 } // namespace antinode

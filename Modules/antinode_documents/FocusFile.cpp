@@ -23,6 +23,7 @@ constexpr NumberRange growth { 0, 1000 };
 constexpr NumberRange brake { 1, 1000, true };
 constexpr NumberRange brakeMilliseconds { 1, 1000 };
 constexpr NumberRange guardWeight { 0, 1e12 };
+constexpr NumberRange timesBound { 1.02, 100 };
 constexpr NumberRange robustWeight { 0, 1e9, true };
 constexpr NumberRange feltWeight { 0, 1e6 };
 constexpr NumberRange feltAfter { 5, 100 }; // below, it is the shortness that takes volts
@@ -178,8 +179,8 @@ bool readDisplacement (const JsonValue& value, AllocationMethod method, bool isR
 
 AllocationChoice readAllocation (const JsonValue& value)
 {
-    const auto object = value.object (
-        { "method", "voltage_limit_V", "guard_modes", "guard_weight", "window_ms", "displacement", "robust" });
+    const auto object = value.object ({ "method", "voltage_limit_V", "guard_modes", "guard_weight", "window_ms",
+                                        "displacement", "robust", "times_bound" });
     AllocationChoice allocation;
 
     if (const auto method = object.optional ("method"))
@@ -204,6 +205,14 @@ AllocationChoice readAllocation (const JsonValue& value)
             robust->fail ("is given with a method other than " + allowed + "; allowed only with " + allowed);
 
         allocation.robust = readRobustness (*robust);
+    }
+
+    if (const auto times = object.optional ("times_bound"))
+    {
+        if (allocation.method != AllocationMethod::leastVoltage)
+            times->fail ("is given with a method other than least_voltage; allowed only with least_voltage");
+
+        allocation.timesBound = times->number (timesBound);
     }
 
     return allocation;
@@ -237,7 +246,7 @@ FeltChoice readFelt (const JsonValue& value, const FocusDescription& focus)
     const auto object = value.object ({ "at", "weight", "after_ms" });
     FeltChoice felt;
 
-    if (methodTraits (focus.allocation.method).waveforms != AllocatedWaveforms::samples)
+    if (focus.allocation.method != AllocationMethod::freeWaveform)
         value.fail ("is given with a method other than free_waveform; allowed only with free_waveform");
 
     if (focus.transients.brake || focus.transients.brakeDuration)

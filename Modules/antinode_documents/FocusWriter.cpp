@@ -93,6 +93,8 @@ Json allocationToJson (const AllocationChoice& allocation)
     if (allocation.robust)
         object["robust"] = robustnessToJson (*allocation.robust);
 
+    put (object, "times_bound", allocation.timesBound);
+
     return object;
 }
 

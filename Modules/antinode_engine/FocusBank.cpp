@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace antinode
 {
@@ -15,6 +16,7 @@ VoltageProgram selectPart (const VoltageProgram& program, bool brakes)
     auto part = program;
     std::vector<Eigen::Index> columns;
     part.oscillations.clear();
+    part.samples.reset();
 
     for (std::size_t c = 0; c < program.oscillations.size(); ++c)
         if (program.oscillations[c].isBrake() == brakes)
@@ -27,16 +29,6 @@ VoltageProgram selectPart (const VoltageProgram& program, bool brakes)
     return part;
 }
 
-/** @throws InputError  for sampled voltages, which fit one sample rate and one instant only */
-const VoltageProgram& requireOscillations (const VoltageProgram& program)
-{
-    if (program.samples)
-        throw InputError ("voltage program", "is a free waveform, which can be played offline only; use the allocation "
-                                             "'dictionary' in real time");
-
-    return program;
-}
-
 bool hasBrake (const VoltageProgram& program)
 {
     const auto count = std::count_if (program.oscillations.begin(), program.oscillations.end(),
@@ -46,7 +38,7 @@ bool hasBrake (const VoltageProgram& program)
 } // namespace
 
 PlayableFocus::PlayableFocus (const VoltageProgram& program, Playback playback)
-    : PlayableFocus (requireOscillations (program), playback, hasBrake (program))
+    : PlayableFocus (program, playback, hasBrake (program))
 {
 }
 
@@ -68,6 +60,13 @@ PlayableFocus::PlayableFocus (const VoltageProgram& program, Playback playback, 
 
     if (isBraked)
         brake.emplace (selectPart (program, true), playback);
+
+    if (program.samples)
+    {
+        samples.emplace (program, playback, synthesiser.focusSample());
+        firstSample = std::min (firstSample, samples->startSample());
+        endSample = std::max (endSample, samples->endSample());
+    }
 }
 
 std::int64_t FocusBank::latestFocusSample() const
@@ -79,5 +78,19 @@ std::int64_t FocusBank::latestFocusSample() const
             latest = std::max (latest, focus->synthesiser.focusSample());
 
     return latest;
+}
+
+void requireRoomInBank (const PlayableFocus& focus, std::size_t foci)
+{
+    constexpr double mebibyte = 1024 * 1024;
+    const auto needed = std::ceil (static_cast<double> (focus.sampleBytes()) / mebibyte * static_cast<double> (foci));
+    const auto allowed = static_cast<double> (FocusBank::mostSampleBytes) / mebibyte;
+
+    if (needed > allowed)
+        throw InputError ("bank of foci", "needs " + std::to_string (std::llround (needed)) + " MiB for the samples of "
+                                              + std::to_string (foci)
+                                              + " places; allowed: " + std::to_string (std::llround (allowed))
+                                              + " MiB; choose a shorter focus time, a lower sample rate, 'dictionary' "
+                                                "instead of 'free_waveform', or notes that play the focus alone");
 }
 } // namespace antinode

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "PlayableBrake.h"
+#include "PlayableSamples.h"
 #include "VoltageSynthesiser.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -13,19 +15,28 @@ namespace antinode
 /** A designed focus, ready to play; read-only. */
 struct PlayableFocus
 {
-    /** @throws InputError  as VoltageSynthesiser, and for a free waveform [worker] allocates */
+    /** @throws InputError  as VoltageSynthesiser and PlayableSamples [worker] allocates */
     PlayableFocus (const VoltageProgram&, Playback);
 
-    /** The number of oscillations, brakes included. [any] */
-    int oscillationCount() const
+    /** The channels that it takes where forces stand apart: its oscillations, brakes included, and for samples the
+       ceramics. [any] */
+    int forceCount() const
     {
-        return synthesiser.oscillationCount() + (brake ? brake->designed().oscillationCount() : 0);
+        return synthesiser.oscillationCount() + (brake ? brake->designed().oscillationCount() : 0)
+               + (samples ? samples->channelCount() : 0);
     }
 
-    VoltageSynthesiser synthesiser;     ///< Plays everything but the brakes.
-    std::int64_t firstSample = 0;       ///< From the trigger: none of these sounds before it,
-    std::int64_t endSample = 0;         ///< and none from it on.
-    std::optional<PlayableBrake> brake; ///< None if there are no brakes, or more than can be held.
+    /** Whether it plays anything but samples. [any] */
+    bool oscillates() const { return synthesiser.oscillationCount() > 0 || brake; }
+
+    /** What its samples take of the memory. [any] */
+    std::size_t sampleBytes() const { return samples ? samples->bytes() : 0; }
+
+    VoltageSynthesiser synthesiser;         ///< Plays all oscillations but the brakes.
+    std::optional<PlayableSamples> samples; ///< Of a free waveform.
+    std::int64_t firstSample = 0;           ///< From the trigger: none of these sounds before it,
+    std::int64_t endSample = 0;             ///< and none from it on.
+    std::optional<PlayableBrake> brake;     ///< None if there are no brakes, or more than can be held.
 
 private:
     PlayableFocus (const VoltageProgram&, Playback, bool isBraked);
@@ -40,6 +51,7 @@ struct FocusBank
     static constexpr int firstTouchPlace = livePlace + 1;
     static constexpr int touchPlaces = 16;
     static constexpr int places = firstTouchPlace + touchPlaces;
+    static constexpr std::size_t mostSampleBytes = 256U << 20U; ///< Of all places together.
 
     std::array<std::shared_ptr<const PlayableFocus>, places> foci;
 
@@ -47,4 +59,9 @@ struct FocusBank
      */
     std::int64_t latestFocusSample() const;
 };
+
+/** Whether a bank has room for as many foci like this one.
+    @throws InputError  where their samples would take more than mostSampleBytes
+    [any] */
+void requireRoomInBank (const PlayableFocus&, std::size_t foci);
 } // namespace antinode

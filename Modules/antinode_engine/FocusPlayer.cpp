@@ -30,6 +30,21 @@ FocusPlayer::FocusPlayer (int ceramicsToUse, double sampleRate, PlayerSettings p
     channelsFloat = pointersInto (scratchFloat, count, fadeChunk);
     shiftedDouble.resize (count);
     shiftedFloat.resize (count);
+
+    for (const auto gain : fadeGains)
+        floatGains.push_back (static_cast<float> (gain));
+}
+
+template <>
+const double* FocusPlayer::gainsFrom<double> (std::int64_t sampleOfFade) const
+{
+    return fadeGains.data() + sampleOfFade;
+}
+
+template <>
+const float* FocusPlayer::gainsFrom<float> (std::int64_t sampleOfFade) const
+{
+    return floatGains.data() + sampleOfFade;
 }
 
 template <>
@@ -66,7 +81,8 @@ Sample* const* FocusPlayer::shiftedBy (std::int64_t samples, Sample* const* chan
 
 /** Adds samples of the player's clock, as they are without a fade. */
 template <typename Sample>
-void FocusPlayer::add (const Voice& voice, std::int64_t from, std::int64_t to, Sample* const* channels) const
+void FocusPlayer::addOscillations (const Voice& voice, std::int64_t from, std::int64_t to,
+                                   Sample* const* channels) const
 {
     const auto count = static_cast<int> (to - from);
 
@@ -83,22 +99,37 @@ void FocusPlayer::add (const Voice& voice, std::int64_t from, std::int64_t to, S
 }
 
 template <typename Sample>
-void FocusPlayer::renderFade (const Voice& voice, Sample* const* channels, int offset, std::int64_t from,
-                              std::int64_t to)
+void FocusPlayer::fadeOscillations (const Voice& voice, Sample* const* channels, int offset, std::int64_t from,
+                                    std::int64_t to)
 {
     for (auto at = from; at < to; at += fadeChunk)
     {
         const auto length = static_cast<int> (std::min<std::int64_t> (fadeChunk, to - at));
         auto* const* const scratch = scratchChannels<Sample>();
-        add (voice, at, at + length, scratch);
+        addOscillations (voice, at, at + length, scratch);
+        const auto* const gains = gainsFrom<Sample> (at - voice.fadeStart);
 
         for (int i = 0; i < ceramics; ++i)
+        {
+            auto* const sums = channels[i] + offset + (at - clock);
+            const auto* const values = scratch[i];
+
             for (int n = 0; n < length; ++n)
-            {
-                const auto gain = fadeGains[static_cast<std::size_t> (at + n - voice.fadeStart)];
-                channels[i][offset + (at - clock) + n] += static_cast<Sample> (gain) * scratch[i][n];
-            }
+                sums[n] += gains[n] * values[n];
+        }
     }
+}
+
+template <typename Sample>
+void FocusPlayer::renderFade (const Voice& voice, Sample* const* channels, int offset, std::int64_t from,
+                              std::int64_t to)
+{
+    if (voice.focus->oscillates())
+        fadeOscillations (voice, channels, offset, from, to);
+
+    if (const auto& samples = voice.focus->samples; samples && from < to)
+        samples->addFaded (from - voice.trigger, static_cast<int> (to - from), voice.amplitude,
+                           gainsFrom<Sample> (from - voice.fadeStart), shiftedBy (offset + (from - clock), channels));
 }
 
 template <typename Sample>
@@ -109,7 +140,13 @@ void FocusPlayer::renderVoice (const Voice& voice, Sample* const* channels, int 
     const auto fadeBegin = std::clamp (voice.fadeStart, begin, std::max (begin, end));
 
     if (fadeBegin > begin)
-        add (voice, begin, fadeBegin, shiftedBy (offset + (begin - clock), channels));
+    {
+        auto* const* const shifted = shiftedBy (offset + (begin - clock), channels);
+        addOscillations (voice, begin, fadeBegin, shifted);
+
+        if (const auto& samples = voice.focus->samples)
+            samples->add (begin - voice.trigger, static_cast<int> (fadeBegin - begin), voice.amplitude, shifted);
+    }
 
     renderFade (voice, channels, offset, fadeBegin, end);
 }

@@ -31,18 +31,22 @@ private:
     template <typename Sample>
     void render (Sample* const* channels, int offset, int count);
     template <typename Sample>
-    void add (const Voice&, std::int64_t from, std::int64_t to, Sample* const* channels) const;
+    void addOscillations (const Voice&, std::int64_t from, std::int64_t to, Sample* const* channels) const;
     template <typename Sample>
     void renderVoice (const Voice&, Sample* const* channels, int offset, int count);
     template <typename Sample>
     void renderFade (const Voice&, Sample* const* channels, int offset, std::int64_t from, std::int64_t to);
+    template <typename Sample>
+    void fadeOscillations (const Voice&, Sample* const* channels, int offset, std::int64_t from, std::int64_t to);
+    template <typename Sample>
+    const Sample* gainsFrom (std::int64_t sampleOfFade) const;
     template <typename Sample>
     Sample* const* scratchChannels();
     template <typename Sample>
     Sample* const* shiftedBy (std::int64_t samples, Sample* const* channels);
 
     std::vector<double> scratchDouble;
-    std::vector<float> scratchFloat;
+    std::vector<float> scratchFloat, floatGains; ///< The latter as fadeGains.
     std::vector<double*> channelsDouble, shiftedDouble;
     std::vector<float*> channelsFloat, shiftedFloat;
 };

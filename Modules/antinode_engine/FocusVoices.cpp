@@ -15,11 +15,10 @@ namespace
 constexpr double longestFade = 1; // s
 } // namespace
 
-FocusVoices::FocusVoices (int ceramicsToUse, double sampleRate, PlayerSettings settingsToUse,
-                          int maximumOscillationsToUse)
+FocusVoices::FocusVoices (int ceramicsToUse, double sampleRate, PlayerSettings settingsToUse, int maximumForcesToUse)
     : ceramics (ceramicsToUse),
       fadeLength (std::max<std::int64_t> (1, std::llround (settingsToUse.fadeTime * sampleRate))),
-      settings (settingsToUse), maximumOscillations (maximumOscillationsToUse)
+      settings (settingsToUse), maximumForces (maximumForcesToUse)
 {
     if (ceramics < 1 || ! (sampleRate > 0 && std::isfinite (sampleRate)))
         throw InputError ("player", "needs at least one ceramic and a positive sample rate");
@@ -212,8 +211,7 @@ void FocusVoices::trigger (const FocusEvent& event)
     const auto* const focus =
         bank != nullptr && isPlace ? bank->foci[static_cast<std::size_t> (event.place)].get() : nullptr;
 
-    if (focus == nullptr || focus->synthesiser.channelCount() != ceramics
-        || focus->oscillationCount() > maximumOscillations)
+    if (focus == nullptr || focus->synthesiser.channelCount() != ceramics || focus->forceCount() > maximumForces)
     {
         ++counts.empty;
         return;

@@ -93,10 +93,10 @@ protected:
     };
 
     /** @param ceramics          of the foci that are played: others count as empty
-        @param maximumOscillations  foci with more count as empty
+        @param maximumForces     foci with a larger forceCount() count as empty
         @throws InputError       as FocusPlayer
         [worker] allocates */
-    FocusVoices (int ceramics, double sampleRate, PlayerSettings, int maximumOscillations);
+    FocusVoices (int ceramics, double sampleRate, PlayerSettings, int maximumForces);
 
     /** Nothing may be processing. [worker] */
     ~FocusVoices();
@@ -170,7 +170,7 @@ private:
     void fadeWhere (Condition);
 
     PlayerSettings settings;
-    int maximumOscillations;
+    int maximumForces;
     std::int64_t latency = 0;
     BankHandOver exchange;
     std::array<UsedBank, allVoices + 2> banks {};

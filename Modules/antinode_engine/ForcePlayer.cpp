@@ -8,8 +8,8 @@ namespace antinode
 ForcePlayer::ForcePlayer (int ceramicsToUse, double sampleRate, PlayerSettings playerSettings, int channels)
     : FocusVoices (ceramicsToUse, sampleRate, playerSettings, channels), stock (channels)
 {
-    // A focus and its brake of every voice that sounds when a block begins, or begins in it.
-    listed.reserve (2 * (allVoices + maximumEvents));
+    // The parts of every voice that sounds when a block begins, or begins in it.
+    listed.reserve (partKinds * (allVoices + maximumEvents));
 }
 
 bool ForcePlayer::hasRoom (const Voice& voice) const
@@ -48,7 +48,7 @@ int ForcePlayer::freeChannel (const Voice& voice, int size) const
 
 void ForcePlayer::makeRoom (const Voice& voice)
 {
-    const auto size = voice.focus->oscillationCount();
+    const auto size = voice.focus->forceCount();
     auto first = freeChannel (voice, size);
 
     while (first < 0 && cutAnother (voice))
@@ -66,7 +66,7 @@ void ForcePlayer::makeRooms (int count)
             makeRoom (voice);
 }
 
-void ForcePlayer::list (const Voice& voice, const Part& part, int first, int offset)
+void ForcePlayer::list (const Voice& voice, const Part& part, int offset)
 {
     const auto from = offset + static_cast<int> (part.from - clock), to = offset + static_cast<int> (part.to - clock);
     auto& entry = rooms[voiceIndex (voice)].entries[static_cast<std::size_t> (part.kind)];
@@ -79,27 +79,30 @@ void ForcePlayer::list (const Voice& voice, const Part& part, int first, int off
     }
 
     entry = std::ssize (listed);
-    listed.push_back ({ &part.design, first, from, to, 2 * static_cast<int> (voiceIndex (voice)) + part.kind });
+    listed.push_back (
+        { part.design, part.first, from, to, partKinds * static_cast<int> (voiceIndex (voice)) + part.kind });
 }
 
 template <typename Sample>
 void ForcePlayer::renderPart (const Voice& voice, const Part& part, Sample* const* channels, int offset)
 {
-    const auto first =
-        rooms[voiceIndex (voice)].first + (part.kind == 0 ? 0 : voice.focus->synthesiser.oscillationCount());
-    list (voice, part, first, offset);
+    list (voice, part, offset);
     const auto begin = offset + (part.from - clock);
     const auto count = static_cast<int> (part.to - part.from);
     const auto fadeBegin = std::clamp (voice.fadeStart, part.from, part.to);
+    auto* const* const own = channels + part.first;
 
-    for (int c = first; c < first + part.design.oscillationCount(); ++c)
-        std::fill_n (channels[c] + begin, count, Sample (0));
+    for (int c = 0; c < part.size; ++c)
+        std::fill_n (own[c] + begin, count, Sample (0));
 
-    part.design.addForces (part.from - part.start, count, voice.amplitude, channels + first, begin, part.factors);
+    if (part.design != nullptr)
+        part.design->addForces (part.from - part.start, count, voice.amplitude, own, begin, part.factors);
+    else
+        voice.focus->samples->add (part.from - part.start, count, voice.amplitude, own, begin);
 
-    for (int c = first; c < first + part.design.oscillationCount(); ++c)
+    for (int c = 0; c < part.size; ++c)
         for (auto n = fadeBegin; n < part.to; ++n)
-            channels[c][offset + (n - clock)] *=
+            own[c][offset + (n - clock)] *=
                 static_cast<Sample> (fadeGains[static_cast<std::size_t> (n - voice.fadeStart)]);
 }
 
@@ -113,17 +116,29 @@ void ForcePlayer::renderVoice (const Voice& voice, Sample* const* channels, int 
     if (from >= to)
         return;
 
+    const auto oscillations = focus.synthesiser.oscillationCount();
+    auto first = rooms[voiceIndex (voice)].first;
+
     if (from < voice.trigger + focus.endSample)
-        renderPart<Sample> (voice, { focus.synthesiser, 0, voice.trigger, from, to, nullptr }, channels, offset);
+        renderPart<Sample> (voice, { &focus.synthesiser, 0, first, oscillations, voice.trigger, from, to, nullptr },
+                            channels, offset);
+
+    first += oscillations;
+
+    if (focus.samples && from < voice.trigger + focus.samples->endSample())
+        renderPart<Sample> (voice, { nullptr, 2, first, ceramics, voice.trigger, from, to, nullptr }, channels, offset);
 
     if (! focus.brake || voice.holdsBrake)
         return;
 
+    first += focus.samples ? ceramics : 0;
     const auto start = voice.trigger + voice.brakeDelay;
+    const auto& brake = focus.brake->designed();
 
     if (to > start + focus.brake->startSample())
-        renderPart<Sample> (voice, { focus.brake->designed(), 1, start, from, to, findBrakeFactors (voice) }, channels,
-                            offset);
+        renderPart<Sample> (voice,
+                            { &brake, 1, first, brake.oscillationCount(), start, from, to, findBrakeFactors (voice) },
+                            channels, offset);
 }
 
 template <typename Sample>
@@ -134,7 +149,7 @@ void ForcePlayer::process (Sample* const* channels, int count, std::span<const F
     listed.clear();
 
     for (auto& room : rooms)
-        room.entries = { -1, -1 };
+        room.entries = { -1, -1, -1 };
 
     playStretches (count, events.first (std::min (events.size(), maximumEvents)),
                    [&] (int offset, int length)

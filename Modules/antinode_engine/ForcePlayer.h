@@ -5,10 +5,11 @@
 namespace antinode
 {
 /** Where the oscillations of a voice lie in a block of forces, and by which design they are shared out among
-    ceramics. */
+    ceramics; or where its samples lie, which are voltages already. */
 struct ForceStretch
 {
     const VoltageSynthesiser* design = nullptr; ///< Channel first + c is its oscillation c; its mix() shares them out.
+                                                ///< None: channel first + i is the voltage of ceramic i, V.
     int first = 0;                              ///< Channel.
     int from = 0, to = 0;                       ///< The samples from .. to - 1 of the block.
     int rank = 0; ///< Stretches stand in this order, so that sums are the same to the bit however time is cut.
@@ -16,11 +17,12 @@ struct ForceStretch
 
 /** The voices of FocusPlayer, with their force oscillations given as they are, before they are shared out among
     ceramics: a channel an oscillation, so many for each voice as its design has. Each focus of a bank has an
-    allocation of its own; stretches() says which channels belong to which.
+    allocation of its own; stretches() says which channels belong to which. Samples of a free waveform have no forces:
+    they take as many channels as there are ceramics.
 
     Voices take channels from a common stock while they play. Where a trigger finds too few of them, voices are cut
-    for it, the one whose fade began first, else the oldest. Foci with more oscillations than there are channels
-    count as empty. Docs/Decisions/0038-open-graph-and-plate.md. */
+    for it, the one whose fade began first, else the oldest. Foci that need more channels than there are count
+    as empty. Docs/Decisions/0038-open-graph-and-plate.md. */
 class ForcePlayer : public FocusVoices
 {
 public:
@@ -41,19 +43,22 @@ public:
     std::span<const ForceStretch> stretches() const { return listed; }
 
 private:
-    /** The channels of a voice, and where its design and its brake stand in the list. */
+    static constexpr int partKinds = 3; ///< Of a focus its oscillations, its brake, its samples.
+
+    /** The channels of a voice, and where its parts stand in the list. */
     struct Room
     {
         std::int64_t order = -1; ///< Of the voice that it was made for.
         int first = 0, size = 0;
-        std::array<std::ptrdiff_t, 2> entries { -1, -1 };
+        std::array<std::ptrdiff_t, partKinds> entries { -1, -1, -1 };
     };
 
-    /** A design or a brake that plays some samples of the clock. */
+    /** A part of a focus that plays some samples of the clock. */
     struct Part
     {
-        const VoltageSynthesiser& design;
-        int kind; ///< 0: the focus, 1: its brake.
+        const VoltageSynthesiser* design; ///< None: the samples.
+        int kind;                         ///< 0: the focus, 1: its brake, 2: its samples.
+        int first, size;                  ///< Its channels.
         std::int64_t start, from, to;
         const std::complex<double>* factors;
     };
@@ -62,7 +67,7 @@ private:
     int freeChannel (const Voice&, int size) const;
     void makeRoom (const Voice&);
     void makeRooms (int count);
-    void list (const Voice&, const Part&, int first, int offset);
+    void list (const Voice&, const Part&, int offset);
     template <typename Sample>
     void renderVoice (const Voice&, Sample* const* channels, int offset, int count);
     template <typename Sample>

@@ -1,5 +1,6 @@
 #include "OfflineRender.h"
 
+#include "PlayableSamples.h"
 #include "VoltageLimiter.h"
 #include "VoltageSynthesiser.h"
 
@@ -105,25 +106,7 @@ PlacedSamples placedSamples (const VoltageProgram& program, Playback playback, s
     if (! program.samples)
         return {};
 
-    const auto& samples = *program.samples;
-    const auto made = samples.playback;
-
-    if (made.sampleRate != playback.sampleRate || made.reconstruction != playback.reconstruction)
-    {
-        const auto reconstructionName = [] (Reconstruction reconstruction)
-        { return reconstruction == Reconstruction::bandLimited ? "band_limited" : "zero_order_hold"; };
-        throw InputError ("sample rate",
-                          text ("is ", playback.sampleRate, " Hz, ", reconstructionName (playback.reconstruction),
-                                ", but this free waveform was designed for ", made.sampleRate, " Hz, ",
-                                reconstructionName (made.reconstruction), "; design it again for ", playback.sampleRate,
-                                " Hz"));
-    }
-
-    if (samples.values.rows() != program.voltageLimits.size())
-        throw InputError ("voltage program", "needs samples for every ceramic of the device");
-
-    const auto fromFocus = std::llround ((samples.firstTime - program.focusTime) * made.sampleRate);
-    return { focusSample + fromFocus, samples.values };
+    return { firstOwnSample (program, playback, focusSample), program.samples->values };
 }
 
 /** What an event passes through, in this order. */

@@ -11,13 +11,14 @@ namespace antinode
 /** How ceramics share what is played. */
 enum class AllocationMethod
 {
-    oneToOne,    ///< Each mode by the one ceramic that excites it most.
-    minimumNorm, ///< Rows (29), least norm, no limit: closed form.
-    paper,       ///< Rows (29) within the voltage limit: the paper's problem.
-    exact,       ///< Exact terminal rows within the voltage limit, soft guard modes: the default.
-    minimumPeak, ///< Exact terminal rows at the least peak voltage.
-    dictionary,  ///< The same with several drives per mode: near the least voltage of any waveform.
-    freeWaveform ///< Samples of any form, of the least energy within the voltage limit; offline only.
+    oneToOne,     ///< Each mode by the one ceramic that excites it most.
+    minimumNorm,  ///< Rows (29), least norm, no limit: closed form.
+    paper,        ///< Rows (29) within the voltage limit: the paper's problem.
+    exact,        ///< Exact terminal rows within the voltage limit, soft guard modes: the default.
+    minimumPeak,  ///< Exact terminal rows at the least peak voltage.
+    dictionary,   ///< The same with several drives per mode: near the least voltage of any waveform.
+    freeWaveform, ///< Samples of any form, of the least energy within the voltage limit.
+    leastVoltage  ///< The same within a limit so near to the least voltage of any waveform.
 };
 
 /** What a method mixes. */
@@ -86,7 +87,14 @@ inline constexpr std::array allocationMethods {
                        .sentence =
                            "exact terminal velocities of all controlled modes by freely chosen samples of least energy "
                            "within the voltage limit; other modes are guarded",
-                       .waveforms = AllocatedWaveforms::samples }
+                       .waveforms = AllocatedWaveforms::samples },
+    AllocationTraits { .method = AllocationMethod::leastVoltage,
+                       .word = "least_voltage",
+                       .sentence =
+                           "exact terminal velocities of all controlled modes by freely chosen samples near the lowest "
+                           "voltage that any waveform needs; other modes are guarded",
+                       .waveforms = AllocatedWaveforms::samples,
+                       .asksForMinimumPeak = true }
 };
 
 /** The row of a method. [any] */

@@ -11,7 +11,7 @@ enum class DesignExtent
 {
     complete, ///< For inspection: with the lower bound over all waveforms, which takes longer than everything else.
     compared, ///< As one of many: without the bound and the shortest period.
-    playable  ///< For immediate playback: as compared, and nothing that can be played offline only.
+    playable  ///< For immediate playback: as compared, without the peak between the samples of a free waveform.
 };
 
 /** Designs a focus: projects the wanted field, chooses modes and transients, allocates.

@@ -136,12 +136,10 @@ void warnOfLooseBound (FocusDesign& design)
 void addSampleRemarks (FocusDesign& design)
 {
     const auto& samples = *design.program.samples;
+    const auto peak = design.intersamplePeakVoltage;
     design.choices.push_back ("The waveform consists of samples for exactly " + inWords (samples.playback.sampleRate)
-                              + " Hz; between the samples it peaks at " + inWords (design.intersamplePeakVoltage)
-                              + " V.");
-    design.warnings.emplace_back (
-        "A free waveform can be played offline only. In real time use the allocation 'dictionary', which "
-        "needs nearly the same voltage.");
+                              + " Hz"
+                              + (peak > 0 ? "; between the samples it peaks at " + inWords (peak) + " V." : "."));
 }
 
 void warnOfCapture (FocusDesign& design, const ModalModel& model)

@@ -7,6 +7,7 @@
 #include "SampledPrediction.h"
 #include "Transients.h"
 
+#include <antinode_base/MessageText.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
 
@@ -83,6 +84,15 @@ void sayWhatIsFelt (FocusDesign& design, const LessFelt& felt)
                                       + std::to_string (felt.iterations) + " steps.");
 }
 
+/** Says what least voltage came to, and what is proven of it. */
+void sayHowNear (FocusDesign& design)
+{
+    const auto bound = design.certificate.minimumPeakRatio * design.program.voltageLimits.maxCoeff();
+    const auto peak = peakVoltage (design);
+    design.choices.push_back ("Least voltage: " + inWords (peak) + " V, " + inWords (peak / bound) + " times the "
+                              + inWords (bound) + " V below which no samples do.");
+}
+
 /** Allocates until the wanted velocities of complex modes and what the imaginary parts of their shapes add are the
    wanted field together. Modes that are nearly real need two or three rounds. */
 Allocation allocateComplex (const FocusDesign& design, const ModalModel& model, const DriveList& drives)
@@ -143,16 +153,11 @@ void allocateProgram (FocusDesign& design, const ModalModel& model)
 
 void sampleProgram (FocusDesign& design, const ModalModel& model, DesignExtent extent)
 {
-    if (extent == DesignExtent::playable)
-        throw InputError (
-            "focus: allocation method",
-            "is 'free_waveform', which can be played offline only; use 'dictionary' in real time, which needs "
-            "nearly the same voltage");
-
     if (hasSlewLimits (model))
         throw InputError ("focus: allocation method",
-                          "is 'free_waveform', which ignores the slew or current limit of this device; "
-                          "allowed: 'exact', 'paper', 'minimum_peak' and 'dictionary'");
+                          "is " + inQuotes (methodTraits (design.description.allocation.method).word)
+                              + ", which ignores the slew or current limit of this device; "
+                                "allowed: 'exact', 'paper', 'minimum_peak' and 'dictionary'");
 
     const auto& moment = design.moments.front();
     const auto limits = voltageLimits (model, design.description.allocation);
@@ -161,7 +166,10 @@ void sampleProgram (FocusDesign& design, const ModalModel& model, DesignExtent e
     auto waveform = freeWaveform (model, description, design.controlledModes, moment.wanted, limits, design.playback);
     design.growth.assign (design.controlledModes.size(), 0);
     design.cycles.assign (design.controlledModes.size(), 0);
-    design.intersamplePeakVoltage = intersamplePeak (waveform.voltages);
+
+    if (extent != DesignExtent::playable)
+        design.intersamplePeakVoltage = intersamplePeak (waveform.voltages);
+
     design.certificate = waveform.certificate;
     design.program.allocation.resize (model.actuators(), 0);
     design.program.voltageLimits = limits;
@@ -170,5 +178,8 @@ void sampleProgram (FocusDesign& design, const ModalModel& model, DesignExtent e
 
     if (waveform.felt)
         sayWhatIsFelt (design, *waveform.felt);
+
+    if (description.allocation.method == AllocationMethod::leastVoltage)
+        sayHowNear (design);
 }
 } // namespace antinode

@@ -12,7 +12,7 @@ namespace antinode
 void allocateProgram (FocusDesign& design, const ModalModel&);
 
 /** The same as samples of any form.
-    @throws InputError  where samples are no answer: in real time, on devices with slew limits; LimitError as above
+    @throws InputError  where samples are no answer: on devices with slew limits; LimitError as above
     [worker] Docs/Theory.md, section 4.9. */
 void sampleProgram (FocusDesign& design, const ModalModel&, DesignExtent);
 } // namespace antinode

@@ -215,6 +215,7 @@ Allocation allocate (const AllocationProblem& problem, AllocationMethod method, 
         case AllocationMethod::minimumNorm:
             return toAllocation (problem, minimumNormAllocation (problem));
         case AllocationMethod::freeWaveform:
+        case AllocationMethod::leastVoltage:
             break; // Has no drives.
     }
 

@@ -74,6 +74,9 @@ struct TransientChoice
     std::optional<double> brakeDuration = {}; ///< T_b, s: all is at rest so long after the focus.
 };
 
+/** How near least voltage goes to its bound by default: nearer ones spill over into more modes. */
+inline constexpr double usualTimesBound = 1.25;
+
 struct AllocationChoice
 {
     AllocationMethod method = AllocationMethod::exact;
@@ -84,7 +87,9 @@ struct AllocationChoice
         window; ///< s before the focus time in which the norm is taken and the limit is imposed; none: all.
     bool isUndisplaced =
         false; ///< At the focus the controlled modes are to be undisplaced as well; with exact rows, not robust.
-    std::optional<Robustness> robust; ///< With the method exact only: what the design is made robust against.
+    std::optional<Robustness> robust;      ///< With the method exact only: what the design is made robust against.
+    std::optional<double> timesBound = {}; ///< With least voltage only: the peak in multiples of what any waveform
+                                           ///< needs, above 1; none: usualTimesBound.
 };
 
 /** A wanted focus: position, shape, velocity, time and method. Docs/FileFormats.md. */

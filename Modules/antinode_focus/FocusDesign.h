@@ -74,7 +74,7 @@ struct FocusDesign
         0; ///< (upper - lower) / upper, upper the peak of a waveform that was found; 1: none was found.
     std::optional<LimitUse> limit; ///< The limit of which most is used. None if it was not computed.
     double intersamplePeakVoltage =
-        0;             ///< V: of a free waveform, also between its samples; 0 where there are no samples.
+        0;             ///< V: of a free waveform, also between its samples; 0 where it was not computed.
     Playback playback; ///< The playback for which the terminal rows were computed.
     std::optional<SpillOver> spillOver; ///< None where no modes beyond the device's own were looked for.
     std::string weighing; ///< How the number of modes was chosen, a sentence or two; empty where it was given.

@@ -50,6 +50,7 @@ BoundedWaveformProblem hardRows (const ModalModel& model, const std::vector<int>
 double minimumEnergy (BoundedWaveformProblem problem)
 {
     problem.limits.setConstant (std::numeric_limits<double>::infinity());
+    problem.nearness = 0;
     return 2 * solveBoundedWaveform (problem).objective;
 }
 
@@ -73,6 +74,7 @@ BoundedWaveformProblem withGuards (const BoundedWaveformProblem& hard, const Eig
     all.compliance.tail (weights.rows()).setConstant (1 / stiffness);
     all.limits = hard.limits;
     all.costs = hard.costs;
+    all.nearness = hard.nearness;
     return all;
 }
 
@@ -125,7 +127,8 @@ AllocationCertificate makeCertificate (const BoundedWaveform& solution, const Ei
 {
     AllocationCertificate certificate;
     certificate.peakRatio = solution.samples.cwiseAbs().rowwise().maxCoeff().cwiseQuotient (limits).maxCoeff();
-    certificate.status = certificate.peakRatio < 1 ? AllocationStatus::unconstrained : AllocationStatus::optimal;
+    certificate.status =
+        certificate.peakRatio < solution.limitShare ? AllocationStatus::unconstrained : AllocationStatus::optimal;
     certificate.iterations = solution.iterations;
     certificate.objective = solution.objective;
     certificate.bound = solution.bound;
@@ -144,7 +147,11 @@ FreeWaveform freeWaveform (const ModalModel& model, const FocusDescription& desc
     const auto start = std::chrono::steady_clock::now();
     const auto guards = guardModes (model, modes, description.allocation);
     const auto range = findSampleRange (description, playback, modes.size() + guards.size());
-    const auto hard = hardRows (model, modes, wanted, limits, playback, range);
+    auto hard = hardRows (model, modes, wanted, limits, playback, range);
+
+    if (description.allocation.method == AllocationMethod::leastVoltage)
+        hard.nearness = description.allocation.timesBound.value_or (usualTimesBound);
+
     const auto problem = withGuards (hard, velocityWeights (model, guards, playback, range),
                                      model.participation (guards, Eigen::all), description.allocation.guardWeight);
     const auto solution = solveBoundedWaveform (problem);
@@ -161,7 +168,7 @@ FreeWaveform freeWaveform (const ModalModel& model, const FocusDescription& desc
     const auto firstTime = description.focusTime - static_cast<double> (range.focus) / playback.sampleRate;
     FreeWaveform waveform { { playback, firstTime, withMirrorImage (solution.samples, range) }, certificate, {} };
 
-    if (description.felt)
+    if (description.felt && description.allocation.method == AllocationMethod::freeWaveform)
     {
         auto rows = modes;
         rows.insert (rows.end(), guards.begin(), guards.end());

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <vector>
 
 namespace antinode
 {
@@ -58,15 +59,61 @@ Eigen::VectorXcd addedWithin (const ModalModel& model, const SampledVoltages& vo
 
     return sum;
 }
+
+constexpr Eigen::Index stepsByProducts = 32; // their rounding stays below 1e-14
+
+/** Sums over the taps from each one on, as the state sees them. */
+std::vector<Complex> tapsFromEach (const ModalRecursion& recursion, Eigen::Index mode, Complex turn)
+{
+    std::vector<Complex> sums (static_cast<std::size_t> (recursion.tapsReal.cols()));
+    Complex sum = 0;
+
+    for (auto l = recursion.tapsReal.cols() - 1; l >= 0; --l)
+    {
+        sum += Complex (recursion.tapsReal (mode, l), recursion.tapsImaginary (mode, l))
+               * std::exp (turn * static_cast<double> (l));
+        sums[static_cast<std::size_t> (l)] = sum;
+    }
+
+    return sums;
+}
+
+/** What a unit of force in each sample leaves in the state of a mode. Sample n is tap l of the step that ends at sample
+    m = n + reach - l. */
+Eigen::RowVectorXcd modeResponses (const ModalRecursion& recursion, Eigen::Index mode, Complex turn,
+                                   Eigen::Index samples, Eigen::Index focus)
+{
+    const auto reach = recursion.tapsReal.cols() - 1 - recursion.latency;
+    const auto later = tapsFromEach (recursion, mode, turn);
+    const auto taps = static_cast<Eigen::Index> (later.size());
+    const auto back = std::exp (-turn);
+    Eigen::RowVectorXcd responses = Eigen::RowVectorXcd::Zero (samples);
+    Complex whole = 0;
+
+    for (Eigen::Index n = 0; n < std::min (samples, focus - reach + taps); ++n)
+    {
+        const auto firstTap = n + reach - focus;
+
+        if (firstTap > 0)
+        {
+            responses[n] =
+                later[static_cast<std::size_t> (firstTap)] * std::exp (-turn * static_cast<double> (firstTap));
+            continue;
+        }
+
+        // Products from one exponential to the next.
+        whole = n % stepsByProducts == 0 ? later[0] * std::exp (-turn * static_cast<double> (firstTap)) : whole * back;
+        responses[n] = whole;
+    }
+
+    return responses;
+}
 } // namespace
 
 Eigen::MatrixXcd sampleResponses (const ModalModel& model, const std::vector<int>& modes, Playback playback,
                                   Eigen::Index samples, Eigen::Index focus)
 {
-    // Sample n is tap l of the step that ends at sample m = n + reach - l.
     const auto recursion = modalRecursion (model, playback);
-    const auto taps = recursion.tapsReal.cols();
-    const auto reach = taps - 1 - recursion.latency;
     const auto poles = modalPoles (model);
     Eigen::MatrixXcd responses (modes.size(), samples);
 
@@ -74,25 +121,7 @@ Eigen::MatrixXcd sampleResponses (const ModalModel& model, const std::vector<int
     {
         checkWatch();
         const auto mode = modes[static_cast<std::size_t> (k)];
-        const auto turn = poles[mode] / playback.sampleRate;
-        const auto tap = [&] (Eigen::Index l)
-        { return Complex (recursion.tapsReal (mode, l), recursion.tapsImaginary (mode, l)); };
-        Complex whole = 0;
-
-        for (Eigen::Index l = 0; l < taps; ++l)
-            whole += tap (l) * std::exp (turn * static_cast<double> (l - reach));
-
-        for (Eigen::Index n = 0; n < samples; ++n)
-        {
-            const auto firstTap = std::max<Eigen::Index> (0, n + reach - focus);
-            Complex response = firstTap == 0 ? whole * std::exp (turn * static_cast<double> (focus - n)) : 0.0;
-
-            if (firstTap > 0)
-                for (auto l = firstTap; l < taps; ++l)
-                    response += tap (l) * std::exp (turn * static_cast<double> (focus - n - reach + l));
-
-            responses (k, n) = response;
-        }
+        responses.row (k) = modeResponses (recursion, mode, poles[mode] / playback.sampleRate, samples, focus);
     }
 
     return responses;

@@ -19,7 +19,7 @@ namespace
 constexpr double sameFrequency = 0.01;                    // Two solutions of one device agree far better.
 constexpr double worthwhileShare = 0.9;                   // Less is not gained for more guards.
 constexpr std::array triedGuards { 1.1, 1.25, 1.5, 2.0 }; // Times the known modes.
-constexpr std::array triedWhereSlow { 1.5 };              // The same of designs of least peak.
+constexpr std::array triedWhereSlow { 1.5 };              // The same of drives of least peak.
 
 /** Values at the points of one grid taken to those of another, column by column. */
 Eigen::MatrixXd regridded (const PlateGrid& from, const PlateGrid& to, const Eigen::MatrixXd& values)
@@ -104,7 +104,7 @@ std::vector<double> guardsToTry (AllocationMethod method)
     if (! traits.hasExactRows && traits.waveforms != AllocatedWaveforms::samples)
         return {}; // It guards no modes.
 
-    if (traits.asksForMinimumPeak)
+    if (traits.asksForMinimumPeak && traits.waveforms != AllocatedWaveforms::samples)
         return { triedWhereSlow.begin(), triedWhereSlow.end() };
 
     return { triedGuards.begin(), triedGuards.end() };
@@ -229,6 +229,21 @@ double spillOverShare (const WideModel& wide, const FocusDesign& design)
                          wide, modalVelocities (wide.model, predictStates (wide.model, design.program, moment.time))));
 
     return largest;
+}
+
+double frequencyBeyond (const ModalModel& known, double sampleRate)
+{
+    constexpr auto playableMultiple = 60.0; // of the sample rate: what the plate model takes
+    return std::min (widePlay * known.frequencyHz (known.modes() - 1), playableMultiple * sampleRate);
+}
+
+FocusDesign designGuarding (const ModalModel& guarded, Eigen::Index known, FocusDescription description,
+                            Playback playback)
+{
+    description.modes.among = static_cast<int> (known);
+    auto design = designFocus (guarded, description, playback, DesignExtent::playable);
+    design.description.modes.among.reset();
+    return design;
 }
 
 FocusDesign designWithin (const WideModel& wide, const FocusDescription& description, Playback playback,

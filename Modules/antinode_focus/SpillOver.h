@@ -46,4 +46,15 @@ double spillOverShare (const WideModel&, const FocusDesign&);
     [worker] Docs/Decisions/0071-scores-that-do-not-flatter.md */
 FocusDesign designWithin (const WideModel&, const FocusDescription&, Playback,
                           DesignExtent extent = DesignExtent::complete);
+
+/** The same for playing, with modes beyond guarded from the start, as another place of the same bank needed them.
+    @param guarded  the device's modes and those that are guarded beyond, by firstModes
+    @param known    how many are the device's own
+    @throws  as designFocus
+    [worker] */
+FocusDesign designGuarding (const ModalModel& guarded, Eigen::Index known, FocusDescription, Playback);
+
+/** To which frequency modes beyond are looked for: widePlay times the highest, where the plate model can play it. Hz
+    [any] */
+double frequencyBeyond (const ModalModel& known, double sampleRate);
 } // namespace antinode

@@ -24,6 +24,8 @@ public:
 private:
     template <typename Sample>
     void mix (const NodeBlock<Sample>&) const;
+    template <typename Sample>
+    void addVoltages (const ForceStretch&, const NodeBlock<Sample>&) const;
 
     const ForceNode& forces;
     int ceramics;

@@ -38,7 +38,7 @@ struct Oscillation
 
 /** A program to play: oscillations and the matrix that mixes them to the ceramics' voltages,
     U_i (t) = sum_c allocation (i, c) value_c (t). Real-time code needs nothing else. Docs/Theory.md, section 4.
-    A free waveform also has samples, which are added; they are bound to a sample rate and are played offline only. */
+    A free waveform also has samples, which are added; they are bound to a sample rate. */
 struct VoltageProgram
 {
     std::vector<Oscillation> oscillations;

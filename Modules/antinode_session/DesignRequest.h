@@ -1,9 +1,11 @@
 #pragma once
 
 #include <antinode_focus/FocusDescription.h>
+#include <antinode_focus/SpillOver.h>
 #include <antinode_model/ModalModel.h>
 #include <antinode_model/Playback.h>
 
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -19,6 +21,7 @@ struct DesignRequest
     std::vector<std::pair<double, double>> places; ///< x, y in m, up to 128; may be empty.
     std::vector<int> first;                        ///< The notes' places that are wanted first, in this order.
     Playback playback;
+    std::function<WideModel()> widen; ///< Gives the model with modes beyond; none: nothing is known of any. [worker]
 };
 
 /** The progress of a worker. */

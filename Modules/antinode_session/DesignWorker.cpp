@@ -2,9 +2,9 @@
 
 #include <antinode_base/Watch.h>
 #include <antinode_focus/BankPlaces.h>
-#include <antinode_focus/DesignFocus.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace antinode
 {
@@ -16,6 +16,14 @@ constexpr auto partInterval = std::chrono::milliseconds (100); ///< Between part
 constexpr auto longDesign = std::chrono::milliseconds (250);
 
 constexpr auto lookInterval = std::chrono::milliseconds (5); ///< Between looks at the watch of those who wait.
+
+/** Of a note's place: whether all of them would fit into a bank, which is asked before the first of them is designed.
+ */
+void requireRoom (const PlayableFocus* focus, const DesignRequest& request, int place)
+{
+    if (focus != nullptr && place < FocusBank::notePlaces)
+        requireRoomInBank (*focus, request.places.size() + FocusBank::places - FocusBank::notePlaces);
+}
 } // namespace
 
 DesignWorker::DesignWorker (BankHandOver& handOverToUse) : handOver (handOverToUse), thread ([this] { run(); }) {}
@@ -121,6 +129,7 @@ void DesignWorker::designBank (const DesignRequest& request, Clock::time_point a
                bank.foci.begin() + FocusBank::livePlace, nullptr);
     std::fill (bank.foci.begin() + FocusBank::firstTouchPlace, bank.foci.end(), nullptr);
     Places isDone {};
+    designer.begin (request);
 
     if (! designPlace (request, FocusBank::livePlace, request.focus))
         return;
@@ -215,8 +224,11 @@ bool DesignWorker::designPlace (const DesignRequest& request, int place, const F
 
     try
     {
-        const auto design = designFocus (*request.model, description, request.playback, DesignExtent::playable);
-        focus = std::make_shared<const PlayableFocus> (design.program, request.playback);
+        requireRoom (bank.foci[FocusBank::livePlace].get(), request, place);
+        const auto design = designer.design (request, description);
+        auto made = std::make_shared<const PlayableFocus> (design.program, request.playback);
+        requireRoom (made.get(), request, place);
+        focus = std::move (made);
     }
     catch (const Cancelled&)
     {

@@ -2,6 +2,7 @@
 
 #include "BankOrder.h"
 #include "DesignRequest.h"
+#include "PlaceDesigner.h"
 
 #include <antinode_engine/BankHandOver.h>
 
@@ -84,6 +85,7 @@ private:
     bool isStopping = false, isWorking = false;
     FocusBank bank;                        ///< Of the thread only: what was designed so far.
     std::optional<DesignRequest> accepted; ///< Of the thread only: what touches are designed by.
+    PlaceDesigner designer;                ///< Of the thread only.
     int nextTouchPlace = 0;                ///< Of the thread only.
     std::thread thread;
 };

@@ -119,6 +119,9 @@ FocusDescription withSettings (const FocusDescription& document, const PlaySetti
     if (! methodTraits (focus.allocation.method).takesRobustness)
         focus.allocation.robust.reset();
 
+    if (focus.allocation.method != AllocationMethod::leastVoltage)
+        focus.allocation.timesBound.reset();
+
     focus.allocation.isUndisplaced =
         focus.allocation.isUndisplaced && methodTraits (focus.allocation.method).hasExactRows;
 

@@ -6,6 +6,7 @@
 
 #include <antinode_fingers/Finger.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -35,6 +36,7 @@ private:
     void buildPath();
     void takeGraphChoice (const SessionRound&);
     void requestDesigns (const std::vector<int>& firstNotes);
+    std::function<WideModel()> widen() const;
     void forwardTouches (const std::vector<SessionTouch>&);
     void publish();
     DesignProgress designs() const;

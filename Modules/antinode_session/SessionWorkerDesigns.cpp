@@ -4,6 +4,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_focus/BankPlaces.h>
+#include <antinode_library/Library.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,18 @@ void SessionWorker::requestDesigns (const std::vector<int>& firstNotes)
         // A focus of another device may have probes outside this surface: the monitor stays where it was.
     }
 
-    path->worker().request ({ designed, description, notePlaces(), firstNotes, { Reconstruction::bandLimited, rate } });
+    path->worker().request (
+        { designed, description, notePlaces(), firstNotes, { Reconstruction::bandLimited, rate }, widen() });
+}
+
+/** Under fingers the modes beyond the device's own are not known. */
+std::function<WideModel()> SessionWorker::widen() const
+{
+    if (! fingers.empty())
+        return {};
+
+    return [document = device, known = model, sampleRate = rate]
+    { return solveWide (document->description, *known, frequencyBeyond (*known, sampleRate), true); };
 }
 
 std::vector<std::pair<double, double>> SessionWorker::notePlaces() const

@@ -153,9 +153,8 @@ std::pair<ModalModel, FocusDescription> inputsFrom (const CommonOptions& options
 
 WideModel wideFrom (const CommonOptions& options, const ModalModel& known)
 {
-    constexpr auto playableMultiple = 60.0; // of the sample rate: what the plate model takes
-    const auto frequency = std::min (widePlay * known.frequencyHz (known.modes() - 1), playableMultiple * options.rate);
-    return solveWide (loadDevice (options.device, options.assignments), known, frequency, options.usesCache);
+    return solveWide (loadDevice (options.device, options.assignments), known, frequencyBeyond (known, options.rate),
+                      options.usesCache);
 }
 
 WideDesign designFrom (const CommonOptions& options)

@@ -147,7 +147,8 @@ TEST_CASE ("Errors for typical mistakes in focuses give their position and what 
            == "my.json: /transients/cycles: is 2.5; allowed: a whole number from 0 to 1000000");
     CHECK (errorWith ("allocation.method=free_wave")
            == "my.json: /allocation/method: is the text 'free_wave' (did you mean 'free_waveform'?); allowed: one of "
-              "'exact', 'paper', 'one_to_one', 'minimum_norm', 'minimum_peak', 'dictionary', 'free_waveform'");
+              "'exact', 'paper', 'one_to_one', 'minimum_norm', 'minimum_peak', 'dictionary', 'free_waveform', "
+              "'least_voltage'");
     CHECK (errorWith ("allocation.guard_modes=some")
            == "my.json: /allocation/guard_modes: is the text 'some'; allowed: 'all'");
     CHECK (errorWith ("allocation.robust={}")

@@ -18,24 +18,6 @@ Eigen::MatrixXd alone (const FocusBank& bank, int place, std::int64_t start, dou
     focus.synthesiser.process (-start, voltages);
     return amplitude * voltages;
 }
-
-std::vector<TimedEvent> randomEvents (int count, std::int64_t length, unsigned seed)
-{
-    Draws draws (seed);
-    std::vector<TimedEvent> events;
-
-    for (int i = 0; i < count; ++i)
-    {
-        const auto sample = static_cast<std::int64_t> ((draws.next() + 1) / 2 * static_cast<double> (length - 1));
-        const auto place = static_cast<int> ((draws.next() + 1) / 2 * 127);
-        events.push_back (draws.next() < 0.5 ? triggerAt (sample, place, (draws.next() + 1) / 2)
-                                             : releaseAt (sample, place));
-    }
-
-    std::stable_sort (events.begin(), events.end(),
-                      [] (const TimedEvent& a, const TimedEvent& b) { return a.sample < b.sample; });
-    return events;
-}
 } // namespace
 
 TEST_CASE ("A trigger plays its place from its sample on, times its amplitude", "[engine][player]")

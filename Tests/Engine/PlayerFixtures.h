@@ -43,6 +43,34 @@ inline std::unique_ptr<const FocusBank> variedBank (double volts, int filled = F
     return bank;
 }
 
+/** The same length as samples: noise of its own on each ceramic. */
+inline VoltageProgram sampledProgram (unsigned seed, double focusTime, double volts)
+{
+    VoltageProgram program;
+    Draws draws (seed);
+    const auto focus = std::llround (focusTime * playerRate);
+    program.allocation.resize (playerCeramics, 0);
+    program.voltageLimits = Eigen::VectorXd::Constant (playerCeramics, 100);
+    program.focusTime = focusTime;
+    program.samples = { { Reconstruction::bandLimited, playerRate },
+                        focusTime - static_cast<double> (focus) / playerRate,
+                        volts * draws.matrix (playerCeramics, focus + 32) };
+    return program;
+}
+
+/** A bank of which every other place plays samples. */
+inline std::unique_ptr<const FocusBank> mixedBank (double volts, int filled = FocusBank::places)
+{
+    auto bank = std::make_unique<FocusBank> (*variedBank (volts, filled));
+
+    for (int place = 1; place < filled; place += 2)
+        bank->foci[static_cast<std::size_t> (place)] = std::make_shared<const PlayableFocus> (
+            sampledProgram (static_cast<unsigned> (place), 0.002 + 0.0001003 * place, volts),
+            Playback { Reconstruction::bandLimited, playerRate });
+
+    return bank;
+}
+
 struct TimedEvent
 {
     std::int64_t sample = 0;
@@ -97,5 +125,24 @@ inline TimedEvent triggerAt (std::int64_t sample, int place, double amplitude = 
 inline TimedEvent releaseAt (std::int64_t sample, int place)
 {
     return { sample, { 0, FocusEventKind::release, place, 0 } };
+}
+
+/** Triggers and note-offs, at random. */
+inline std::vector<TimedEvent> randomEvents (int count, std::int64_t length, unsigned seed)
+{
+    Draws draws (seed);
+    std::vector<TimedEvent> events;
+
+    for (int i = 0; i < count; ++i)
+    {
+        const auto sample = static_cast<std::int64_t> ((draws.next() + 1) / 2 * static_cast<double> (length - 1));
+        const auto place = static_cast<int> ((draws.next() + 1) / 2 * 127);
+        events.push_back (draws.next() < 0.5 ? triggerAt (sample, place, (draws.next() + 1) / 2)
+                                             : releaseAt (sample, place));
+    }
+
+    std::stable_sort (events.begin(), events.end(),
+                      [] (const TimedEvent& a, const TimedEvent& b) { return a.sample < b.sample; });
+    return events;
 }
 } // namespace antinode::test

@@ -1,13 +1,18 @@
 #include "Support/SineBeam.h"
 
 #include <antinode_allocation/BoundedWaveform.h>
-#include <antinode_engine/FocusBank.h>
+#include <antinode_engine/FocusPlayer.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/Prediction.h>
 #include <antinode_focus/SampledPrediction.h>
 
 #include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
 
 using namespace antinode;
 
@@ -40,6 +45,40 @@ Render played (const ModalModel& model, const FocusDesign& design, Playback play
     settings.duration = 0.02;
     settings.probeShapes.resize (0, model.modes());
     return renderOffline (model, design.program, settings);
+}
+/** The voltages of a note that ends at a sample, where note-offs begin the brake. */
+Eigen::MatrixXd playedWithNoteOff (const std::shared_ptr<const PlayableFocus>& focus, std::int64_t noteOff,
+                                   std::int64_t length)
+{
+    PlayerSettings settings;
+    settings.noteOff = NoteOffBehaviour::brake;
+    FocusPlayer player (8, bandLimited.sampleRate, settings);
+    auto bank = std::make_unique<FocusBank>();
+    bank->foci[60] = focus;
+    player.handOver().give (std::move (bank));
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> voltages (8, length);
+    std::vector<double*> channels;
+
+    for (Eigen::Index i = 0; i < 8; ++i)
+        channels.push_back (voltages.row (i).data());
+
+    const FocusEvent events[] { { 0, FocusEventKind::trigger, 60, 1 },
+                                { static_cast<int> (noteOff), FocusEventKind::release, 60, 0 } };
+    player.process (channels.data(), static_cast<int> (length), events);
+    return voltages;
+}
+
+/** How large the motion is at a sample, kinetic and elastic: the root of the sum of v_k^2 + (b_k q_k)^2. */
+double motionAt (const ModalModel& model, const Eigen::MatrixXd& voltages, std::int64_t sample)
+{
+    PlateModel plate (model, bandLimited, Eigen::MatrixXd (0, model.modes()));
+    Eigen::MatrixXd shown = Eigen::MatrixXd::Zero (voltages.rows(), sample + plate.latencySamples() + 1);
+    const auto count = std::min (shown.cols(), voltages.cols());
+    shown.leftCols (count) = voltages.leftCols (count);
+    Eigen::MatrixXd velocities (model.modes(), shown.cols());
+    plate.processModes (shown, velocities);
+    return std::hypot (plate.modalVelocities().norm(),
+                       dampedFrequencies (model).cwiseProduct (plate.modalDisplacements()).norm());
 }
 } // namespace
 
@@ -132,15 +171,47 @@ TEST_CASE ("A free waveform between its samples: voltages and states are those o
     CHECK ((halfway - whole).cwiseAbs().maxCoeff() < 1e-4 * whole.cwiseAbs().maxCoeff());
 }
 
-TEST_CASE ("A free waveform is refused at another rate and in real time", "[freeWaveform]")
+TEST_CASE ("A free waveform is refused at another rate", "[freeWaveform]")
 {
     const auto model = test::sineBeam (20, 8);
     const auto design = designFocus (model, freeFocus (150), bandLimited);
     CHECK_THROWS_WITH (played (model, design, { Reconstruction::bandLimited, 48000 }),
                        Catch::Contains ("was designed for 96000 Hz, band_limited; design it again for 48000 Hz"));
     CHECK_THROWS_WITH (played (model, design, held), Catch::Contains ("zero_order_hold"));
-    CHECK_THROWS_WITH (PlayableFocus (design.program, bandLimited), Catch::Contains ("'dictionary'"));
-    CHECK_THROWS_WITH (designFocus (model, freeFocus (150), bandLimited, DesignExtent::playable),
-                       Catch::Contains ("use 'dictionary'"));
+    CHECK_THROWS_WITH (PlayableFocus (design.program, held), Catch::Contains ("zero_order_hold"));
     CHECK_THROWS_WITH (designFocus (model, freeFocus (150), {}), Catch::Contains ("sample rate"));
+}
+
+TEST_CASE ("A design to be played has the samples of the complete one", "[freeWaveform]")
+{
+    const auto model = test::sineBeam (20, 8);
+    const auto complete = designFocus (model, freeFocus (150), bandLimited);
+    const auto playable = designFocus (model, freeFocus (150), bandLimited, DesignExtent::playable);
+    CHECK (playable.program.samples->values == complete.program.samples->values);
+}
+
+TEST_CASE ("A late brake stops the plate after samples as after oscillations", "[freeWaveform][player]")
+{
+    auto model = test::sineBeam (20, 8);
+    model.dampingRatios = 40 * model.angularFrequencies.cwiseInverse();
+    auto focus = freeFocus (150);
+    focus.transients.brakeDuration = 0.02;
+    const auto design = designFocus (model, focus, bandLimited);
+    const auto playable = std::make_shared<const PlayableFocus> (design.program, bandLimited);
+    REQUIRE (playable->brake);
+    const auto start = playable->brake->startSample();
+    const auto rest = start + std::llround (0.022 * bandLimited.sampleRate);
+    const auto leftAfter = [&] (std::int64_t delay)
+    {
+        const auto voltages = playedWithNoteOff (playable, start + delay, rest + delay);
+        return motionAt (model, voltages, rest + delay) / motionAt (model, voltages, start + delay);
+    };
+    const auto designed = leftAfter (0);
+    CHECK (designed < 1e-3);
+
+    for (const auto delay : { 1, 700, 4000 })
+    {
+        CAPTURE (delay);
+        CHECK (leftAfter (delay) < 0.05); // Free decay leaves 0.4.
+    }
 }

@@ -16,7 +16,8 @@ constexpr double rate = 48000;
 constexpr int ceramics = 6, places = 8, length = 12000;
 constexpr Playback playback { Reconstruction::bandLimited, rate };
 
-/** A beam with a bank of foci at different places: each has an allocation of its own, and brakes. */
+/** A beam with a bank of foci at different places, every other one of samples: each has an allocation of its own, and
+    brakes. */
 struct Example
 {
     std::shared_ptr<const ModalModel> model = std::make_shared<const ModalModel> (test::sineBeam (10, ceramics));
@@ -35,6 +36,10 @@ struct Example
             focus.focusTime = 0.008 + 0.001 * i;
             focus.modes.count = 3 + i % 3;
             focus.transients.brake = 4;
+
+            if (i % 2 == 1)
+                focus.allocation.method = AllocationMethod::freeWaveform;
+
             foci[static_cast<std::size_t> (i)] =
                 std::make_shared<const PlayableFocus> (designFocus (*model, focus, playback).program, playback);
         }
@@ -229,7 +234,7 @@ TEST_CASE ("Voices of the open graph are stolen as those of the fused one", "[gr
 TEST_CASE ("Where channels run out voices are cut for newer ones, and a focus beyond them all is empty",
            "[graph][open]")
 {
-    const auto wanted = example().foci[0]->oscillationCount();
+    const auto wanted = example().foci[0]->forceCount();
     REQUIRE (wanted > 1);
     const auto counted = [&] (int channels)
     {

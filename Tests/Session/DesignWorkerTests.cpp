@@ -2,6 +2,7 @@
 #include "Support/WaitForBank.h"
 
 #include <antinode_focus/BankPlaces.h>
+#include <antinode_focus/DesignFocus.h>
 #include <antinode_graph/PlayerNode.h>
 #include <antinode_session/DesignWorker.h>
 
@@ -197,6 +198,44 @@ TEST_CASE ("A place that cannot be designed stays silent and says why", "[graph]
     CHECK_THAT (worker.progress().error, Catch::Contains ("outside the surface"));
     CHECK (firstChannel (player, 1, 500).cwiseAbs().maxCoeff() == 0);
     CHECK (firstChannel (player, 2, 500).cwiseAbs().maxCoeff() > 0);
+}
+
+TEST_CASE ("A bank of free waveforms is designed and played; each place has the samples of its own design",
+           "[graph][sampled]")
+{
+    FocusPlayer player (ceramics, rate, {});
+    DesignWorker worker (player.handOver());
+    auto request = requestFor (5);
+    request.focus.allocation.method = AllocationMethod::freeWaveform;
+    worker.request (request);
+    test::waitForBank (worker, 5);
+    CHECK (worker.progress().failed == 0);
+    const auto [x, y] = request.places[3];
+    const auto design =
+        designFocus (*request.model, movedTo (request.focus, x, y), request.playback, DesignExtent::playable);
+    const auto& expected = design.program.samples->values;
+    const auto played = firstChannel (player, 3, static_cast<int> (expected.cols()));
+    CHECK ((played - expected.row (0).transpose()).cwiseAbs().maxCoeff() < 1e-6 * expected.cwiseAbs().maxCoeff());
+}
+
+TEST_CASE ("Where a bank of samples would not fit into its memory its places say so, and the focus itself plays",
+           "[graph][sampled]")
+{
+    FocusPlayer player (ceramics, 768000, {});
+    DesignWorker worker (player.handOver());
+    auto request = requestFor (128);
+    request.focus.allocation.method = AllocationMethod::freeWaveform;
+    request.focus.focusTime = 0.12;
+    request.playback.sampleRate = 768000;
+    worker.request (request);
+    test::waitForBank (worker, 128);
+    CHECK (worker.progress().failed == 128);
+    CHECK (worker.progress().liveError.empty());
+    CHECK_THAT (worker.progress().error, Catch::Contains ("needs 306 MiB for the samples of 145 places; allowed: "
+                                                          "256 MiB; choose a shorter focus time"));
+    CHECK (firstChannel (player, FocusBank::livePlace, 1000).cwiseAbs().maxCoeff() > 0);
+    firstChannel (player, 3, 1000);
+    CHECK (player.counters().empty == 1);
 }
 
 TEST_CASE ("The places of a bank on a line and on a plate", "[graph]")

@@ -1,5 +1,8 @@
 #include "PlayedSession.h"
 
+#include <antinode_engine/OfflineRender.h>
+#include <antinode_focus/SpillOver.h>
+
 #include <catch2/catch.hpp>
 
 #include <array>
@@ -40,6 +43,41 @@ TEST_CASE ("A parameter that moves makes a new design, by itself", "[session]")
     played.session.waitUntilSettled (events);
     const auto after = played.play (2400, { live });
     CHECK ((after.topRows (8) * 2 - before.topRows (8)).cwiseAbs().maxCoeff() < 1e-3 * before.cwiseAbs().maxCoeff());
+}
+
+TEST_CASE ("Free waveforms are a method as any other: played as rendered, never beyond the limit", "[session][sampled]")
+{
+    const auto method = GENERATE (AllocationMethod::freeWaveform, AllocationMethod::leastVoltage);
+    test::PlayedSession played;
+    played.change (
+        [method] (PlaySettings& settings)
+        {
+            settings.method = method;
+            settings.voltageLimitVolts = 3;
+        });
+    played.prepare (rate);
+    const auto now = played.session.snapshot();
+    REQUIRE (now->focus.allocation.method == method);
+    const auto wide =
+        solveWide (test::deviceNamed ("staple").description, *now->model, frequencyBeyond (*now->model, rate), true);
+    const auto design = designWithin (wide, now->focus, now->playback, DesignExtent::playable);
+    RenderSettings settings;
+    settings.playback = now->playback;
+    settings.duration = 0.05;
+    settings.probeShapes.resize (0, now->model->modes());
+    const auto rendered = renderOffline (*now->model, design.program, settings);
+    const auto volts = [&] (const Eigen::MatrixXd& output) -> Eigen::MatrixXd
+    { return now->model->fullScaleVoltage * output.topRows (8); };
+    const auto alone = volts (played.play (2400, { live }));
+    CHECK ((alone - rendered.voltages.leftCols (2400)).cwiseAbs().maxCoeff()
+           < 1e-6 * rendered.voltages.cwiseAbs().maxCoeff());
+
+    // Two at once would need twice as much.
+    PlayControls controls;
+    controls.voltageLimit = 3;
+    const auto both = volts (played.play (2400, { live, live }, controls));
+    CHECK (both.cwiseAbs().maxCoeff() <= 3 * (1 + 1e-12));
+    CHECK (both.cwiseAbs().maxCoeff() > 2.99);
 }
 
 TEST_CASE ("Notes that are wanted first play before the bank is designed", "[session]")

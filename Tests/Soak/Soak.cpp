@@ -120,7 +120,7 @@ std::shared_ptr<const ModalModel> limitedBeam()
     return std::make_shared<const ModalModel> (model);
 }
 
-/** A bank of all places with foci of some width, of which every other has a brake. */
+/** A bank of all places with foci of some width, of which every other has a brake, and every third plays samples. */
 DesignRequest makeRequest (const std::shared_ptr<const ModalModel>& model, unsigned choice)
 {
     DesignRequest request;
@@ -136,6 +136,9 @@ DesignRequest makeRequest (const std::shared_ptr<const ModalModel>& model, unsig
 
     if (choice % 2 == 0)
         request.focus.transients.brake = 5;
+
+    if (choice % 3 == 0)
+        request.focus.allocation.method = AllocationMethod::freeWaveform;
 
     return request;
 }

@@ -1,0 +1,111 @@
+#include <antinode_allocation/BoundedWaveform.h>
+#include <antinode_allocation/FreeGrams.h>
+
+#include <catch2/catch.hpp>
+
+#include <random>
+
+using namespace antinode;
+
+namespace
+{
+Eigen::MatrixXd randomMatrix (Eigen::Index rows, Eigen::Index columns, unsigned seed)
+{
+    std::mt19937 random (seed);
+    return Eigen::MatrixXd::NullaryExpr (rows, columns,
+                                         [&] { return static_cast<double> (random()) / 2147483647.5 - 1; });
+}
+
+/** Hard rows, and so many soft ones. */
+BoundedWaveformProblem randomProblem (Eigen::Index hard, Eigen::Index soft, unsigned seed)
+{
+    BoundedWaveformProblem problem;
+    problem.weights = randomMatrix (hard + soft, 300, seed);
+    problem.participation = randomMatrix (hard + soft, 4, seed + 1);
+    problem.wanted = randomMatrix (hard + soft, 1, seed + 2);
+    problem.wanted.tail (soft).setZero();
+    problem.compliance = Eigen::VectorXd::Zero (hard + soft);
+    problem.compliance.tail (soft).setConstant (10);
+    problem.limits = Eigen::VectorXd::Constant (4, 5);
+    return problem;
+}
+} // namespace
+
+TEST_CASE ("Samples near their bound: so many times the least peak that an interior point finds, rows as exact",
+           "[allocation][nearBound]")
+{
+    for (unsigned seed = 0; seed < 20; ++seed)
+        for (const auto nearness : { 1.03, 1.25, 2.0 })
+        {
+            CAPTURE (seed, nearness);
+            auto problem = randomProblem (6, 0, 7 * seed);
+            const auto bracket = minimumWaveformPeak (problem, 1e-3);
+            problem.nearness = nearness;
+            const auto solution = solveBoundedWaveform (problem);
+            const auto peak = solution.samples.cwiseAbs().maxCoeff() / 5;
+            CHECK (solution.isMet);
+            CHECK (peak <= nearness * bracket.upper);
+            CHECK (peak >= bracket.lower);
+            CHECK (solution.peakBound <= bracket.upper);
+            CHECK (peak <= nearness * solution.peakBound * (1 + 1e-12));
+            CHECK (solution.limitShare == Approx (peak));
+        }
+}
+
+TEST_CASE ("Soft rows do not keep samples from coming near the bound of the hard ones", "[allocation][nearBound]")
+{
+    for (unsigned seed = 0; seed < 10; ++seed)
+    {
+        auto problem = randomProblem (5, 30, seed);
+        problem.nearness = 1.25;
+        const auto solution = solveBoundedWaveform (problem);
+        auto hard = randomProblem (5, 30, seed);
+        hard.weights.conservativeResize (5, Eigen::NoChange);
+        hard.participation.conservativeResize (5, Eigen::NoChange);
+        hard.wanted.conservativeResize (5);
+        hard.compliance.conservativeResize (5);
+        CAPTURE (seed);
+        CHECK (solution.isMet);
+        CHECK (solution.samples.cwiseAbs().maxCoeff() / 5 <= 1.25 * minimumWaveformPeak (hard, 1e-3).upper);
+    }
+}
+
+TEST_CASE ("Limits below what is near the bound stay as they are, and too low ones are still refused",
+           "[allocation][nearBound]")
+{
+    auto problem = randomProblem (6, 0, 3);
+    const auto least = 5 * minimumWaveformPeak (problem, 1e-3).upper;
+    problem.nearness = 2;
+    problem.limits.setConstant (1.1 * least);
+    const auto kept = solveBoundedWaveform (problem);
+    CHECK (kept.isMet);
+    CHECK (kept.limitShare == 1);
+    CHECK (kept.samples.cwiseAbs().maxCoeff() <= 1.1 * least * (1 + 1e-12));
+    problem.limits.setConstant (0.9 * least);
+    const auto refused = solveBoundedWaveform (problem);
+    CHECK_FALSE (refused.isMet);
+    CHECK (refused.peakBound > 1);
+}
+
+TEST_CASE ("Gram matrices of free samples are the same from step to step as anew", "[allocation]")
+{
+    const auto weights = randomMatrix (9, 200, 1);
+    const Eigen::MatrixXd whole = weights * weights.transpose();
+    const Eigen::MatrixXd caps = Eigen::MatrixXd::Constant (3, 200, 0.5);
+    FreeGrams grams (weights, whole, 3);
+    auto pulls = randomMatrix (3, 200, 2);
+
+    for (unsigned step = 0; step < 6; ++step)
+    {
+        pulls += (step % 2 == 0 ? 0.05 : 0.8) * randomMatrix (3, 200, 10 + step);
+        grams.follow (pulls, caps);
+
+        for (Eigen::Index i = 0; i < 3; ++i)
+        {
+            const Eigen::VectorXd isFree = (pulls.row (i).array().abs() < 0.5).cast<double>();
+            const Eigen::MatrixXd expected = weights * isFree.asDiagonal() * weights.transpose();
+            const Eigen::MatrixXd difference = (grams.of (i) - expected).triangularView<Eigen::Lower>();
+            CHECK (difference.cwiseAbs().maxCoeff() < 1e-12 * whole.cwiseAbs().maxCoeff());
+        }
+    }
+}

@@ -1,0 +1,81 @@
+#include "Support/SineBeam.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_engine/OfflineRender.h>
+#include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/SpillOver.h>
+
+#include <catch2/catch.hpp>
+
+using namespace antinode;
+
+namespace
+{
+constexpr Playback interface {
+    Reconstruction::bandLimited, 96000
+};
+
+FocusDescription nearFocus (double x, std::optional<double> timesBound = {})
+{
+    FocusDescription focus;
+    focus.targets = { { TargetShape::sinc, x, 0, 0.025, 0.04, 1 } };
+    focus.focusTime = 0.015;
+    focus.modes.count = 6;
+    focus.allocation.method = AllocationMethod::leastVoltage;
+    focus.allocation.timesBound = timesBound;
+    return focus;
+}
+} // namespace
+
+TEST_CASE ("Least voltage is within a quarter of what any waveform needs, with every mode at its velocity when played",
+           "[freeWaveform][leastVoltage]")
+{
+    const auto model = test::sineBeam (20, 8);
+
+    for (const auto x : { -0.061, -0.03, 0.002, 0.02, 0.055 })
+    {
+        CAPTURE (x);
+        const auto design = designFocus (model, nearFocus (x), interface);
+        CHECK (peakVoltage (design) <= 1.25 * design.lowerBoundVoltage);
+        CHECK (peakVoltage (design) >= design.lowerBoundVoltage);
+        CHECK (design.certificate.status == AllocationStatus::optimal);
+        RenderSettings settings;
+        settings.playback = interface;
+        settings.duration = 0.02;
+        settings.probeShapes.resize (0, model.modes());
+        const auto render = renderOffline (model, design.program, settings);
+        const auto largest = design.target.modalVelocities.cwiseAbs().maxCoeff();
+
+        for (const auto mode : design.controlledModes)
+            CHECK (render.focusVelocities[mode]
+                   == Approx (design.target.modalVelocities[mode]).margin (1e-9 * largest));
+    }
+}
+
+TEST_CASE ("How near least voltage comes is a choice, and a voltage limit holds too", "[freeWaveform][leastVoltage]")
+{
+    const auto model = test::sineBeam (20, 8);
+    const auto bound = designFocus (model, nearFocus (0.02), interface).lowerBoundVoltage;
+    const auto peakAt = [&] (std::optional<double> times, std::optional<double> limit = {})
+    {
+        auto focus = nearFocus (0.02, times);
+        focus.allocation.voltageLimit = limit;
+        return peakVoltage (designFocus (model, focus, interface, DesignExtent::playable));
+    };
+    CHECK (peakAt (1.05) <= 1.05 * bound);
+    CHECK (peakAt (2) > 1.6 * bound);
+    CHECK (peakAt (2) <= 2 * bound);
+    CHECK (peakAt (2, 1.1 * bound) == Approx (1.1 * bound));
+    CHECK_THROWS_AS (peakAt (1.25, 0.9 * bound), LimitError);
+}
+
+TEST_CASE ("A place that guards what another one needed has that place's design", "[freeWaveform][leastVoltage]")
+{
+    // A device that says 12 of its 20 modes.
+    const WideModel wide { test::sineBeam (20, 8), 12, {}, {} };
+    const auto first = designWithin (wide, nearFocus (0.02), interface, DesignExtent::playable);
+    const auto beyond = first.spillOver->guardedBeyond;
+    const auto again = designGuarding (firstModes (wide.model, 12 + beyond), 12, nearFocus (0.02), interface);
+    CHECK (again.program.samples->values == first.program.samples->values);
+    CHECK (again.controlledModes == first.controlledModes);
+}
