@@ -161,16 +161,16 @@ WaveformsDescription stillAt (const WaveformsDescription& description, double ti
 
 std::vector<double> timesOfPlaces (const WaveformsDescription& description, double step)
 {
-    constexpr double mostSteps = 31;
+    constexpr int mostSteps = 31;
     const auto travel = travelOf (touchedPoints (description));
 
     if (travel.times.empty())
         return { 0 };
 
-    const auto steps = std::min (mostSteps, std::ceil (travel.distances.back() / step));
+    const auto steps = static_cast<int> (std::min<double> (mostSteps, std::ceil (travel.distances.back() / step)));
     std::vector<double> times { travel.times.front() };
 
-    for (double i = 1; i <= steps; ++i)
+    for (int i = 1; i <= steps; ++i)
     {
         const auto distance = travel.distances.back() * i / steps;
         const auto after = std::lower_bound (travel.distances.begin() + 1, travel.distances.end() - 1, distance)

@@ -136,9 +136,9 @@ Eigen::MatrixXd WindowedResponses::combined (const Eigen::MatrixXd& signals, Eig
 
 Eigen::MatrixXd WindowedResponses::motion (const Eigen::MatrixXd& voltages)
 {
-    const auto all = combined (voltages, responses.points, length(),
-                               [this] (Eigen::Index p, Eigen::Index i)
-                               { return responses.values.col (p + responses.points * i).array(); });
+    auto all = combined (voltages, responses.points, length(),
+                         [this] (Eigen::Index p, Eigen::Index i)
+                         { return responses.values.col (p + responses.points * i).array(); });
 
     if (moving.points.empty())
         return all;
