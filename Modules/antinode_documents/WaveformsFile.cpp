@@ -15,12 +15,13 @@ namespace antinode
 {
 namespace
 {
-constexpr std::size_t maximumTracks = 64;
+constexpr std::size_t maximumTracks = 64, maximumCorners = 1000;
 constexpr NumberRange bandFrequency { 1, 10000 };
 constexpr NumberRange signalFrequency { 1, 10000 };
 constexpr NumberRange signalMilliseconds { 0.1, 600000 };
 constexpr NumberRange rollMilliseconds { 0, 10000 };
 constexpr NumberRange startMilliseconds { 0, 600000 };
+constexpr NumberRange pathMilliseconds { -10000, 600000 };
 constexpr NumberRange levelMicrometres { 1e-6, 1e6 };
 constexpr NumberRange levelMillimetresPerSecond { 1e-6, 1e7 };
 constexpr NumberRange levelDecibels { -60, 120 };
@@ -40,11 +41,53 @@ double millisecondsOr (const JsonObject& object, std::string_view key, const Num
     return given ? fromMilliseconds (given->number (range)) : usual;
 }
 
+double millimetresOr (const JsonObject& object, std::string_view key, double usual)
+{
+    const auto given = object.optional (key);
+    return given ? fromMillimetres (given->number (ranges::positionMillimetre)) : usual;
+}
+
+std::vector<PathPoint> readPath (const JsonValue& value)
+{
+    std::vector<PathPoint> path;
+
+    for (const auto& item : value.items (2, maximumCorners))
+    {
+        const auto object = item.object ({ "time_ms", "x_mm", "y_mm" });
+        PathPoint corner;
+        corner.time = fromMilliseconds (object.required ("time_ms").number (pathMilliseconds));
+        corner.x = fromMillimetres (object.required ("x_mm").number (ranges::positionMillimetre));
+        corner.y = millimetresOr (object, "y_mm", 0);
+        path.push_back (corner);
+    }
+
+    return path;
+}
+
+/** A place that stays, or a path that begins at it. */
+void readPlace (const JsonObject& object, TouchedPoint& point)
+{
+    const auto [key, place] = object.oneOf ("x_mm", "path");
+
+    if (key == "x_mm")
+    {
+        point.x = fromMillimetres (place.number (ranges::positionMillimetre));
+        point.y = millimetresOr (object, "y_mm", 0);
+        return;
+    }
+
+    if (object.has ("y_mm"))
+        object.fail ("has 'y_mm' beside 'path'; allowed: one of them");
+
+    point.path = readPath (place);
+    point.x = point.path.front().x;
+    point.y = point.path.front().y;
+}
+
 TouchedPoint readPoint (const JsonObject& object)
 {
     TouchedPoint point;
-    point.x = fromMillimetres (object.required ("x_mm").number (ranges::positionMillimetre));
-    point.y = fromMillimetres (numberOr (object, "y_mm", ranges::positionMillimetre, 0));
+    readPlace (object, point);
 
     if (const auto name = object.optional ("name"))
         point.name = name->text (ranges::maximumNameBytes);
@@ -169,7 +212,7 @@ TrackLevel readLevel (const JsonObject& object)
 Track readTrack (const JsonValue& value, const std::filesystem::path& folder)
 {
     const auto object = value.object (
-        { "name", "x_mm", "y_mm", "finger", "signal", "level_um", "level_mm_s", "level_dB_SL", "start_ms" });
+        { "name", "x_mm", "y_mm", "path", "finger", "signal", "level_um", "level_mm_s", "level_dB_SL", "start_ms" });
     Track track;
     track.point = readPoint (object);
     track.signal = readSignal (object.required ("signal"), folder);
@@ -215,7 +258,7 @@ WaveformsDescription readWaveforms (const nlohmann::json& document, const std::s
 
     if (const auto silent = object.optional ("silent"))
         for (const auto& finger : silent->items (0, maximumTracks))
-            description.silent.push_back (readPoint (finger.object ({ "name", "x_mm", "y_mm", "finger" })));
+            description.silent.push_back (readPoint (finger.object ({ "name", "x_mm", "y_mm", "path", "finger" })));
 
     return description;
 }

@@ -9,11 +9,14 @@
 
 #include <antinode_allocation/LowerBound.h>
 #include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 namespace antinode
 {
@@ -119,6 +122,70 @@ void warnOfUnusedDrives (FocusDesign& design)
         design.warnings.push_back (unused + " is ignored: this allocation makes its own waveforms.");
 }
 
+/** A place of a focus, as its messages name it. */
+struct NamedPlace
+{
+    std::string name;
+    double x = 0, y = 0; ///< m
+};
+
+/** Where less is to be felt; none where that is everywhere. */
+std::vector<NamedPlace> bystanders (const FocusDescription& description)
+{
+    std::vector<NamedPlace> places;
+    const auto at = description.felt ? description.felt->at : FeltAt::everywhere;
+
+    if (at == FeltAt::places)
+        for (const auto& [x, y] : description.felt->places)
+            places.push_back ({ "place " + std::to_string (places.size() + 1), x, y });
+
+    if (at == FeltAt::fingers)
+        for (const auto& finger : description.fingers)
+            places.push_back ({ "finger " + std::to_string (places.size() + 1), finger.x, finger.y });
+
+    return places;
+}
+
+/** Less felt at a focus works against the focus itself. */
+void warnOfFeltAtTargets (FocusDesign& design, bool isLine)
+{
+    const auto& targets = design.description.targets;
+
+    for (const auto& place : bystanders (design.description))
+        for (std::size_t i = 0; i < targets.size(); ++i)
+        {
+            const auto alongY = isLine ? 0 : place.y - targets[i].y;
+            const auto distance = std::hypot (place.x - targets[i].x, alongY);
+
+            if (distance < targets[i].width / 2)
+                design.warnings.push_back ("'felt': " + place.name + " lies " + inWords (distance * milli)
+                                           + " mm from target " + std::to_string (i + 1)
+                                           + ", within its width: less felt there works against the focus.");
+        }
+}
+
+/** A line has no y. */
+void warnOfIgnoredY (FocusDesign& design, const ModalModel& model)
+{
+    const auto& description = design.description;
+    std::vector<NamedPlace> places;
+
+    for (const auto& target : description.targets)
+        places.push_back ({ "target " + std::to_string (places.size() + 1), target.x, target.y });
+
+    for (std::size_t i = 0; i < description.fingers.size(); ++i)
+        places.push_back ({ "finger " + std::to_string (i + 1), description.fingers[i].x, description.fingers[i].y });
+
+    if (description.felt && description.felt->at == FeltAt::places)
+        for (const auto& place : bystanders (description))
+            places.push_back (place);
+
+    for (const auto& place : places)
+        if (place.y != 0)
+            design.warnings.push_back ("y of " + place.name + ", " + inWords (place.y * milli)
+                                       + " mm, is ignored: the surface of '" + model.name + "' is a line.");
+}
+
 void warnOfLooseBound (FocusDesign& design)
 {
     const auto gap = design.lowerBoundGap;
@@ -183,6 +250,12 @@ void addRemarks (FocusDesign& design, const ModalModel& model)
         design.warnings.push_back (
             "Mode " + std::to_string (design.controlledModes.back() + 1) + " at " + inWords (highest)
             + " Hz is close to half the sample rate, where converters roll off; choose a higher rate.");
+
+    const auto isLine = model.surface.kind == SurfaceKind::line;
+    warnOfFeltAtTargets (design, isLine);
+
+    if (isLine)
+        warnOfIgnoredY (design, model);
 
     warnOfUnusedDrives (design);
     warnOfPeak (design, model);

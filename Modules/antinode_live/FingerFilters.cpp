@@ -92,6 +92,15 @@ Eigen::VectorXd weightedImpulse (const FilterSpan& span, TrackBand band)
     return inverseFourier (lines, span.length);
 }
 
+void requireFixedPoints (const WaveformsDescription& description)
+{
+    const auto points = touchedPoints (description);
+
+    for (std::size_t p = 0; p < points.size(); ++p)
+        if (! points[p].path.empty())
+            throw InputError ("waveforms: " + pointInWords (description, p) + " path",
+                              "is known beforehand only; filters for live inputs take places");
+}
 } // namespace
 
 double FingerFilters::latency() const
@@ -102,12 +111,13 @@ double FingerFilters::latency() const
 FingerFilters designFingerFilters (const ModalModel& model, const WaveformsDescription& description,
                                    const FilterSettings& settings, const ShowProgress& progress)
 {
+    requireFixedPoints (description);
     const auto shapes = touchedShapes (model, description);
     const auto span = filterSpan (description, settings);
     requireDistinctPoints (model, description);
     auto responses = pointResponses (model, shapes, touchedLoads (model, description), span.rate, span.length);
     const auto compliance =
-        settings.regularisation * settings.regularisation * smallestResponse (responses, description.band);
+        settings.regularisation * settings.regularisation * smallestResponse (responses, {}, description.band);
     weigh (responses, description.band);
     WindowedResponses windowed (std::move (responses), span.taps, compliance);
     const auto impulse = weightedImpulse (span, description.band);

@@ -2,10 +2,16 @@
 
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
+#include <antinode_felt/FeltDisplacement.h>
+#include <antinode_felt/FeltMotion.h>
 #include <antinode_fingers/LoadedModel.h>
 #include <antinode_live/LiveTracks.h>
 
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace antinode
 {
@@ -24,6 +30,20 @@ std::vector<Finger> restingFingers (const WaveformsDescription& description)
     return fingers;
 }
 
+/** What a finger feels that moves: what it rides on, with its last 50 ms faded out, since the surface still rings. */
+double levelOnPath (const PlayedTracks& played, Eigen::Index point, const SkinThreshold& threshold)
+{
+    constexpr double fading = 0.05; // s
+    Eigen::VectorXd ridden = played.displacements.row (point).transpose();
+    const auto count = std::min (ridden.size(), static_cast<Eigen::Index> (fading * played.sampleRate));
+
+    for (Eigen::Index n = 0; n < count; ++n)
+        ridden[ridden.size() - 1 - n] *=
+            0.5 - 0.5 * std::cos (std::numbers::pi * static_cast<double> (n) / static_cast<double> (count));
+
+    return sensationLevel (feltAmount (feltDisplacement (ridden, played.sampleRate, threshold), played.sampleRate));
+}
+
 FeltOutcome feltByFingers (const PerformedWaveforms& performed, const SkinThreshold& threshold)
 {
     Render render;
@@ -31,7 +51,9 @@ FeltOutcome feltByFingers (const PerformedWaveforms& performed, const SkinThresh
     render.modalVelocities = performed.played.modalVelocities;
     std::vector<Target> places;
 
-    for (const auto& point : touchedPoints (performed.design.description))
+    const auto points = touchedPoints (performed.design.description);
+
+    for (const auto& point : points)
     {
         Target place;
         place.x = point.x;
@@ -39,7 +61,24 @@ FeltOutcome feltByFingers (const PerformedWaveforms& performed, const SkinThresh
         places.push_back (place);
     }
 
-    return feltOutcome (performed.judge, render, places, threshold);
+    auto felt = feltOutcome (performed.judge, render, places, threshold);
+
+    for (std::size_t p = 0; p < points.size(); ++p)
+        if (! points[p].path.empty())
+            felt.targets[p].level = levelOnPath (performed.played, static_cast<Eigen::Index> (p), threshold);
+
+    return felt;
+}
+
+nlohmann::ordered_json pathJson (const std::vector<PathPoint>& path)
+{
+    auto json = nlohmann::ordered_json::array();
+
+    for (const auto& corner : path)
+        json.push_back (
+            { { "time_ms", corner.time * milli }, { "x_mm", corner.x * milli }, { "y_mm", corner.y * milli } });
+
+    return json;
 }
 
 nlohmann::ordered_json fingerJson (const PerformedWaveforms& performed, std::size_t p)
@@ -54,6 +93,9 @@ nlohmann::ordered_json fingerJson (const PerformedWaveforms& performed, std::siz
                                   { "reached_peak_um", score.reachedPeak * micro },
                                   { "suppression_dB", performed.scores.suppression (p) },
                                   { "suppression_all_frequencies_dB", performed.scores.wideSuppression (p) } };
+
+    if (! points[p].path.empty())
+        json["path"] = pathJson (points[p].path);
 
     if (p < description.tracks.size())
         json["normalised_error"] = performed.scores.normalisedError (p);
@@ -91,8 +133,7 @@ PerformedWaveforms performWaveforms (const ModalModel& known, const ModalModel& 
 
     const auto fingers = restingFingers (description);
     performed.judge = fingers.empty() ? judge : loadedModel (judge, fingers);
-    performed.played = playTracks (performed.judge, touchedShapes (performed.judge, description),
-                                   performed.design.voltages, listening);
+    performed.played = playTracks (performed.judge, description, performed.design.voltages, listening);
     performed.scores = scoreTracks (performed.played, performed.design.wanted, description.band);
     performed.felt = feltByFingers (performed, settings.threshold);
     return performed;

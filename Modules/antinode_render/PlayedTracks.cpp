@@ -2,16 +2,19 @@
 
 #include <antinode_base/Watch.h>
 #include <antinode_engine/PlateModel.h>
+#include <antinode_tracks/PathShapes.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace antinode
 {
-PlayedTracks playTracks (const ModalModel& model, const Eigen::MatrixXd& pointShapes, const SampledVoltages& voltages,
-                         double ringing)
+PlayedTracks playTracks (const ModalModel& model, const WaveformsDescription& description,
+                         const SampledVoltages& voltages, double ringing)
 {
     constexpr double enoughForSkin = 12000; // Hz
+    const auto paths = pathShapes (model, description);
+    auto pointShapes = touchedShapes (model, description);
     PlateModel plate (model, voltages.playback, pointShapes);
     const auto rate = voltages.playback.sampleRate;
     const auto count = voltages.values.cols() + static_cast<Eigen::Index> (std::ceil (ringing * rate));
@@ -35,6 +38,11 @@ PlayedTracks playTracks (const ModalModel& model, const Eigen::MatrixXd& pointSh
 
         if (const auto at = n - plate.latencySamples(); at >= 0)
         {
+            for (std::size_t p = 0; p < paths.size(); ++p)
+                if (paths[p].moves())
+                    pointShapes.row (static_cast<Eigen::Index> (p)) =
+                        paths[p].at (static_cast<double> (at) / rate + voltages.firstTime).transpose();
+
             played.displacements.col (at) = pointShapes * plate.modalDisplacements();
 
             if (at % stride == 0)

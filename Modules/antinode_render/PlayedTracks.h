@@ -2,6 +2,7 @@
 
 #include <antinode_model/ModalModel.h>
 #include <antinode_model/SampledVoltages.h>
+#include <antinode_tracks/Waveforms.h>
 
 #include <Eigen/Core>
 
@@ -17,10 +18,11 @@ struct PlayedTracks
     Eigen::MatrixXd modalVelocities; ///< N_c x N, m/s kg^1/2, from the first sample on.
 };
 
-/** Plays voltages on a surface, mode by mode from sample to sample, and lets it ring. Knows nothing of a design.
-    @param pointShapes  points x N_c, kg^-1/2
-    @param ringing      s after the last voltage
-    @throws Cancelled   when a watch of this thread says no
+/** Plays voltages on a surface, mode by mode from sample to sample, and lets it ring: what happens at the touched
+   points, which may move. Knows nothing of a design.
+    @param ringing     s after the last voltage
+    @throws InputError  as requirePlaces
+    @throws Cancelled  when a watch of this thread says no
     [worker] Docs/Theory.md, section 6.2. */
-PlayedTracks playTracks (const ModalModel&, const Eigen::MatrixXd& pointShapes, const SampledVoltages&, double ringing);
+PlayedTracks playTracks (const ModalModel&, const WaveformsDescription&, const SampledVoltages&, double ringing);
 } // namespace antinode

@@ -85,7 +85,7 @@ Eigen::MatrixXd predicted (const ModalModel& known, const WaveformsDescription& 
     constexpr double untilSilence = 2.2; // s
     const auto fingers = knownFingers (description);
     const auto loaded = fingers.empty() ? known : loadedModel (known, fingers);
-    return playTracks (loaded, touchedShapes (loaded, description), pass.voltages, untilSilence).displacements;
+    return playTracks (loaded, description, pass.voltages, untilSilence).displacements;
 }
 } // namespace
 

@@ -132,6 +132,15 @@ ReportSection waveformSection (const PerformedWaveforms& performed)
     return section;
 }
 
+/** One coordinate of a point; of one that moves where it begins and ends. */
+std::string coordinateInWords (const TouchedPoint& point, double PathPoint::*coordinate, double still)
+{
+    if (point.path.empty() || point.path.front().*coordinate == point.path.back().*coordinate)
+        return inWords (still * milli);
+
+    return inWords (point.path.front().*coordinate * milli) + " to " + inWords (point.path.back().*coordinate * milli);
+}
+
 ReportTable fingerTable (const PerformedWaveforms& performed)
 {
     ReportTable table { "Fingers: what they should not feel is compared with the strongest track, within the band and "
@@ -144,11 +153,11 @@ ReportTable fingerTable (const PerformedWaveforms& performed)
     for (std::size_t p = 0; p < points.size(); ++p)
     {
         const auto& score = performed.scores.fingers[p];
-        table.rows.push_back ({ fingerName (performed.design.description, p), inWords (points[p].x * milli),
-                                inWords (points[p].y * milli), inWords (score.wantedPeak * micro),
-                                inWords (score.reachedPeak * micro), fixedText (performed.scores.suppression (p), 1),
-                                fixedText (performed.scores.wideSuppression (p), 1),
-                                fixedText (performed.felt.targets[p].level, 1) });
+        table.rows.push_back (
+            { fingerName (performed.design.description, p), coordinateInWords (points[p], &PathPoint::x, points[p].x),
+              coordinateInWords (points[p], &PathPoint::y, points[p].y), inWords (score.wantedPeak * micro),
+              inWords (score.reachedPeak * micro), fixedText (performed.scores.suppression (p), 1),
+              fixedText (performed.scores.wideSuppression (p), 1), fixedText (performed.felt.targets[p].level, 1) });
     }
 
     return table;

@@ -3,6 +3,7 @@
 #include "OscPacket.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace antinode
 {
@@ -24,6 +25,13 @@ std::vector<double> readNumbers (const OscMessage& message)
     }
 
     return numbers;
+}
+
+/** Numbers of fingers are those of one hand or many; TUIO's are above all of them. */
+bool isFingerNumber (double number)
+{
+    constexpr double most = 1000;
+    return number >= 0 && number <= most && number == std::floor (number);
 }
 
 void readPlace (const OscMessage& message, bool inMillimetres, std::vector<Touch>& touches, TouchCounters& counters)
@@ -49,6 +57,42 @@ void readPlace (const OscMessage& message, bool inMillimetres, std::vector<Touch
     touches.push_back (touch);
 }
 } // namespace
+
+void TouchMessages::readFinger (const OscMessage& message, std::vector<Touch>& touches, TouchCounters& counters)
+{
+    const auto numbers = readNumbers (message);
+
+    if (numbers.size() != 3 || ! isFingerNumber (numbers[0]))
+        return counters.count (TouchFault::wrongArguments);
+
+    const Touch touch { TouchKind::rest, false, numbers[1], numbers[2], 1, static_cast<std::int64_t> (numbers[0]) };
+
+    if (const auto fault = findFault (touch))
+        return counters.count (*fault);
+
+    fingers.insert (touch.finger);
+    touches.push_back (touch);
+}
+
+void TouchMessages::readLift (const OscMessage& message, std::vector<Touch>& touches, TouchCounters& counters)
+{
+    const auto numbers = readNumbers (message);
+
+    if (numbers.size() != message.arguments.size() || numbers.size() > 1
+        || ! std::all_of (numbers.begin(), numbers.end(), isFingerNumber))
+        return counters.count (TouchFault::wrongArguments);
+
+    auto lifted = fingers;
+
+    if (! numbers.empty())
+        lifted = { static_cast<std::int64_t> (numbers[0]) };
+
+    for (const auto finger : lifted)
+    {
+        fingers.erase (finger);
+        touches.push_back ({ TouchKind::lift, false, 0, 0, 1, finger });
+    }
+}
 
 std::vector<Touch> TouchMessages::read (std::span<const std::byte> bytes, TouchCounters& counters)
 {
@@ -78,6 +122,10 @@ void TouchMessages::readMessage (const OscMessage& message, std::vector<Touch>& 
         readPlace (message, false, touches, counters);
     else if (message.address == "/antinode/stop")
         touches.push_back ({ TouchKind::stopAll, false, 0, 0, 0 });
+    else if (message.address == "/antinode/finger")
+        readFinger (message, touches, counters);
+    else if (message.address == "/antinode/lift")
+        readLift (message, touches, counters);
     else if (message.address == TuioSources::address)
         sources.read (message, touches, counters);
     else if (! message.address.starts_with ("/tuio/"))

@@ -6,6 +6,8 @@
 #include "TouchOptions.h"
 #include "TuioSources.h"
 
+#include <cstdint>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -15,6 +17,8 @@ namespace antinode
 
     - `/antinode/focus x_mm [y_mm [amplitude]]`: a focus at a place in mm; y = 0, amplitude = 1 where left out;
     - `/antinode/touch x y [amplitude]`: a focus at fractions of the surface;
+    - `/antinode/finger number x y`: a finger rests at fractions of the surface, or moves there;
+    - `/antinode/lift [number]`: it is lifted; without a number all that `/antinode/finger` put down;
     - `/antinode/stop`, whatever stands behind it: fades everything out;
     - `/tuio/2Dcur` of TUIO 1.1: see TuioCursors. Other profiles below `/tuio/` are skipped.
 
@@ -23,15 +27,18 @@ namespace antinode
 class TouchMessages
 {
 public:
-    explicit TouchMessages (const TouchOptions& options = {}) : sources (options.repeatDistance) {}
+    explicit TouchMessages (const TouchOptions& options = {}) : sources (options) {}
 
     /** The touches of a packet in their order; packets and faults are counted.
         [any] throws nothing but std::bad_alloc; memory is bounded by the size of the packet */
     std::vector<Touch> read (std::span<const std::byte> packet, TouchCounters&);
 
 private:
+    void readFinger (const OscMessage&, std::vector<Touch>&, TouchCounters&);
+    void readLift (const OscMessage&, std::vector<Touch>&, TouchCounters&);
     void readMessage (const OscMessage&, std::vector<Touch>&, TouchCounters&);
 
     TuioSources sources;
+    std::set<std::int64_t> fingers; ///< Put down by numbers.
 };
 } // namespace antinode

@@ -15,5 +15,8 @@ struct TouchPorts
 
     /** IPv4, of the listening interface: 127.0.0.1 accepts this computer only, 0.0.0.0 the whole network. */
     std::string address = "127.0.0.1";
+
+    /** What TUIO cursors rest on the surface: a kind of finger. Empty: they play foci. */
+    std::string finger = {};
 };
 } // namespace antinode

@@ -117,7 +117,7 @@ void TouchReceiver::receive (std::span<const std::byte> packet)
 
 void TouchReceiver::forward (const Touch& touch)
 {
-    if (touch.kind != TouchKind::stopAll && ! limit.allows (std::chrono::steady_clock::now()))
+    if (touch.kind == TouchKind::focusAt && ! limit.allows (std::chrono::steady_clock::now()))
     {
         ++current.limited;
         return;

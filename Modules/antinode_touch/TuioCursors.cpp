@@ -6,13 +6,27 @@
 
 namespace antinode
 {
+namespace
+{
+constexpr double fingerStep = 0.005; // of the surface: a finger that has moved less has not moved
+} // namespace
+
 void TuioCursors::play (const TuioFrame& frame, std::vector<Touch>& touches, TouchCounters& counters)
 {
-    if (! advanceTo (frame.sequence))
+    if (! advanceTo (frame.sequence, touches))
         return counters.count (TouchFault::staleFrame);
 
     const std::set<std::int32_t> alive (frame.alive->begin(), frame.alive->end());
-    std::erase_if (lastTouches, [&alive] (const auto& entry) { return ! alive.contains (entry.first); });
+    std::erase_if (lastTouches,
+                   [&] (const auto& entry)
+                   {
+                       const auto hasLeft = ! alive.contains (entry.first);
+
+                       if (hasLeft && options.cursorsRest)
+                           touches.push_back ({ TouchKind::lift, false, 0, 0, 1, fingerOf (entry.first) });
+
+                       return hasLeft;
+                   });
 
     for (const auto& cursor : frame.cursors)
     {
@@ -23,7 +37,21 @@ void TuioCursors::play (const TuioFrame& frame, std::vector<Touch>& touches, Tou
     }
 }
 
-bool TuioCursors::advanceTo (std::int32_t sequence)
+void TuioCursors::liftAll (std::vector<Touch>& touches)
+{
+    for (const auto& [session, touch] : lastTouches)
+        if (options.cursorsRest)
+            touches.push_back ({ TouchKind::lift, false, 0, 0, 1, fingerOf (session) });
+
+    lastTouches.clear();
+}
+
+std::int64_t TuioCursors::fingerOf (std::int32_t session) const
+{
+    return (std::int64_t { source } << 32) + session;
+}
+
+bool TuioCursors::advanceTo (std::int32_t sequence, std::vector<Touch>& touches)
 {
     // -1 marks a repetition of the whole state, which has no place in the order. Some senders know only 0.
     if (sequence <= 0)
@@ -35,7 +63,7 @@ bool TuioCursors::advanceTo (std::int32_t sequence)
         return false;
 
     if (behind > 100)
-        lastTouches.clear();
+        liftAll (touches);
 
     newest = sequence;
     return true;
@@ -43,7 +71,9 @@ bool TuioCursors::advanceTo (std::int32_t sequence)
 
 void TuioCursors::move (const TuioCursor& cursor, std::vector<Touch>& touches, TouchCounters& counters)
 {
-    const Touch touch { TouchKind::focusAt, false, cursor.x, 1 - cursor.y, 1 };
+    const auto kind = options.cursorsRest ? TouchKind::rest : TouchKind::focusAt;
+    const Touch touch { kind, false, cursor.x, 1 - cursor.y, 1, options.cursorsRest ? fingerOf (cursor.session) : 0 };
+    const auto step = options.cursorsRest ? fingerStep : options.repeatDistance;
 
     if (const auto fault = findFault (touch))
         return counters.count (*fault);
@@ -51,7 +81,7 @@ void TuioCursors::move (const TuioCursor& cursor, std::vector<Touch>& touches, T
     const auto [last, isNew] = lastTouches.try_emplace (cursor.session, touch);
     const auto distance = std::hypot (touch.x - last->second.x, touch.y - last->second.y);
 
-    if (! isNew && ! (repeatDistance > 0 && distance > repeatDistance))
+    if (! isNew && ! (step > 0 && distance > step))
         return;
 
     last->second = touch;

@@ -2,6 +2,7 @@
 
 #include "Touch.h"
 #include "TouchCounters.h"
+#include "TouchOptions.h"
 #include "TuioFrame.h"
 
 #include <map>
@@ -13,21 +14,30 @@ namespace antinode
 class TuioCursors
 {
 public:
-    /** @param repeatDistance  see TouchOptions */
-    explicit TuioCursors (double repeatDistanceToUse) : repeatDistance (repeatDistanceToUse) {}
+    /** @param source  a number that no other source has */
+    TuioCursors (const TouchOptions& optionsToUse, std::int32_t sourceToUse)
+        : options (optionsToUse), source (sourceToUse)
+    {
+    }
 
-    /** A cursor gives a touch where it is first seen on the surface, of amplitude 1. One that is not alive any more is
-        forgotten. Frames older than the newest are dropped; one with the newest's number is the rest of it, or a
-        repetition, which changes nothing; one more than 100 behind is that of a source that was restarted.
+    /** A cursor gives a touch where it is first seen on the surface, of amplitude 1. Where cursors rest as fingers, it
+        gives one too where it has moved by a two-hundredth of the surface, and one when it leaves. One that is not
+       alive any more is forgotten. Frames older than the newest are dropped; one with the newest's number is the rest
+       of it, or a repetition, which changes nothing; one more than 100 behind is that of a source that was restarted.
         @param frame  has its alive
         [any] */
     void play (const TuioFrame& frame, std::vector<Touch>&, TouchCounters&);
 
-private:
-    bool advanceTo (std::int32_t sequence);
-    void move (const TuioCursor&, std::vector<Touch>&, TouchCounters&);
+    /** Forgets all cursors; fingers are lifted. [any] */
+    void liftAll (std::vector<Touch>&);
 
-    double repeatDistance;
+private:
+    bool advanceTo (std::int32_t sequence, std::vector<Touch>&);
+    void move (const TuioCursor&, std::vector<Touch>&, TouchCounters&);
+    std::int64_t fingerOf (std::int32_t session) const;
+
+    TouchOptions options;
+    std::int32_t source;
     std::int32_t newest = 0;
     std::map<std::int32_t, Touch> lastTouches; ///< By session.
 };

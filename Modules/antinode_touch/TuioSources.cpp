@@ -86,7 +86,7 @@ bool TuioSources::readPart (const std::string& command, Arguments arguments)
 void TuioSources::endFrame (std::vector<Touch>& touches, TouchCounters& counters)
 {
     if (frame.alive)
-        findCursors (frame.source).play (frame, touches, counters);
+        findCursors (frame.source, touches).play (frame, touches, counters);
     else
         counters.count (TouchFault::brokenFrame);
 
@@ -103,7 +103,7 @@ void TuioSources::endPacket (TouchCounters& counters)
     isInFrame = false;
 }
 
-TuioCursors& TuioSources::findCursors (const std::string& source)
+TuioCursors& TuioSources::findCursors (const std::string& source, std::vector<Touch>& touches)
 {
     const auto known =
         std::find_if (sources.begin(), sources.end(), [&source] (const auto& entry) { return entry.first == source; });
@@ -113,9 +113,12 @@ TuioCursors& TuioSources::findCursors (const std::string& source)
     else
     {
         if (sources.size() == maximumSources)
+        {
+            sources.front().second.liftAll (touches);
             sources.erase (sources.begin());
+        }
 
-        sources.emplace_back (source, TuioCursors (repeatDistance));
+        sources.emplace_back (source, TuioCursors (options, ++sourcesSeen));
     }
 
     return sources.back().second;

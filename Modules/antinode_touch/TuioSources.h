@@ -3,6 +3,7 @@
 #include "OscMessage.h"
 #include "TuioCursors.h"
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <utility>
@@ -17,8 +18,7 @@ public:
     static constexpr const char* address = "/tuio/2Dcur";
     static constexpr std::size_t maximumSources = 16; ///< The one that was silent longest makes way for another.
 
-    /** @param repeatDistance  see TouchOptions */
-    explicit TuioSources (double repeatDistanceToUse) : repeatDistance (repeatDistanceToUse) {}
+    explicit TuioSources (const TouchOptions& optionsToUse) : options (optionsToUse) {}
 
     /** @param message  of `address`; fseq ends a frame and gives its touches. [any] */
     void read (const OscMessage& message, std::vector<Touch>&, TouchCounters&);
@@ -29,9 +29,10 @@ public:
 private:
     bool readPart (const std::string& command, std::span<const OscArgument>);
     void endFrame (std::vector<Touch>&, TouchCounters&);
-    TuioCursors& findCursors (const std::string& source);
+    TuioCursors& findCursors (const std::string& source, std::vector<Touch>&);
 
-    double repeatDistance;
+    TouchOptions options;
+    std::int32_t sourcesSeen = 0;
     TuioFrame frame;
     bool isInFrame = false;
     std::vector<std::pair<std::string, TuioCursors>> sources; ///< The one heard last is the last.

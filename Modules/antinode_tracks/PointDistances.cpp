@@ -10,13 +10,15 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
 
 namespace antinode
 {
 namespace
 {
-constexpr double leastDifference = 0.05; // of the motion of two points: less cannot be told apart
-constexpr double distanceStep = 2.5e-4;  // m, in which the least distance is looked for
+constexpr double leastDifference = 0.05;  // of the motion of two points: less cannot be told apart
+constexpr double lookedAgainAfter = 3e-3; // m that points move
+constexpr double distanceStep = 2.5e-4;   // m, in which the least distance is looked for
 
 /** How much of the motion of each pair is its own, the median over the band: 0 where two points move alike. */
 double differenceOf (const PointResponses& responses, TrackBand band, Eigen::Index p, Eigen::Index q)
@@ -67,6 +69,28 @@ std::optional<double> leastDistance (const ModalModel& model, TrackBand band, co
             return far;
     }
 }
+
+/** The same of points that stay. @param when  for messages */
+void requireDistinct (const ModalModel& model, const WaveformsDescription& description, const std::string& when)
+{
+    const auto points = touchedPoints (description);
+    const auto responses = coarseResponses (model, touchedShapes (model, description), description.band);
+
+    for (std::size_t q = 1; q < points.size(); ++q)
+        for (std::size_t p = 0; p < q; ++p)
+            if (differenceOf (responses, description.band, static_cast<Eigen::Index> (p), static_cast<Eigen::Index> (q))
+                < leastDifference)
+            {
+                const auto least = leastDistance (model, description.band, points[p], points[q]);
+                const auto distance = std::hypot (points[q].x - points[p].x, points[q].y - points[p].y);
+                throw InputError (
+                    "waveforms: " + pointInWords (description, q),
+                    "is " + inWords (distance * milli) + " mm from " + pointInWords (description, p) + when
+                        + ", too near for the surface to move them apart"
+                        + (least ? "; allowed: " + inWords (*least * milli) + " mm or more in this direction"
+                                 : "; allowed: another place"));
+            }
+}
 } // namespace
 
 std::vector<SurfaceLoad> touchedLoads (const ModalModel& model, const WaveformsDescription& description)
@@ -82,27 +106,16 @@ std::vector<SurfaceLoad> touchedLoads (const ModalModel& model, const WaveformsD
 
 void requireDistinctPoints (const ModalModel& model, const WaveformsDescription& description)
 {
-    const auto points = touchedPoints (description);
+    const auto points = description.tracks.size() + description.silent.size();
 
-    if (static_cast<Eigen::Index> (points.size()) > model.actuators())
-        throw InputError ("waveforms", "touch " + std::to_string (points.size()) + " points; allowed: at most "
+    if (static_cast<Eigen::Index> (points) > model.actuators())
+        throw InputError ("waveforms", "touch " + std::to_string (points) + " points; allowed: at most "
                                            + std::to_string (model.actuators()) + ", one per ceramic");
 
-    const auto responses = coarseResponses (model, touchedShapes (model, description), description.band);
+    const auto times = timesOfPlaces (description, lookedAgainAfter);
 
-    for (std::size_t q = 1; q < points.size(); ++q)
-        for (std::size_t p = 0; p < q; ++p)
-            if (differenceOf (responses, description.band, static_cast<Eigen::Index> (p), static_cast<Eigen::Index> (q))
-                < leastDifference)
-            {
-                const auto least = leastDistance (model, description.band, points[p], points[q]);
-                const auto distance = std::hypot (points[q].x - points[p].x, points[q].y - points[p].y);
-                throw InputError (
-                    "waveforms: " + pointInWords (description, q),
-                    "is " + inWords (distance * milli) + " mm from " + pointInWords (description, p)
-                        + ", too near for the surface to move them apart"
-                        + (least ? "; allowed: " + inWords (*least * milli) + " mm or more in this direction"
-                                 : "; allowed: another place"));
-            }
+    for (const auto time : times)
+        requireDistinct (model, stillAt (description, time),
+                         times.size() > 1 ? " at " + inWords (time * milli) + " ms" : std::string());
 }
 } // namespace antinode

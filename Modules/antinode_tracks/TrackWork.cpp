@@ -1,6 +1,7 @@
 #include "TrackWork.h"
 
 #include "PointDistances.h"
+#include "TouchedNodes.h"
 #include "VoltageInterpolation.h"
 #include "WantedMotion.h"
 
@@ -63,20 +64,36 @@ TrackSpan trackSpan (const ModalModel& model, const WaveformsDescription& descri
     return span;
 }
 
-/** What the design holds at once, bytes. */
-double bytesNeeded (const TrackSpan& span, double points, double actuators)
+/** How many numbers of each kind a design has. */
+struct DesignCounts
 {
-    constexpr double byNumber = sizeof (double), signalsKept = 8, copiesPlayed = 3;
+    double points = 0, nodes = 0, stages = 0, actuators = 0;
+};
+
+/** What the design holds at once, bytes. */
+double bytesNeeded (const TrackSpan& span, const DesignCounts& counts)
+{
+    constexpr double byNumber = sizeof (double), signalsKept = 8, copiesPlayed = 3, copiesOfNodes = 3;
     const auto lines = static_cast<double> (span.length);
+    const auto moving = counts.nodes > counts.points ? copiesOfNodes * counts.nodes : 0;
     return byNumber
-           * (lines * (points * actuators + points * points + actuators + signalsKept * points)
-              + static_cast<double> (span.window) * actuators
+           * (lines
+                  * (counts.nodes * counts.actuators + counts.stages * counts.points * counts.points + counts.actuators
+                     + signalsKept * counts.points + moving)
+              + static_cast<double> (span.window) * counts.actuators
                     * (signalsKept + copiesPlayed * static_cast<double> (span.factor)));
 }
 
-void requireMemory (const TrackSpan& span, Eigen::Index points, Eigen::Index actuators)
+DesignCounts designCounts (const ModalModel& model, const WaveformsDescription& description, const TouchedNodes& nodes)
 {
-    const auto bytes = bytesNeeded (span, static_cast<double> (points), static_cast<double> (actuators));
+    return { static_cast<double> (description.tracks.size() + description.silent.size()),
+             static_cast<double> (nodes.shapes().rows()), static_cast<double> (nodes.stages()),
+             static_cast<double> (model.actuators()) };
+}
+
+void requireMemory (const TrackSpan& span, const DesignCounts& counts)
+{
+    const auto bytes = bytesNeeded (span, counts);
 
     if (bytes > mostBytes)
         throw InputError ("waveforms",
@@ -84,6 +101,23 @@ void requireMemory (const TrackSpan& span, Eigen::Index points, Eigen::Index act
                               + inWords (bytes / mostBytes) + " GiB; allowed: 1 GiB, about "
                               + inWords (std::floor (static_cast<double> (span.wanted) / span.rate * mostBytes / bytes))
                               + " s with this device and rate");
+}
+
+/** The smallest singular values of the responses within the band, squared: from the trace of the inverse, of which it
+   is the largest part. */
+void addSmallest (std::vector<double>& squares, const PointResponses& responses, TrackBand band)
+{
+    const auto step = responses.sampleRate / static_cast<double> (responses.length);
+
+    for (auto line = static_cast<Eigen::Index> (std::ceil (band.lower / step));
+         line <= static_cast<Eigen::Index> (band.upper / step); ++line)
+    {
+        const auto response = responses.atLine (line);
+        const Eigen::MatrixXcd gram = response * response.adjoint();
+        const Eigen::MatrixXcd inverse =
+            solveSemidefinite (gram, Eigen::MatrixXcd::Identity (gram.rows(), gram.cols()));
+        squares.push_back (1 / inverse.real().trace());
+    }
 }
 
 /** Peaks over their limits. */
@@ -116,39 +150,36 @@ Eigen::VectorXd slewLimits (const ModalModel& model)
 }
 } // namespace
 
-double smallestResponse (const PointResponses& responses, TrackBand band)
+double smallestResponse (const PointResponses& nodes, const MovingPoints& moving, TrackBand band)
 {
-    const auto step = responses.sampleRate / static_cast<double> (responses.length);
-    std::vector<double> squares; // from the trace of the inverse, of which it is the largest part
+    std::vector<double> squares;
 
-    for (auto line = static_cast<Eigen::Index> (std::ceil (band.lower / step));
-         line <= static_cast<Eigen::Index> (band.upper / step); ++line)
-    {
-        const auto response = responses.atLine (line);
-        const Eigen::MatrixXcd gram = response * response.adjoint();
-        const Eigen::MatrixXcd inverse =
-            solveSemidefinite (gram, Eigen::MatrixXcd::Identity (gram.rows(), gram.cols()));
-        squares.push_back (1 / inverse.real().trace());
-    }
+    if (moving.points.empty())
+        addSmallest (squares, nodes, band);
+
+    for (const auto sample : moving.stages)
+        addSmallest (squares, frozenResponses (nodes, moving, sample), band);
 
     return median (squares);
 }
 
 TrackWork trackWork (const ModalModel& model, const WaveformsDescription& description, const TrackSettings& settings)
 {
-    const auto shapes = touchedShapes (model, description);
     const auto span = trackSpan (model, description, settings.sampleRate);
-    requireMemory (span, shapes.rows(), model.actuators());
+    const TouchedNodes nodes (model, description, span.rate);
+    requireMemory (span, designCounts (model, description, nodes));
     requireDistinctPoints (model, description);
-    auto responses = pointResponses (model, shapes, touchedLoads (model, description), span.rate, span.length);
+    auto moving = nodes.weights (span.rate, span.lead, span.length);
+    auto responses = pointResponses (model, nodes.shapes(), touchedLoads (model, description), span.rate, span.length);
     const auto compliance =
-        settings.regularisation * settings.regularisation * smallestResponse (responses, description.band);
+        settings.regularisation * settings.regularisation * smallestResponse (responses, moving, description.band);
     TrackWork work { span,
-                     WindowedResponses (std::move (responses), span.window, compliance),
-                     Eigen::MatrixXd::Zero (span.length, shapes.rows()),
+                     WindowedResponses (std::move (responses), span.window, compliance, std::move (moving)),
+                     {},
                      voltageLimits (model),
                      slewLimits (model),
                      settings.sampleRate };
+    work.wanted = Eigen::MatrixXd::Zero (span.length, work.responses.points());
     work.wanted.middleRows (span.lead, span.wanted) = wantedMotion (description, settings.threshold, span.rate);
     return work;
 }
@@ -176,15 +207,16 @@ std::optional<TrackWork> finerWork (const ModalModel& model, const WaveformsDesc
     span.wanted = (span.wanted - 1) * factor + 1;
     span.window = (span.window - 1) * factor + 1;
     span.length *= factor;
-    const auto points = coarse.responses.points(), actuators = coarse.responses.actuators();
+    const TouchedNodes nodes (model, description, span.rate);
 
-    if (bytesNeeded (span, static_cast<double> (points), static_cast<double> (actuators)) > mostBytes)
+    if (bytesNeeded (span, designCounts (model, description, nodes)) > mostBytes)
         return {};
 
-    auto responses = pointResponses (model, touchedShapes (model, description), touchedLoads (model, description),
-                                     span.rate, span.length);
+    auto moving = nodes.weights (span.rate, span.lead, span.length);
+    auto responses = pointResponses (model, nodes.shapes(), touchedLoads (model, description), span.rate, span.length);
     return TrackWork { span,
-                       WindowedResponses (std::move (responses), span.window, coarse.responses.compliance()),
+                       WindowedResponses (std::move (responses), span.window, coarse.responses.compliance(),
+                                          std::move (moving)),
                        finer (coarse.wanted, factor),
                        coarse.limits,
                        coarse.slews,

@@ -30,9 +30,9 @@ struct TrackWork
     double sampleRate = 0; // Hz, of what is played
 };
 
-/** The median over a band of the smallest singular value of responses, squared, m^2/V^2: what voltages can well bring.
-    [worker] */
-double smallestResponse (const PointResponses&, TrackBand band);
+/** The median over a band, and all places of what moves, of the smallest singular value of responses, squared, m^2/V^2:
+    what voltages can well bring. @param nodes  as those of WindowedResponses [worker] */
+double smallestResponse (const PointResponses& nodes, const MovingPoints&, TrackBand band);
 
 /** The design at its own rate. @throws InputError  as designTracks [worker] */
 TrackWork trackWork (const ModalModel&, const WaveformsDescription&, const TrackSettings&);

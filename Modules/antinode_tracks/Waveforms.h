@@ -27,12 +27,20 @@ struct TrackLevel
     double value = 5e-6;
 };
 
+/** Where a moving point is at one time. */
+struct PathPoint
+{
+    double time = 0;     ///< s after the trigger.
+    double x = 0, y = 0; ///< m
+};
+
 /** A place that is touched. */
 struct TouchedPoint
 {
     std::string name;
-    double x = 0, y = 0;          ///< m
+    double x = 0, y = 0;          ///< m, where the path begins if there is one.
     std::optional<Finger> finger; ///< What rests there; none: nothing that changes the motion.
+    std::vector<PathPoint> path;  ///< Ascending in time, straight lines in between; empty: it stays.
 };
 
 /** What one finger is to feel: the displacement of the surface beneath it. */
@@ -60,11 +68,25 @@ std::vector<TouchedPoint> touchedPoints (const WaveformsDescription&);
 /** A touched point as a file numbers it: "track 2", "silent finger 1". @param point  index in touchedPoints [any] */
 std::string pointInWords (const WaveformsDescription&, std::size_t point);
 
+/** Where a touched point is, s after the trigger: before its path at its begin, behind it at its end. [any] */
+PathPoint placeAt (const TouchedPoint&, double time);
+
+/** The same waveforms at points that stay where they are at a time. [any] */
+WaveformsDescription stillAt (const WaveformsDescription&, double time);
+
+/** Times between which all points together move a step or less, from the begin of the first path to the end of the
+    last, ascending; one where nothing moves. At most 32, with longer steps if need be. @param step  m [any] */
+std::vector<double> timesOfPlaces (const WaveformsDescription&, double step);
+
 /** How long the tracks are, from the trigger to the end of the last, s. [any] */
 double tracksDuration (const WaveformsDescription&);
 
-/** Where the shapes of the touched points are: points x N_c, kg^-1/2.
-    @throws InputError  for a point outside the surface: which, where, what is allowed
+/** Checks that all points stay on a surface; a path has times that ascend, at most 2 m/s and 10 m, and no finger on it.
+    @throws InputError  which point, where, what is allowed [any] */
+void requirePlaces (const Surface&, const WaveformsDescription&);
+
+/** The mode shapes of the touched points where they begin: points x N_c, kg^-1/2.
+    @throws InputError  as requirePlaces
     [worker] */
 Eigen::MatrixXd touchedShapes (const ModalModel&, const WaveformsDescription&);
 } // namespace antinode

@@ -4,6 +4,8 @@
 #include <antinode_numerics/Decompositions.h>
 #include <antinode_numerics/ParallelFor.h>
 
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace antinode
@@ -28,20 +30,66 @@ Eigen::MatrixXcd preconditioner (const PointResponses& responses, double complia
     parallelFor (static_cast<std::size_t> (inverses.rows()), atLine);
     return inverses;
 }
+
+/** The window of a stage: it rises after the stage before and falls until the next one, as a sine and a cosine, so that
+    the squares of all add to 1. */
+Eigen::VectorXd stageWindow (const std::vector<Eigen::Index>& stages, std::size_t stage, Eigen::Index length)
+{
+    const auto quarter = [] (Eigen::Index n, Eigen::Index from, Eigen::Index to)
+    { return std::numbers::pi / 2 * static_cast<double> (n - from) / static_cast<double> (to - from); };
+    const auto at = stages[stage];
+    Eigen::VectorXd window = Eigen::VectorXd::Zero (length);
+    const auto begin = stage > 0 ? stages[stage - 1] : 0, end = stage + 1 < stages.size() ? stages[stage + 1] : length;
+
+    for (auto n = begin; n < end; ++n)
+        if (n < at)
+            window[n] = stage > 0 ? std::sin (quarter (n, begin, at)) : 1;
+        else
+            window[n] = stage + 1 < stages.size() ? std::cos (quarter (n, at, end)) : 1;
+
+    return window;
+}
 } // namespace
 
-WindowedResponses::WindowedResponses (PointResponses responsesToUse, Eigen::Index windowToUse, double compliance)
-    : responses (std::move (responsesToUse)), window (windowToUse), lambda (compliance),
-      inverses (preconditioner (responses, compliance))
+PointResponses frozenResponses (const PointResponses& nodes, const MovingPoints& moving, Eigen::Index sample)
+{
+    PointResponses frozen { moving.points.back() + 1, nodes.actuators, nodes.length, nodes.sampleRate, {} };
+    frozen.values = Eigen::MatrixXcd::Zero (nodes.values.rows(), frozen.points * frozen.actuators);
+
+    for (Eigen::Index i = 0; i < nodes.actuators; ++i)
+        for (Eigen::Index node = 0; node < nodes.points; ++node)
+            frozen.values.col (moving.points[static_cast<std::size_t> (node)] + frozen.points * i) +=
+                moving.weights (sample, node) * nodes.values.col (node + nodes.points * i);
+
+    return frozen;
+}
+
+WindowedResponses::WindowedResponses (PointResponses responsesToUse, Eigen::Index windowToUse, double compliance,
+                                      MovingPoints movingToUse)
+    : responses (std::move (responsesToUse)), moving (std::move (movingToUse)), window (windowToUse),
+      lambda (compliance), inverses (stageInverses())
 {
     for (std::size_t i = 0; i < processorThreads(); ++i)
         tables.push_back (std::make_unique<FourierTables>());
 }
 
+std::vector<Eigen::MatrixXcd> WindowedResponses::stageInverses() const
+{
+    if (moving.points.empty())
+        return { preconditioner (responses, lambda) };
+
+    std::vector<Eigen::MatrixXcd> all;
+
+    for (const auto sample : moving.stages)
+        all.push_back (preconditioner (frozenResponses (responses, moving, sample), lambda));
+
+    return all;
+}
+
 void WindowedResponses::setCompliance (double compliance)
 {
     lambda = compliance;
-    inverses = preconditioner (responses, compliance);
+    inverses = stageInverses();
 }
 
 /** Every table is used by one thread: signal i by that of i modulo their number. */
@@ -88,21 +136,58 @@ Eigen::MatrixXd WindowedResponses::combined (const Eigen::MatrixXd& signals, Eig
 
 Eigen::MatrixXd WindowedResponses::motion (const Eigen::MatrixXd& voltages)
 {
-    return combined (voltages, points(), length(),
-                     [this] (Eigen::Index p, Eigen::Index i)
-                     { return responses.values.col (p + points() * i).array(); });
+    auto all = combined (voltages, responses.points, length(),
+                         [this] (Eigen::Index p, Eigen::Index i)
+                         { return responses.values.col (p + responses.points * i).array(); });
+
+    if (moving.points.empty())
+        return all;
+
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero (length(), points());
+
+    for (Eigen::Index node = 0; node < all.cols(); ++node)
+        result.col (moving.points[static_cast<std::size_t> (node)]) +=
+            moving.weights.col (node).cwiseProduct (all.col (node));
+
+    return result;
 }
 
 Eigen::MatrixXd WindowedResponses::pulls (const Eigen::MatrixXd& multipliers)
 {
-    return combined (multipliers, actuators(), window,
-                     [this] (Eigen::Index i, Eigen::Index p)
-                     { return responses.values.col (p + points() * i).array().conjugate(); });
+    const auto toActuators = [this] (Eigen::Index i, Eigen::Index p)
+    { return responses.values.col (p + responses.points * i).array().conjugate(); };
+
+    if (moving.points.empty())
+        return combined (multipliers, actuators(), window, toActuators);
+
+    Eigen::MatrixXd spread (length(), responses.points);
+
+    for (Eigen::Index node = 0; node < spread.cols(); ++node)
+        spread.col (node) =
+            moving.weights.col (node).cwiseProduct (multipliers.col (moving.points[static_cast<std::size_t> (node)]));
+
+    return combined (spread, actuators(), window, toActuators);
+}
+
+Eigen::MatrixXd WindowedResponses::stageInverse (const Eigen::MatrixXd& right, const Eigen::MatrixXcd& inverse)
+{
+    return combined (right, points(), length(),
+                     [&] (Eigen::Index p, Eigen::Index q) { return inverse.col (p + points() * q).array(); });
 }
 
 Eigen::MatrixXd WindowedResponses::precondition (const Eigen::MatrixXd& right)
 {
-    return combined (right, points(), length(),
-                     [this] (Eigen::Index p, Eigen::Index q) { return inverses.col (p + points() * q).array(); });
+    if (inverses.size() == 1)
+        return stageInverse (right, inverses.front());
+
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero (right.rows(), right.cols());
+
+    for (std::size_t stage = 0; stage < inverses.size(); ++stage)
+    {
+        const Eigen::VectorXd share = stageWindow (moving.stages, stage, length());
+        sum += share.asDiagonal() * stageInverse (share.asDiagonal() * right, inverses[stage]);
+    }
+
+    return sum;
 }
 } // namespace antinode

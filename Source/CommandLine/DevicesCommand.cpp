@@ -81,11 +81,14 @@ void listMaterials()
     }
 }
 
-/** Names of focuses are no names of devices. */
+/** No two documents have one name. */
 LibraryKind kindOf (const std::string& name)
 {
-    const auto focuses = factoryNames (LibraryKind::focus);
-    return std::find (focuses.begin(), focuses.end(), name) == focuses.end() ? LibraryKind::device : LibraryKind::focus;
+    for (const auto kind : { LibraryKind::focus, LibraryKind::waveforms })
+        if (const auto names = factoryNames (kind); std::find (names.begin(), names.end(), name) != names.end())
+            return kind;
+
+    return LibraryKind::device;
 }
 
 void run (const DevicesOptions& options)
@@ -109,7 +112,8 @@ void addDevicesCommand (CLI::App& app)
         command->add_flag ("--materials", options->showsMaterials, "Lists the built-in materials with their values");
     auto* focuses = command->add_flag ("--focuses", options->showsFocuses, "Lists the embedded focuses");
     auto* shown = command->add_option ("--show", options->shown,
-                                       "Writes an embedded device or focus as JSON, as a starting point for a new one");
+                                       "Writes an embedded device, focus or waveforms as JSON, as a starting point for "
+                                       "new ones");
     materials->excludes (focuses)->excludes (shown);
     focuses->excludes (shown);
     command->callback ([options] { run (*options); });

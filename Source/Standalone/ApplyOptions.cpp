@@ -77,6 +77,10 @@ StandaloneSettings withOptions (StandaloneSettings settings, const StandaloneOpt
     settings.touch.oscPort = options.oscPort.value_or (settings.touch.oscPort);
     settings.touch.tuioPort = options.tuioPort.value_or (settings.touch.tuioPort);
     settings.touch.address = options.touchAddress.value_or (settings.touch.address);
+
+    if (options.tuioCursors)
+        settings.touch.finger = *options.tuioCursors == "foci" ? "" : *options.tuioCursors;
+
     return settings;
 }
 

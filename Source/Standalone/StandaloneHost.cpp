@@ -3,6 +3,7 @@
 #include <antinode_base/InputError.h>
 
 #include <algorithm>
+#include <chrono>
 
 namespace antinode
 {
@@ -69,6 +70,14 @@ void StandaloneHost::setTouch (const TouchPorts& ports)
     touchInput.open (ports);
 }
 
+void StandaloneHost::restTouches()
+{
+    const auto focus = player.focus();
+
+    if (const auto wanted = touchInput.resting().due (focus->description.fingers, std::chrono::steady_clock::now()))
+        player.setFingers (*wanted);
+}
+
 void StandaloneHost::setMidi (const MidiChoice& choice)
 {
     kept.midi = choice;
@@ -129,6 +138,13 @@ void StandaloneHost::waitForSilence()
 
 void StandaloneHost::shutDown()
 {
+    touchInput.open ({ 0, 0, kept.touch.address });
+
+    const auto focus = player.focus();
+
+    if (const auto others = touchInput.resting().allLifted (focus->description.fingers))
+        player.setFingers (*others);
+
     save();
     muteAll();
     waitForSilence();
@@ -186,6 +202,7 @@ void StandaloneHost::handleAsyncUpdate()
 void StandaloneHost::timerCallback()
 {
     outputRouter.collect();
+    restTouches();
     const auto generation = player.session().snapshot()->generation;
 
     if (generation != seenGeneration)

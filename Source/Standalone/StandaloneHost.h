@@ -37,6 +37,10 @@ public:
     void setTouch (const TouchPorts&);
     void setMidi (const MidiChoice&);
 
+    /** Puts touches that rest on the surface as fingers, and lifts those that have left, where that is due. The host
+        does so itself 20 times a second. [message thread] */
+    void restTouches();
+
     /** Kept only: the window shows it. [message thread] */
     void setDark (bool isDark);
 

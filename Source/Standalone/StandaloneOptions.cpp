@@ -28,6 +28,9 @@ void addTouchOptions (CLI::App& app, StandaloneOptions& options)
     app.add_option ("--touch-address", options.touchAddress,
                     "Accepts touches at this IPv4 address; 127.0.0.1: this computer only, 0.0.0.0: the whole network")
         ->check (CLI::ValidIPV4);
+    app.add_option ("--tuio-cursors", options.tuioCursors,
+                    "What TUIO cursors do: play foci, or rest as a light, medium or firm finger")
+        ->check (CLI::IsMember ({ "foci", "light", "medium", "firm" }));
 }
 
 /** What only a program without windows is asked to do. */

@@ -20,7 +20,7 @@ struct StandaloneOptions
     std::vector<double> times;      ///< s, of the notes in their order.
     std::string midiFile, settings; ///< Files; empty: none, the usual one.
     std::optional<int> oscPort, tuioPort;
-    std::optional<std::string> touchAddress;
+    std::optional<std::string> touchAddress, tuioCursors;
     double duration = 0; ///< s; 0: until it is interrupted.
 };
 

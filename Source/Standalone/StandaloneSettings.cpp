@@ -1,5 +1,7 @@
 #include "StandaloneSettings.h"
 
+#include "RestingTouches.h"
+
 #include <Editor/EditorPreferences.h>
 #include <antinode_text/JsonReader.h>
 #include <antinode_text/JsonText.h>
@@ -116,9 +118,10 @@ MidiChoice readMidi (const JsonValue& value)
 TouchPorts readTouch (const JsonValue& value)
 {
     constexpr int highestPort = 65535;
-    const auto json = value.object ({ "osc_port", "tuio_port", "address" });
+    const auto json = value.object ({ "osc_port", "tuio_port", "address", "cursors" });
+    const auto cursors = json.optional ("cursors");
     return { json.required ("osc_port").integer (0, highestPort), json.required ("tuio_port").integer (0, highestPort),
-             json.required ("address").text (longestName) };
+             json.required ("address").text (longestName), std::string (cursors ? cursors->choice (cursorWords) : "") };
 }
 } // namespace
 
@@ -131,7 +134,8 @@ std::string settingsToText (const StandaloneSettings& settings)
                 { "touch",
                   { { "osc_port", settings.touch.oscPort },
                     { "tuio_port", settings.touch.tuioPort },
-                    { "address", settings.touch.address } } },
+                    { "address", settings.touch.address },
+                    { "cursors", wordFor (cursorWords, std::string_view (settings.touch.finger)) } } },
                 { "theme", wordFor (themeWords, settings.isDark) } };
 
     if (settings.state)

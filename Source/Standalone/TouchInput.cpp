@@ -12,20 +12,31 @@ std::pair<double, double> touchPlace (const Touch& touch, const Surface& surface
              surface.yMinimum * (1 - touch.y) + surface.yMaximum * touch.y };
 }
 
+Session::TouchResult TouchInput::placed (const Touch& touch)
+{
+    const auto now = session.snapshot();
+
+    if (now->model == nullptr)
+        return Session::TouchResult::notAccepted;
+
+    const auto [x, y] = touchPlace (touch, now->model->surface);
+
+    if (touch.kind == TouchKind::focusAt)
+        return session.fireAt (x, y, touch.amplitude);
+
+    return fingers.rest (touch.finger, x, y, now->model->surface) ? Session::TouchResult::taken
+                                                                  : Session::TouchResult::notAccepted;
+}
+
 void TouchInput::play (const Touch& touch)
 {
     if (touch.kind == TouchKind::stopAll)
         return session.stopAll();
 
-    const auto now = session.snapshot();
-    auto result = Session::TouchResult::notAccepted;
+    if (touch.kind == TouchKind::lift)
+        return fingers.lift (touch.finger);
 
-    if (now->model != nullptr)
-    {
-        const auto [x, y] = touchPlace (touch, now->model->surface);
-        result = session.fireAt (x, y, touch.amplitude);
-    }
-
+    const auto result = placed (touch);
     outsideSurface += result == Session::TouchResult::outsideSurface ? 1 : 0;
     notAccepted += result == Session::TouchResult::notAccepted ? 1 : 0;
 }
@@ -35,9 +46,13 @@ void TouchInput::open (const TouchPorts& ports)
     receiver.reset();
     outsideSurface = 0;
     notAccepted = 0;
+    fingers.setKind (ports.finger);
 
-    if (ports.oscPort != 0 || ports.tuioPort != 0)
-        receiver =
-            std::make_unique<TouchReceiver> (ports, TouchOptions {}, [this] (const Touch& touch) { play (touch); });
+    if (ports.oscPort == 0 && ports.tuioPort == 0)
+        return;
+
+    TouchOptions options;
+    options.cursorsRest = ! ports.finger.empty();
+    receiver = std::make_unique<TouchReceiver> (ports, options, [this] (const Touch& touch) { play (touch); });
 }
 } // namespace antinode

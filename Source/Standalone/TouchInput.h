@@ -1,5 +1,7 @@
 #pragma once
 
+#include "RestingTouches.h"
+
 #include <antinode_model/Surface.h>
 #include <antinode_session/Session.h>
 #include <antinode_touch/TouchReceiver.h>
@@ -15,14 +17,14 @@ namespace antinode
     [any] */
 std::pair<double, double> touchPlace (const Touch&, const Surface&);
 
-/** Valid touches that play nothing. */
+/** Valid touches that do nothing. */
 struct UnplayedTouches
 {
     std::int64_t outsideSurface = 0;
-    std::int64_t notAccepted = 0; ///< No device was solved yet, or too many waited.
+    std::int64_t notAccepted = 0; ///< No device was solved yet, too many waited, or a finger may not rest there.
 };
 
-/** Touches from the network as foci of a session. */
+/** Touches from the network as foci of a session, and as fingers that rest on its surface. */
 class TouchInput
 {
 public:
@@ -42,11 +44,20 @@ public:
     /** Since the ports were opened. [any] */
     UnplayedTouches unplayed() const { return { outsideSurface, notAccepted }; }
 
-    /** Passes a touch to the session; counts touches that play nothing. [any but the audio thread] */
+    /** Passes a touch to the session, or keeps it as a finger; counts touches that do nothing. [any but the audio
+     * thread]
+     */
     void play (const Touch&);
 
+    /** The touches that rest. */
+    RestingTouches& resting() { return fingers; }
+    const RestingTouches& resting() const { return fingers; }
+
 private:
+    Session::TouchResult placed (const Touch&);
+
     Session& session;
+    RestingTouches fingers;
     std::atomic<std::int64_t> outsideSurface { 0 }, notAccepted { 0 };
     std::unique_ptr<TouchReceiver> receiver;
 };

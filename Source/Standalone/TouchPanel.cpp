@@ -9,7 +9,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int nameWidth = 90, fieldWidth = 80, countMilliseconds = 250;
+constexpr int nameWidth = 90, fieldWidth = 80, choiceWidth = 190, countMilliseconds = 250;
 constexpr auto thisComputer = "127.0.0.1", wholeNetwork = "0.0.0.0";
 
 juce::String portText (int port)
@@ -28,8 +28,9 @@ juce::String statusText (const TouchInput& touch)
         faults += count;
 
     return "OSC " + portText (ports.oscPort) + ", TUIO " + portText (ports.tuioPort) + "\n"
-           + juce::String (counters.packets) + " packets, " + juce::String (counters.touches) + " touches forwarded\n"
-           + "Dropped: " + juce::String (counters.limited) + " above 500 per second, " + juce::String (faults)
+           + juce::String (counters.packets) + " packets, " + juce::String (counters.touches) + " touches forwarded, "
+           + juce::String (static_cast<int> (touch.resting().count())) + " fingers rest\n"
+           + "Dropped: " + juce::String (counters.limited) + " foci above 500 per second, " + juce::String (faults)
            + " faulty,\n" + juce::String (unplayed.outsideSurface) + " outside the surface, "
            + juce::String (unplayed.notAccepted) + " without a device or with a full queue";
 }
@@ -43,7 +44,7 @@ TouchPanel::TouchPanel (StandaloneHost& hostToUse) : host (hostToUse)
     network.setToggleState (ports.address != thisComputer, juce::dontSendNotification);
     status.setJustificationType (juce::Justification::topLeft);
 
-    for (auto* const label : { &oscName, &tuioName, &status })
+    for (auto* const label : { &oscName, &tuioName, &cursorsName, &status })
         label->setFont (EditorLook::font (EditorLook::smallTextHeight));
 
     for (auto* const editor : { &oscPort, &tuioPort })
@@ -56,10 +57,21 @@ TouchPanel::TouchPanel (StandaloneHost& hostToUse) : host (hostToUse)
         editor->onReturnKey = [this] { apply(); };
     }
 
+    for (std::size_t i = 0; i < cursorWords.size(); ++i)
+    {
+        const auto [word, finger] = cursorWords[i];
+        const auto text = finger.empty() ? std::string ("play foci") : "rest as " + std::string (word) + " fingers";
+        cursors.addItem (juce::String (text), static_cast<int> (i) + 1);
+
+        if (finger == ports.finger)
+            cursors.setSelectedId (static_cast<int> (i) + 1, juce::dontSendNotification);
+    }
+
+    cursors.setTooltip ("What TUIO cursors do. Fingers damp the surface; no focus is designed for them");
     applyButton.onClick = [this] { apply(); };
 
-    for (auto* const child : std::initializer_list<juce::Component*> { &oscName, &tuioName, &status, &oscPort,
-                                                                       &tuioPort, &network, &applyButton })
+    for (auto* const child : std::initializer_list<juce::Component*> {
+             &oscName, &tuioName, &status, &oscPort, &tuioPort, &cursorsName, &cursors, &network, &applyButton })
         addAndMakeVisible (child);
 
     showState();
@@ -71,8 +83,9 @@ void TouchPanel::apply()
     try
     {
         failure.clear();
+        const auto [word, finger] = cursorWords[static_cast<std::size_t> (cursors.getSelectedId() - 1)];
         host.setTouch ({ oscPort.getText().getIntValue(), tuioPort.getText().getIntValue(),
-                         network.getToggleState() ? wholeNetwork : thisComputer });
+                         network.getToggleState() ? wholeNetwork : thisComputer, std::string (finger) });
     }
     catch (const InputError& error)
     {
@@ -96,14 +109,15 @@ void TouchPanel::lookAndFeelChanged()
 void TouchPanel::resized()
 {
     auto area = getLocalBounds().reduced (panelMargin);
-    const auto place = [&] (juce::Component& name, juce::Component& field)
+    const auto place = [&] (juce::Component& name, juce::Component& field, int width)
     {
         auto row = area.removeFromTop (panelRowHeight).reduced (0, 2);
         name.setBounds (row.removeFromLeft (nameWidth));
-        field.setBounds (row.removeFromLeft (fieldWidth));
+        field.setBounds (row.removeFromLeft (width));
     };
-    place (oscName, oscPort);
-    place (tuioName, tuioPort);
+    place (oscName, oscPort, fieldWidth);
+    place (tuioName, tuioPort, fieldWidth);
+    place (cursorsName, cursors, choiceWidth);
     network.setBounds (area.removeFromTop (panelRowHeight));
     applyButton.setBounds (area.removeFromTop (panelRowHeight).reduced (0, 2).removeFromLeft (fieldWidth));
     area.removeFromTop (panelMargin);

@@ -22,8 +22,9 @@ private:
     void apply();
 
     StandaloneHost& host;
-    juce::Label oscName { {}, "OSC port" }, tuioName { {}, "TUIO port" }, status;
+    juce::Label oscName { {}, "OSC port" }, tuioName { {}, "TUIO port" }, cursorsName { {}, "TUIO cursors" }, status;
     juce::TextEditor oscPort, tuioPort;
+    juce::ComboBox cursors;
     juce::ToggleButton network { "Accept touches from the network, not only from this computer" };
     juce::TextButton applyButton { "Apply" };
     juce::String failure;

@@ -210,6 +210,8 @@ TEST_CASE ("devices lists what is embedded, and what it shows can be used as a f
     CHECK (nlohmann::json::parse (modes.output).at ("kind") == "beam");
     CHECK (readFocus (nlohmann::json::parse (runProgram ({ "devices", "--show", "phone-thumb" }).output), "shown").name
            == "phone-thumb");
+    CHECK (nlohmann::json::parse (runProgram ({ "devices", "--show", "three-fingers" }).output).at ("schema")
+           == "antinode.waveforms/1");
 }
 
 TEST_CASE ("design and render agree on design.json", "[command line]")

@@ -65,6 +65,34 @@ TEST_CASE ("Waveforms are read with all that they can say", "[documents][tracks]
     CHECK (waveforms.silent[0].finger.value().name == "firm");
 }
 
+TEST_CASE ("A touched point stays at its place or has a path", "[documents][tracks]")
+{
+    auto document = oneTrack();
+    document["silent"] = Json::parse (R"([ { "path": [ { "time_ms": 0, "x_mm": 70, "y_mm": 30 },
+                                                       { "time_ms": 250, "x_mm": 90 } ] } ])");
+    const auto point = readWaveforms (document, "my.json", {}).silent.at (0);
+    REQUIRE (point.path.size() == 2);
+    CHECK (point.x == Approx (0.07));
+    CHECK (point.path[1].time == Approx (0.25));
+    CHECK (point.path[1].x == Approx (0.09));
+    CHECK (point.path[1].y == 0);
+
+    // Half of the way in half of the time; before and behind it stays.
+    CHECK (placeAt (point, 0.125).x == Approx (0.08));
+    CHECK (placeAt (point, 0.125).y == Approx (0.015));
+    CHECK (placeAt (point, -1).y == Approx (0.03));
+    CHECK (placeAt (point, 1).x == Approx (0.09));
+
+    document["silent"][0]["x_mm"] = 70;
+    CHECK_THAT (refusal (document), Catch::Contains ("/silent/0") && Catch::Contains ("'x_mm' and 'path'"));
+    document["silent"][0].erase ("x_mm");
+    document["silent"][0]["y_mm"] = 70;
+    CHECK_THAT (refusal (document), Catch::Contains ("has 'y_mm' beside 'path'"));
+    document["silent"][0].erase ("y_mm");
+    document["silent"][0]["path"].erase (1);
+    CHECK_THAT (refusal (document), Catch::Contains ("/silent/0/path"));
+}
+
 TEST_CASE ("A recording is looked for beside its file, and one channel of it is played", "[documents][tracks]")
 {
     const TemporaryFolder folder;

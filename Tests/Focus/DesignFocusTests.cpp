@@ -228,6 +228,26 @@ TEST_CASE ("Warnings tell of a poor capture and of a limit that clips", "[focus]
     CHECK_THAT (warnings[1], Catch::Contains ("limiter will clip"));
 }
 
+TEST_CASE ("Warnings tell of a y on a line, and of less felt where the focus is", "[focus][felt]")
+{
+    const auto model = test::sineBeam (20, 8);
+    auto focus = sincFocus (AllocationMethod::exact);
+    const auto usual = designFocus (model, focus, {}).warnings.size();
+    const auto& target = focus.targets.front();
+    focus.felt.emplace();
+    focus.felt->at = FeltAt::places;
+    focus.felt->places = { { target.x + 0.4 * target.width, 0 }, { target.x + target.width, 0 } };
+    auto warnings = designFocus (model, focus, {}).warnings;
+    REQUIRE (warnings.size() == usual + 1);
+    CHECK_THAT (warnings[0], Catch::Contains ("'felt': place 1 lies") && Catch::Contains ("from target 1"));
+
+    focus.felt.reset();
+    focus.targets[0].y = 0.01;
+    warnings = designFocus (model, focus, {}).warnings;
+    REQUIRE (warnings.size() == usual + 1);
+    CHECK (warnings[0] == "y of target 1, 10 mm, is ignored: the surface of 'sine beam' is a line.");
+}
+
 TEST_CASE ("A detuned model is reproducible and as far off as asked for", "[focus]")
 {
     const auto model = test::sineBeam (200, 8);

@@ -73,4 +73,10 @@ TEST_CASE ("options take the place of settings")
     options.oscPort = 0;
     CHECK (withOptions (settings, options).touch.oscPort == 0);
     CHECK (withOptions (settings, options).touch.tuioPort == settings.touch.tuioPort);
+    CHECK (withOptions (settings, options).touch.finger.empty());
+    options.tuioCursors = "medium";
+    CHECK (withOptions (settings, options).touch.finger == "medium");
+    settings.touch.finger = "firm";
+    options.tuioCursors = "foci";
+    CHECK (withOptions (settings, options).touch.finger.empty());
 }

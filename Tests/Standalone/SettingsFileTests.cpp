@@ -22,7 +22,7 @@ StandaloneSettings unusualSettings()
     settings.routing = withMonitor (withOutput (straightRouting(), 1, 40), 100);
     settings.routing.chains[40] = { 1.0 / 3, -1 };
     settings.midi = { false, { "a", "b" } };
-    settings.touch = { 9100, 0, "0.0.0.0" };
+    settings.touch = { 9100, 0, "0.0.0.0", "firm" };
     settings.isDark = false;
     settings.state = demonstrator();
     settings.state->parameters["x"] = 12.3456789012345678;
@@ -56,6 +56,7 @@ TEST_CASE ("settings come back as they were kept")
     CHECK (read.touch.oscPort == 9100);
     CHECK (read.touch.tuioPort == 0);
     CHECK (read.touch.address == "0.0.0.0");
+    CHECK (read.touch.finger == "firm");
     CHECK_FALSE (read.isDark);
     REQUIRE (read.state);
     CHECK (read.state->parameters == wanted.state->parameters);

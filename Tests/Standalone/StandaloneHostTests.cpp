@@ -62,6 +62,36 @@ TEST_CASE ("a device that cannot be opened is a warning, and all else goes on")
     CHECK (host.router().isMuted());
 }
 
+TEST_CASE ("touches rest as fingers of the focus while they last, and damp what plays")
+{
+    StandaloneHost host (SettingsFile ({}), false);
+    host.processor().prepareToPlay (48000, 256);
+    host.processor().session().waitUntilSettled();
+    const auto fingers = [&] { return host.processor().focus()->description.fingers; };
+    const Touch touch { TouchKind::rest, false, 0.25, 0.5, 1, 1 };
+    host.touch().play (touch);
+    CHECK (host.touch().unplayed().notAccepted == 1); // They play foci, by default.
+    host.restTouches();
+    CHECK (fingers().empty());
+
+    host.setTouch ({ 0, 0, "127.0.0.1", "firm" });
+    host.touch().play (touch);
+    CHECK (host.touch().unplayed().notAccepted == 0);
+    host.restTouches();
+    REQUIRE (fingers().size() == 1);
+    CHECK (fingers()[0].name == "firm");
+    CHECK_FALSE (fingers()[0].isKnown);
+    host.processor().session().waitUntilSettled();
+    const auto now = host.processor().session().snapshot();
+    CHECK (now->deviceError.empty());
+    CHECK (now->focusDocument->description.fingers == fingers());
+    CHECK (fingers()[0].x == Approx (0.75 * now->model->surface.xMinimum + 0.25 * now->model->surface.xMaximum));
+
+    // What is kept for the next time has no touches.
+    host.shutDown();
+    CHECK (fingers().empty());
+}
+
 TEST_CASE ("who quits while a device is solved or a focus designed does not wait")
 {
     test::BlockingTimes times;

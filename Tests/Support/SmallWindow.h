@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -51,10 +52,24 @@ inline WindowedResponses someWindow()
     return { someResponses(), window, compliance };
 }
 
+/** One point that goes from the first to the second in the middle of the window. */
+inline WindowedResponses movingWindow()
+{
+    MovingPoints moving { { 0, 0 }, Eigen::MatrixXd (length, points), { 8, 16, 24, 32 } };
+
+    for (Eigen::Index n = 0; n < length; ++n)
+    {
+        const auto share = std::min (1.0, std::max (0.0, static_cast<double> (n - 8) / 24));
+        moving.weights.row (n) << 1 - share, share;
+    }
+
+    return { someResponses(), window, compliance, moving };
+}
+
 /** G as a matrix: the motion for each single sample. */
 inline Eigen::MatrixXd denseResponses (WindowedResponses& responses)
 {
-    Eigen::MatrixXd dense (length * points, window * actuators);
+    Eigen::MatrixXd dense (length * responses.points(), window * actuators);
 
     for (Eigen::Index j = 0; j < dense.cols(); ++j)
     {

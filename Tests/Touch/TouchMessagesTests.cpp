@@ -129,3 +129,28 @@ TEST_CASE ("No second holds more touches than the limit", "[touch]")
     CHECK (limit.allows (start + 1100ms));
     CHECK_FALSE (TouchRateLimit (0).allows (start));
 }
+
+TEST_CASE ("OSC puts fingers down by numbers and lifts one or all of them", "[touch]")
+{
+    TouchMessages messages;
+    TouchCounters counters;
+    const auto read = [&] (const auto& packet) { return messages.read (packet, counters); };
+    const auto down = read (OscWriter::message ("/antinode/finger", std::int32_t { 1 }, 0.25F, 0.5F));
+    REQUIRE (down.size() == 1);
+    CHECK (down[0] == Touch { TouchKind::rest, false, 0.25, 0.5, 1, 1 });
+    read (OscWriter::message ("/antinode/finger", std::int32_t { 4 }, 0.75F, 0.5F));
+    const auto up = read (OscWriter::message ("/antinode/lift", std::int32_t { 1 }));
+    REQUIRE (up.size() == 1);
+    CHECK (up[0].kind == TouchKind::lift);
+    CHECK (up[0].finger == 1);
+    const auto all = read (OscWriter::message ("/antinode/lift"));
+    REQUIRE (all.size() == 1);
+    CHECK (all[0].finger == 4);
+
+    CHECK (read (OscWriter::message ("/antinode/finger", 1.5F, 0.25F, 0.5F)).empty());
+    CHECK (read (OscWriter::message ("/antinode/finger", std::int32_t { 1 }, 0.25F)).empty());
+    CHECK (read (OscWriter::message ("/antinode/lift", std::int32_t { -1 })).empty());
+    CHECK (counters.of (TouchFault::wrongArguments) == 3);
+    CHECK (read (OscWriter::message ("/antinode/finger", std::int32_t { 1 }, 1.25F, 0.5F)).empty());
+    CHECK (counters.of (TouchFault::outside) == 1);
+}

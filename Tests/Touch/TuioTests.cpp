@@ -219,3 +219,38 @@ TEST_CASE ("Other TUIO profiles, which trackers send as well, are passed over", 
     CHECK (reader.countTouches (OscWriter::message ("/tuio/2Dobj", "alive"s)) == 0);
     CHECK (reader.counters.faults == TouchCounters {}.faults);
 }
+
+TEST_CASE ("Where cursors rest as fingers, each says where it is and when it leaves", "[touch]")
+{
+    TouchOptions options;
+    options.cursorsRest = true;
+    Reader reader { TouchMessages (options), {} };
+    const auto down = reader (frame (1, { 7, 8 }, { { 7, 0.25F, 0.5F }, { 8, 0.75F, 0.5F } }, "pad@here"));
+    REQUIRE (down.size() == 2);
+    CHECK (down[0].kind == TouchKind::rest);
+    CHECK (down[0].finger != down[1].finger);
+
+    // A thousandth of the surface is no move, a hundredth is one.
+    CHECK (reader.countTouches (frame (2, { 7, 8 }, { { 7, 0.251F, 0.5F } }, "pad@here")) == 0);
+    const auto moved = reader (frame (3, { 7, 8 }, { { 7, 0.26F, 0.5F } }, "pad@here"));
+    REQUIRE (moved.size() == 1);
+    CHECK (moved[0].finger == down[0].finger);
+    CHECK (moved[0].x == Approx (0.26));
+
+    // The same session of another source is another finger.
+    const auto other = reader (frame (1, { 7 }, { { 7, 0.5F, 0.1F } }, "wall@there"));
+    REQUIRE (other.size() == 1);
+    CHECK (other[0].finger != down[0].finger);
+
+    const auto up = reader (frame (4, { 8 }, {}, "pad@here"));
+    REQUIRE (up.size() == 1);
+    CHECK (up[0].kind == TouchKind::lift);
+    CHECK (up[0].finger == down[0].finger);
+
+    // A source that starts again has lifted all.
+    reader (frame (500, { 8 }, {}, "pad@here"));
+    const auto again = reader (frame (1, { 8 }, { { 8, 0.75F, 0.5F } }, "pad@here"));
+    REQUIRE (again.size() == 2);
+    CHECK (again[0].kind == TouchKind::lift);
+    CHECK (again[1].kind == TouchKind::rest);
+}

@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 using namespace antinode;
 
 namespace
@@ -63,6 +65,30 @@ TEST_CASE ("Every finger gets its track, played on the modes of the surface with
     CHECK (json["fingers"][2]["name"] == "silent finger 1");
     CHECK_FALSE (json["fingers"][2].contains ("normalised_error"));
     CHECK (json["peak_voltage_V"].get<double>() > 0);
+}
+
+TEST_CASE ("A point that moves is played, felt and told about on its way", "[tracks][render]")
+{
+    auto description = threeFingers();
+    auto& sliding = description.tracks[1].point;
+    sliding.finger.reset();
+    sliding.path = { { 0, 0.14, 0.1 }, { 0.06, 0.11, 0.11 } };
+    const auto result = performed (description);
+
+    for (std::size_t p = 0; p < 3; ++p)
+        CHECK (result.scores.suppression (p) < -55);
+
+    // A tone of .5 um over a threshold of .1 um: 14 dB, as where it stays.
+    CHECK (result.felt.targets[1].level == Approx (20 * std::log10 (5)).margin (0.5));
+    const auto json = performedToJson (result);
+    CHECK (json["fingers"][1]["path"][1]["x_mm"].get<double>() == Approx (110));
+    CHECK_FALSE (json["fingers"][0].contains ("path"));
+
+    // Who stays where the path begins feels something else.
+    sliding.path.clear();
+    const auto played = playTracks (result.judge, description, result.design.voltages, 0.3);
+    const auto scores = scoreTracks (played, result.design.wanted, description.band);
+    CHECK (scores.suppression (1) > -30);
 }
 
 TEST_CASE ("Fingers that no design knows of spoil the silence", "[tracks][render]")

@@ -63,7 +63,7 @@ struct PlayedPass
 
 PlayedPass playedPass (const ModalModel& real, const TrackDesign& design, double noise)
 {
-    const auto played = playTracks (real, touchedShapes (real, design.description), design.voltages, heardFor);
+    const auto played = playTracks (real, design.description, design.voltages, heardFor);
     const auto scores = scoreTracks (played, design.wanted, design.description.band);
     RandomNumbers random (5);
     PlayedPass pass { { design.voltages, played.displacements },

@@ -8,7 +8,10 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
 
 using namespace antinode;
 
@@ -39,10 +42,13 @@ WaveformsDescription twoPoints (double level)
     return description;
 }
 
+/** points x modes, s after the trigger. */
+using ShapesInTime = std::function<Eigen::MatrixXd (double time)>;
+
 /** The surface in time by steps of the trapezoidal rule on mass, damping and stiffness, fingers included: no modal
     recursion, no transform. At 16 steps a sample of 48 kHz a tone of 800 Hz is right to 4e-6. */
-Eigen::MatrixXd steppedMotion (const ModalModel& model, const Eigen::MatrixXd& shapes,
-                               const std::vector<Finger>& fingers, const SampledVoltages& voltages)
+Eigen::MatrixXd steppedMotion (const ModalModel& model, const ShapesInTime& shapes, const std::vector<Finger>& fingers,
+                               const SampledVoltages& voltages)
 {
     constexpr int steps = 16;
     const auto h = 1 / voltages.playback.sampleRate / steps;
@@ -60,11 +66,12 @@ Eigen::MatrixXd steppedMotion (const ModalModel& model, const Eigen::MatrixXd& s
 
     const Eigen::MatrixXd inverse = (mass + h / 2 * damping + h * h / 4 * stiffness).inverse();
     Eigen::VectorXd q = Eigen::VectorXd::Zero (model.modes()), v = q, a = q;
-    Eigen::MatrixXd motion (voltages.values.cols(), shapes.rows());
+    Eigen::MatrixXd motion (voltages.values.cols(), shapes (0).rows());
 
     for (Eigen::Index n = 0; n < motion.rows(); ++n)
     {
-        motion.row (n) = (shapes * q).transpose();
+        motion.row (n) =
+            (shapes (voltages.firstTime + static_cast<double> (n) / voltages.playback.sampleRate) * q).transpose();
         const Eigen::VectorXd now = voltages.values.col (n);
         const Eigen::VectorXd next = n + 1 < motion.rows() ? Eigen::VectorXd (voltages.values.col (n + 1)) : now;
 
@@ -97,7 +104,8 @@ TEST_CASE ("A finger gets its track and the other one silence, on a surface that
     const auto design = designTracks (model, description, settingsFor (48000));
     CHECK (design.error < 1e-3);
     CHECK (design.peaks.maxCoeff() < 150);
-    const auto motion = steppedMotion (model, touchedShapes (model, description), fingers, design.voltages);
+    const auto shapes = [&] (double) { return touchedShapes (model, description); };
+    const auto motion = steppedMotion (model, shapes, fingers, design.voltages);
     const auto trigger = std::llround (-design.voltages.firstTime * 48000);
     Eigen::MatrixXd wanted = Eigen::MatrixXd::Zero (motion.rows(), 2);
     wanted.middleRows (trigger, design.wanted.rows()) = design.wanted;
@@ -110,8 +118,81 @@ TEST_CASE ("A finger gets its track and the other one silence, on a surface that
     description.tracks[0].point.finger.reset();
     description.silent[0].finger.reset();
     const auto bare = designTracks (model, description, settingsFor (48000));
-    const auto loaded = steppedMotion (model, touchedShapes (model, description), fingers, bare.voltages);
+    const auto loaded = steppedMotion (model, shapes, fingers, bare.voltages);
     CHECK ((loaded - wanted).norm() > 0.1 * wanted.norm());
+}
+
+TEST_CASE ("A finger that moves gets its track on its way, and the others silence", "[tracks]")
+{
+    const auto model = test::SinePlate().model (10);
+    auto description = twoPoints (1e-6);
+    description.tracks[0].signal = ToneSignal { 350, 0.1, 0.02, 0, 1 };
+    description.tracks[0].point.path = { { 0.01, 0.05, 0.06 }, { 0.06, 0.09, 0.04 }, { 0.09, 0.11, 0.06 } };
+    const auto design = designTracks (model, description, settingsFor (48000));
+    CHECK (design.error < 1e-3);
+
+    // Straight lines from corner to corner, by shapes of the sine plate in closed form.
+    const test::SinePlate plate;
+    const auto halves = plate.halfWaves (10);
+    const auto shapes = [&] (double time)
+    {
+        const auto leg = time < 0.06 ? std::clamp ((time - 0.01) / 0.05, 0.0, 1.0) : 1.0;
+        const auto next = std::clamp ((time - 0.06) / 0.03, 0.0, 1.0);
+        const Eigen::Vector2d moving (0.05 + 0.04 * leg + 0.02 * next, 0.06 - 0.02 * leg + 0.02 * next);
+        const Eigen::Vector2d resting (0.14, 0.1);
+        Eigen::MatrixXd rows (2, 10);
+
+        for (Eigen::Index k = 0; k < 10; ++k)
+        {
+            const auto [m, n] = halves[static_cast<std::size_t> (k)];
+            const auto at = [&, mx = m * std::numbers::pi / plate.lengthX,
+                             ny = n * std::numbers::pi / plate.lengthY] (const Eigen::Vector2d& place)
+            { return plate.amplitude() * std::sin (mx * place.x()) * std::sin (ny * place.y()); };
+            rows (0, k) = at (moving);
+            rows (1, k) = at (resting);
+        }
+
+        return rows;
+    };
+    const auto motion = steppedMotion (model, shapes, {}, design.voltages);
+    const auto trigger = std::llround (-design.voltages.firstTime * 48000);
+    Eigen::MatrixXd wanted = Eigen::MatrixXd::Zero (motion.rows(), 2);
+    wanted.middleRows (trigger, design.wanted.rows()) = design.wanted;
+
+    // As where it stays: -54 dB.
+    CHECK ((motion - wanted).col (0).norm() < 2e-3 * wanted.norm());
+    CHECK ((motion - wanted).col (1).norm() < 2e-3 * wanted.norm());
+
+    // A design for the place where it begins is far off.
+    description.tracks[0].point.path.clear();
+    const auto resting = designTracks (model, description, settingsFor (48000));
+    CHECK ((steppedMotion (model, shapes, {}, resting.voltages) - wanted).norm() > 0.1 * wanted.norm());
+}
+
+TEST_CASE ("Paths that no finger takes are refused in one sentence", "[tracks]")
+{
+    const auto model = test::SinePlate().model (10);
+    const auto refusal = [&] (const std::vector<PathPoint>& path, bool hasFinger = false)
+    {
+        auto description = twoPoints (1e-6);
+        description.tracks[0].point.path = path;
+
+        if (hasFinger)
+            description.tracks[0].point.finger = builtInFinger ("medium", 0.05, 0.06);
+
+        return errorText ([&] { designTracks (model, description, settingsFor (48000)); });
+    };
+    CHECK (refusal ({ { 0, 0.05, 0.06 }, { 0.1, 0.05, 0.16 } })
+           == "waveforms: track 1 path 2 y: is 160 mm, outside the surface; allowed: 0 to 150 mm");
+    CHECK_THAT (refusal ({ { 0, 0.05, 0.06 }, { 0, 0.06, 0.06 } }),
+                Catch::Contains ("track 1 path 2 time: is 0 ms, not after the one before"));
+    CHECK_THAT (refusal ({ { 0, 0.05, 0.06 }, { 0.01, 0.15, 0.06 } }),
+                Catch::Contains ("path 2: is reached at 10000 mm/s; allowed: 2000 mm/s or less"));
+    CHECK_THAT (refusal ({ { 0, 0.05, 0.06 }, { 0.1, 0.06, 0.06 } }, true), Catch::Contains ("track 1 finger: moves"));
+
+    // On its way it comes too near to the silent finger at 140, 100 mm.
+    CHECK_THAT (refusal ({ { 0, 0.05, 0.1 }, { 0.1, 0.15, 0.1 } }),
+                Catch::Contains ("mm from track 1 at ") && Catch::Contains (" ms, too near"));
 }
 
 TEST_CASE ("Voltages and slew rates keep their limits where these bind", "[tracks]")

@@ -20,6 +20,28 @@ TEST_CASE ("The pulls of multipliers are the transpose of the motion by voltages
            == Approx (responses.pulls (multipliers).cwiseProduct (voltages).sum()).epsilon (1e-12));
 }
 
+TEST_CASE ("Pulls and preconditioner of a point that moves are those of its dense matrix", "[tracks]")
+{
+    auto responses = movingWindow();
+    REQUIRE (responses.points() == 1);
+    RandomNumbers random (3);
+    const Eigen::MatrixXd voltages = random.normal (window * actuators).reshaped (window, actuators);
+    const Eigen::MatrixXd multipliers = random.normal (length), others = random.normal (length);
+    CHECK (responses.motion (voltages).cwiseProduct (multipliers).sum()
+           == Approx (responses.pulls (multipliers).cwiseProduct (voltages).sum()).epsilon (1e-12));
+    CHECK (responses.precondition (others).cwiseProduct (multipliers).sum()
+           == Approx (responses.precondition (multipliers).cwiseProduct (others).sum()).epsilon (1e-12));
+
+    const Eigen::MatrixXd wanted = someWanted().col (0);
+    const auto solution = solveTracks (responses, wanted);
+    const auto dense = denseResponses (responses);
+    Eigen::MatrixXd normal = dense.transpose() * dense;
+    normal.diagonal().array() += compliance;
+    const Eigen::VectorXd expected = normal.ldlt().solve (dense.transpose() * wanted);
+    CHECK ((solution.voltages.reshaped() - expected).norm() < 1e-2 * expected.norm());
+    CHECK (solution.error == Approx ((dense * expected - wanted).norm() / wanted.norm()).margin (2e-4));
+}
+
 TEST_CASE ("Without limits the voltages are those of the dense least squares", "[tracks]")
 {
     auto responses = someWindow();

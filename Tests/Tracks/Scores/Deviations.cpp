@@ -159,7 +159,7 @@ void passesTable (const Device& device, int layouts)
                 const auto shift =
                     pass > 0 ? correctionFrom (device.known, description, settings, records).shift : TrackShift {};
                 const auto design = designTracks (device.known, description, settings, {}, shift);
-                const auto played = playTracks (real, touchedShapes (real, description), design.voltages, recording);
+                const auto played = playTracks (real, description, design.voltages, recording);
                 records.push_back (recorded (design, played, 100 * seed + pass));
                 suppressions.push_back (
                     worstBystander (scoreTracks (played, design.wanted, description.band), &TrackScores::suppression));

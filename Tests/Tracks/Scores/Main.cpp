@@ -1,7 +1,7 @@
 // The tables of Docs/Decisions/0073-a-waveform-per-finger.md: waveforms at seeded points of the embedded plates, judged
 // by a model of more modes than the design knows, in the time domain.
 //
-//     antinode_track_scores exact|limits|fingers|passes|live [layouts [devices...]]
+//     antinode_track_scores exact|limits|fingers|passes|moving|live [layouts [devices...]]
 
 #include "ScoreTools.h"
 
@@ -140,6 +140,8 @@ int main (int count, char** arguments)
             fingersTable (device, layouts);
         else if (table == "passes")
             passesTable (device, layouts);
+        else if (table == "moving")
+            movingTable (device, layouts);
         else
             exactTable (device, layouts);
     }

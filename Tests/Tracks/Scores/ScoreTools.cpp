@@ -95,7 +95,7 @@ double worstBystander (const TrackScores& scores, double (TrackScores::*suppress
 
 TrackScores judged (const ModalModel& judge, const TrackDesign& design)
 {
-    const auto played = playTracks (judge, touchedShapes (judge, design.description), design.voltages, ringing);
+    const auto played = playTracks (judge, design.description, design.voltages, ringing);
     return scoreTracks (played, design.wanted, design.description.band);
 }
 } // namespace antinode::scores

@@ -53,4 +53,8 @@ void fingersTable (const Device&, int layouts);
 
 /** Bystanders after the first pass and after each of three corrections, of the pass that has recorded best so far. */
 void passesTable (const Device&, int layouts);
+
+/** A target that moves 50 mm at 100 mm/s, the others silent: volts, error of the target, the worst bystander within the
+    band and of all frequencies, dB, iterations. */
+void movingTable (const Device&, int layouts);
 } // namespace antinode::scores
