@@ -1,6 +1,8 @@
 #include "Attempts.h"
 
 #include "Causes.h"
+#include "ChannelFilters.h"
+#include "ChannelPhases.h"
 #include "ModalRange.h"
 #include "PointSample.h"
 
@@ -135,6 +137,27 @@ FrequencyBand commonBand (const IdentifiedModes& one, const IdentifiedModes& oth
              std::min (one.maximumFrequency, other.maximumFrequency) * (1 + 1e-9) };
 }
 
+/** Low-passes that may be why real modes leave more than noise, or seem complex. */
+std::optional<ChannelFilters> suspectedFilters (const FrequencyResponses& responses, const Attempt& attempt)
+{
+    constexpr double muchMisfit = 1.5;
+    const auto isComplex = attempt.modes.complexShapes.size() > 0;
+
+    if (attempt.options.complexModes.value_or (false) || (! isComplex && attempt.modes.misfit < muchMisfit))
+        return {};
+
+    return findChannelFilters (responses, attempt.modes);
+}
+
+/** Whether modes of responses without these low-passes are better, or real and as good: by misfit over noise, since
+   noise is amplified where a low-pass is taken off. */
+bool isWorthFiltering (const IdentifiedModes& modes, const IdentifiedModes& filtered)
+{
+    constexpr double worth = 0.8, same = 1.1;
+    const auto becomeReal = modes.complexShapes.size() > 0 && filtered.complexShapes.size() == 0;
+    return filtered.misfit < (becomeReal ? same : worth) * modes.misfit;
+}
+
 class Attempts
 {
 public:
@@ -187,7 +210,7 @@ public:
             modes.warnings.insert (modes.warnings.begin(), sayWhere (responses, modes));
 
         // Modes that move more than all that was measured, residual terms against them, are of another quantity.
-        if (modes.reconstructionError > doubtful || modes.modalReconstructionError > 0)
+        if (modes.reconstructionError > doubtful || modes.modalReconstructionError > 0 || seemsInverted (modes))
             if (const auto cause = likelyCause (responses, best->options, modes, identifyWith); ! cause.empty())
                 modes.warnings.insert (modes.warnings.begin(), cause);
 
@@ -215,6 +238,15 @@ private:
 
             return false;
         }
+    }
+
+    /** Whether a channel contradicts the others, which costs it its weight and hardly shows in the error. */
+    bool seemsInverted (const IdentifiedModes& modes) const
+    {
+        constexpr double little = -30; // dB
+        return modes.reconstructionError > little && responses.references.size() > 1 && responses.points.rows() > 2
+               && channelAgreements (channelResidues (responses, modes), responses.points.rows()).minCoeff()
+                      < oppositeAgreement;
     }
 
     const FrequencyResponses& responses;
@@ -300,15 +332,13 @@ void chooseRange (Attempts& attempts, const FrequencyResponses& responses, Ident
         attempts.tryRange (options, found->said, gainOfRanges);
     }
 }
-} // namespace
 
-IdentifiedModes bestOfAttempts (const FrequencyResponses& responses, const IdentificationOptions& options,
-                                const Identify& identifyWith)
+/** What follows a first attempt. */
+IdentifiedModes finishAttempts (Attempts attempts, const FrequencyResponses& responses,
+                                const IdentificationOptions& options)
 {
     constexpr double gainOfOrders = 2; // dB
     constexpr int highForRanges = 36;  // so few responses show hardly anything with less
-    Attempts attempts (responses, identifyWith);
-    attempts.tryRange (options, {}, 0);
 
     if (attempts.isDone() || ! options.selected.empty())
         return attempts.finish();
@@ -326,5 +356,30 @@ IdentifiedModes bestOfAttempts (const FrequencyResponses& responses, const Ident
     }
 
     return attempts.finish();
+}
+} // namespace
+
+IdentifiedModes bestOfAttempts (const FrequencyResponses& responses, const IdentificationOptions& options,
+                                const Identify& identifyWith)
+{
+    Attempts attempts (responses, identifyWith);
+    attempts.tryRange (options, {}, 0);
+
+    // Before ranges: phases of channels are no reason to leave lines out.
+    if (const auto filters = attempts.result() ? suspectedFilters (responses, *attempts.result()) : std::nullopt)
+    {
+        const auto before = withoutLowPasses (responses, filters->timeConstants);
+        Attempts filtered (before, identifyWith);
+
+        if (filtered.tryRange (options, {}, 0) && isWorthFiltering (attempts.result()->modes, filtered.result()->modes))
+        {
+            auto modes = finishAttempts (filtered, before, options);
+            modes.lowPasses = filters->timeConstants;
+            modes.warnings.insert (modes.warnings.begin(), filters->said);
+            return modes;
+        }
+    }
+
+    return finishAttempts (attempts, responses, options);
 }
 } // namespace antinode

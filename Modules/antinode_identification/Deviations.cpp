@@ -178,6 +178,35 @@ Eigen::MatrixXd statedFunctions (const FitState& state, const Curvature& curvatu
 
     return result;
 }
+
+/** What references show of a shape: its deviations over those of noise, and the deviation of its length, relative. */
+struct ShapeSpread
+{
+    double overNoise = 1, length = 0;
+};
+
+/** Deviations of one mode become those of clusters where these are larger. @param scatter  of statedFunctions */
+void enlarge (ModeDeviations& stated, const FitState& state, Eigen::Index k, const Eigen::VectorXd& scatter,
+              const ShapeSpread& shape)
+{
+    const auto resonance = state.basis.angularFrequencies[k], damping = state.basis.dampingRatios[k];
+    const auto ofFrequency = scatter[state.unknown (k, state.references())]; // in half widths
+    const auto noise = stated.angularFrequencies[k] / (damping * resonance);
+    const auto take = [&] (double& value, double by) { value = std::max (value, by); };
+    take (stated.angularFrequencies[k], damping * resonance * ofFrequency);
+    take (stated.dampingRatios[k], damping * scatter[state.unknown (k, state.references() + 1)]);
+
+    for (Eigen::Index i = 0; i < state.references(); ++i)
+        take (stated.participation (k, i),
+              resonance * std::hypot (scatter[state.unknown (k, i)], state.strengths (k, i) * shape.length));
+
+    // Resonances that differ widen the common one by their mean square, and lower shapes by a quarter of theirs.
+    const auto spread = frequencySpread (state, k, ofFrequency * ofFrequency - noise * noise);
+    stated.dampingRatios[k] = std::hypot (stated.dampingRatios[k], damping * spread);
+    stated.shapes.col (k) = ((stated.shapes.col (k).array() * shape.overNoise).square()
+                             + (state.shapes.col (k).array() * (spread / 3)).square())
+                                .sqrt();
+}
 } // namespace
 
 ModeDeviations computeDeviations (const FitState& state, double variance, bool delayIsKnown, double ridge)
@@ -185,60 +214,49 @@ ModeDeviations computeDeviations (const FitState& state, double variance, bool d
     return noiseDeviations (state, curvatureOf (state, delayIsKnown, ridge), variance, delayIsKnown);
 }
 
-StatedDeviations stateDeviations (const FitState& state, double variance, bool delayIsKnown, double ridge)
+StatedDeviations stateDeviations (const FitState& state, const ErrorVariances& variances, bool delayIsKnown,
+                                  double ridge)
 {
     const auto curvature = curvatureOf (state, delayIsKnown, ridge);
-    StatedDeviations result { noiseDeviations (state, curvature, variance, delayIsKnown), {} };
-    result.stated = result.noise;
-    auto& stated = result.stated;
     const auto scores = clusterScores (state, curvature.couplings);
+    // Clusters show what misfit does. Where there are none, it counts as noise.
+    const auto variance = scores.unknowns.empty() ? variances.left : variances.noise;
+    StatedDeviations result { noiseDeviations (state, curvature, variances.noise, delayIsKnown),
+                              noiseDeviations (state, curvature, variance, delayIsKnown) };
     const Eigen::VectorXd scatter =
         clusterVariances (scores.unknowns, curvature.inverse, statedFunctions (state, curvature, delayIsKnown))
             .cwiseSqrt();
 
     for (Eigen::Index k = 0; k < state.modes(); ++k)
     {
-        const auto resonance = state.basis.angularFrequencies[k], damping = state.basis.dampingRatios[k];
-        const auto enlarge = [&] (double& value, double by) { value = std::max (value, by); };
-        const auto ofShapes = std::sqrt (std::max (1.0, scores.shapeSpreads[k] / (variance / 2)));
+        // A single reference has no other to disagree with.
+        const auto least = state.references() > 1 ? 1.0 : variances.left / variance;
+        const auto ofShapes = std::sqrt (std::max (least, scores.shapeSpreads[k] / (variance / 2)));
         const auto length = ofShapes * std::sqrt (ownLengthVariance (state, curvature.couplings, k) * variance / 2);
-        enlarge (stated.angularFrequencies[k], damping * resonance * scatter[state.unknown (k, state.references())]);
-        enlarge (stated.dampingRatios[k], damping * scatter[state.unknown (k, state.references() + 1)]);
-
-        for (Eigen::Index i = 0; i < state.references(); ++i)
-            enlarge (stated.participation (k, i),
-                     resonance * std::hypot (scatter[state.unknown (k, i)], state.strengths (k, i) * length));
-
-        stated.shapes.col (k) *= ofShapes;
-
-        // Resonances that differ widen the common one by their mean square, and lower shapes by a quarter of theirs.
-        const auto noise = result.noise.angularFrequencies[k] / (damping * resonance);
-        const auto spread =
-            frequencySpread (state, k, std::pow (scatter[state.unknown (k, state.references())], 2) - noise * noise);
-        stated.dampingRatios[k] = std::hypot (stated.dampingRatios[k], damping * spread);
-        stated.shapes.col (k) =
-            (stated.shapes.col (k).array().square() + (state.shapes.col (k).array() * (spread / 3)).square()).sqrt();
+        enlarge (result.stated, state, k, scatter, { ofShapes, length });
     }
 
     if (! delayIsKnown)
-        stated.delay = std::max (stated.delay, scatter[state.unknowns() - 1] * state.delayUnit());
+        result.stated.delay = std::max (result.stated.delay, scatter[state.unknowns() - 1] * state.delayUnit());
 
     return result;
 }
 
-StatedDeviations statedForComplex (StatedDeviations ofReal, double realVariance, const FreeResidues& fit,
-                                   double variance, const PreparedResponses& data, double ridge)
+StatedDeviations statedForComplex (StatedDeviations ofReal, const ErrorVariances& realVariances,
+                                   const FreeResidues& fit, const ErrorVariances& variances,
+                                   const PreparedResponses& data, double ridge)
 {
     auto equations = poleEquations (fit.basis, fit.products, data.columnWeights, ridge);
     const auto curvature = inverse (std::move (equations.matrix));
     const auto modes = fit.basis.modes();
-    const Eigen::VectorXd noise = (curvature.diagonal() * (variance / 2)).cwiseSqrt();
-    const Eigen::VectorXd scatter = clusterVariances (clustered (equations.scores, data.columnWeights, data.points()),
-                                                      curvature, Eigen::MatrixXd::Identity (2 * modes, 2 * modes))
-                                        .cwiseSqrt();
-    const auto take = [&] (ModeDeviations& deviations, const Eigen::VectorXd& relative)
+    const auto scores = clustered (equations.scores, data.columnWeights, data.points());
+    const auto ofVariance = [&] (double variance) -> Eigen::VectorXd
+    { return (curvature.diagonal() * (variance / 2)).cwiseSqrt(); };
+    const Eigen::VectorXd scatter =
+        clusterVariances (scores, curvature, Eigen::MatrixXd::Identity (2 * modes, 2 * modes)).cwiseSqrt();
+    const auto take = [&] (ModeDeviations& deviations, const Eigen::VectorXd& relative, double ratio)
     {
-        const auto scale = std::sqrt (variance / std::max (realVariance, 1e-300));
+        const auto scale = std::sqrt (ratio);
         deviations.dampingRatios = fit.basis.dampingRatios.cwiseProduct (relative.tail (modes));
         deviations.angularFrequencies =
             fit.basis.angularFrequencies.cwiseProduct (fit.basis.dampingRatios).cwiseProduct (relative.head (modes));
@@ -246,8 +264,9 @@ StatedDeviations statedForComplex (StatedDeviations ofReal, double realVariance,
         deviations.participation *= scale;
         deviations.delay *= scale;
     };
-    take (ofReal.noise, noise);
-    take (ofReal.stated, noise.cwiseMax (scatter));
+    take (ofReal.noise, ofVariance (variances.noise), variances.noise / std::max (realVariances.noise, 1e-300));
+    take (ofReal.stated, ofVariance (scores.empty() ? variances.left : variances.noise).cwiseMax (scatter),
+          variances.left / std::max (realVariances.left, 1e-300));
     return ofReal;
 }
 } // namespace antinode

@@ -65,7 +65,7 @@ struct PoleCandidate
 /** Modes as they follow from frequency responses. N_m modes, ascending in frequency; N_p points; N_b references.
 
     H(p, i) = [ sum_k phi_pk alpha_ki i omega / (omega_k^2 - omega^2 + 2 i xi_k omega_k omega) + residual terms ]
-    exp (-i omega delay). Docs/Theory.md, sections 8.2 to 8.6.
+    exp (-i omega delay) / (1 + i omega lowPass). Docs/Theory.md, sections 8.2 to 8.6.
 */
 struct IdentifiedModes
 {
@@ -83,6 +83,8 @@ struct IdentifiedModes
     ModeDeviations deviations;             ///< The larger of noise's and of what points and references disagree by.
     ModeDeviations noiseDeviations;   ///< Of white noise alone, the Cramer-Rao bound; empty where peaks were picked.
     std::vector<ModeQuality> quality; ///< N_m
+    Eigen::MatrixXd lowPasses; ///< N_p x N_b: time constants, s, of low-passes of first order that were taken off the
+                               ///< responses; 0 where there is none, empty where none was found.
     ShapeScaling scaling = ShapeScaling::convention;
     std::string scalingReason; ///< Why this scaling, as a sentence.
     std::vector<ResidualTerm> residuals;

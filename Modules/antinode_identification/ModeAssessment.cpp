@@ -26,36 +26,6 @@ double noiseMargin (double numbers)
     return 3 * std::sqrt (2 / std::max (numbers, 1.0));
 }
 
-/** Covariances of real and imaginary part of each mode's free residues, of a channel of weight 1. */
-std::vector<Eigen::Matrix2d> residueCovariances (const FreeResidues& fit, double variance, double ridge)
-{
-    const auto& basis = fit.basis;
-    const auto modes = basis.modes();
-    std::vector<Eigen::Index> columns;
-
-    for (const auto function : { ModalFunction::velocity, ModalFunction::delay })
-        for (Eigen::Index k = 0; k < modes; ++k)
-            columns.push_back (basis.column (k, function));
-
-    const auto reduced = withoutPowers (basis, fit.products);
-    const auto inverse = solveEven (reduced.gram (columns, columns), Eigen::MatrixXd::Identity (2 * modes, 2 * modes),
-                                    std::max (ridge, 1e-14));
-    std::vector<Eigen::Matrix2d> result;
-
-    // As complexResidues makes residues of the coefficients of both functions.
-    for (Eigen::Index k = 0; k < modes; ++k)
-    {
-        const auto resonance = basis.angularFrequencies[k], damping = basis.dampingRatios[k];
-        Eigen::Matrix2d toResidue, ofCoefficients;
-        toResidue << resonance, damping * resonance, 0, -resonance * std::sqrt (1 - damping * damping);
-        ofCoefficients << inverse (k, k), inverse (k, modes + k), inverse (modes + k, k),
-            inverse (modes + k, modes + k);
-        result.emplace_back (variance / 2 * toResidue * ofCoefficients * toResidue.transpose());
-    }
-
-    return result;
-}
-
 /** Modal phase collinearity of a complex vector without what noise of that covariance adds to each of some values: 1
    where all lie on one line through 0. */
 double collinearity (const Eigen::VectorXcd& vector, const Eigen::Matrix2d& noise, double values)
@@ -183,6 +153,35 @@ Eigen::VectorXd signalToNoise (const FitState& state, double variance, double ri
     }
 
     return (energies * (2 / std::max (variance, 1e-300) / points)).cwiseMax (0).cwiseSqrt();
+}
+
+std::vector<Eigen::Matrix2d> residueCovariances (const FreeResidues& fit, double variance, double ridge)
+{
+    const auto& basis = fit.basis;
+    const auto modes = basis.modes();
+    std::vector<Eigen::Index> columns;
+
+    for (const auto function : { ModalFunction::velocity, ModalFunction::delay })
+        for (Eigen::Index k = 0; k < modes; ++k)
+            columns.push_back (basis.column (k, function));
+
+    const auto reduced = withoutPowers (basis, fit.products);
+    const auto inverse = solveEven (reduced.gram (columns, columns), Eigen::MatrixXd::Identity (2 * modes, 2 * modes),
+                                    std::max (ridge, 1e-14));
+    std::vector<Eigen::Matrix2d> result;
+
+    // As complexResidues makes residues of the coefficients of both functions.
+    for (Eigen::Index k = 0; k < modes; ++k)
+    {
+        const auto resonance = basis.angularFrequencies[k], damping = basis.dampingRatios[k];
+        Eigen::Matrix2d toResidue, ofCoefficients;
+        toResidue << resonance, damping * resonance, 0, -resonance * std::sqrt (1 - damping * damping);
+        ofCoefficients << inverse (k, k), inverse (k, modes + k), inverse (modes + k, k),
+            inverse (modes + k, modes + k);
+        result.emplace_back (variance / 2 * toResidue * ofCoefficients * toResidue.transpose());
+    }
+
+    return result;
 }
 
 std::vector<ModeQuality> assessResidues (const FreeResidues& fit, const PreparedResponses& data, double variance,

@@ -11,6 +11,11 @@ namespace antinode
     [worker] Docs/Theory.md, section 8.5. */
 Eigen::VectorXd signalToNoise (const FitState&, double variance, double ridge);
 
+/** Covariances of real and imaginary part of each mode's free residues, of a channel of weight 1.
+    @param variance  E |error|^2 of a value of weight 1
+    [worker] Docs/Theory.md, section 8.5. */
+std::vector<Eigen::Matrix2d> residueCovariances (const FreeResidues&, double variance, double ridge);
+
 /** How well one shape times one participation explains the free residues of each mode, and how collinear they are in
    the complex plane; what noise alone does to both is taken out.
     @param variance  E |error|^2 of a value of weight 1 that is noise

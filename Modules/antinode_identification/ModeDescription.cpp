@@ -22,8 +22,9 @@ double freeVariance (const FreeResidues& fit, const PreparedResponses& data, dou
 {
     const auto columns = static_cast<double> ((data.columnWeights.array() > 0).count());
     const auto modes = static_cast<double> (fit.basis.modes());
-    const auto freedom =
-        std::max (static_cast<double> (data.lines()) * columns - modes * (columns + 1) - 2 * columns, 1.0);
+    const auto freedom = std::max (static_cast<double> (data.lines()) * columns - modes * (columns + 1)
+                                       - static_cast<double> (fit.basis.powers.size()) / 2 * columns,
+                                   1.0);
     const auto found = freeCost (fit, data.columnWeights, ridge) / freedom;
     return data.responses->variances.empty() ? found : std::max (1.0, found);
 }
@@ -114,8 +115,8 @@ void blankUnmeasured (Eigen::MatrixXd& shapes, const PreparedResponses& data)
 double estimateVariance (const NormalModeFit& fit, const PreparedResponses& data)
 {
     const auto columns = static_cast<double> ((data.columnWeights.array() > 0).count());
-    const auto parameters =
-        static_cast<double> (fit.modes.modes() * (data.points() + data.references() + 1)) + 2 * columns;
+    const auto parameters = static_cast<double> (fit.modes.modes() * (data.points() + data.references() + 1))
+                            + static_cast<double> (fit.state.basis.powers.size()) * columns;
     const auto freedom = std::max (static_cast<double> (data.lines()) * columns - parameters / 2, 1.0);
     const auto found = fit.cost / freedom;
     return data.responses->variances.empty() ? found : std::max (1.0, found);
@@ -133,20 +134,22 @@ IdentifiedModes describeModes (const NormalModeFit& fit, const FreeResidues& res
     blankUnmeasured (result.shapes, data);
     result.participation = modes.participation;
     result.delay = modes.delay;
-    const auto variance = estimateVariance (fit, data);
-    auto deviations = stateDeviations (fit.state, variance, options.delay.has_value(), options.ridge);
+    // Weights are reciprocal variances of noise, unless the user gave them.
+    const auto variances = [&options] (double left) {
+        return ErrorVariances { left, options.pointWeights.size() > 0 ? left : std::min (left, 1.0) };
+    };
+    const auto ofReal = variances (estimateVariance (fit, data));
+    auto deviations = stateDeviations (fit.state, ofReal, options.delay.has_value(), options.ridge);
 
     if (residues.basis.functions == complexModeFunctions)
-        deviations = statedForComplex (std::move (deviations), variance, residues,
-                                       freeVariance (residues, data, options.ridge), data, options.ridge);
+        deviations = statedForComplex (std::move (deviations), ofReal, residues,
+                                       variances (freeVariance (residues, data, options.ridge)), data, options.ridge);
 
     result.deviations = std::move (deviations.stated);
     result.noiseDeviations = std::move (deviations.noise);
     result.residuals = residualTerms (fit.state, data.points(), data.references());
-    // Weights are reciprocal variances of noise, unless the user gave them.
-    const auto noise = options.pointWeights.size() > 0 ? variance : std::min (variance, 1.0);
-    result.quality = assessResidues (residues, data, noise, options.ridge);
-    const auto strengths = signalToNoise (fit.state, variance, options.ridge);
+    result.quality = assessResidues (residues, data, ofReal.noise, options.ridge);
+    const auto strengths = signalToNoise (fit.state, ofReal.left, options.ridge);
 
     for (std::size_t k = 0; k < result.quality.size(); ++k)
     {

@@ -15,15 +15,6 @@ constexpr double negligible = 1e-4;      // of the energy: a hundredth of the ve
 constexpr double evident = 1e-7;         // the same, weighted: lines with much misfit count little then
 constexpr double mostOfMisfit = 2.0 / 3; // resonances that differ from point to point look complex by half
 
-/** What F with so many numbers, and many more values, exceeds with a probability of 0.1 %: Wilson and Hilferty's cube.
- */
-double limitOfRatio (double numbers)
-{
-    constexpr double normalQuantile = 3.0902;
-    const auto spread = 2 / (9 * numbers);
-    return std::pow (1 - spread + normalQuantile * std::sqrt (spread), 3);
-}
-
 struct ActiveChannels
 {
     double points = 0, references = 0, columns = 0;
@@ -52,6 +43,13 @@ ModeKind noGain (double ratio, double limit)
                  + ratioInWords (std::max (ratio, 0.0), limit) + ")");
 }
 } // namespace
+
+double limitOfRatio (double numbers)
+{
+    constexpr double normalQuantile = 3.0902;
+    const auto spread = 2 / (9 * numbers);
+    return std::pow (1 - spread + normalQuantile * std::sqrt (spread), 3);
+}
 
 std::optional<ModeKind> evidentlyReal (const NormalModeFit& fit, const FreeResidues& residues,
                                        const PreparedResponses& data, double ridge)

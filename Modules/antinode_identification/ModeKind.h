@@ -14,6 +14,10 @@ struct ModeKind
     std::string reason; ///< A sentence.
 };
 
+/** What F with so many numbers, and many more values, exceeds with a probability of 0.1 %: Wilson and Hilferty's cube.
+    [any] */
+double limitOfRatio (double numbers);
+
 /** Whether complex modes are worth a fit: real ones leave more than rounding and traces, and free
    residues at the same poles leave less by more than noise.
     @return  nothing if they are, else the reason why modes are real

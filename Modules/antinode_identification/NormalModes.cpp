@@ -28,7 +28,7 @@ ModalBasis makeBasis (const Eigen::VectorXd& angularFrequencies, const Eigen::Ve
                       const PreparedResponses& data)
 {
     const auto scale = std::sqrt (data.omega[0] * data.omega[data.lines() - 1]);
-    return { angularFrequencies, dampingRatios, { -1, 0, 1, 2, 3 }, scale };
+    return { angularFrequencies, dampingRatios, { -3, -2, -1, 0, 1, 2, 3, 4, 5 }, scale };
 }
 
 ModalProducts withoutPowers (const ModalBasis& basis, const ModalProducts& products)

@@ -77,6 +77,13 @@ void addResidualTerms (Eigen::MatrixXcd& values, const IdentifiedModes& modes, E
                 values.row (f) += std::pow (Complex (0, omega[f]), term.power)
                                   * term.coefficients.col (reference).transpose().cast<Complex>();
 }
+
+void addLowPasses (Eigen::MatrixXcd& values, const Eigen::VectorXd& timeConstants, const Eigen::VectorXd& omega)
+{
+    for (Eigen::Index p = 0; p < values.cols(); ++p)
+        if (timeConstants[p] > 0)
+            values.col (p).array() /= 1.0 + Complex (0, timeConstants[p]) * omega.array();
+}
 } // namespace
 
 FrequencyResponses synthesise (const IdentifiedModes& modes, const Eigen::VectorXd& frequencies)
@@ -113,6 +120,10 @@ FrequencyResponses synthesise (const IdentifiedModes& modes, const Eigen::Vector
 
         addResidualTerms (values, modes, i, omega);
         values.array().colwise() *= delays;
+
+        if (modes.lowPasses.size() > 0)
+            addLowPasses (values, modes.lowPasses.col (i), omega);
+
         responses.values.push_back (std::move (values));
     }
 

@@ -158,6 +158,7 @@ nlohmann::json diagramData (const IdentificationResult& result)
                 { "candidates", candidatesJson (modes) },
                 { "modes", Json::array() },
                 { "residuals", residualsJson (modes) },
+                { "lowPasses", compactFloats (modes.lowPasses.reshaped()) },
                 { "indicator", indicatorJson (diagram.indicator) },
                 { "measuredSize", compactFloats (diagram.measuredSize) },
                 { "errorSize", compactFloats (diagram.errorSize) },

@@ -85,6 +85,9 @@ IdentifiedModes onlyPair (IdentifiedModes modes, const Pair& pair)
         modes.complexParticipation = modes.complexParticipation.col (pair.reference).eval();
     }
 
+    if (modes.lowPasses.size() > 0)
+        modes.lowPasses = modes.lowPasses.block (pair.point, pair.reference, 1, 1).eval();
+
     for (auto& term : modes.residuals)
         term.coefficients = term.coefficients.block (pair.point, pair.reference, 1, 1).eval();
 

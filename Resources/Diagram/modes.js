@@ -55,6 +55,7 @@ class Synthesis
         this.participation = data.modes.map ((mode) => floatsOf (mode.participation));
         this.participationImaginary = data.modes.map ((mode) => mode.participationImaginary ? floatsOf (mode.participationImaginary) : null);
         this.residuals = data.residuals.map (({ power, coefficients }) => ({ power, coefficients: floatsOf (coefficients) }));
+        this.lowPasses = floatsOf (data.lowPasses);
     }
 
     /** A mode's complex product of shape and participation. */
@@ -80,6 +81,7 @@ class Synthesis
             [real[f], imaginary[f]] = [real[f] * cosine - imaginary[f] * sine, real[f] * sine + imaginary[f] * cosine];
         }
 
+        this.addLowPass (real, imaginary, this.lowPasses[reference * this.points + point] ?? 0);
         return { real, imaginary };
     }
 
@@ -98,6 +100,16 @@ class Synthesis
             const square = x * x + y * y;
             real[f] += (u * x + v * y) / square;
             imaginary[f] += (v * x - u * y) / square;
+        }
+    }
+
+    /** Of first order. @param timeConstant  s */
+    addLowPass (real, imaginary, timeConstant)
+    {
+        for (let f = 0; f < this.omega.length; ++f)
+        {
+            const x = timeConstant * this.omega[f], square = 1 + x * x;
+            [real[f], imaginary[f]] = [(real[f] + imaginary[f] * x) / square, (imaginary[f] - real[f] * x) / square];
         }
     }
 

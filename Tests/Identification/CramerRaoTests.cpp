@@ -18,8 +18,8 @@ struct Parameters
     Eigen::VectorXd values;
 
     static constexpr Eigen::Index shapes = 2 * modeCount, participation = shapes + pointCount * modeCount,
-                                  delay = participation + modeCount * referenceCount, residuals = delay + 1,
-                                  count = residuals + 5 * pointCount * referenceCount;
+                                  delay = participation + modeCount * referenceCount, residuals = delay + 1, powers = 9,
+                                  count = residuals + powers * pointCount * referenceCount;
 };
 
 IdentifiedModes toModes (const Eigen::VectorXd& values, const IdentifiedModes& like)
@@ -32,7 +32,7 @@ IdentifiedModes toModes (const Eigen::VectorXd& values, const IdentifiedModes& l
         values.segment (Parameters::participation, modeCount * referenceCount).reshaped (modeCount, referenceCount);
     modes.delay = values[Parameters::delay];
 
-    for (std::size_t n = 0; n < 5; ++n)
+    for (std::size_t n = 0; n < Parameters::powers; ++n)
         modes.residuals[n].coefficients =
             values
                 .segment (Parameters::residuals + static_cast<Eigen::Index> (n) * pointCount * referenceCount,
@@ -46,9 +46,12 @@ Eigen::VectorXd toValues (const IdentifiedModes& modes)
 {
     Eigen::VectorXd values (Parameters::count);
     values << modes.angularFrequencies, modes.dampingRatios, modes.shapes.reshaped(), modes.participation.reshaped(),
-        modes.delay, modes.residuals[0].coefficients.reshaped(), modes.residuals[1].coefficients.reshaped(),
-        modes.residuals[2].coefficients.reshaped(), modes.residuals[3].coefficients.reshaped(),
-        modes.residuals[4].coefficients.reshaped();
+        modes.delay, Eigen::VectorXd::Zero (Parameters::count - Parameters::residuals);
+
+    for (std::size_t n = 0; n < Parameters::powers; ++n)
+        values.segment (Parameters::residuals + static_cast<Eigen::Index> (n) * pointCount * referenceCount,
+                        pointCount * referenceCount) = modes.residuals[n].coefficients.reshaped();
+
     return values;
 }
 
@@ -119,7 +122,7 @@ TEST_CASE ("Stated deviations of noise are the Cramer-Rao bound of the whole mod
 
     const auto modes = identify (responses, {});
     REQUIRE (modes.modes() == modeCount);
-    REQUIRE (modes.residuals.size() == 5);
+    REQUIRE (modes.residuals.size() == Parameters::powers);
     Eigen::VectorXd units;
     const auto derivatives = jacobian (modes, frequencies, units);
     // Lengths of shapes are free: the smallest of all solutions is taken, and asked only what does not depend on them.

@@ -1,3 +1,4 @@
+#include "Support/DisturbedStructure.h"
 #include "Support/IdentificationScore.h"
 
 #include <antinode_identification/Identification.h>
@@ -10,29 +11,6 @@ using namespace antinode::test;
 
 namespace
 {
-/** Resonances that differ from point to point, and white noise 40 dB below. */
-FrequencyResponses driftingResponses (const KnownStructure& truth, double drift, unsigned seed)
-{
-    const auto frequencies = lines (200, 4000, 2);
-    auto responses = idealResponses (truth, frequencies);
-    ComplexNoise noise (seed);
-
-    for (Eigen::Index p = 0; p < truth.points.rows(); ++p)
-    {
-        auto there = truth;
-        there.points = truth.points.row (p);
-        there.shapes = truth.shapes.row (p);
-        there.frequencies *= 1 + drift * std::sqrt (2.0) * noise().real();
-        const auto atPoint = idealResponses (there, frequencies);
-
-        for (std::size_t i = 0; i < responses.values.size(); ++i)
-            responses.values[i].col (p) = atPoint.values[i].col (0);
-    }
-
-    addNoise (responses, 40, seed);
-    return responses;
-}
-
 bool isDoubted (const ModeQuality& quality, const std::string& part)
 {
     return std::any_of (quality.warnings.begin(), quality.warnings.end(),
@@ -59,7 +37,7 @@ TEST_CASE ("Noise alone makes no mode doubtful that is known well", "[identifica
 TEST_CASE ("A resonance that drifts and is taken for two modes is doubted", "[identification]")
 {
     const auto truth = lowestModes (knownBeam (5, 16, 3), 6);
-    const auto modes = identify (driftingResponses (truth, 500e-6, 3), {});
+    const auto modes = identify (disturbedResponses (truth, lines (200, 4000, 2), { 500e-6, 0 }, 3), {});
     // So much drift splits most resonances.
     REQUIRE (modes.modes() > truth.frequencies.size() + 2);
     int split = 0;

@@ -3,6 +3,7 @@
 #include <antinode_identification/IdentifiedModes.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -187,7 +188,8 @@ inline double rootMeanSquare (const FrequencyResponses& responses)
     return std::sqrt (sum / count);
 }
 
-/** Normal numbers in pairs, quickly: the tests draw many millions of them. Box and Muller over splitmix64. */
+/** Normal numbers in pairs, quickly: the tests draw many millions of them. Box and Muller over splitmix64. The next
+    seed gives the same uniform numbers, one later: series of measurements need independentSeed. */
 class ComplexNoise
 {
 public:
@@ -211,6 +213,15 @@ private:
 
     std::uint64_t state;
 };
+
+/** The seed of one of a series of measurements, whose noise has nothing to do with that of the others. */
+inline unsigned independentSeed (unsigned number)
+{
+    std::seed_seq sequence { number };
+    std::array<unsigned, 1> seed {};
+    sequence.generate (seed.begin(), seed.end());
+    return seed[0];
+}
 
 /** Adds proper complex noise whose RMS over all values lies so many dB below that of the responses. @return its RMS */
 inline double addNoise (FrequencyResponses& responses, double decibels, unsigned seed)

@@ -2,11 +2,13 @@
 // how long that takes, and what each warning of a mode is worth.
 //
 //     antinode_identification_scores SEED [measurements...]
+//     antinode_identification_scores SEED deviations [NUMBER]
 //
-// Without names all are taken. A single one shows its memory.
+// Without names all are taken. A single one shows its memory. The second form gives the table of
+// Docs/Decisions/0081-deviations-and-residual-terms.md: errors over stated deviations, over so many measurements.
 
 #include "Measurements.h"
-#include "Support/IdentificationScore.h"
+#include "Support/DeviationScore.h"
 #include "WarningScores.h"
 
 #include <antinode_identification/Identification.h>
@@ -59,6 +61,27 @@ void run (const Measurement& measurement, WarningScores& warnings)
                  peakMegabytes());
     std::fflush (stdout);
 }
+
+void scoreAllDeviations (unsigned seed, unsigned number)
+{
+    std::printf ("%-16s %9s %9s %9s %9s %9s %6s\n", "", "frequency", "damping", "particip.", "shape", "delay", "lost");
+
+    for (const auto ofNoise : { false, true })
+        for (const auto& [name, disturbance] :
+             { std::pair { "white noise", Disturbance {} }, std::pair { "drift 50 ppm", Disturbance { 50e-6, 0 } },
+               std::pair { "drift 200 ppm", Disturbance { 200e-6, 0 } },
+               std::pair { "misfit 3 %", Disturbance { 0, 0.03 } } })
+        {
+            const auto result = scoreDeviations (disturbance, seed + 1, number, ofNoise);
+            std::printf ("%-16s", name);
+
+            for (const auto error : result.errors)
+                std::printf (" %9.2f", error);
+
+            std::printf (" %6d%s\n", result.lost, ofNoise ? "  of noise alone" : "");
+            std::fflush (stdout);
+        }
+}
 } // namespace
 
 int main (int count, char** given)
@@ -68,6 +91,13 @@ int main (int count, char** given)
     const auto names = words.empty() ? words : words.subspan (1);
     const auto isWanted = [names] (const Measurement& measurement)
     { return names.empty() || std::find (names.begin(), names.end(), measurement.name) != names.end(); };
+
+    if (! names.empty() && std::string (names[0]) == "deviations")
+    {
+        scoreAllDeviations (seed, names.size() > 1 ? static_cast<unsigned> (std::strtoul (names[1], nullptr, 10)) : 20);
+        return 0;
+    }
+
     WarningScores warnings;
     std::printf ("%-16s %7s %6s %6s %8s %9s %9s %8s %8s %8s\n", "", "data MB", "found", "false", "dB", "f ppm",
                  "damping %", "CPU s", "MB then", "MB peak");

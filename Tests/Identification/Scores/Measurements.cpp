@@ -1,5 +1,7 @@
 #include "Measurements.h"
 
+#include "Support/DisturbedStructure.h"
+
 namespace antinode::test
 {
 namespace
@@ -13,41 +15,10 @@ Measured noisy (const KnownStructure& truth, const Eigen::VectorXd& frequencies,
     return { truth, std::move (responses) };
 }
 
-/** 1 plus waves of some hundred Hz with random phases. */
-Eigen::ArrayXcd smoothFactor (const Eigen::VectorXd& frequencies, double size, ComplexNoise& noise)
-{
-    constexpr int waves = 12;
-    constexpr double shortest = 150; // Hz
-    Eigen::ArrayXcd result = Eigen::ArrayXcd::Ones (frequencies.size());
-
-    for (int n = -waves / 2; n < waves / 2; ++n)
-        result += size / std::sqrt (waves) * noise()
-                  * (frequencies.array() * Complex (0, 2 * std::numbers::pi / shortest * n / (waves / 2))).exp();
-
-    return result;
-}
-
-/** Each point sees resonances of its own, and each channel its own smooth factor. */
-Measured disturbed (const KnownStructure& truth, const Eigen::VectorXd& frequencies, double drift, double misfit,
+Measured disturbed (const KnownStructure& truth, const Eigen::VectorXd& frequencies, const Disturbance& disturbance,
                     unsigned seed)
 {
-    auto responses = idealResponses (truth, frequencies);
-    ComplexNoise noise (seed + 1000);
-
-    for (Eigen::Index p = 0; p < truth.points.rows(); ++p)
-    {
-        auto there = truth;
-        there.points = truth.points.row (p);
-        there.shapes = truth.shapes.row (p);
-        there.frequencies *= 1 + drift * std::sqrt (2.0) * noise().real();
-        const auto atPoint = idealResponses (there, frequencies);
-
-        for (std::size_t i = 0; i < responses.values.size(); ++i)
-            responses.values[i].col (p) = atPoint.values[i].col (0).array() * smoothFactor (frequencies, misfit, noise);
-    }
-
-    addNoise (responses, 40, seed);
-    return { truth, std::move (responses) };
+    return { truth, disturbedResponses (truth, frequencies, disturbance, seed) };
 }
 
 /** A plate that hangs softly: below some Hz ten thousand times as much as its modes. */
@@ -121,18 +92,20 @@ void addDisturbed (std::vector<Measurement>& to, unsigned seed)
 {
     const auto add = [&] (const std::string& name, double drift, double misfit)
     {
-        to.push_back ({ name, [=] {
-                           return disturbed (lowestModes (knownBeam (seed + 5, 16, 3), 8), lines (200, 6000, 2), drift,
-                                             misfit, seed + 4);
-                       } });
+        to.push_back ({ name, [=]
+                        {
+                            return disturbed (lowestModes (knownBeam (seed + 5, 16, 3), 8), lines (200, 6000, 2),
+                                              { drift, misfit }, seed + 4);
+                        } });
     };
     add ("drift-50", 50e-6, 0);
     add ("drift-200", 200e-6, 0);
     add ("drift-1000", 1e-3, 0);
     add ("misfit-3", 0, 0.03);
     add ("misfit-10", 0, 0.1);
-    to.push_back ({ "plate-drift-200", [=]
-                    { return disturbed (knownPlate (seed + 2, 40), lines (200, 13000, 4), 200e-6, 0.01, seed + 4); } });
+    to.push_back ({ "plate-drift-200", [=] {
+                       return disturbed (knownPlate (seed + 2, 40), lines (200, 13000, 4), { 200e-6, 0.01 }, seed + 4);
+                   } });
     to.push_back ({ "suspended", [=] { return suspended (seed + 5); } });
 }
 
@@ -150,6 +123,19 @@ void addMistaken (std::vector<Measurement>& to, unsigned seed)
     add ("displacement", [] (double omega, Eigen::Index) { return 1.0 / Complex (0, omega); });
     add ("delays", [] (double omega, Eigen::Index point)
          { return std::polar (1.0, -15e-6 * omega * static_cast<double> (point)); });
+    add ("low-pass", [] (double omega, Eigen::Index) { return 1.0 / Complex (1, omega / 12e3); });
+    add ("low-passes", [] (double omega, Eigen::Index point)
+         { return 1.0 / Complex (1, omega / (8e3 + 2e3 * static_cast<double> (point))); });
+    const auto addMany = [&] (const std::string& name, const auto& factor)
+    {
+        to.push_back ({ name, [=] {
+                           return withFactor (noisy (knownPlate (seed + 2, 40), lines (200, 12000, 4), 45, seed + 2),
+                                              factor);
+                       } });
+    };
+    addMany ("plate-low-pass", [] (double omega, Eigen::Index) { return 1.0 / Complex (1, omega / 5e4); });
+    addMany ("plate-delays", [] (double omega, Eigen::Index point)
+             { return std::polar (1.0, -0.1e-6 * omega * static_cast<double> (point)); });
 }
 } // namespace
 
