@@ -218,6 +218,36 @@ TEST_CASE ("A bank of free waveforms is designed and played; each place has the 
     CHECK ((played - expected.row (0).transpose()).cwiseAbs().maxCoeff() < 1e-6 * expected.cwiseAbs().maxCoeff());
 }
 
+TEST_CASE (
+    "Places of a bank know the modes beyond the device's own, looked for once, and guard what the first one needed",
+    "[graph][sampled]")
+{
+    const WideModel wide { test::sineBeam (20, ceramics), 10, {}, {} };
+    std::atomic<int> asked { 0 };
+    FocusPlayer player (ceramics, rate, {});
+    DesignWorker worker (player.handOver());
+    auto request = requestFor (5);
+    request.focus.allocation.method = AllocationMethod::leastVoltage;
+    request.widen = [&]
+    {
+        ++asked;
+        return wide;
+    };
+    worker.request (request);
+    test::waitForBank (worker, 5);
+    worker.request (request);
+    test::waitForBank (worker, 5);
+    CHECK (asked == 1);
+    CHECK (worker.progress().failed == 0);
+    const auto first = designWithin (wide, request.focus, request.playback, DesignExtent::playable);
+    const auto guarded = firstModes (wide.model, wide.known + first.spillOver->guardedBeyond);
+    const auto [x, y] = request.places[3];
+    const auto design = designGuarding (guarded, wide.known, movedTo (request.focus, x, y), request.playback);
+    const auto& expected = design.program.samples->values;
+    const auto played = firstChannel (player, 3, static_cast<int> (expected.cols()));
+    CHECK ((played - expected.row (0).transpose()).cwiseAbs().maxCoeff() < 1e-6 * expected.cwiseAbs().maxCoeff());
+}
+
 TEST_CASE ("Where a bank of samples would not fit into its memory its places say so, and the focus itself plays",
            "[graph][sampled]")
 {
