@@ -71,6 +71,18 @@ Eigen::MatrixXd nullSpace (const Eigen::MatrixXd& rows)
 
 Eigen::VectorXd leastSquares (const Eigen::MatrixXd& a, const Eigen::VectorXd& b)
 {
-    return a.completeOrthogonalDecomposition().solve (b);
+    constexpr Eigen::Index many = 64; // columns, from which on blocks of them are quicker
+    const auto size = a.cols();
+
+    if (size < many || a.rows() < 2 * size)
+        return a.completeOrthogonalDecomposition().solve (b);
+
+    // The triangle of both is the same problem with as many rows as columns.
+    Eigen::MatrixXd both (a.rows(), size + 1);
+    both << a, b;
+    const auto triangle = orthogonalTriangle (both);
+    return triangle.topLeftCorner (size, size)
+        .completeOrthogonalDecomposition()
+        .solve (triangle.col (size).head (size));
 }
 } // namespace antinode

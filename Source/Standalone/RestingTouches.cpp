@@ -83,10 +83,10 @@ std::optional<std::vector<Finger>> RestingTouches::due (const std::vector<Finger
     {
         const std::lock_guard lock (mutex);
 
-        for (const auto& [number, finger] : resting)
+        for (const auto& touch : resting)
             if (std::none_of (wanted.begin(), wanted.end(),
-                              [&] (const auto& other) { return overlap (other, finger); }))
-                touches.push_back (finger);
+                              [&] (const auto& other) { return overlap (other, touch.second); }))
+                touches.push_back (touch.second);
     }
 
     if (now < last + pause || touches == putDown)

@@ -172,16 +172,20 @@ TEST_CASE ("Triangle and null space of rows and columns are orthogonal", "[numer
 TEST_CASE ("A least-squares solution is the shortest with an error at right angles", "[numerics][processors]")
 {
     std::srand (27);
-    const MatrixXd tall = MatrixXd::Random (12, 4);
-    const VectorXd right = VectorXd::Random (12), x = leastSquares (tall, right);
-    CHECK (largestIn (tall.transpose() * (tall * x - right)) < tolerance);
 
-    // Two equal columns: the shortest solution shares between them.
-    MatrixXd repeated (12, 5);
-    repeated << tall, tall.col (3);
-    const VectorXd shared = leastSquares (repeated, right);
-    CHECK (largestIn (shared.head (3) - x.head (3)) < tolerance);
-    CHECK (largestIn (shared.tail (2) - VectorXd::Constant (2, x[3] / 2)) < tolerance);
+    for (const Index size : { 4, 80 }) // Many columns are reduced to their triangle first.
+    {
+        const MatrixXd tall = MatrixXd::Random (3 * size, size);
+        const VectorXd right = VectorXd::Random (3 * size), x = leastSquares (tall, right);
+        CHECK (largestIn (tall.transpose() * (tall * x - right)) < tolerance);
+
+        // Two equal columns: the shortest solution shares between them.
+        MatrixXd repeated (3 * size, size + 1);
+        repeated << tall, tall.col (size - 1);
+        const VectorXd shared = leastSquares (repeated, right);
+        CHECK (largestIn (shared.head (size - 1) - x.head (size - 1)) < tolerance);
+        CHECK (largestIn (shared.tail (2) - VectorXd::Constant (2, x[size - 1] / 2)) < tolerance);
+    }
 }
 
 TEST_CASE ("Complex products, factors and triangles are those of the definition", "[numerics][processors]")
