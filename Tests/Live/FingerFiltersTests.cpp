@@ -43,7 +43,7 @@ WaveformsDescription threePoints()
    sines lacks, is left out on both sides; decision 0087 has devices that are judged with more modes. */
 TrackScores played (const ModalModel& judge, const TrackDesign& design)
 {
-    const auto motion = playTracks (judge, touchedShapes (judge, design.description), design.voltages, 0.3);
+    const auto motion = playTracks (judge, design.description, design.voltages, 0.3);
     return scoreTracks (motion, design.wanted, design.description.band);
 }
 } // namespace
