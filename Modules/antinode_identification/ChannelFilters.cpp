@@ -1,6 +1,5 @@
 #include "ChannelFilters.h"
 
-#include "ChannelPhases.h"
 #include "ChannelTurns.h"
 #include "ComplexModes.h"
 #include "ModeAssessment.h"
@@ -18,35 +17,34 @@ namespace antinode
 {
 namespace
 {
-/** Free residues of all channels, at poles that suit them. */
-FreeResidues residuesOfChannels (const FrequencyResponses& responses, const IdentifiedModes& modes)
-{
-    const auto range = [&modes] (const FrequencyResponses& of)
-    { return prepare (of, modes.minimumFrequency * (1 - 1e-9), modes.maximumFrequency * (1 + 1e-9)); };
-    NormalModes poles { modes.angularFrequencies, modes.dampingRatios, {}, {}, modes.delay };
-    constexpr double ridge = 1e-12;
+constexpr double smallRidge = 1e-12;
 
-    // Poles of real modes are wrong where phases are not theirs.
-    const auto sample = atPoints (responses, samplePoints (responses));
-    const auto found = fitFreeResidues (range (sample), poles, ridge).basis;
-    const auto data = range (responses);
-    auto basis = makeBasis (found.angularFrequencies, found.dampingRatios, data);
-    auto products = modalProducts (basis, data, modes.delay);
-    auto residues = complexResidues (basis, products, ridge);
+PreparedResponses inRangeOf (const IdentifiedModes& modes, const FrequencyResponses& responses)
+{
+    return prepare (responses, modes.minimumFrequency * (1 - 1e-9), modes.maximumFrequency * (1 + 1e-9));
+}
+
+/** Free residues at poles that are known. */
+FreeResidues residuesAt (const ModalBasis& poles, const PreparedResponses& data, double delay)
+{
+    auto basis = makeBasis (poles.angularFrequencies, poles.dampingRatios, data);
+    auto products = modalProducts (basis, data, delay);
+    auto residues = complexResidues (basis, products, smallRidge);
     return { std::move (basis), std::move (products), std::move (residues), true };
 }
 
-/** exp (2 i phase) times reciprocal variances of phases, N_m x C. */
-Eigen::MatrixXcd doubledPhases (const FreeResidues& fit, double variance)
+/** exp (2 i phase) times reciprocal variances of phases, N_m x C.
+    @param variance  E |error|^2 of a value of weight 1 */
+Eigen::MatrixXcd doubledPhases (const FreeResidues& fit, const Eigen::VectorXd& columnWeights, double variance)
 {
     constexpr double inexact = 0.01; // rad: no residue follows its channel more closely
-    const auto covariances = residueCovariances (fit, variance, 1e-12);
+    const auto covariances = residueCovariances (fit, variance, smallRidge);
     Eigen::MatrixXcd result (fit.residues.rows(), fit.residues.cols());
 
     for (Eigen::Index k = 0; k < result.rows(); ++k)
         for (Eigen::Index c = 0; c < result.cols(); ++c)
         {
-            const auto power = std::max (std::norm (fit.residues (k, c)), 1e-300);
+            const auto power = std::max (columnWeights[c] * std::norm (fit.residues (k, c)), 1e-300);
             const auto noise = covariances[static_cast<std::size_t> (k)].trace() / 2 / power;
             result (k, c) = std::polar (1 / (noise + inexact * inexact), 2 * std::arg (fit.residues (k, c)));
         }
@@ -54,29 +52,64 @@ Eigen::MatrixXcd doubledPhases (const FreeResidues& fit, double variance)
     return result;
 }
 
-/** Which group every channel is in. */
-using Groups = std::vector<Eigen::Index>;
-
-GroupedPhases grouped (const FreeResidues& fit, const Eigen::MatrixXcd& phases, const Groups& groups)
+/** Phases of residues of channels, doubled, references one after the other. */
+struct ShownPhases
 {
-    GroupedPhases result { fit.basis.angularFrequencies, fit.basis.dampingRatios,
-                           Eigen::MatrixXcd::Zero (phases.rows(), 1 + *std::max_element (groups.begin(), groups.end())),
-                           phases.cwiseAbs().sum() };
+    Eigen::VectorXd omega, damping; ///< N_m: of the modes.
+    Eigen::MatrixXcd doubled;       ///< N_m x C: with weights.
+    Eigen::Index points = 0;
+};
 
-    for (std::size_t c = 0; c < groups.size(); ++c)
-        result.sums.col (groups[c]) += phases.col (static_cast<Eigen::Index> (c));
-
-    return result;
+ShownPhases shownPhases (const FreeResidues& fit, const PreparedResponses& data, const IdentifiedModes& modes)
+{
+    const auto variance =
+        data.responses->variances.empty() ? modes.noise * modes.noise / std::max (modes.misfit, 1.0) : 1.0;
+    return { fit.basis.angularFrequencies, fit.basis.dampingRatios, doubledPhases (fit, data.columnWeights, variance),
+             data.points() };
 }
 
-/** A hypothesis, and how it does. */
+/** Whose turns are to be the same. */
+enum class Sharing
+{
+    ofAll,
+    ofReference,
+    ofPoint
+};
+
+/** Which group a channel is in. */
+Eigen::Index groupOf (Sharing sharing, Eigen::Index channel, Eigen::Index points)
+{
+    return sharing == Sharing::ofAll ? 0 : sharing == Sharing::ofReference ? channel / points : channel % points;
+}
+
+Eigen::Index groupCount (Sharing sharing, const ShownPhases& phases)
+{
+    const auto points = phases.points;
+    return sharing == Sharing::ofAll ? 1 : sharing == Sharing::ofPoint ? points : phases.doubled.cols() / points;
+}
+
+/** What may turn phases, and how well it does. */
 struct Hypothesis
 {
     ChannelTurn turn = ChannelTurn::delay;
-    Groups groups;
+    Sharing sharing = Sharing::ofAll;
     double numbers = 1; ///< How many are fitted.
     TurnsOfGroups found;
 };
+
+Hypothesis tested (const ShownPhases& phases, ChannelTurn turn, Sharing sharing)
+{
+    const auto groups = groupCount (sharing, phases);
+    GroupedPhases grouped { phases.omega, phases.damping, Eigen::MatrixXcd::Zero (phases.omega.size(), groups),
+                            phases.doubled.cwiseAbs().sum() };
+
+    for (Eigen::Index c = 0; c < phases.doubled.cols(); ++c)
+        grouped.sums.col (groupOf (sharing, c, phases.points)) += phases.doubled.col (c);
+
+    // Beside turns of another kind there is a common delay.
+    const auto numbers = static_cast<double> (turn == ChannelTurn::delay ? groups : groups + 1);
+    return { turn, sharing, numbers, bestTurns (grouped, turn) };
+}
 
 /** Bayes' criterion of phases whose scale is not known: the lower the better. */
 double criterion (const Hypothesis& hypothesis, double phases)
@@ -98,106 +131,101 @@ std::string hertz (double timeConstant)
     return fixedText (1 / (2 * std::numbers::pi * timeConstant), 0) + " Hz";
 }
 
-/** Which groups have one, by name; none where all are one. */
-std::string describe (const Eigen::VectorXd& timeConstants, const std::vector<std::string>& names)
+/** What a group is called. */
+std::string groupName (Sharing sharing, std::size_t group, const std::vector<Reference>& references)
 {
-    if (names.empty())
+    return sharing == Sharing::ofReference ? "driver " + references[group].name : "point " + std::to_string (group + 1);
+}
+
+/** Which groups have one, by name. */
+std::string describe (const Eigen::VectorXd& timeConstants, Sharing sharing, const std::vector<Reference>& references)
+{
+    if (sharing == Sharing::ofAll)
         return "a low-pass of first order at " + hertz (timeConstants[0])
                + " (amplifier or sensor) is taken off all responses";
 
-    constexpr std::size_t most = 8;
+    constexpr int most = 8;
     std::string text;
-    std::size_t count = 0;
+    int count = 0;
 
-    for (std::size_t g = 0; g < names.size(); ++g)
-        if (const auto value = timeConstants[static_cast<Eigen::Index> (g)]; value > 0 && count++ < most)
-            text += (count > 1 ? ", " : "") + names[g] + " at " + hertz (value);
+    for (Eigen::Index g = 0; g < timeConstants.size(); ++g)
+        if (timeConstants[g] > 0 && count++ < most)
+            text += (count > 1 ? ", " : "") + groupName (sharing, static_cast<std::size_t> (g), references) + " at "
+                    + hertz (timeConstants[g]);
 
     return "low-passes of first order are taken off the responses: " + text
            + (count > most ? " and " + std::to_string (count - most) + " more" : "");
 }
 
-/** The hypotheses of one low-pass for all, for each reference and for each point, with what may look like them. */
-std::vector<Hypothesis> hypotheses (Eigen::Index points, Eigen::Index references)
+/** Low-passes that explain phases best: better than delays or resonances that differ from channel to channel. */
+std::optional<Hypothesis> bestLowPasses (const ShownPhases& phases)
 {
-    Groups one, byReference, byPoint;
+    const auto count = static_cast<double> (phases.doubled.size());
+    const auto none = tested (phases, ChannelTurn::delay, Sharing::ofAll);
+    auto best = none;
+    const auto isBetter = [&] (const Hypothesis& other)
+    { return explains (other, none, count) && criterion (other, count) < criterion (best, count); };
 
-    for (Eigen::Index i = 0; i < references; ++i)
-        for (Eigen::Index p = 0; p < points; ++p)
-        {
-            one.push_back (0);
-            byReference.push_back (i);
-            byPoint.push_back (p);
-        }
+    for (const auto sharing : { Sharing::ofAll, Sharing::ofReference, Sharing::ofPoint })
+        if (sharing == Sharing::ofAll || groupCount (sharing, phases) > 1)
+            if (auto other = tested (phases, ChannelTurn::lowPass, sharing); isBetter (other))
+                best = std::move (other);
 
-    std::vector<Hypothesis> result { { ChannelTurn::lowPass, one, 2, {} } };
-    const auto add = [&result] (const Groups& groups, Eigen::Index count)
-    {
-        if (count < 2)
-            return;
+    if (best.turn != ChannelTurn::lowPass)
+        return {};
 
-        result.push_back ({ ChannelTurn::lowPass, groups, 1.0 + static_cast<double> (count), {} });
-        result.push_back ({ ChannelTurn::delay, groups, static_cast<double> (count), {} });
-        result.push_back ({ ChannelTurn::shift, groups, 1.0 + static_cast<double> (count), {} });
-    };
-    add (byReference, references);
-    add (byPoint, points);
-    return result;
+    for (const auto sharing : { Sharing::ofReference, Sharing::ofPoint })
+        for (const auto turn : { ChannelTurn::delay, ChannelTurn::shift })
+            if (groupCount (sharing, phases) > 1 && isBetter (tested (phases, turn, sharing)))
+                return {};
+
+    return best;
 }
 
-std::vector<std::string> groupNames (const FrequencyResponses& responses, std::size_t groups)
+/** Time constants of groups, s; 0 of those that are hardly any, or not sure. */
+Eigen::VectorXd certainTimeConstants (const TurnsOfGroups& found, double highest)
 {
-    std::vector<std::string> names;
-
-    if (groups > 1 && groups == responses.references.size())
-        for (const auto& reference : responses.references)
-            names.push_back ("driver " + reference.name);
-    else if (groups > 1)
-        for (std::size_t p = 0; p < groups; ++p)
-            names.push_back ("point " + std::to_string (p + 1));
-
-    return names;
+    constexpr double weak = 0.02;  // rad at the highest mode
+    constexpr double unknown = 11; // chi squared of one number exceeds this once in a thousand times
+    return (found.gains.array() > unknown && found.values.array() * highest > weak).select (found.values, 0);
 }
 } // namespace
 
 std::optional<ChannelFilters> findChannelFilters (const FrequencyResponses& responses, const IdentifiedModes& modes)
 {
     constexpr Eigen::Index fewest = 4;
-    constexpr double weak = 0.02;  // rad at the highest mode
-    constexpr double unknown = 11; // chi squared of one number exceeds this once in a thousand times
 
     if (modes.modes() < fewest)
         return {};
 
-    const auto fit = residuesOfChannels (responses, modes);
-    const auto variance = responses.variances.empty() ? modes.noise * modes.noise / std::max (modes.misfit, 1.0) : 1.0;
-    const auto phases = doubledPhases (fit, variance);
-    const auto count = static_cast<double> (phases.size());
-    const auto solve = [&] (Hypothesis hypothesis)
-    {
-        hypothesis.found = bestTurns (grouped (fit, phases, hypothesis.groups), hypothesis.turn);
-        return hypothesis;
-    };
-    const auto none = solve ({ ChannelTurn::delay, Groups (static_cast<std::size_t> (phases.cols()), 0), 1, {} });
-    auto best = none;
+    // A few points tell. Poles of real modes are wrong where phases are not theirs.
+    const auto sample = atPoints (responses, samplePoints (responses));
+    const auto ofSample = inRangeOf (modes, sample);
+    const auto fit =
+        fitFreeResidues (ofSample, { modes.angularFrequencies, modes.dampingRatios, {}, {}, modes.delay }, smallRidge);
+    auto best = bestLowPasses (shownPhases (fit, ofSample, modes));
 
-    for (auto& hypothesis : hypotheses (responses.points.rows(), fit.residues.cols() / responses.points.rows()))
-        if (auto solved = solve (std::move (hypothesis));
-            explains (solved, none, count) && criterion (solved, count) < criterion (best, count))
-            best = std::move (solved);
-
-    auto& values = best.found.values;
-    const auto isKnown = best.found.gains.array() > unknown;
-    values = (isKnown && values.array() * modes.angularFrequencies.maxCoeff() > weak).select (values, 0);
-
-    if (best.turn != ChannelTurn::lowPass || values.maxCoeff() <= 0)
+    if (! best)
         return {};
 
-    ChannelFilters result { Eigen::MatrixXd (responses.points.rows(), responses.references.size()),
-                            describe (values, groupNames (responses, static_cast<std::size_t> (values.size()))) };
+    if (sample.points.rows() < responses.points.rows())
+    {
+        const auto data = inRangeOf (modes, responses);
+        const auto ofAll = residuesAt (fit.basis, data, modes.delay);
+        best = tested (shownPhases (ofAll, data, modes), ChannelTurn::lowPass, best->sharing);
+    }
 
-    for (Eigen::Index c = 0; c < phases.cols(); ++c)
-        result.timeConstants.reshaped()[c] = values[best.groups[static_cast<std::size_t> (c)]];
+    const auto values = certainTimeConstants (best->found, modes.angularFrequencies.maxCoeff());
+
+    if (values.maxCoeff() <= 0)
+        return {};
+
+    const auto points = responses.points.rows();
+    ChannelFilters result { Eigen::MatrixXd (points, responses.references.size()),
+                            describe (values, best->sharing, responses.references) };
+
+    for (Eigen::Index c = 0; c < result.timeConstants.size(); ++c)
+        result.timeConstants.reshaped()[c] = values[groupOf (best->sharing, c, points)];
 
     return result;
 }

@@ -11,7 +11,7 @@ namespace
 {
 /** Responses through low-passes of first order, noise behind them. @param timeConstants  points x references, s */
 FrequencyResponses throughLowPasses (const KnownStructure& truth, const Eigen::VectorXd& frequencies,
-                                     const Eigen::MatrixXd& timeConstants)
+                                     const Eigen::MatrixXd& timeConstants, bool statesVariances = false)
 {
     auto responses = idealResponses (truth, frequencies);
 
@@ -21,7 +21,13 @@ FrequencyResponses throughLowPasses (const KnownStructure& truth, const Eigen::V
                 responses.values[static_cast<std::size_t> (i)](f, p) /=
                     std::complex<double> (1, 2 * std::numbers::pi * frequencies[f] * timeConstants (p, i));
 
-    addNoise (responses, 45, 3);
+    const auto noise = addNoise (responses, 45, 3);
+
+    if (statesVariances)
+        responses.variances.assign (
+            responses.values.size(),
+            Eigen::MatrixXd::Constant (frequencies.size(), timeConstants.rows(), noise * noise));
+
     return responses;
 }
 
@@ -90,6 +96,28 @@ TEST_CASE ("Low-passes of first order are identified, and modes are right again"
     }
 
     CHECK (10 * std::log10 (error / energy) < -44);
+}
+
+TEST_CASE ("Low-passes are found by the variances that are given", "[identification]")
+{
+    const Eigen::MatrixXd timeConstants = Eigen::MatrixXd::Constant (8, 3, timeConstant (2000));
+    const auto modes = identify (
+        throughLowPasses (lowestModes (knownBeam (7, 8, 3), 5), lines (200, 3500, 2), timeConstants, true), {});
+    CHECK_THAT (allWarnings (modes), Catch::Contains ("a low-pass of first order at 20"));
+    REQUIRE (modes.lowPasses.size() == timeConstants.size());
+    CHECK ((modes.lowPasses.array() / timeConstants.array() - 1).abs().maxCoeff() < 0.01);
+}
+
+TEST_CASE ("Low-passes of points are named so where there are as many drivers", "[identification]")
+{
+    Eigen::MatrixXd timeConstants (5, 5);
+
+    for (Eigen::Index p = 0; p < 5; ++p)
+        timeConstants.row (p).setConstant (timeConstant (1500 + 300 * static_cast<double> (p)));
+
+    const auto modes =
+        identify (throughLowPasses (lowestModes (knownBeam (7, 5, 5), 5), lines (200, 3500, 2), timeConstants), {});
+    CHECK_THAT (allWarnings (modes), Catch::Contains ("off the responses: point 1 at 1"));
 }
 
 TEST_CASE ("A low-pass of many modes is not taken for complex modes", "[identification]")
