@@ -1,4 +1,5 @@
 #include "EngineFixtures.h"
+#include "Support/HeldPlate.h"
 #include "Support/ViscousChain.h"
 
 #include <antinode_base/InputError.h>
@@ -101,7 +102,7 @@ TEST_CASE ("The plate model moves a chain with complex modes as held voltages do
     Eigen::MatrixXd generator = Eigen::MatrixXd::Zero (28, 28);
     generator.topLeftCorner (24, 24) = chain.stateMatrix() / rate;
     generator.topRightCorner (24, 4) = chain.inputMatrix() / rate;
-    const Eigen::MatrixXd step = generator.exp();
+    const Eigen::MatrixXd step = exponential (generator);
     Eigen::VectorXd state = Eigen::VectorXd::Zero (24);
     Eigen::MatrixXd wanted (12, 600);
 

@@ -206,7 +206,8 @@ TEST_CASE ("in its pass band the interpolation has a gain of 1 and no images, bo
 {
     const auto quadrature = gaussLegendre (24, kaiserSincHalfWidth);
     const Eigen::ArrayXd x = kaiserSincHalfWidth * quadrature.nodes.array();
-    const Eigen::ArrayXd weighted = 2 * kaiserSincHalfWidth * quadrature.weights.array() * x.unaryExpr (&kaiserSinc);
+    const Eigen::ArrayXd weighted = 2 * kaiserSincHalfWidth * quadrature.weights.array()
+                                    * x.unaryExpr ([] (double place) { return kaiserSinc (place); });
     const auto gain = [&] (double w) { return (weighted * (w * x).cos()).sum(); }; // w in rad per sample
 
     for (int i = 0; i <= 300; ++i)
