@@ -12,7 +12,7 @@ class FreeGrams
 {
 public:
     /** All samples are free. @param weightsToUse  N_r x N_s, outlives this
-        @param wholeGram  N_r x N_r, the lower triangle of W W' over all samples; outlives this */
+        @param wholeGram  N_r x N_r, the lower triangle of W W' over all samples; outlives this [worker] */
     FreeGrams (const Eigen::MatrixXd& weightsToUse, const Eigen::MatrixXd& wholeGram, Eigen::Index ceramics);
 
     /** Takes the samples that pulls leave within their caps, both N_b x N_s, on all cores where it pays. [worker] */

@@ -25,10 +25,10 @@ public:
     double objective (const Eigen::MatrixXd& samples) const;
 
     /** The matrix of the Newton step: compliance and the rows as the samples within the limits see them. Lower
-        triangle. */
+        triangle. [worker] */
     Eigen::MatrixXd curvature (const Eigen::MatrixXd& pulls, FreeGrams&) const;
 
-    /** For the curvature: all samples are free. It refers to this. */
+    /** For the curvature: all samples are free. It refers to this. [worker] */
     FreeGrams freeGrams() const { return { weights, gram, participation.cols() }; }
 
     Eigen::VectorXd roots; ///< N_s: of the costs. Samples here are so many times those of the problem.

@@ -88,8 +88,8 @@ void requireRoomInBank (const PlayableFocus& focus, std::size_t foci)
 
     if (needed > allowed)
         throw InputError ("bank of foci", "needs " + std::to_string (std::llround (needed)) + " MiB for the samples of "
-                                              + std::to_string (foci)
-                                              + " places; allowed: " + std::to_string (std::llround (allowed))
+                                              + (foci == 1 ? "one place" : std::to_string (foci) + " places")
+                                              + "; allowed: " + std::to_string (std::llround (allowed))
                                               + " MiB; choose a shorter focus time, a lower sample rate, 'dictionary' "
                                                 "instead of 'free_waveform', or notes that play the focus alone");
 }

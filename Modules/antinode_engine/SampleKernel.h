@@ -6,10 +6,10 @@ namespace antinode
 template <typename Sample>
 struct SampleKernel
 {
-    /** Adds so many times the samples. Each sum is the same to the bit wherever in a block it stands. */
+    /** Adds so many times the samples; each sum is the same to the bit anywhere in a block. [audio thread] */
     void (*addScaled) (const float* from, Sample amplitude, Sample* to, int count);
 
-    /** The same, each sample times a gain of its own too. */
+    /** The same, each sample times a gain of its own too. [audio thread] */
     void (*addFaded) (const float* from, const Sample* gains, Sample amplitude, Sample* to, int count);
 };
 

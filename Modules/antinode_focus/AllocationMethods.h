@@ -18,7 +18,7 @@ enum class AllocationMethod
     minimumPeak,  ///< Exact terminal rows at the least peak voltage.
     dictionary,   ///< The same with several drives per mode: near the least voltage of any waveform.
     freeWaveform, ///< Samples of any form, of the least energy within the voltage limit.
-    leastVoltage  ///< The same within a limit so near to the least voltage of any waveform.
+    leastVoltage  ///< The same within a limit as near as asked to the least voltage of any waveform.
 };
 
 /** What a method mixes. */

@@ -87,10 +87,10 @@ void sayWhatIsFelt (FocusDesign& design, const LessFelt& felt)
 /** Says what least voltage came to, and what is proven of it. */
 void sayHowNear (FocusDesign& design)
 {
-    const auto bound = design.certificate.minimumPeakRatio * design.program.voltageLimits.maxCoeff();
-    const auto peak = peakVoltage (design);
-    design.choices.push_back ("Least voltage: " + inWords (peak) + " V, " + inWords (peak / bound) + " times the "
-                              + inWords (bound) + " V below which no samples do.");
+    const auto peak = design.certificate.peakRatio, bound = design.certificate.minimumPeakRatio;
+    design.choices.push_back ("Least voltage: " + inWords (peakVoltage (design)) + " V, at most " + inWords (100 * peak)
+                              + " % of each ceramic's limit, " + inWords (peak / bound) + " times the "
+                              + inWords (100 * bound) + " % below which no samples do.");
 }
 
 /** Allocates until the wanted velocities of complex modes and what the imaginary parts of their shapes add are the

@@ -147,13 +147,13 @@ void warnOfSpillOver (FocusDesign& design)
     if (! (design.spillOver->share > allowedSpillOver))
         return;
 
-    const auto guards =
-        methodTraits (design.description.allocation.method).hasExactRows || design.program.samples.has_value();
+    const auto method = design.description.allocation.method;
+    const auto guards = methodTraits (method).hasExactRows || design.program.samples.has_value();
+    const std::string room = method == AllocationMethod::leastVoltage ? "larger 'times_bound'" : "higher voltage limit";
     design.warnings.push_back (shareInWords (design.spillOver->share) + " of the field is in modes beyond the "
                                + std::to_string (design.spillOver->knownModes) + " of the device. "
-                               + (guards ? "Its waveforms have kinks or steps that guards do not remove; a higher "
-                                           "voltage limit or a longer focus "
-                                           "time makes them smoother."
+                               + (guards ? "Its waveforms have kinks or steps that guards do not remove; a " + room
+                                               + " or a longer focus time makes them smoother."
                                          : "This method guards no modes; use the allocation 'exact'."));
 }
 } // namespace

@@ -113,6 +113,7 @@ FingerFilters designFingerFilters (const ModalModel& model, const WaveformsDescr
 {
     requireFixedPoints (description);
     const auto shapes = touchedShapes (model, description);
+    requireEnoughCeramics (model, description);
     const auto span = filterSpan (description, settings);
     requireDistinctPoints (model, description);
     auto responses = pointResponses (model, shapes, touchedLoads (model, description), span.rate, span.length);

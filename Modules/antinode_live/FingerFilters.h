@@ -30,7 +30,7 @@ struct FingerFilters
     double error = 0;   ///< Of the worst track: ||reached - wanted|| / ||wanted|| in the band, by the model.
     int iterations = 0; ///< Of conjugate gradients, in all.
 
-    /** Of the filters, Hz. */
+    /** Of the filters, Hz. [any] */
     double rate() const { return sampleRate / static_cast<double> (factor); }
 
     /** From an input to the motion, with both changes of rate, s. [any] */

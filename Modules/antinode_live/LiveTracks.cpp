@@ -4,6 +4,8 @@
 #include "RateChange.h"
 
 #include <antinode_base/NumberText.h>
+#include <antinode_base/Watch.h>
+#include <antinode_tracks/TrackMemory.h>
 #include <antinode_tracks/TrackWork.h>
 
 #include <cmath>
@@ -22,10 +24,19 @@ namespace
                            1 / times, 1 / times);
 }
 
+/** What voltages and tracks take of the memory, as they are and transposed. */
+TrackBytes liveBytes (const ModalModel& model, const WaveformsDescription& description, double sampleRate)
+{
+    constexpr double byNumber = sizeof (double), copies = 2;
+    const auto signals = static_cast<double> (model.actuators()) + static_cast<double> (description.tracks.size())
+                         + static_cast<double> (description.silent.size());
+    return { byNumber * copies * signals * tracksDuration (description) * sampleRate, 0 };
+}
+
 /** Voltages until the last input has left the filters. */
 Eigen::MatrixXd voltagesOf (const FilterBank& bank, const Eigen::MatrixXd& inputs)
 {
-    constexpr Eigen::Index noFade = 1;
+    constexpr Eigen::Index noFade = 1, samplesPerLook = 256; // some ms of work at most
     FilterPlayer player (bank, noFade);
     const auto ringing = (bank.taps + 4 * rateChangeReach) * bank.factor;
     Eigen::MatrixXf voltages (bank.values.rows(), inputs.rows() + ringing);
@@ -33,6 +44,9 @@ Eigen::MatrixXd voltagesOf (const FilterBank& bank, const Eigen::MatrixXd& input
 
     for (Eigen::Index n = 0; n < voltages.cols(); ++n)
     {
+        if (n % samplesPerLook == 0)
+            checkWatch();
+
         input = n < inputs.rows() ? Eigen::VectorXf (inputs.row (n).transpose().cast<float>())
                                   : Eigen::VectorXf::Zero (bank.inputs).eval();
         player.process (input, voltages.col (n));
@@ -45,6 +59,7 @@ Eigen::MatrixXd voltagesOf (const FilterBank& bank, const Eigen::MatrixXd& input
 TrackDesign designLiveTracks (const ModalModel& model, const WaveformsDescription& description,
                               const TrackSettings& settings, const ShowProgress& progress)
 {
+    requireTrackMemory (liveBytes (model, description, settings.sampleRate), tracksDuration (description));
     FilterSettings filterSettings;
     filterSettings.sampleRate = settings.sampleRate;
     filterSettings.latency = settings.latency;

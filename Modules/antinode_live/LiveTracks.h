@@ -5,7 +5,7 @@
 namespace antinode
 {
 /** What designTracks gives, by filters that play live: its tracks are inputs, and voltages follow them.
-    @throws InputError  as designFingerFilters and wantedAsPlayed
+    @throws InputError  as designFingerFilters and wantedAsPlayed, and for tracks that need more than 1 GiB
     @throws TrackLimitError  for levels beyond the limits
     @throws Cancelled   when a watch of this thread says no
     [worker] Docs/Theory.md, section 4.15. */

@@ -17,12 +17,15 @@ constexpr auto longDesign = std::chrono::milliseconds (250);
 
 constexpr auto lookInterval = std::chrono::milliseconds (5); ///< Between looks at the watch of those who wait.
 
-/** Of a note's place: whether all of them would fit into a bank, which is asked before the first of them is designed.
- */
+/** Whether a bank has room for a focus: the live one comes first, then those that are touched, then those of notes, all
+    of them or none. Asked of the live one before another one is designed: they are alike. */
 void requireRoom (const PlayableFocus* focus, const DesignRequest& request, int place)
 {
-    if (focus != nullptr && place < FocusBank::notePlaces)
-        requireRoomInBank (*focus, request.places.size() + FocusBank::places - FocusBank::notePlaces);
+    constexpr std::size_t liveAndTouched = FocusBank::places - FocusBank::notePlaces;
+    const auto others = liveAndTouched + (place < FocusBank::notePlaces ? request.places.size() : 0);
+
+    if (focus != nullptr)
+        requireRoomInBank (*focus, place == FocusBank::livePlace ? 1 : others);
 }
 } // namespace
 

@@ -122,6 +122,9 @@ FocusDescription withSettings (const FocusDescription& document, const PlaySetti
     if (focus.allocation.method != AllocationMethod::leastVoltage)
         focus.allocation.timesBound.reset();
 
+    if (focus.allocation.method != AllocationMethod::freeWaveform)
+        focus.felt.reset();
+
     focus.allocation.isUndisplaced =
         focus.allocation.isUndisplaced && methodTraits (focus.allocation.method).hasExactRows;
 

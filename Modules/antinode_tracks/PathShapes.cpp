@@ -13,15 +13,9 @@ constexpr double placeSpacing = 5e-4;  // m
 constexpr Eigen::Index leastSteps = 3; // of a polynomial of third order
 } // namespace
 
-PathShapes::PathShapes (const ModalModel& model, const TouchedPoint& point)
+std::vector<PathShapes::Leg> PathShapes::legsOf (const TouchedPoint& point)
 {
-    if (point.path.size() < 2)
-    {
-        const auto place = placeAt (point, 0);
-        table = shapesAt (model, place.x, place.y).transpose();
-        return;
-    }
-
+    std::vector<Leg> legs;
     Eigen::Index count = 0;
 
     for (std::size_t i = 1; i < point.path.size(); ++i)
@@ -33,7 +27,23 @@ PathShapes::PathShapes (const ModalModel& model, const TouchedPoint& point)
         count += steps + 1;
     }
 
-    table.resize (model.coordinates(), count);
+    return legs;
+}
+
+Eigen::Index PathShapes::placesAlong (const TouchedPoint& point)
+{
+    const auto legs = legsOf (point);
+    return legs.empty() ? 1 : legs.back().first + legs.back().steps + 1;
+}
+
+PathShapes::PathShapes (const ModalModel& model, const TouchedPoint& point)
+    : legs (legsOf (point)), table (model.coordinates(), placesAlong (point))
+{
+    if (legs.empty())
+    {
+        const auto place = placeAt (point, 0);
+        table = shapesAt (model, place.x, place.y).transpose();
+    }
 
     for (const auto& leg : legs)
         for (Eigen::Index i = 0; i <= leg.steps; ++i)

@@ -104,18 +104,25 @@ std::vector<SurfaceLoad> touchedLoads (const ModalModel& model, const WaveformsD
     return loads;
 }
 
-void requireDistinctPoints (const ModalModel& model, const WaveformsDescription& description)
+void requireEnoughCeramics (const ModalModel& model, const WaveformsDescription& description)
 {
     const auto points = description.tracks.size() + description.silent.size();
 
     if (static_cast<Eigen::Index> (points) > model.actuators())
         throw InputError ("waveforms", "touch " + std::to_string (points) + " points; allowed: at most "
                                            + std::to_string (model.actuators()) + ", one per ceramic");
+}
 
+void requireDistinctPoints (const ModalModel& model, const WaveformsDescription& description)
+{
     const auto times = timesOfPlaces (description, lookedAgainAfter);
+    auto places = description;
+
+    for (auto& track : places.tracks)
+        track.signal = {}; // A recording is long, and would be copied every time.
 
     for (const auto time : times)
-        requireDistinct (model, stillAt (description, time),
+        requireDistinct (model, stillAt (places, time),
                          times.size() > 1 ? " at " + inWords (time * milli) + " ms" : std::string());
 }
 } // namespace antinode

@@ -15,6 +15,7 @@ namespace
 {
 constexpr double leastMotion = 1e-5; // of the largest along a path: what nodes leave out
 constexpr double stageStep = 5e-3;   // m, after which the preconditioner takes other responses
+constexpr int mostStageSteps = 31;   // with longer steps if need be: each stage takes memory
 
 /** How far a ceramic moves each mode at most at frequencies up to half a rate: what an error of its shape is worth. */
 Eigen::VectorXd importances (const ModalModel& model, double sampleRate)
@@ -48,7 +49,8 @@ std::pair<Eigen::MatrixXd, Eigen::MatrixXd> pathNodes (const Eigen::MatrixXd& pl
 } // namespace
 
 TouchedNodes::TouchedNodes (const ModalModel& model, const WaveformsDescription& description, double sampleRate)
-    : paths (pathShapes (model, description)), fits (paths.size()), stageTimes (timesOfPlaces (description, stageStep))
+    : paths (pathShapes (model, description)), fits (paths.size()),
+      stageTimes (timesOfPlaces (description, stageStep, mostStageSteps))
 {
     std::vector<Eigen::MatrixXd> shapes;
 

@@ -22,7 +22,7 @@ public:
         [worker] */
     TouchedNodes (const ModalModel&, const WaveformsDescription&, double sampleRate);
 
-    /** In place of mode shapes at points: nodes x N_m, kg^-1/2. */
+    /** In place of mode shapes at points: nodes x N_m, kg^-1/2. [any] */
     const Eigen::MatrixXd& shapes() const { return nodes; }
 
     /** How the nodes make the points at all samples of a design.
@@ -31,7 +31,7 @@ public:
         [worker] */
     MovingPoints weights (double sampleRate, Eigen::Index lead, Eigen::Index length) const;
 
-    /** How many places the preconditioner of a design takes as fixed; one where nothing moves. */
+    /** How many places the preconditioner of a design takes as fixed; one where nothing moves. [any] */
     std::size_t stages() const { return stageTimes.size(); }
 
 private:

@@ -2,6 +2,7 @@
 
 #include "PointDistances.h"
 #include "TouchedNodes.h"
+#include "TrackMemory.h"
 #include "VoltageInterpolation.h"
 #include "WantedMotion.h"
 
@@ -25,7 +26,6 @@ namespace
 constexpr double ratesPerBand = 6;    // the design's rate over the band's upper frequency, at least
 constexpr double decayedTo = 0.01;    // of the slowest mode, before the transforms begin again
 constexpr double longestDecay = 2;    // s of it at most: what rings then is quiet at all points
-constexpr double mostBytes = 1 << 30; // of memory
 constexpr Eigen::Index mostFiner = 8; // times the design's rate, at which limits are kept sample by sample
 
 double decayTime (const ModalModel& model, TrackBand band)
@@ -62,45 +62,6 @@ TrackSpan trackSpan (const ModalModel& model, const WaveformsDescription& descri
     span.window = span.lead + span.wanted + rollSamples (description.postRoll, span.rate);
     span.length = quickLength (static_cast<double> (span.window) + decayTime (model, description.band) * span.rate);
     return span;
-}
-
-/** How many numbers of each kind a design has. */
-struct DesignCounts
-{
-    double points = 0, nodes = 0, stages = 0, actuators = 0;
-};
-
-/** What the design holds at once, bytes. */
-double bytesNeeded (const TrackSpan& span, const DesignCounts& counts)
-{
-    constexpr double byNumber = sizeof (double), signalsKept = 8, copiesPlayed = 3, copiesOfNodes = 3;
-    const auto lines = static_cast<double> (span.length);
-    const auto moving = counts.nodes > counts.points ? copiesOfNodes * counts.nodes : 0;
-    return byNumber
-           * (lines
-                  * (counts.nodes * counts.actuators + counts.stages * counts.points * counts.points + counts.actuators
-                     + signalsKept * counts.points + moving)
-              + static_cast<double> (span.window) * counts.actuators
-                    * (signalsKept + copiesPlayed * static_cast<double> (span.factor)));
-}
-
-DesignCounts designCounts (const ModalModel& model, const WaveformsDescription& description, const TouchedNodes& nodes)
-{
-    return { static_cast<double> (description.tracks.size() + description.silent.size()),
-             static_cast<double> (nodes.shapes().rows()), static_cast<double> (nodes.stages()),
-             static_cast<double> (model.actuators()) };
-}
-
-void requireMemory (const TrackSpan& span, const DesignCounts& counts)
-{
-    const auto bytes = bytesNeeded (span, counts);
-
-    if (bytes > mostBytes)
-        throw InputError ("waveforms",
-                          "last " + inWords (static_cast<double> (span.wanted) / span.rate) + " s, which needs "
-                              + inWords (bytes / mostBytes) + " GiB; allowed: 1 GiB, about "
-                              + inWords (std::floor (static_cast<double> (span.wanted) / span.rate * mostBytes / bytes))
-                              + " s with this device and rate");
 }
 
 /** The smallest singular values of the responses within the band, squared: from the trace of the inverse, of which it
@@ -166,8 +127,11 @@ double smallestResponse (const PointResponses& nodes, const MovingPoints& moving
 TrackWork trackWork (const ModalModel& model, const WaveformsDescription& description, const TrackSettings& settings)
 {
     const auto span = trackSpan (model, description, settings.sampleRate);
+    requirePlaces (model.surface, description);
+    requireEnoughCeramics (model, description);
+    requirePathMemory (model, description);
     const TouchedNodes nodes (model, description, span.rate);
-    requireMemory (span, designCounts (model, description, nodes));
+    requireTrackMemory (trackBytes (model, description, span, nodes), static_cast<double> (span.wanted) / span.rate);
     requireDistinctPoints (model, description);
     auto moving = nodes.weights (span.rate, span.lead, span.length);
     auto responses = pointResponses (model, nodes.shapes(), touchedLoads (model, description), span.rate, span.length);
@@ -209,7 +173,7 @@ std::optional<TrackWork> finerWork (const ModalModel& model, const WaveformsDesc
     span.length *= factor;
     const TouchedNodes nodes (model, description, span.rate);
 
-    if (bytesNeeded (span, designCounts (model, description, nodes)) > mostBytes)
+    if (! isWithinMemory (trackBytes (model, description, span, nodes)))
         return {};
 
     auto moving = nodes.weights (span.rate, span.lead, span.length);

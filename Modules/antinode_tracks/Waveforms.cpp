@@ -159,9 +159,8 @@ WaveformsDescription stillAt (const WaveformsDescription& description, double ti
     return still;
 }
 
-std::vector<double> timesOfPlaces (const WaveformsDescription& description, double step)
+std::vector<double> timesOfPlaces (const WaveformsDescription& description, double step, int mostSteps)
 {
-    constexpr int mostSteps = 31;
     const auto travel = travelOf (touchedPoints (description));
 
     if (travel.times.empty())

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -75,8 +76,12 @@ PathPoint placeAt (const TouchedPoint&, double time);
 WaveformsDescription stillAt (const WaveformsDescription&, double time);
 
 /** Times between which all points together move a step or less, from the begin of the first path to the end of the
-    last, ascending; one where nothing moves. At most 32, with longer steps if need be. @param step  m [any] */
-std::vector<double> timesOfPlaces (const WaveformsDescription&, double step);
+    last, ascending; one where nothing moves.
+    @param step       m
+    @param mostSteps  with longer steps if need be
+    [any] */
+std::vector<double> timesOfPlaces (const WaveformsDescription&, double step,
+                                   int mostSteps = std::numeric_limits<int>::max());
 
 /** How long the tracks are, from the trigger to the end of the last, s. [any] */
 double tracksDuration (const WaveformsDescription&);

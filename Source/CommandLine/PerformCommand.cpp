@@ -154,7 +154,7 @@ void addPerformCommand (CLI::App& app)
     auto* latency = command->add_option (
         "--latency-ms", options->latency,
         "Voltages follow the tracks as live inputs, by filters with this latency, ms: for example 5");
-    latency->check (CLI::Range (0.1, 1000.0))->type_name ("FLOAT");
+    latency->check (CLI::Range (0.1, 100.0))->type_name ("FLOAT");
     command
         ->add_option ("--correct", options->passes,
                       "Folder of an earlier pass with recorded.csv or recorded.wav in it (repeatable, in order)")

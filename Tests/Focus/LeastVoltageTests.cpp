@@ -7,6 +7,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <string>
+
 using namespace antinode;
 
 namespace
@@ -78,4 +81,30 @@ TEST_CASE ("A place that guards what another one needed has that place's design"
     const auto again = designGuarding (firstModes (wide.model, 12 + beyond), 12, nearFocus (0.02), interface);
     CHECK (again.program.samples->values == first.program.samples->values);
     CHECK (again.controlledModes == first.controlledModes);
+}
+
+TEST_CASE ("What least voltage comes to is said in shares of limits, which may differ", "[freeWaveform][leastVoltage]")
+{
+    auto model = test::sineBeam (20, 8);
+
+    for (std::size_t i = 0; i < model.ceramics.size(); ++i)
+        model.ceramics[i].voltageLimit = i == 0 ? 150 : 30;
+
+    const auto design = designFocus (model, nearFocus (0.02), interface, DesignExtent::playable);
+    double share = 0;
+
+    for (Eigen::Index i = 0; i < 8; ++i)
+        share = std::max (share, design.program.samples->values.row (i).cwiseAbs().maxCoeff() / (i == 0 ? 150 : 30));
+
+    const auto sentence =
+        std::find_if (design.choices.begin(), design.choices.end(),
+                      [] (const std::string& choice) { return choice.starts_with ("Least voltage"); });
+    REQUIRE (sentence != design.choices.end());
+    CAPTURE (*sentence);
+    const auto numberBehind = [&] (const std::string& words)
+    { return std::stod (sentence->substr (sentence->find (words) + words.size())); };
+    CHECK (numberBehind ("at most ") == Approx (100 * share).epsilon (0.01));
+    CHECK (numberBehind ("limit, ") > 1);
+    CHECK (numberBehind ("limit, ") <= 1.25);
+    CHECK (numberBehind ("times the ") == Approx (100 * share / numberBehind ("limit, ")).epsilon (0.01));
 }

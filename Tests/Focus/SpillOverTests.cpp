@@ -8,6 +8,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <string>
+
 using namespace antinode;
 
 namespace
@@ -121,4 +124,19 @@ TEST_CASE ("Samples of less cost take more of the energy: without limits they ar
     CHECK (limited.isMet);
     CHECK (limited.samples.cwiseAbs().maxCoeff() == Approx (problem.limits[0]).epsilon (1e-12));
     CHECK (limited.objective == Approx (limited.bound).epsilon (1e-9));
+}
+
+TEST_CASE ("With least voltage the warning of spill-over advises a larger multiple of the bound", "[spillOver]")
+{
+    // One mode beyond, fewer than the least number of guards: what is in it stays.
+    const auto wide = withModesBeyond (test::sineBeam (12, 8), test::sineBeam (13, 8));
+    const auto warnings =
+        designWithin (wide, wideFocus (AllocationMethod::leastVoltage, 150), playback, DesignExtent::playable).warnings;
+    const auto advises = [&] (const std::string& words)
+    {
+        return std::any_of (warnings.begin(), warnings.end(),
+                            [&] (const std::string& one) { return one.find (words) != std::string::npos; });
+    };
+    CHECK (advises ("a larger 'times_bound' or a longer focus time"));
+    CHECK_FALSE (advises ("voltage limit"));
 }

@@ -1,6 +1,7 @@
 #include "Support/ErrorText.h"
 #include "Support/SinePlate.h"
 
+#include <antinode_base/Watch.h>
 #include <antinode_live/LiveTracks.h>
 #include <antinode_render/PlayedTracks.h>
 #include <antinode_render/TrackScores.h>
@@ -94,4 +95,32 @@ TEST_CASE ("A latency that filters cannot have is refused with what is allowed",
     const auto design = [&] (double latency) { designLiveTracks (model, threePoints(), liveSettings (latency)); };
     CHECK (errorText ([&] { design (0.002); }) == "latency: is 2 ms; allowed: 5 to 100 ms");
     CHECK (errorText ([&] { design (0.2); }) == "latency: is 200 ms; allowed: 5 to 100 ms");
+}
+
+TEST_CASE ("Live tracks that need too much memory are refused before they are designed", "[live]")
+{
+    const auto model = test::SinePlate().model (6);
+    auto description = threePoints();
+    description.tracks[0].signal = NoiseSignal { 600, 0.02, 1 };
+    const auto refusal = errorText ([&] { designLiveTracks (model, description, liveSettings (0.01)); });
+
+    // 12 ceramics and 3 points twice, 8 bytes each.
+    CHECK_THAT (refusal, Catch::Contains ("last 600 s") && Catch::Contains ("allowed: 1 GiB, about 93 s"));
+}
+
+TEST_CASE ("A watch is asked while live tracks are played through their filters", "[live]")
+{
+    const auto model = test::SinePlate().model (6);
+    auto description = threePoints();
+    description.tracks.resize (1);
+    description.silent.clear();
+    int asked = 0;
+    const WatchScope scope ([&] { return ++asked > 0; });
+    designFingerFilters (model, description, { 48000, 0.01 });
+    const auto byFilters = asked;
+    asked = 0;
+    designLiveTracks (model, description, liveSettings (0.01));
+
+    // .2 s of 48 kHz, looked at every 10 ms at least.
+    CHECK (asked >= byFilters + 20);
 }

@@ -268,6 +268,28 @@ TEST_CASE ("Where a bank of samples would not fit into its memory its places say
     CHECK (player.counters().empty == 1);
 }
 
+TEST_CASE ("Where the places of touches would not fit beside the focus itself, a touch has none", "[graph][sampled]")
+{
+    BankHandOver handOver;
+    DesignWorker worker (handOver);
+    auto request = requestFor (0);
+    request.model = std::make_shared<const ModalModel> (test::sineBeam (2, 64));
+    request.focus.allocation.method = AllocationMethod::freeWaveform;
+    request.focus.modes.count = 1;
+    request.focus.focusTime = 0.35; // 64 ceramics of 4 bytes: 17 MB, 17 times
+    request.playback.sampleRate = 192000;
+    worker.request (request);
+    test::waitForBank (worker, 0);
+    REQUIRE (worker.progress().liveError.empty());
+    std::atomic<int> place { -2 };
+    REQUIRE (worker.touch (0.031, 0, [&] (int ready) { place = ready; }));
+
+    while (place == -2)
+        std::this_thread::yield();
+
+    CHECK (place == -1);
+}
+
 TEST_CASE ("The places of a bank on a line and on a plate", "[graph]")
 {
     Surface surface;

@@ -45,3 +45,18 @@ TEST_CASE ("Parameters change what they name, and later foci follow the first", 
     CHECK (changed.allocation.voltageLimit == 33);
     CHECK (changed.modes.count == 12);
 }
+
+TEST_CASE ("Another method than a free waveform leaves off what is felt elsewhere, and the focus can be read again",
+           "[session]")
+{
+    const auto surface = deviceExtent (test::deviceNamed ("glass-148x210").description);
+    auto focus = test::focusNamed ("glass-two").description;
+    focus.allocation.method = AllocationMethod::freeWaveform;
+    focus.felt.emplace();
+    auto settings = settingsFromFocus (focus, surface, {});
+    CHECK (withSettings (focus, settings, surface).felt);
+    settings.method = AllocationMethod::exact;
+    const auto changed = withSettings (focus, settings, surface);
+    CHECK_FALSE (changed.felt);
+    CHECK_NOTHROW (readFocus (focusToJson (changed), "focus"));
+}

@@ -1,7 +1,9 @@
 #include "Support/ErrorText.h"
 #include "Support/SinePlate.h"
 
+#include <antinode_tracks/PointDistances.h>
 #include <antinode_tracks/TrackDesign.h>
+#include <antinode_tracks/TrackMemory.h>
 #include <antinode_tracks/WantedMotion.h>
 
 #include <catch2/catch.hpp>
@@ -193,6 +195,36 @@ TEST_CASE ("Paths that no finger takes are refused in one sentence", "[tracks]")
     // On its way it comes too near to the silent finger at 140, 100 mm.
     CHECK_THAT (refusal ({ { 0, 0.05, 0.1 }, { 0.1, 0.15, 0.1 } }),
                 Catch::Contains ("mm from track 1 at ") && Catch::Contains (" ms, too near"));
+}
+
+TEST_CASE ("A path that crosses a silent finger once is noticed however long it is", "[tracks]")
+{
+    auto description = twoPoints (1e-6);
+    auto& path = description.tracks[0].point.path;
+
+    for (int leg = 0; leg <= 10; ++leg)
+        path.push_back ({ 0.06 * leg, leg % 2 == 0 ? 0.05 : 0.15, 0.02 });
+
+    // It meets the silent finger at 1.17 m of its way.
+    path.push_back ({ 0.66, 0.14, 0.02 });
+    path.push_back ({ 0.74, 0.14, 0.12 });
+    const auto model = test::SinePlate().model (10);
+    CHECK_THAT (errorText ([&] { requireDistinctPoints (model, description); }), Catch::Contains ("too near"));
+}
+
+TEST_CASE ("Paths that would take too much memory are refused before their shapes are computed", "[tracks]")
+{
+    const auto model = test::SinePlate().model (10);
+    auto description = twoPoints (1e-6);
+    description.silent.clear();
+    description.tracks[0].point.path = { { 0, 0, 0 }, { 10, 10, 0 } };
+
+    // Shapes every half millimetre: 20001 places of 10 m, 10 modes, 8 bytes.
+    description.tracks.resize (static_cast<std::size_t> (double (1 << 30) / (20001 * 10 * 8)), description.tracks[0]);
+    CHECK (errorText ([&] { requirePathMemory (model, description); }).empty());
+    description.tracks.resize (1000, description.tracks[0]);
+    CHECK (errorText ([&] { requirePathMemory (model, description); })
+           == "waveforms: have paths that need 1.49 GiB; allowed: 1 GiB, about 67 % of their length with this device");
 }
 
 TEST_CASE ("Voltages and slew rates keep their limits where these bind", "[tracks]")
