@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 namespace antinode
@@ -16,6 +17,9 @@ class JsonValue;
 inline constexpr std::array<std::string_view, 7> fingerKeys {
     "kind", "radius_mm", "mass_g", "damping_N_s_per_m", "stiffness_N_per_mm", "known", "pressing_force_N"
 };
+
+/** As many as a focus has, at most. */
+inline constexpr std::size_t maximumFingers = 10;
 
 /** A built-in finger with what an object says instead.
     @param x, y  m

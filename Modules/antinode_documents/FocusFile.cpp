@@ -14,7 +14,6 @@ namespace
 {
 constexpr std::size_t maximumTargets = 64;
 constexpr std::size_t maximumProbes = 64;
-constexpr std::size_t maximumFingers = 10;
 constexpr std::size_t maximumQuietPlaces = 10;
 constexpr int maximumCycles = 1000000;
 constexpr NumberRange velocityMillimetresPerSecond { 1e-6, 1e7 };

@@ -32,6 +32,7 @@ DeviceDocument readDeviceDocument (const nlohmann::json&, const std::string& sou
 /** @throws InputError  as readFocus [worker] */
 FocusDocument readFocusDocument (const nlohmann::json&, const std::string& source);
 
-/** A focus with other fingers, in its text too. [worker] */
+/** A focus with other fingers, in its text too.
+    @throws InputError  as readFocus: more than maximumFingers, or properties that no file may have [worker] */
 FocusDocument withFingers (const FocusDocument&, const std::vector<Finger>&);
 } // namespace antinode

@@ -6,11 +6,6 @@
 
 namespace antinode
 {
-namespace
-{
-constexpr double fingerStep = 0.005; // of the surface: a finger that has moved less has not moved
-} // namespace
-
 void TuioCursors::play (const TuioFrame& frame, std::vector<Touch>& touches, TouchCounters& counters)
 {
     if (! advanceTo (frame.sequence, touches))
@@ -73,15 +68,15 @@ void TuioCursors::move (const TuioCursor& cursor, std::vector<Touch>& touches, T
 {
     const auto kind = options.cursorsRest ? TouchKind::rest : TouchKind::focusAt;
     const Touch touch { kind, false, cursor.x, 1 - cursor.y, 1, options.cursorsRest ? fingerOf (cursor.session) : 0 };
-    const auto step = options.cursorsRest ? fingerStep : options.repeatDistance;
 
     if (const auto fault = findFault (touch))
         return counters.count (*fault);
 
     const auto [last, isNew] = lastTouches.try_emplace (cursor.session, touch);
     const auto distance = std::hypot (touch.x - last->second.x, touch.y - last->second.y);
+    const auto isFar = options.repeatDistance > 0 && distance > options.repeatDistance;
 
-    if (! isNew && ! (step > 0 && distance > step))
+    if (! isNew && ! isFar && ! options.cursorsRest)
         return;
 
     last->second = touch;

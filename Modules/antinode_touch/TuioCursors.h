@@ -20,10 +20,10 @@ public:
     {
     }
 
-    /** A cursor gives a touch where it is first seen on the surface, of amplitude 1. Where cursors rest as fingers, it
-        gives one too where it has moved by a two-hundredth of the surface, and one when it leaves. One that is not
-       alive any more is forgotten. Frames older than the newest are dropped; one with the newest's number is the rest
-       of it, or a repetition, which changes nothing; one more than 100 behind is that of a source that was restarted.
+    /** A cursor gives a touch where it is first seen on the surface, of amplitude 1. Where cursors rest as fingers,
+        each place that its source sends gives one, and so does its leaving. One that is not alive any more is
+        forgotten. Frames older than the newest are dropped; one with the newest's number is the rest of it, or a
+        repetition; one more than 100 behind is that of a source that was restarted.
         @param frame  has its alive
         [any] */
     void play (const TuioFrame& frame, std::vector<Touch>&, TouchCounters&);

@@ -46,7 +46,7 @@ nlohmann::ordered_json deviceNamed (const AntinodeProcessor& processor, const st
 /** The loaded focus as the parameters changed it, under another name. */
 nlohmann::ordered_json focusNamed (AntinodeProcessor& processor, const std::string& name)
 {
-    auto focus = withSettings (processor.focus()->description, processor.parameters().settings(),
+    auto focus = withSettings (processor.state().focus->description, processor.parameters().settings(),
                                deviceExtent (processor.device()->description));
     focus.name = name;
     return focusToJson (focus);

@@ -27,6 +27,11 @@ bool isInside (const Finger& finger, const Surface& surface)
     return finger.x >= surface.xMinimum && finger.x <= surface.xMaximum
            && (isLine || (finger.y >= surface.yMinimum && finger.y <= surface.yMaximum));
 }
+
+bool isAmong (const std::vector<Finger>& fingers, const Finger& wanted)
+{
+    return std::find (fingers.begin(), fingers.end(), wanted) != fingers.end();
+}
 } // namespace
 
 SurfaceFingers::SurfaceFingers (AntinodeProcessor& processorToChange, History& historyToWrite)
@@ -78,6 +83,12 @@ std::optional<std::size_t> SurfaceFingers::at (juce::Point<float> place, const P
 void SurfaceFingers::apply (std::vector<Finger> wanted)
 {
     juce::String refusal;
+
+    // A touch may have left since it was shown, as while another finger was dragged.
+    if (const auto now = processor.focus(); shown != nullptr)
+        std::erase_if (
+            wanted, [&] (const auto& finger)
+            { return isAmong (shown->description.fingers, finger) && ! isAmong (now->description.fingers, finger); });
 
     try
     {

@@ -32,7 +32,7 @@ AntinodeProcessor::AntinodeProcessor (int ceramics, WrapperType wrapperToUse)
 {
     const auto start = demonstrator();
     loadedDevice = start.device;
-    loadedFocus = start.focus;
+    loadedFocus = touchedFocus = start.focus;
     controls = std::make_unique<Parameters> (*this, [this]
                                              { return player != nullptr ? player->snapshot()->model : nullptr; });
     controls->setFocus (settingsFromFocus (loadedFocus->description, deviceExtent (loadedDevice->description), {}));
@@ -57,7 +57,7 @@ void AntinodeProcessor::load (std::shared_ptr<const DeviceDocument> newDevice,
             loadedDevice = newDevice;
 
         if (newFocus != nullptr)
-            loadedFocus = newFocus;
+            loadedFocus = touchedFocus = newFocus;
     }
 
     if (newDevice != nullptr)
@@ -80,7 +80,7 @@ std::shared_ptr<const DeviceDocument> AntinodeProcessor::device() const
 std::shared_ptr<const FocusDocument> AntinodeProcessor::focus() const
 {
     const juce::ScopedLock lock (documents);
-    return loadedFocus;
+    return touchedFocus;
 }
 
 juce::String AntinodeProcessor::warning() const

@@ -38,17 +38,25 @@ public:
         [message thread] */
     void load (std::shared_ptr<const DeviceDocument>, std::shared_ptr<const FocusDocument>);
 
-    /** Puts other fingers on the surface; parameters stay as they are. [message thread] */
+    /** Puts other fingers on the surface; parameters stay as they are. Touches among them remain touches.
+        @throws InputError  as withFingers; then nothing is changed [message thread] */
     void setFingers (const std::vector<Finger>&);
 
-    /** The complete state for a host. [message thread] */
+    /** Puts other touches beside the fingers of the focus. They are on the surface of this focus only, and in no state.
+        @throws InputError  as withFingers; then nothing is changed [message thread] */
+    void setTouches (const std::vector<Finger>&);
+
+    /** Those that are on the surface, as focus() has them behind the fingers of its own. [any but the audio thread] */
+    std::vector<Finger> touches() const;
+
+    /** The complete state for a host, without touches. [message thread] */
     SessionState state() const;
 
     /** Goes back to a state. @param isRestored  true where it comes from a file or a host: then a device that requires
        it is disarmed [message thread] */
     void setState (const SessionState&, bool isRestored);
 
-    /** The loaded device and focus. [any but the audio thread] */
+    /** The loaded device, and the focus with the touches on its surface. [any but the audio thread] */
     std::shared_ptr<const DeviceDocument> device() const;
     std::shared_ptr<const FocusDocument> focus() const;
 
@@ -96,6 +104,8 @@ private:
     static BusesProperties busesFor (int ceramics, WrapperType);
     template <typename Sample>
     void play (juce::AudioBuffer<Sample>&, const juce::MidiBuffer&, bool isBypassed);
+    std::shared_ptr<const FocusDocument> keptFocus() const;
+    void putDown (const std::vector<Finger>& own, const std::vector<Finger>& touching);
     void reportLatency();
     void reportChanges();
     PlaySettings readSettings();
@@ -114,7 +124,7 @@ private:
 
     mutable juce::CriticalSection documents; ///< For the next lines.
     std::shared_ptr<const DeviceDocument> loadedDevice;
-    std::shared_ptr<const FocusDocument> loadedFocus;
+    std::shared_ptr<const FocusDocument> loadedFocus, touchedFocus; ///< As it is kept, and with touches.
     juce::String stateWarning;
 };
 

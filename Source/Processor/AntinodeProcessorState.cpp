@@ -6,6 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
+#include <vector>
 
 namespace antinode
 {
@@ -22,17 +25,27 @@ SessionState demonstrator()
 
 SessionState AntinodeProcessor::state() const
 {
-    return { device(), focus(), controls->values(), mutes(), player->isGraphOpen() };
+    return { device(), keptFocus(), controls->values(), mutes(), player->isGraphOpen() };
+}
+
+std::shared_ptr<const FocusDocument> AntinodeProcessor::keptFocus() const
+{
+    const juce::ScopedLock lock (documents);
+    return loadedFocus;
 }
 
 void AntinodeProcessor::setState (const SessionState& wanted, bool isRestored)
 {
     const auto isOtherDevice = wanted.device->text != device()->text,
-               isOtherFocus = wanted.focus->text != focus()->text;
+               isOtherFocus = wanted.focus->text != keptFocus()->text;
     {
         const juce::ScopedLock lock (documents);
         loadedDevice = wanted.device;
         loadedFocus = wanted.focus;
+
+        // Whoever put touches down sees which of them fit beside the fingers of another focus.
+        if (isOtherFocus)
+            touchedFocus = wanted.focus;
     }
     auto values = wanted.parameters;
 
@@ -47,9 +60,51 @@ void AntinodeProcessor::setState (const SessionState& wanted, bool isRestored)
 
 void AntinodeProcessor::setFingers (const std::vector<Finger>& fingers)
 {
-    auto wanted = state();
-    wanted.focus = std::make_shared<const FocusDocument> (withFingers (*wanted.focus, fingers));
-    setState (wanted, false);
+    auto own = fingers;
+    const auto known = touches();
+    const auto firstTouch = std::stable_partition (
+        own.begin(), own.end(),
+        [&known] (const auto& finger) { return std::find (known.begin(), known.end(), finger) == known.end(); });
+    const std::vector<Finger> touching (firstTouch, own.end());
+    own.erase (firstTouch, own.end());
+    putDown (own, touching);
+}
+
+void AntinodeProcessor::setTouches (const std::vector<Finger>& touching)
+{
+    putDown (keptFocus()->description.fingers, touching);
+}
+
+std::vector<Finger> AntinodeProcessor::touches() const
+{
+    const juce::ScopedLock lock (documents);
+    const auto& all = touchedFocus->description.fingers;
+    return { all.begin() + std::ssize (loadedFocus->description.fingers), all.end() };
+}
+
+void AntinodeProcessor::putDown (const std::vector<Finger>& own, const std::vector<Finger>& touching)
+{
+    auto kept = keptFocus();
+
+    if (own != kept->description.fingers)
+        kept = std::make_shared<const FocusDocument> (withFingers (*kept, own));
+
+    auto touched = kept;
+
+    if (! touching.empty())
+    {
+        auto all = own;
+        all.insert (all.end(), touching.begin(), touching.end());
+        touched = std::make_shared<const FocusDocument> (withFingers (*kept, all));
+    }
+
+    const auto isOther = touched->text != focus()->text;
+    {
+        const juce::ScopedLock lock (documents);
+        loadedFocus = std::move (kept);
+        touchedFocus = touched;
+    }
+    player->load (nullptr, isOther ? touched : nullptr);
 }
 
 void AntinodeProcessor::getStateInformation (juce::MemoryBlock& block)

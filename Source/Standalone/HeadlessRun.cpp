@@ -167,7 +167,7 @@ std::string HeadlessRun::touchText() const
 {
     const auto counters = host.touch().counters();
     const auto unplayed = host.touch().unplayed();
-    const auto dropped = counters.limited + unplayed.notAccepted
+    const auto dropped = counters.limited + unplayed.notAccepted + unplayed.withoutKind
                          + std::accumulate (counters.faults.begin(), counters.faults.end(), std::int64_t());
 
     if (counters.packets == 0)

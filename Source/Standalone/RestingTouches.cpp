@@ -1,7 +1,10 @@
 #include "RestingTouches.h"
 
+#include <antinode_documents/FingerFile.h>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace antinode
 {
@@ -18,11 +21,19 @@ bool isOn (const Surface& surface, double x, double y)
            && (surface.kind == SurfaceKind::line || (y >= surface.yMinimum && y <= surface.yMaximum));
 }
 
-/** One that a file gave back: numbers in other units may differ in their last digits. */
+/** In the extents of the surface, as touches come. */
+double distance (const Finger& a, const Finger& b, const Surface& surface)
+{
+    const auto along = (a.x - b.x) / (surface.xMaximum - surface.xMinimum);
+    return surface.kind == SurfaceKind::line ? std::abs (along)
+                                             : std::hypot (along, (a.y - b.y) / (surface.yMaximum - surface.yMinimum));
+}
+
+/** One of them was read from a document: numbers in other units may differ in their last digits. */
 bool isSame (const Finger& a, const Finger& b)
 {
     constexpr double nearly = 1e-9; // m
-    return a.name == b.name && ! a.isKnown && ! b.isKnown && std::hypot (a.x - b.x, a.y - b.y) < nearly;
+    return a.name == b.name && std::hypot (a.x - b.x, a.y - b.y) < nearly;
 }
 } // namespace
 
@@ -33,30 +44,33 @@ void RestingTouches::setKind (const std::string& kindToUse)
     resting.clear();
 }
 
-bool RestingTouches::rest (std::int64_t finger, double x, double y, const Surface& surface)
+RestResult RestingTouches::rest (std::int64_t finger, double x, double y, const Surface& surface)
 {
     const std::lock_guard lock (mutex);
 
-    if (kind.empty() || ! isOn (surface, x, y))
-        return false;
+    if (kind.empty())
+        return RestResult::noKind;
+
+    if (! isOn (surface, x, y))
+        return RestResult::outsideSurface;
 
     auto wanted = builtInFinger (kind, x, surface.kind == SurfaceKind::line ? 0 : y);
     wanted.isKnown = false;
-    const auto isFree =
-        std::none_of (resting.begin(), resting.end(),
-                      [&] (const auto& other) { return other.first != finger && overlap (other.second, wanted); });
+    const auto known =
+        std::find_if (resting.begin(), resting.end(), [finger] (const auto& touch) { return touch.first == finger; });
 
-    if (! isFree || (resting.size() >= mostFingers && ! resting.contains (finger)))
-        return false;
+    if (known == resting.end())
+        resting.emplace_back (finger, std::move (wanted));
+    else if (distance (known->second, wanted, surface) > step)
+        known->second = std::move (wanted);
 
-    resting.insert_or_assign (finger, wanted);
-    return true;
+    return RestResult::taken;
 }
 
 void RestingTouches::lift (std::int64_t finger)
 {
     const std::lock_guard lock (mutex);
-    resting.erase (finger);
+    std::erase_if (resting, [finger] (const auto& touch) { return touch.first == finger; });
 }
 
 std::size_t RestingTouches::count() const
@@ -65,51 +79,37 @@ std::size_t RestingTouches::count() const
     return resting.size();
 }
 
-std::vector<Finger> RestingTouches::withoutTouches (const std::vector<Finger>& present) const
+std::vector<Finger> RestingTouches::fitting (std::vector<Finger> own, const Surface& surface) const
 {
-    std::vector<Finger> others;
+    const auto first = std::ssize (own);
+    const std::lock_guard lock (mutex);
 
-    for (const auto& finger : present)
-        if (std::none_of (putDown.begin(), putDown.end(), [&] (const auto& touch) { return isSame (touch, finger); }))
-            others.push_back (finger);
-
-    return others;
-}
-
-std::optional<std::vector<Finger>> RestingTouches::due (const std::vector<Finger>& present, Time now)
-{
-    auto wanted = withoutTouches (present);
-    std::vector<Finger> touches;
+    for (const auto& [finger, touch] : resting)
     {
-        const std::lock_guard lock (mutex);
+        const auto isFree = std::none_of (own.begin(), own.end(),
+                                          [&touched = touch] (const auto& other) { return overlap (other, touched); });
 
-        for (const auto& touch : resting)
-            if (std::none_of (wanted.begin(), wanted.end(),
-                              [&] (const auto& other) { return overlap (other, touch.second); }))
-                touches.push_back (touch.second);
+        if (isFree && own.size() < maximumFingers && isOn (surface, touch.x, touch.y))
+            own.push_back (touch);
     }
 
-    if (now < last + pause || touches == putDown)
+    own.erase (own.begin(), own.begin() + first);
+    return own;
+}
+
+std::optional<std::vector<Finger>> RestingTouches::due (const std::vector<Finger>& own,
+                                                        const std::vector<Finger>& present, const Surface& surface,
+                                                        Time now)
+{
+    if (now < last + pause)
         return {};
 
-    wanted.insert (wanted.end(), touches.begin(), touches.end());
-    putDown = touches;
+    auto wanted = fitting (own, surface);
+
+    if (std::is_permutation (wanted.begin(), wanted.end(), present.begin(), present.end(), isSame))
+        return {};
+
     last = now;
     return wanted;
-}
-
-std::optional<std::vector<Finger>> RestingTouches::allLifted (const std::vector<Finger>& present)
-{
-    {
-        const std::lock_guard lock (mutex);
-        resting.clear();
-    }
-
-    if (putDown.empty())
-        return {};
-
-    auto others = withoutTouches (present);
-    putDown.clear();
-    return others;
 }
 } // namespace antinode

@@ -72,10 +72,27 @@ void StandaloneHost::setTouch (const TouchPorts& ports)
 
 void StandaloneHost::restTouches()
 {
-    const auto focus = player.focus();
+    const auto model = player.session().snapshot()->model;
 
-    if (const auto wanted = touchInput.resting().due (focus->description.fingers, std::chrono::steady_clock::now()))
-        player.setFingers (*wanted);
+    if (model == nullptr)
+        return;
+
+    const auto own = player.state().focus;
+    const auto wanted = touchInput.resting().due (own->description.fingers, player.touches(), model->surface,
+                                                  std::chrono::steady_clock::now());
+
+    if (! wanted)
+        return;
+
+    try
+    {
+        player.setTouches (*wanted);
+    }
+    catch (const InputError& failure)
+    {
+        warn (failure.what());
+        triggerAsyncUpdate();
+    }
 }
 
 void StandaloneHost::setMidi (const MidiChoice& choice)
@@ -139,12 +156,7 @@ void StandaloneHost::waitForSilence()
 void StandaloneHost::shutDown()
 {
     touchInput.open ({ 0, 0, kept.touch.address });
-
-    const auto focus = player.focus();
-
-    if (const auto others = touchInput.resting().allLifted (focus->description.fingers))
-        player.setFingers (*others);
-
+    player.setTouches ({});
     save();
     muteAll();
     waitForSilence();

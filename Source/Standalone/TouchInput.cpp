@@ -12,20 +12,29 @@ std::pair<double, double> touchPlace (const Touch& touch, const Surface& surface
              surface.yMinimum * (1 - touch.y) + surface.yMaximum * touch.y };
 }
 
-Session::TouchResult TouchInput::placed (const Touch& touch)
+void TouchInput::place (const Touch& touch)
 {
-    const auto now = session.snapshot();
+    const auto model = session.snapshot()->model;
 
-    if (now->model == nullptr)
-        return Session::TouchResult::notAccepted;
+    if (model == nullptr)
+    {
+        ++notAccepted;
+        return;
+    }
 
-    const auto [x, y] = touchPlace (touch, now->model->surface);
+    const auto [x, y] = touchPlace (touch, model->surface);
 
-    if (touch.kind == TouchKind::focusAt)
-        return session.fireAt (x, y, touch.amplitude);
+    if (touch.kind == TouchKind::rest)
+    {
+        const auto result = fingers.rest (touch.finger, x, y, model->surface);
+        outsideSurface += result == RestResult::outsideSurface ? 1 : 0;
+        withoutKind += result == RestResult::noKind ? 1 : 0;
+        return;
+    }
 
-    return fingers.rest (touch.finger, x, y, now->model->surface) ? Session::TouchResult::taken
-                                                                  : Session::TouchResult::notAccepted;
+    const auto result = session.fireAt (x, y, touch.amplitude);
+    outsideSurface += result == Session::TouchResult::outsideSurface ? 1 : 0;
+    notAccepted += result == Session::TouchResult::notAccepted ? 1 : 0;
 }
 
 void TouchInput::play (const Touch& touch)
@@ -36,9 +45,7 @@ void TouchInput::play (const Touch& touch)
     if (touch.kind == TouchKind::lift)
         return fingers.lift (touch.finger);
 
-    const auto result = placed (touch);
-    outsideSurface += result == Session::TouchResult::outsideSurface ? 1 : 0;
-    notAccepted += result == Session::TouchResult::notAccepted ? 1 : 0;
+    place (touch);
 }
 
 void TouchInput::open (const TouchPorts& ports)
@@ -46,6 +53,7 @@ void TouchInput::open (const TouchPorts& ports)
     receiver.reset();
     outsideSurface = 0;
     notAccepted = 0;
+    withoutKind = 0;
     fingers.setKind (ports.finger);
 
     if (ports.oscPort == 0 && ports.tuioPort == 0)

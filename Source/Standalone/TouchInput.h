@@ -21,7 +21,8 @@ std::pair<double, double> touchPlace (const Touch&, const Surface&);
 struct UnplayedTouches
 {
     std::int64_t outsideSurface = 0;
-    std::int64_t notAccepted = 0; ///< No device was solved yet, too many waited, or a finger may not rest there.
+    std::int64_t notAccepted = 0; ///< No device was solved yet, or too many waited.
+    std::int64_t withoutKind = 0; ///< Fingers by `/antinode/finger` while no kind of finger was chosen.
 };
 
 /** Touches from the network as foci of a session, and as fingers that rest on its surface. */
@@ -42,23 +43,22 @@ public:
     TouchCounters counters() const { return receiver != nullptr ? receiver->counters() : TouchCounters {}; }
 
     /** Since the ports were opened. [any] */
-    UnplayedTouches unplayed() const { return { outsideSurface, notAccepted }; }
+    UnplayedTouches unplayed() const { return { outsideSurface, notAccepted, withoutKind }; }
 
-    /** Passes a touch to the session, or keeps it as a finger; counts touches that do nothing. [any but the audio
-     * thread]
-     */
+    /** Passes a touch to the session, or keeps it as a finger; counts touches that do nothing.
+        [any but the audio thread] */
     void play (const Touch&);
 
-    /** The touches that rest. */
+    /** The touches that rest. [any] */
     RestingTouches& resting() { return fingers; }
     const RestingTouches& resting() const { return fingers; }
 
 private:
-    Session::TouchResult placed (const Touch&);
+    void place (const Touch&);
 
     Session& session;
     RestingTouches fingers;
-    std::atomic<std::int64_t> outsideSurface { 0 }, notAccepted { 0 };
+    std::atomic<std::int64_t> outsideSurface { 0 }, notAccepted { 0 }, withoutKind { 0 };
     std::unique_ptr<TouchReceiver> receiver;
 };
 } // namespace antinode

@@ -5,6 +5,8 @@
 #include <Editor/EditorLook.h>
 #include <antinode_base/InputError.h>
 
+#include <algorithm>
+
 namespace antinode
 {
 namespace
@@ -17,22 +19,26 @@ juce::String portText (int port)
     return port > 0 ? "on port " + juce::String (port) : juce::String ("off");
 }
 
-juce::String statusText (const TouchInput& touch)
+juce::String statusText (StandaloneHost& host)
 {
+    const auto& touch = host.touch();
     const auto ports = touch.ports();
     const auto counters = touch.counters();
     const auto unplayed = touch.unplayed();
+    const auto resting = static_cast<int> (host.processor().touches().size());
+    const auto waiting = std::max (0, static_cast<int> (touch.resting().count()) - resting);
     std::int64_t faults = 0;
 
     for (const auto count : counters.faults)
         faults += count;
 
     return "OSC " + portText (ports.oscPort) + ", TUIO " + portText (ports.tuioPort) + "\n"
-           + juce::String (counters.packets) + " packets, " + juce::String (counters.touches) + " touches forwarded, "
-           + juce::String (static_cast<int> (touch.resting().count())) + " fingers rest\n"
+           + juce::String (counters.packets) + " packets, " + juce::String (counters.touches) + " touches forwarded\n"
+           + juce::String (resting) + " fingers rest, " + juce::String (waiting) + " wait for room\n"
            + "Dropped: " + juce::String (counters.limited) + " foci above 500 per second, " + juce::String (faults)
            + " faulty,\n" + juce::String (unplayed.outsideSurface) + " outside the surface, "
-           + juce::String (unplayed.notAccepted) + " without a device or with a full queue";
+           + juce::String (unplayed.notAccepted) + " without a device or with a full queue,\n"
+           + juce::String (unplayed.withoutKind) + " fingers while cursors play foci";
 }
 } // namespace
 
@@ -97,7 +103,7 @@ void TouchPanel::apply()
 
 void TouchPanel::showState()
 {
-    status.setText (failure.isNotEmpty() ? failure : statusText (host.touch()), juce::dontSendNotification);
+    status.setText (failure.isNotEmpty() ? failure : statusText (host), juce::dontSendNotification);
 }
 
 void TouchPanel::lookAndFeelChanged()

@@ -95,3 +95,37 @@ TEST_CASE ("Fingers that no surface can tell apart are refused in one sentence")
     CHECK (fingersOf (test).empty());
     CHECK_FALSE (surface.keyPressed (juce::KeyPress (juce::KeyPress::deleteKey)));
 }
+
+TEST_CASE ("What touches put down is in no step of undo and no preset, until it is edited")
+{
+    EditorFixture test;
+    test.snapshot (1280, 800);
+    auto& fingers = test.content().surface().fingers();
+    auto touch = builtInFinger ("light", -0.05, 0);
+    touch.isKnown = false;
+    test.processor.setTouches ({ touch });
+    test.content().refresh (0);
+    REQUIRE (fingers.all().size() == 1);
+    fingers.rest ("firm", 0.03, 0);
+    CHECK (fingersOf (test).size() == 2);
+    CHECK (test.processor.touches().size() == 1);
+    CHECK (test.processor.state().focus->description.fingers.size() == 1);
+
+    // It leaves while the other one is dragged.
+    fingers.drag (0, 0.04, 0);
+    test.processor.setTouches ({});
+    fingers.drop();
+    REQUIRE (fingersOf (test).size() == 1);
+    CHECK (fingersOf (test).front().x == Approx (0.04));
+    test.content().history().undo();
+    REQUIRE (fingersOf (test).size() == 1);
+    CHECK (fingersOf (test).front().x == Approx (0.03));
+    test.content().history().undo();
+    CHECK (fingersOf (test).empty());
+
+    test.processor.setTouches ({ touch });
+    test.content().refresh (0);
+    fingers.setKnown (0, true);
+    CHECK (test.processor.touches().empty());
+    CHECK (test.processor.state().focus->description.fingers.size() == 1);
+}

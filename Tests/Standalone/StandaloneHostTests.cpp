@@ -4,6 +4,8 @@
 #include "Support/LargestDevice.h"
 #include "Support/TemporaryFolder.h"
 
+#include <antinode_documents/FingerFile.h>
+
 #include <catch2/catch.hpp>
 
 #include <random>
@@ -70,13 +72,14 @@ TEST_CASE ("touches rest as fingers of the focus while they last, and damp what 
     const auto fingers = [&] { return host.processor().focus()->description.fingers; };
     const Touch touch { TouchKind::rest, false, 0.25, 0.5, 1, 1 };
     host.touch().play (touch);
-    CHECK (host.touch().unplayed().notAccepted == 1); // They play foci, by default.
+    CHECK (host.touch().unplayed().withoutKind == 1); // They play foci, by default.
+    CHECK (host.touch().unplayed().notAccepted == 0);
     host.restTouches();
     CHECK (fingers().empty());
 
     host.setTouch ({ 0, 0, "127.0.0.1", "firm" });
     host.touch().play (touch);
-    CHECK (host.touch().unplayed().notAccepted == 0);
+    CHECK (host.touch().unplayed().withoutKind == 0);
     host.restTouches();
     REQUIRE (fingers().size() == 1);
     CHECK (fingers()[0].name == "firm");
@@ -87,9 +90,42 @@ TEST_CASE ("touches rest as fingers of the focus while they last, and damp what 
     CHECK (now->focusDocument->description.fingers == fingers());
     CHECK (fingers()[0].x == Approx (0.75 * now->model->surface.xMinimum + 0.25 * now->model->surface.xMaximum));
 
-    // What is kept for the next time has no touches.
+    // What is kept at any time has no touches, though the program may be killed at any time.
+    CHECK (host.processor().state().focus->description.fingers.empty());
     host.shutDown();
     CHECK (fingers().empty());
+}
+
+TEST_CASE ("touches rest in what room the focus has, and come back after another one is loaded")
+{
+    StandaloneHost host (SettingsFile ({}), false);
+    host.processor().prepareToPlay (48000, 256);
+    host.processor().session().waitUntilSettled();
+    const auto bare = host.processor().state().focus;
+    std::vector<Finger> own;
+
+    for (int i = 0; i < 9; ++i)
+        own.push_back (builtInFinger ("light", -0.07 + 0.009 * i, 0));
+
+    host.processor().setFingers (own);
+    host.setTouch ({ 0, 0, "127.0.0.1", "light" });
+    host.touch().play ({ TouchKind::rest, false, 0.8, 0.5, 1, 1 });
+    host.touch().play ({ TouchKind::rest, false, 0.9, 0.5, 1, 2 });
+    host.restTouches();
+    CHECK (host.warning().isEmpty());
+    CHECK (host.processor().focus()->description.fingers.size() == maximumFingers);
+    CHECK (host.processor().touches().size() == 1);
+
+    host.processor().load (nullptr, bare);
+    CHECK (host.processor().touches().empty());
+    std::this_thread::sleep_for (RestingTouches::pause + std::chrono::milliseconds (10));
+    host.restTouches();
+    CHECK (host.processor().touches().size() == 2);
+    CHECK (host.processor().state().focus == bare);
+
+    // The same state again, as undo sets it, leaves them where they are.
+    host.processor().setState (host.processor().state(), false);
+    CHECK (host.processor().touches().size() == 2);
 }
 
 TEST_CASE ("who quits while a device is solved or a focus designed does not wait")
