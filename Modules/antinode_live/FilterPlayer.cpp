@@ -46,7 +46,7 @@ void FilterPlayer::fadeTo (const FilterBank& bankToUse)
     faded = 0;
 }
 
-void FilterPlayer::process (Eigen::Ref<const Eigen::VectorXf> inputs, Eigen::Ref<Eigen::VectorXf> outputs)
+void FilterPlayer::process (const Eigen::Ref<const Eigen::VectorXf>& inputs, Eigen::Ref<Eigen::VectorXf> outputs)
 {
     auto newest = fast.next();
 

@@ -55,7 +55,7 @@ public:
         @param inputs   one per input: what is not finite counts as 0
         @param outputs  one per ceramic
         [audio thread] */
-    void process (Eigen::Ref<const Eigen::VectorXf> inputs, Eigen::Ref<Eigen::VectorXf> outputs);
+    void process (const Eigen::Ref<const Eigen::VectorXf>& inputs, Eigen::Ref<Eigen::VectorXf> outputs);
 
 private:
     void decimate();
