@@ -1,6 +1,7 @@
 #pragma once
 
 #include "EngineFixtures.h"
+#include "Support/AllocationCount.h"
 
 #include <antinode_engine/FocusPlayer.h>
 
@@ -144,5 +145,35 @@ inline std::vector<TimedEvent> randomEvents (int count, std::int64_t length, uns
     std::stable_sort (events.begin(), events.end(),
                       [] (const TimedEvent& a, const TimedEvent& b) { return a.sample < b.sample; });
     return events;
+}
+
+/** How often playing asks for memory, with all voices, while banks change.
+    @param bank  a bank with so many places filled */
+template <typename MakeBank>
+long allocationsWhilePlaying (const MakeBank& bank)
+{
+    FocusPlayer player (playerCeramics, playerRate, {});
+    player.handOver().give (bank (FocusBank::places));
+    std::vector<std::vector<double>> buffers (playerCeramics, std::vector<double> (64));
+    std::vector<double*> channels;
+
+    for (auto& buffer : buffers)
+        channels.push_back (buffer.data());
+
+    long calls = 0;
+
+    for (int block = 0; block < 400; ++block)
+    {
+        if (block % 40 == 0)
+            player.handOver().give (bank (8));
+
+        const FocusEvent events[] { { 3, FocusEventKind::trigger, block % 8, 0.5 },
+                                    { 40, FocusEventKind::release, block % 8, 0 } };
+        const auto before = mallocCalls();
+        player.process (channels.data(), 64, events);
+        calls += mallocCalls() - before;
+    }
+
+    return calls;
 }
 } // namespace antinode::test
