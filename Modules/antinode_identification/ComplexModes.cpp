@@ -127,7 +127,8 @@ FreeResidues fitFreeResidues (const PreparedResponses& data, const NormalModes& 
     constexpr double negligible = 1e-7;  // the same, of what a step promises
     auto basis = makeBasis (start.angularFrequencies, start.dampingRatios, data);
     basis.functions = complexModeFunctions;
-    auto products = modalProducts (basis, data, start.delay);
+    const auto moments = lineMoments (data, start.delay);
+    auto products = modalProducts (basis, data, moments, start.delay);
     auto equations = poleEquations (basis, products, data.columnWeights, ridge);
 
     auto isConverged = false;
@@ -143,7 +144,7 @@ FreeResidues fitFreeResidues (const PreparedResponses& data, const NormalModes& 
         for (int halved = 0; halved < maximumHalvings && ! isBetter && ! isConverged; ++halved, step *= 0.5)
         {
             const auto next = stepped (basis, step);
-            auto nextProducts = modalProducts (next, data, start.delay);
+            auto nextProducts = modalProducts (next, data, moments, start.delay);
             auto nextEquations = poleEquations (next, nextProducts, data.columnWeights, ridge);
             isBetter = nextEquations.cost <= equations.cost * (1 - minimumGain);
 

@@ -11,7 +11,7 @@ namespace antinode
 {
 namespace
 {
-/** What the coefficients give on the lines of a segment whose weights are 1; of functions that are 0 nothing is
+/** What the coefficients give on the lines of a segment; of functions that are 0 nothing is
     computed. */
 DataBlock synthesised (const LineSegment& segment, const Eigen::MatrixXd& coefficients, Eigen::Index lines)
 {
@@ -143,7 +143,7 @@ FitErrors fitErrors (PreparedResponses& data, const ModalBasis& basis, const Eig
     {
         const auto first = s * data.lines() / spans, count = (s + 1) * data.lines() / spans - first;
         const Eigen::VectorXd omega = data.omega.segment (first, count);
-        const auto given = synthesised (lineSegment (basis, omega, Eigen::VectorXd::Ones (count)), coefficients, count);
+        const auto given = synthesised (lineSegment (basis, omega), coefficients, count);
         fillMissing (data, first, count, delay, given);
         auto error = dataBlock (data, first, advances (data, first, count, delay));
         addSpan (errors, s, error, given, data.lineScale.segment (first, count));

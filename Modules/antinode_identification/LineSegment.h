@@ -7,9 +7,8 @@ namespace antinode
 /** The number of lines processed at once. */
 constexpr Eigen::Index linesOfSegment = 512;
 
-/** All functions of a basis on neighbouring lines, times a root of weights. Those of modes far from them are smooth
-   there: they are interpolated from 16 Chebyshev nodes, to 1e-12, so that work grows with the modes near a line, not
-   with all. Docs/Theory.md, section 8.4. */
+/** All functions of a basis on neighbouring lines. Those of modes far from them are smooth there: they are interpolated
+   from Chebyshev's nodes, so that work grows with the modes near a line, not with all. Docs/Theory.md, section 8.4. */
 struct LineSegment
 {
     std::vector<Eigen::Index> near, far;     ///< Columns of the basis.
@@ -18,6 +17,6 @@ struct LineSegment
     Eigen::MatrixXd farReal, farImaginary;   ///< Nodes x far: values at the nodes.
 };
 
-/** @param omega  lines, rad/s @param roots  roots of the lines' weights [worker] */
-LineSegment lineSegment (const ModalBasis&, const Eigen::VectorXd& omega, const Eigen::VectorXd& roots);
+/** @param omega  lines, rad/s [worker] */
+LineSegment lineSegment (const ModalBasis&, const Eigen::VectorXd& omega);
 } // namespace antinode

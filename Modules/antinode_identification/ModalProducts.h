@@ -1,7 +1,7 @@
 #pragma once
 
+#include "LineMoments.h"
 #include "ModalFunctions.h"
-#include "PreparedResponses.h"
 
 namespace antinode
 {
@@ -14,8 +14,13 @@ struct ModalProducts
     Eigen::VectorXd energies; ///< C: <data, data>.
 };
 
-/** Inner products of all functions with each other and with the data.
-    @param delay  s, is taken out of the data
+/** Inner products of all functions with each other and with the data. Functions of a pole far from some lines are
+    interpolated there, so that work grows with the poles near a line, not with all.
+    @param moments  of these responses, near to the delay
+    @param delay    s, is taken out of the data
     [worker] Docs/Theory.md, section 8.4. */
+ModalProducts modalProducts (const ModalBasis&, const PreparedResponses&, const LineMoments& moments, double delay);
+
+/** The same, once. [worker] */
 ModalProducts modalProducts (const ModalBasis&, const PreparedResponses&, double delay);
 } // namespace antinode

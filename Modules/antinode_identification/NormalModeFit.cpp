@@ -14,11 +14,14 @@ namespace
 {
 constexpr double gaugeWeight = 1; // of the mean diagonal: fixes lengths that the data leave free.
 
-FitState stateAt (const PreparedResponses& data, const NormalModes& modes, double ridge)
+FitState stateAt (const PreparedResponses& data, LineMoments& moments, const NormalModes& modes, double ridge)
 {
+    if (! isNear (moments, modes.delay))
+        moments = lineMoments (data, modes.delay);
+
     FitState state;
     state.basis = makeBasis (modes.angularFrequencies, modes.dampingRatios, data);
-    state.products = modalProducts (state.basis, data, modes.delay);
+    state.products = modalProducts (state.basis, data, moments, modes.delay);
     state.reduced = withoutPowers (state.basis, state.products);
     state.groups = groupPoints (data.columnWeights, data.points(), data.references());
     state.columnWeights = data.columnWeights;
@@ -104,7 +107,8 @@ NormalModeFit fitNormalModes (const PreparedResponses& data, const NormalModeSta
                               double precision, int maximum)
 {
     NormalModes modes { start.angularFrequencies, start.dampingRatios, {}, start.participation, start.delay };
-    auto state = stateAt (data, modes, ridge);
+    auto moments = lineMoments (data, modes.delay);
+    auto state = stateAt (data, moments, modes, ridge);
     auto equations = normalEquations (state, ridge);
     const auto values = 2 * static_cast<double> (data.lines() * (data.columnWeights.array() > 0).count());
     const auto energy = state.reduced.energies.dot (data.columnWeights);
@@ -130,7 +134,7 @@ NormalModeFit fitNormalModes (const PreparedResponses& data, const NormalModeSta
             break;
 
         auto nextModes = stepped (modes, state, *step);
-        auto nextState = stateAt (data, nextModes, ridge);
+        auto nextState = stateAt (data, moments, nextModes, ridge);
         auto next = normalEquations (nextState, ridge);
 
         if (next.cost > equations.cost * (1 + 1e-9) + 1e-14 * energy)
