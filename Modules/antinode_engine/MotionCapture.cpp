@@ -39,7 +39,8 @@ void MotionCapture::findPeak (double energy)
     const auto now = written.load (std::memory_order_relaxed);
     recent = std::max (recent * keep, energy);
 
-    if (ready.load (std::memory_order_relaxed) != 0)
+    // One that nobody takes is replaced before it is overwritten.
+    if (const auto found = ready.load (std::memory_order_relaxed); found != 0 && now - found < windows / 2 * frames)
     {
         peak = 0;
         return;
@@ -62,7 +63,7 @@ void MotionCapture::findPeak (double energy)
 
 bool MotionCapture::take (Eigen::MatrixXd& window)
 {
-    const auto end = ready.load (std::memory_order_acquire);
+    auto end = ready.load (std::memory_order_acquire);
 
     if (end == 0)
         return false;
@@ -76,7 +77,7 @@ bool MotionCapture::take (Eigen::MatrixXd& window)
                 ring[(first + f) % (windows * frames) * modes + k].load (std::memory_order_acquire));
 
     const auto isWhole = written.load (std::memory_order_relaxed) < first + windows * frames;
-    ready.store (0, std::memory_order_relaxed);
+    ready.compare_exchange_strong (end, 0, std::memory_order_relaxed);
 
     if (isWhole)
         window = std::move (copied);

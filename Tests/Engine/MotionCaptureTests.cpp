@@ -74,3 +74,16 @@ TEST_CASE ("A surface at rest gives no window, and one that nobody took in time 
     writeBurst (capture, 60, 30, 1);
     CHECK (capture.take (window));
 }
+
+TEST_CASE ("A window that nobody took in time makes way for a later one, which waits after the last motion",
+           "[engine][capture]")
+{
+    MotionCapture capture (modes, frames, 1000);
+    Eigen::MatrixXd window;
+
+    for (int burst = 0; burst < 10; ++burst)
+        writeBurst (capture, 60, 30, 1 + 0.1 * burst);
+
+    REQUIRE (capture.take (window));
+    CHECK (window.row (0).maxCoeff() > 1.5);
+}
