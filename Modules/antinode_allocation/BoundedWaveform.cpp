@@ -213,6 +213,12 @@ BoundedWaveform solveBoundedWaveform (const BoundedWaveformProblem& problem)
     return result;
 }
 
+double provenPeak (const BoundedWaveformProblem& problem, const Eigen::VectorXd& multipliers)
+{
+    const WaveformDual dual (problem);
+    return computePeakBound (dual, multipliers.cwiseQuotient (dual.scale));
+}
+
 PeakBracket minimumWaveformPeak (const BoundedWaveformProblem& problem, double tolerance)
 {
     MinimumPeakProblem peak;

@@ -42,6 +42,10 @@ struct BoundedWaveform
     [worker] up to N_b N_r^2 N_s / 2 a step. Docs/Theory.md, section 4.9. */
 BoundedWaveform solveBoundedWaveform (const BoundedWaveformProblem&);
 
+/** What multipliers of the hard rows prove: no samples that meet these rows have a smaller max |u (i, n)| / limits (i).
+    They may be those of another problem with the same rows. @param multipliers  N_r [worker] */
+double provenPeak (const BoundedWaveformProblem&, const Eigen::VectorXd& multipliers);
+
 /** Two values between which the least max |u (i, n)| / limits (i) of samples that meet the hard rows lies. */
 struct PeakBracket
 {

@@ -3,10 +3,9 @@
 #include "DriveAllocation.h"
 #include "LimitError.h"
 #include "LimitWords.h"
+#include "PlayedWaveform.h"
 #include "QuietWaveform.h"
-#include "SampleRange.h"
 
-#include <antinode_allocation/BoundedWaveform.h>
 #include <antinode_base/NumberText.h>
 
 #include <algorithm>
@@ -21,10 +20,11 @@ namespace
 constexpr auto largestGap = 1e-6; // beyond it the least energy was not found
 
 BoundedWaveformProblem hardRows (const ModalModel& model, const std::vector<int>& modes, const Eigen::VectorXd& wanted,
-                                 const Eigen::VectorXd& limits, Playback playback, const SampleRange& range)
+                                 const Eigen::VectorXd& limits, const SparseSamples& sparse)
 {
+    const auto& range = sparse.range;
     BoundedWaveformProblem problem;
-    problem.weights = velocityWeights (model, modes, playback, range);
+    problem.weights = velocityWeights (model, modes, sparse);
     problem.participation = model.participation (modes, Eigen::all);
     problem.wanted = wanted;
     problem.compliance = Eigen::VectorXd::Zero (wanted.size());
@@ -122,11 +122,11 @@ std::string largestLimitField (const ModalModel& model, const AllocationChoice& 
                       limit * bracket.upper, reachable);
 }
 
-AllocationCertificate makeCertificate (const BoundedWaveform& solution, const Eigen::VectorXd& limits,
-                                       std::chrono::duration<double, std::milli> time)
+AllocationCertificate makeCertificate (const PlayedWaveform& waveform, std::chrono::duration<double, std::milli> time)
 {
+    const auto& solution = waveform.free;
     AllocationCertificate certificate;
-    certificate.peakRatio = solution.samples.cwiseAbs().rowwise().maxCoeff().cwiseQuotient (limits).maxCoeff();
+    certificate.peakRatio = waveform.peak;
     certificate.status =
         certificate.peakRatio < solution.limitShare ? AllocationStatus::unconstrained : AllocationStatus::optimal;
     certificate.iterations = solution.iterations;
@@ -139,6 +139,52 @@ AllocationCertificate makeCertificate (const BoundedWaveform& solution, const Ei
     certificate.milliseconds = time.count();
     return certificate;
 }
+
+/** What a free waveform is made for. */
+struct WaveformTask
+{
+    const ModalModel& model;
+    const FocusDescription& description;
+    const std::vector<int>& modes;
+    const std::vector<int>& guards;
+    const Eigen::VectorXd& wanted;
+    const Eigen::VectorXd& limits;
+    Playback playback;
+
+    bool isNearItsBound() const { return description.allocation.method == AllocationMethod::leastVoltage; }
+};
+
+PlayedProblem makeProblem (const WaveformTask& task, Eigen::Index factor)
+{
+    const auto& model = task.model;
+    const auto rows = task.modes.size() + task.guards.size();
+    const auto hardRowsOf = [&] (const SparseSamples& samples)
+    { return hardRows (model, task.modes, task.wanted, task.limits, samples); };
+    PlayedProblem problem;
+    problem.sparse = sparseSamples (task.description, task.playback, rows, factor);
+    problem.hard = hardRowsOf (problem.sparse);
+    problem.focusTime = task.description.focusTime;
+
+    if (task.isNearItsBound())
+        problem.hard.nearness = task.description.allocation.timesBound.value_or (usualTimesBound);
+
+    if (factor > 1)
+        problem.everySample = hardRowsOf (sparseSamples (task.description, task.playback, rows, 1));
+
+    problem.all = withGuards (problem.hard, velocityWeights (model, task.guards, problem.sparse),
+                              model.participation (task.guards, Eigen::all), task.description.allocation.guardWeight);
+    return problem;
+}
+
+double highestFrequency (const WaveformTask& task)
+{
+    double highest = 0;
+
+    for (const auto mode : task.modes)
+        highest = std::max (highest, task.model.frequencyHz (mode));
+
+    return highest;
+}
 } // namespace
 
 FreeWaveform freeWaveform (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
@@ -146,35 +192,32 @@ FreeWaveform freeWaveform (const ModalModel& model, const FocusDescription& desc
 {
     const auto start = std::chrono::steady_clock::now();
     const auto guards = guardModes (model, modes, description.allocation);
-    const auto range = findSampleRange (description, playback, modes.size() + guards.size());
-    auto hard = hardRows (model, modes, wanted, limits, playback, range);
+    const WaveformTask task { model, description, modes, guards, wanted, limits, playback };
+    auto factor = task.isNearItsBound() ? largestFactor (playback, highestFrequency (task)) : 1;
+    auto problem = makeProblem (task, factor);
+    auto waveform = solvePlayed (problem);
 
-    if (description.allocation.method == AllocationMethod::leastVoltage)
-        hard.nearness = description.allocation.timesBound.value_or (usualTimesBound);
+    // What sparse samples cannot reach, denser ones may.
+    for (; ! waveform.isNear && factor > 1; waveform = solvePlayed (problem))
+        problem = makeProblem (task, factor /= 2);
 
-    const auto problem = withGuards (hard, velocityWeights (model, guards, playback, range),
-                                     model.participation (guards, Eigen::all), description.allocation.guardWeight);
-    const auto solution = solveBoundedWaveform (problem);
-    const auto field = largestLimitField (model, description.allocation, limits);
+    if (! waveform.free.isMet)
+        throwBeyondLimit (largestLimitField (model, description.allocation, limits), problem.hard, description);
 
-    if (! solution.isMet)
-        throwBeyondLimit (field, hard, description);
-
-    auto certificate = makeCertificate (solution, limits, std::chrono::steady_clock::now() - start);
+    auto certificate = makeCertificate (waveform, std::chrono::steady_clock::now() - start);
 
     if (! (certificate.gap <= largestGap))
-        throwTooNear (field, limits.maxCoeff(), 1);
+        throwTooNear (largestLimitField (model, description.allocation, limits), limits.maxCoeff(), 1);
 
-    const auto firstTime = description.focusTime - static_cast<double> (range.focus) / playback.sampleRate;
-    FreeWaveform waveform { { playback, firstTime, withMirrorImage (solution.samples, range) }, certificate, {} };
+    FreeWaveform result { std::move (waveform.played), certificate, {} };
 
     if (description.felt && description.allocation.method == AllocationMethod::freeWaveform)
     {
-        auto rows = modes;
-        rows.insert (rows.end(), guards.begin(), guards.end());
-        makeQuieter (waveform, { model, description, problem, rows, range });
+        auto felt = modes;
+        felt.insert (felt.end(), guards.begin(), guards.end());
+        makeQuieter (result, { model, description, problem.all, felt, problem.sparse.range });
     }
 
-    return waveform;
+    return result;
 }
 } // namespace antinode

@@ -58,18 +58,25 @@ Eigen::MatrixXd velocityWeights (const ModalModel& model, const std::vector<int>
     return weights.leftCols (range.count);
 }
 
+double mirrorLevel (const SampleRange& range, Eigen::Index behind)
+{
+    const auto beyond = static_cast<double> (std::max<Eigen::Index> (behind - range.mirrored, 0));
+    const auto level = std::cos (0.5 * std::numbers::pi * beyond / static_cast<double> (range.mirrored + 1));
+    return level * level;
+}
+
+Eigen::Index mirrorLength (const SampleRange& range)
+{
+    return std::min (range.focus, 2 * range.mirrored);
+}
+
 Eigen::MatrixXd withMirrorImage (const Eigen::MatrixXd& samples, const SampleRange& range)
 {
-    const auto faded = std::min (range.focus, 2 * range.mirrored);
-    Eigen::MatrixXd all (samples.rows(), samples.cols() + faded);
+    Eigen::MatrixXd all (samples.rows(), samples.cols() + mirrorLength (range));
     all.leftCols (samples.cols()) = samples;
 
-    for (Eigen::Index m = 1; m <= faded; ++m)
-    {
-        const auto beyond = static_cast<double> (std::max<Eigen::Index> (m - range.mirrored, 0));
-        const auto level = std::cos (0.5 * std::numbers::pi * beyond / static_cast<double> (range.mirrored + 1));
-        all.col (range.focus + m) = level * level * samples.col (range.focus - m);
-    }
+    for (Eigen::Index m = 1; m <= mirrorLength (range); ++m)
+        all.col (range.focus + m) = mirrorLevel (range, m) * samples.col (range.focus - m);
 
     return all;
 }

@@ -32,6 +32,13 @@ Eigen::MatrixXd velocityWeights (const ModalModel&, const std::vector<int>& mode
 /** The same of all samples that act before the focus, each for itself. modes x (count + mirrored) [worker] */
 Eigen::MatrixXd plainVelocityWeights (const ModalModel&, const std::vector<int>& modes, Playback, const SampleRange&);
 
+/** How much of a free sample its image so many samples behind the focus has: 1 where it acts before the focus, then
+    less. [any] */
+double mirrorLevel (const SampleRange&, Eigen::Index behind);
+
+/** How many samples the mirror image has behind the focus. [any] */
+Eigen::Index mirrorLength (const SampleRange&);
+
 /** Free samples, one waveform a row, and their mirror image, which fades behind those that act before the focus. [any]
  */
 Eigen::MatrixXd withMirrorImage (const Eigen::MatrixXd& samples, const SampleRange&);

@@ -4,7 +4,7 @@
 #include "TrackReach.h"
 #include "TrackSolver.h"
 #include "TrackWork.h"
-#include "VoltageInterpolation.h"
+#include <antinode_numerics/SampleInterpolation.h>
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>

@@ -1,7 +1,7 @@
 #include "TrackReach.h"
 
 #include "LeastPeak.h"
-#include "VoltageInterpolation.h"
+#include <antinode_numerics/SampleInterpolation.h>
 
 #include <algorithm>
 #include <utility>

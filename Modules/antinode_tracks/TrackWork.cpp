@@ -3,7 +3,7 @@
 #include "PointDistances.h"
 #include "TouchedNodes.h"
 #include "TrackMemory.h"
-#include "VoltageInterpolation.h"
+#include <antinode_numerics/SampleInterpolation.h>
 #include "WantedMotion.h"
 
 #include <antinode_base/InputError.h>

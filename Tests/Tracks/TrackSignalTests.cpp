@@ -1,7 +1,7 @@
 #include <antinode_felt/FeltDisplacement.h>
 #include <antinode_felt/FeltMotion.h>
 #include <antinode_numerics/Fourier.h>
-#include <antinode_tracks/VoltageInterpolation.h>
+#include <antinode_numerics/SampleInterpolation.h>
 #include <antinode_tracks/WantedMotion.h>
 
 #include <catch2/catch.hpp>

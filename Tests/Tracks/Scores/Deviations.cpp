@@ -7,7 +7,7 @@
 #include <antinode_render/TrackCorrection.h>
 #include <antinode_tracks/TrackSolver.h>
 #include <antinode_tracks/TrackWork.h>
-#include <antinode_tracks/VoltageInterpolation.h>
+#include <antinode_numerics/SampleInterpolation.h>
 
 #include <array>
 #include <cmath>

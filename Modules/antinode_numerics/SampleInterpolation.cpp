@@ -1,7 +1,8 @@
-#include "VoltageInterpolation.h"
+#include "SampleInterpolation.h"
+
+#include "KaiserSinc.h"
 
 #include <antinode_base/Watch.h>
-#include <antinode_numerics/KaiserSinc.h>
 
 #include <algorithm>
 
@@ -38,6 +39,22 @@ Eigen::MatrixXd interpolated (const Eigen::MatrixXd& signals, Eigen::Index facto
         for (Eigen::Index n = 0; n < result.rows(); ++n)
             result (n, i) = taps.col (n % factor).dot (padded.col (i).segment (n / factor + 1, 2 * reach));
     }
+
+    return result;
+}
+
+Eigen::MatrixXd interpolationAdjoint (const Eigen::MatrixXd& values, Eigen::Index factor)
+{
+    const auto reach = kaiserSincHalfWidth * factor;
+    Eigen::VectorXd taps (2 * reach + 1);
+
+    for (Eigen::Index n = 0; n < taps.size(); ++n)
+        taps[n] = kaiserSinc (static_cast<double> (n - reach) / static_cast<double> (factor));
+
+    Eigen::MatrixXd result ((values.rows() - taps.size()) / factor + 1, values.cols());
+
+    for (Eigen::Index n = 0; n < result.rows(); ++n)
+        result.row (n) = taps.transpose() * values.middleRows (n * factor, taps.size());
 
     return result;
 }

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "SparseSamples.h"
+
+#include <antinode_allocation/BoundedWaveform.h>
+
+#include <optional>
+
+namespace antinode
+{
+/** Free samples with the limits of all that is played. */
+struct PlayedProblem
+{
+    SparseSamples sparse;
+    BoundedWaveformProblem hard, all; ///< Hard rows alone, and with those of guards behind them.
+    /** Hard rows of every sample that is played: what is proven with them holds for all waveforms of that rate. None
+        where every sample is free. */
+    std::optional<BoundedWaveformProblem> everySample;
+    double focusTime = 0; ///< s
+};
+
+/** Free samples, and what is played of them. */
+struct PlayedWaveform
+{
+    BoundedWaveform free;
+    SampledVoltages played;
+    double peak = 0;     ///< Of what is played, as a share of the limits.
+    bool isNear = false; ///< Whether it keeps the limits, and is as near to its bound as was asked for.
+};
+
+/** Between free samples the waveform is higher than at them: their limits are lowered until all that is played keeps
+    its own.
+    [worker] Docs/Theory.md, section 4.9. */
+PlayedWaveform solvePlayed (const PlayedProblem&);
+} // namespace antinode
