@@ -17,5 +17,6 @@ void addExciteCommand (CLI::App&);
 void addMeasureCommand (CLI::App&);
 void addFrfCommand (CLI::App&);
 void addRetuneCommand (CLI::App&);
+void addImportCommand (CLI::App&);
 void addVersionCommand (CLI::App&);
 } // namespace antinode

@@ -1,0 +1,9 @@
+#include "Fuzz.h"
+
+#include <antinode_import/TouchedSurface.h>
+
+/** Results of finite elements. */
+void antinode::test::fuzz (std::string_view bytes)
+{
+    findTouchedSurface (mergedResults ({ readElementResults (bytes, "file") }), {});
+}
