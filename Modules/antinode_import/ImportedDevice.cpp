@@ -32,7 +32,7 @@ std::vector<std::size_t> usefulModes (const ElementResults& results, const Touch
 
     if (order.empty())
         throw InputError ("finite-element results", "contain no mode that moves the surface along its normal; choose "
-                                                    "another --normal");
+                                                    "another normal axis");
 
     return order;
 }
@@ -112,12 +112,17 @@ double staticError (const ModalModel& model, Eigen::Index ceramic, const Eigen::
 
 void addWarnings (ImportedDevice& device)
 {
-    constexpr double likely = 0.35, goodSum = 0.05;
+    constexpr double likely = 0.35, goodSum = 0.05, longest = 5; // m
+    const auto& surface = device.model.surface;
+    const auto length = std::max (surface.xMaximum - surface.xMinimum, surface.yMaximum - surface.yMinimum);
+
+    if (length > longest)
+        device.warnings.push_back ("The surface is " + inWords (length) + " m long: the files may be in mm.");
 
     if (device.totalMass && std::abs (device.mass / *device.totalMass - 1) > likely)
         device.warnings.push_back ("The shapes' norms give the surface " + inWords (1000 * device.mass)
                                    + " g, the program's table says " + inWords (1000 * *device.totalMass)
-                                   + " g: shapes may not be mass-normalised, or the unit of length is another one.");
+                                   + " g: shapes may not be mass-normalised.");
 
     for (std::size_t i = 0; i < device.staticErrors.size(); ++i)
         if (device.staticErrors[i] > goodSum)

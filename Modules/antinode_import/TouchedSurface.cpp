@@ -160,6 +160,7 @@ std::vector<Places::Kept> thinned (const std::vector<Places::Kept>& all, int max
     }
 
     std::vector<Places::Kept> result;
+    result.reserve (cells.size());
 
     for (const auto& [cell, each] : cells)
         result.push_back (each);
@@ -216,7 +217,7 @@ TouchedSurface findTouchedSurface (const ElementResults& results, const SideChoi
     if (kept.size() < 3)
         throw InputError ("finite-element results", "have " + std::to_string (kept.size())
                                                         + " nodes on their outermost plane; allowed: 3 or more; choose "
-                                                          "another --normal or --side, or a larger --flatness-mm");
+                                                          "another normal axis or side, or a larger flatness");
 
     surface.points.resize (static_cast<Eigen::Index> (kept.size()), 2);
 

@@ -3,8 +3,8 @@
 #include "PointDistances.h"
 #include "TouchedNodes.h"
 #include "TrackMemory.h"
-#include <antinode_numerics/SampleInterpolation.h>
 #include "WantedMotion.h"
+#include <antinode_numerics/SampleInterpolation.h>
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>

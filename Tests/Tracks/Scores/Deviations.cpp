@@ -3,11 +3,11 @@
 #include <antinode_fingers/LoadedModel.h>
 #include <antinode_numerics/KaiserSinc.h>
 #include <antinode_numerics/RandomNumbers.h>
+#include <antinode_numerics/SampleInterpolation.h>
 #include <antinode_render/PlayedTracks.h>
 #include <antinode_render/TrackCorrection.h>
 #include <antinode_tracks/TrackSolver.h>
 #include <antinode_tracks/TrackWork.h>
-#include <antinode_numerics/SampleInterpolation.h>
 
 #include <array>
 #include <cmath>
