@@ -1,8 +1,16 @@
 #include "RenderFiles.h"
 
+#include "FieldFiles.h"
+
 #include <antinode_base/Prefixes.h>
+#include <antinode_documents/DesignFile.h>
+#include <antinode_figures/FigureFiles.h>
+#include <antinode_render/Summary.h>
+#include <antinode_reports/FocusReport.h>
 #include <antinode_text/TfwFile.h>
 #include <antinode_text/WaveFile.h>
+
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cstdio>
@@ -59,6 +67,15 @@ void writeProbes (OutputFolder& folder, const RenderedFocus& focus)
 
     folder.write ("probe.csv", encodeCsv (focus.render.probeVelocities * milli, columns, focus.render.sampleRate, 0));
 }
+
+void writePages (OutputFolder& folder, const ReportPage& page, const RenderedFiles& files)
+{
+    if (files.hasReport)
+        folder.write ("report.html", renderReport (page));
+
+    for (const auto& format : files.figures)
+        writeFigures (folder, page, format == "svg" ? VectorFormat::svg : VectorFormat::pdf);
+}
 } // namespace
 
 void writeSamples (OutputFolder& folder, const RenderedFocus& focus, const std::string& format)
@@ -76,5 +93,20 @@ void writeSamples (OutputFolder& folder, const RenderedFocus& focus, const std::
         folder.write ("probe.wav", encodeWave (focus.render.probeVelocities, probeFullScale, rate));
 
     writeProbes (folder, focus);
+}
+
+void writeRendered (const std::filesystem::path& path, const RenderedFocus& focus, const FocusOutcome& outcome,
+                    const RenderedFiles& files)
+{
+    OutputFolder folder (path);
+    writeSamples (folder, focus, files.format);
+    writeFields (folder, focus);
+    folder.write ("design.json", designToJson (focus.design, focus.model).dump (2) + "\n");
+    folder.write ("summary.json", summaryToJson (focus, outcome).dump (2) + "\n");
+
+    if (files.hasReport || ! files.figures.empty())
+        writePages (folder, focusReport (focus, outcome), files);
+
+    folder.commit();
 }
 } // namespace antinode

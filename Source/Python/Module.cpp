@@ -1,0 +1,13 @@
+#include "Bindings.h"
+#include "Errors.h"
+
+PYBIND11_MODULE (_antinode, module)
+{
+    module.doc() = "The compiled part of the package antinode.";
+    module.attr ("version") = ANTINODE_VERSION;
+    antinode::registerErrors (module);
+    antinode::bindDocuments (module);
+    antinode::bindModes (module);
+    antinode::bindDesign (module);
+    antinode::bindRender (module);
+}
