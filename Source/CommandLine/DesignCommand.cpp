@@ -9,6 +9,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Watch.h>
+#include <antinode_documents/MatlabTables.h>
 #include <antinode_documents/ToleranceFile.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/LimitWords.h>
@@ -32,6 +33,7 @@ struct DesignCommandOptions
     CommonOptions common;
     ToleranceCommandOptions tolerance;
     bool isTradeoff = false;
+    bool isForMatlab = false;
 };
 
 void writeTolerances (OutputFolder& folder, const ModalModel& model, const std::string& focus,
@@ -51,6 +53,9 @@ void design (const DesignCommandOptions& all)
     std::vector<DesignTolerance> tolerances;
     OutputFolder folder (options.folder);
     folder.write ("design.json", designDocument (made, power).dump (2) + "\n");
+
+    if (all.isForMatlab)
+        folder.write ("design.mat", encodeDesignForMatlab (result, model));
 
     if (all.tolerance.isWanted)
     {
@@ -199,11 +204,12 @@ void addDesignCommand (CLI::App& app)
         ->capture_default_str();
     addCommonOptions (*command, options->common);
     addToleranceOptions (*command, options->tolerance);
+    auto* matlab = command->add_flag ("--mat", options->isForMatlab, "Also writes drives and allocation as design.mat");
     auto* tradeoff = command->add_flag (
         "--tradeoff", options->isTradeoff,
         "Compares all methods and growths instead: peak voltage against time in motion; of a focus with "
         "'felt' its weights: peak voltage against felt contrast");
-    tradeoff->excludes (command->get_option ("--tolerance"));
+    tradeoff->excludes (command->get_option ("--tolerance"))->excludes (matlab);
     command->callback ([options] { options->isTradeoff ? sweep (options->common) : design (*options); });
 }
 } // namespace antinode

@@ -205,7 +205,7 @@ void addRenderCommand (CLI::App& app)
         ->check (CLI::Range (1, 8193))
         ->capture_default_str();
     command->add_option ("--format", options->files.format, "Format of the voltages")
-        ->check (CLI::IsMember ({ "wav", "csv", "tfw" }))
+        ->check (CLI::IsMember ({ "wav", "csv", "mat", "tfw" }))
         ->capture_default_str();
     command->add_flag ("!--no-report", options->files.hasReport, "Writes no report.html");
     command

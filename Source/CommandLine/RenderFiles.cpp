@@ -7,6 +7,7 @@
 #include <antinode_figures/FigureFiles.h>
 #include <antinode_render/Summary.h>
 #include <antinode_reports/FocusReport.h>
+#include <antinode_text/MatlabWriter.h>
 #include <antinode_text/TfwFile.h>
 #include <antinode_text/WaveFile.h>
 
@@ -58,6 +59,28 @@ void writeVoltagesTfw (OutputFolder& folder, const RenderedFocus& focus)
     folder.write ("voltages-tfw.csv", sheet);
 }
 
+/** Samples in rows, as MATLAB's own functions take signals. */
+void writeVoltagesMatlab (OutputFolder& folder, const RenderedFocus& focus)
+{
+    const auto& render = focus.render;
+    const auto number = [] (double value) { return Eigen::MatrixXd::Constant (1, 1, value); };
+    Eigen::MatrixXd probes (static_cast<Eigen::Index> (focus.probes.size()), 2);
+
+    for (std::size_t i = 0; i < focus.probes.size(); ++i)
+        probes.row (static_cast<Eigen::Index> (i)) << focus.probes[i].first * milli, focus.probes[i].second * milli;
+
+    folder.write ("voltages.mat",
+                  encodeMatlabFile ({ { "voltages_V", render.voltages.transpose(), {} },
+                                      { "sample_rate_Hz", number (render.sampleRate), {} },
+                                      { "focus_sample", number (static_cast<double> (render.focusSample) + 1), {} },
+                                      { "probes_mm", probes, {} },
+                                      { "velocity_mm_s", (render.probeVelocities * milli).transpose(), {} },
+                                      { "points_mm", focus.model.surface.points * milli, {} },
+                                      { "wanted_mm_s", focus.design.target.field * milli, {} },
+                                      { "represented_mm_s", focus.design.truncatedField * milli, {} },
+                                      { "reached_mm_s", focus.reachedField * milli, {} } }));
+}
+
 void writeProbes (OutputFolder& folder, const RenderedFocus& focus)
 {
     std::vector<std::string> columns;
@@ -84,6 +107,8 @@ void writeSamples (OutputFolder& folder, const RenderedFocus& focus, const std::
 
     if (format == "csv")
         writeVoltagesCsv (folder, focus);
+    else if (format == "mat")
+        writeVoltagesMatlab (folder, focus);
     else if (format == "tfw")
         writeVoltagesTfw (folder, focus);
     else

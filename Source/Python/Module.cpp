@@ -10,4 +10,8 @@ PYBIND11_MODULE (_antinode, module)
     antinode::bindModes (module);
     antinode::bindDesign (module);
     antinode::bindRender (module);
+    antinode::bindPerform (module);
+    antinode::bindIdentify (module);
+    antinode::bindMeasure (module);
+    antinode::bindPlace (module);
 }

@@ -80,7 +80,7 @@ void checkWord (const std::string& option, const std::string& word, const std::v
 void save (const RenderValue& value, const std::string& folder, const std::string& format, bool hasReport,
            const std::vector<std::string>& figures)
 {
-    checkWord ("--format", format, { "wav", "csv", "tfw" });
+    checkWord ("--format", format, { "wav", "csv", "mat", "tfw" });
 
     for (const auto& figure : figures)
         checkWord ("--figures", figure, { "svg", "pdf" });

@@ -46,6 +46,7 @@ def test_the_stub_names_what_the_compiled_part_has():
     def members(name):
         node = classes[name]
         own = {item.name for item in node.body if isinstance(item, ast.FunctionDef)}
+        own |= {item.target.id for item in node.body if isinstance(item, ast.AnnAssign)}
         return own.union(*(members(base.id) for base in node.bases if base.id in classes))
 
     compiled = {name: each for name, each in vars(_antinode).items() if inspect.isclass(each)}

@@ -15,23 +15,33 @@ Documents: Docs/Manual/python.md; Docs/FileFormats.md for all keys.
 from ._antinode import version as __version__
 from ._designs import Design, Rendered, design, render
 from ._documents import Device, Focus, Waveforms, device, focus, names, waveforms
+from ._measured import Identified, Measured, Placed, identify, measure, place
 from ._modes import Modes
 from ._pictures import set_theme
+from ._tracks import Performed, perform
 from .errors import InputError, LimitError
 
 __all__ = [
     "Design",
     "Device",
     "Focus",
+    "Identified",
     "InputError",
     "LimitError",
+    "Measured",
     "Modes",
+    "Performed",
+    "Placed",
     "Rendered",
     "Waveforms",
     "design",
     "device",
     "focus",
+    "identify",
+    "measure",
     "names",
+    "perform",
+    "place",
     "render",
     "set_theme",
     "waveforms",

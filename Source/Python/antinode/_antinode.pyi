@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
+Complexes = NDArray[np.complex128]
 Progress = Optional[Callable[[str, float], object]]
 Document = TypeVar("Document", bound="_Document")
 
@@ -144,3 +145,140 @@ class Rendered:
     def save(self, folder: str, format: str, report: bool, figures: Sequence[str]) -> None: ...
     def field_png(self, style: PictureStyle) -> bytes: ...
     def voltages_png(self, style: PictureStyle) -> bytes: ...
+
+class PerformSettings:
+    def __init__(
+        self,
+        sample_rate_Hz: float,
+        latency_ms: float,
+        threshold: str,
+        passes: Sequence[str],
+        sensitivity_mm_s_per_V: float,
+        input_full_scale_V: float,
+        cache: bool,
+    ) -> None: ...
+
+class Performed:
+    @staticmethod
+    def make(
+        waveforms: Waveforms, device: Device, settings: PerformSettings, progress: Progress
+    ) -> Performed: ...
+    @property
+    def summary(self) -> str: ...
+    @property
+    def sample_rate_Hz(self) -> float: ...
+    @property
+    def trigger_sample(self) -> int: ...
+    @property
+    def fingers(self) -> list[str]: ...
+    @property
+    def voltages_V(self) -> Floats: ...
+    @property
+    def displacements_m(self) -> Floats: ...
+    @property
+    def wanted_m(self) -> Floats: ...
+    def save(self, folder: str, report: bool) -> None: ...
+
+class IdentifyOptions:
+    files: Sequence[str]
+    name: str
+    against: str
+    bands: Sequence[str]
+    orders: str
+    is_complex: bool
+    is_real: bool
+    uses_peaks: bool
+    cache: bool
+    selected_Hz: Sequence[float]
+    rejected_Hz: Sequence[float]
+    delay_us: Optional[float]
+    quantity: str
+    response_unit: str
+    drive: str
+    drive_unit: str
+    points: str
+    references: Sequence[str]
+    mass_kg: Optional[float]
+    voltage_limit_V: float
+    full_scale_V: Optional[float]
+
+class Identified:
+    @staticmethod
+    def make(options: IdentifyOptions, progress: Progress) -> Identified: ...
+    @property
+    def device(self) -> str: ...
+    @property
+    def has_comparison(self) -> bool: ...
+    @property
+    def warnings(self) -> list[str]: ...
+    @property
+    def reconstruction_error_dB(self) -> float: ...
+    @property
+    def delay_s(self) -> float: ...
+    @property
+    def frequencies_Hz(self) -> Floats: ...
+    @property
+    def frequency_deviations_Hz(self) -> Floats: ...
+    @property
+    def damping_ratios(self) -> Floats: ...
+    @property
+    def damping_deviations(self) -> Floats: ...
+    def save(self, device: str, report: str, universal_file: str, transferred: str) -> None: ...
+
+class ExcitationOptions:
+    cache: bool
+    signal: str
+    sample_rate_Hz: float
+    lowest_frequency_Hz: Optional[float]
+    highest_frequency_Hz: Optional[float]
+    resolution_Hz: Optional[float]
+    periods: int
+    settling_periods: Optional[int]
+    levels_V: Sequence[float]
+
+class BenchSettings:
+    def __init__(self, snr_dB: float, delay_ms: float, cubic_percent: float) -> None: ...
+
+class Measured:
+    @staticmethod
+    def make(
+        device: Device,
+        points_mm: Sequence[tuple[float, float]],
+        folder: str,
+        excitation: ExcitationOptions,
+        bench_device: Device,
+        bench: BenchSettings,
+        progress: Progress,
+    ) -> Measured: ...
+    @property
+    def frequencies_Hz(self) -> Floats: ...
+    @property
+    def points_m(self) -> Floats: ...
+    @property
+    def ceramics(self) -> int: ...
+    @property
+    def warnings(self) -> list[str]: ...
+    def responses(self, ceramic: int) -> Complexes: ...
+
+class PlaceOptions:
+    count: int
+    modes: int
+    size_mm: str
+    step_mm: Optional[float]
+    rim_mm: Optional[float]
+    focus_time_ms: Optional[float]
+    free_edge_mm: float
+    keep_out_mm: Sequence[str]
+    frozen: bool
+
+class Placed:
+    @staticmethod
+    def make(device: Device, options: PlaceOptions, focuses: Sequence[Focus], progress: Progress) -> Placed: ...
+    @property
+    def document(self) -> str: ...
+    @property
+    def controllability(self) -> float: ...
+    @property
+    def controllability_with_ceramics(self) -> Optional[float]: ...
+    @property
+    def candidates(self) -> int: ...

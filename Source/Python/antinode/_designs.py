@@ -217,7 +217,7 @@ class Rendered(Pictured):
 
         Args:
             folder: made where it is missing.
-            format: of the voltages: 'wav', 'csv', 'tfw'.
+            format: of the voltages: 'wav', 'csv', 'mat', 'tfw'.
             report: whether ``report.html`` is written.
             figures: 'svg', 'pdf': the figures of the report for print.
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Mapping
 if TYPE_CHECKING:
     from ._antinode import Floats
     from ._documents import Device
+    from ._tracks import Performed
 
 
 def _figure(rows: int, columns: int, size: tuple[float, float]) -> Any:
@@ -56,4 +57,22 @@ def plot_device(device: Device) -> Any:
             continue
         axis.add_patch(Rectangle(corner, *size, fill=False))
     axis.set(xlabel="x, mm", ylabel="y, mm", title=device.name, aspect="equal")
+    return figure
+
+
+def plot_fingers(performed: Performed) -> Any:
+    """Displacements over time, one below the other, um."""
+    count = len(performed.fingers)
+    figure, axes = _figure(count, 1, (7.6, 1.2 + 1.3 * count))
+    for finger, name in enumerate(performed.fingers):
+        axis = axes[finger, 0]
+        for values, first, label in (
+            (performed.wanted_m[:, finger], 0, "wanted"),
+            (performed.displacements_m[finger], -performed.trigger_sample, "reached"),
+        ):
+            times = [(first + sample) / performed.sample_rate_Hz * 1e3 for sample in range(len(values))]
+            axis.plot(times, values * 1e6, label=label)
+        axis.set(ylabel="um", title=name)
+    axes[0, 0].legend()
+    axes[-1, 0].set(xlabel="time, ms")
     return figure
