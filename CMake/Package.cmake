@@ -48,16 +48,17 @@ if (TARGET antinode_python)
     set (CPACK_COMPONENTS_ALL Unspecified python)
     set (CPACK_DEBIAN_UNSPECIFIED_PACKAGE_NAME antinode)
     set (CPACK_DEBIAN_UNSPECIFIED_FILE_NAME DEB-DEFAULT)
-    set (CPACK_DEBIAN_UNSPECIFIED_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION_SUMMARY}\n${CPACK_PACKAGE_DESCRIPTION}")
+    set (CPACK_DEBIAN_UNSPECIFIED_DESCRIPTION ${CPACK_PACKAGE_DESCRIPTION})
     set (CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-antinode)
     set (CPACK_DEBIAN_PYTHON_FILE_NAME DEB-DEFAULT)
     set (CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
     set (CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
     set (CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib")
     set (CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "antinode, python3-tqdm")
-    set (CPACK_DEBIAN_PYTHON_DESCRIPTION "surface haptics by modal superimposition, Python package
-Functions on values for all that the program antinode does: modes of plates
-and beams with piezoelectric ceramics, voltages that focus the vibration at a
-chosen place and instant, and a model of the plate that plays them.")
+    set (CPACK_DEBIAN_PYTHON_DESCRIPTION "\
+Functions on values for what the program antinode does, as a package for
+Python: modes of plates and beams with piezoelectric ceramics, voltages that
+focus the vibration at a chosen place and instant, a model of the plate that
+plays them, identification from measurements.")
 endif()
 include (CPack)

@@ -1,5 +1,8 @@
 #include "Work.h"
 
+#include <condition_variable>
+#include <mutex>
+
 namespace antinode
 {
 namespace
@@ -21,21 +24,35 @@ bool isMainThread()
 
 Work::Work (py::object progressToShow) : shown (std::move (progressToShow)), hasSignals (isMainThread()) {}
 
+/** Asked so often that a clock would cost a tenth of a design: a thread of its own says when it is time to look. */
 bool Work::goesOn()
 {
     if (isEnded)
         return false;
 
-    if (! hasSignals || std::this_thread::get_id() != owner || Clock::now() < nextLook)
+    if (! isLookDue || std::this_thread::get_id() != owner)
         return true;
 
+    isLookDue = false;
     const py::gil_scoped_acquire withGil;
 
     if (PyErr_CheckSignals() != 0)
         end (std::make_exception_ptr (py::error_already_set()));
 
-    nextLook = Clock::now() + lookInterval;
     return ! isEnded;
+}
+
+void Work::tick (const std::stop_token& stop)
+{
+    std::mutex mutex;
+    std::condition_variable_any stopped;
+    std::unique_lock lock (mutex);
+
+    while (hasSignals && ! stop.stop_requested())
+    {
+        stopped.wait_for (lock, stop, lookInterval, [] { return false; });
+        isLookDue = true;
+    }
 }
 
 void Work::end (std::exception_ptr why)

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
+#include <stop_token>
 #include <thread>
 #include <utility>
 
@@ -30,6 +31,7 @@ public:
         try
         {
             const pybind11::gil_scoped_release withoutGil;
+            const std::jthread ticker ([this] (const std::stop_token& stop) { tick (stop); });
             const WatchScope scope ([this] { return goesOn(); });
             auto result = function();
 
@@ -57,13 +59,14 @@ private:
     using Clock = std::chrono::steady_clock;
 
     bool goesOn();
+    void tick (const std::stop_token&);
     void end (std::exception_ptr why);
 
     pybind11::object shown;
     bool hasSignals; ///< Python handles signals in its main thread only.
     std::thread::id owner = std::this_thread::get_id();
-    Clock::time_point nextLook = Clock::now(), nextShow = nextLook;
+    Clock::time_point nextShow = Clock::now();
     std::exception_ptr failure;
-    std::atomic<bool> isEnded { false };
+    std::atomic<bool> isEnded { false }, isLookDue { false };
 };
 } // namespace antinode

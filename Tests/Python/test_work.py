@@ -49,7 +49,7 @@ def test_other_threads_of_python_run_while_it_works():
 
     def work():
         begun.set()
-        an.device("glass-148x210").modes(cache=False)
+        an.device("glass-148x210").modes(120, cache=False)
         ended.set()
 
     thread = threading.Thread(target=work)

@@ -138,7 +138,7 @@ def device(source: Union[Source, Device] = "staple", *, changes: Optional[Change
     Args:
         source: an embedded or a user's name (``"glass-148x210"``), a file (``"my.json"``), a dict with the keys of
             such a file, or a :class:`Device`.
-        changes: values of keys below the first level, ``{"limits.voltage_V": 20, "ceramics.0.x_mm": 5}``; the index
+        changes: values of keys below the first level, ``{"limits.voltage_V": 20, "ceramics.0.name": "left"}``; the index
             of a list counts from 0.
         **keys: values of the keys of the file, with their units: ``thickness_mm=1.5``, ``quality_factor=80``.
 
