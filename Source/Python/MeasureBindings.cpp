@@ -76,7 +76,7 @@ SurfaceMeasurement simulate (const ModalModel& model, const ModalModel& onBench,
             if (progress)
                 progress (sentence, std::min (1.0, static_cast<double> (told++) / static_cast<double> (points.rows())));
         });
-    const auto measurement = measurePoints (bench, sheet, points, measured, guide, {});
+    auto measurement = measurePoints (bench, sheet, points, measured, guide, {});
     writeMeasured (folder, measurement, sheet);
     return measurement;
 }

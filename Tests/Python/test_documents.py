@@ -1,6 +1,7 @@
 """Devices and focuses from names, files and dicts."""
 
 import json
+import pickle
 
 import numpy as np
 import pytest
@@ -61,6 +62,17 @@ def test_what_is_no_document_is_refused_in_a_sentence(make):
         with pytest.raises(an.InputError) as error:
             make(wrong)
         assert "\n" not in str(error.value)
+
+
+def test_a_document_travels_to_another_process_with_its_name(tmp_path):
+    unnamed = {key: value for key, value in an.focus().to_dict().items() if key != "name"}
+    (tmp_path / "at-24.json").write_text(json.dumps(unnamed))
+    focus = an.focus(tmp_path / "at-24.json")
+    for value in (focus, an.device("beam"), an.waveforms()):
+        other = pickle.loads(pickle.dumps(value))
+        assert type(other) is type(value) and other.name == value.name
+        assert {**value.to_dict(), "name": value.name} == other.to_dict()
+    assert focus.name == an.focus(focus, x_mm=0).name == "at-24"
 
 
 def test_names_are_the_embedded_ones():

@@ -269,7 +269,8 @@ def design(
         repeat_Hz: foci per second for which power and currents are told.
         threshold: a CSV of Hz and um: what skin feels; None: the built-in table.
         cache: False: the device is solved without the user's cache.
-        progress: a function of what is being done and its share, 0 to 1; True: a bar of tqdm where it is installed.
+        progress: a function of what is being done and its share, 0 to 1; True: a bar of tqdm where it is installed. A
+            render is told; a design alone ends too soon, or tells nothing.
 
     Returns:
         :class:`Design`: ``allocation_V``, ``oscillations``, ``certificate``, ``save(folder)``.

@@ -57,6 +57,17 @@ class Document:
         document: dict[str, Any] = json.loads(self._core.document)
         return document
 
+    def _named(self) -> dict[str, Any]:
+        """The document with the name that it has from its file, where it does not say one."""
+        return {**self.to_dict(), "name": self.name}
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self)._of, (as_json(self._named()),)
+
+    @classmethod
+    def _of(cls, text: str) -> Any:
+        raise NotImplementedError
+
     def save(self, file: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the document as a file that the command line and this package read."""
         with open(file, "w", encoding="utf-8") as stream:
@@ -72,6 +83,10 @@ class Device(Document, Pictured):
     def __init__(self, core: _antinode.Device) -> None:
         self._core = core
         self._modes: Optional[Modes] = None
+
+    @classmethod
+    def _of(cls, text: str) -> Device:
+        return cls(_antinode.Device.parse(text, []))
 
     @property
     def kind(self) -> str:
@@ -116,12 +131,20 @@ class Focus(Document):
     def __init__(self, core: _antinode.Focus) -> None:
         self._core = core
 
+    @classmethod
+    def _of(cls, text: str) -> Focus:
+        return cls(_antinode.Focus.parse(text, []))
+
 
 class Waveforms(Document):
     """What each finger is to feel. Made by :func:`antinode.waveforms`."""
 
     def __init__(self, core: _antinode.Waveforms) -> None:
         self._core = core
+
+    @classmethod
+    def _of(cls, text: str) -> Waveforms:
+        return cls(_antinode.Waveforms.parse(text, []))
 
 
 def _core_of(kind: Any, source: Source, keys: Changes) -> Any:
@@ -150,7 +173,7 @@ def device(source: Union[Source, Device] = "staple", *, changes: Optional[Change
 
     Source: Docs/FileFormats.md, "Device".
     """
-    start: Source = source.to_dict() if isinstance(source, Device) else source
+    start: Source = source._named() if isinstance(source, Device) else source
     return Device(_core_of(_antinode.Device, start, {**keys, **(changes or {})}))
 
 
@@ -192,7 +215,7 @@ def focus(
 
     Source: Docs/FileFormats.md, "Focus"; Docs/Theory.md, section 2.
     """
-    start: Source = source.to_dict() if isinstance(source, Focus) else source
+    start: Source = source._named() if isinstance(source, Focus) else source
     first = {
         "targets.0.x_mm": x_mm,
         "targets.0.y_mm": y_mm,
@@ -227,7 +250,7 @@ def waveforms(
 
     Source: Docs/FileFormats.md, "Waveforms"; Docs/Theory.md, section 4.13.
     """
-    start: Source = source.to_dict() if isinstance(source, Waveforms) else source
+    start: Source = source._named() if isinstance(source, Waveforms) else source
     return Waveforms(_core_of(_antinode.Waveforms, start, {**keys, **(changes or {})}))
 
 
