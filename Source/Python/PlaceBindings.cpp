@@ -49,6 +49,7 @@ Placed place (const DeviceValue& device, const PlaceOptions& options,
               const std::vector<std::shared_ptr<FocusValue>>& focuses, py::object progress)
 {
     std::vector<FocusDescription> wanted;
+    wanted.reserve (focuses.size());
 
     for (const auto& focus : focuses)
         wanted.push_back (focus->description);
