@@ -41,4 +41,24 @@ set (CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set (CPACK_DEBIAN_PACKAGE_RECOMMENDS
      "libx11-6, libxext6, libxcursor1, libxinerama1, libxrandr2, libxrender1")
 set (CPACK_DEBIAN_PACKAGE_SUGGESTS "libjack-jackd2-0 | libjack0, ardour, jalv")
+# python3-antinode stands alone: its compiled part has all that the program has.
+if (TARGET antinode_python)
+    set (CPACK_DEB_COMPONENT_INSTALL ON)
+    set (CPACK_COMPONENTS_GROUPING IGNORE)
+    set (CPACK_COMPONENTS_ALL Unspecified python)
+    set (CPACK_DEBIAN_UNSPECIFIED_PACKAGE_NAME antinode)
+    set (CPACK_DEBIAN_UNSPECIFIED_FILE_NAME DEB-DEFAULT)
+    set (CPACK_DEBIAN_UNSPECIFIED_DESCRIPTION ${CPACK_PACKAGE_DESCRIPTION})
+    set (CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-antinode)
+    set (CPACK_DEBIAN_PYTHON_FILE_NAME DEB-DEFAULT)
+    set (CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+    set (CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+    set (CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib")
+    set (CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "antinode, python3-tqdm")
+    set (CPACK_DEBIAN_PYTHON_DESCRIPTION "\
+Functions on values for what the program antinode does, as a package for
+Python: modes of plates and beams with piezoelectric ceramics, voltages that
+focus the vibration at a chosen place and instant, a model of the plate that
+plays them, identification from measurements.")
+endif()
 include (CPack)

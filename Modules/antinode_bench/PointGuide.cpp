@@ -42,6 +42,9 @@ PointAnswer PointGuide::ask (const Eigen::MatrixX2d& places, Eigen::Index first,
 
 void PointGuide::tell (const std::string& sentence) const
 {
+    if (listener)
+        return listener (sentence);
+
     std::printf ("%s\n", sentence.c_str());
     std::fflush (stdout);
 }

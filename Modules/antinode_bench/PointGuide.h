@@ -2,7 +2,9 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <string>
+#include <utility>
 
 namespace antinode
 {
@@ -22,6 +24,12 @@ public:
     /** @param asksNoQuestions  everything is measured as it comes */
     explicit PointGuide (bool asksNoQuestions) : silent (asksNoQuestions) {}
 
+    /** Asks no questions, and hands on what it tells in place of writing it on the terminal. */
+    explicit PointGuide (std::function<void (const std::string& sentence)> listenerToUse)
+        : silent (true), listener (std::move (listenerToUse))
+    {
+    }
+
     /** Asks for the sensors to be put at consecutive points, and waits for an answer that it understands; the end of
        the input means the end.
         @param places     N_p x 2, m
@@ -36,5 +44,6 @@ public:
 
 private:
     bool silent;
+    std::function<void (const std::string&)> listener; ///< None: the terminal.
 };
 } // namespace antinode

@@ -42,11 +42,18 @@ DeviceDescription loadDevice (const std::string& nameOrFile, const std::vector<s
 
 FocusDescription loadFocus (const std::string& nameOrFile, const std::vector<std::string>& assignments)
 {
-    auto focus = readFocus (loadAssigned (LibraryKind::focus, nameOrFile, assignments),
-                            documentSource (LibraryKind::focus, nameOrFile));
+    return focusFromDocument (loadAssigned (LibraryKind::focus, nameOrFile, assignments),
+                              documentSource (LibraryKind::focus, nameOrFile),
+                              std::filesystem::path (nameOrFile).stem().string());
+}
+
+FocusDescription focusFromDocument (const nlohmann::json& document, const std::string& source,
+                                    const std::string& fallbackName)
+{
+    auto focus = readFocus (document, source);
 
     if (focus.name.empty())
-        focus.name = std::filesystem::path (nameOrFile).stem().string();
+        focus.name = fallbackName;
 
     if (focus.felt)
         focus.felt->threshold = findSkinThreshold ({});
@@ -56,9 +63,15 @@ FocusDescription loadFocus (const std::string& nameOrFile, const std::vector<std
 
 WaveformsDescription loadWaveforms (const std::string& nameOrFile, const std::vector<std::string>& assignments)
 {
-    const std::filesystem::path path (nameOrFile);
-    auto waveforms = readWaveforms (loadAssigned (LibraryKind::waveforms, nameOrFile, assignments),
-                                    documentSource (LibraryKind::waveforms, nameOrFile), path.parent_path());
+    return waveformsFromDocument (loadAssigned (LibraryKind::waveforms, nameOrFile, assignments),
+                                  documentSource (LibraryKind::waveforms, nameOrFile), nameOrFile);
+}
+
+WaveformsDescription waveformsFromDocument (const nlohmann::json& document, const std::string& source,
+                                            const std::string& file)
+{
+    const std::filesystem::path path (file);
+    auto waveforms = readWaveforms (document, source, path.parent_path());
 
     if (waveforms.name.empty())
         waveforms.name = path.stem().string();

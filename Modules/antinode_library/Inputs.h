@@ -23,10 +23,21 @@ DeviceDescription loadDevice (const std::string& nameOrFile, const std::vector<s
 /** A focus by embedded name or file, with the assignments that begin with "focus." applied. [worker] */
 FocusDescription loadFocus (const std::string& nameOrFile, const std::vector<std::string>& assignments);
 
+/** A focus from its document, with the built-in threshold of skin where it asks for one.
+    @param source        how errors name it
+    @param fallbackName  its name where the document has none
+    @throws InputError   as readFocus. [worker] */
+FocusDescription focusFromDocument (const nlohmann::json&, const std::string& source, const std::string& fallbackName);
+
 /** Waveforms at touched points by embedded name or file, with the assignments that begin with "waveforms." applied.
     Recordings are looked for beside the file.
     @throws InputError  as loadDocument and readWaveforms. [worker] */
 WaveformsDescription loadWaveforms (const std::string& nameOrFile, const std::vector<std::string>& assignments);
+
+/** Waveforms from their document. @param file  beside which recordings are looked for, and whose stem is the name of
+    waveforms that have none
+    @throws InputError  as readWaveforms. [worker] */
+WaveformsDescription waveformsFromDocument (const nlohmann::json&, const std::string& source, const std::string& file);
 
 /** @throws InputError  when an assignment begins with none of "device.", "focus." and "waveforms.". [any] */
 void checkAssignments (const std::vector<std::string>& assignments);

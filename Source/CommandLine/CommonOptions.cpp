@@ -1,5 +1,7 @@
 #include "CommonOptions.h"
 
+#include "FocusOnDevice.h"
+
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
 #include <antinode_base/NumberText.h>
@@ -18,7 +20,6 @@ namespace antinode
 {
 namespace
 {
-constexpr double lowestRate = 8000, highestRate = 2e6; // Hz
 constexpr const char* bandLimited = "band_limited";
 constexpr const char* zeroOrderHold = "zero_order_hold";
 
@@ -120,25 +121,10 @@ void printPower (const ModalModel& model, const FocusPower& power)
         std::printf ("  %-14s %s\n", sentences.size() == 1 ? "power" : headings[i], sentences[i].c_str());
 }
 
-void checkKindOfPlaces (const ModalModel& model, const FocusDescription& focus)
-{
-    if (model.surface.kind == SurfaceKind::plate)
-        return;
-
-    for (std::size_t i = 0; i < focus.targets.size(); ++i)
-        if (const auto y = focus.targets[i].y; y != 0)
-            throw InputError ("focus: target " + std::to_string (i + 1) + " y",
-                              "is " + inWords (y * milli) + " mm, but the surface of '" + model.name
-                                  + "' is a line; allowed: 0, or a plate as --device");
-}
-
 ModalModel modelFrom (const CommonOptions& options)
 {
     checkAssignments (options.assignments);
-
-    if (! (options.rate >= lowestRate && options.rate <= highestRate))
-        throw InputError ("--rate", "is " + numberText (options.rate) + " Hz; allowed: 8000 to 2000000 Hz");
-
+    checkSampleRate (options.rate);
     return solveDevice (loadDevice (options.device, options.assignments), {}, options.usesCache);
 }
 
@@ -153,8 +139,7 @@ std::pair<ModalModel, FocusDescription> inputsFrom (const CommonOptions& options
 
 WideModel wideFrom (const CommonOptions& options, const ModalModel& known)
 {
-    return solveWide (loadDevice (options.device, options.assignments), known, frequencyBeyond (known, options.rate),
-                      options.usesCache);
+    return wideOf (loadDevice (options.device, options.assignments), known, options.playback(), options.usesCache);
 }
 
 WideDesign designFrom (const CommonOptions& options)
@@ -165,7 +150,8 @@ WideDesign designFrom (const CommonOptions& options)
 
 WideDesign designFrom (const CommonOptions& options, const WideModel& wide, const FocusDescription& focus)
 {
-    return designWide (wide, completed (options, focus), options.playback(), widenBy (options));
+    return designOn (loadDevice (options.device, options.assignments), wide, completed (options, focus),
+                     options.playback(), options.usesCache);
 }
 
 WidenModel widenBy (const CommonOptions& options)

@@ -40,10 +40,6 @@ void addCacheFlag (CLI::App&, bool& usesCache);
  */
 ModalModel modelFrom (const CommonOptions&);
 
-/** Refuses a focus that was made for a plate on a line, whose targets have no y.
-    @throws InputError  naming the target [any] */
-void checkKindOfPlaces (const ModalModel&, const FocusDescription&);
-
 /** The solved device and the focus that these options name. @throws InputError  for anything that cannot be read or
     solved. [worker] */
 std::pair<ModalModel, FocusDescription> inputsFrom (const CommonOptions&);

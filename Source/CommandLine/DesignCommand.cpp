@@ -2,13 +2,14 @@
 #include "CommonOptions.h"
 #include "DesignTolerances.h"
 #include "FieldNames.h"
+#include "FocusOnDevice.h"
 #include "Progress.h"
 
 #include <antinode_audio/Interruption.h>
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Watch.h>
-#include <antinode_documents/DesignFile.h>
+#include <antinode_documents/MatlabTables.h>
 #include <antinode_documents/ToleranceFile.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/LimitWords.h>
@@ -32,6 +33,7 @@ struct DesignCommandOptions
     CommonOptions common;
     ToleranceCommandOptions tolerance;
     bool isTradeoff = false;
+    bool isForMatlab = false;
 };
 
 void writeTolerances (OutputFolder& folder, const ModalModel& model, const std::string& focus,
@@ -41,35 +43,19 @@ void writeTolerances (OutputFolder& folder, const ModalModel& model, const std::
     folder.write ("tolerance.html", renderReport (toleranceReport (model, focus, tolerances)));
 }
 
-/** By a render; where there can be none, the reason is why the power is unknown. */
-FocusPower designedPower (const WideDesign& made, const CommonOptions& options)
-{
-    RenderOptions render;
-    render.playback = options.playback();
-    render.repetitions = options.repetitions;
-
-    try
-    {
-        return renderFocus (made.wide, made.design, render).power.value();
-    }
-    catch (const InputError& error)
-    {
-        return { error.what(), {}, {} };
-    }
-}
-
 void design (const DesignCommandOptions& all)
 {
     const auto& options = all.common;
     const auto made = designFrom (options);
     const auto& result = made.design;
     const auto model = firstModes (made.wide.model, made.wide.known);
-    const auto power = designedPower (made, options);
+    const auto power = designedPower (made, options.playback(), options.repetitions);
     std::vector<DesignTolerance> tolerances;
     OutputFolder folder (options.folder);
-    auto document = designToJson (result, model);
-    document["power"] = powerToJson (model, power);
-    folder.write ("design.json", document.dump (2) + "\n");
+    folder.write ("design.json", designDocument (made, power).dump (2) + "\n");
+
+    if (all.isForMatlab)
+        folder.write ("design.mat", encodeDesignForMatlab (result, model));
 
     if (all.tolerance.isWanted)
     {
@@ -218,11 +204,12 @@ void addDesignCommand (CLI::App& app)
         ->capture_default_str();
     addCommonOptions (*command, options->common);
     addToleranceOptions (*command, options->tolerance);
+    auto* matlab = command->add_flag ("--mat", options->isForMatlab, "Also writes drives and allocation as design.mat");
     auto* tradeoff = command->add_flag (
         "--tradeoff", options->isTradeoff,
         "Compares all methods and growths instead: peak voltage against time in motion; of a focus with "
         "'felt' its weights: peak voltage against felt contrast");
-    tradeoff->excludes (command->get_option ("--tolerance"));
+    tradeoff->excludes (command->get_option ("--tolerance"))->excludes (matlab);
     command->callback ([options] { options->isTradeoff ? sweep (options->common) : design (*options); });
 }
 } // namespace antinode

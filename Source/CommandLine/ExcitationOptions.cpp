@@ -97,11 +97,14 @@ ModalModel excitedDevice (const ExcitationOptions& options)
 {
     checkAssignments (options.assignments);
     auto model = solveDevice (loadDevice (options.device, options.assignments), {}, options.usesCache);
+    checkExcitable (model);
+    return model;
+}
 
+void checkExcitable (const ModalModel& model)
+{
     if (model.actuators() == 0 || model.modes() == 0)
         throw InputError ("device '" + model.name + "'", "has no ceramics or no modes; nothing can be excited");
-
-    return model;
 }
 
 ExcitationSheet excitationFor (const ModalModel& model, const ExcitationOptions& options)

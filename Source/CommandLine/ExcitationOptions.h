@@ -35,6 +35,9 @@ void addExcitationOptions (CLI::App&, ExcitationOptions&);
 /** The solved device that the options name. @throws InputError  for anything that cannot be read or solved. [worker] */
 ModalModel excitedDevice (const ExcitationOptions&);
 
+/** Refuses a device that nothing can be excited on. @throws InputError  without ceramics or modes [any] */
+void checkExcitable (const ModalModel&);
+
 /** The excitation that the options ask for. Where they do not say: the band from half the lowest mode to 20 kHz, the
    highest mode or 0.45 of the rate, four lines in the narrowest half-power width, settling until 1e-5 of the slowest
    mode is left, a fifth of the limits.

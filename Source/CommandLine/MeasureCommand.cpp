@@ -1,5 +1,6 @@
 #include "Commands.h"
 #include "ExcitationOptions.h"
+#include "MeasuredFiles.h"
 #include "SensorOptions.h"
 
 #include <antinode_base/InputError.h>
@@ -9,8 +10,7 @@
 #include <antinode_bench/SimulatedBenchPlayer.h>
 #include <antinode_reports/MeasurementReport.h>
 #include <antinode_responses/PointsFile.h>
-#include <antinode_responses/UniversalResponses.h>
-#include <antinode_universal/UniversalFile.h>
+#include <antinode_text/OutputFolder.h>
 
 #include <memory>
 
@@ -104,10 +104,7 @@ void measure (const MeasureOptions& options)
     const auto measurement = measurePoints (*bench, sheet, points, folder,
                                             PointGuide (options.isSimulated || options.asksNoQuestions), analysis);
 
-    OutputFolder output (options.folder);
-    output.write ("responses.uff", encodeUniversalFile (responseSets (measurement.responses)));
-    output.write ("report.html", renderReport (measurementReport (measurement, sheet)));
-    output.commit();
+    writeMeasured (options.folder, measurement, sheet);
     printMeasurement (measurement, sheet);
     std::printf ("Responses and figures: %s/responses.uff, report.html\n", options.folder.c_str());
 }

@@ -1,6 +1,7 @@
 #include "Commands.h"
 #include "CommonOptions.h"
 
+#include <antinode_documents/MatlabTables.h>
 #include <antinode_documents/ModeTable.h>
 #include <antinode_documents/UniversalModes.h>
 #include <antinode_library/Inputs.h>
@@ -24,7 +25,7 @@ struct ModesOptions
     std::string device = "staple";
     std::optional<int> count;
     std::vector<std::string> assignments;
-    std::string csvFile, universalFile;
+    std::string csvFile, matlabFile, universalFile;
     bool usesCache = true;
     bool isJson = false;
     std::string reportFolder; ///< None if empty.
@@ -109,6 +110,9 @@ void listModes (const ModesOptions& options)
     if (! options.csvFile.empty())
         writeWholeFile (options.csvFile, encodeModeTable (model));
 
+    if (! options.matlabFile.empty())
+        writeWholeFile (options.matlabFile, encodeModesForMatlab (model));
+
     if (! options.universalFile.empty())
         writeWholeFile (options.universalFile, encodeUniversalFile (modeSets (model)));
 
@@ -131,6 +135,8 @@ void addModesCommand (CLI::App& app)
         ->allow_extra_args (false)
         ->type_name ("KEY=VALUE");
     command->add_option ("--csv", options->csvFile, "Also writes the modes as CSV to a file")->type_name ("FILE");
+    command->add_option ("--mat", options->matlabFile, "Also writes modes and shapes as a MATLAB file")
+        ->type_name ("FILE");
     command->add_option ("--uff", options->universalFile, "Also writes frequencies and shapes as a Universal File")
         ->type_name ("FILE");
     addCacheFlag (*command, options->usesCache);

@@ -1,5 +1,6 @@
 #include "Commands.h"
 #include "CommonOptions.h"
+#include "PerformedFiles.h"
 #include "Progress.h"
 #include "RecordedPasses.h"
 
@@ -9,17 +10,9 @@
 #include <antinode_library/Inputs.h>
 #include <antinode_library/SkinThresholds.h>
 #include <antinode_render/PerformedWaveforms.h>
-#include <antinode_reports/WaveformsReport.h>
-#include <antinode_structure/ModeLimits.h>
-#include <antinode_text/OutputFolder.h>
-#include <antinode_text/WaveFile.h>
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <optional>
 
 namespace antinode
 {
@@ -34,42 +27,6 @@ struct PerformOptions
     SensorOptions sensor;
     bool hasReport = true, usesCache = true, isQuiet = false;
 };
-
-/** Half as many modes again as the design knows, where the device is solved; a measured one has no more. */
-std::optional<int> judgedModes (const DeviceDescription& description, const ModalModel& known)
-{
-    if (std::holds_alternative<ModalModel> (description.body))
-        return {};
-
-    const auto hasShare = std::holds_alternative<PlateDescription> (description.body);
-    const auto modes = known.modes() - (hasShare ? known.actuators() : 0);
-    return std::min (maximumModes (description), static_cast<int> (3 * modes / 2));
-}
-
-/** The waveform of each finger as a sound: full scale is the largest displacement of all. */
-void writeFingers (OutputFolder& folder, const PerformedWaveforms& performed)
-{
-    const auto& played = performed.played;
-    const auto loudest = played.displacements.cwiseAbs().maxCoeff();
-
-    for (Eigen::Index p = 0; p < played.displacements.rows(); ++p)
-        folder.write (formatted ("finger-%02td.wav", p + 1),
-                      encodeWave (played.displacements.row (p), loudest, played.sampleRate));
-}
-
-void writePerformed (const PerformOptions& options, const PerformedWaveforms& performed)
-{
-    OutputFolder folder (options.folder);
-    folder.write ("voltages.wav", encodeWave (performed.design.voltages.values, performed.judge.fullScaleVoltage,
-                                              performed.played.sampleRate));
-    writeFingers (folder, performed);
-
-    if (options.hasReport)
-        folder.write ("report.html", renderReport (waveformsReport (performed)));
-
-    folder.write ("summary.json", performedToJson (performed).dump (2) + "\n");
-    folder.commit();
-}
 
 void printPerformed (const PerformOptions& options, const PerformedWaveforms& performed)
 {
@@ -119,11 +76,10 @@ void perform (const PerformOptions& options)
     settings.threshold = findSkinThreshold (options.thresholdFile);
     const auto device = loadDevice (options.device, options.assignments);
     show ("Modes of the device", 0);
-    const auto known = solveDeviceWithStaticShare (device, {}, options.usesCache);
-    const auto judge = solveDeviceWithStaticShare (device, judgedModes (device, known), options.usesCache);
+    const auto [known, judge] = trackModels (device, options.usesCache);
     const auto passes = readRecordedPasses (options.passes, known, description.band, options.sensor);
     const auto performed = performWaveforms (known, judge, description, settings, show, passes);
-    writePerformed (options, performed);
+    writePerformed (options.folder, performed, options.hasReport);
 
     if (! options.isQuiet)
         printPerformed (options, performed);

@@ -24,21 +24,6 @@ namespace antinode
 {
 namespace
 {
-
-struct PlaceOptions
-{
-    std::string device = "aluminium-200x120";
-    int count = 8;
-    std::string size;                                   // mm, "L" or "LxW"
-    std::optional<double> step, edgeDistance, duration; // mm, mm, ms
-    double freeEdge = 2;                                // mm
-    int modes = 40;
-    std::string file;
-    std::vector<std::string> assignments, focuses, keepOut;
-    std::vector<int> counts;
-    bool isFrozen = false, isQuiet = false;
-};
-
 void printResult (const PlacedCeramics& placed, const PlaceOptions& options)
 {
     Eigen::Index worst = 0;
@@ -57,27 +42,6 @@ void printResult (const PlacedCeramics& placed, const PlaceOptions& options)
                      ceramic.y * milli, ceramic.sizeX * milli, ceramic.sizeY * milli);
 
     std::printf ("Device: %s\n", options.file.c_str());
-}
-
-PlacingOptions placingOptions (const PlaceOptions& options, const CeramicDescription& ceramic)
-{
-    PlacingOptions placing;
-    placing.count = options.count;
-    placing.grid.modes = options.modes;
-    placing.grid.step = options.step ? *options.step / milli : std::min (ceramic.sizeX, ceramic.sizeY) / 2;
-    placing.grid.freeEdgeMargin = options.freeEdge / milli;
-    placing.isResolved = ! options.isFrozen;
-
-    if (options.edgeDistance)
-        placing.grid.edgeDistance = *options.edgeDistance / milli;
-
-    if (options.duration)
-        placing.duration = *options.duration / milli;
-
-    for (const auto& text : options.keepOut)
-        placing.keepOut.push_back (parseKeepOut (text));
-
-    return placing;
 }
 
 std::vector<FocusDescription> loadFocuses (const PlaceOptions& options)
@@ -153,7 +117,7 @@ PlacedCeramics placedOrBest (const DeviceDescription& device, const CeramicDescr
 void place (PlaceOptions options)
 {
     checkAssignments (options.assignments);
-    auto document = loadDeviceDocument (options.device, options.assignments);
+    const auto document = loadDeviceDocument (options.device, options.assignments);
     const auto device = loadDevice (options.device, options.assignments);
     const auto isPlate = deviceExtent (device).kind == SurfaceKind::plate;
     const auto like = ceramicLike (document, isPlate, options.size);
@@ -169,20 +133,11 @@ void place (PlaceOptions options)
     if (! options.counts.empty())
         return printCurve (device, ceramic, placing, focuses, options);
 
-    document["name"] = device.name + ", " + std::to_string (options.count) + " ceramics placed";
-
     if (options.file.empty())
         options.file = device.name + "-placed.json";
 
     const auto write = [&] (const std::vector<CeramicDescription>& ceramics)
-    {
-        document["ceramics"] = nlohmann::json::array();
-
-        for (const auto& one : ceramics)
-            document["ceramics"].push_back (ceramicJson (like, one, isPlate));
-
-        writeWholeFile (options.file, document.dump (2) + "\n");
-    };
+    { writeWholeFile (options.file, placedDevice (document, like, ceramics).dump (2) + "\n"); };
     const auto placed = placedOrBest (device, ceramic, placing, options, write);
     write (placed.ceramics);
 

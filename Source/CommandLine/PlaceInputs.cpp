@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -44,7 +45,39 @@ double rounded (double metres)
 {
     return std::round (metres * milli * 1e6) / 1e6;
 }
+
+nlohmann::json ceramicJson (nlohmann::json like, const CeramicDescription& ceramic, bool isPlate)
+{
+    like["name"] = ceramic.name;
+    like["x_mm"] = rounded (isPlate ? ceramic.x : ceramic.x + ceramic.sizeX / 2);
+
+    if (isPlate)
+        like["y_mm"] = rounded (ceramic.y);
+
+    return like;
+}
 } // namespace
+
+PlacingOptions placingOptions (const PlaceOptions& options, const CeramicDescription& ceramic)
+{
+    PlacingOptions placing;
+    placing.count = options.count;
+    placing.grid.modes = options.modes;
+    placing.grid.step = options.step ? *options.step / milli : std::min (ceramic.sizeX, ceramic.sizeY) / 2;
+    placing.grid.freeEdgeMargin = options.freeEdge / milli;
+    placing.isResolved = ! options.isFrozen;
+
+    if (options.edgeDistance)
+        placing.grid.edgeDistance = *options.edgeDistance / milli;
+
+    if (options.duration)
+        placing.duration = *options.duration / milli;
+
+    for (const auto& text : options.keepOut)
+        placing.keepOut.push_back (parseKeepOut (text));
+
+    return placing;
+}
 
 KeepOut parseKeepOut (const std::string& text)
 {
@@ -94,15 +127,18 @@ nlohmann::json ceramicLike (const nlohmann::json& document, bool isPlate, const 
     return ceramic;
 }
 
-nlohmann::json ceramicJson (nlohmann::json like, const CeramicDescription& ceramic, bool isPlate)
+nlohmann::json placedDevice (nlohmann::json device, const nlohmann::json& like,
+                             const std::vector<CeramicDescription>& ceramics)
 {
-    like["name"] = ceramic.name;
-    like["x_mm"] = rounded (isPlate ? ceramic.x : ceramic.x + ceramic.sizeX / 2);
+    const auto isPlate = device.value ("kind", "") == "plate";
+    const auto name = device.value ("name", "");
+    device["name"] = name + ", " + std::to_string (ceramics.size()) + " ceramics placed";
+    device["ceramics"] = nlohmann::json::array();
 
-    if (isPlate)
-        like["y_mm"] = rounded (ceramic.y);
+    for (const auto& ceramic : ceramics)
+        device["ceramics"].push_back (ceramicJson (like, ceramic, isPlate));
 
-    return like;
+    return device;
 }
 
 CeramicDescription describedCeramic (nlohmann::json document, const nlohmann::json& ceramic)

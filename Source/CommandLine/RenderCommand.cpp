@@ -1,21 +1,18 @@
 #include "Commands.h"
 #include "CommonOptions.h"
-#include "FieldFiles.h"
 #include "FieldNames.h"
+#include "FocusOnDevice.h"
 #include "Progress.h"
 #include "RenderFiles.h"
 #include "RenderSeries.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
-#include <antinode_documents/DesignFile.h>
-#include <antinode_figures/FigureFiles.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/LimitWords.h>
 #include <antinode_library/SkinThresholds.h>
 #include <antinode_render/FingerMotion.h>
 #include <antinode_render/Summary.h>
-#include <antinode_reports/FocusReport.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <nlohmann/json.hpp>
@@ -36,9 +33,8 @@ struct RenderCommandOptions
     std::vector<std::string> probes;
     std::optional<double> duration; // ms
     int blockSize = 512;
-    std::string format = "wav";
-    bool hasReport = true;
-    std::vector<std::string> figures, focuses { "demonstrator" };
+    RenderedFiles files;
+    std::vector<std::string> focuses { "demonstrator" };
     std::string placesFile, rankBy = "field_error";
 };
 
@@ -110,32 +106,7 @@ void printSummary (const RenderedFocus& focus, const FocusOutcome& outcome, cons
         std::printf ("  warning: %s\n", warning.c_str());
 
     std::printf ("Figures and scores: %s/%s\n", options.common.folder.c_str(),
-                 options.hasReport ? "report.html" : "summary.json");
-}
-
-void writePages (OutputFolder& folder, const ReportPage& page, const RenderCommandOptions& options)
-{
-    if (options.hasReport)
-        folder.write ("report.html", renderReport (page));
-
-    for (const auto& format : options.figures)
-        writeFigures (folder, page, format == "svg" ? VectorFormat::svg : VectorFormat::pdf);
-}
-
-/** All files of a rendered focus. */
-void writeRendered (const std::filesystem::path& path, const RenderedFocus& focus, const FocusOutcome& outcome,
-                    const RenderCommandOptions& options)
-{
-    OutputFolder folder (path);
-    writeSamples (folder, focus, options.format);
-    writeFields (folder, focus);
-    folder.write ("design.json", designToJson (focus.design, focus.model).dump (2) + "\n");
-    folder.write ("summary.json", summaryToJson (focus, outcome).dump (2) + "\n");
-
-    if (options.hasReport || ! options.figures.empty())
-        writePages (folder, focusReport (focus, outcome), options);
-
-    folder.commit();
+                 options.files.hasReport ? "report.html" : "summary.json");
 }
 
 void renderOne (const RenderCommandOptions& options)
@@ -146,7 +117,7 @@ void renderOne (const RenderCommandOptions& options)
     const auto focus = renderFocus (std::move (made.wide), std::move (made.design), settings,
                                     [&] (double share) { progress.show ("Rendering", share); });
     const auto outcome = evaluateOutcome (focus);
-    writeRendered (options.common.folder, focus, outcome, options);
+    writeRendered (options.common.folder, focus, outcome, options.files);
 
     if (! options.common.isQuiet)
         printSummary (focus, outcome, options);
@@ -160,7 +131,7 @@ SeriesResult renderOfSeries (const WideModel& wide, const SeriesFocus& each, con
         auto made = designFrom (options.common, wide, each.focus);
         const auto focus = renderFocus (std::move (made.wide), std::move (made.design), renderOptions (options));
         const auto outcome = evaluateOutcome (focus);
-        writeRendered (std::filesystem::path (options.common.folder) / each.folder, focus, outcome, options);
+        writeRendered (std::filesystem::path (options.common.folder) / each.folder, focus, outcome, options.files);
         return { each.folder, summaryNumbers (summaryToJson (focus, outcome)), {} };
     }
     catch (const InputError& error)
@@ -233,12 +204,12 @@ void addRenderCommand (CLI::App& app)
     command->add_option ("--block-size", options->blockSize, "Samples per block; does not affect the result")
         ->check (CLI::Range (1, 8193))
         ->capture_default_str();
-    command->add_option ("--format", options->format, "Format of the voltages")
-        ->check (CLI::IsMember ({ "wav", "csv", "tfw" }))
+    command->add_option ("--format", options->files.format, "Format of the voltages")
+        ->check (CLI::IsMember ({ "wav", "csv", "mat", "tfw" }))
         ->capture_default_str();
-    command->add_flag ("!--no-report", options->hasReport, "Writes no report.html");
+    command->add_flag ("!--no-report", options->files.hasReport, "Writes no report.html");
     command
-        ->add_option ("--figures", options->figures,
+        ->add_option ("--figures", options->files.figures,
                       "Also writes the figures of the report for print: svg, pdf (repeatable)")
         ->check (CLI::IsMember ({ "svg", "pdf" }))
         ->allow_extra_args (false);

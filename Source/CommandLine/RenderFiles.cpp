@@ -1,8 +1,17 @@
 #include "RenderFiles.h"
 
+#include "FieldFiles.h"
+
 #include <antinode_base/Prefixes.h>
+#include <antinode_documents/DesignFile.h>
+#include <antinode_figures/FigureFiles.h>
+#include <antinode_render/Summary.h>
+#include <antinode_reports/FocusReport.h>
+#include <antinode_text/MatlabWriter.h>
 #include <antinode_text/TfwFile.h>
 #include <antinode_text/WaveFile.h>
+
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cstdio>
@@ -50,6 +59,28 @@ void writeVoltagesTfw (OutputFolder& folder, const RenderedFocus& focus)
     folder.write ("voltages-tfw.csv", sheet);
 }
 
+/** Samples in rows, as MATLAB's own functions take signals. */
+void writeVoltagesMatlab (OutputFolder& folder, const RenderedFocus& focus)
+{
+    const auto& render = focus.render;
+    const auto number = [] (double value) { return Eigen::MatrixXd::Constant (1, 1, value); };
+    Eigen::MatrixXd probes (static_cast<Eigen::Index> (focus.probes.size()), 2);
+
+    for (std::size_t i = 0; i < focus.probes.size(); ++i)
+        probes.row (static_cast<Eigen::Index> (i)) << focus.probes[i].first * milli, focus.probes[i].second * milli;
+
+    folder.write ("voltages.mat",
+                  encodeMatlabFile ({ { "voltages_V", render.voltages.transpose(), {} },
+                                      { "sample_rate_Hz", number (render.sampleRate), {} },
+                                      { "focus_sample", number (static_cast<double> (render.focusSample) + 1), {} },
+                                      { "probes_mm", probes, {} },
+                                      { "velocity_mm_s", (render.probeVelocities * milli).transpose(), {} },
+                                      { "points_mm", focus.model.surface.points * milli, {} },
+                                      { "wanted_mm_s", focus.design.target.field * milli, {} },
+                                      { "represented_mm_s", focus.design.truncatedField * milli, {} },
+                                      { "reached_mm_s", focus.reachedField * milli, {} } }));
+}
+
 void writeProbes (OutputFolder& folder, const RenderedFocus& focus)
 {
     std::vector<std::string> columns;
@@ -59,6 +90,15 @@ void writeProbes (OutputFolder& folder, const RenderedFocus& focus)
 
     folder.write ("probe.csv", encodeCsv (focus.render.probeVelocities * milli, columns, focus.render.sampleRate, 0));
 }
+
+void writePages (OutputFolder& folder, const ReportPage& page, const RenderedFiles& files)
+{
+    if (files.hasReport)
+        folder.write ("report.html", renderReport (page));
+
+    for (const auto& format : files.figures)
+        writeFigures (folder, page, format == "svg" ? VectorFormat::svg : VectorFormat::pdf);
+}
 } // namespace
 
 void writeSamples (OutputFolder& folder, const RenderedFocus& focus, const std::string& format)
@@ -67,6 +107,8 @@ void writeSamples (OutputFolder& folder, const RenderedFocus& focus, const std::
 
     if (format == "csv")
         writeVoltagesCsv (folder, focus);
+    else if (format == "mat")
+        writeVoltagesMatlab (folder, focus);
     else if (format == "tfw")
         writeVoltagesTfw (folder, focus);
     else
@@ -76,5 +118,20 @@ void writeSamples (OutputFolder& folder, const RenderedFocus& focus, const std::
         folder.write ("probe.wav", encodeWave (focus.render.probeVelocities, probeFullScale, rate));
 
     writeProbes (folder, focus);
+}
+
+void writeRendered (const std::filesystem::path& path, const RenderedFocus& focus, const FocusOutcome& outcome,
+                    const RenderedFiles& files)
+{
+    OutputFolder folder (path);
+    writeSamples (folder, focus, files.format);
+    writeFields (folder, focus);
+    folder.write ("design.json", designToJson (focus.design, focus.model).dump (2) + "\n");
+    folder.write ("summary.json", summaryToJson (focus, outcome).dump (2) + "\n");
+
+    if (files.hasReport || ! files.figures.empty())
+        writePages (folder, focusReport (focus, outcome), files);
+
+    folder.commit();
 }
 } // namespace antinode

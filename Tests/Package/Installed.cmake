@@ -1,4 +1,4 @@
-# Installs into a fresh folder and checks what is there. Usage: cmake -DBINARY=... -DFOLDER=... -DSTANDALONE=... -P Installed.cmake
+# Installs into a fresh folder and checks what is there. Usage: cmake -DBINARY=... -DFOLDER=... -DSTANDALONE=... -DPYTHON=... -P Installed.cmake
 file (REMOVE_RECURSE ${FOLDER})
 execute_process (COMMAND ${CMAKE_COMMAND} --install ${BINARY} --prefix ${FOLDER} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 
@@ -36,6 +36,14 @@ if (STANDALONE)
     foreach (size 16 22 24 32 48 64 128 256)
         list (APPEND expected share/icons/hicolor/${size}x${size}/apps/${identifier}.png)
     endforeach()
+endif()
+
+if (PYTHON)
+    foreach (module __init__.py _antinode.pyi _checks.py _designs.py _documents.py _measured.py _modes.py _pictures.py _plots.py _progress.py _tracks.py errors.py py.typed)
+        list (APPEND expected lib/python3/dist-packages/antinode/${module})
+    endforeach()
+    list (APPEND expected share/doc/python3-antinode/changelog.Debian.gz share/doc/python3-antinode/copyright
+        ${PYTHON})
 endif()
 
 file (GLOB_RECURSE installed RELATIVE ${FOLDER} ${FOLDER}/*)

@@ -61,7 +61,7 @@ embedded()
 
 same "devices" "$(embedded Devices)" "$(completed "$program" modes "")"
 same "focuses" "$(embedded Focuses)" "$(completed "$program" render "")"
-same "formats" "$(printf '%s\n' csv tfw wav)" "$(completed "$program" render --format "")"
+same "formats" "$(printf '%s\n' csv mat tfw wav)" "$(completed "$program" render --format "")"
 
 standalone=$programs/antinode-standalone
 

@@ -1,0 +1,85 @@
+#include "MatlabTables.h"
+
+#include <antinode_base/Prefixes.h>
+#include <antinode_text/MatlabWriter.h>
+
+namespace antinode
+{
+namespace
+{
+Eigen::MatrixXd number (double value)
+{
+    return Eigen::MatrixXd::Constant (1, 1, value);
+}
+
+/** A column of one number of each oscillation. */
+template <typename Number>
+Eigen::MatrixXd column (const std::vector<Oscillation>& oscillations, const Number& of)
+{
+    Eigen::MatrixXd values (static_cast<Eigen::Index> (oscillations.size()), 1);
+
+    for (std::size_t i = 0; i < oscillations.size(); ++i)
+        values (static_cast<Eigen::Index> (i), 0) = of (oscillations[i]);
+
+    return values;
+}
+
+void addOscillations (std::vector<MatlabMatrix>& all, const std::vector<Oscillation>& drives)
+{
+    all.push_back ({ "mode", column (drives, [] (const auto& each) { return each.mode + 1; }), {} });
+    all.push_back ({ "start_s", column (drives, [] (const auto& each) { return each.start; }), {} });
+    all.push_back ({ "end_s", column (drives, [] (const auto& each) { return each.end; }), {} });
+    all.push_back ({ "growth_per_s", column (drives, [] (const auto& each) { return each.growth; }), {} });
+    all.push_back (
+        { "angular_frequency_rad_s", column (drives, [] (const auto& each) { return each.angularFrequency; }), {} });
+    all.push_back ({ "in_phase", column (drives, [] (const auto& each) { return each.inPhase; }), {} });
+    all.push_back ({ "quadrature", column (drives, [] (const auto& each) { return each.quadrature; }), {} });
+}
+} // namespace
+
+std::string encodeModesForMatlab (const ModalModel& model)
+{
+    const auto modes = model.modes();
+    MatlabMatrix frequencies { "frequency_Hz", Eigen::MatrixXd (modes, 1), {} };
+
+    for (Eigen::Index k = 0; k < modes; ++k)
+        frequencies.real (k, 0) = model.frequencyHz (k);
+
+    MatlabMatrix participation { "participation_per_V", model.participation.topRows (modes), {} };
+    MatlabMatrix shapes { "shape", model.shapes.leftCols (modes), {} };
+
+    if (model.hasComplexModes())
+    {
+        participation.imaginary = model.participation.bottomRows (modes);
+        shapes.imaginary = model.shapes.rightCols (modes);
+    }
+
+    return encodeMatlabFile ({ frequencies,
+                               { "damping_ratio", model.dampingRatios, {} },
+                               participation,
+                               shapes,
+                               { "points_mm", model.surface.points * milli, {} },
+                               { "mass_kg", model.surface.masses, {} } });
+}
+
+std::string encodeDesignForMatlab (const FocusDesign& design, const ModalModel& model)
+{
+    const auto& program = design.program;
+    std::vector<MatlabMatrix> all { { "allocation_V", program.allocation, {} } };
+    addOscillations (all, program.oscillations);
+
+    if (program.samples)
+    {
+        all.push_back ({ "samples_V", program.samples->values, {} });
+        all.push_back ({ "first_time_s", number (program.samples->firstTime), {} });
+    }
+
+    all.push_back ({ "sample_rate_Hz", number (design.playback.sampleRate), {} });
+    all.push_back ({ "focus_time_s", number (program.focusTime), {} });
+    all.push_back ({ "voltage_limits_V", program.voltageLimits, {} });
+    all.push_back ({ "points_mm", model.surface.points * milli, {} });
+    all.push_back ({ "wanted_mm_s", design.target.field * milli, {} });
+    all.push_back ({ "represented_mm_s", design.truncatedField * milli, {} });
+    return encodeMatlabFile (all);
+}
+} // namespace antinode

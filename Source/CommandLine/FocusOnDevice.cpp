@@ -1,0 +1,73 @@
+#include "FocusOnDevice.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/MessageText.h>
+#include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
+#include <antinode_documents/DesignFile.h>
+#include <antinode_library/Library.h>
+
+#include <nlohmann/json.hpp>
+
+namespace antinode
+{
+namespace
+{
+constexpr double lowestRate = 8000, highestRate = 2e6; // Hz
+} // namespace
+
+void checkSampleRate (double rate)
+{
+    if (! (rate >= lowestRate && rate <= highestRate))
+        throw InputError ("--rate", "is " + numberText (rate) + " Hz; allowed: 8000 to 2000000 Hz");
+}
+
+void checkKindOfPlaces (const ModalModel& model, const FocusDescription& focus)
+{
+    if (model.surface.kind == SurfaceKind::plate)
+        return;
+
+    for (std::size_t i = 0; i < focus.targets.size(); ++i)
+        if (const auto y = focus.targets[i].y; y != 0)
+            throw InputError ("focus: target " + std::to_string (i + 1) + " y",
+                              "is " + inWords (y * milli) + " mm, but the surface of '" + model.name
+                                  + "' is a line; allowed: 0, or a plate as --device");
+}
+
+WideModel wideOf (const DeviceDescription& device, const ModalModel& known, Playback playback, bool usesCache)
+{
+    return solveWide (device, known, frequencyBeyond (known, playback.sampleRate), usesCache);
+}
+
+WideDesign designOn (const DeviceDescription& device, const WideModel& wide, const FocusDescription& focus,
+                     Playback playback, bool usesCache)
+{
+    return designWide (wide, focus, playback,
+                       [&] (const ModalModel& known, double frequency)
+                       { return solveWide (device, known, frequency, usesCache); });
+}
+
+FocusPower designedPower (const WideDesign& made, Playback playback, double repetitions)
+{
+    RenderOptions render;
+    render.playback = playback;
+    render.repetitions = repetitions;
+
+    try
+    {
+        return renderFocus (made.wide, made.design, render).power.value();
+    }
+    catch (const InputError& error)
+    {
+        return { error.what(), {}, {} };
+    }
+}
+
+nlohmann::ordered_json designDocument (const WideDesign& made, const FocusPower& power)
+{
+    const auto model = firstModes (made.wide.model, made.wide.known);
+    auto document = designToJson (made.design, model);
+    document["power"] = powerToJson (model, power);
+    return document;
+}
+} // namespace antinode

@@ -1,0 +1,32 @@
+#include "ArrayViews.h"
+
+#include <vector>
+
+namespace antinode
+{
+namespace
+{
+namespace py = pybind11;
+
+constexpr py::ssize_t bytes = sizeof (double);
+
+py::array readOnly (std::vector<py::ssize_t> shape, std::vector<py::ssize_t> steps, const double* data,
+                    const py::object& owner)
+{
+    py::array array (py::dtype::of<double>(), std::move (shape), std::move (steps), data, owner);
+    py::detail::array_proxy (array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+    return array;
+}
+} // namespace
+
+py::array readOnlyArray (const ArrayPlace& place, const py::object& owner)
+{
+    return readOnly ({ place.rows, place.columns }, { place.rowStep * bytes, place.columnStep * bytes }, place.data,
+                     owner);
+}
+
+py::array readOnlyVector (const ArrayPlace& place, const py::object& owner)
+{
+    return readOnly ({ place.rows }, { place.rowStep * bytes }, place.data, owner);
+}
+} // namespace antinode

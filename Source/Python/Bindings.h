@@ -1,0 +1,16 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace antinode
+{
+/** The parts of the module `_antinode`: each binds its values and functions. [any] with the GIL */
+void bindDocuments (pybind11::module_&);
+void bindModes (pybind11::module_&);
+void bindDesign (pybind11::module_&);
+void bindRender (pybind11::module_&);
+void bindPerform (pybind11::module_&);
+void bindIdentify (pybind11::module_&);
+void bindMeasure (pybind11::module_&);
+void bindPlace (pybind11::module_&);
+} // namespace antinode

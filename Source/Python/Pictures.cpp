@@ -1,0 +1,54 @@
+#include "Pictures.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/MessageText.h>
+#include <antinode_charts/FocusCharts.h>
+#include <antinode_charts/Picture.h>
+#include <antinode_charts/PlateCharts.h>
+#include <antinode_charts/Theme.h>
+
+namespace antinode
+{
+namespace
+{
+constexpr int lineHeight = 400; // pixels, as in reports
+
+const Theme& themeNamed (const std::string& name)
+{
+    if (name == "light")
+        return Theme::light();
+
+    if (name == "dark")
+        return Theme::dark();
+
+    if (name == "print")
+        return Theme::print();
+
+    throw InputError ("theme", "is " + inQuotes (name) + "; allowed: light, dark, print");
+}
+} // namespace
+
+std::string picture (const Chart& chart, const PictureStyle& style, int usualHeight)
+{
+    return renderPng (chart, style.width, style.height > 0 ? style.height : usualHeight, style.scale,
+                      themeNamed (style.theme));
+}
+
+std::string fieldPicture (const ModalModel& model, const FocusDesign& design, const Eigen::VectorXd& reached,
+                          const PictureStyle& style)
+{
+    if (model.surface.kind == SurfaceKind::plate)
+        return picture (plateFieldChart (model, reached, "velocity", design.description.targets), style,
+                        plateFigureHeight (model.surface, style.width, 1, 1));
+
+    return picture (fieldChart (model, design.target.field, design.truncatedField, reached), style, lineHeight);
+}
+
+void bindPictures (pybind11::module_& module)
+{
+    namespace py = pybind11;
+    py::class_<PictureStyle> (module, "PictureStyle")
+        .def (py::init<int, int, float, std::string>(), py::arg ("width"), py::arg ("height"), py::arg ("scale"),
+              py::arg ("theme"));
+}
+} // namespace antinode

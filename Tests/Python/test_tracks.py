@@ -1,0 +1,53 @@
+"""Waveforms at fingers: the files of the command line, byte by byte."""
+
+import numpy as np
+import pytest
+
+import antinode as an
+
+files = ["finger-01.wav", "finger-02.wav", "summary.json", "voltages.wav"]
+
+
+def two_fingers(**changes):
+    """A click at one finger of the aluminium plate, silence at another one."""
+    return {
+        "schema": "antinode.waveforms/1",
+        "name": "two",
+        "tracks": [{"x_mm": 40, "y_mm": 40, "level_um": 1, "signal": {"kind": "click"}, **changes}],
+        "silent": [{"x_mm": 140, "y_mm": 80}],
+    }
+
+
+def test_perform_writes_what_the_command_line_writes(program, same_files, tmp_path):
+    waveforms = an.waveforms(two_fingers())
+    waveforms.save(tmp_path / "two.json")
+    program(
+        "perform", tmp_path / "two.json", "--device", "aluminium-200x120", "--no-report", "--out", tmp_path / "wanted"
+    )
+    performed = an.perform(waveforms, "aluminium-200x120")
+    performed.save(tmp_path / "made", report=False)
+    same_files(tmp_path / "wanted", tmp_path / "made", files)
+    assert len(performed.fingers) == 2
+    assert np.abs(performed.voltages_V).max() == pytest.approx(performed.scores["peak_voltage_V"])
+
+
+def test_the_track_is_reached_and_the_silent_finger_hardly_moves():
+    performed = an.perform(two_fingers(), "aluminium-200x120")
+    wanted, reached = performed.wanted_m[:, 0], performed.displacements_m[:, performed.trigger_sample :]
+    count = min(len(wanted), reached.shape[1])
+    assert np.abs(reached[0, :count] - wanted[:count]).max() < 0.05 * np.abs(wanted).max()
+    assert np.abs(reached[1]).max() < 0.05 * np.abs(wanted).max()
+    assert not performed.displacements_m.flags.writeable
+
+
+def test_levels_beyond_the_limits_say_what_share_is_within():
+    with pytest.raises(an.LimitError) as error:
+        an.perform(two_fingers(level_um=3000), "aluminium-200x120")
+    assert 0 < error.value.reachable_share < 1
+    assert error.value.minimum_peak_voltage_V is None
+
+
+def test_bad_settings_are_refused():
+    for wrong in ({"sample_rate_Hz": 1}, {"latency_ms": 1000}, {"passes": ["missing"]}, {"threshold": "missing.csv"}):
+        with pytest.raises(an.InputError):
+            an.perform(two_fingers(), "aluminium-200x120", **wrong)
