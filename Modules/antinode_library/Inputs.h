@@ -28,6 +28,12 @@ FocusDescription loadFocus (const std::string& nameOrFile, const std::vector<std
     @throws InputError  as loadDocument and readWaveforms. [worker] */
 WaveformsDescription loadWaveforms (const std::string& nameOrFile, const std::vector<std::string>& assignments);
 
+/** The device that a focus or waveforms name, as loadDevice takes it: a file's name begins at the folder of theirs.
+    @return  empty: none is named
+    @throws InputError  as loadDocument and readNamedDevice
+    [worker] */
+std::string namedDevice (LibraryKind, const std::string& nameOrFile, const std::vector<std::string>& assignments);
+
 /** @throws InputError  when an assignment begins with none of "device.", "focus." and "waveforms.". [any] */
 void checkAssignments (const std::vector<std::string>& assignments);
 } // namespace antinode
