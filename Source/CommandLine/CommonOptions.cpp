@@ -19,6 +19,7 @@ namespace antinode
 namespace
 {
 constexpr double lowestRate = 8000, highestRate = 2e6; // Hz
+constexpr double usualRate = 192000;                   // Hz
 constexpr const char* bandLimited = "band_limited";
 constexpr const char* zeroOrderHold = "zero_order_hold";
 
@@ -73,20 +74,50 @@ FocusDescription withFingers (FocusDescription focus, const std::vector<std::str
 
 Playback CommonOptions::playback() const
 {
-    return { reconstruction == bandLimited ? Reconstruction::bandLimited : Reconstruction::zeroOrderHold, rate };
+    return { reconstruction.value_or (bandLimited) == bandLimited ? Reconstruction::bandLimited
+                                                                  : Reconstruction::zeroOrderHold,
+             rate.value_or (usualRate) };
+}
+
+std::string deviceFor (LibraryKind kind, const std::vector<std::string>& documents, const std::string& given,
+                       const std::string& usual, const std::vector<std::string>& assignments)
+{
+    if (! given.empty())
+        return given;
+
+    std::string device, first;
+
+    for (const auto& document : documents)
+    {
+        const auto named = namedDevice (kind, document, assignments);
+
+        if (! named.empty() && ! device.empty() && named != device)
+            throw InputError (documentSource (kind, document), "is for the device '" + named + "', and " + first
+                                                                   + " for '" + device
+                                                                   + "'; allowed: one device for all, or --device");
+
+        if (device.empty() && ! named.empty())
+        {
+            device = named;
+            first = documentSource (kind, document);
+        }
+    }
+
+    return device.empty() ? usual : device;
 }
 
 void addCommonOptions (CLI::App& command, CommonOptions& options)
 {
-    command.add_option ("--device", options.device, "Device: an embedded name or a .json file")->capture_default_str();
+    command.add_option ("--device", options.device,
+                        "Device: an embedded name or a .json file (default: the one that the focus names, else "
+                        "staple)");
     command.add_option ("--out", options.folder, "Output folder")->capture_default_str();
-    command.add_option ("--rate", options.rate, "Sample rate, Hz")->capture_default_str();
+    command.add_option ("--rate", options.rate, "Sample rate, Hz (default: 192000)")->type_name ("FLOAT");
     command
         .add_option ("--reconstruction", options.reconstruction,
-                     "Reconstruction of voltages from samples: by an audio interface (band_limited) or a generator "
-                     "that holds samples")
-        ->check (CLI::IsMember ({ bandLimited, zeroOrderHold }))
-        ->capture_default_str();
+                     "Reconstruction of voltages from samples: by an audio interface (band_limited, the default) or a "
+                     "generator that holds samples")
+        ->check (CLI::IsMember ({ bandLimited, zeroOrderHold }));
     command
         .add_option ("--set", options.assignments, "Overrides a key, for example focus.targets.0.x_mm=24 (repeatable)")
         ->allow_extra_args (false)
@@ -136,8 +167,8 @@ ModalModel modelFrom (const CommonOptions& options)
 {
     checkAssignments (options.assignments);
 
-    if (! (options.rate >= lowestRate && options.rate <= highestRate))
-        throw InputError ("--rate", "is " + numberText (options.rate) + " Hz; allowed: 8000 to 2000000 Hz");
+    if (const auto rate = options.playback().sampleRate; ! (rate >= lowestRate && rate <= highestRate))
+        throw InputError ("--rate", "is " + numberText (rate) + " Hz; allowed: 8000 to 2000000 Hz");
 
     return solveDevice (loadDevice (options.device, options.assignments), {}, options.usesCache);
 }
@@ -153,8 +184,8 @@ std::pair<ModalModel, FocusDescription> inputsFrom (const CommonOptions& options
 
 WideModel wideFrom (const CommonOptions& options, const ModalModel& known)
 {
-    return solveWide (loadDevice (options.device, options.assignments), known, frequencyBeyond (known, options.rate),
-                      options.usesCache);
+    return solveWide (loadDevice (options.device, options.assignments), known,
+                      frequencyBeyond (known, options.playback().sampleRate), options.usesCache);
 }
 
 WideDesign designFrom (const CommonOptions& options)

@@ -67,7 +67,7 @@ void design (const DesignCommandOptions& all)
     const auto power = designedPower (made, options);
     std::vector<DesignTolerance> tolerances;
     OutputFolder folder (options.folder);
-    auto document = designToJson (result, model);
+    auto document = designToJson (result, made.wide.designed ? *made.wide.designed : model);
     document["power"] = powerToJson (model, power);
     folder.write ("design.json", document.dump (2) + "\n");
 
@@ -223,6 +223,13 @@ void addDesignCommand (CLI::App& app)
         "Compares all methods and growths instead: peak voltage against time in motion; of a focus with "
         "'felt' its weights: peak voltage against felt contrast");
     tradeoff->excludes (command->get_option ("--tolerance"));
-    command->callback ([options] { options->isTradeoff ? sweep (options->common) : design (*options); });
+    command->callback (
+        [options]
+        {
+            auto& common = options->common;
+            common.device =
+                deviceFor (LibraryKind::focus, { common.focus }, common.device, usualDevice, common.assignments);
+            options->isTradeoff ? sweep (common) : design (*options);
+        });
 }
 } // namespace antinode

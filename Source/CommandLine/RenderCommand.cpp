@@ -5,6 +5,7 @@
 #include "Progress.h"
 #include "RenderFiles.h"
 #include "RenderSeries.h"
+#include "WrittenDesign.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
@@ -39,7 +40,7 @@ struct RenderCommandOptions
     std::string format = "wav";
     bool hasReport = true;
     std::vector<std::string> figures, focuses { "demonstrator" };
-    std::string placesFile, rankBy = "field_error";
+    std::string designFile, placesFile, rankBy = "field_error";
 };
 
 /** "X" or "X,Y" in mm. */
@@ -129,7 +130,7 @@ void writeRendered (const std::filesystem::path& path, const RenderedFocus& focu
     OutputFolder folder (path);
     writeSamples (folder, focus, options.format);
     writeFields (folder, focus);
-    folder.write ("design.json", designToJson (focus.design, focus.model).dump (2) + "\n");
+    folder.write ("design.json", designToJson (focus.design, focus.known).dump (2) + "\n");
     folder.write ("summary.json", summaryToJson (focus, outcome).dump (2) + "\n");
 
     if (options.hasReport || ! options.figures.empty())
@@ -142,7 +143,8 @@ void renderOne (const RenderCommandOptions& options)
 {
     Progress progress (options.common.isQuiet);
     const auto settings = renderOptions (options);
-    auto made = designFrom (options.common);
+    auto made =
+        options.designFile.empty() ? designFrom (options.common) : writtenDesign (options.common, options.designFile);
     const auto focus = renderFocus (std::move (made.wide), std::move (made.design), settings,
                                     [&] (double share) { progress.show ("Rendering", share); });
     const auto outcome = evaluateOutcome (focus);
@@ -221,11 +223,13 @@ void addRenderCommand (CLI::App& app)
     auto* command =
         app.add_subcommand ("render", "Renders a focus: voltages, velocities, scores and a report with figures");
     auto options = std::make_shared<RenderCommandOptions>();
-    command
-        ->add_option ("focus", options->focuses,
-                      "Focus: an embedded name or a .json file; several: each into a folder of its own")
-        ->capture_default_str();
+    auto* focus = command->add_option (
+        "focus", options->focuses, "Focus: an embedded name or a .json file; several: each into a folder of its own");
+    focus->capture_default_str();
     addCommonOptions (*command, options->common);
+    auto* design = command->add_option ("--design", options->designFile,
+                                        "Plays a design.json that was written before, in place of a focus");
+    design->type_name ("FILE")->excludes (focus)->excludes (command->get_option ("--finger"));
     command->add_option ("--probe", options->probes, "Position of a velocity probe, mm (repeatable)")
         ->allow_extra_args (false)
         ->type_name ("X,Y");
@@ -244,7 +248,8 @@ void addRenderCommand (CLI::App& app)
         ->allow_extra_args (false);
     command->add_option ("--threshold", options->common.thresholdFile,
                          "CSV of Hz and um: what skin feels, in place of the built-in table");
-    command->add_option ("--places", options->placesFile, "CSV of x and y in mm: the focus at each of these places");
+    command->add_option ("--places", options->placesFile, "CSV of x and y in mm: the focus at each of these places")
+        ->excludes (design);
     command
         ->add_option ("--rank-by", options->rankBy,
                       "Number of summary.json by which several focuses are ranked in scores.csv")
@@ -252,7 +257,14 @@ void addRenderCommand (CLI::App& app)
     command->callback (
         [options]
         {
-            options->common.focus = options->focuses.front();
+            auto& common = options->common;
+            common.focus = options->focuses.front();
+
+            if (! options->designFile.empty())
+                completeFrom (common, options->designFile);
+            else
+                common.device =
+                    deviceFor (LibraryKind::focus, options->focuses, common.device, usualDevice, common.assignments);
 
             if (options->focuses.size() == 1 && options->placesFile.empty())
                 renderOne (*options);
