@@ -15,7 +15,7 @@ namespace
 {
 constexpr double leastMix = 1e-2;                               // of the motion that the strongest mix makes
 constexpr double quickTolerance = 3e-3;                         // of the wanted motion: -50 dB
-constexpr int fewestSteps = 4, mostSteps = 12, stepsOfAll = 35; // of one track, and of all together
+constexpr int fewestSteps = 4, mostSteps = 12, stepsOfAll = 30; // of one track, and of all together
 
 /** The orthonormal mixes of ceramics that move the surface most in the band: eigenvectors of what all modes take from
     them, each mode at its largest response there. */

@@ -22,9 +22,16 @@ double cpuOf (const std::function<void()>& work)
     return static_cast<double> (std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
-QuickFilterDesigner designerOf (const Device& device)
+FilterSettings settingsFor (double latency)
 {
-    return { std::make_shared<const ModalModel> (device.known), TrackBand {}, FilterSettings {} };
+    FilterSettings settings;
+    settings.latency = latency;
+    return settings;
+}
+
+QuickFilterDesigner designerOf (const Device& device, double latency = FilterSettings().latency)
+{
+    return { std::make_shared<const ModalModel> (device.known), TrackBand {}, settingsFor (latency) };
 }
 
 /** Every point a track of its own: what an instrument needs. */
@@ -114,34 +121,43 @@ TrackDesign movingDesign (const Device& device, const QuickFilterDesigner& desig
     design.peaks = design.voltages.values.cwiseAbs().rowwise().maxCoeff();
     return design;
 }
+/** One row for each number of points. */
+void quickRows (const Device& device, int layouts, double latency, const std::string& signal)
+{
+    const auto designer = designerOf (device, latency);
+
+    for (const auto count : { 2, 3, 5 })
+    {
+        Found full, quick;
+
+        for (int seed = 1; seed <= layouts; ++seed)
+        {
+            const auto description = layout (device.known.surface, count, signal, seed);
+            const auto all = asTracks (description);
+            FingerFilters filters;
+            const auto fullTime =
+                cpuOf ([&] { filters = designFingerFilters (device.known, all, settingsFor (latency)); });
+            full.add (device, description, filters, fullTime);
+            const auto quickTime = cpuOf ([&] { filters = designer.design (all); });
+            quick.add (device, description, filters, quickTime);
+        }
+
+        std::printf ("| %s | %.0f | %d | %s |", device.name.c_str(), 1e3 * latency, count, signal.c_str());
+        full.print();
+        quick.print();
+        std::printf ("\n");
+        std::fflush (stdout);
+    }
+}
 } // namespace
 
 void quickTable (const Device& device, int layouts)
 {
-    const auto designer = designerOf (device);
+    for (const std::string signal : { "click", "Gabor", "music" })
+        quickRows (device, layouts, 0.02, signal);
 
-    for (const auto count : { 2, 3, 5 })
-        for (const std::string signal : { "click", "Gabor", "music" })
-        {
-            Found full, quick;
-
-            for (int seed = 1; seed <= layouts; ++seed)
-            {
-                const auto description = layout (device.known.surface, count, signal, seed);
-                const auto all = asTracks (description);
-                FingerFilters filters;
-                const auto fullTime = cpuOf ([&] { filters = designFingerFilters (device.known, all, {}); });
-                full.add (device, description, filters, fullTime);
-                const auto quickTime = cpuOf ([&] { filters = designer.design (all); });
-                quick.add (device, description, filters, quickTime);
-            }
-
-            std::printf ("| %s | %d | %s |", device.name.c_str(), count, signal.c_str());
-            full.print();
-            quick.print();
-            std::printf ("\n");
-            std::fflush (stdout);
-        }
+    for (const auto latency : { 0.01, 0.005 })
+        quickRows (device, layouts, latency, "music");
 }
 
 void movingLiveTable (const Device& device, int layouts)

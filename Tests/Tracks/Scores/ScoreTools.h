@@ -62,8 +62,8 @@ WaveformsDescription movingLayout (const Surface&, int count, const std::string&
     band and of all frequencies, dB, iterations. */
 void movingTable (const Device&, int layouts);
 
-/** Filters of 20 ms of latency with the least error, and those within milliseconds: volts, the worst bystander, error
-   of the target, CPU of a design with a track for every point. */
+/** Filters of 20 ms of latency, for music of 10 and 5 too, with the least error, and those within milliseconds: volts,
+   the worst bystander, error of the target, CPU of a design with a track for every point. */
 void quickTable (const Device&, int layouts);
 
 /** A target as of movingTable played live, by banks of quick filters that fade into each other every 5 or 10 ms, of the
