@@ -7,10 +7,12 @@
 #include <antinode_base/NumberText.h>
 #include <antinode_focus/FocusMoments.h>
 #include <antinode_focus/LimitUse.h>
+#include <antinode_focus/Projection.h>
 #include <antinode_text/JsonReader.h>
 #include <antinode_text/PhysicalRanges.h>
 
 #include <cmath>
+#include <utility>
 
 namespace antinode
 {
@@ -18,10 +20,12 @@ namespace
 {
 constexpr NumberRange anyNumber { -1e15, 1e15 };
 constexpr NumberRange notNegative { 0, 1e15 };
+constexpr NumberRange cycleRange { 0, 1e6 };
 constexpr NumberRange seconds { -60, 600 };
 constexpr NumberRange sampleRates { 1, 1e8 };
 constexpr std::size_t mostOscillations = 1000000, mostSamples = 100000000;
 constexpr std::size_t longestSentence = 10000, mostSentences = 1000;
+constexpr int mostIterations = 1000000000;
 constexpr double sameFrequency = 1e-6; // relative: what solving a device again may change
 
 constexpr WordList<Reconstruction, 2> reconstructionWords { { { "band_limited", Reconstruction::bandLimited },
@@ -152,8 +156,8 @@ AllocationCertificate readCertificate (const JsonValue& value)
     const auto number = [&] (const char* key) { return value.required (key).number (anyNumber); };
     AllocationCertificate certificate;
     certificate.status = value.required ("status").choice (allocationStatusWords);
-    certificate.iterations = static_cast<int> (number ("iterations"));
-    certificate.rounds = static_cast<int> (number ("rounds"));
+    certificate.iterations = value.required ("iterations").integer (0, mostIterations);
+    certificate.rounds = value.required ("rounds").integer (0, mostIterations);
     certificate.objective = number ("objective");
     certificate.bound = number ("bound");
     certificate.gap = number ("gap");
@@ -193,49 +197,37 @@ void requireSameDevice (const JsonObject& object, const ModalModel& model)
     }
 }
 
-/** The controlled modes and what they are to do at the first focus. */
-Eigen::VectorXd readControlledModes (FocusDesign& design, const JsonValue& value)
+void readControlledModes (FocusDesign& design, const JsonValue& value)
 {
-    const auto items = value.items (1, ranges::maximumModes);
-    Eigen::VectorXd wanted (static_cast<Eigen::Index> (items.size()));
-
-    for (std::size_t i = 0; i < items.size(); ++i)
+    for (const auto& item : value.items (1, ranges::maximumModes))
     {
-        design.controlledModes.push_back (
-            items[i].required ("mode").integer (1, static_cast<int> (ranges::maximumModes)) - 1);
-        design.growth.push_back (items[i].required ("growth").number (anyNumber));
-        design.cycles.push_back (static_cast<int> (items[i].required ("cycles").number (notNegative)));
-        wanted[static_cast<Eigen::Index> (i)] = items[i].required ("wanted_velocity_m_s_sqrt_kg").number (anyNumber);
-    }
+        const auto mode = item.required ("mode").integer (1, static_cast<int> (ranges::maximumModes)) - 1;
 
-    return wanted;
+        if (! design.controlledModes.empty() && mode <= design.controlledModes.back())
+            item.fail ("has a mode that does not ascend; allowed: each mode once, the lowest first");
+
+        design.controlledModes.push_back (mode);
+        design.growth.push_back (item.required ("growth").number (anyNumber));
+        design.cycles.push_back (static_cast<int> (item.required ("cycles").number (cycleRange)));
+    }
 }
 
-/** What is wanted follows from the focus; what the controlled modes represent of it is in the file. */
-void readMoments (FocusDesign& design, const JsonObject& object, const ModalModel& model)
+/** What is wanted, and what the controlled modes represent of it, follow from the focus. */
+void addMoments (FocusDesign& design, const JsonObject& object, const ModalModel& model)
 {
-    constexpr double perMetre = 1000;
+    readControlledModes (design, object.required ("controlled_modes"));
+    readVector (object.required ("field").required ("truncated_mm_s"), model.points());
     design.moments = focusMoments (model, design.description, design.playback);
-    auto& first = design.moments.front();
-    first.wanted = readControlledModes (design, object.required ("controlled_modes"));
-    first.captured = object.required ("captured").number (notNegative);
-    first.truncatedField =
-        readVector (object.required ("field").required ("truncated_mm_s"), model.points()) / perMetre;
-    const auto later = design.moments.size() - 1;
 
-    if (const auto foci = object.optional ("later_foci"); foci || later > 0)
+    for (auto& moment : design.moments)
     {
-        const auto items = object.required ("later_foci").items (later, later);
-
-        for (std::size_t i = 0; i < later; ++i)
-        {
-            auto& moment = design.moments[i + 1];
-            moment.captured = items[i].required ("captured").number (notNegative);
-            moment.wanted = readVector (items[i].required ("wanted_velocities_m_s_sqrt_kg"), first.wanted.size());
-            moment.truncatedField = readVector (items[i].required ("truncated_mm_s"), model.points()) / perMetre;
-        }
+        auto represented = restrictToModes (model, moment.target, design.controlledModes);
+        moment.wanted = std::move (represented.wanted);
+        moment.truncatedField = std::move (represented.truncated);
+        moment.captured = represented.captured;
     }
 
+    const auto& first = design.moments.front();
     design.target = first.target;
     design.truncatedField = first.truncatedField;
     design.captured = first.captured;
@@ -261,7 +253,7 @@ FocusDesign readDesign (const nlohmann::json& document, const std::string& sourc
     FocusDesign design;
     design.description = origin.focus;
     design.playback = origin.playback;
-    readMoments (design, object, model);
+    addMoments (design, object, model);
     design.residue = number ("residue");
     design.program = readProgram (object, model);
     design.certificate = readCertificate (object.required ("certificate"));
