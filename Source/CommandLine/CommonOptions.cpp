@@ -64,6 +64,13 @@ Finger parseFinger (const std::string& text)
     return finger;
 }
 
+[[noreturn]] void failDevices (const std::string& focus, const std::string& device, const std::string& otherFocus,
+                               const std::string& otherDevice)
+{
+    throw InputError (focus, "is for the device '" + device + "', and " + otherFocus + " for '" + otherDevice
+                                 + "'; allowed: one device for all, or --device");
+}
+
 /** With the fingers of the options beside its own. */
 FocusDescription withFingers (FocusDescription focus, const std::vector<std::string>& fingers)
 {
@@ -92,9 +99,7 @@ std::string deviceFor (LibraryKind kind, const std::vector<std::string>& documen
         const auto named = namedDevice (kind, document, assignments);
 
         if (! named.empty() && ! device.empty() && named != device)
-            throw InputError (documentSource (kind, document), "is for the device '" + named + "', and " + first
-                                                                   + " for '" + device
-                                                                   + "'; allowed: one device for all, or --device");
+            failDevices (documentSource (kind, document), named, first, device);
 
         if (device.empty() && ! named.empty())
         {
