@@ -97,6 +97,7 @@ Json certificateToJson (const AllocationCertificate& certificate)
              { "bound", certificate.bound },
              { "gap", certificate.gap },
              { "peak_ratio", certificate.peakRatio },
+             { "peak_voltage_V", certificate.peakVoltage },
              { "least_peak_ratio", certificate.minimumPeakRatio },
              { "row_residual", certificate.rowResidual },
              { "time_ms", certificate.milliseconds } };

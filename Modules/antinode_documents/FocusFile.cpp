@@ -3,6 +3,7 @@
 #include "FileUnits.h"
 #include "FingerFile.h"
 #include "FocusWords.h"
+#include "NamedDevice.h"
 
 #include <antinode_base/MessageText.h>
 #include <antinode_text/JsonReader.h>
@@ -272,7 +273,7 @@ FocusDescription readFocus (const nlohmann::json& document, const std::string& s
 {
     const JsonValue value (document, source);
     value.requireSchema ("antinode.focus/1");
-    const auto object = value.object ({ "schema", "name", "targets", "focus_time_ms", "modes", "transients",
+    const auto object = value.object ({ "schema", "name", "device", "targets", "focus_time_ms", "modes", "transients",
                                         "allocation", "edge_window", "probes_mm", "fingers", "felt" });
     FocusDescription focus;
 
@@ -283,6 +284,8 @@ FocusDescription readFocus (const nlohmann::json& document, const std::string& s
 
     if (const auto name = object.optional ("name"))
         focus.name = name->text (ranges::maximumNameBytes);
+
+    readNamedDevice (object.optional ("device"));
 
     if (const auto modes = object.optional ("modes"))
         focus.modes = readModeChoice (*modes);

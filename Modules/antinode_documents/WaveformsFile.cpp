@@ -2,6 +2,7 @@
 
 #include "FileUnits.h"
 #include "FingerFile.h"
+#include "NamedDevice.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_text/JsonReader.h>
@@ -238,7 +239,7 @@ WaveformsDescription readWaveforms (const nlohmann::json& document, const std::s
     const JsonValue value (document, source);
     value.requireSchema ("antinode.waveforms/1");
     const auto object = value.object (
-        { "schema", "name", "description", "band_Hz", "pre_roll_ms", "post_roll_ms", "tracks", "silent" });
+        { "schema", "name", "description", "device", "band_Hz", "pre_roll_ms", "post_roll_ms", "tracks", "silent" });
     WaveformsDescription description;
 
     if (const auto name = object.optional ("name"))
@@ -246,6 +247,8 @@ WaveformsDescription readWaveforms (const nlohmann::json& document, const std::s
 
     if (const auto text = object.optional ("description"))
         text->text (ranges::maximumDescriptionBytes, true);
+
+    readNamedDevice (object.optional ("device"));
 
     if (const auto band = object.optional ("band_Hz"))
         description.band = readBand (*band);

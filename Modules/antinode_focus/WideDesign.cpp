@@ -25,14 +25,7 @@ std::vector<Finger> knownFingers (const std::vector<Finger>& fingers)
 WideDesign designUnderFingers (const WideModel& wide, const FocusDescription& focus, Playback playback)
 {
     const auto known = knownFingers (focus.fingers).size();
-    auto played = loadedByFingers (wide, focus.fingers);
-
-    if (canLiftOff (focus.fingers))
-    {
-        played.model = wide.model; // Fingers that come and go are added as the voltages are played.
-        played.known = wide.model.modes();
-    }
-
+    auto played = playedUnderFingers (wide, focus.fingers);
     auto design = known == 0 ? designWithin (wide, focus, playback) : designFocus (*played.designed, focus, playback);
     design.choices.push_back ("Fingers on the surface: " + std::to_string (focus.fingers.size())
                               + ", of which the design knows " + std::to_string (known) + ".");
@@ -51,6 +44,19 @@ WideModel loadedByFingers (const WideModel& wide, const std::vector<Finger>& fin
     const auto sentence = "Not told apart: fingers mix the modes of the device with those beyond. Played are "
                           + std::to_string (count) + " modes, to " + inWords (played.frequencyHz (count - 1)) + " Hz.";
     return { std::move (played), count, sentence, std::move (designed) };
+}
+
+WideModel playedUnderFingers (const WideModel& wide, const std::vector<Finger>& fingers)
+{
+    auto played = loadedByFingers (wide, fingers);
+
+    if (canLiftOff (fingers))
+    {
+        played.model = wide.model;
+        played.known = wide.model.modes();
+    }
+
+    return played;
 }
 
 WideDesign designWide (WideModel wide, const FocusDescription& focus, Playback playback, const WidenModel& widen)

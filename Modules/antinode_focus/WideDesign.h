@@ -19,6 +19,10 @@ struct WideDesign
     [worker] Docs/Theory.md, section 1.12. */
 WideModel loadedByFingers (const WideModel&, const std::vector<Finger>&);
 
+/** The same for voltages that are played: where fingers may lift off, they are added as the voltages are played, and
+   the modes that are played are those without them. [worker] */
+WideModel playedUnderFingers (const WideModel&, const std::vector<Finger>&);
+
 /** Gives a device with modes to a frequency, Hz, or as far as they can be solved. */
 using WidenModel = std::function<WideModel (const ModalModel& known, double frequency)>;
 

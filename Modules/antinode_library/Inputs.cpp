@@ -5,6 +5,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_documents/FocusFile.h>
+#include <antinode_documents/NamedDevice.h>
 #include <antinode_documents/WaveformsFile.h>
 #include <antinode_text/JsonText.h>
 
@@ -77,6 +78,15 @@ WaveformsDescription waveformsFromDocument (const nlohmann::json& document, cons
         waveforms.name = path.stem().string();
 
     return waveforms;
+}
+
+std::string namedDevice (LibraryKind kind, const std::string& nameOrFile, const std::vector<std::string>& assignments)
+{
+    const auto document = loadAssigned (kind, nameOrFile, assignments);
+    const JsonValue value (document, documentSource (kind, nameOrFile));
+    const auto device = value.isObject() ? readNamedDevice (value.find ("device")) : std::string();
+    const auto folder = std::filesystem::path (nameOrFile).parent_path();
+    return isFileName (device) ? (folder / device).string() : device;
 }
 
 void checkAssignments (const std::vector<std::string>& assignments)

@@ -39,6 +39,12 @@ WaveformsDescription loadWaveforms (const std::string& nameOrFile, const std::ve
     @throws InputError  as readWaveforms. [worker] */
 WaveformsDescription waveformsFromDocument (const nlohmann::json&, const std::string& source, const std::string& file);
 
+/** The device that a focus or waveforms name, as loadDevice takes it: a file's name begins at the folder of theirs.
+    @return  empty: none is named
+    @throws InputError  as loadDocument and readNamedDevice
+    [worker] */
+std::string namedDevice (LibraryKind, const std::string& nameOrFile, const std::vector<std::string>& assignments);
+
 /** @throws InputError  when an assignment begins with none of "device.", "focus." and "waveforms.". [any] */
 void checkAssignments (const std::vector<std::string>& assignments);
 } // namespace antinode

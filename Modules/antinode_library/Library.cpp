@@ -19,11 +19,6 @@ namespace
 {
 constexpr std::string_view extension = ".json";
 
-bool isFileName (const std::string& text)
-{
-    return text.ends_with (extension) || text.find ('/') != std::string::npos;
-}
-
 std::string folderName (LibraryKind kind)
 {
     return kind == LibraryKind::device ? "Devices" : kind == LibraryKind::focus ? "Focuses" : "Waveforms";
@@ -138,6 +133,11 @@ ModalModel solveWithCache (const DeviceDescription& device, std::optional<int> m
     return solveCached (device, modeCount, cache ? &*cache : nullptr, shapes);
 }
 } // namespace
+
+bool isFileName (const std::string& text)
+{
+    return text.ends_with (extension) || text.find ('/') != std::string::npos;
+}
 
 std::optional<std::filesystem::path> userLibraryFolder()
 {

@@ -41,7 +41,10 @@ std::vector<LibraryEntry> libraryEntries (LibraryKind);
 /** The names of the factory's, sorted. [any] */
 std::vector<std::string> factoryNames (LibraryKind);
 
-/** The JSON of a name, the factory's first, or of a file: what has a '/' or ends in ".json".
+/** Whether a document is named by its file: what has a '/' or ends in ".json". [any] */
+bool isFileName (const std::string&);
+
+/** The JSON of a name, the factory's first, or of a file.
     @throws InputError  when there is no such name (with those there are) or the file cannot be read
     [worker] */
 nlohmann::json loadDocument (LibraryKind, const std::string& nameOrFile);

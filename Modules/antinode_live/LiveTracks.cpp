@@ -63,7 +63,13 @@ TrackDesign designLiveTracks (const ModalModel& model, const WaveformsDescriptio
     FilterSettings filterSettings;
     filterSettings.sampleRate = settings.sampleRate;
     filterSettings.latency = settings.latency;
-    const auto filters = designFingerFilters (model, description, filterSettings, progress);
+    return liveTracks (model, description, settings,
+                       designFingerFilters (model, description, filterSettings, progress));
+}
+
+TrackDesign liveTracks (const ModalModel& model, const WaveformsDescription& description, const TrackSettings& settings,
+                        const FingerFilters& filters)
+{
     TrackDesign design;
     design.description = description;
     design.wanted = wantedAsPlayed (model, description, settings);

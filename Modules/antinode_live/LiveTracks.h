@@ -11,4 +11,9 @@ namespace antinode
     [worker] Docs/Theory.md, section 4.15. */
 TrackDesign designLiveTracks (const ModalModel&, const WaveformsDescription&, const TrackSettings&,
                               const ShowProgress& progress = {});
+
+/** The same by filters that are there.
+    @param filters  of the tracks and silent fingers of the description, in their order
+    [worker] */
+TrackDesign liveTracks (const ModalModel&, const WaveformsDescription&, const TrackSettings&, const FingerFilters&);
 } // namespace antinode

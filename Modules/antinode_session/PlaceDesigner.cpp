@@ -1,17 +1,37 @@
 #include "PlaceDesigner.h"
 
+#include <antinode_documents/FocusFile.h>
 #include <antinode_focus/DesignFocus.h>
+
+#include <nlohmann/json.hpp>
+
+#include <utility>
 
 namespace antinode
 {
+namespace
+{
+/** A request without its limits. */
+std::string textWithoutLimits (FocusDescription focus, Playback playback)
+{
+    focus.allocation.voltageLimit.reset();
+    return focusToJson (focus).dump() + std::to_string (playback.sampleRate);
+}
+} // namespace
+
 void PlaceDesigner::begin (const DesignRequest& request)
 {
-    guarded.reset();
+    auto text = textWithoutLimits (request.focus, request.playback);
 
     if (known != request.model)
         wide.reset();
 
+    if (known != request.model || guardedFocus != text)
+        guarded.reset();
+
     known = request.model;
+    guardedFocus = std::move (text);
+    areGuardsSure = false;
 }
 
 FocusDesign PlaceDesigner::design (const DesignRequest& request, const FocusDescription& focus)
@@ -32,7 +52,7 @@ FocusDesign PlaceDesigner::designSamples (const DesignRequest& request, const Fo
     try
     {
         if (guarded)
-            return designGuarding (*guarded, wide->known, focus, request.playback);
+            return designKeepingGuards (focus, request.playback);
     }
     catch (const LimitError&)
     {
@@ -42,7 +62,21 @@ FocusDesign PlaceDesigner::designSamples (const DesignRequest& request, const Fo
     auto design = designWithin (*wide, focus, request.playback, DesignExtent::playable);
 
     if (! guarded && design.spillOver)
+    {
         guarded = firstModes (wide->model, wide->known + design.spillOver->guardedBeyond);
+        areGuardsSure = true;
+    }
+
+    return design;
+}
+
+/** The first place after limits moved says whether its guards still do; where not, the next one looks for others. */
+FocusDesign PlaceDesigner::designKeepingGuards (const FocusDescription& focus, Playback playback)
+{
+    auto design = designGuarding (*guarded, wide->known, focus, playback);
+
+    if (! std::exchange (areGuardsSure, true) && spillOverShare (*wide, design) > allowedSpillOver)
+        guarded.reset();
 
     return design;
 }

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace antinode
 {
@@ -15,7 +16,8 @@ namespace antinode
 class PlaceDesigner
 {
 public:
-    /** The places that come belong to another request. [worker] */
+    /** The places that come belong to another request. Where only its voltage limit is another one, guards stay.
+     * [worker] */
     void begin (const DesignRequest& request);
 
     /** A focus of the request, at one of its places or another one.
@@ -25,9 +27,12 @@ public:
 
 private:
     FocusDesign designSamples (const DesignRequest&, const FocusDescription&);
+    FocusDesign designKeepingGuards (const FocusDescription&, Playback);
 
     std::shared_ptr<const ModalModel> known; ///< What the wide model was made of.
     std::optional<WideModel> wide;
+    std::string guardedFocus;          ///< As text, without its limit.
     std::optional<ModalModel> guarded; ///< With what the first place guards beyond; none: no place is designed yet.
+    bool areGuardsSure = false;        ///< False: limits moved since they were found.
 };
 } // namespace antinode

@@ -10,7 +10,6 @@ namespace antinode
 {
 namespace
 {
-constexpr int maximumGradients = 400; // iterations of conjugate gradients for one system
 constexpr int maximumTrackSteps = 30; // of Newton
 
 /** The length at which the dual, concave along a line, is highest: doubled while it rises, then bisected. */
@@ -41,19 +40,22 @@ double highestAlong (const LimitedDual& dual, const TrackPoint& point, const Eig
 } // namespace
 
 GradientsResult solveByGradients (WindowedResponses& responses, const Eigen::MatrixXd& free,
-                                  const Eigen::MatrixXd& right, double tolerance)
+                                  const Eigen::MatrixXd& right, double tolerance, int most)
 {
-    GradientsResult result { Eigen::MatrixXd::Zero (right.rows(), right.cols()) };
-    Eigen::MatrixXd residual = right, preconditioned = responses.precondition (residual), direction = preconditioned;
+    GradientsResult result { Eigen::MatrixXd::Zero (right.rows(), right.cols()),
+                             Eigen::MatrixXd::Zero (free.rows(), free.cols()), right };
+    auto& residual = result.left;
+    Eigen::MatrixXd preconditioned = responses.precondition (residual), direction = preconditioned;
     auto rise = product (residual, preconditioned);
 
-    for (; result.iterations < maximumGradients && residual.norm() > tolerance; ++result.iterations)
+    for (; result.iterations < most && residual.norm() > tolerance; ++result.iterations)
     {
         checkWatch();
-        const Eigen::MatrixXd image =
-            responses.motion (responses.pulls (direction).cwiseProduct (free)) + responses.compliance() * direction;
+        const auto pulls = responses.pulls (direction);
+        const Eigen::MatrixXd image = responses.motion (pulls.cwiseProduct (free)) + responses.compliance() * direction;
         const auto step = rise / product (direction, image);
         result.solution += step * direction;
+        result.pulls += step * pulls;
         residual -= step * image;
         preconditioned = responses.precondition (residual);
         const auto next = product (residual, preconditioned);
@@ -123,9 +125,8 @@ void climbLimited (WindowedResponses& responses, const LimitedDual& dual, Limite
         const auto step = solveByGradients (responses, dual.freeSamples (point), point.slope,
                                             std::max (coarse * point.slope.norm(), enough / 2));
         climb.iterations += step.iterations;
-        const auto change = responses.pulls (step.solution);
-        const auto length = highestAlong (dual, point, step.solution, change);
-        point = dual.pointAt (point.multipliers + length * step.solution, point.pulls + length * change);
+        const auto length = highestAlong (dual, point, step.solution, step.pulls);
+        point = dual.pointAt (point.multipliers + length * step.solution, point.pulls + length * step.pulls);
         climb.errorBound = std::max (climb.errorBound, dual.errorBound (point));
     }
 }

@@ -15,16 +15,21 @@ inline double product (const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
 struct GradientsResult
 {
     Eigen::MatrixXd solution;
+    Eigen::MatrixXd pulls; ///< G' x
+    Eigen::MatrixXd left;  ///< Of right.
     int iterations = 0;
 };
+
+inline constexpr int maximumGradients = 400; ///< Iterations of conjugate gradients for one system.
 
 /** (G D G' + lambda) x = right by preconditioned conjugate gradients, D the samples that are free to move.
     @param free       window x actuators, 1 or 0
     @param tolerance  of the norm of what is left of right
+    @param most       iterations
     @throws Cancelled  when a watch of this thread says no
     [worker] */
 GradientsResult solveByGradients (WindowedResponses&, const Eigen::MatrixXd& free, const Eigen::MatrixXd& right,
-                                  double tolerance);
+                                  double tolerance, int most = maximumGradients);
 
 /** Where the dual stands. */
 struct TrackPoint

@@ -28,8 +28,7 @@ TrackSolution solveTracks (WindowedResponses& responses, const Eigen::MatrixXd& 
 {
     const Eigen::MatrixXd free = Eigen::MatrixXd::Ones (responses.windowLength(), responses.actuators());
     auto found = solveByGradients (responses, free, wanted, trackTolerance * wanted.norm());
-    TrackPoint point { std::move (found.solution), {}, {}, {} };
-    point.pulls = responses.pulls (point.multipliers);
+    TrackPoint point { std::move (found.solution), std::move (found.pulls), {}, {} };
     point.voltages = point.pulls;
     point.slope = wanted - responses.motion (point.voltages) - responses.compliance() * point.multipliers;
     auto solution = solutionAt (responses, wanted, point);

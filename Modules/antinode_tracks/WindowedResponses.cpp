@@ -1,10 +1,10 @@
 #include "WindowedResponses.h"
 
 #include <antinode_base/Watch.h>
-#include <antinode_numerics/Decompositions.h>
-#include <antinode_numerics/ParallelFor.h>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <utility>
 
@@ -12,23 +12,92 @@ namespace antinode
 {
 namespace
 {
-Eigen::MatrixXcd preconditioner (const PointResponses& responses, double compliance)
+constexpr Eigen::Index linesPerBlock = 256; // that stay in the cache together
+
+/** H H^H + lambda of some lines: column p + points q. */
+Eigen::MatrixXcd gramLines (const PointResponses& responses, Eigen::Index first, Eigen::Index count, double compliance)
 {
     const auto points = responses.points;
-    Eigen::MatrixXcd inverses (responses.values.rows(), points * points);
+    const auto lines = responses.values.middleRows (first, count);
+    Eigen::MatrixXcd gram = Eigen::MatrixXcd::Zero (count, points * points);
 
-    const auto atLine = [&] (std::size_t index)
+    for (Eigen::Index q = 0; q < points; ++q)
+    {
+        for (Eigen::Index p = q; p < points; ++p)
+        {
+            auto sum = gram.col (p + points * q);
+
+            for (Eigen::Index i = 0; i < responses.actuators; ++i)
+                sum.array() += lines.col (p + points * i).array() * lines.col (q + points * i).array().conjugate();
+
+            gram.col (q + points * p) = sum.conjugate();
+        }
+
+        gram.col (q + points * q).array() += compliance;
+    }
+
+    return gram;
+}
+
+/** The inverses of Hermitian, positive definite matrices, one a row: Gauss's and Jordan's elimination of all at once,
+    which needs no pivots for these. */
+void invertLines (Eigen::MatrixXcd& matrices, Eigen::Index points)
+{
+    const auto at = [&] (Eigen::Index p, Eigen::Index q) { return matrices.col (p + points * q).array(); };
+
+    for (Eigen::Index k = 0; k < points; ++k)
+    {
+        const Eigen::ArrayXcd pivot = at (k, k).real().inverse().cast<std::complex<double>>();
+
+        for (Eigen::Index q = 0; q < points; ++q)
+        {
+            if (q == k)
+                continue;
+
+            const Eigen::ArrayXcd scaled = at (k, q) * pivot;
+
+            for (Eigen::Index p = 0; p < points; ++p)
+                if (p != k)
+                    at (p, q) -= at (p, k) * scaled;
+
+            at (k, q) = scaled;
+        }
+
+        for (Eigen::Index p = 0; p < points; ++p)
+            if (p != k)
+                at (p, k) *= -pivot;
+
+        at (k, k) = pivot;
+    }
+}
+
+Eigen::MatrixXcd preconditioner (const PointResponses& responses, double compliance, std::size_t threads)
+{
+    const auto lines = responses.values.rows();
+    Eigen::MatrixXcd inverses (lines, responses.points * responses.points);
+
+    const auto ofBlock = [&] (std::size_t block)
     {
         checkWatch();
-        const auto line = static_cast<Eigen::Index> (index);
-        const auto response = responses.atLine (line);
-        Eigen::MatrixXcd gram = response * response.adjoint();
-        gram.diagonal().array() += compliance;
-        const Eigen::MatrixXcd inverse = solveSemidefinite (gram, Eigen::MatrixXcd::Identity (points, points));
-        inverses.row (line) = Eigen::Map<const Eigen::RowVectorXcd> (inverse.data(), inverse.size());
+        const auto first = static_cast<Eigen::Index> (block) * linesPerBlock;
+        const auto count = std::min (linesPerBlock, lines - first);
+        auto matrices = gramLines (responses, first, count, compliance);
+        invertLines (matrices, responses.points);
+        inverses.middleRows (first, count) = matrices;
     };
-    parallelFor (static_cast<std::size_t> (inverses.rows()), atLine);
+    parallelFor (static_cast<std::size_t> ((lines + linesPerBlock - 1) / linesPerBlock), ofBlock, threads);
     return inverses;
+}
+
+/** One a thread. */
+std::vector<std::unique_ptr<FourierTables>> fourierTables (std::size_t threads)
+{
+    std::vector<std::unique_ptr<FourierTables>> tables;
+
+    for (std::size_t i = 0; i < threads; ++i)
+        tables.push_back (std::make_unique<FourierTables>());
+
+    return tables;
 }
 
 /** The window of a stage: it rises after the stage before and falls until the next one, as a sine and a cosine, so that
@@ -65,23 +134,21 @@ PointResponses frozenResponses (const PointResponses& nodes, const MovingPoints&
 }
 
 WindowedResponses::WindowedResponses (PointResponses responsesToUse, Eigen::Index windowToUse, double compliance,
-                                      MovingPoints movingToUse)
+                                      MovingPoints movingToUse, std::size_t threads)
     : responses (std::move (responsesToUse)), moving (std::move (movingToUse)), window (windowToUse),
-      lambda (compliance), inverses (stageInverses())
+      lambda (compliance), tables (fourierTables (threads)), inverses (stageInverses())
 {
-    for (std::size_t i = 0; i < processorThreads(); ++i)
-        tables.push_back (std::make_unique<FourierTables>());
 }
 
 std::vector<Eigen::MatrixXcd> WindowedResponses::stageInverses() const
 {
     if (moving.points.empty())
-        return { preconditioner (responses, lambda) };
+        return { preconditioner (responses, lambda, tables.size()) };
 
     std::vector<Eigen::MatrixXcd> all;
 
     for (const auto sample : moving.stages)
-        all.push_back (preconditioner (frozenResponses (responses, moving, sample), lambda));
+        all.push_back (preconditioner (frozenResponses (responses, moving, sample), lambda, tables.size()));
 
     return all;
 }
@@ -95,16 +162,17 @@ void WindowedResponses::setCompliance (double compliance)
 /** Every table is used by one thread: signal i by that of i modulo their number. */
 void WindowedResponses::forEach (Eigen::Index count, const std::function<void (Eigen::Index, FourierTables&)>& work)
 {
-    parallelFor (tables.size(),
-                 [&] (std::size_t stripe)
-                 {
-                     for (auto i = static_cast<Eigen::Index> (stripe); i < count;
-                          i += static_cast<Eigen::Index> (tables.size()))
-                     {
-                         checkWatch();
-                         work (i, *tables[stripe]);
-                     }
-                 });
+    parallelFor (
+        tables.size(),
+        [&] (std::size_t stripe)
+        {
+            for (auto i = static_cast<Eigen::Index> (stripe); i < count; i += static_cast<Eigen::Index> (tables.size()))
+            {
+                checkWatch();
+                work (i, *tables[stripe]);
+            }
+        },
+        tables.size());
 }
 
 Eigen::MatrixXcd WindowedResponses::spectra (const Eigen::MatrixXd& signalsToTransform)

@@ -3,6 +3,7 @@
 #include "PointResponses.h"
 
 #include <antinode_numerics/Fourier.h>
+#include <antinode_numerics/ParallelFor.h>
 
 #include <Eigen/Core>
 
@@ -25,15 +26,17 @@ struct MovingPoints
 PointResponses frozenResponses (const PointResponses& nodes, const MovingPoints&, Eigen::Index sample);
 
 /** G: from voltages that are 0 outside a window to displacement at the points over the whole of an event, by Fourier
-    transforms, never as a matrix. Signals are columns. One thread at a time calls; each call uses all threads. */
+    transforms, never as a matrix. Signals are columns. One thread at a time calls; each call uses as many as it may. */
 class WindowedResponses
 {
 public:
     /** @param window      samples that voltages may differ from 0, from the first on
         @param compliance  lambda of the preconditioner, m^2/V^2, above 0
         @param moving      where points move: the responses are those of their nodes; without nodes: of the points
+        @param threads     at least 1
         [worker] */
-    WindowedResponses (PointResponses, Eigen::Index window, double compliance, MovingPoints moving = {});
+    WindowedResponses (PointResponses, Eigen::Index window, double compliance, MovingPoints moving = {},
+                       std::size_t threads = processorThreads());
 
     /** G u. @param voltages  window x actuators @return  length x points [worker] */
     Eigen::MatrixXd motion (const Eigen::MatrixXd& voltages);
@@ -69,7 +72,7 @@ private:
     MovingPoints moving;
     Eigen::Index window;
     double lambda;
+    std::vector<std::unique_ptr<FourierTables>> tables; // of each thread
     std::vector<Eigen::MatrixXcd> inverses; // of each stage (length / 2 + 1) x points^2: column p + points q
-    std::vector<std::unique_ptr<FourierTables>> tables;
 };
 } // namespace antinode

@@ -20,6 +20,7 @@ namespace antinode
 {
 namespace
 {
+constexpr double usualRate = 192000; // Hz
 constexpr const char* bandLimited = "band_limited";
 constexpr const char* zeroOrderHold = "zero_order_hold";
 
@@ -64,6 +65,13 @@ Finger parseFinger (const std::string& text)
     return finger;
 }
 
+[[noreturn]] void failDevices (const std::string& focus, const std::string& device, const std::string& otherFocus,
+                               const std::string& otherDevice)
+{
+    throw InputError (focus, "is for the device '" + device + "', and " + otherFocus + " for '" + otherDevice
+                                 + "'; allowed: one device for all, or --device");
+}
+
 /** With the fingers of the options beside its own. */
 FocusDescription withFingers (FocusDescription focus, const std::vector<std::string>& fingers)
 {
@@ -74,20 +82,48 @@ FocusDescription withFingers (FocusDescription focus, const std::vector<std::str
 
 Playback CommonOptions::playback() const
 {
-    return { reconstruction == bandLimited ? Reconstruction::bandLimited : Reconstruction::zeroOrderHold, rate };
+    return { reconstruction.value_or (bandLimited) == bandLimited ? Reconstruction::bandLimited
+                                                                  : Reconstruction::zeroOrderHold,
+             rate.value_or (usualRate) };
+}
+
+std::string deviceFor (LibraryKind kind, const std::vector<std::string>& documents, const std::string& given,
+                       const std::string& usual, const std::vector<std::string>& assignments)
+{
+    if (! given.empty())
+        return given;
+
+    std::string device, first;
+
+    for (const auto& document : documents)
+    {
+        const auto named = namedDevice (kind, document, assignments);
+
+        if (! named.empty() && ! device.empty() && named != device)
+            failDevices (documentSource (kind, document), named, first, device);
+
+        if (device.empty() && ! named.empty())
+        {
+            device = named;
+            first = documentSource (kind, document);
+        }
+    }
+
+    return device.empty() ? usual : device;
 }
 
 void addCommonOptions (CLI::App& command, CommonOptions& options)
 {
-    command.add_option ("--device", options.device, "Device: an embedded name or a .json file")->capture_default_str();
+    command.add_option ("--device", options.device,
+                        "Device: an embedded name or a .json file (default: the one that the focus names, else "
+                        "staple)");
     command.add_option ("--out", options.folder, "Output folder")->capture_default_str();
-    command.add_option ("--rate", options.rate, "Sample rate, Hz")->capture_default_str();
+    command.add_option ("--rate", options.rate, "Sample rate, Hz (default: 192000)")->type_name ("FLOAT");
     command
         .add_option ("--reconstruction", options.reconstruction,
-                     "Reconstruction of voltages from samples: by an audio interface (band_limited) or a generator "
-                     "that holds samples")
-        ->check (CLI::IsMember ({ bandLimited, zeroOrderHold }))
-        ->capture_default_str();
+                     "Reconstruction of voltages from samples: by an audio interface (band_limited, the default) or a "
+                     "generator that holds samples")
+        ->check (CLI::IsMember ({ bandLimited, zeroOrderHold }));
     command
         .add_option ("--set", options.assignments, "Overrides a key, for example focus.targets.0.x_mm=24 (repeatable)")
         ->allow_extra_args (false)
@@ -124,7 +160,7 @@ void printPower (const ModalModel& model, const FocusPower& power)
 ModalModel modelFrom (const CommonOptions& options)
 {
     checkAssignments (options.assignments);
-    checkSampleRate (options.rate);
+    checkSampleRate (options.playback().sampleRate);
     return solveDevice (loadDevice (options.device, options.assignments), {}, options.usesCache);
 }
 

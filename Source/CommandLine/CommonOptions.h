@@ -1,10 +1,12 @@
 #pragma once
 
 #include <antinode_focus/WideDesign.h>
+#include <antinode_library/Library.h>
 #include <antinode_render/RenderedFocus.h>
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,18 +16,28 @@ namespace antinode
 struct CommonOptions
 {
     std::string focus = "demonstrator";
-    std::string device = "staple";
+    std::string device; ///< Empty: the one that the focus names, else `staple`.
     std::string folder = "antinode-out";
-    double rate = 192000; ///< Hz
-    std::string reconstruction = "band_limited";
-    double repetitions = 10;   ///< Per second, for the electrical power.
-    std::string thresholdFile; ///< What skin feels; empty: the built-in table.
+    std::optional<double> rate;                ///< Hz; none: 192000
+    std::optional<std::string> reconstruction; ///< None: "band_limited"
+    double repetitions = 10;                   ///< Per second, for the electrical power.
+    std::string thresholdFile;                 ///< What skin feels; empty: the built-in table.
     std::vector<std::string> assignments, fingers;
     bool usesCache = true;
     bool isQuiet = false;
 
     Playback playback() const;
 };
+
+/** What a command without --device works on where its focus names no device. */
+inline constexpr const char* usualDevice = "staple";
+
+/** The device of all these focuses.
+    @param given  the one that an option gives; empty: none
+    @param usual  where none is named
+    @throws InputError  where they name different ones [worker] */
+std::string deviceFor (LibraryKind, const std::vector<std::string>& documents, const std::string& given,
+                       const std::string& usual, const std::vector<std::string>& assignments);
 
 /** The lines of a focus's electrical power, as wide as those of its scores. [any] */
 void printPower (const ModalModel&, const FocusPower&);

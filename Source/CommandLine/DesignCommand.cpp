@@ -55,7 +55,7 @@ void design (const DesignCommandOptions& all)
     folder.write ("design.json", designDocument (made, power).dump (2) + "\n");
 
     if (all.isForMatlab)
-        folder.write ("design.mat", encodeDesignForMatlab (result, model));
+        folder.write ("design.mat", encodeDesignForMatlab (result, designedModel (made.wide)));
 
     if (all.tolerance.isWanted)
     {
@@ -210,6 +210,13 @@ void addDesignCommand (CLI::App& app)
         "Compares all methods and growths instead: peak voltage against time in motion; of a focus with "
         "'felt' its weights: peak voltage against felt contrast");
     tradeoff->excludes (command->get_option ("--tolerance"))->excludes (matlab);
-    command->callback ([options] { options->isTradeoff ? sweep (options->common) : design (*options); });
+    command->callback (
+        [options]
+        {
+            auto& common = options->common;
+            common.device =
+                deviceFor (LibraryKind::focus, { common.focus }, common.device, usualDevice, common.assignments);
+            options->isTradeoff ? sweep (common) : design (*options);
+        });
 }
 } // namespace antinode

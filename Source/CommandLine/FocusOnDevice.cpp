@@ -63,11 +63,15 @@ FocusPower designedPower (const WideDesign& made, Playback playback, double repe
     }
 }
 
+ModalModel designedModel (const WideModel& wide)
+{
+    return wide.designed ? *wide.designed : firstModes (wide.model, wide.known);
+}
+
 nlohmann::ordered_json designDocument (const WideDesign& made, const FocusPower& power)
 {
-    const auto model = firstModes (made.wide.model, made.wide.known);
-    auto document = designToJson (made.design, model);
-    document["power"] = powerToJson (model, power);
+    auto document = designToJson (made.design, designedModel (made.wide));
+    document["power"] = powerToJson (firstModes (made.wide.model, made.wide.known), power);
     return document;
 }
 } // namespace antinode

@@ -29,6 +29,9 @@ WideDesign designOn (const DeviceDescription&, const WideModel& wide, const Focu
     @param repetitions  per second [worker] */
 FocusPower designedPower (const WideDesign&, Playback, double repetitions);
 
+/** The modes that a design on a wide model knows: under fingers that it knows those of the loaded surface. [any] */
+ModalModel designedModel (const WideModel&);
+
 /** design.json. [worker] Docs/FileFormats.md. */
 nlohmann::ordered_json designDocument (const WideDesign&, const FocusPower&);
 } // namespace antinode

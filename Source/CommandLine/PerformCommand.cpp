@@ -20,7 +20,7 @@ namespace
 {
 struct PerformOptions
 {
-    std::string waveforms = "three-fingers", device = "glass-148x210", folder = "antinode-out", thresholdFile;
+    std::string waveforms = "three-fingers", device, folder = "antinode-out", thresholdFile;
     double rate = 48000; // Hz
     double latency = 0;  // ms
     std::vector<std::string> assignments, passes;
@@ -74,7 +74,9 @@ void perform (const PerformOptions& options)
     settings.sampleRate = options.rate;
     settings.latency = options.latency / milli;
     settings.threshold = findSkinThreshold (options.thresholdFile);
-    const auto device = loadDevice (options.device, options.assignments);
+    const auto device = loadDevice (
+        deviceFor (LibraryKind::waveforms, { options.waveforms }, options.device, "glass-148x210", options.assignments),
+        options.assignments);
     show ("Modes of the device", 0);
     const auto [known, judge] = trackModels (device, options.usesCache);
     const auto passes = readRecordedPasses (options.passes, known, description.band, options.sensor);
@@ -93,8 +95,9 @@ void addPerformCommand (CLI::App& app)
     auto options = std::make_shared<PerformOptions>();
     command->add_option ("waveforms", options->waveforms, "Waveforms: an embedded name or a .json file")
         ->capture_default_str();
-    command->add_option ("--device", options->device, "Device: an embedded name or a .json file")
-        ->capture_default_str();
+    command->add_option ("--device", options->device,
+                         "Device: an embedded name or a .json file (default: the one that the waveforms name, else "
+                         "glass-148x210)");
     command->add_option ("--out", options->folder, "Output folder")->capture_default_str();
     command->add_option ("--rate", options->rate, "Sample rate, Hz")
         ->check (CLI::Range (1000.0, 2e6))

@@ -5,6 +5,7 @@
 #include "Progress.h"
 #include "RenderFiles.h"
 #include "RenderSeries.h"
+#include "WrittenDesign.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
@@ -35,7 +36,7 @@ struct RenderCommandOptions
     int blockSize = 512;
     RenderedFiles files;
     std::vector<std::string> focuses { "demonstrator" };
-    std::string placesFile, rankBy = "field_error";
+    std::string designFile, placesFile, rankBy = "field_error";
 };
 
 /** "X" or "X,Y" in mm. */
@@ -113,7 +114,8 @@ void renderOne (const RenderCommandOptions& options)
 {
     Progress progress (options.common.isQuiet);
     const auto settings = renderOptions (options);
-    auto made = designFrom (options.common);
+    auto made =
+        options.designFile.empty() ? designFrom (options.common) : writtenDesign (options.common, options.designFile);
     const auto focus = renderFocus (std::move (made.wide), std::move (made.design), settings,
                                     [&] (double share) { progress.show ("Rendering", share); });
     const auto outcome = evaluateOutcome (focus);
@@ -192,11 +194,13 @@ void addRenderCommand (CLI::App& app)
     auto* command =
         app.add_subcommand ("render", "Renders a focus: voltages, velocities, scores and a report with figures");
     auto options = std::make_shared<RenderCommandOptions>();
-    command
-        ->add_option ("focus", options->focuses,
-                      "Focus: an embedded name or a .json file; several: each into a folder of its own")
-        ->capture_default_str();
+    auto* focus = command->add_option (
+        "focus", options->focuses, "Focus: an embedded name or a .json file; several: each into a folder of its own");
+    focus->capture_default_str();
     addCommonOptions (*command, options->common);
+    auto* design = command->add_option ("--design", options->designFile,
+                                        "Plays a design.json that was written before, in place of a focus");
+    design->type_name ("FILE")->excludes (focus)->excludes (command->get_option ("--finger"));
     command->add_option ("--probe", options->probes, "Position of a velocity probe, mm (repeatable)")
         ->allow_extra_args (false)
         ->type_name ("X,Y");
@@ -215,7 +219,8 @@ void addRenderCommand (CLI::App& app)
         ->allow_extra_args (false);
     command->add_option ("--threshold", options->common.thresholdFile,
                          "CSV of Hz and um: what skin feels, in place of the built-in table");
-    command->add_option ("--places", options->placesFile, "CSV of x and y in mm: the focus at each of these places");
+    command->add_option ("--places", options->placesFile, "CSV of x and y in mm: the focus at each of these places")
+        ->excludes (design);
     command
         ->add_option ("--rank-by", options->rankBy,
                       "Number of summary.json by which several focuses are ranked in scores.csv")
@@ -223,7 +228,14 @@ void addRenderCommand (CLI::App& app)
     command->callback (
         [options]
         {
-            options->common.focus = options->focuses.front();
+            auto& common = options->common;
+            common.focus = options->focuses.front();
+
+            if (! options->designFile.empty())
+                completeFrom (common, options->designFile);
+            else
+                common.device =
+                    deviceFor (LibraryKind::focus, options->focuses, common.device, usualDevice, common.assignments);
 
             if (options->focuses.size() == 1 && options->placesFile.empty())
                 renderOne (*options);

@@ -126,7 +126,7 @@ void writeRendered (const std::filesystem::path& path, const RenderedFocus& focu
     OutputFolder folder (path);
     writeSamples (folder, focus, files.format);
     writeFields (folder, focus);
-    folder.write ("design.json", designToJson (focus.design, focus.model).dump (2) + "\n");
+    folder.write ("design.json", designToJson (focus.design, focus.known).dump (2) + "\n");
     folder.write ("summary.json", summaryToJson (focus, outcome).dump (2) + "\n");
 
     if (files.hasReport || ! files.figures.empty())

@@ -90,7 +90,7 @@ void saveDesign (const DesignValue& design, const std::string& path)
 std::string designNumbers (const DesignValue& design)
 {
     const auto& wide = design.made.wide;
-    return designToJson (design.made.design, firstModes (wide.model, wide.known)).dump();
+    return designToJson (design.made.design, designedModel (wide)).dump();
 }
 
 py::list oscillations (const DesignValue& design)

@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <tuple>
 
 using namespace antinode;
 using test::readContent;
@@ -223,6 +224,53 @@ TEST_CASE ("design and render agree on design.json", "[command line]")
     auto rendered = nlohmann::json::parse (readContent (second.path() / "design.json"));
     CHECK (designed.at ("oscillations") == rendered.at ("oscillations"));
     CHECK (designed.at ("allocation") == rendered.at ("allocation"));
+}
+
+TEST_CASE ("A design that was written plays the same voltages again, without its focus or device", "[command line]")
+{
+    const TemporaryFolder folder;
+    const auto first = folder.path() / "first", again = folder.path() / "again";
+    const std::vector<std::string> common { "--no-report", "--quiet", "--rate", "48000", "--device", "beam" };
+    auto render =
+        std::vector<std::string> { "render", "--set", "focus.allocation.method=free_waveform", "--out", first };
+    render.insert (render.end(), common.begin(), common.end());
+    REQUIRE (runProgram (render).exitCode == 0);
+    const auto design = (first / "design.json").string();
+    const auto run = runProgram ({ "render", "--no-report", "--design", design, "--out", again });
+    REQUIRE (run.exitCode == 0);
+    CHECK (readContent (first / "voltages.wav") == readContent (again / "voltages.wav"));
+    const auto summary = nlohmann::json::parse (readContent (again / "summary.json"));
+    CHECK (summary.at ("device") == "beam");
+    CHECK (summary.at ("sample_rate_Hz") == 48000);
+
+    for (const auto& [option, value, sentence] :
+         { std::tuple { "--rate", "96000", "has samples of 48000 Hz" },
+           { "--device", "staple", "is 'beam'" },
+           { "--set", "focus.targets.0.x_mm=3", "changes a focus that is designed already" } })
+    {
+        const auto refused = runProgram ({ "render", "--design", design, "--out", again, option, value });
+        CHECK (refused.exitCode == 1);
+        CHECK (linesIn (refused.errors) == 1);
+        CHECK_THAT (refused.errors, Catch::Contains (sentence));
+    }
+
+    CHECK (runProgram ({ "render", "demonstrator", "--design", design }).exitCode == 2);
+}
+
+TEST_CASE ("A focus plays on the device that it names; several must name one", "[command line]")
+{
+    const TemporaryFolder folder;
+    const auto named = runProgram ({ "design", "--set", "focus.device=beam", "--out", folder.path() });
+    REQUIRE (named.exitCode == 0);
+    CHECK_THAT (named.output, Catch::Contains ("demonstrator on beam"));
+    const auto given =
+        runProgram ({ "design", "--device", "staple", "--set", "focus.device=beam", "--out", folder.path() });
+    CHECK_THAT (given.output, Catch::Contains ("demonstrator on staple"));
+    const auto mixed = runProgram ({ "render", "demonstrator", "phone-thumb", "--out", folder.path() });
+    CHECK (mixed.exitCode == 1);
+    CHECK (mixed.errors
+           == "antinode: focus 'phone-thumb': is for the device 'phone', and focus 'demonstrator' for 'staple'; "
+              "allowed: one device for all, or --device\n");
 }
 
 TEST_CASE ("Solved modes are kept for the next run, without a cache they are not", "[command line]")

@@ -162,7 +162,8 @@ TEST_CASE ("Errors for typical mistakes in focuses give their position and what 
            == "my.json: /allocation/robust/frequency_percent: is 11; allowed: 0 to 10");
     CHECK (errorWith ("edge_window={\"tukey\": 1.5}") == "my.json: /edge_window/tukey: is 1.5; allowed: 0 to 1");
     CHECK (errorWith ("probes_mm.0=[1]") == "my.json: /probes_mm/0: has 1 entries; allowed: a list of 2");
-    CHECK (errorWith ("device=staple").find ("my.json: /device: is an unknown key; allowed: 'schema', 'name', ") == 0);
+    CHECK (errorWith ("plate=staple").find ("my.json: /plate: is an unknown key; allowed: 'schema', 'name', 'device', ")
+           == 0);
 }
 
 TEST_CASE ("Fingers of a focus are read and written; what is not given is that of their kind", "[files][fingers]")

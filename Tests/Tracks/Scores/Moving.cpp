@@ -11,9 +11,8 @@ namespace antinode::scores
 namespace
 {
 constexpr double speed = 0.1, way = 0.05; // m/s, m
+} // namespace
 
-/** The layout of this seed with its target on a straight way of 50 mm, in a seeded direction, at least 25 mm from the
-    others everywhere. */
 WaveformsDescription movingLayout (const Surface& surface, int count, const std::string& signal, int seed)
 {
     for (int attempt = 0;; ++attempt)
@@ -39,11 +38,19 @@ WaveformsDescription movingLayout (const Surface& surface, int count, const std:
                         && std::hypot (placeAt (target, time).x - other.x, placeAt (target, time).y - other.y) >= 0.025;
 
             if (clear)
+            {
+                auto& sound = description.tracks[0].signal;
+
+                if (signal == "AM")
+                    std::get<ToneSignal> (sound).duration = way / speed;
+                else
+                    std::get<NoiseSignal> (sound).duration = way / speed;
+
                 return description;
+            }
         }
     }
 }
-} // namespace
 
 void movingTable (const Device& device, int layouts)
 {
@@ -54,14 +61,7 @@ void movingTable (const Device& device, int layouts)
 
             for (int seed = 1; seed <= layouts; ++seed)
             {
-                auto description = movingLayout (device.known.surface, count, signal, seed);
-                auto& sound = description.tracks[0].signal;
-
-                if (signal == "AM")
-                    std::get<ToneSignal> (sound).duration = way / speed;
-                else
-                    std::get<NoiseSignal> (sound).duration = way / speed;
-
+                const auto description = movingLayout (device.known.surface, count, signal, seed);
                 const auto design = designTracks (device.known, description, usualSettings());
                 const auto scores = judged (device.judge, design);
                 volts.values.push_back (design.peaks.maxCoeff());

@@ -54,7 +54,19 @@ void fingersTable (const Device&, int layouts);
 /** Bystanders after the first pass and after each of three corrections, of the pass that has recorded best so far. */
 void passesTable (const Device&, int layouts);
 
+/** The layout of this seed with its target on a straight way of 50 mm at 100 mm/s, at least 25 mm from the others; its
+    signal, "AM" or "music", lasts as long. */
+WaveformsDescription movingLayout (const Surface&, int count, const std::string& signal, int seed);
+
 /** A target that moves 50 mm at 100 mm/s, the others silent: volts, error of the target, the worst bystander within the
     band and of all frequencies, dB, iterations. */
 void movingTable (const Device&, int layouts);
+
+/** Filters of 20 ms of latency, for music of 10 and 5 too, with the least error, and those within milliseconds: volts,
+   the worst bystander, error of the target, CPU of a design with a track for every point. */
+void quickTable (const Device&, int layouts);
+
+/** A target as of movingTable played live, by banks of quick filters that fade into each other every 5 or 10 ms, of the
+    place at the end of the fade or 20 ms before. */
+void movingLiveTable (const Device&, int layouts);
 } // namespace antinode::scores

@@ -1,0 +1,99 @@
+#include "FilterProblem.h"
+
+#include "RateChange.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
+#include <antinode_numerics/Fourier.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <string>
+
+namespace antinode
+{
+namespace
+{
+constexpr double filterRatesPerBand = 4; // the filters' rate over the band's upper frequency, at least
+constexpr double filterRinging = 0.2;    // s after the last tap that counts
+constexpr double longestLatency = 0.1;   // s
+constexpr Eigen::Index leastDelay = 4;   // samples of the filters
+constexpr double weightEnd = 1.5;        // times the band's upper frequency
+
+/** How much an error counts at a frequency: all of it up to the end of the band, nothing above one and a half times
+    that. A lower end would be felt by none, and last longer than the filters. */
+double filterWeight (TrackBand band, double frequency)
+{
+    const auto share = std::clamp ((weightEnd - frequency / band.upper) / (weightEnd - 1), 0.0, 1.0);
+    return share * share * (3 - 2 * share);
+}
+} // namespace
+
+double highestWeighed (TrackBand band)
+{
+    return weightEnd * band.upper;
+}
+
+FilterSpan filterSpan (TrackBand band, const FilterSettings& settings)
+{
+    const auto least = filterRatesPerBand * band.upper;
+
+    if (! (settings.sampleRate >= least))
+        throw InputError ("sample rate", "is " + inWords (settings.sampleRate) + " Hz; allowed for a band up to "
+                                             + inWords (band.upper) + " Hz: " + inWords (least) + " Hz or more");
+
+    FilterSpan span {};
+    span.factor = static_cast<Eigen::Index> (settings.sampleRate / least);
+    span.rate = settings.sampleRate / static_cast<double> (span.factor);
+    span.delay = std::llround (settings.latency * span.rate) - 2 * rateChangeReach;
+    const auto shortest = static_cast<double> (leastDelay + 2 * rateChangeReach) / span.rate;
+
+    if (! (settings.latency >= shortest && settings.latency <= longestLatency))
+        throw InputError ("latency", "is " + inWords (settings.latency * milli)
+                                         + " ms; allowed: " + inWords (std::ceil (shortest * milli)) + " to "
+                                         + inWords (longestLatency * milli) + " ms");
+
+    span.taps = std::max<Eigen::Index> (std::llround (settings.length * span.rate), 2 * span.delay);
+    span.length = quickLength (static_cast<double> (span.taps) + filterRinging * span.rate);
+    return span;
+}
+
+void weighLines (PointResponses& responses, TrackBand band)
+{
+    for (Eigen::Index line = 0; line < responses.values.rows(); ++line)
+        responses.values.row (line) *= filterWeight (band, responses.sampleRate * static_cast<double> (line)
+                                                               / static_cast<double> (responses.length));
+}
+
+Eigen::VectorXd weighedImpulse (const FilterSpan& span, TrackBand band)
+{
+    Eigen::VectorXcd lines (span.length / 2 + 1);
+
+    for (Eigen::Index line = 0; line < lines.size(); ++line)
+    {
+        const auto turns = static_cast<double> (line) / static_cast<double> (span.length);
+        lines[line] = std::polar (filterWeight (band, turns * span.rate),
+                                  -2 * std::numbers::pi * turns * static_cast<double> (span.delay));
+    }
+
+    return inverseFourier (lines, span.length);
+}
+
+double filterError (const GradientsResult& found, double compliance, const Eigen::VectorXd& impulse)
+{
+    return (found.left + compliance * found.solution).norm() / impulse.norm();
+}
+
+void requireFixedPoints (const WaveformsDescription& description)
+{
+    const auto points = touchedPoints (description);
+
+    for (std::size_t p = 0; p < points.size(); ++p)
+        if (! points[p].path.empty())
+            throw InputError ("waveforms: " + pointInWords (description, p) + " path",
+                              "is known beforehand only; filters for live inputs take places");
+}
+} // namespace antinode
