@@ -25,8 +25,8 @@ juce::String latencyVoltsText (const TouchSnapshot& snapshot, const TouchControl
 
     for (std::size_t i = 0; i < touchLatencies.size(); ++i)
         if (const auto volts = noiseVolts (snapshot, controls, i))
-            parts.add (juce::String (juce::roundToInt (1000 * touchLatencies[i]))
-                       + " ms: " + (*volts < 10 ? juce::String (*volts, 1) : juce::String (juce::roundToInt (*volts))) + " V");
+            parts.add (juce::String (juce::roundToInt (1000 * touchLatencies[i])) + " ms: "
+                       + (*volts < 10 ? juce::String (*volts, 1) : juce::String (juce::roundToInt (*volts))) + " V");
 
     return parts.joinIntoString (",  ");
 }
