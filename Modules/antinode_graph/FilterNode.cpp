@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace antinode
@@ -23,10 +24,10 @@ Eigen::Index fadeSamples (const FilterSettings& settings, const FilterBank& bank
     return std::max<Eigen::Index> (1, std::llround (FilterNode::fadeTime * filterRate (settings, bank)));
 }
 
-float usableSample (double value)
+double usableSample (double value)
 {
     constexpr auto most = static_cast<double> (FilterNode::largestSample);
-    return std::isfinite (value) ? static_cast<float> (std::clamp (value, -most, most)) : 0.0F;
+    return std::isfinite (value) ? std::clamp (value, -most, most) : 0.0;
 }
 } // namespace
 
@@ -35,7 +36,7 @@ FilterNode::FilterNode (int ceramicsToDrive, int inputsToTake, TrackBand band, c
     : ceramics (ceramicsToDrive), playing (bankAtFirst (ceramics, inputsToTake, band, settings)),
       player (*playing, fadeSamples (settings, *playing)),
       asked (filterRate (settings, *playing), band, threshold, playing->taps, inputsToTake),
-      wantedLevels (static_cast<std::size_t> (inputsToTake), 0.0), levels (wantedLevels),
+      offsets (static_cast<std::size_t> (inputsToTake), 0.0), wantedLevels (offsets), levels (wantedLevels),
       gains (static_cast<std::size_t> (inputsToTake), SafetyRamp (0)), sample (inputsToTake), voltages (ceramics)
 {
 }
@@ -45,6 +46,7 @@ FilterNode::~FilterNode() = default;
 void FilterNode::prepare (const NodeFormat& format)
 {
     rampSamples = std::max<std::int64_t> (1, std::llround (rampTime * format.sampleRate));
+    offsetShare = 1 - std::exp (-2 * std::numbers::pi * offsetCorner / format.sampleRate);
     scaled = PlanarBuffer<float> (inputs(), format.longestBlock);
 }
 
@@ -52,6 +54,7 @@ void FilterNode::reset()
 {
     player.reset();
     asked.reset();
+    std::fill (offsets.begin(), offsets.end(), 0.0);
 }
 
 /** A bank waits while two of them sound; the one that has faded out goes back. */
@@ -74,6 +77,14 @@ void FilterNode::exchangeBanks()
         }
 }
 
+/** In m at the largest level. */
+float FilterNode::withoutOffset (std::size_t input, double sample)
+{
+    const auto rest = sample - offsets[input];
+    offsets[input] += offsetShare * rest;
+    return static_cast<float> (largestLevel * rest);
+}
+
 template <typename Sample>
 void FilterNode::takeInputs (const NodeBlock<Sample>& block)
 {
@@ -82,7 +93,7 @@ void FilterNode::takeInputs (const NodeBlock<Sample>& block)
         auto* const channel = scaled.channel (j);
 
         for (int n = 0; n < block.count; ++n)
-            channel[n] = usableSample (static_cast<double> (block.inputs[j][n])) * static_cast<float> (largestLevel);
+            channel[n] = withoutOffset (j, usableSample (static_cast<double> (block.inputs[j][n])));
 
         if (std::exchange (levels[j], wantedLevels[j]) != wantedLevels[j])
             gains[j].setTarget (wantedLevels[j], rampSamples);

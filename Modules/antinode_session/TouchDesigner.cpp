@@ -14,6 +14,7 @@ namespace antinode
 {
 namespace
 {
+constexpr double worstQuickError = 0.1;                           // of the wanted motion: -20 dB
 constexpr std::array loadWords { "", "light", "medium", "firm" }; // of FingerLoad
 
 /** The fingers that rest, those with an input first: the order of touchedPoints. */
@@ -148,5 +149,31 @@ void TouchDesigner::makeDesign (std::size_t latency, const ShowProgress& progres
     {
         throw InputError ({}, namingFingers (failure.what(), description, resting));
     }
+}
+
+std::unique_ptr<const FilterBank> TouchDesigner::quickBank (std::size_t latency)
+try
+{
+    const auto description = touchedBy (model->surface, places, inputs);
+
+    if (description.tracks.empty())
+        return nullptr;
+
+    if (quick[latency] == nullptr)
+        quick[latency] =
+            std::make_unique<const QuickFilterDesigner> (model, description.band, filterSettings (rate, latency));
+
+    const auto filters = quick[latency]->design (description);
+
+    if (! (filters.error <= worstQuickError))
+        return nullptr;
+
+    const auto resting = restingFingers (places);
+    return std::make_unique<const FilterBank> (
+        filterBank (filters, { resting.begin(), resting.begin() + std::ssize (description.tracks) }, inputs));
+}
+catch (const InputError&)
+{
+    return nullptr; // The design that follows says why.
 }
 } // namespace antinode

@@ -3,6 +3,7 @@
 #include "TouchSettings.h"
 
 #include <antinode_live/FilterBank.h>
+#include <antinode_live/QuickFilterDesigner.h>
 #include <antinode_model/ModalModel.h>
 #include <antinode_tracks/Waveforms.h>
 
@@ -45,6 +46,12 @@ public:
         [session's thread] */
     void makeDesign (std::size_t latency, const ShowProgress& progress);
 
+    /** What plays until that is made: filters for the same places within milliseconds, behind the first that take
+       longer. None where they would leave more than -20 dB at other fingers.
+        @throws  as makeDesign, but does not refuse fingers that cannot be told apart
+        [session's thread] */
+    std::unique_ptr<const FilterBank> quickBank (std::size_t latency);
+
     /** How filters are designed at a rate. [any] */
     static FilterSettings filterSettings (double sampleRate, std::size_t latency);
 
@@ -54,5 +61,6 @@ private:
     int inputs;
     TouchSettings places; ///< As if all that rest played, at the same latency.
     std::array<std::shared_ptr<const TouchDesign>, touchLatencies.size()> designs;
+    std::array<std::unique_ptr<const QuickFilterDesigner>, touchLatencies.size()> quick;
 };
 } // namespace antinode

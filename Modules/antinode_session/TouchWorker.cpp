@@ -15,6 +15,7 @@ namespace antinode
 namespace
 {
 constexpr auto touchInterval = std::chrono::milliseconds (4);  // between looks at the parameters
+constexpr auto touchRest = std::chrono::milliseconds (20);     // for which fingers have stayed where they are
 constexpr auto touchPatience = std::chrono::milliseconds (40); // of a host that prepares us
 constexpr double usualTouchRate = 48000;                       // Hz, before a host says its own
 
@@ -100,7 +101,10 @@ void TouchWorker::run()
     {
         for (std::uint64_t round = 0; awaitRound (round);)
         {
-            step();
+            do
+                step();
+            while (! isSettled());
+
             {
                 const std::lock_guard lock (mutex);
                 roundsDone = round;
@@ -223,61 +227,110 @@ void TouchWorker::buildPath()
     publish();
 }
 
+/** Whether what was asked for before this round is there, or cannot be. */
+bool TouchWorker::isSettled() const
+{
+    return path == nullptr || designedFor == settings;
+}
+
 /** Filters for what the parameters say, unless there are some, and plays them. */
 void TouchWorker::design()
 {
-    const auto wanted = settings;
-    designer->setFingers (wanted);
-    designedFor = wanted;
+    designer->setFingers (settings);
+    designedFor = settings;
     present.designError.clear();
 
     try
     {
-        makeDesign (wanted.latency);
-        path->banks().give (std::make_unique<const FilterBank> (designer->design (wanted.latency)->bank));
-        present.playedFingers = wanted;
+        if (designer->design (settings.latency) == nullptr)
+        {
+            playQuickly();
+
+            if (! areFingersResting())
+                throw Cancelled();
+
+            makeDesign();
+        }
+
+        play (std::make_unique<const FilterBank> (designer->design (settings.latency)->bank));
     }
     catch (const Cancelled&)
     {
-        present.isDesigning = false;
         checkWatch();
         designedFor.reset();
     }
     catch (const std::exception& failure)
     {
-        present.isDesigning = false;
         present.designError = failure.what();
-    }
-
-    publish();
-}
-
-/** Another device or format ends it; other places do not, since places that move would never get any. */
-void TouchWorker::makeDesign (std::size_t latency)
-{
-    if (designer->design (latency) == nullptr)
-    {
-        present.isDesigning = true;
-        present.progress = 0;
-        publish();
-        const WatchScope scope (
-            [this]
-            {
-                const std::lock_guard lock (mutex);
-                return nextDevice == nullptr && wantedFormat == format;
-            });
-        designer->makeDesign (latency,
-                              [this] (const std::string&, double share)
-                              {
-                                  present.progress = share;
-                                  publish();
-                              });
     }
 
     present.isDesigning = false;
 
     for (std::size_t i = 0; i < touchLatencies.size(); ++i)
         present.designs[i] = designer->design (i);
+
+    publish();
+}
+
+/** Filters for places that may move on before better ones are there. */
+void TouchWorker::playQuickly()
+{
+    const WatchScope scope ([this] { return ! hasOtherPath(); });
+
+    if (auto bank = designer->quickBank (settings.latency); bank != nullptr)
+        play (std::move (bank));
+}
+
+/** Whether fingers stay where they are for a moment, or somebody waits for their filters. While they move, quick
+   filters have the processor for themselves. */
+bool TouchWorker::areFingersResting()
+{
+    const auto end = std::chrono::steady_clock::now() + touchRest;
+
+    while (std::chrono::steady_clock::now() < end)
+    {
+        std::unique_lock lock (mutex);
+        wake.wait_for (lock, touchInterval,
+                       [this] { return isStopping || nextDevice || roundsRequested > roundsDone; });
+
+        if (isStopping || nextDevice != nullptr || roundsRequested > roundsDone)
+            return true;
+
+        lock.unlock();
+
+        if (owner->settings (settings) != settings)
+            return false;
+    }
+
+    return true;
+}
+
+/** Another device or format ends it, and other places, since quick filters for them sound better than none. */
+void TouchWorker::makeDesign()
+{
+    present.isDesigning = true;
+    present.progress = 0;
+    publish();
+    const WatchScope scope ([this] { return ! hasOtherPath() && owner->settings (settings) == settings; });
+    designer->makeDesign (settings.latency,
+                          [this] (const std::string&, double share)
+                          {
+                              present.progress = share;
+                              publish();
+                          });
+}
+
+void TouchWorker::play (std::unique_ptr<const FilterBank> bank)
+{
+    path->banks().give (std::move (bank));
+    present.playedFingers = settings;
+    publish();
+}
+
+bool TouchWorker::hasOtherPath()
+{
+    const std::lock_guard lock (mutex);
+    return nextDevice != nullptr || wantedFormat != format;
 }
 
 /** One more latency, so that their volts can be compared; whatever else there is to do ends it. */
@@ -313,11 +366,11 @@ bool TouchWorker::hasNews()
     {
         const std::lock_guard lock (mutex);
 
-        if (nextDevice != nullptr || roundsRequested > roundsDone || wantedFormat != format)
+        if (roundsRequested > roundsDone)
             return true;
     }
 
-    return owner->settings (settings) != settings || designedFor != settings;
+    return hasOtherPath() || owner->settings (settings) != settings || designedFor != settings;
 }
 
 void TouchWorker::publish()

@@ -55,9 +55,14 @@ private:
     bool takeDocument();
     void solve();
     void buildPath();
+    bool isSettled() const;
     void design();
-    void makeDesign (std::size_t latency);
+    void playQuickly();
+    bool areFingersResting();
+    void makeDesign();
+    void play (std::unique_ptr<const FilterBank>);
     void compare();
+    bool hasOtherPath();
     bool hasNews();
     void publish();
 

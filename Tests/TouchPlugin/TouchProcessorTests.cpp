@@ -248,11 +248,9 @@ TEST_CASE ("Hostile inputs never give more than the limit, nothing that is not f
     CHECK (played.allFinite());
     CHECK (played.cwiseAbs().maxCoeff() <= limit);
     CHECK (processor->warning().isEmpty());
-    // What came is forgotten after the filters' length: then a usual input plays.
-    voltagesOf (*processor, Eigen::MatrixXd::Zero (8, rest + 1200), 333);
-    parameters = threeFingers();
-    processor->parameters().setValues (parameters);
-    voltagesOf (*processor, Eigen::MatrixXd::Zero (8, rest + 1200), 333);
+    // What came is forgotten after the filters' length, its offset after some seconds: then a usual input plays.
+    processor->parameters().setValues (threeFingers());
+    voltagesOf (*processor, Eigen::MatrixXd::Zero (8, static_cast<Eigen::Index> (8 * rate)), 333);
     const auto usual = withRest (fingerTones (8, length, rate));
     CHECK (judged (*processor, voltagesOf (*processor, usual, 333), usual).normalisedError (0) < 1e-4);
 }
@@ -329,7 +327,8 @@ TEST_CASE ("Fingers that no surface can tell apart are refused by their numbers,
     CHECK (warning.startsWith ("finger 3: is "));
     CHECK (warning.contains ("from finger 1"));
     CHECK (warning.endsWith ("; the filters before play on"));
-    CHECK ((voltagesOf (*processor, inputs, 256) - before).isZero (0));
+    // But for what is left of the offset that the tones before had.
+    CHECK ((voltagesOf (*processor, inputs, 256) - before).cwiseAbs().maxCoeff() < 1e-3 * before.cwiseAbs().maxCoeff());
     processor->parameters().setValues (threeFingers());
     processor->session().waitUntilSettled();
     CHECK (processor->warning().isEmpty());
