@@ -35,7 +35,7 @@ DeviceState readDeviceState (std::string_view text, const char* schema)
         parameters.fail ("must be an object of numbers");
 
     DeviceState read { std::make_shared<const DeviceDocument> (readDeviceDocument (json["device"], "state: device")),
-                      {} };
+                       {} };
 
     for (const auto& [key, ignored] : json["parameters"].items())
         read.parameters[key] = parameters.required (key).number ({ -farthestValue, farthestValue });

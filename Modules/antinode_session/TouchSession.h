@@ -23,6 +23,8 @@ struct TouchSnapshot
     bool isSolving = false;
     std::string error; ///< Why the device that was asked for cannot be played: then the one before plays on.
 
+    std::string formatError; ///< Why nothing can play at the host's rate.
+
     bool isDesigning = false;    ///< Whether filters for the present places are being designed.
     double progress = 0;         ///< Of them, 0 to 1.
     std::string designError;     ///< Why there are none: then those before play on.

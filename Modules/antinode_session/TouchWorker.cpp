@@ -208,6 +208,7 @@ void TouchWorker::buildPath()
     designer = nullptr;
     designedFor.reset();
     present.designs = {};
+    present.formatError.clear();
 
     try
     {
@@ -221,7 +222,7 @@ void TouchWorker::buildPath()
     }
     catch (const std::exception& failure)
     {
-        present.error = failure.what();
+        present.formatError = failure.what();
     }
 
     publish();

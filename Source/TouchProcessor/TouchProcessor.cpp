@@ -129,6 +129,9 @@ juce::String TouchProcessor::warning()
     if (! now->error.empty())
         return juce::String::fromUTF8 (now->error.c_str());
 
+    if (! now->formatError.empty())
+        return juce::String::fromUTF8 (now->formatError.c_str());
+
     if (! now->designError.empty())
         return juce::String::fromUTF8 (now->designError.c_str()) + "; the filters before play on";
 

@@ -393,6 +393,10 @@ TEST_CASE ("Every rate from 44.1 to 192 kHz has its latency within a sample of t
     const auto slow = offlineTouch (ceramics, 2000, 256);
     CHECK (slow->warning().contains ("sample rate"));
     CHECK (voltagesOf (*slow, fingerTones (2, 2000, 2000), 256).isZero (0));
+    slow->prepareToPlay (rate, 256);
+    slow->session().waitUntilSettled();
+    CHECK (slow->warning().isEmpty());
+    CHECK (voltagesOf (*slow, fingerTones (2, length, rate), 256).cwiseAbs().maxCoeff() > 1e-4);
 }
 
 TEST_CASE ("What fingers are asked to feel is metered: displacement, sensation, input", "[touch-plugin]")
