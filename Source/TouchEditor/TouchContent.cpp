@@ -148,7 +148,7 @@ juce::String TouchContent::statusNow() const
     if (device.error().isNotEmpty())
         return device.error();
 
-    if (const auto warning = processor.warning(); warning.isNotEmpty())
+    if (auto warning = processor.warning(); warning.isNotEmpty())
         return warning;
 
     if (snapshot->isSolving)

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <numbers>
 
 using namespace antinode;
 
@@ -93,11 +94,15 @@ TEST_CASE ("Before its first bank a filter node gives 0 V, then what a player gi
     const auto played = playedBy<double> (filters.graph, from, 100, [] (int) {});
     FilterPlayer player (*given, 1);
     Eigen::VectorXf voltages (ceramics);
+    Eigen::Vector2d offset (0, 0);
     CHECK (played.leftCols (12).isZero (0));
 
     for (Eigen::Index n = 0; n < samples; ++n)
     {
-        player.process ((1e-5 * from.col (n)).cast<float>(), voltages);
+        // What the inputs had on the average of the last 0.3 s is taken off.
+        const Eigen::Vector2d rest = from.col (n) - offset;
+        offset += (1 - std::exp (-2 * std::numbers::pi * 0.5 / rate)) * rest;
+        player.process ((1e-5 * rest).cast<float>(), voltages);
 
         // Levels have reached theirs in 5 ms, which the filters remember for 0.1 s: 0.13 s at most.
         if (n > 6240)
@@ -142,6 +147,16 @@ TEST_CASE ("A newer bank waits until the one before has faded in, and all come b
     // No step: the largest from sample to sample is that of the tones.
     CHECK ((played.rightCols (samples - 1) - played.leftCols (samples - 1)).cwiseAbs().maxCoeff()
            < 0.2 * played.cwiseAbs().maxCoeff());
+}
+
+TEST_CASE ("An offset of the inputs is taken off within seconds", "[live][graph]")
+{
+    FilterGraph filters;
+    filters.node().banks().give (randomBank (1));
+    const Eigen::MatrixXd constant = Eigen::MatrixXd::Ones (inputs, 20 * samples);
+    const auto played = playedBy<float> (filters.graph, constant, 480, [] (int) {});
+    CHECK (played.leftCols (samples).cwiseAbs().maxCoeff() > 1);
+    CHECK (played.rightCols (samples).cwiseAbs().maxCoeff() < 1e-3 * played.cwiseAbs().maxCoeff());
 }
 
 TEST_CASE ("Voltages that jump follow with the slew rate, those without one at once", "[graph]")
