@@ -46,6 +46,20 @@ void FilterPlayer::fadeTo (const FilterBank& bankToUse)
     faded = 0;
 }
 
+void FilterPlayer::reset()
+{
+    fast.reset();
+    filtered.reset();
+
+    for (auto& window : slow)
+        window.reset();
+
+    phase = 0;
+
+    if (next != nullptr)
+        bank = std::exchange (next, nullptr);
+}
+
 void FilterPlayer::process (const Eigen::Ref<const Eigen::VectorXf>& inputs, Eigen::Ref<Eigen::VectorXf> outputs)
 {
     auto newest = fast.next();
@@ -97,8 +111,9 @@ void FilterPlayer::filter()
 void FilterPlayer::addFiltered (const FilterBank& played, float share)
 {
     for (std::size_t j = 0; j < slow.size(); ++j)
-        sum.noalias() += share
-                         * (played.values.middleCols (static_cast<Eigen::Index> (j) * played.taps, played.taps)
-                            * slow[j].newest().transpose());
+        if (played.moves[j])
+            sum.noalias() += share
+                             * (played.values.middleCols (static_cast<Eigen::Index> (j) * played.taps, played.taps)
+                                * slow[j].newest().transpose());
 }
 } // namespace antinode

@@ -28,6 +28,9 @@ public:
     /** signals x length, the oldest value first. [audio thread] */
     auto newest() const { return values.middleCols (position + 1, length); }
 
+    /** All values are 0. [audio thread] */
+    void reset() { values.setZero(); }
+
 private:
     Eigen::Index length, position = 0;
     Eigen::MatrixXf values;
@@ -51,11 +54,23 @@ public:
     /** Whether two banks are in use. [audio thread] */
     bool isFading() const { return next != nullptr; }
 
+    /** The bank that plays, or the older of two. [audio thread] */
+    const FilterBank& playing() const { return *bank; }
+
+    /** As if nothing had been played; of two banks the newer one is left. [audio thread] */
+    void reset();
+
     /** One sample: inputs in m, voltages in V, which follow by the filters' latency. Allocates nothing.
         @param inputs   one per input: what is not finite counts as 0
         @param outputs  one per ceramic
         [audio thread] */
     void process (const Eigen::Ref<const Eigen::VectorXf>& inputs, Eigen::Ref<Eigen::VectorXf> outputs);
+
+    /** Whether the last sample completed one of the filters' rate. [audio thread] */
+    bool hasDecimated() const { return phase == 1 || factor == 1; }
+
+    /** An input at the filters' rate, m: as many samples as there are taps, the oldest first. [audio thread] */
+    auto decimated (std::size_t input) const { return slow[input].newest(); }
 
 private:
     void decimate();

@@ -32,12 +32,12 @@ double filterWeight (TrackBand band, double frequency)
 }
 } // namespace
 
-double highestWeighed (TrackBand band)
+Eigen::Index FilterTiming::latencySamples() const
 {
-    return weightEnd * band.upper;
+    return (delay + 2 * rateChangeReach) * factor;
 }
 
-FilterSpan filterSpan (TrackBand band, const FilterSettings& settings)
+FilterTiming filterTiming (TrackBand band, const FilterSettings& settings)
 {
     const auto least = filterRatesPerBand * band.upper;
 
@@ -45,20 +45,32 @@ FilterSpan filterSpan (TrackBand band, const FilterSettings& settings)
         throw InputError ("sample rate", "is " + inWords (settings.sampleRate) + " Hz; allowed for a band up to "
                                              + inWords (band.upper) + " Hz: " + inWords (least) + " Hz or more");
 
-    FilterSpan span {};
-    span.factor = static_cast<Eigen::Index> (settings.sampleRate / least);
-    span.rate = settings.sampleRate / static_cast<double> (span.factor);
-    span.delay = std::llround (settings.latency * span.rate) - 2 * rateChangeReach;
-    const auto shortest = static_cast<double> (leastDelay + 2 * rateChangeReach) / span.rate;
+    FilterTiming timing;
+    timing.factor = static_cast<Eigen::Index> (settings.sampleRate / least);
+    const auto rate = settings.sampleRate / static_cast<double> (timing.factor);
+    timing.delay = std::llround (settings.latency * rate) - 2 * rateChangeReach;
+    const auto shortest = static_cast<double> (leastDelay + 2 * rateChangeReach) / rate;
 
     if (! (settings.latency >= shortest && settings.latency <= longestLatency))
         throw InputError ("latency", "is " + inWords (settings.latency * milli)
                                          + " ms; allowed: " + inWords (std::ceil (shortest * milli)) + " to "
                                          + inWords (longestLatency * milli) + " ms");
 
-    span.taps = std::max<Eigen::Index> (std::llround (settings.length * span.rate), 2 * span.delay);
-    span.length = quickLength (static_cast<double> (span.taps) + filterRinging * span.rate);
-    return span;
+    timing.taps = std::max<Eigen::Index> (std::llround (settings.length * rate), 2 * timing.delay);
+    return timing;
+}
+
+double highestWeighed (TrackBand band)
+{
+    return weightEnd * band.upper;
+}
+
+FilterSpan filterSpan (TrackBand band, const FilterSettings& settings)
+{
+    const auto timing = filterTiming (band, settings);
+    const auto rate = settings.sampleRate / static_cast<double> (timing.factor);
+    const auto length = quickLength (static_cast<double> (timing.taps) + filterRinging * rate);
+    return { timing.factor, timing.delay, timing.taps, length, rate };
 }
 
 void weighLines (PointResponses& responses, TrackBand band)

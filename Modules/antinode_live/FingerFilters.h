@@ -20,6 +20,22 @@ struct FilterSettings
     double regularisation = 3e-2; ///< Of the median smallest singular value in the band: what is not worth its volts.
 };
 
+/** How filters run in time. */
+struct FilterTiming
+{
+    Eigen::Index factor = 1; ///< Samples per sample of the filters.
+    Eigen::Index delay = 0;  ///< Samples of the filters, from their input to the motion.
+    Eigen::Index taps = 0;   ///< Of each filter.
+
+    /** From an input to the motion, with both changes of rate. [any] */
+    Eigen::Index latencySamples() const;
+};
+
+/** The timing that filters of a band will have.
+    @throws InputError  for a latency or a rate that is not allowed
+    [any] */
+FilterTiming filterTiming (TrackBand, const FilterSettings&);
+
 /** One filter from each track to each ceramic. Inputs are decimated to their rate, voltages interpolated from it. */
 struct FingerFilters
 {

@@ -31,6 +31,13 @@ const std::map<juce::String, const char*>& effects()
         { "output_trim", "Gain of all voltages. Below 0 dB the velocity decreases in proportion." },
         { "arm", "If disarmed, all ceramics stay at 0 V. Key: A" },
         { "bypass", "If bypassed by the host, all ceramics stay at 0 V." },
+        { "finger_x", "Place of the finger from left to right. It can be dragged on the surface." },
+        { "finger_y", "Place of the finger from the lower edge upwards. Has no effect on a line." },
+        { "finger_state", "Absent: nowhere. Silent: it rests and is to feel nothing. Plays: it feels its input." },
+        { "finger_level", "Displacement of the surface under the finger where its input is 1.0." },
+        { "finger_load", "What the finger is to the surface; the filters then know it." },
+        { "latency", "From an input to the motion, reported to the host. 5 ms needs most volts." },
+        { "gain", "Factor of all levels." },
     };
     return texts;
 }
@@ -39,7 +46,10 @@ const std::map<juce::String, const char*>& effects()
 juce::String helpText (const juce::RangedAudioParameter& parameter)
 {
     constexpr int longest = 40;
-    const auto found = effects().find (parameter.getParameterID());
+    const auto identifier = parameter.getParameterID();
+    const auto isOfFinger = identifier.startsWith ("finger"); // finger3_x
+    const auto found =
+        effects().find (isOfFinger ? "finger" + identifier.fromFirstOccurrenceOf ("_", true, false) : identifier);
     const auto effect = found == effects().end() ? juce::String() : juce::String (found->second) + "\n";
     return effect + "From " + parameter.getText (0, longest) + " to " + parameter.getText (1, longest) + ".";
 }

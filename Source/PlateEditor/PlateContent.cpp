@@ -1,13 +1,10 @@
 #include "PlateContent.h"
 
-#include <antinode_base/InputError.h>
 #include <antinode_base/Prefixes.h>
-#include <antinode_library/Library.h>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace antinode
 {
@@ -15,20 +12,15 @@ namespace
 {
 constexpr int topHeight = 44, statusHeight = 24, gap = 6;
 constexpr double fullVelocity = 1000; // mm/s, of a full bar
-
-juce::String fromUtf8 (const std::string& text)
-{
-    return juce::String::fromUTF8 (text.c_str());
-}
 } // namespace
 
 PlateContent::PlateContent (PlateProcessor& processorToShow)
-    : processor (processorToShow), surfaceView (processor), tooltips (this, 600)
+    : processor (processorToShow), device ([this] (auto chosen) { processor.load (std::move (chosen)); }),
+      surfaceView (processor), tooltips (this, 600)
 {
     juce::LookAndFeel::setDefaultLookAndFeel (&fonts.get());
     setLookAndFeel (&look);
     setTitle ("Antinode Plate");
-    device.setTitle ("Device");
     device.setTooltip ("The device that the voltages move. Click to choose another.");
     hold.setTitle ("Hold the picture");
     hold.setTooltip ("Keeps the window that is shown. Otherwise the next one follows when it has been shown, as soon "
@@ -38,7 +30,6 @@ PlateContent::PlateContent (PlateProcessor& processorToShow)
     theme.setTitle ("Light or dark");
     theme.setTooltip ("Light or dark");
     time.setTitle ("Time");
-    device.onClick = [this] { chooseDevice(); };
     theme.onClick = [this] { setDark (! isDark()); };
 
     for (juce::Component* const child :
@@ -70,14 +61,14 @@ void PlateContent::setDark (bool isDark)
 
 void PlateContent::lookAndFeelChanged()
 {
-    for (auto* const button : { &device, &theme })
-        button->setColour (juce::TextButton::buttonColourId, look.palette().raised);
+    device.setColour (juce::TextButton::buttonColourId, look.palette().raised);
+    theme.setColour (juce::TextButton::buttonColourId, look.palette().raised);
 
     hold.setColour (juce::TextButton::buttonColourId, look.palette().raised);
     hold.setColour (juce::TextButton::buttonOnColourId, look.palette().accent);
     hold.setColour (juce::TextButton::textColourOnId, look.palette().onStrong);
 
-    for (auto* const button : { &device, &theme, &hold })
+    for (juce::TextButton* const button : std::initializer_list<juce::TextButton*> { &device, &theme, &hold })
         button->setColour (juce::TextButton::textColourOffId, look.palette().text);
 
     time.setColour (juce::Label::textColourId, look.palette().mutedText);
@@ -90,7 +81,7 @@ void PlateContent::refresh (double seconds)
     {
         snapshot = std::move (now);
         motion->watch (snapshot);
-        device.setButtonText ("Device: " + fromUtf8 (processor.device()->description.name));
+        device.setDevice (*processor.device());
         namedProbes = 0; // Names and places of all rows are those of another device.
     }
 
@@ -193,7 +184,7 @@ void PlateContent::showLevels (double seconds)
 
 void PlateContent::showStatus()
 {
-    auto text = said.isNotEmpty() ? said : processor.warning();
+    auto text = device.error().isNotEmpty() ? device.error() : processor.warning();
 
     if (text.isEmpty())
         text = snapshot->isSolving ? juce::String ("Solving the device.") : juce::String();
@@ -207,40 +198,7 @@ void PlateContent::showStatus()
 
 void PlateContent::loadDevice (const std::string& nameOrFile)
 {
-    try
-    {
-        processor.load (std::make_shared<const DeviceDocument> (readDeviceDocument (
-            loadDocument (LibraryKind::device, nameOrFile), documentSource (LibraryKind::device, nameOrFile))));
-        said.clear();
-    }
-    catch (const InputError& failure)
-    {
-        said = juce::String::fromUTF8 (failure.what());
-    }
-}
-
-void PlateContent::chooseDevice()
-{
-    juce::PopupMenu menu;
-
-    for (const auto& entry : libraryEntries (LibraryKind::device))
-        menu.addItem (fromUtf8 (entry.name), [this, name = entry.name] { loadDevice (name); });
-
-    menu.addSeparator();
-    menu.addItem ("Open a file ...", [this] { chooseFile(); });
-    menu.setLookAndFeel (&look);
-    menu.showMenuAsync (juce::PopupMenu::Options().withTargetComponent (device).withDeletionCheck (*this));
-}
-
-void PlateContent::chooseFile()
-{
-    chooser = std::make_unique<juce::FileChooser> ("Load a device", juce::File(), "*.json", false, false, this);
-    chooser->launchAsync (juce::FileBrowserComponent::openMode | juce::FileBrowserComponent::canSelectFiles,
-                          [this] (const juce::FileChooser& done)
-                          {
-                              if (const auto chosen = done.getResult(); chosen != juce::File())
-                                  loadDevice (chosen.getFullPathName().toStdString());
-                          });
+    device.loadDevice (nameOrFile);
 }
 
 void PlateContent::paint (juce::Graphics& g)

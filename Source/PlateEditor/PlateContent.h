@@ -5,6 +5,7 @@
 #include "MotionView.h"
 
 #include <Editor/ChartView.h>
+#include <Editor/DeviceButton.h>
 #include <Editor/EditorLook.h>
 #include <Editor/LocalTooltips.h>
 
@@ -57,26 +58,24 @@ private:
     void showLevels (double seconds);
     void nameRows();
     void showStatus();
-    void chooseDevice();
-    void chooseFile();
 
     PlateProcessor& processor;
     juce::SharedResourcePointer<EditorLook> fonts; ///< Of JUCE's own windows: menus and alerts.
     EditorLook look;
     std::shared_ptr<MotionView> motion = std::make_shared<MotionView>();
     BackgroundThread motionThread { [kept = motion] { kept->run(); } };
-    juce::TextButton device, hold { "Hold" }, theme;
+    DeviceButton device;
+    juce::TextButton hold { "Hold" }, theme;
     juce::Label time;
     MotionSurface surfaceView;
     ChartView spectrum { "Modes" };
     LevelRows probes { "Probes", "mm/s", 2 }, voltages { "Voltages", "V", 1 };
     LocalTooltips tooltips;
-    std::unique_ptr<juce::FileChooser> chooser;
     std::shared_ptr<const PlateSnapshot> snapshot;
     std::shared_ptr<const MotionPicture> shown;
     SurfaceSettings namedSettings;
     int namedProbes = 0;
     double position = 0; ///< s since the window's first frame.
-    juce::String said, statusText;
+    juce::String statusText;
 };
 } // namespace antinode

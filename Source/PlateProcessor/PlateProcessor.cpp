@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
-#include <numeric>
 #include <utility>
 
 namespace antinode
@@ -20,12 +19,6 @@ DeviceDocument firstDevice()
 {
     return readDeviceDocument (loadDocument (LibraryKind::device, "staple"), "device 'staple'");
 }
-
-juce::AudioChannelSet channelSet (int channels, juce::AudioProcessor::WrapperType wrapper)
-{
-    return wrapper == juce::AudioProcessor::wrapperType_VST3 ? vst3ChannelSet (channels)
-                                                             : juce::AudioChannelSet::discreteChannels (channels);
-}
 } // namespace
 
 std::function<juce::AudioProcessorEditor*(PlateProcessor&)> PlateProcessor::makeEditor;
@@ -33,8 +26,8 @@ std::function<juce::AudioProcessorEditor*(PlateProcessor&)> PlateProcessor::make
 juce::AudioProcessor::BusesProperties PlateProcessor::busesFor (int ceramics, WrapperType wrapper)
 {
     return BusesProperties()
-        .withInput ("Voltages", channelSet (ceramics, wrapper), true)
-        .withOutput ("Probes", channelSet (maximumProbes, wrapper), true);
+        .withInput ("Voltages", wireSet (ceramics, wrapper), true)
+        .withOutput ("Probes", wireSet (maximumProbes, wrapper), true);
 }
 
 PlateProcessor::PlateProcessor (int ceramics, WrapperType wrapperToUse)
@@ -45,8 +38,8 @@ PlateProcessor::PlateProcessor (int ceramics, WrapperType wrapperToUse)
         *this, [this] { return surface != nullptr ? surface->snapshot()->model : nullptr; });
     surface = std::make_unique<PlateSession> (
         *loadedDevice, [this] { return readSettings(); }, [this] { changes.post(); });
-    inputOrder = channelOrder (true);
-    outputOrder = channelOrder (false);
+    inputOrder = wireOrder (getBus (true, 0)->getCurrentLayout(), wrapper);
+    outputOrder = wireOrder (getBus (false, 0)->getCurrentLayout(), wrapper);
     reportLatency(); // Hosts read it before they prepare.
     changes.begin();
 }
@@ -72,12 +65,12 @@ std::shared_ptr<const DeviceDocument> PlateProcessor::device() const
     return loadedDevice;
 }
 
-PlateState PlateProcessor::state() const
+DeviceState PlateProcessor::state() const
 {
     return { device(), controls->values() };
 }
 
-void PlateProcessor::setState (const PlateState& wanted)
+void PlateProcessor::setState (const DeviceState& wanted)
 {
     const auto isOtherDevice = wanted.device->text != device()->text;
     controls->setValues (wanted.parameters);
@@ -88,7 +81,7 @@ void PlateProcessor::setState (const PlateState& wanted)
 
 void PlateProcessor::getStateInformation (juce::MemoryBlock& block)
 {
-    const auto text = plateStateToText (state());
+    const auto text = deviceStateToText (state(), plateSchema);
     block.replaceAll (text.data(), text.size());
 }
 
@@ -98,7 +91,8 @@ void PlateProcessor::setStateInformation (const void* data, int size)
 
     try
     {
-        setState (readPlateState ({ static_cast<const char*> (data), static_cast<std::size_t> (std::max (0, size)) }));
+        setState (readDeviceState ({ static_cast<const char*> (data), static_cast<std::size_t> (std::max (0, size)) },
+                                   plateSchema));
     }
     catch (const InputError& failure)
     {
@@ -144,22 +138,10 @@ bool PlateProcessor::isBusesLayoutSupported (const BusesLayout& layout) const
     return ceramics >= 1 && ceramics <= maximumCeramics && probes >= 1 && probes <= maximumProbes;
 }
 
-std::vector<int> PlateProcessor::channelOrder (bool isInput) const
-{
-    const auto layout = getBus (isInput, 0)->getCurrentLayout();
-
-    if (wrapper == wrapperType_VST3)
-        return vst3ChannelOrder (layout);
-
-    std::vector<int> order (static_cast<std::size_t> (layout.size()));
-    std::iota (order.begin(), order.end(), 0);
-    return order;
-}
-
 void PlateProcessor::prepareToPlay (double sampleRate, int)
 {
-    inputOrder = channelOrder (true);
-    outputOrder = channelOrder (false);
+    inputOrder = wireOrder (getBus (true, 0)->getCurrentLayout(), wrapper);
+    outputOrder = wireOrder (getBus (false, 0)->getCurrentLayout(), wrapper);
     surface->prepare (sampleRate);
     reportLatency();
     changes.post();

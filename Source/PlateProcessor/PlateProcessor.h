@@ -4,8 +4,8 @@
 
 #include <Processor/ChangeMessages.h>
 
+#include <antinode_session/DeviceState.h>
 #include <antinode_session/PlateSession.h>
-#include <antinode_session/PlateState.h>
 
 #include <juce_audio_processors/juce_audio_processors.h>
 
@@ -41,8 +41,8 @@ public:
     std::shared_ptr<const DeviceDocument> device() const;
 
     /** All that a host would keep, and back. [message thread] */
-    PlateState state() const;
-    void setState (const PlateState&);
+    DeviceState state() const;
+    void setState (const DeviceState&);
 
     /** How many probes have an output. [any] */
     int shownProbes() const { return std::min (maximumProbes, getChannelCountOfBus (false, 0)); }
@@ -83,7 +83,6 @@ public:
 
 private:
     static BusesProperties busesFor (int ceramics, WrapperType);
-    std::vector<int> channelOrder (bool isInput) const;
     template <typename Sample>
     void play (juce::AudioBuffer<Sample>&, bool isBypassed);
     void reportLatency();

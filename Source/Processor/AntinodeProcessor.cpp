@@ -6,15 +6,6 @@
 
 namespace antinode
 {
-namespace
-{
-juce::AudioChannelSet ceramicSet (int channels, juce::AudioProcessor::WrapperType wrapper)
-{
-    return wrapper == juce::AudioProcessor::wrapperType_VST3 ? vst3ChannelSet (channels)
-                                                             : juce::AudioChannelSet::discreteChannels (channels);
-}
-} // namespace
-
 std::function<juce::AudioProcessorEditor*(AntinodeProcessor&)> AntinodeProcessor::makeEditor;
 
 juce::AudioProcessor::BusesProperties AntinodeProcessor::busesFor (int ceramics, WrapperType wrapper)
@@ -23,7 +14,7 @@ juce::AudioProcessor::BusesProperties AntinodeProcessor::busesFor (int ceramics,
                              ? juce::AudioChannelSet::stereo()
                              : juce::AudioChannelSet::discreteChannels (BufferChannels::maximumMonitors);
     return BusesProperties()
-        .withOutput ("Ceramics", ceramicSet (ceramics, wrapper), true)
+        .withOutput ("Ceramics", wireSet (ceramics, wrapper), true)
         .withOutput ("Monitor", monitor, true);
 }
 

@@ -2,20 +2,12 @@
 
 #include "VST3Channels.h"
 
-#include <numeric>
-
 namespace antinode
 {
 void BufferChannels::lay (const juce::AudioProcessor& processor, juce::AudioProcessor::WrapperType wrapper)
 {
     const auto layout = processor.getBus (false, 0)->getCurrentLayout();
-    ceramicOrder.resize (static_cast<std::size_t> (layout.size()));
-
-    if (wrapper == juce::AudioProcessor::wrapperType_VST3)
-        ceramicOrder = vst3ChannelOrder (layout);
-    else
-        std::iota (ceramicOrder.begin(), ceramicOrder.end(), 0);
-
+    ceramicOrder = wireOrder (layout, wrapper);
     firstMonitor = layout.size();
     monitors = processor.getChannelCountOfBus (false, 1);
 }

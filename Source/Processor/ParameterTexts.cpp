@@ -45,7 +45,7 @@ std::pair<double, double> axisExtent (const ModalModel* model, SurfaceAxis axis)
 
 NumberTexts unitTexts (const char* unit, int decimals, float minimum, const char* wordBelow)
 {
-    const juce::String word (wordBelow), suffix (unit);
+    const juce::String word (wordBelow), suffix (juce::String::fromUTF8 (unit));
 
     return { [=] (float value, int maximumLength)
              {

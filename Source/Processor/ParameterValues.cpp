@@ -36,4 +36,25 @@ void setValue (juce::RangedAudioParameter& parameter, double value)
     if (static_cast<double> (allowed) != parameterValue (parameter))
         parameter.setValueNotifyingHost (parameter.convertTo0to1 (allowed));
 }
+
+std::map<std::string, double> parameterValues (const std::vector<juce::RangedAudioParameter*>& parameters)
+{
+    std::map<std::string, double> named;
+
+    for (const auto* const parameter : parameters)
+        named[parameter->getParameterID().toStdString()] = parameterValue (*parameter);
+
+    return named;
+}
+
+void setParameterValues (const std::vector<juce::RangedAudioParameter*>& parameters,
+                         const std::map<std::string, double>& named)
+{
+    for (auto* const parameter : parameters)
+    {
+        const auto found = named.find (parameter->getParameterID().toStdString());
+        const auto initial = static_cast<double> (parameter->convertFrom0to1 (parameter->getDefaultValue()));
+        setValue (*parameter, found == named.end() ? initial : found->second);
+    }
+}
 } // namespace antinode

@@ -1,5 +1,6 @@
 #include "Parameters.h"
 
+#include "GroupBuilder.h"
 #include "ParameterTexts.h"
 #include "ParameterValues.h"
 
@@ -15,8 +16,6 @@ namespace antinode
 {
 namespace
 {
-using Group = juce::AudioProcessorParameterGroup;
-
 constexpr double silentDecibels = -60;
 constexpr float silentText = -60 + 1e-3F; // below which it is called silent
 
@@ -24,67 +23,6 @@ ParameterRange logarithmic (double minimum, double maximum)
 {
     return { minimum, maximum, true };
 }
-
-/** Adds parameters to a group and keeps a plain pointer to each. */
-class GroupBuilder
-{
-public:
-    GroupBuilder (juce::AudioProcessor& owner, const juce::String& identifier, const juce::String& name,
-                  std::vector<juce::RangedAudioParameter*>& list)
-        : processor (owner), group (std::make_unique<Group> (identifier, name, " | ")), all (list)
-    {
-    }
-
-    NumberParameter* number (const char* identifier, const char* name, const char* unit, ParameterRange range,
-                             double initial, NumberTexts texts)
-    {
-        return add (std::make_unique<NumberParameter> (juce::ParameterID { identifier, 1 }, name, range, initial,
-                                                       std::move (texts), juce::String::fromUTF8 (unit)));
-    }
-
-    IntegerParameter* integer (const char* identifier, const char* name, int maximum, IntegerTexts texts)
-    {
-        auto attributes = juce::AudioParameterIntAttributes()
-                              .withStringFromValueFunction (std::move (texts.toText))
-                              .withValueFromStringFunction (std::move (texts.fromText));
-        return add (std::make_unique<IntegerParameter> (juce::ParameterID { identifier, 1 }, name, maximum, attributes,
-                                                        processor.wrapperType));
-    }
-
-    /** A choice of words: an integer, since JUCE's LV2 wrapper gives choices wrong scale points. */
-    IntegerParameter* choice (const char* identifier, const char* name, const std::vector<juce::String>& words)
-    {
-        const auto maximum = static_cast<int> (words.size()) - 1;
-        return integer (identifier, name, maximum, wordTexts (words));
-    }
-
-    SwitchParameter* flag (const char* identifier, const char* name, bool initial, const char* on, const char* off,
-                           bool isAutomatable = true)
-    {
-        auto texts = flagTexts (on, off);
-        auto attributes = juce::AudioParameterBoolAttributes()
-                              .withStringFromValueFunction (std::move (texts.toText))
-                              .withValueFromStringFunction (std::move (texts.fromText))
-                              .withAutomatable (isAutomatable);
-        return add (std::make_unique<SwitchParameter> (juce::ParameterID { identifier, 1 }, name, initial, attributes));
-    }
-
-    void addToProcessor() { processor.addParameterGroup (std::move (group)); }
-
-private:
-    template <typename Parameter>
-    Parameter* add (std::unique_ptr<Parameter> parameter)
-    {
-        auto* const plain = parameter.get();
-        group->addChild (std::move (parameter));
-        all.push_back (plain);
-        return plain;
-    }
-
-    juce::AudioProcessor& processor;
-    std::unique_ptr<Group> group;
-    std::vector<juce::RangedAudioParameter*>& all;
-};
 
 template <typename Words>
 std::vector<juce::String> wordsForHosts (const Words& words)
@@ -215,22 +153,12 @@ void Parameters::setFocus (const PlaySettings& settings)
 
 std::map<std::string, double> Parameters::values() const
 {
-    std::map<std::string, double> named;
-
-    for (const auto* const parameter : ordered)
-        named[parameter->getParameterID().toStdString()] = parameterValue (*parameter);
-
-    return named;
+    return parameterValues (ordered);
 }
 
 void Parameters::setValues (const std::map<std::string, double>& named)
 {
-    for (auto* const parameter : ordered)
-    {
-        const auto found = named.find (parameter->getParameterID().toStdString());
-        const auto initial = static_cast<double> (parameter->convertFrom0to1 (parameter->getDefaultValue()));
-        setValue (*parameter, found == named.end() ? initial : found->second);
-    }
+    setParameterValues (ordered, named);
 }
 
 juce::RangedAudioParameter* Parameters::find (const std::string& identifier) const

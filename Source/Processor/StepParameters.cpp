@@ -4,8 +4,8 @@ namespace antinode
 {
 IntegerParameter::IntegerParameter (const juce::ParameterID& identifier, const juce::String& name, int maximum,
                                     const juce::AudioParameterIntAttributes& attributes,
-                                    juce::AudioProcessor::WrapperType wrapper)
-    : AudioParameterInt (identifier, name, 0, maximum, 0, attributes),
+                                    juce::AudioProcessor::WrapperType wrapper, int initial)
+    : AudioParameterInt (identifier, name, 0, maximum, initial, attributes),
       tellsSteps (wrapper != juce::AudioProcessor::wrapperType_LV2)
 {
 }

@@ -25,7 +25,7 @@ class IntegerParameter : public juce::AudioParameterInt
 public:
     /** [message thread] */
     IntegerParameter (const juce::ParameterID&, const juce::String& name, int maximum,
-                      const juce::AudioParameterIntAttributes&, juce::AudioProcessor::WrapperType);
+                      const juce::AudioParameterIntAttributes&, juce::AudioProcessor::WrapperType, int initial = 0);
 
     bool isDiscrete() const override { return tellsSteps; }
 

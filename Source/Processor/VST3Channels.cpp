@@ -15,6 +15,8 @@
 #include <juce_audio_processors/format_types/juce_VST3Common.h>
 #pragma GCC diagnostic pop
 
+#include <numeric>
+
 namespace antinode
 {
 juce::AudioChannelSet vst3ChannelSet (int channels)
@@ -32,6 +34,22 @@ std::vector<int> vst3ChannelOrder (const juce::AudioChannelSet& layout)
     for (int wire = 0; wire < layout.size(); ++wire)
         order.push_back (mapping.getJuceChannelForVst3Channel (wire));
 
+    return order;
+}
+
+juce::AudioChannelSet wireSet (int channels, juce::AudioProcessor::WrapperType wrapper)
+{
+    return wrapper == juce::AudioProcessor::wrapperType_VST3 ? vst3ChannelSet (channels)
+                                                             : juce::AudioChannelSet::discreteChannels (channels);
+}
+
+std::vector<int> wireOrder (const juce::AudioChannelSet& layout, juce::AudioProcessor::WrapperType wrapper)
+{
+    if (wrapper == juce::AudioProcessor::wrapperType_VST3)
+        return vst3ChannelOrder (layout);
+
+    std::vector<int> order (static_cast<std::size_t> (layout.size()));
+    std::iota (order.begin(), order.end(), 0);
     return order;
 }
 } // namespace antinode

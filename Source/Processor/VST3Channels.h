@@ -12,4 +12,10 @@ juce::AudioChannelSet vst3ChannelSet (int channels);
 
 /** The channel of a buffer with this layout that becomes wire k in VST3. [worker] @return  as many as the layout has */
 std::vector<int> vst3ChannelOrder (const juce::AudioChannelSet&);
+
+/** The layout of a number of channels for what a plug-in runs in: VST3 needs its own. [any] @param channels  1 to 64 */
+juce::AudioChannelSet wireSet (int channels, juce::AudioProcessor::WrapperType);
+
+/** The channel of a buffer with this layout that is wire k in what a plug-in runs in. [worker] */
+std::vector<int> wireOrder (const juce::AudioChannelSet&, juce::AudioProcessor::WrapperType);
 } // namespace antinode

@@ -1,4 +1,5 @@
 #include "PlateScreenshot.h"
+#include "TouchScreenshot.h"
 
 #include <Standalone/MainComponent.h>
 
@@ -172,5 +173,6 @@ int main (int argumentCount, char* arguments[])
         takeEditor (screenshot, folder);
 
     antinode::takePlate (folder.getChildFile ("plate-plugin.png"));
+    antinode::takeTouch (folder.getChildFile ("touch-plugin.png"));
     takeStandalone ({ "standalone", 1500, 852, "phone", "phone-thumb", true }, folder);
 }

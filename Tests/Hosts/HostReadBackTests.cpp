@@ -76,7 +76,7 @@ TEST_CASE ("What a host reads is what it gets back, to the bit", "[hosted]")
 
         const auto kept = savedState (*first);
         setState (*second, kept);
-        REQUIRE ((innerState (plugin, savedState (*second)) == innerState (plugin, kept)));
+        REQUIRE ((innerState (plugin.kind, savedState (*second)) == innerState (plugin.kind, kept)));
 
         if (plugin.kind == PluginKind::vst3 && i % 50 == 0)
             for (int k = 0; k < first->getParameters().size(); ++k)

@@ -21,7 +21,7 @@ constexpr int length = 1600, noteAt = 100;
 std::unique_ptr<juce::AudioPluginInstance> combIn (const BuiltPlugin& plugin, const HostReference& reference, int block)
 {
     auto instance = hostedOffline (plugin, rate, block);
-    setState (*instance, hostState (plugin, savedState (*instance), reference.state));
+    setState (*instance, hostState (plugin.kind, savedState (*instance), reference.state));
     instance->prepareToPlay (rate, block);
     return instance;
 }

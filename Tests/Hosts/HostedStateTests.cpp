@@ -48,9 +48,9 @@ TEST_CASE ("A state comes back to the bit in another instance of any number of c
         play (*second, plugin, 512, 512, -1);
         const auto kept = savedState (*first);
         setState (*second, kept);
-        REQUIRE ((innerState (plugin, savedState (*second)) == innerState (plugin, kept)));
+        REQUIRE ((innerState (plugin.kind, savedState (*second)) == innerState (plugin.kind, kept)));
         play (*second, plugin, 512, 512, -1);
-        REQUIRE ((innerState (plugin, savedState (*second)) == innerState (plugin, kept)));
+        REQUIRE ((innerState (plugin.kind, savedState (*second)) == innerState (plugin.kind, kept)));
     }
 }
 
@@ -78,7 +78,7 @@ TEST_CASE ("States are kept and set on another thread while blocks are played", 
     findParameter (*other, "Focus x").setValue (0.27F);
     play (*other, plugin, 512, 512, -1);
     const auto first = savedState (*instance), second = savedState (*other);
-    REQUIRE ((innerState (plugin, first) != innerState (plugin, second)));
+    REQUIRE ((innerState (plugin.kind, first) != innerState (plugin.kind, second)));
     instance->prepareToPlay (rate, 512);
     std::atomic<bool> isDone { false }, areFinite { true };
     std::thread audio (
@@ -102,7 +102,7 @@ TEST_CASE ("States are kept and set on another thread while blocks are played", 
     isDone = true;
     audio.join();
     CHECK (areFinite);
-    CHECK ((innerState (plugin, savedState (*instance)) == innerState (plugin, second)));
+    CHECK ((innerState (plugin.kind, savedState (*instance)) == innerState (plugin.kind, second)));
 }
 
 TEST_CASE ("Whatever a host automates in each block, voltages stay finite and within full scale", "[hosted]")

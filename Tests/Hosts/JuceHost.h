@@ -1,5 +1,7 @@
 #pragma once
 
+#include "HostState.h"
+
 #include <juce_audio_processors/juce_audio_processors.h>
 
 #include <Eigen/Core>
@@ -11,12 +13,6 @@
 
 namespace antinode::test
 {
-enum class PluginKind
-{
-    vst3,
-    lv2
-};
-
 /** A built plug-in: what a test is to be repeated with. */
 struct BuiltPlugin
 {
@@ -46,12 +42,6 @@ Eigen::MatrixXd play (juce::AudioPluginInstance&, const BuiltPlugin&, int sample
 
 juce::MemoryBlock savedState (juce::AudioPluginInstance&);
 void setState (juce::AudioPluginInstance&, const juce::MemoryBlock&);
-
-/** What the plug-in itself keeps, out of what the host wraps around it. */
-std::string innerState (const BuiltPlugin&, const juce::MemoryBlock&);
-
-/** A host's state with other contents. @param like  a state of the same plug-in */
-juce::MemoryBlock hostState (const BuiltPlugin&, const juce::MemoryBlock& like, const std::string& inner);
 
 /** Runs work on another thread while this one answers messages. [main thread] */
 void runInBackground (const std::function<void()>&);

@@ -50,7 +50,7 @@ TEST_CASE ("A host unloads the library while a thread of it solves a device", "[
     {
         auto instance = hosted (plugin);
         REQUIRE (isLoaded (library));
-        setState (*instance, hostState (plugin, savedState (*instance), stateOfLongWork (60 + i)));
+        setState (*instance, hostState (plugin.kind, savedState (*instance), stateOfLongWork (60 + i)));
         instance->prepareToPlay (48000, 512);
         std::this_thread::sleep_for (std::chrono::milliseconds (30 + 60 * i));
         instance.reset();

@@ -5,6 +5,7 @@ execute_process (COMMAND ${CMAKE_COMMAND} --install ${BINARY} --prefix ${FOLDER}
 set (expected
     bin/antinode
     "lib/vst3/Antinode Plate.vst3/Contents/x86_64-linux/Antinode Plate.so"
+    "lib/vst3/Antinode Touch.vst3/Contents/x86_64-linux/Antinode Touch.so"
     lib/vst3/Antinode.vst3/Contents/x86_64-linux/Antinode.so
     share/bash-completion/completions/antinode
     share/doc/antinode/CONTRIBUTING.md
@@ -18,7 +19,7 @@ set (expected
     share/man/man1/antinode.1.gz
     share/zsh/vendor-completions/_antinode)
 foreach (ceramics 8 16 32 64)
-    foreach (plugin "Antinode ${ceramics}" "Antinode Plate ${ceramics}")
+    foreach (plugin "Antinode ${ceramics}" "Antinode Plate ${ceramics}" "Antinode Touch ${ceramics}")
         set (bundle "lib/lv2/${plugin}.lv2")
         list (APPEND expected "${bundle}/dsp.ttl" "${bundle}/lib${plugin}.so" "${bundle}/manifest.ttl")
     endforeach()
@@ -49,7 +50,7 @@ endif()
 file (GLOB_RECURSE installed RELATIVE ${FOLDER} ${FOLDER}/*)
 list (FILTER installed EXCLUDE REGEX "^share/doc/antinode/Docs/")
 # JUCE writes it for plug-ins with an editor.
-list (FILTER installed EXCLUDE REGEX "^lib/lv2/Antinode( Plate)? [0-9]+.lv2/ui.ttl$")
+list (FILTER installed EXCLUDE REGEX "^lib/lv2/Antinode( Plate| Touch)? [0-9]+.lv2/ui.ttl$")
 set (missing ${expected})
 list (REMOVE_ITEM missing ${installed})
 set (unexpected ${installed})
@@ -65,7 +66,7 @@ foreach (page Manual/index.md FileFormats.md Theory.md Pictures/focus.png)
 endforeach()
 
 execute_process (COMMAND ${FOLDER}/bin/antinode version COMMAND_ERROR_IS_FATAL ANY)
-foreach (plugin "Antinode 8" "Antinode Plate 8")
+foreach (plugin "Antinode 8" "Antinode Plate 8" "Antinode Touch 8")
     file (SIZE "${FOLDER}/lib/lv2/${plugin}.lv2/dsp.ttl" size)
     if (size LESS 1000)
         message (FATAL_ERROR "dsp.ttl of the LV2 bundle ${plugin} has ${size} bytes: it describes no ports")

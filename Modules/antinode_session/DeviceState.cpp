@@ -1,4 +1,4 @@
-#include "PlateState.h"
+#include "DeviceState.h"
 
 #include <antinode_text/JsonReader.h>
 #include <antinode_text/JsonText.h>
@@ -9,23 +9,22 @@ namespace antinode
 {
 namespace
 {
-constexpr auto plateSchema = "antinode.plate/1";
-constexpr double farthestPlateValue = 1e12; // of a parameter: each cuts it to its own range
+constexpr double farthestValue = 1e12; // of a parameter: each cuts it to its own range
 } // namespace
 
-std::string plateStateToText (const PlateState& state)
+std::string deviceStateToText (const DeviceState& state, const char* schema)
 {
-    const nlohmann::ordered_json json { { "schema", plateSchema },
+    const nlohmann::ordered_json json { { "schema", schema },
                                         { "device", nlohmann::ordered_json::parse (state.device->text) },
                                         { "parameters", state.parameters } };
     return json.dump();
 }
 
-PlateState readPlateState (std::string_view text)
+DeviceState readDeviceState (std::string_view text, const char* schema)
 {
     const auto json = parseJson (text, "state");
     const JsonValue value (json, "state");
-    value.requireSchema (plateSchema);
+    value.requireSchema (schema);
     const auto state = value.object ({ "schema", "device", "parameters" });
     const auto device = state.required ("device"), parameters = state.required ("parameters");
 
@@ -35,11 +34,11 @@ PlateState readPlateState (std::string_view text)
     if (! parameters.isObject())
         parameters.fail ("must be an object of numbers");
 
-    PlateState read { std::make_shared<const DeviceDocument> (readDeviceDocument (json["device"], "state: device")),
-                      {} };
+    DeviceState read { std::make_shared<const DeviceDocument> (readDeviceDocument (json["device"], "state: device")),
+                       {} };
 
     for (const auto& [key, ignored] : json["parameters"].items())
-        read.parameters[key] = parameters.required (key).number ({ -farthestPlateValue, farthestPlateValue });
+        read.parameters[key] = parameters.required (key).number ({ -farthestValue, farthestValue });
 
     return read;
 }

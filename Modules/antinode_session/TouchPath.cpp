@@ -1,0 +1,119 @@
+#include "TouchPath.h"
+
+#include "BlockPeak.h"
+
+#include <antinode_graph/SlewNode.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+constexpr int longestTouchPart = 64; // samples: few enough that all ceramics' stay in the cache
+
+Eigen::VectorXd slewLimitsOf (const ModalModel& model)
+{
+    Eigen::VectorXd slews (model.actuators());
+
+    for (std::size_t i = 0; i < model.ceramics.size(); ++i)
+        slews[static_cast<Eigen::Index> (i)] = model.ceramics[i].slewLimit;
+
+    return slews;
+}
+} // namespace
+
+TouchPath::TouchPath (std::shared_ptr<const ModalModel> model, int inputs, TrackBand band,
+                      const FilterSettings& settings, const SkinThreshold& threshold)
+    : modes (std::move (model)), rate (settings.sampleRate), fingers (inputs)
+{
+    const auto limits = voltageLimits (*modes);
+    input = graph.add (std::make_unique<InputNode> (fingers), NodeGraph::noSource);
+    filters = graph.add (
+        std::make_unique<FilterNode> (static_cast<int> (modes->actuators()), fingers, band, settings, threshold),
+        input);
+    auto last = filters;
+
+    if (const auto slews = slewLimitsOf (*modes); slews.maxCoeff() > 0)
+        last = graph.add (std::make_unique<SlewNode> (limits, slews), last);
+
+    limiter = graph.add (std::make_unique<LimiterNode> (limits), last);
+    graph.setOutputs ({ limiter });
+    graph.prepare ({ rate, longestTouchPart });
+}
+
+bool TouchPath::isSilentAfter (std::int64_t passed) const
+{
+    return static_cast<double> (passed) > 2 * LimiterNode::rampTime * rate;
+}
+
+template <typename Sample>
+void TouchPath::process (const TouchBlock<Sample>& block, const TouchControls& controls, bool isLeaving,
+                         LevelMeters& meters, FingerMeters& fingerMeters)
+{
+    for (int j = 0; j < fingers; ++j)
+        filterNode().setLevel (static_cast<std::size_t> (j), controls.levels[static_cast<std::size_t> (j)]);
+
+    noteInputs (block, fingerMeters);
+    static_cast<InputNode&> (graph.node (input)).give (block.inputs, 1);
+    limiterNode().setArmed (controls.isArmed && ! isLeaving);
+    graph.processParts<double> (block.count, {},
+                                [&] (int offset, int count, Outputs outputs)
+                                {
+                                    write (block, offset, count, outputs);
+                                    note (count, outputs, meters);
+                                });
+
+    for (int j = 0; j < fingers; ++j)
+    {
+        const auto finger = static_cast<std::size_t> (j);
+        fingerMeters.displacements.note (j, filterNode().motion().takeDisplacement (finger));
+        fingerMeters.felt.note (j, filterNode().motion().takeFelt (finger));
+    }
+
+    meters.noteState (limiterNode().limiter().isMuted(), 0, 0);
+}
+
+/** Before anything is written: the outputs may lie where the inputs are. */
+template <typename Sample>
+void TouchPath::noteInputs (const TouchBlock<Sample>& block, FingerMeters& meters) const
+{
+    for (int j = 0; j < std::min (fingers, static_cast<int> (block.inputs.size())); ++j)
+    {
+        Sample peak = 0;
+
+        for (int n = 0; n < block.count; ++n)
+            if (const auto value = std::abs (block.inputs[static_cast<std::size_t> (j)][n]); std::isfinite (value))
+                peak = std::max (peak, value);
+
+        meters.inputs.note (j, static_cast<float> (peak));
+    }
+}
+
+template <typename Sample>
+void TouchPath::write (const TouchBlock<Sample>& block, int offset, int count, Outputs outputs) const
+{
+    for (std::size_t i = 0; i < block.ceramics.size(); ++i)
+        if (i < modes->ceramics.size())
+            for (int n = 0; n < count; ++n)
+                block.ceramics[i][offset + n] = static_cast<Sample> (outputs[i][n] / modes->fullScaleVoltage);
+        else
+            std::fill_n (block.ceramics[i] + offset, count, Sample (0));
+}
+
+void TouchPath::note (int count, Outputs outputs, LevelMeters& meters)
+{
+    const auto& limited = limiterNode().limiter().limitedSamples();
+
+    for (int i = 0; i < std::min (static_cast<int> (modes->actuators()), LevelMeters::ceramics); ++i)
+    {
+        meters.notePeak (i, static_cast<float> (absolutePeak (outputs[i], count)));
+        meters.noteLimited (i, limited[static_cast<std::size_t> (i)]);
+    }
+}
+
+template void TouchPath::process (const TouchBlock<float>&, const TouchControls&, bool, LevelMeters&, FingerMeters&);
+template void TouchPath::process (const TouchBlock<double>&, const TouchControls&, bool, LevelMeters&, FingerMeters&);
+} // namespace antinode

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "LevelMeters.h"
+#include "TouchSettings.h"
+
+#include <antinode_graph/FilterNode.h>
+#include <antinode_graph/InputNode.h>
+#include <antinode_graph/LimiterNode.h>
+#include <antinode_graph/NodeGraph.h>
+#include <antinode_model/ModalModel.h>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace antinode
+{
+/** Samples of a block on their way from fingers' inputs to ceramics. */
+template <typename Sample>
+struct TouchBlock
+{
+    std::span<const Sample* const> inputs; ///< Channel k is finger k; missing ones are silent.
+    std::span<Sample* const> ceramics;     ///< Channel k is ceramic k, 1.0 its device's full scale; may be the same
+                                           ///< memory as the inputs. Those beyond the device's ceramics become silent.
+    int count = 0;                         ///< Samples.
+};
+
+/** One device at one sample rate under the inputs of fingers: filters, limiter, meters. Made by the session, played by
+    the audio thread, freed by the session. */
+class TouchPath
+{
+public:
+    /** @param inputs  1 to mostFingers
+        @param settings  of the filters that it will be given
+        @throws InputError  when the device or the rate cannot be played
+        [worker] */
+    TouchPath (std::shared_ptr<const ModalModel>, int inputs, TrackBand, const FilterSettings& settings,
+               const SkinThreshold&);
+
+    double sampleRate() const { return rate; }
+    int inputs() const { return fingers; }
+
+    /** Where its filters come from. [session's thread] */
+    HandOver<FilterBank>& banks() { return filterNode().banks(); }
+
+    /** Plays a block of any length.
+        @param isLeaving  from now on the voltages ramp to 0
+        [audio thread] allocates nothing, locks nothing */
+    template <typename Sample>
+    void process (const TouchBlock<Sample>&, const TouchControls&, bool isLeaving, LevelMeters&, FingerMeters&);
+
+    /** Whether a ramp to silence that began so many samples ago has ended. [audio thread] */
+    bool isSilentAfter (std::int64_t samples) const;
+
+    /** As if no input had come. [audio thread] */
+    void reset() { graph.reset(); }
+
+private:
+    using Outputs = const double* const*; ///< Of the graph: the voltages behind the limiter.
+
+    FilterNode& filterNode() { return static_cast<FilterNode&> (graph.node (filters)); }
+    LimiterNode& limiterNode() { return static_cast<LimiterNode&> (graph.node (limiter)); }
+    template <typename Sample>
+    void noteInputs (const TouchBlock<Sample>&, FingerMeters&) const;
+    template <typename Sample>
+    void write (const TouchBlock<Sample>&, int offset, int count, Outputs) const;
+    void note (int count, Outputs, LevelMeters&);
+
+    std::shared_ptr<const ModalModel> modes;
+    double rate;
+    int fingers;
+    NodeGraph graph;
+    int input = 0, filters = 0, limiter = 0; ///< Indices of its nodes.
+};
+} // namespace antinode

@@ -1,0 +1,401 @@
+#include "TouchWorker.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/Watch.h>
+#include <antinode_library/Library.h>
+#include <antinode_library/SkinThresholds.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+constexpr auto touchInterval = std::chrono::milliseconds (4);  // between looks at the parameters
+constexpr auto touchRest = std::chrono::milliseconds (20);     // for which fingers have stayed where they are
+constexpr auto touchPatience = std::chrono::milliseconds (40); // of a host that prepares us
+constexpr double usualTouchRate = 48000;                       // Hz, before a host says its own
+
+/** With the static share of the modes beyond: without it the points between which filters tell apart would leak.
+    @throws InputError  where it cannot be solved, or has nothing that moves it */
+std::shared_ptr<const ModalModel> solvedForTouch (const DeviceDocument& document)
+{
+    auto model = std::make_shared<const ModalModel> (solveDeviceWithStaticShare (document.description, {}, true));
+    const auto where = "device '" + document.description.name + "'";
+
+    if (model->actuators() == 0)
+        throw InputError (where, "has no ceramics, so nothing can move it");
+
+    requireRealModes (*model, "filters for fingers");
+    return model;
+}
+} // namespace
+
+TouchWorker::TouchWorker (std::shared_ptr<const DeviceDocument> device, std::shared_ptr<Owner> ownerToAsk)
+    : owner (std::move (ownerToAsk)), nextDevice (std::move (device)),
+      published (std::make_shared<const TouchSnapshot>()), threshold (findSkinThreshold ({}))
+{
+}
+
+void TouchWorker::stop()
+{
+    const std::lock_guard lock (mutex);
+    isStopping = true;
+    wake.notify_all();
+}
+
+void TouchWorker::load (std::shared_ptr<const DeviceDocument> device)
+{
+    const std::lock_guard lock (mutex);
+    nextDevice = std::move (device);
+    wake.notify_all();
+}
+
+void TouchWorker::prepare (double sampleRate, int inputs)
+{
+    preparedRate = sampleRate;
+    paths.reset();
+    std::unique_lock lock (mutex);
+    wantedFormat = { sampleRate, inputs };
+    const auto round = ++roundsRequested;
+    wake.notify_all();
+    settled.wait_for (lock, touchPatience, [&] { return roundsDone >= round; });
+}
+
+void TouchWorker::waitUntilSettled()
+{
+    std::unique_lock lock (mutex);
+    const auto round = ++roundsRequested;
+    wake.notify_all();
+    settled.wait (lock, [&] { return roundsDone >= round; });
+}
+
+std::shared_ptr<const TouchSnapshot> TouchWorker::snapshot() const
+{
+    const std::lock_guard lock (mutex);
+    return published;
+}
+
+std::int64_t TouchWorker::latencySamples (std::size_t latency) const
+{
+    const auto rate = preparedRate > 0 ? preparedRate.load() : usualTouchRate;
+
+    try
+    {
+        return filterTiming ({}, TouchDesigner::filterSettings (rate, latency)).latencySamples();
+    }
+    catch (const InputError&)
+    {
+        return 0; // There is silence at such a rate.
+    }
+}
+
+void TouchWorker::run()
+{
+    const WatchScope scope ([this] { return ! isStopping; });
+
+    try
+    {
+        for (std::uint64_t round = 0; awaitRound (round);)
+        {
+            do
+                step();
+            while (! isSettled());
+
+            {
+                const std::lock_guard lock (mutex);
+                roundsDone = round;
+                settled.notify_all();
+            }
+            compare();
+        }
+    }
+    catch (const Cancelled&)
+    {
+        // It is stopping.
+    }
+
+    paths.clear();
+}
+
+/** @return  false at the end */
+bool TouchWorker::awaitRound (std::uint64_t& round)
+{
+    std::unique_lock lock (mutex);
+    wake.wait_for (lock, touchInterval, [this] { return isStopping || nextDevice || roundsRequested > roundsDone; });
+    round = roundsRequested;
+    return ! isStopping;
+}
+
+/** One round: what was loaded, then the format, then what the parameters say. */
+void TouchWorker::step()
+{
+    if (takeDocument())
+        solve();
+
+    paths.collect();
+
+    if (path != nullptr)
+        path->banks().collect();
+
+    settings = owner->settings (settings);
+    Format wanted;
+    {
+        const std::lock_guard lock (mutex);
+        wanted = wantedFormat;
+    }
+
+    if (present.model == nullptr || ! (wanted.sampleRate > 0))
+        return;
+
+    if (const auto isFormatNew = std::exchange (format, wanted) != wanted;
+        std::exchange (isModelNew, false) || isFormatNew)
+        buildPath();
+
+    if (path != nullptr && designedFor != settings)
+        design();
+}
+
+/** @return  whether there is another document now */
+bool TouchWorker::takeDocument()
+{
+    const std::lock_guard lock (mutex);
+
+    if (nextDevice == nullptr)
+        return false;
+
+    present.device = std::exchange (nextDevice, nullptr);
+    return true;
+}
+
+/** A newer device ends this one's solving; the next round takes it. */
+void TouchWorker::solve()
+{
+    present.isSolving = true;
+    publish();
+
+    try
+    {
+        const WatchScope scope (
+            [this]
+            {
+                const std::lock_guard lock (mutex);
+                return nextDevice == nullptr;
+            });
+        present.model = solvedForTouch (*present.device);
+        present.error.clear();
+        isModelNew = true;
+    }
+    catch (const Cancelled&)
+    {
+        checkWatch();
+    }
+    catch (const std::exception& failure)
+    {
+        present.error = failure.what();
+    }
+
+    present.isSolving = false;
+    publish();
+}
+
+void TouchWorker::buildPath()
+{
+    path = nullptr; // Whatever played plays on until there is another one.
+    designer = nullptr;
+    designedFor.reset();
+    present.designs = {};
+    present.formatError.clear();
+
+    try
+    {
+        auto made = std::make_unique<TouchPath> (present.model, format.inputs, TrackBand {},
+                                                 TouchDesigner::filterSettings (format.sampleRate, settings.latency),
+                                                 threshold);
+        designer = std::make_unique<TouchDesigner> (present.model, format.sampleRate, format.inputs);
+        path = made.get();
+        tail = std::log (1000) / decayRates (*present.model).minCoeff() + FilterSettings().length;
+        paths.give (std::move (made));
+    }
+    catch (const std::exception& failure)
+    {
+        present.formatError = failure.what();
+    }
+
+    publish();
+}
+
+/** Whether what was asked for before this round is there, or cannot be. */
+bool TouchWorker::isSettled() const
+{
+    return path == nullptr || designedFor == settings;
+}
+
+/** Filters for what the parameters say, unless there are some, and plays them. */
+void TouchWorker::design()
+{
+    designer->setFingers (settings);
+    designedFor = settings;
+    present.designError.clear();
+
+    try
+    {
+        if (designer->design (settings.latency) == nullptr)
+        {
+            playQuickly();
+
+            if (! areFingersResting())
+                throw Cancelled();
+
+            makeDesign();
+        }
+
+        play (std::make_unique<const FilterBank> (designer->design (settings.latency)->bank));
+    }
+    catch (const Cancelled&)
+    {
+        checkWatch();
+        designedFor.reset();
+    }
+    catch (const std::exception& failure)
+    {
+        present.designError = failure.what();
+    }
+
+    present.isDesigning = false;
+
+    for (std::size_t i = 0; i < touchLatencies.size(); ++i)
+        present.designs[i] = designer->design (i);
+
+    publish();
+}
+
+/** Filters for places that may move on before better ones are there. */
+void TouchWorker::playQuickly()
+{
+    const WatchScope scope ([this] { return ! hasOtherPath(); });
+
+    if (auto bank = designer->quickBank (settings.latency); bank != nullptr)
+        play (std::move (bank));
+}
+
+/** Whether fingers stay where they are for a moment, or somebody waits for their filters. While they move, quick
+   filters have the processor for themselves. */
+bool TouchWorker::areFingersResting()
+{
+    const auto end = std::chrono::steady_clock::now() + touchRest;
+
+    while (std::chrono::steady_clock::now() < end)
+    {
+        std::unique_lock lock (mutex);
+        wake.wait_for (lock, touchInterval,
+                       [this] { return isStopping || nextDevice || roundsRequested > roundsDone; });
+
+        if (isStopping || nextDevice != nullptr || roundsRequested > roundsDone)
+            return true;
+
+        lock.unlock();
+
+        if (owner->settings (settings) != settings)
+            return false;
+    }
+
+    return true;
+}
+
+/** Another device or format ends it, and other places, since quick filters for them sound better than none. */
+void TouchWorker::makeDesign()
+{
+    present.isDesigning = true;
+    present.progress = 0;
+    publish();
+    const WatchScope scope ([this] { return ! hasOtherPath() && owner->settings (settings) == settings; });
+    designer->makeDesign (settings.latency,
+                          [this] (const std::string&, double share)
+                          {
+                              present.progress = share;
+                              publish();
+                          });
+}
+
+void TouchWorker::play (std::unique_ptr<const FilterBank> bank)
+{
+    path->banks().give (std::move (bank));
+    present.playedFingers = settings;
+    publish();
+}
+
+bool TouchWorker::hasOtherPath()
+{
+    const std::lock_guard lock (mutex);
+    return nextDevice != nullptr || wantedFormat != format;
+}
+
+/** One more latency, so that their volts can be compared; whatever else there is to do ends it. */
+void TouchWorker::compare()
+{
+    if (! isComparing || designer == nullptr || ! present.designError.empty() || hasNews())
+        return;
+
+    try
+    {
+        const WatchScope scope ([this] { return ! hasNews(); });
+
+        for (std::size_t i = 0; i < touchLatencies.size(); ++i)
+            if (designer->design (i) == nullptr)
+            {
+                designer->makeDesign (i, {});
+                present.designs[i] = designer->design (i);
+                publish();
+            }
+    }
+    catch (const Cancelled&)
+    {
+        checkWatch();
+    }
+    catch (const std::exception&)
+    {
+        isComparing = false; // The one that was chosen plays all the same.
+    }
+}
+
+bool TouchWorker::hasNews()
+{
+    {
+        const std::lock_guard lock (mutex);
+
+        if (roundsRequested > roundsDone)
+            return true;
+    }
+
+    return hasOtherPath() || owner->settings (settings) != settings || designedFor != settings;
+}
+
+void TouchWorker::publish()
+{
+    {
+        const std::lock_guard lock (mutex);
+        published = std::make_shared<const TouchSnapshot> (present);
+    }
+    owner->tell();
+}
+
+template <typename Sample>
+void TouchWorker::process (const TouchBlock<Sample>& block, const TouchControls& controls)
+{
+    if (auto* const current = paths.current (preparedRate, block.count))
+    {
+        current->process (block, controls, paths.isLeaving(), levels, fingerLevels);
+        return;
+    }
+
+    for (auto* const channel : block.ceramics)
+        std::fill_n (channel, block.count, Sample (0));
+}
+
+template void TouchWorker::process (const TouchBlock<float>&, const TouchControls&);
+template void TouchWorker::process (const TouchBlock<double>&, const TouchControls&);
+} // namespace antinode

@@ -1,0 +1,221 @@
+#include "TouchContent.h"
+
+#include "LatencyVolts.h"
+
+#include <antinode_base/Prefixes.h>
+#include <antinode_felt/FeltMotion.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+constexpr int touchTop = 44, touchStatus = 24, touchGap = 6, voltsHeight = 40, panelWidth = 330;
+constexpr double feltFall = 20; // dB per second
+} // namespace
+
+TouchContent::TouchContent (TouchProcessor& processorToShow)
+    : processor (processorToShow), device ([this] (auto chosen) { processor.load (std::move (chosen)); }),
+      surfaceView (processor), fingerPanel (processor.parameters()), tooltips (this, 600)
+{
+    juce::LookAndFeel::setDefaultLookAndFeel (&fonts.get());
+    setLookAndFeel (&look);
+    setTitle ("Antinode Touch");
+    device.setTooltip ("The device that the fingers rest on. Click to choose another.");
+    theme.setButtonText (juce::String::fromUTF8 ("\xE2\x97\x90"));
+    theme.setTitle ("Light or dark");
+    theme.setTooltip ("Light or dark");
+    theme.onClick = [this] { setDark (! isDark()); };
+    surfaceView.onSelect = [this] (std::size_t finger) { fingerPanel.select (finger); };
+
+    for (juce::Component* const child :
+         std::initializer_list<juce::Component*> { &device, &theme, &surfaceView, &fingerPanel, &motions, &voltages })
+        addAndMakeVisible (child);
+
+    processor.session().setComparing (true);
+    setDark (true);
+    setSize (minimumWidth, minimumHeight);
+    refresh (0);
+}
+
+TouchContent::~TouchContent()
+{
+    processor.session().setComparing (false);
+    rest->stop();
+    setLookAndFeel (nullptr);
+}
+
+void TouchContent::setDark (bool isDark)
+{
+    look.setPalette (isDark ? Palette::dark() : Palette::light());
+    sendLookAndFeelChange();
+
+    if (onTheme)
+        onTheme();
+}
+
+void TouchContent::lookAndFeelChanged()
+{
+    for (juce::TextButton* const button : std::initializer_list<juce::TextButton*> { &device, &theme })
+    {
+        button->setColour (juce::TextButton::buttonColourId, look.palette().raised);
+        button->setColour (juce::TextButton::textColourOffId, look.palette().text);
+    }
+
+    repaint();
+}
+
+void TouchContent::refresh (double seconds)
+{
+    takeSnapshot();
+    surfaceView.refresh (snapshot, fingerPanel.selected());
+    fingerPanel.refresh();
+    showFingers (seconds);
+    showVoltages (seconds);
+    showStatus();
+}
+
+void TouchContent::takeSnapshot()
+{
+    if (auto now = processor.session().snapshot(); now != snapshot)
+    {
+        if (snapshot == nullptr || now->model != snapshot->model)
+        {
+            auto atRest = std::make_shared<PlateSnapshot>();
+            atRest->model = now->model;
+            rest->watch (std::move (atRest));
+            fingerPanel.refreshTexts();
+        }
+
+        snapshot = std::move (now);
+        device.setDevice (*processor.device());
+    }
+
+    if (auto newest = rest->picture(); newest != nullptr && newest != picture)
+    {
+        picture = std::move (newest);
+        surfaceView.setPicture (picture);
+    }
+}
+
+void TouchContent::showFingers (double seconds)
+{
+    const auto settings = processor.parameters().settings();
+    const auto controls = processor.parameters().controls();
+    auto& meters = processor.session().fingerMeters();
+    std::vector<LevelRows::Row> rows;
+    std::vector<double> values;
+
+    for (int k = 0; k < processor.inputs(); ++k)
+    {
+        const auto finger = static_cast<std::size_t> (k);
+        const auto amount = static_cast<double> (meters.felt.take (k));
+        felt[finger] = std::max (sensationLevel (amount), felt[finger] - feltFall * seconds);
+        values.push_back (micro * static_cast<double> (meters.displacements.take (k)));
+        const auto text = settings.fingers[finger].presence == FingerPresence::absent   ? "absent"
+                          : settings.fingers[finger].presence == FingerPresence::silent ? "silent"
+                          : felt[finger] > 0 ? "felt " + juce::String (juce::roundToInt (felt[finger])) + " dB"
+                                             : juce::String ("not felt");
+        rows.push_back ({ juce::String (k + 1), text, micro * std::max (controls.levels[finger], 1e-9) });
+    }
+
+    motions.setRows (std::move (rows));
+    motions.refresh (values, seconds);
+}
+
+void TouchContent::showVoltages (double seconds)
+{
+    std::vector<LevelRows::Row> rows;
+    std::vector<double> values;
+
+    for (int i = 0; snapshot->model != nullptr && i < static_cast<int> (snapshot->model->actuators()); ++i)
+    {
+        rows.push_back ({ juce::String (i + 1), {}, voltageLimit (*snapshot->model, static_cast<std::size_t> (i)) });
+        values.push_back (static_cast<double> (processor.session().meters().takePeak (i)));
+    }
+
+    voltages.setRows (std::move (rows));
+    voltages.refresh (values, seconds);
+}
+
+juce::String TouchContent::statusNow() const
+{
+    const auto& parameters = processor.parameters();
+
+    if (device.error().isNotEmpty())
+        return device.error();
+
+    if (auto warning = processor.warning(); warning.isNotEmpty())
+        return warning;
+
+    if (snapshot->isSolving)
+        return "Solving the device.";
+
+    if (snapshot->isDesigning)
+        return "Designing the filters: " + juce::String (juce::roundToInt (100 * snapshot->progress)) + " %.";
+
+    if (! parameters.arm().get())
+        return "Disarmed: all voltages are 0 V.";
+
+    const auto volts = noiseVolts (*snapshot, parameters.controls(), parameters.settings().latency);
+
+    if (snapshot->model != nullptr && volts && *volts > voltageLimits (*snapshot->model).minCoeff())
+        return "Loud: noise at these levels needs " + juce::String (juce::roundToInt (*volts)) + " V of "
+               + juce::String (juce::roundToInt (voltageLimits (*snapshot->model).minCoeff()))
+               + " V; what is beyond is cut, and then also felt elsewhere.";
+
+    return {};
+}
+
+void TouchContent::showStatus()
+{
+    const auto status = statusNow(), volts = latencyVoltsText (*snapshot, processor.parameters().controls());
+
+    if (std::exchange (statusText, status) != status || std::exchange (voltsText, volts) != volts)
+        repaint();
+}
+
+void TouchContent::paint (juce::Graphics& g)
+{
+    const auto& palette = look.palette();
+    g.fillAll (palette.window);
+    auto area = getLocalBounds();
+    g.setColour (palette.panel);
+    g.fillRect (area.removeFromTop (touchTop));
+    g.fillRect (area.removeFromBottom (touchStatus));
+    g.setFont (EditorLook::font (EditorLook::smallTextHeight));
+    g.setColour (palette.caution);
+    g.drawText (statusText, getLocalBounds().removeFromBottom (touchStatus).reduced (10, 0),
+                juce::Justification::centredLeft);
+    auto box = fingerPanel.getBounds().withY (fingerPanel.getBottom()).withHeight (voltsHeight);
+    g.setColour (palette.panel);
+    g.fillRect (box);
+    box = box.reduced (10, 2);
+    g.setColour (palette.mutedText);
+    g.drawText ("Noise at these levels costs, by latency:", box.removeFromTop (box.getHeight() / 2),
+                juce::Justification::centredLeft);
+    g.setColour (palette.text);
+    g.drawText (voltsText, box, juce::Justification::centredLeft);
+}
+
+void TouchContent::resized()
+{
+    auto area = getLocalBounds();
+    auto top = area.removeFromTop (touchTop).reduced (8, 6);
+    area.removeFromBottom (touchStatus);
+    device.setBounds (top.removeFromLeft (240));
+    theme.setBounds (top.removeFromRight (34));
+    area = area.reduced (touchGap);
+    auto right = area.removeFromRight (panelWidth);
+    area.removeFromRight (touchGap);
+    fingerPanel.setBounds (right.removeFromTop (FingerPanel::height()));
+    right.removeFromTop (voltsHeight + touchGap);
+    motions.setBounds (right);
+    voltages.setBounds (area.removeFromBottom (std::min (130, area.getHeight() / 4)));
+    area.removeFromBottom (touchGap);
+    surfaceView.setBounds (area);
+}
+} // namespace antinode

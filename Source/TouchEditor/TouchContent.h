@@ -1,0 +1,80 @@
+#pragma once
+
+#include "FingerPanel.h"
+#include "TouchSurface.h"
+
+#include <Editor/DeviceButton.h>
+#include <Editor/EditorLook.h>
+#include <Editor/LocalTooltips.h>
+#include <PlateEditor/LevelRows.h>
+#include <PlateEditor/MotionView.h>
+
+#include <antinode_base/BackgroundThread.h>
+
+#include <functional>
+#include <memory>
+
+namespace antinode
+{
+/** All that the editor of Antinode Touch shows, in a plain component: any window can have it. Whoever has it calls
+    refresh(). [message thread] */
+class TouchContent final : public juce::Component
+{
+public:
+    static constexpr int minimumWidth = 760, minimumHeight = 560;
+
+    explicit TouchContent (TouchProcessor&);
+    ~TouchContent() override;
+
+    /** Shows what has changed. @param seconds  since the last call */
+    void refresh (double seconds);
+
+    void setDark (bool isDark);
+    bool isDark() const { return look.palette().isDark; }
+
+    /** Called after it has become dark or light. */
+    std::function<void()> onTheme;
+
+    /** Whether the surface of a solved device is shown. */
+    bool hasPicture() const { return picture != nullptr; }
+
+    TouchSurface& surface() { return surfaceView; }
+    FingerPanel& fingers() { return fingerPanel; }
+
+    /** Loads a device of the library, or of a file. What is wrong with it stands in the status line. */
+    void loadDevice (const std::string& nameOrFile) { device.loadDevice (nameOrFile); }
+
+    juce::String status() const { return statusText; }
+
+    /** What noise at the fingers' levels costs, by latency. */
+    juce::String volts() const { return voltsText; }
+
+    void paint (juce::Graphics&) override;
+    void resized() override;
+    void lookAndFeelChanged() override;
+
+private:
+    void takeSnapshot();
+    void showFingers (double seconds);
+    void showVoltages (double seconds);
+    void showStatus();
+    juce::String statusNow() const;
+
+    TouchProcessor& processor;
+    juce::SharedResourcePointer<EditorLook> fonts; ///< Of JUCE's own windows: menus and alerts.
+    EditorLook look;
+    std::shared_ptr<MotionView> rest = std::make_shared<MotionView>(); ///< Draws the surface at rest.
+    BackgroundThread restThread { [kept = rest] { kept->run(); } };
+    DeviceButton device;
+    juce::TextButton theme;
+    TouchSurface surfaceView;
+    FingerPanel fingerPanel;
+    LevelRows motions { "Asked for at the fingers, 40 to 1000 Hz", juce::String::fromUTF8 ("\xC2\xB5m"), 2 };
+    LevelRows voltages { "Voltages", "V", 1 };
+    LocalTooltips tooltips;
+    std::shared_ptr<const TouchSnapshot> snapshot;
+    std::shared_ptr<const MotionPicture> picture;
+    std::array<double, mostFingers> felt {}; ///< dB over threshold, which falls slowly.
+    juce::String statusText, voltsText;
+};
+} // namespace antinode

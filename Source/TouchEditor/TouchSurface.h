@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Editor/SurfacePainter.h>
+#include <PlateEditor/MotionView.h>
+#include <TouchProcessor/TouchProcessor.h>
+
+#include <juce_gui_basics/juce_gui_basics.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace antinode
+{
+/** The surface from above with its fingers: discs that can be dragged, filled where they play, rings where they are
+    silent; where the filters that play are for another place, a thin ring stands there. [message thread] */
+class TouchSurface final : public juce::Component, public juce::SettableTooltipClient
+{
+public:
+    explicit TouchSurface (TouchProcessor&);
+
+    void setPicture (std::shared_ptr<const MotionPicture>);
+
+    /** Draws what has changed. @param selected  the finger whose controls are shown */
+    void refresh (std::shared_ptr<const TouchSnapshot>, std::size_t selected);
+
+    /** Called with a finger that is clicked. */
+    std::function<void (std::size_t)> onSelect;
+
+    /** Where a finger is, in pixels of this component. */
+    juce::Point<float> finger (std::size_t index) const;
+
+    /** Puts the first absent finger down at a place in pixels. @return  which one, if there was one */
+    std::optional<std::size_t> putDown (juce::Point<float>);
+
+    void paint (juce::Graphics&) override;
+    void resized() override { repaint(); }
+    void lookAndFeelChanged() override;
+    void mouseDown (const juce::MouseEvent&) override;
+    void mouseDrag (const juce::MouseEvent&) override;
+    void mouseUp (const juce::MouseEvent&) override;
+    void mouseDoubleClick (const juce::MouseEvent&) override;
+
+private:
+    juce::Point<float> at (const FingerSettings&) const;
+    std::optional<std::size_t> fingerAt (juce::Point<float>) const;
+    float radiusOf (const FingerSettings&) const;
+    void paintFinger (juce::Graphics&, std::size_t index) const;
+    void moveTo (std::size_t index, juce::Point<float>);
+    void showMenu (std::size_t index);
+
+    TouchProcessor& processor;
+    std::shared_ptr<const MotionPicture> picture;
+    std::shared_ptr<const TouchSnapshot> snapshot;
+    SurfacePainter painter;
+    TouchSettings shown;
+    std::size_t selected = 0;
+    std::optional<std::size_t> dragged;
+};
+} // namespace antinode

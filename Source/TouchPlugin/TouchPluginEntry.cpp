@@ -1,0 +1,16 @@
+#include <Processor/CeramicsAtFirst.h>
+#include <TouchEditor/InstallTouchEditor.h>
+#include <TouchProcessor/TouchProcessor.h>
+
+#ifndef ANTINODE_LV2_CERAMICS
+#define ANTINODE_LV2_CERAMICS 8
+#endif
+
+juce::AudioProcessor* JUCE_CALLTYPE createPluginFilter();
+
+juce::AudioProcessor* JUCE_CALLTYPE createPluginFilter()
+{
+    antinode::installTouchEditor();
+    const auto wrapper = juce::PluginHostType::getPluginLoadedAs();
+    return new antinode::TouchProcessor (antinode::ceramicsAtFirst (wrapper, ANTINODE_LV2_CERAMICS), wrapper);
+}

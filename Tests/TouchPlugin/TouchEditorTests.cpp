@@ -1,0 +1,205 @@
+#include "PlayedTouch.h"
+
+#include <TouchEditor/LatencyVolts.h>
+#include <TouchEditor/TouchEditor.h>
+
+#include <Support/BlockingActions.h>
+#include <Support/LargestDevice.h>
+
+#include <catch2/catch.hpp>
+
+#include <chrono>
+#include <functional>
+#include <random>
+#include <set>
+#include <thread>
+
+using namespace antinode;
+using namespace antinode::test;
+
+namespace
+{
+void refreshUntil (TouchContent& content, const std::function<bool()>& isReached)
+{
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds (60);
+
+    do
+    {
+        REQUIRE (std::chrono::steady_clock::now() < end);
+        std::this_thread::sleep_for (std::chrono::milliseconds (2));
+        content.refresh (0.002);
+    } while (! isReached());
+}
+
+juce::MouseEvent mouseAt (juce::Component& component, juce::Point<float> place)
+{
+    const auto now = juce::Time::getCurrentTime();
+    return { juce::Desktop::getInstance().getMainMouseSource(),
+             place,
+             juce::ModifierKeys::leftButtonModifier,
+             0,
+             0,
+             0,
+             0,
+             0,
+             &component,
+             &component,
+             now,
+             place,
+             now,
+             1,
+             false };
+}
+
+/** How many colours a picture has: nothing drawn has few. */
+int countColours (const juce::Image& image)
+{
+    std::set<juce::uint32> colours;
+
+    for (int y = 0; y < image.getHeight(); y += 2)
+        for (int x = 0; x < image.getWidth(); x += 2)
+            colours.insert (image.getPixelAt (x, y).getARGB());
+
+    return static_cast<int> (colours.size());
+}
+} // namespace
+
+TEST_CASE ("The touch editor shows surface and fingers of plates and lines, dark and light", "[touch-plugin][editor]")
+{
+    const auto* const device = GENERATE ("staple", "aluminium-200x120");
+    const auto processor = offlineTouch (16, 48000, 480);
+    processor->load (touchDevice (device));
+    TouchEditor editor (*processor);
+    auto& content = editor.content();
+    refreshUntil (content, [&] { return content.hasPicture(); });
+    content.setDark (GENERATE (false, true));
+    CHECK (countColours (editor.createComponentSnapshot (editor.getLocalBounds(), true, 1)) > 40);
+}
+
+TEST_CASE ("A finger that is dragged moves its parameters, and its controls are shown", "[touch-plugin][editor]")
+{
+    const auto processor = offlineTouch (16, 48000, 480);
+    TouchEditor editor (*processor);
+    auto& content = editor.content();
+    auto& surface = content.surface();
+    refreshUntil (content, [&] { return content.hasPicture(); });
+    editor.createComponentSnapshot (editor.getLocalBounds(), true, 1); // It is laid out where it is painted.
+    const auto from = surface.finger (1), to = from + juce::Point<float> (-40, 30);
+    surface.mouseDown (mouseAt (surface, from));
+    surface.mouseDrag (mouseAt (surface, to));
+    surface.mouseUp (mouseAt (surface, to));
+    CHECK (content.fingers().selected() == 1);
+    CHECK (surface.finger (1).getDistanceFrom (to) < 0.5F);
+    CHECK (processor->parameters().finger (1).x->get() < 70);
+    CHECK (processor->parameters().finger (1).y->get() < 65);
+}
+
+TEST_CASE ("A double click puts the next finger down where it is, up to eight", "[touch-plugin][editor]")
+{
+    const auto processor = offlineTouch (16, 48000, 480);
+    TouchEditor editor (*processor);
+    auto& surface = editor.content().surface();
+    refreshUntil (editor.content(), [&] { return editor.content().hasPicture(); });
+    editor.createComponentSnapshot (editor.getLocalBounds(), true, 1);
+    const auto place = surface.finger (0) + juce::Point<float> (50, 0);
+    surface.mouseDoubleClick (mouseAt (surface, surface.finger (0)));
+    CHECK (processor->parameters().settings().fingers[3].presence == FingerPresence::absent);
+    surface.mouseDoubleClick (mouseAt (surface, place));
+    CHECK (processor->parameters().settings().fingers[3].presence == FingerPresence::plays);
+    CHECK (surface.finger (3).getDistanceFrom (place) < 0.5F);
+    CHECK (editor.content().fingers().selected() == 3);
+
+    for (int k = 4; k < mostFingers; ++k)
+        CHECK (surface.putDown ({ 30.0F * static_cast<float> (k), 60 }));
+
+    CHECK_FALSE (surface.putDown (place));
+}
+
+TEST_CASE ("The volts of all latencies are shown once they are designed: 5 ms costs most", "[touch-plugin][editor]")
+{
+    const auto processor = offlineTouch (16, 48000, 480);
+    TouchEditor editor (*processor);
+    auto& content = editor.content();
+    refreshUntil (content, [&] { return content.volts().contains ("5 ms: "); });
+    CHECK (content.volts().startsWith ("20 ms: "));
+    const auto voltsAt = [&] (std::size_t latency)
+    { return *noiseVolts (*processor->session().snapshot(), processor->parameters().controls(), latency); };
+    CHECK (voltsAt (0) < 0.95 * voltsAt (2));
+    CHECK (voltsAt (1) < 0.98 * voltsAt (2));
+}
+
+TEST_CASE ("The volts that are shown are those of noise that is played", "[touch-plugin]")
+{
+    constexpr int length = 96000;
+    const auto processor = offlineTouch (16, 48000, 480);
+    Eigen::MatrixXd noise (2, length);
+    juce::Random random (9);
+
+    // Many tones of one power at random phases fill the band; a third of full scale is their RMS.
+    for (Eigen::Index k = 0; k < 2; ++k)
+    {
+        noise.row (k).setZero();
+
+        for (double frequency = 41; frequency < 1000; frequency += 7)
+        {
+            const auto phase = 2 * std::numbers::pi * random.nextDouble();
+
+            for (int n = 0; n < length; ++n)
+                noise (k, n) += std::sin (2 * std::numbers::pi * frequency * n / 48000 + phase);
+        }
+
+        noise.row (k) *= std::sqrt (static_cast<double> (length)) / noise.row (k).norm() / 3;
+    }
+
+    const Eigen::MatrixXd played = voltagesOf (*processor, noise, 480).rightCols (length / 2);
+    const auto model = processor->session().snapshot()->model;
+    const auto rms = (played.rowwise().norm() / std::sqrt (length / 2.0)).maxCoeff() * model->fullScaleVoltage;
+    CHECK (*noiseVolts (*processor->session().snapshot(), processor->parameters().controls(), 0)
+           == Approx (3 * rms).epsilon (0.1));
+}
+
+TEST_CASE ("The touch editor says what is wrong, and what goes on, in its status line", "[touch-plugin][editor]")
+{
+    const auto processor = offlineTouch (4, 48000, 480);
+    TouchEditor editor (*processor);
+    auto& content = editor.content();
+    content.loadDevice ("no-such-device");
+    content.refresh (0);
+    CHECK (content.status().contains ("no-such-device"));
+    content.loadDevice ("aluminium-200x120");
+    refreshUntil (content, [&] { return content.status().contains ("8 ceramics"); });
+    processor->parameters().setValues ({ { "finger1_level", 100 } });
+    REQUIRE (processor->setBusesLayout (
+        { { juce::AudioChannelSet::discreteChannels (2) }, { juce::AudioChannelSet::discreteChannels (8) } }));
+    refreshUntil (content, [&] { return content.status().startsWith ("Loud: noise at these levels needs "); });
+    processor->parameters().arm() = false;
+    content.refresh (0);
+    CHECK (content.status() == "Disarmed: all voltages are 0 V.");
+}
+
+TEST_CASE ("Closing Antinode Touch or its editor does not wait for what is computed",
+           "[touch-plugin][editor][blocking]")
+{
+    BlockingTimes times;
+    std::mt19937 random (3);
+
+    for (int i = 0; i < blockingRounds (10); ++i)
+    {
+        auto processor = std::make_unique<TouchProcessor> (64, juce::AudioProcessor::wrapperType_Undefined);
+        processor->parameters().setValues (threeFingers());
+        auto editor = std::make_unique<TouchEditor> (*processor);
+
+        if (i % 3 == 0)
+            processor->load (touchDeviceFrom (largestDevice (50 + i)));
+
+        times.measure ("prepared", [&] { processor->prepareToPlay (48000, 512); });
+        std::this_thread::sleep_for (std::chrono::milliseconds (random() % 400));
+        editor->content().refresh (0.02);
+        times.measure ("sample rate changed", [&] { processor->prepareToPlay (96000, 512); });
+        times.measure ("editor closed", [&] { editor.reset(); });
+        times.measure ("plug-in destroyed", [&] { processor.reset(); });
+    }
+
+    times.print();
+    CHECK (times.longest() <= BlockingTimes::allowed());
+}
