@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace antinode
 {
@@ -31,9 +32,9 @@ void addSegment (std::vector<double>& places, double from, double to, double cel
         at.push_back (next);
     }
 
-    const auto count = std::max (1.0, std::ceil (cells.back() - 1e-6));
+    const auto count = std::max (1, static_cast<int> (std::ceil (cells.back() - 1e-6)));
 
-    for (double i = 1; i < count; ++i)
+    for (int i = 1; i < count; ++i)
     {
         const auto wanted = cells.back() * i / count;
         const auto above = std::upper_bound (cells.begin(), cells.end(), wanted) - cells.begin();

@@ -1,5 +1,6 @@
 #include "EdgeTerms.h"
 
+#include "CellFunctions.h"
 #include "ImmersedOperators.h"
 
 #include <antinode_base/Watch.h>

@@ -1,5 +1,6 @@
 #include "ImmersedOperators.h"
 
+#include "CellFunctions.h"
 #include "EdgeTerms.h"
 
 #include <antinode_base/Watch.h>

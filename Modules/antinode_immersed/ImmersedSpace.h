@@ -87,6 +87,7 @@ private:
             for (Eigen::Index i = 0; i < countX[column]; ++i)
                 function (static_cast<std::size_t> (tensorIndex (firstX[column] + i, firstY[row] + j)));
     }
+
     bool livesOn (const KinkFamily&, const ImmersedCell&) const;
     Eigen::Index tensorIndex (Eigen::Index ofX, Eigen::Index ofY) const { return ofX + ofY * axisX.size(); }
 
@@ -99,34 +100,5 @@ private:
     std::vector<Eigen::Index> blockSizes;
     bool outerIsX = true;
     Eigen::Index count = 0;
-};
-
-/** The functions that live on a cell, at places of it. */
-class CellFunctions
-{
-public:
-    /** @param highest  derivative that is asked for, along one axis
-        [worker] */
-    CellFunctions (const ImmersedSpace&, const ImmersedCell&, const std::vector<Eigen::Vector2d>& places, int highest);
-
-    const std::vector<Eigen::Index>& unknowns() const { return numbers; }
-
-    /** places x functions: a derivative. [worker] */
-    Eigen::MatrixXd derivative (int dx, int dy) const;
-
-private:
-    /** An unknown as a product of splines, by their numbers on the cell, and of a kink's function. */
-    struct Member
-    {
-        Eigen::Index ofX = 0, ofY = 0;
-        const KinkFunction* kink = nullptr;
-    };
-
-    Eigen::VectorXd kinkDerivative (const KinkFunction&, int dx, int dy) const;
-
-    std::vector<Eigen::Vector2d> places;
-    std::vector<Eigen::MatrixXd> alongX, alongY; ///< Of each derivative: places x splines.
-    std::vector<Member> members;
-    std::vector<Eigen::Index> numbers;
 };
 } // namespace antinode

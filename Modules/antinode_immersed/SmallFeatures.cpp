@@ -108,10 +108,10 @@ void addPatches (SmallCellsOfAxes& small, const BendingProblem& problem, const I
         {
             const auto extent = extentOf (patch.outline);
             const auto cell = resolution.patchCell * 2 * kink.width;
-            const auto steps = std::ceil (extent.size().maxCoeff() / cell);
+            const auto steps = static_cast<int> (std::ceil (extent.size().maxCoeff() / cell));
 
-            for (double i = 0; i <= steps; ++i)
-                add (small, extent.least + i / steps * extent.size(), { 0, cell, growth, 0 });
+            for (int i = 0; i <= steps; ++i)
+                add (small, extent.least + static_cast<double> (i) / steps * extent.size(), { 0, cell, growth, 0 });
         }
 }
 } // namespace

@@ -82,9 +82,8 @@ void PathBuilder::arcTo (const Eigen::Vector2d& end, double bulge, int edge)
     const Eigen::Vector2d centre = (place + end) / 2 + left * (1 - bulge * bulge) / (4 * bulge);
     const auto radius = (place - centre).norm();
     const auto from = std::atan2 (place.y() - centre.y(), place.x() - centre.x());
-    const auto last = end;
     ellipseTo (centre, { radius, 0 }, { 0, radius }, from, from + 4 * std::atan (bulge), edge);
-    pieces.back().end = place = last;
+    pieces.back().end = place = end;
 }
 
 void PathBuilder::ellipseTo (const Eigen::Vector2d& centre, const Eigen::Vector2d& cosine, const Eigen::Vector2d& sine,

@@ -43,7 +43,8 @@ Eigen::MatrixXd balancedDeflections (const PlateProblem& problem, int rigidBodyM
     constexpr int steps = 16;
     const auto factor = factorShifted (problem.stiffness, problem.mass, shift, problem.outer);
     constexpr auto converged = 1e-10; // what the last step may change
-    const auto rigid = lowestEigenpairs (factor, std::cref (problem.mass), problem.unknowns(), shift, std::max (rigidBodyModes, 1));
+    const auto rigid =
+        lowestEigenpairs (factor, std::cref (problem.mass), problem.unknowns(), shift, std::max (rigidBodyModes, 1));
     const Eigen::MatrixXd motions = rigid.vectors.leftCols (rigidBodyModes);
     const Eigen::MatrixXd weighted = problem.mass (motions);
     const Eigen::MatrixXd flexible = loads - weighted * (motions.transpose() * loads);
