@@ -36,6 +36,6 @@ struct ImportedDevice
 /** Modes on the surface, and of every ceramic its participation: alpha = - sum over nodes of reaction force . shape, by
     the voltage.
     @throws InputError  where there is no surface, a ceramic's case has no force, or no mode moves the surface
-    [worker] Docs/Theory.md, section 1.13. */
+    [worker] Docs/Theory.md, section 1.14. */
 ImportedDevice importDevice (const ElementResults&, const ImportSettings&);
 } // namespace antinode

@@ -32,6 +32,6 @@ struct TouchedSurface
 /** The flat surface of a body without its ceramics, whose materials have all nodes with reaction forces. Of nodes above
    each other the outermost counts; more points than wanted are thinned evenly.
     @throws InputError  where fewer than 3 points are left
-    [worker] Docs/Theory.md, section 1.13. */
+    [worker] Docs/Theory.md, section 1.14. */
 TouchedSurface findTouchedSurface (const ElementResults&, const SideChoice&);
 } // namespace antinode

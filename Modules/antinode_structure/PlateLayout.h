@@ -1,7 +1,8 @@
 #pragma once
 
 #include "PlateSection.h"
-#include "SplineAxis.h"
+
+#include <antinode_numerics/SplineAxis.h>
 
 #include <vector>
 

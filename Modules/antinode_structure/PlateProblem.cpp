@@ -6,6 +6,7 @@
 #include <antinode_base/Watch.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -168,7 +169,7 @@ TensorOperator massBetween (const PlateDescription& plate, const PlateLayout& la
 
 std::optional<Eigen::Index> eigenvaluesBelow (const PlateProblem& problem, double value)
 {
-    const BlockBandedFactor factor (problem.stiffness, problem.mass, value, problem.outer);
+    const auto factor = factorShifted (problem.stiffness, problem.mass, value, problem.outer);
     return factor.isUsable() ? std::optional (factor.negativePivots()) : std::nullopt;
 }
 
@@ -196,7 +197,7 @@ Eigenpairs solve (const PlateProblem& problem, Eigen::Index count)
                                         + " unknowns and cannot have so many modes; allowed: up to "
                                         + std::to_string (problem.unknowns() - 1) + " modes");
 
-    const BlockBandedFactor factor (problem.stiffness, problem.mass, shift, problem.outer);
+    const auto factor = factorShifted (problem.stiffness, problem.mass, shift, problem.outer);
 
     if (! factor.isUsable() || factor.negativePivots() > 0)
         throwNumbersTooFarApart();
@@ -206,7 +207,7 @@ Eigenpairs solve (const PlateProblem& problem, Eigen::Index count)
     for (const Eigen::Index more : { 4, 32 })
     {
         const auto all = std::min (count + more, problem.unknowns());
-        auto pairs = lowestEigenpairs (factor, problem.mass, shift, all);
+        auto pairs = lowestEigenpairs (factor, std::cref (problem.mass), problem.unknowns(), shift, all);
         const auto last = widestGap (pairs.values, count - 1);
         const auto below = eigenvaluesBelow (problem, (pairs.values[last] + pairs.values[last + 1]) / 2);
 

@@ -1,7 +1,9 @@
 #pragma once
 
-#include "BlockLanczos.h"
 #include "PlateLayout.h"
+#include "TensorOperator.h"
+
+#include <antinode_numerics/BlockLanczos.h>
 
 #include <optional>
 

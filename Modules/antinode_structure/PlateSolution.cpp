@@ -139,7 +139,7 @@ Eigenpairs coarserPairs (const PlateDescription& plate, const PlateLayout& layou
     constexpr double shift = -1;
     const auto coarse = plateProblem (plate, layout, fine.x().withDegree (fine.x().degree() - 1),
                                       fine.y().withDegree (fine.y().degree() - 1));
-    const BlockBandedFactor factor (coarse.stiffness, coarse.mass, shift, coarse.outer);
+    const auto factor = factorShifted (coarse.stiffness, coarse.mass, shift, coarse.outer);
     const auto loads = massBetween (plate, layout, coarse, fine) (pairs.vectors);
     auto vectors = loads;
     factor.solveInPlace (vectors);

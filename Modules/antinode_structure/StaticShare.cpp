@@ -9,6 +9,7 @@
 #include <antinode_numerics/Decompositions.h>
 
 #include <cmath>
+#include <functional>
 
 namespace antinode
 {
@@ -40,9 +41,10 @@ Eigen::MatrixXd balancedDeflections (const PlateProblem& problem, int rigidBodyM
     // factor of 1 + lambda_1, more than 10 for any plate, a step.
     constexpr double shift = -1;
     constexpr int steps = 16;
-    const BlockBandedFactor factor (problem.stiffness, problem.mass, shift, problem.outer);
+    const auto factor = factorShifted (problem.stiffness, problem.mass, shift, problem.outer);
     constexpr auto converged = 1e-10; // what the last step may change
-    const auto rigid = lowestEigenpairs (factor, problem.mass, shift, std::max (rigidBodyModes, 1));
+    const auto rigid =
+        lowestEigenpairs (factor, std::cref (problem.mass), problem.unknowns(), shift, std::max (rigidBodyModes, 1));
     const Eigen::MatrixXd motions = rigid.vectors.leftCols (rigidBodyModes);
     const Eigen::MatrixXd weighted = problem.mass (motions);
     const Eigen::MatrixXd flexible = loads - weighted * (motions.transpose() * loads);

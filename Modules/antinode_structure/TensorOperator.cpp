@@ -1,9 +1,13 @@
 #include "TensorOperator.h"
 
+#include <antinode_base/Watch.h>
 #include <antinode_numerics/DenseKernels.h>
 #include <antinode_numerics/GaussLegendre.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
 
 namespace antinode
 {
@@ -24,6 +28,49 @@ struct SplineRange
 
     Eigen::Index size() const { return end - first; }
 };
+
+/** How far from its diagonal a matrix has entries. */
+Eigen::Index bandwidth (const Eigen::MatrixXd& matrix)
+{
+    Eigen::Index band = 0;
+
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+        for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+            if (matrix (i, j) != 0)
+                band = std::max (band, std::abs (i - j));
+
+    return band;
+}
+
+void addBand (MatrixOut to, double factor, const Eigen::MatrixXd& matrix, Eigen::Index band)
+{
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+    {
+        const auto first = std::max<Eigen::Index> (j - band, 0);
+        const auto count = std::min (j + band + 1, matrix.rows()) - first;
+        to.col (j).segment (first, count) += factor * matrix.col (j).segment (first, count);
+    }
+}
+
+void addTerms (BlockBandedMatrix& matrix, const TensorOperator& tensor, double factor)
+{
+    for (const auto& term : tensor.terms)
+    {
+        const auto band = bandwidth (term.inner);
+
+        for (Eigen::Index j = 0; j < term.outer.cols(); ++j)
+        {
+            checkWatch();
+
+            for (Eigen::Index i = j; i < term.outer.rows(); ++i)
+                if (term.outer (i, j) != 0)
+                    addBand (matrix.panel (term.outerColumn + j)
+                                 .block ((i - j) * tensor.innerRows + term.innerRow, term.innerColumn,
+                                         term.inner.rows(), term.inner.cols()),
+                             factor * term.outer (i, j), term.inner, band);
+        }
+    }
+}
 } // namespace
 
 SplineProducts splineProducts (const SplineAxis& rows, const SplineAxis& columns, Eigen::Index firstCell,
@@ -78,5 +125,20 @@ Eigen::MatrixXd TensorOperator::operator() (const Eigen::MatrixXd& fields) const
     }
 
     return result;
+}
+
+BlockBandedFactor factorShifted (const TensorOperator& stiffness, const TensorOperator& mass, double shift,
+                                 const SplineAxis& outer)
+{
+    std::vector<Eigen::Index> reach;
+
+    for (Eigen::Index block = 0; block < outer.size(); ++block)
+        reach.push_back (outer.lastNeighbour (block));
+
+    const std::vector<Eigen::Index> sizes (reach.size(), stiffness.innerRows);
+    BlockBandedMatrix matrix (sizes, reach);
+    addTerms (matrix, stiffness, 1);
+    addTerms (matrix, mass, -shift);
+    return BlockBandedFactor (std::move (matrix));
 }
 } // namespace antinode

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "SplineAxis.h"
+#include <antinode_numerics/BlockBandedFactor.h>
+#include <antinode_numerics/SplineAxis.h>
 
 #include <vector>
 
@@ -40,4 +41,9 @@ struct TensorOperator
         [worker] */
     Eigen::MatrixXd operator() (const Eigen::MatrixXd& fields) const;
 };
+
+/** L D L' of stiffness - shift mass, symmetric operators of the same size. The unknowns of one outer spline are a
+   block; blocks reach as far as outer splines overlap. [worker] */
+BlockBandedFactor factorShifted (const TensorOperator& stiffness, const TensorOperator& mass, double shift,
+                                 const SplineAxis& outer);
 } // namespace antinode

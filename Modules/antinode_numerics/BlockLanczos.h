@@ -2,8 +2,13 @@
 
 #include "BlockBandedFactor.h"
 
+#include <functional>
+
 namespace antinode
 {
+/** M times columns. */
+using MassProduct = std::function<Eigen::MatrixXd (const Eigen::MatrixXd&)>;
+
 /** Some eigenpairs of K x = lambda M x at the lower end. */
 struct Eigenpairs
 {
@@ -16,11 +21,12 @@ struct Eigenpairs
    it. Not even so many copies of an eigenvalue as a block has columns are missed; whether any is can be proven by
    inertia (BlockBandedFactor::negativePivots). The start is always the same, so the result is reproducible to the bit.
     Ericsson, Ruhe, Math. Comp. 35 (1980) 1251-1268; Grimes, Lewis, Simon, SIAM J. Matrix Anal. Appl. 15 (1994) 228-272.
-    @param factor  of K - shift M with the shift below the lowest eigenvalue
+    @param factor  of K - shift M; of an indefinite one the pairs nearest above the shift are those that are given
+    @param mass    M times columns
     @param count   how many, at most the unknowns
     @return        look at areConverged: the space is limited to 6 times the count and 80 vectors
     @throws std::runtime_error  when there are no such pairs within rounding
     [worker] Docs/Theory.md, section 1.6. */
-Eigenpairs lowestEigenpairs (const BlockBandedFactor& factor, const TensorOperator& mass, double shift,
-                             Eigen::Index count);
+Eigenpairs lowestEigenpairs (const BlockBandedFactor& factor, const MassProduct& mass, Eigen::Index unknowns,
+                             double shift, Eigen::Index count);
 } // namespace antinode

@@ -1,6 +1,6 @@
 #include "BlockLanczos.h"
 
-#include <antinode_numerics/DenseKernels.h>
+#include "DenseKernels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr double residualTolerance = 1e-7; ///< Of a pair, relative to its eigen
 class KrylovSpace
 {
 public:
-    KrylovSpace (const BlockBandedFactor& factorToUse, const TensorOperator& massToUse, Eigen::Index unknowns,
+    KrylovSpace (const BlockBandedFactor& factorToUse, const MassProduct& massToUse, Eigen::Index unknowns,
                  Eigen::Index blockColumns, Eigen::Index maximumColumns)
         : factor (factorToUse), mass (massToUse), basis (unknowns, maximumColumns),
           massBasis (unknowns, maximumColumns), projected (Eigen::MatrixXd::Zero (maximumColumns, maximumColumns)),
@@ -131,17 +131,16 @@ private:
     }
 
     const BlockBandedFactor& factor;
-    const TensorOperator& mass;
+    const MassProduct& mass;
     Eigen::MatrixXd basis, massBasis, projected, block, massBlock, remainder;
     Eigen::Index width, filled = 0;
     std::mt19937 random { 1 };
 };
 } // namespace
 
-Eigenpairs lowestEigenpairs (const BlockBandedFactor& factor, const TensorOperator& mass, double shift,
-                             Eigen::Index count)
+Eigenpairs lowestEigenpairs (const BlockBandedFactor& factor, const MassProduct& mass, Eigen::Index unknowns,
+                             double shift, Eigen::Index count)
 {
-    const auto unknowns = mass.innerRows * mass.outerRows;
     const auto width = std::clamp<Eigen::Index> (count / 12, 2, 12);
     const auto maximum = std::min (unknowns / width * width, (6 * count + 80) / width * width);
     KrylovSpace space (factor, mass, unknowns, width, maximum);

@@ -90,6 +90,11 @@ SplineAxis SplineAxis::withDegree (int degree) const
     return { changed, degree };
 }
 
+double SplineAxis::centre (Eigen::Index spline) const
+{
+    return knots.segment (spline + breaks.heldAtStart + 1, degree()).mean();
+}
+
 Eigen::Index SplineAxis::cellAt (double place) const
 {
     const auto* const begin = breaks.places.data();

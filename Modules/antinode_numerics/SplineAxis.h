@@ -20,7 +20,7 @@ struct SplineValues
     Eigen::MatrixXd values; ///< Places x splines.
 };
 
-/** The B-splines along one side of a plate. Docs/Theory.md, section 1.6; de Boor, A Practical Guide to Splines,
+/** The B-splines along an axis. Docs/Theory.md, section 1.6; de Boor, A Practical Guide to Splines,
     chapters IX, X. */
 class SplineAxis
 {
@@ -37,6 +37,9 @@ public:
     Eigen::Index cells() const { return breaks.places.size() - 1; }
     double cellStart (Eigen::Index cell) const { return breaks.places[cell]; }
     double cellLength (Eigen::Index cell) const { return breaks.places[cell + 1] - breaks.places[cell]; }
+
+    /** The coefficients of the place itself, as a sum of the splines: the mean of the inner knots of each. [any] */
+    double centre (Eigen::Index spline) const;
 
     /** The cell that holds a place; a break belongs to the cell at its right. [any] */
     Eigen::Index cellAt (double place) const;

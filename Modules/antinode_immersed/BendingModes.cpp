@@ -1,0 +1,156 @@
+#include "BendingModes.h"
+
+#include "CellSizes.h"
+#include "EdgeTerms.h"
+#include "ImmersedOperators.h"
+#include "SmallFeatures.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_numerics/BlockLanczos.h>
+#include <antinode_numerics/Decompositions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+[[noreturn]] void throwNumbersTooFarApart()
+{
+    throw InputError ("device", "has lengths, thicknesses or material constants too far apart to solve");
+}
+
+SplineBreaks axisBreaks (const OutlineExtent& extent, PlaneAxis axis, const ImmersedResolution& resolution,
+                         const std::vector<SmallCells>& small)
+{
+    const auto index = axis == PlaneAxis::x ? 0 : 1;
+    const auto before = resolution.offset * resolution.cell;
+    const auto after = resolution.offset > 0 ? resolution.cell - before : 0;
+    return breaksBetween (extent.least[index] - before, extent.largest[index] + after, resolution.cell, small);
+}
+
+BlockBandedFactor factorShifted (const ImmersedOperators& operators, double shift)
+{
+    auto matrix = operators.stiffness;
+    matrix.addMultiple (-shift, operators.mass);
+    return BlockBandedFactor (std::move (matrix));
+}
+
+/** The place with the widest gap above it among the last few of ascending values. */
+Eigen::Index widestGap (const Eigen::VectorXd& values, Eigen::Index first)
+{
+    auto best = first;
+
+    for (auto i = first; i + 1 < values.size(); ++i)
+        if (values[i + 1] - values[i] > values[best + 1] - values[best])
+            best = i;
+
+    return best;
+}
+
+/** The lowest eigenpairs, of which none is missing; nothing where that cannot be proven. */
+std::optional<Eigenpairs> provenPairs (const ImmersedOperators& operators, double shift, Eigen::Index count)
+{
+    const auto unknowns = operators.mass.size();
+    const auto mass = [&] (const Eigen::MatrixXd& columns) -> Eigen::MatrixXd { return operators.mass * columns; };
+
+    if (unknowns <= count)
+        throw InputError ("device", "has " + std::to_string (unknowns) + " unknowns and cannot have so many modes");
+
+    const auto factor = factorShifted (operators, shift);
+
+    // Functions that hardly touch the plate on an edge that is held can make it indefinite.
+    if (! factor.isUsable() || factor.negativePivots() > 0)
+        return std::nullopt;
+
+    for (const Eigen::Index more : { 4, 32 })
+    {
+        const auto all = std::min (count + more, unknowns);
+        auto pairs = lowestEigenpairs (factor, mass, unknowns, shift, all);
+        const auto last = widestGap (pairs.values, count - 1);
+        const auto above = factorShifted (operators, (pairs.values[last] + pairs.values[last + 1]) / 2);
+
+        if (pairs.areConverged && above.isUsable() && above.negativePivots() == last + 1)
+        {
+            pairs.values.conservativeResize (count);
+            pairs.vectors.conservativeResize (Eigen::NoChange, count);
+            return pairs;
+        }
+    }
+
+    return std::nullopt;
+}
+
+/** The rigid motions that nothing holds: unknowns x 0 to 3, orthonormal in M. */
+Eigen::MatrixXd freeMotions (const BendingProblem& problem, const ImmersedSpace& space, const BlockBandedMatrix& mass)
+{
+    constexpr double free = 1e-9; // Of the plate's own stiffness.
+    const auto held = symmetricEigen (rigidSupport (problem));
+    const auto number = (held.values.array() < free).count();
+
+    if (number == 0)
+        return Eigen::MatrixXd (space.unknowns(), 0);
+
+    const auto extent = extentOf (problem.outline);
+    const auto size = extent.size().maxCoeff();
+    const Eigen::Vector2d middle = (extent.least + extent.largest) / 2;
+    Eigen::MatrixXd planes (space.unknowns(), number);
+
+    for (Eigen::Index i = 0; i < number; ++i)
+    {
+        const Eigen::Vector3d motion = held.vectors.col (i);
+        planes.col (i) =
+            space.plane (motion[0] - motion.tail<2>().dot (middle) / size, motion[1] / size, motion[2] / size);
+    }
+
+    const auto gram = symmetricEigen (planes.transpose() * (mass * planes));
+    return planes * gram.vectors * gram.values.cwiseSqrt().cwiseInverse().asDiagonal();
+}
+/** The modes with cells laid as they are wanted; nothing where their number cannot be proven. */
+std::optional<BendingModes> modesOn (const BendingProblem& problem, int count, const ImmersedResolution& resolution)
+{
+    const auto extent = extentOf (problem.outline);
+    const auto small = smallCells (problem, resolution);
+    ImmersedSpace space (problem, axisBreaks (extent, PlaneAxis::x, resolution, small.alongX),
+                         axisBreaks (extent, PlaneAxis::y, resolution, small.alongY), resolution.degree);
+    const auto operators = immersedOperators (problem, space);
+    const auto rigid = freeMotions (problem, space, operators.mass);
+    const auto unit = problem.section.stiffness.diagonal().maxCoeff() / problem.section.massPerArea
+                      / std::pow (extent.size().maxCoeff(), 4);
+    const auto pairs = provenPairs (operators, -unit, rigid.cols() + count);
+    constexpr double negligible = 0.03;
+
+    // A rigid motion whose frequency is not negligible is rounding that spoils the flexible modes, too.
+    if (! pairs || ! pairs->values.allFinite() || ! (pairs->values[rigid.cols()] > 0)
+        || (rigid.cols() > 0
+            && pairs->values.head (rigid.cols()).cwiseAbs().maxCoeff() > negligible * pairs->values[rigid.cols()]))
+        return std::nullopt;
+
+    Eigen::MatrixXd coefficients = pairs->vectors.rightCols (count);
+    coefficients -= rigid * (rigid.transpose() * (operators.mass * coefficients));
+    Eigen::MatrixXd participation = coefficients.transpose() * operators.loads;
+    return BendingModes { std::move (space), pairs->values.tail (count), std::move (coefficients),
+                          std::move (participation), static_cast<int> (rigid.cols()) };
+}
+} // namespace
+
+BendingModes bendingModes (const BendingProblem& problem, int count, const ImmersedResolution& resolution)
+{
+    // Where the boundary leaves slivers of cells that cost too many digits, other cells have others.
+    for (const auto shift : { 0.0, 0.37, 0.61, 0.13, 0.83 })
+    {
+        auto laid = resolution;
+        laid.offset = std::fmod (resolution.offset + shift, 1);
+
+        if (auto modes = modesOn (problem, count, laid))
+            return std::move (*modes);
+    }
+
+    throwNumbersTooFarApart();
+}
+} // namespace antinode

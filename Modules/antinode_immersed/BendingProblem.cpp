@@ -1,0 +1,15 @@
+#include "BendingProblem.h"
+
+#include <cmath>
+
+namespace antinode
+{
+BendingSection turnedSection (const BendingSection& section, double angle)
+{
+    // Curvatures along the material's axes from those along x and y; energies are the same in both.
+    const auto c = std::cos (angle), s = std::sin (angle);
+    Eigen::Matrix3d curvatures;
+    curvatures << c * c, s * s, c * s, s * s, c * c, -c * s, -2 * c * s, 2 * c * s, c * c - s * s;
+    return { curvatures.transpose() * section.stiffness * curvatures, section.massPerArea };
+}
+} // namespace antinode
