@@ -2,6 +2,8 @@
 
 #include <Editor/Editor.h>
 
+#include <Support/EditorTools.h>
+
 #include <chrono>
 #include <functional>
 #include <stdexcept>
@@ -74,24 +76,5 @@ inline void forEachVisible (juce::Component& component, const std::function<void
             forEachVisible (*child, look);
 }
 
-/** What a mouse does to a component. */
-inline juce::MouseEvent mouseAt (juce::Component& component, juce::Point<float> place, juce::Point<float> pressedAt)
-{
-    const auto now = juce::Time::getCurrentTime();
-    return { juce::Desktop::getInstance().getMainMouseSource(),
-             place,
-             juce::ModifierKeys::leftButtonModifier,
-             0,
-             0,
-             0,
-             0,
-             0,
-             &component,
-             &component,
-             now,
-             pressedAt,
-             now,
-             1,
-             place != pressedAt };
-}
+using test::mouseAt;
 } // namespace antinode

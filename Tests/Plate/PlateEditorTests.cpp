@@ -3,65 +3,17 @@
 #include <PlateEditor/PlateEditor.h>
 
 #include <Support/BlockingActions.h>
+#include <Support/EditorTools.h>
 #include <Support/LargestDevice.h>
 
 #include <catch2/catch.hpp>
 
 #include <chrono>
-#include <functional>
 #include <random>
-#include <set>
 #include <thread>
 
 using namespace antinode;
 using namespace antinode::test;
-
-namespace
-{
-void refreshUntil (PlateContent& content, const std::function<bool()>& isReached)
-{
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds (20);
-
-    do
-    {
-        REQUIRE (std::chrono::steady_clock::now() < end);
-        std::this_thread::sleep_for (std::chrono::milliseconds (2));
-        content.refresh (0.002);
-    } while (! isReached());
-}
-
-juce::MouseEvent mouseAt (juce::Component& component, juce::Point<float> place)
-{
-    const auto now = juce::Time::getCurrentTime();
-    return { juce::Desktop::getInstance().getMainMouseSource(),
-             place,
-             juce::ModifierKeys::leftButtonModifier,
-             0,
-             0,
-             0,
-             0,
-             0,
-             &component,
-             &component,
-             now,
-             place,
-             now,
-             1,
-             false };
-}
-
-/** How many colours a picture has: nothing drawn has few. */
-int countColours (const juce::Image& image)
-{
-    std::set<juce::uint32> colours;
-
-    for (int y = 0; y < image.getHeight(); y += 2)
-        for (int x = 0; x < image.getWidth(); x += 2)
-            colours.insert (image.getPixelAt (x, y).getARGB());
-
-    return static_cast<int> (colours.size());
-}
-} // namespace
 
 TEST_CASE ("The plate's editor shows the surface at rest, then how it moved", "[plate][editor]")
 {

@@ -1,0 +1,182 @@
+#include "DeviceEffect.h"
+
+#include "VST3Channels.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_library/Library.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace antinode
+{
+DeviceEffect::DeviceEffect (const EffectBus& input, const EffectBus& output, WrapperType wrapperToUse,
+                            const char* schemaOfStates, const std::string& first)
+    : AudioProcessor (BusesProperties()
+                          .withInput (input.name, wireSet (input.channels, wrapperToUse), true)
+                          .withOutput (output.name, wireSet (output.channels, wrapperToUse), true)),
+      inputBus (input), outputBus (output), wrapper (wrapperToUse), schema (schemaOfStates),
+      loadedDevice (std::make_shared<const DeviceDocument> (
+          readDeviceDocument (loadDocument (LibraryKind::device, first), "device '" + first + "'")))
+{
+}
+
+void DeviceEffect::begin()
+{
+    orderWires();
+    reportLatency(); // Hosts read it before they prepare.
+    changes.begin();
+}
+
+void DeviceEffect::load (std::shared_ptr<const DeviceDocument> device)
+{
+    {
+        const juce::ScopedLock lock (documents);
+        loadedDevice = device;
+        stateWarning.clear();
+    }
+    take (std::move (device));
+}
+
+std::shared_ptr<const DeviceDocument> DeviceEffect::device() const
+{
+    const juce::ScopedLock lock (documents);
+    return loadedDevice;
+}
+
+DeviceState DeviceEffect::state() const
+{
+    return { device(), values() };
+}
+
+void DeviceEffect::setState (const DeviceState& wanted)
+{
+    const auto isOtherDevice = wanted.device->text != device()->text;
+    setValues (wanted.parameters, *wanted.device);
+
+    if (isOtherDevice)
+        load (wanted.device);
+}
+
+void DeviceEffect::getStateInformation (juce::MemoryBlock& block)
+{
+    const auto text = deviceStateToText (state(), schema);
+    block.replaceAll (text.data(), text.size());
+}
+
+void DeviceEffect::setStateInformation (const void* data, int size)
+{
+    juce::String warning;
+
+    try
+    {
+        setState (readDeviceState ({ static_cast<const char*> (data), static_cast<std::size_t> (std::max (0, size)) },
+                                   schema));
+    }
+    catch (const InputError& failure)
+    {
+        warning =
+            "The saved state could not be read, so nothing was changed: " + juce::String::fromUTF8 (failure.what());
+    }
+
+    {
+        const juce::ScopedLock lock (documents);
+        stateWarning = warning;
+    }
+    changes.post();
+}
+
+juce::String DeviceEffect::warning()
+{
+    {
+        const juce::ScopedLock lock (documents);
+
+        if (stateWarning.isNotEmpty())
+            return stateWarning;
+    }
+    return ownWarning();
+}
+
+bool DeviceEffect::isBusesLayoutSupported (const BusesLayout& layout) const
+{
+    // By count: hosts name channels as they like, wires are told apart by their numbers.
+    const auto in = layout.getMainInputChannels(), out = layout.getMainOutputChannels();
+    return in >= 1 && in <= inputBus.most && out >= 1 && out <= outputBus.most;
+}
+
+void DeviceEffect::orderWires()
+{
+    inputOrder = wireOrder (getBus (true, 0)->getCurrentLayout(), wrapper);
+    outputOrder = wireOrder (getBus (false, 0)->getCurrentLayout(), wrapper);
+}
+
+void DeviceEffect::prepareToPlay (double sampleRate, int)
+{
+    orderWires();
+    prepareSession (sampleRate);
+    reportLatency();
+    changes.post();
+}
+
+template <typename Sample>
+void DeviceEffect::play (juce::AudioBuffer<Sample>& buffer, bool isBypassed)
+{
+    const juce::ScopedNoDenormals noDenormals;
+    const auto wires = static_cast<int> (std::max (inputOrder.size(), outputOrder.size()));
+
+    // A host that hands over fewer channels than it asked for gets silence rather than the wrong ceramics.
+    if (buffer.getNumChannels() < wires)
+    {
+        buffer.clear();
+        return;
+    }
+
+    std::array<const Sample*, mostChannels> in {};
+    std::array<Sample*, mostChannels> out {};
+
+    for (std::size_t k = 0; k < inputOrder.size(); ++k)
+        in[k] = buffer.getReadPointer (inputOrder[k]);
+
+    for (std::size_t k = 0; k < outputOrder.size(); ++k)
+        out[k] = buffer.getWritePointer (outputOrder[k]);
+
+    playChannels (std::span<const Sample* const> (in.data(), inputOrder.size()),
+                  std::span<Sample* const> (out.data(), outputOrder.size()), buffer.getNumSamples(), isBypassed);
+
+    for (auto i = static_cast<int> (outputOrder.size()); i < buffer.getNumChannels(); ++i)
+        buffer.clear (i, 0, buffer.getNumSamples());
+}
+
+template void DeviceEffect::play (juce::AudioBuffer<float>&, bool);
+template void DeviceEffect::play (juce::AudioBuffer<double>&, bool);
+
+/** As in AntinodeProcessor: who comes second leaves it to a message that follows. */
+void DeviceEffect::reportLatency()
+{
+    const juce::ScopedTryLock lock (latencyReports);
+
+    if (lock.isLocked())
+        setLatencySamples (static_cast<int> (latencyToReport()));
+    else
+        changes.post();
+}
+
+void DeviceEffect::reportChanges()
+{
+    reportLatency();
+    stepReports().tell();
+
+    // Texts of places are in mm of the device.
+    if (auto model = solvedModel(); model != describedModel)
+    {
+        describedModel = std::move (model);
+        updateHostDisplay (ChangeDetails().withParameterInfoChanged (true));
+    }
+
+    if (onChange)
+        onChange();
+}
+} // namespace antinode
