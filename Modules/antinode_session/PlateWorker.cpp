@@ -3,20 +3,16 @@
 #include "FocusSettings.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/Watch.h>
 #include <antinode_library/Library.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace antinode
 {
 namespace
 {
-constexpr auto interval = std::chrono::milliseconds (4);  // between looks at the parameters
-constexpr auto patience = std::chrono::milliseconds (40); // of a host that prepares us
-
 /** @throws InputError  where it cannot be solved, or has nothing that moves it */
 std::shared_ptr<const ModalModel> solved (const DeviceDocument& document)
 {
@@ -30,48 +26,15 @@ std::shared_ptr<const ModalModel> solved (const DeviceDocument& document)
 } // namespace
 
 PlateWorker::PlateWorker (std::shared_ptr<const DeviceDocument> device, std::shared_ptr<Owner> ownerToAsk)
-    : owner (std::move (ownerToAsk)), nextDevice (std::move (device)),
-      published (std::make_shared<const PlateSnapshot>())
+    : DeviceRounds (std::move (device), std::move (ownerToAsk))
 {
-}
-
-void PlateWorker::stop()
-{
-    const std::lock_guard lock (mutex);
-    isStopping = true;
-    wake.notify_all();
-}
-
-void PlateWorker::load (std::shared_ptr<const DeviceDocument> device)
-{
-    const std::lock_guard lock (mutex);
-    nextDevice = std::move (device);
-    wake.notify_all();
 }
 
 void PlateWorker::prepare (double sampleRate)
 {
     preparedRate = sampleRate;
     paths.reset();
-    std::unique_lock lock (mutex);
-    wantedRate = sampleRate;
-    const auto round = ++roundsRequested;
-    wake.notify_all();
-    settled.wait_for (lock, patience, [&] { return roundsDone >= round; });
-}
-
-void PlateWorker::waitUntilSettled()
-{
-    std::unique_lock lock (mutex);
-    const auto round = ++roundsRequested;
-    wake.notify_all();
-    settled.wait (lock, [&] { return roundsDone >= round; });
-}
-
-std::shared_ptr<const PlateSnapshot> PlateWorker::snapshot() const
-{
-    const std::lock_guard lock (mutex);
-    return published;
+    ask (sampleRate);
 }
 
 void PlateWorker::run()
@@ -83,9 +46,7 @@ void PlateWorker::run()
         for (std::uint64_t round = 0; awaitRound (round);)
         {
             step();
-            const std::lock_guard lock (mutex);
-            roundsDone = round;
-            settled.notify_all();
+            finish (round);
         }
     }
     catch (const Cancelled&)
@@ -96,28 +57,15 @@ void PlateWorker::run()
     paths.clear();
 }
 
-/** @return  false at the end */
-bool PlateWorker::awaitRound (std::uint64_t& round)
-{
-    std::unique_lock lock (mutex);
-    wake.wait_for (lock, interval, [this] { return isStopping || nextDevice || roundsRequested > roundsDone; });
-    round = roundsRequested;
-    return ! isStopping;
-}
-
 /** One round: what was loaded, then the sample rate, then what the parameters say. */
 void PlateWorker::step()
 {
     if (takeDocument())
-        solve();
+        solve (solved);
 
     paths.collect();
     const auto before = std::exchange (settings, owner->settings (settings));
-    double wanted = 0;
-    {
-        const std::lock_guard lock (mutex);
-        wanted = wantedRate;
-    }
+    const auto wanted = askedFor();
 
     if (present.model == nullptr || ! (wanted > 0))
         return;
@@ -126,49 +74,6 @@ void PlateWorker::step()
         buildPath (wanted);
     else if (path != nullptr && before.probes != settings.probes)
         moveProbes();
-}
-
-/** @return  whether there is another document now */
-bool PlateWorker::takeDocument()
-{
-    const std::lock_guard lock (mutex);
-
-    if (nextDevice == nullptr)
-        return false;
-
-    present.device = std::exchange (nextDevice, nullptr);
-    return true;
-}
-
-/** A newer device ends this one's solving; the next round takes it. */
-void PlateWorker::solve()
-{
-    present.isSolving = true;
-    publish();
-
-    try
-    {
-        const WatchScope scope (
-            [this]
-            {
-                const std::lock_guard lock (mutex);
-                return nextDevice == nullptr;
-            });
-        present.model = solved (*present.device);
-        present.error.clear();
-        isModelNew = true;
-    }
-    catch (const Cancelled&)
-    {
-        checkWatch();
-    }
-    catch (const std::exception& failure)
-    {
-        present.error = failure.what();
-    }
-
-    present.isSolving = false;
-    publish();
 }
 
 void PlateWorker::buildPath (double sampleRate)
@@ -212,15 +117,6 @@ Eigen::MatrixXd PlateWorker::probeShapes() const
     }
 
     return shapes;
-}
-
-void PlateWorker::publish()
-{
-    {
-        const std::lock_guard lock (mutex);
-        published = std::make_shared<const PlateSnapshot> (present);
-    }
-    owner->tell();
 }
 
 template <typename Sample>

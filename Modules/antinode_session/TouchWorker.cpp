@@ -14,10 +14,8 @@ namespace antinode
 {
 namespace
 {
-constexpr auto touchInterval = std::chrono::milliseconds (4);  // between looks at the parameters
-constexpr auto touchRest = std::chrono::milliseconds (20);     // for which fingers have stayed where they are
-constexpr auto touchPatience = std::chrono::milliseconds (40); // of a host that prepares us
-constexpr double usualTouchRate = 48000;                       // Hz, before a host says its own
+constexpr auto touchRest = std::chrono::milliseconds (20); // for which fingers have stayed where they are
+constexpr double usualTouchRate = 48000;                   // Hz, before a host says its own
 
 /** With the static share of the modes beyond: without it the points between which filters tell apart would leak.
     @throws InputError  where it cannot be solved, or has nothing that moves it */
@@ -35,48 +33,15 @@ std::shared_ptr<const ModalModel> solvedForTouch (const DeviceDocument& document
 } // namespace
 
 TouchWorker::TouchWorker (std::shared_ptr<const DeviceDocument> device, std::shared_ptr<Owner> ownerToAsk)
-    : owner (std::move (ownerToAsk)), nextDevice (std::move (device)),
-      published (std::make_shared<const TouchSnapshot>()), threshold (findSkinThreshold ({}))
+    : DeviceRounds (std::move (device), std::move (ownerToAsk)), threshold (findSkinThreshold ({}))
 {
-}
-
-void TouchWorker::stop()
-{
-    const std::lock_guard lock (mutex);
-    isStopping = true;
-    wake.notify_all();
-}
-
-void TouchWorker::load (std::shared_ptr<const DeviceDocument> device)
-{
-    const std::lock_guard lock (mutex);
-    nextDevice = std::move (device);
-    wake.notify_all();
 }
 
 void TouchWorker::prepare (double sampleRate, int inputs)
 {
     preparedRate = sampleRate;
     paths.reset();
-    std::unique_lock lock (mutex);
-    wantedFormat = { sampleRate, inputs };
-    const auto round = ++roundsRequested;
-    wake.notify_all();
-    settled.wait_for (lock, touchPatience, [&] { return roundsDone >= round; });
-}
-
-void TouchWorker::waitUntilSettled()
-{
-    std::unique_lock lock (mutex);
-    const auto round = ++roundsRequested;
-    wake.notify_all();
-    settled.wait (lock, [&] { return roundsDone >= round; });
-}
-
-std::shared_ptr<const TouchSnapshot> TouchWorker::snapshot() const
-{
-    const std::lock_guard lock (mutex);
-    return published;
+    ask ({ sampleRate, inputs });
 }
 
 std::int64_t TouchWorker::latencySamples (std::size_t latency) const
@@ -105,11 +70,7 @@ void TouchWorker::run()
                 step();
             while (! isSettled());
 
-            {
-                const std::lock_guard lock (mutex);
-                roundsDone = round;
-                settled.notify_all();
-            }
+            finish (round);
             compare();
         }
     }
@@ -121,20 +82,11 @@ void TouchWorker::run()
     paths.clear();
 }
 
-/** @return  false at the end */
-bool TouchWorker::awaitRound (std::uint64_t& round)
-{
-    std::unique_lock lock (mutex);
-    wake.wait_for (lock, touchInterval, [this] { return isStopping || nextDevice || roundsRequested > roundsDone; });
-    round = roundsRequested;
-    return ! isStopping;
-}
-
 /** One round: what was loaded, then the format, then what the parameters say. */
 void TouchWorker::step()
 {
     if (takeDocument())
-        solve();
+        solve (solvedForTouch);
 
     paths.collect();
 
@@ -142,11 +94,7 @@ void TouchWorker::step()
         path->banks().collect();
 
     settings = owner->settings (settings);
-    Format wanted;
-    {
-        const std::lock_guard lock (mutex);
-        wanted = wantedFormat;
-    }
+    const auto wanted = askedFor();
 
     if (present.model == nullptr || ! (wanted.sampleRate > 0))
         return;
@@ -157,49 +105,6 @@ void TouchWorker::step()
 
     if (path != nullptr && designedFor != settings)
         design();
-}
-
-/** @return  whether there is another document now */
-bool TouchWorker::takeDocument()
-{
-    const std::lock_guard lock (mutex);
-
-    if (nextDevice == nullptr)
-        return false;
-
-    present.device = std::exchange (nextDevice, nullptr);
-    return true;
-}
-
-/** A newer device ends this one's solving; the next round takes it. */
-void TouchWorker::solve()
-{
-    present.isSolving = true;
-    publish();
-
-    try
-    {
-        const WatchScope scope (
-            [this]
-            {
-                const std::lock_guard lock (mutex);
-                return nextDevice == nullptr;
-            });
-        present.model = solvedForTouch (*present.device);
-        present.error.clear();
-        isModelNew = true;
-    }
-    catch (const Cancelled&)
-    {
-        checkWatch();
-    }
-    catch (const std::exception& failure)
-    {
-        present.error = failure.what();
-    }
-
-    present.isSolving = false;
-    publish();
 }
 
 void TouchWorker::buildPath()
@@ -291,8 +196,7 @@ bool TouchWorker::areFingersResting()
     while (std::chrono::steady_clock::now() < end)
     {
         std::unique_lock lock (mutex);
-        wake.wait_for (lock, touchInterval,
-                       [this] { return isStopping || nextDevice || roundsRequested > roundsDone; });
+        wake.wait_for (lock, interval, [this] { return isStopping || nextDevice || roundsRequested > roundsDone; });
 
         if (isStopping || nextDevice != nullptr || roundsRequested > roundsDone)
             return true;
@@ -372,15 +276,6 @@ bool TouchWorker::hasNews()
     }
 
     return hasOtherPath() || owner->settings (settings) != settings || designedFor != settings;
-}
-
-void TouchWorker::publish()
-{
-    {
-        const std::lock_guard lock (mutex);
-        published = std::make_shared<const TouchSnapshot> (present);
-    }
-    owner->tell();
 }
 
 template <typename Sample>
