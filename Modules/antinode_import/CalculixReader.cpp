@@ -155,13 +155,16 @@ private:
         if (! appendRecordNumbers (lines.columns (10, 60), { 12 }, numbers) || numbers.size() != 3)
             lines.fail ("has not the three numbers of a step");
 
-        step = static_cast<std::int64_t> (numbers[2]);
+        step = static_cast<std::int64_t> (std::clamp (numbers[2], 0.0, 1e15));
     }
 
     void readNodes()
     {
         const auto width = labelWidth (73);
         std::vector<double> values;
+
+        if (! results.labels.empty())
+            lines.fail ("begins a second block of nodes; allowed: one");
 
         while (nextRecord())
         {
@@ -206,6 +209,9 @@ private:
 
     void readBlock()
     {
+        if (results.labels.empty())
+            lines.fail ("begins results before the nodes; allowed: nodes first");
+
         Block block;
         block.step = step;
         std::vector<double> value;

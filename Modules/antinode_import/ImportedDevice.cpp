@@ -110,7 +110,8 @@ double staticError (const ModalModel& model, Eigen::Index ceramic, const Eigen::
     return (model.shapes * amplitudes - measured).norm() / measured.norm();
 }
 
-void addWarnings (ImportedDevice& device)
+/** @param usualDamping  of modes for which the program says none */
+void addWarnings (ImportedDevice& device, double usualDamping)
 {
     constexpr double likely = 0.35, goodSum = 0.05, longest = 5; // m
     const auto& surface = device.model.surface;
@@ -130,9 +131,10 @@ void addWarnings (ImportedDevice& device)
                                        + " % of the static displacement by ceramic " + std::to_string (i + 1)
                                        + ": more modes are needed, or the case is not that of the reaction forces.");
 
-    if (! device.hasDamping)
-        device.warnings.push_back ("No damping ratios are given: all modes have "
-                                   + inWords (device.model.dampingRatios[0]) + ".");
+    if (device.withoutDamping > 0)
+        device.warnings.push_back (
+            std::to_string (device.withoutDamping) + " of " + std::to_string (device.model.modes())
+            + " modes have no damping ratio in the files: they get " + inWords (usualDamping) + ".");
 }
 } // namespace
 
@@ -156,8 +158,8 @@ ImportedDevice importDevice (const ElementResults& results, const ImportSettings
     device.meshNodes = results.nodes();
     device.nodesOfSurface = surface.meshNodes;
     device.leftOut = static_cast<int> (results.modes.size() - order.size());
-    device.hasDamping = std::any_of (results.modes.begin(), results.modes.end(),
-                                     [] (const ElementMode& mode) { return mode.dampingRatio > 0; });
+    device.withoutDamping = static_cast<int> (
+        std::count_if (order.begin(), order.end(), [&] (auto k) { return ! (results.modes[k].dampingRatio > 0); }));
     device.mass = device.model.surface.masses.sum();
 
     if (results.totalMass > 0)
@@ -169,7 +171,7 @@ ImportedDevice importDevice (const ElementResults& results, const ImportSettings
                 staticError (device.model, static_cast<Eigen::Index> (i),
                              results.staticDisplacements[i](surface.nodes, settings.side.axis), settings.caseVoltage));
 
-    addWarnings (device);
+    addWarnings (device, settings.dampingRatio);
     return device;
 }
 } // namespace antinode

@@ -25,7 +25,7 @@ struct ImportedDevice
     ModalModel model;
     Eigen::Index meshNodes = 0, nodesOfSurface = 0; ///< Before points were thinned.
     int leftOut = 0;                                ///< Modes that do not move the surface along its normal.
-    bool hasDamping = false;                        ///< Whether the program said damping ratios.
+    int withoutDamping = 0;                         ///< Modes for which the program says no damping ratio.
     double mass = 0;                                ///< kg that the surface represents, from the shapes' norms.
     std::optional<double> totalMass;                ///< kg, as a table of the program says.
     std::vector<double>

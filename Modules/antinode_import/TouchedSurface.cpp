@@ -84,7 +84,7 @@ class Places
 public:
     explicit Places (double nearness) : tolerance (nearness) {}
 
-    /** Keeps the higher one of two at the same place. */
+    /** Keeps the higher one of two at the same place. @param place  from the corner of all */
     void add (Eigen::Index node, const Eigen::Vector2d& place, double height)
     {
         const auto cell = cellOf (place);
@@ -145,7 +145,9 @@ std::vector<Places::Kept> thinned (const std::vector<Places::Kept>& all, int max
         upper = upper.cwiseMax (each.place);
     }
 
-    const auto side = std::sqrt ((upper - lower).prod() / maximum);
+    // Points on a line, too, have as many cells.
+    const Eigen::Vector2d extent = upper - lower;
+    const auto side = std::max (std::sqrt (extent.prod() / maximum), extent.maxCoeff() / maximum);
     std::map<std::pair<long, long>, Places::Kept> cells;
 
     for (const auto& each : all)
@@ -194,12 +196,13 @@ TouchedSurface findTouchedSurface (const ElementResults& results, const SideChoi
         throw InputError ("finite-element results", "contain ceramics only; allowed: a body that carries them");
 
     const Eigen::MatrixX2d ofBody = plane (body, Eigen::all);
-    const auto extent = (ofBody.colwise().maxCoeff() - ofBody.colwise().minCoeff()).maxCoeff();
+    const Eigen::RowVector2d corner = ofBody.colwise().minCoeff();
+    const auto extent = (ofBody.colwise().maxCoeff() - corner).maxCoeff();
     const auto highest = Eigen::VectorXd (heights (body)).maxCoeff();
     Places places (std::max (samePlace * extent, 1e-12));
 
     for (const auto node : body)
-        places.add (node, plane.row (node).transpose(), heights[node]);
+        places.add (node, (plane.row (node) - corner).transpose(), heights[node]);
 
     std::vector<Places::Kept> kept;
     TouchedSurface surface;
@@ -224,7 +227,7 @@ TouchedSurface findTouchedSurface (const ElementResults& results, const SideChoi
     for (std::size_t n = 0; n < kept.size(); ++n)
     {
         surface.nodes.push_back (kept[n].node);
-        surface.points.row (static_cast<Eigen::Index> (n)) = kept[n].place.transpose();
+        surface.points.row (static_cast<Eigen::Index> (n)) = plane.row (kept[n].node);
     }
 
     for (const auto& forces : results.blockedForces)

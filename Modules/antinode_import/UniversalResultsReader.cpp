@@ -26,6 +26,9 @@ public:
 
     void operator() (const UniversalNodes& set)
     {
+        if (! results.labels.empty())
+            throw InputError (source, "has two sets of nodes; allowed: one of type 15 or 2411");
+
         results.labels = set.labels;
         results.places = set.places;
 
@@ -106,6 +109,9 @@ private:
 
     Eigen::MatrixX3cd vectors (const std::vector<UniversalLabel>& nodes, const Eigen::MatrixXcd& values) const
     {
+        if (results.labels.empty())
+            throw InputError (source, "has results before its nodes; allowed: a set 15 or 2411 first");
+
         Eigen::MatrixX3cd result = Eigen::MatrixX3cd::Zero (results.places.rows(), 3);
 
         if (values.cols() < 3)

@@ -165,6 +165,43 @@ TEST_CASE ("Results in mm, t and N are those in SI units", "[import]")
     CHECK (importDevice (other, {}).warnings.size() > one.warnings.size());
 }
 
+TEST_CASE ("Nodes or results in another order than files have them are refused", "[import]")
+{
+    const auto whole = dataFile ("plate_patch.frd");
+    const auto nodes = whole.find ("    2C"), elements = whole.find ("    3C"), results = whole.find ("    1PSTEP");
+    const auto head = whole.substr (0, nodes), nodeBlock = whole.substr (nodes, elements - nodes);
+    CHECK_THROWS_WITH (readElementResults (head + nodeBlock + nodeBlock, "file"),
+                       Catch::Contains ("a second block of nodes"));
+    CHECK_THROWS_WITH (readElementResults (head + whole.substr (results), "file"),
+                       Catch::Contains ("results before the nodes"));
+    const auto sets = readUniversalFile (asUniversalFile (plate()), "file");
+    CHECK_THROWS_WITH (readElementResults (encodeUniversalFile ({ sets[0], sets[0] }), "file"),
+                       Catch::Contains ("two sets of nodes"));
+    CHECK_THROWS_WITH (readElementResults (encodeUniversalFile ({ sets[1], sets[0] }), "file"),
+                       Catch::Contains ("results before its nodes"));
+}
+
+TEST_CASE ("Modes without a damping ratio get one, and how many is said", "[import]")
+{
+    auto results = plate();
+    results.modes[2].dampingRatio = 0.03;
+    const auto device = importDevice (results, {});
+    CHECK (device.withoutDamping == 5);
+    CHECK (device.model.dampingRatios[2] == 0.03);
+    CHECK (device.model.dampingRatios[3] == 0.01);
+}
+
+TEST_CASE ("Nodes on one line are thinned, too", "[import]")
+{
+    auto results = plate();
+    results.places.col (1).setZero();
+    SideChoice side;
+    side.maximumPoints = 10;
+    const auto surface = findTouchedSurface (results, side);
+    CHECK (surface.points.rows() >= 5);
+    CHECK (surface.points.rows() <= 11);
+}
+
 TEST_CASE ("More nodes than wanted are thinned evenly", "[import]")
 {
     SideChoice side;
