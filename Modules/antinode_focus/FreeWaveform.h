@@ -23,7 +23,8 @@ struct FreeWaveform
 
 /** Every sample is free: from the beginning (the trigger, or where a window or the maximum duration says) up to the
    last one that playback lets act before the focus. Rows are exact for the playback; guards are soft. By least voltage
-   the limits are lowered as near to the least voltage of any samples as the focus asks for.
+   the limits are lowered as near to the least voltage of any samples as the focus asks for, and at rates of 88.2 kHz
+   and more only some samples are free, where that is near enough (SparseSamples.h).
     @param modes   the controlled modes, ascending
     @param wanted  their modal velocities at t_f, m/s kg^1/2
     @param limits  N_b, V

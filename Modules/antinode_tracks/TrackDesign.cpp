@@ -4,12 +4,12 @@
 #include "TrackReach.h"
 #include "TrackSolver.h"
 #include "TrackWork.h"
-#include <antinode_numerics/SampleInterpolation.h>
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_numerics/KaiserSinc.h>
+#include <antinode_numerics/SampleInterpolation.h>
 
 #include <algorithm>
 #include <cmath>

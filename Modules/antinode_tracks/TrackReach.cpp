@@ -1,6 +1,7 @@
 #include "TrackReach.h"
 
 #include "LeastPeak.h"
+
 #include <antinode_numerics/SampleInterpolation.h>
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 #include "TouchedNodes.h"
 #include "TrackMemory.h"
 #include "WantedMotion.h"
-#include <antinode_numerics/SampleInterpolation.h>
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
@@ -12,6 +11,7 @@
 #include <antinode_numerics/Fourier.h>
 #include <antinode_numerics/KaiserSinc.h>
 #include <antinode_numerics/Median.h>
+#include <antinode_numerics/SampleInterpolation.h>
 
 #include <algorithm>
 #include <cmath>
