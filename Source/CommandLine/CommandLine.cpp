@@ -51,6 +51,7 @@ int runCommandLine (int argumentCount, const char* const* arguments)
     addMeasureCommand (app);
     addFrfCommand (app);
     addRetuneCommand (app);
+    addLearnCommand (app);
     addImportCommand (app);
     addVersionCommand (app);
 

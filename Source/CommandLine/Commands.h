@@ -17,6 +17,7 @@ void addExciteCommand (CLI::App&);
 void addMeasureCommand (CLI::App&);
 void addFrfCommand (CLI::App&);
 void addRetuneCommand (CLI::App&);
+void addLearnCommand (CLI::App&);
 void addImportCommand (CLI::App&);
 void addVersionCommand (CLI::App&);
 } // namespace antinode

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "ModeSpread.h"
+#include "PlayedRecording.h"
+
+#include <antinode_model/ModalModel.h>
+
+#include <vector>
+
+namespace antinode
+{
+/** A device after what was heard of it. */
+struct LearntModes
+{
+    ModalModel model;                    ///< The most probable one.
+    std::vector<Sensor> sensors;         ///< Their most probable shapes.
+    Eigen::VectorXd delays;              ///< s, of each recording.
+    Eigen::VectorXd frequencyDeviations; ///< N_m: relative standard deviations that are left.
+    Eigen::VectorXd dampingDeviations;   ///< N_m
+    double residual = 0;    ///< RMS of what the model does not explain, of the noise: 1 where all is explained.
+    double unexplained = 0; ///< The same, of the signals.
+};
+
+/** The most probable modes of a device, from what sensors heard while voltages were played: normally distributed
+    deviations from the model, normally distributed noise, by Gauss and Newton's method on records that grow from the
+    first motion to their whole lengths, so that no mode is taken half a turn wrong.
+    @param recordings  at least one; all with the same sensors
+    @param before      learnt from the first of these recordings, to begin with; nullptr: nothing was
+    @throws InputError  where sizes do not agree or a number is not usable; Cancelled as checkWatch()
+    [worker] Docs/Theory.md, section 9.1. */
+LearntModes learnModes (const ModalModel&, const std::vector<Sensor>&, const ModeSpread&,
+                        const std::vector<PlayedRecording>& recordings, const LearntModes* before = nullptr);
+} // namespace antinode

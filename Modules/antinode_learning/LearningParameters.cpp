@@ -1,0 +1,155 @@
+#include "LearningParameters.h"
+
+#include <antinode_base/InputError.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace antinode
+{
+namespace
+{
+constexpr double largestDamping = 0.9;
+
+void require (bool isRight, const std::string& what)
+{
+    if (! isRight)
+        throw InputError ("recordings", what);
+}
+
+void check (const LearningPrior& prior)
+{
+    requireRealModes (prior.model, "learning from recordings");
+    const auto modes = prior.model.modes();
+    const auto& deviations = prior.deviations;
+    require (! prior.recordings.empty() && ! prior.sensors.empty(), "need at least one recording of one sensor");
+    require (deviations.frequencies.size() == modes && deviations.dampings.size() == modes
+                 && deviations.participation.size() == modes,
+             "need the deviations of " + std::to_string (modes) + " modes");
+
+    for (const auto& sensor : prior.sensors)
+        require (sensor.shapes.size() == modes && sensor.shapes.allFinite() && sensor.deviation >= 0,
+                 "need one finite shape of every mode for every sensor");
+
+    for (const auto& recording : prior.recordings)
+    {
+        require (recording.voltages.rows() == prior.model.actuators() && recording.voltages.allFinite(),
+                 "need finite voltages of all " + std::to_string (prior.model.actuators()) + " ceramics");
+        require (recording.signals.rows() == static_cast<Eigen::Index> (prior.sensors.size())
+                     && recording.signals.cols() == recording.voltages.cols() && recording.signals.allFinite(),
+                 "need a finite signal of every sensor, as long as the voltages");
+        require (recording.noise.size() == recording.signals.rows() && recording.noise.minCoeff() > 0
+                     && recording.sampleRate > 0 && recording.delay >= 0,
+                 "need noise above 0, a sample rate above 0 and a delay of 0 or more");
+    }
+}
+
+/** By how much the participations of a mode differ, relative to themselves: N_b. */
+Eigen::VectorXd relativeChange (const ModalModel& now, const ModalModel& before, Eigen::Index k)
+{
+    const Eigen::VectorXd was = before.participation.row (k).transpose();
+    return (was.array() != 0).select ((now.participation.row (k).transpose() - was).cwiseQuotient (was), 0.0);
+}
+
+void apply (LearningState& state, const LearningParameter& parameter, double value, const LearningPrior& prior)
+{
+    const auto k = parameter.mode;
+    const auto& deviations = prior.deviations;
+
+    switch (parameter.kind)
+    {
+        case ParameterKind::frequency:
+            state.model.angularFrequencies[k] *= std::exp (deviations.frequencies[k] * value);
+            break;
+
+        case ParameterKind::damping:
+            state.model.dampingRatios[k] =
+                std::min (largestDamping, state.model.dampingRatios[k] * std::exp (deviations.dampings[k] * value));
+            break;
+
+        case ParameterKind::participation:
+            state.model.participation.row (k).array() +=
+                deviations.participation[k] * value
+                * (parameter.ceramics.transpose().array() * prior.model.participation.row (k).array());
+            break;
+
+        case ParameterKind::sensor:
+            state.sensors (parameter.sensor, k) *=
+                1 + prior.sensors[static_cast<std::size_t> (parameter.sensor)].deviation * value;
+            break;
+    }
+}
+} // namespace
+
+LearningPrior makePrior (const ModalModel& model, const std::vector<Sensor>& sensors, const ModeSpread& deviations,
+                         const std::vector<PlayedRecording>& recordings)
+{
+    LearningPrior prior { model, sensors, deviations, recordings, {} };
+    check (prior);
+
+    for (const auto& recording : recordings)
+        prior.voltages.emplace_back (recording.voltages, recording.sampleRate);
+
+    return prior;
+}
+
+LearningState stateAt (const LearningPrior& prior, const LearningParameters& parameters, const Eigen::VectorXd& values)
+{
+    LearningState state { prior.model, {}, Eigen::VectorXd (parameters.recordings) };
+    state.sensors.resize (static_cast<Eigen::Index> (prior.sensors.size()), prior.model.modes());
+
+    for (std::size_t m = 0; m < prior.sensors.size(); ++m)
+        state.sensors.row (static_cast<Eigen::Index> (m)) = prior.sensors[m].shapes;
+
+    for (std::size_t p = 0; p < parameters.modal.size(); ++p)
+        apply (state, parameters.modal[p], values[static_cast<Eigen::Index> (p)], prior);
+
+    state.model.angularFrequencies *= std::exp (prior.deviations.drift * values[parameters.drift()]);
+
+    for (Eigen::Index r = 0; r < parameters.recordings; ++r)
+        state.delays[r] = prior.recordings[static_cast<std::size_t> (r)].delay
+                          + prior.deviations.delay * values[parameters.delay (r)];
+
+    return state;
+}
+
+Eigen::VectorXd valuesOf (const LearningPrior& prior, const LearningParameters& parameters, const LearntModes& before)
+{
+    Eigen::VectorXd values = Eigen::VectorXd::Zero (parameters.size());
+    const auto& deviations = prior.deviations;
+
+    for (Eigen::Index p = 0; p < parameters.drift(); ++p)
+    {
+        const auto& parameter = parameters.modal[static_cast<std::size_t> (p)];
+        const auto k = parameter.mode;
+
+        switch (parameter.kind)
+        {
+            case ParameterKind::frequency:
+                values[p] = std::log (before.model.angularFrequencies[k] / prior.model.angularFrequencies[k])
+                            / deviations.frequencies[k];
+                break;
+
+            case ParameterKind::damping:
+                values[p] =
+                    std::log (before.model.dampingRatios[k] / prior.model.dampingRatios[k]) / deviations.dampings[k];
+                break;
+
+            case ParameterKind::participation:
+                values[p] = parameter.ceramics.dot (relativeChange (before.model, prior.model, k))
+                            / deviations.participation[k];
+                break;
+
+            case ParameterKind::sensor:
+            {
+                const auto m = static_cast<std::size_t> (parameter.sensor);
+                values[p] = (before.sensors[m].shapes[k] / prior.sensors[m].shapes[k] - 1) / prior.sensors[m].deviation;
+                break;
+            }
+        }
+    }
+
+    return values;
+}
+} // namespace antinode

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "LearnModes.h"
+#include "PlayedVoltages.h"
+
+namespace antinode
+{
+/** What one parameter changes. */
+enum class ParameterKind
+{
+    frequency,
+    damping,
+    participation, ///< Of one mode, of all ceramics together in a fixed ratio.
+    sensor         ///< What one sensor hears of one mode.
+};
+
+/** One unknown of one mode, in units of its own standard deviation before anything was heard. */
+struct LearningParameter
+{
+    ParameterKind kind = ParameterKind::frequency;
+    Eigen::Index mode = 0;
+    Eigen::Index sensor = 0;  ///< Of a sensor's parameter.
+    Eigen::VectorXd ceramics; ///< N_b, of participation: how much it changes that of each ceramic, relative to it;
+                              ///< orthonormal to the others of its mode.
+};
+
+/** All unknowns: those of modes, then the common drift, then the delay of each recording. */
+struct LearningParameters
+{
+    std::vector<LearningParameter> modal;
+    Eigen::Index recordings = 0;
+
+    Eigen::Index drift() const { return static_cast<Eigen::Index> (modal.size()); }
+    Eigen::Index delay (Eigen::Index recording) const { return drift() + 1 + recording; }
+    Eigen::Index size() const { return drift() + 1 + recordings; }
+};
+
+/** A device, its sensors and delays, as values of the parameters say. */
+struct LearningState
+{
+    ModalModel model;
+    Eigen::MatrixXd sensors; ///< N x N_m
+    Eigen::VectorXd delays;  ///< s, of each recording.
+};
+
+/** What is known before. */
+struct LearningPrior
+{
+    const ModalModel& model;
+    const std::vector<Sensor>& sensors;
+    const ModeSpread& deviations;
+    const std::vector<PlayedRecording>& recordings;
+    std::vector<PlayedVoltages> voltages; ///< Of each recording.
+};
+
+/** @throws InputError  as learnModes [worker] */
+LearningPrior makePrior (const ModalModel&, const std::vector<Sensor>&, const ModeSpread&,
+                         const std::vector<PlayedRecording>&);
+
+/** @param values  of the parameters, in standard deviations [any] */
+LearningState stateAt (const LearningPrior&, const LearningParameters&, const Eigen::VectorXd& values);
+
+/** The values of parameters that come nearest to a device that was learnt before. [any] */
+Eigen::VectorXd valuesOf (const LearningPrior&, const LearningParameters&, const LearntModes& before);
+} // namespace antinode

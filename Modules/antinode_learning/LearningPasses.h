@@ -1,0 +1,63 @@
+#pragma once
+
+#include "LearnModes.h"
+
+#include <antinode_focus/SpillOver.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** Plays voltages on the surface at rest and records the sensors: N_b x N_s, V in, of the sample rate that was asked
+    for.
+    @param pass  0 for the first
+    @return      with the voltages that were played, if others than these */
+using PlayAndRecord = std::function<PlayedRecording (const Eigen::MatrixXd& voltages, int pass)>;
+
+struct LearningSettings
+{
+    double sampleRate = 96000; ///< Hz, of voltages and signals.
+    double duration = 0.25;    ///< s, of each play from the trigger on.
+    int passes = 4;            ///< How often is played; 0: the design is made only.
+};
+
+/** The voltages of a design for so long: N_b x N_s, V.
+    @param known  the modes that it is made for
+    @throws InputError  as renderOffline
+    [worker] */
+Eigen::MatrixXd playedVoltages (const ModalModel& known, const FocusDesign&, const LearningSettings&);
+
+/** One play of a focus and what was learnt from it. */
+struct LearningPass
+{
+    FocusDesign design;         ///< That was played.
+    Eigen::MatrixXd voltages;   ///< N_b x N_s, V
+    double surprise = 0;        ///< RMS of what the model it was designed by did not predict, of the noise.
+    double nominalSurprise = 0; ///< The same of the nominal model.
+    double estimatedError = 0;  ///< Of its field at the focus, by what is known in the end: RMS, of the wanted field's.
+};
+
+/** A focus after some plays. */
+struct LearntFocus
+{
+    std::vector<LearningPass>
+        passes;          ///< As they were played: fewer than wanted where the first signals are not explained.
+    LearntModes learnt;  ///< From all recordings.
+    WideModel wide;      ///< The nominal one with what was learnt.
+    FocusDesign design;  ///< The one to play from now on.
+    std::string refusal; ///< Why nothing of what was learnt is used, a sentence: the design is then the first one;
+                         ///< empty: it is.
+};
+
+/** Plays a focus, learns, and designs it again. What was learnt is used only if it explains the signals, and if it
+    predicted the last play better than the nominal model: so a sensor that is unplugged, clipped or at another place
+    makes nothing worse.
+    @param nominal  with modes beyond those that are designed for
+    @throws LimitError, InputError, Cancelled  as designFocus and learnModes
+    [worker] Docs/Theory.md, section 7.6. */
+LearntFocus learnFocus (const WideModel& nominal, const FocusDescription&, const std::vector<Sensor>&,
+                        const ModeSpread&, const PlayAndRecord&, const LearningSettings&,
+                        const std::function<void (double)>& progress = {});
+} // namespace antinode

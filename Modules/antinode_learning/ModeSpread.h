@@ -1,0 +1,21 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace antinode
+{
+/** Relative standard deviations of a device from its model, by mode. What is known before anything is played. */
+struct ModeSpread
+{
+    Eigen::VectorXd frequencies, dampings, participation; ///< N_m each.
+    double drift = 0;                                     ///< Of a factor that all frequencies share.
+    double delay = 20e-6;                                 ///< Of each recording's delay, s.
+};
+
+/** The same deviations for every mode. [any] */
+inline ModeSpread sameSpread (Eigen::Index modes, double frequency, double damping, double participation)
+{
+    return { Eigen::VectorXd::Constant (modes, frequency), Eigen::VectorXd::Constant (modes, damping),
+             Eigen::VectorXd::Constant (modes, participation) };
+}
+} // namespace antinode

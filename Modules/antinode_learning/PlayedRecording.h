@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace antinode
+{
+/** What listens to the surface: a velocity sensor at a place, or an idle ceramic whose current is measured. */
+struct Sensor
+{
+    Eigen::RowVectorXd shapes; ///< N_m: its signal per modal velocity; of a velocity sensor the mode shapes there.
+    double deviation = 0;      ///< Relative standard deviation of each of these, 0 where they are known.
+};
+
+/** Voltages that were played on a surface at rest, and what the sensors recorded meanwhile. */
+struct PlayedRecording
+{
+    double sampleRate = 0;    ///< Hz
+    Eigen::MatrixXd voltages; ///< N_b x N_s, V.
+    Eigen::MatrixXd signals;  ///< N x N_s, in the unit of the sensors' shapes times modal velocities.
+    Eigen::VectorXd noise;    ///< N: standard deviation of each sensor's samples.
+    double delay = 0;         ///< s, from the voltages to the signals, as far as it is known.
+};
+} // namespace antinode

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "LearningParameters.h"
+
+namespace antinode
+{
+/** How many samples of a recording can be compared with a prediction: the last ones, of the length of its delay, answer
+    to voltages before its end only. [any] */
+Eigen::Index comparableSamples (const PlayedRecording&);
+
+/** What one recording says of the parameters: the normal equations of the linearised problem, in standard deviations,
+    without what was known before. */
+struct RecordingEquations
+{
+    Eigen::MatrixXd matrix; ///< P x P, the lower triangle.
+    Eigen::VectorXd right;  ///< P
+    double misfit = 0;      ///< Sum of squared residuals over the noise.
+    double signal = 0;      ///< Sum of squared signals over the noise.
+    double samples = 0;     ///< How many.
+};
+
+/** @param samples  how many of the recording, from its beginning [worker] */
+RecordingEquations recordingEquations (const LearningPrior&, const LearningParameters&, const LearningState&,
+                                       Eigen::Index recording, Eigen::Index samples);
+
+/** The sum of squared residuals over the noise alone. [worker] */
+double recordingMisfit (const LearningPrior&, const LearningState&, Eigen::Index recording, Eigen::Index samples);
+} // namespace antinode

@@ -1,0 +1,137 @@
+#include "LearnFiles.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
+#include <antinode_base/WholeFile.h>
+#include <antinode_documents/DesignFile.h>
+#include <antinode_documents/DeviceFile.h>
+#include <antinode_text/CsvTable.h>
+#include <antinode_text/OutputFolder.h>
+#include <antinode_text/WaveFile.h>
+#include <antinode_text/WaveReader.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace antinode
+{
+namespace
+{
+constexpr double percent = 100;
+
+/** Velocities of a table's columns but the time: sensors x N_s, m/s. */
+Eigen::MatrixXd recordedTable (const std::filesystem::path& path)
+{
+    const auto table = readCsvTable (readWholeFile (path, { "a CSV file" }), path.string());
+
+    for (std::size_t i = 1; i < table.headings.size(); ++i)
+        if (table.headings[i].find ("_mm_s") == std::string::npos)
+            throw InputError (path.string(), "has the heading '" + table.headings[i]
+                                                 + "'; allowed: time_s, then velocity_mm_s_1 and so on");
+
+    return table.numbers.rightCols (table.numbers.cols() - 1).transpose() / milli;
+}
+
+Eigen::MatrixXd recordedWave (const std::filesystem::path& path, double sampleRate, const SensorOptions& sensor)
+{
+    if (! (sensor.sensitivity > 0))
+        throw InputError ("--sensitivity-mm-s-per-v", "is missing; give the sensitivity of the sensors in mm/s per V");
+
+    const auto wave = readWaveFile (path);
+
+    if (wave.sampleRate != sampleRate)
+        throw InputError (path.string(), "has " + inWords (wave.sampleRate) + " Hz; allowed: the rate of voltages.wav, "
+                                             + inWords (sampleRate) + " Hz");
+
+    return sensor.fullScaleVelocity() * wave.samples;
+}
+
+/** A table of modes: as they were taken, as they are now, and the deviations before and after. */
+std::string learntTable (const LearntFocus& learnt, const WideModel& nominal, const ModeSpread& before)
+{
+    std::string text = "mode,frequency_Hz_before,frequency_Hz_now,frequency_deviation_percent_before,"
+                       "frequency_deviation_percent_now,damping_ratio_before,damping_ratio_now,"
+                       "damping_deviation_percent_before,damping_deviation_percent_now\n";
+    const auto& now = learnt.learnt;
+
+    for (Eigen::Index k = 0; k < nominal.known; ++k)
+    {
+        std::array<char, 256> line {};
+        std::snprintf (line.data(), line.size(), "%td,%.9g,%.9g,%.4g,%.4g,%.9g,%.9g,%.4g,%.4g\n", k + 1,
+                       nominal.model.frequencyHz (k), now.model.frequencyHz (k), percent * before.frequencies[k],
+                       percent * now.frequencyDeviations[k], nominal.model.dampingRatios[k], now.model.dampingRatios[k],
+                       percent * before.dampings[k], percent * now.dampingDeviations[k]);
+        text += line.data();
+    }
+
+    return text;
+}
+
+nlohmann::ordered_json summary (const LearntFocus& learnt)
+{
+    nlohmann::ordered_json document { { "schema", "antinode.learnt/1" },
+                                      { "is_accepted", learnt.refusal.empty() },
+                                      { "refusal", learnt.refusal },
+                                      { "unexplained_percent", percent * learnt.learnt.unexplained },
+                                      { "residual_of_noise", learnt.learnt.residual },
+                                      { "trigger_sample", 0 } };
+    auto& passes = document["passes"] = nlohmann::ordered_json::array();
+
+    for (const auto& pass : learnt.passes)
+        passes.push_back ({ { "estimated_field_error_percent", percent * pass.estimatedError },
+                            { "surprise_of_noise", pass.surprise },
+                            { "surprise_of_noise_nominal", pass.nominalSurprise } });
+
+    return document;
+}
+} // namespace
+
+PlayedRecording readPlayedRecording (const std::filesystem::path& folder, const ModalModel& model, Eigen::Index sensors,
+                                     const SensorOptions& sensor)
+{
+    const auto wave = readWaveFile (folder / "voltages.wav");
+
+    if (wave.samples.rows() != model.actuators())
+        throw InputError ((folder / "voltages.wav").string(),
+                          "has " + std::to_string (wave.samples.rows()) + " channels; allowed: "
+                              + std::to_string (model.actuators()) + ", one per ceramic of '" + model.name + "'");
+
+    const auto table = folder / "recorded.csv", sound = folder / "recorded.wav";
+
+    if (! std::filesystem::exists (table) && ! std::filesystem::exists (sound))
+        throw InputError (folder.string(),
+                          "has neither recorded.csv nor recorded.wav: what was recorded while its voltages.wav was "
+                          "played");
+
+    const auto isTable = std::filesystem::exists (table);
+    auto signals = isTable ? recordedTable (table) : recordedWave (sound, wave.sampleRate, sensor);
+
+    if (signals.rows() != sensors)
+        throw InputError ((isTable ? table : sound).string(), "has " + std::to_string (signals.rows())
+                                                                  + " channels; allowed: " + std::to_string (sensors)
+                                                                  + ", one per sensor");
+
+    const auto samples = std::min (wave.samples.cols(), signals.cols());
+    return {
+        wave.sampleRate, model.fullScaleVoltage * wave.samples.leftCols (samples), signals.leftCols (samples), {}, 0
+    };
+}
+
+void writeLearnt (const std::filesystem::path& path, const LearntFocus& learnt, const WideModel& nominal,
+                  const ModeSpread& before, const LearningSettings& settings)
+{
+    const auto known = firstModes (learnt.wide.model, learnt.wide.known);
+    OutputFolder folder (path);
+    folder.write ("voltages.wav", encodeWave (playedVoltages (known, learnt.design, settings), known.fullScaleVoltage,
+                                              settings.sampleRate));
+    folder.write ("design.json", designToJson (learnt.design, known).dump (2) + "\n");
+    folder.write ("device.json", modalDeviceToJson (known, "Learnt from plays of a focus").dump (2) + "\n");
+    folder.write ("learnt.csv", learntTable (learnt, nominal, before));
+    folder.write ("summary.json", summary (learnt).dump (2) + "\n");
+    folder.commit();
+}
+} // namespace antinode

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "SensorOptions.h"
+
+#include <antinode_learning/LearningPasses.h>
+
+#include <filesystem>
+#include <string>
+
+namespace antinode
+{
+/** What was recorded while a pass was played: voltages.wav and recorded.wav or recorded.csv of its folder.
+    @param sensors  how many channels or columns must be there
+    @return         without noise and delay
+    @throws InputError  for what is missing, cannot be read or does not fit
+    [worker] Docs/FileFormats.md. */
+PlayedRecording readPlayedRecording (const std::filesystem::path& folder, const ModalModel&, Eigen::Index sensors,
+                                     const SensorOptions&);
+
+/** Writes what is to be played next and what was learnt: voltages.wav, design.json, device.json, learnt.csv and
+    summary.json.
+    @throws InputError  when the folder cannot be written
+    [worker] Docs/FileFormats.md. */
+void writeLearnt (const std::filesystem::path& folder, const LearntFocus&, const WideModel& nominal, const ModeSpread&,
+                  const LearningSettings&);
+} // namespace antinode
