@@ -2,6 +2,31 @@
 
 namespace antinode
 {
+bool liesOn (const Surface& surface, double x, double y)
+{
+    const auto margin = 1e-9 + 1e-9 * (surface.xMaximum - surface.xMinimum); // rounding, not geometry
+    const auto isWithin =
+        x >= surface.xMinimum - margin && x <= surface.xMaximum + margin
+        && (surface.kind == SurfaceKind::line || (y >= surface.yMinimum - margin && y <= surface.yMaximum + margin));
+
+    if (! isWithin || ! surface.boundary)
+        return isWithin;
+
+    const auto& outline = surface.boundary->outline;
+    return outline.contains (x, y) || distanceToBoundary (outline, x, y) <= margin;
+}
+
+std::vector<Eigen::Index> pointsOn (const Surface& surface)
+{
+    std::vector<Eigen::Index> rows;
+
+    for (Eigen::Index i = 0; i < surface.areas.size(); ++i)
+        if (surface.areas[i] > 0)
+            rows.push_back (i);
+
+    return rows;
+}
+
 void placeOnGrid (Surface& surface, const PlateGrid& grid)
 {
     const auto countX = grid.x.places.size(), countY = grid.y.places.size();

@@ -1,6 +1,7 @@
 #include "DescribedModel.h"
 
 #include "Capacitance.h"
+#include "CeramicShapes.h"
 
 #include <algorithm>
 
@@ -24,12 +25,16 @@ void describe (ModalModel& model, const std::string& name, const StructureCommon
         const auto& ceramic = common.ceramics[i];
         const auto alongX = [&] (double x) { return std::clamp (x, surface.xMinimum, surface.xMaximum); };
         const auto alongY = [&] (double y) { return std::clamp (y, surface.yMinimum, surface.yMaximum); };
+        const auto [least, largest] = ceramicExtent (ceramic);
         model.ceramics.push_back ({ ceramic.name.empty() ? "C" + std::to_string (i + 1) : ceramic.name,
-                                    alongX (ceramic.x), alongX (ceramic.x + ceramic.sizeX), alongY (ceramic.y),
-                                    alongY (ceramic.y + ceramic.sizeY), common.voltageLimit, slewLimit (common, i),
-                                    capacitance (ceramic) });
+                                    alongX (least.x()), alongX (largest.x()), alongY (least.y()), alongY (largest.y()),
+                                    common.voltageLimit, slewLimit (common, i), capacitance (ceramic) });
+
+        if (! fillsItsRectangle (ceramic))
+            model.ceramics.back().outline = ceramicOutline (ceramic);
+
         model.ceramics.back().lossFactor = ceramic.lossFactor;
-        model.ceramics.back().area = ceramic.sizeX * ceramic.sizeY;
+        model.ceramics.back().area = faceArea (ceramic);
         model.ceramics.back().currentLimit = common.currentLimit;
     }
 }
@@ -57,5 +62,17 @@ void settleSigns (ModalModel& model)
 bool isHeld (EdgeCondition condition)
 {
     return condition == EdgeCondition::clamped || condition == EdgeCondition::simplySupported;
+}
+
+std::vector<PathPiece> heldPieces (const OutlinedPlate& plate)
+{
+    std::vector<PathPiece> pieces;
+
+    for (const auto& path : plate.outline.paths)
+        for (const auto& piece : path)
+            if (isHeld (plate.edges[static_cast<std::size_t> (piece.edge)].condition))
+                pieces.push_back (piece);
+
+    return pieces;
 }
 } // namespace antinode

@@ -17,4 +17,7 @@ void settleSigns (ModalModel&);
 
 /** Whether a surface cannot move at such an edge. [any] */
 bool isHeld (EdgeCondition);
+
+/** The parts of a boundary at which a plate cannot move; springs do not count. [any] */
+std::vector<PathPiece> heldPieces (const OutlinedPlate&);
 } // namespace antinode

@@ -1,4 +1,4 @@
-#include "DeviceDescription.h"
+#include "DescribedModel.h"
 
 namespace antinode
 {
@@ -16,6 +16,19 @@ struct Extent
         surface.kind = SurfaceKind::plate;
         surface.xMaximum = plate.lengthX;
         surface.yMaximum = plate.lengthY;
+        return surface;
+    }
+
+    Surface operator() (const OutlinedPlate& plate) const
+    {
+        const auto extent = extentOf (plate.outline);
+        Surface surface;
+        surface.kind = SurfaceKind::plate;
+        surface.xMinimum = extent.least.x();
+        surface.xMaximum = extent.largest.x();
+        surface.yMinimum = extent.least.y();
+        surface.yMaximum = extent.largest.y();
+        surface.boundary = SurfaceBoundary { plate.outline, heldPieces (plate) };
         return surface;
     }
 

@@ -11,6 +11,8 @@ inline constexpr int maximumBeamModes = 200, maximumPlateModes = 500;
 /** The one of a device that is solved. [any] */
 inline int maximumModes (const DeviceDescription& device)
 {
-    return std::holds_alternative<PlateDescription> (device.body) ? maximumPlateModes : maximumBeamModes;
+    const auto isPlate =
+        std::holds_alternative<PlateDescription> (device.body) || std::holds_alternative<OutlinedPlate> (device.body);
+    return isPlate ? maximumPlateModes : maximumBeamModes;
 }
 } // namespace antinode

@@ -124,6 +124,11 @@ struct CandidateFinder
         return onLine (staple, staple.topLength, EdgeCondition::clamped, EdgeCondition::clamped); // both go on as legs
     }
 
+    PlacementCandidates operator() (const OutlinedPlate&) const
+    {
+        throw InputError ("device '" + device.name + "'", "has an outline; allowed: beam, staple, rectangular plate");
+    }
+
     PlacementCandidates operator() (const ModalModel&) const
     {
         throw InputError ("device '" + device.name + "'", std::string ("is of kind modal; allowed: ") + computedKinds);

@@ -70,12 +70,12 @@ PlateProblem affordableProblem (const PlateDescription& plate, const PlateLayout
 int modesBelow (const PlateDescription& plate, const PlateLayout& layout, double frequency)
 {
     const auto angularFrequency = 2 * std::numbers::pi * frequency;
-    const auto lowest = angularFrequencyAt (plate, expectedWaveNumber (plate, 2));
-    const auto waveNumber = largestWaveNumberAt (plate, std::max (angularFrequency, lowest));
+    const auto lowest = angularFrequencyAt (plate.common, expectedWaveNumber (plate, 2));
+    const auto waveNumber = largestWaveNumberAt (plate.common, std::max (angularFrequency, lowest));
     const auto tooMany = "maximum frequency is " + std::to_string (frequency) + " Hz; allowed: above 0 Hz, with up to "
                          + std::to_string (maximumPlateModes) + " modes below it";
 
-    if (! (waveNumberAt (plate, angularFrequency) <= 2 * expectedWaveNumber (plate, maximumPlateModes)))
+    if (! (waveNumberAt (plate.common, angularFrequency) <= 2 * expectedWaveNumber (plate, maximumPlateModes)))
         throw InputError ("device", tooMany);
 
     const auto problem = affordableProblem (plate, layout, waveNumber);
@@ -223,7 +223,7 @@ PlateSolution solutionFor (const PlateDescription& plate, const PlateLayout& lay
              angularFrequencies,
              pairs.vectors / massScale,
              errors,
-             largestWaveNumberAt (plate, angularFrequencies[count - 1]) };
+             largestWaveNumberAt (plate.common, angularFrequencies[count - 1]) };
 }
 } // namespace
 
@@ -233,7 +233,7 @@ PlateSolution solvePlateModes (const PlateDescription& plate, std::optional<int>
     const auto count = wantedCount (plate, layout, modeCount);
     constexpr int resolvedModes = 50; // At least: then few modes are right to many digits, and still cost little.
     const auto expected = expectedWaveNumber (plate, std::max (count, resolvedModes));
-    auto waveNumber = largestWaveNumberAt (plate, angularFrequencyAt (plate, expected));
+    auto waveNumber = largestWaveNumberAt (plate.common, angularFrequencyAt (plate.common, expected));
 
     for (;;)
     {

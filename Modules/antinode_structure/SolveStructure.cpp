@@ -4,6 +4,7 @@
 #include "DescriptionChecks.h"
 #include "DeviceDescription.h"
 #include "ModeLimits.h"
+#include "OutlinedModel.h"
 #include "SolvedPlate.h"
 
 #include <antinode_base/InputError.h>
@@ -154,6 +155,8 @@ struct BodySolver
     ModalModel operator() (const StapleDescription& staple) const { return solveLine (name, staple, modeCount); }
 
     ModalModel operator() (const PlateDescription& plate) const { return solvePlate (name, plate, modeCount); }
+
+    ModalModel operator() (const OutlinedPlate& plate) const { return solveOutlinedPlate (name, plate, modeCount); }
 
     ModalModel operator() (const ModalModel& measured) const
     {

@@ -177,7 +177,7 @@ ModalModel makeModel (const PlateDescription& plate, const PlateSolution& soluti
     model.frequencyErrors = solution.frequencyErrors;
     model.rigidBodyModes = solution.rigidBodyModes;
     model.unknowns = static_cast<int> (solution.problem.unknowns());
-    model.warnings = thicknessWarnings (plate, solution.angularFrequencies);
+    model.warnings = thicknessWarnings (plate.common, solution.angularFrequencies);
     warnOfErrors (model);
     model.participation = computeParticipation (plate, solution);
 
