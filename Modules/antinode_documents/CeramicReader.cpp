@@ -2,6 +2,7 @@
 
 #include "FileUnits.h"
 #include "MaterialReader.h"
+#include "SubstrateReader.h"
 
 #include <antinode_text/PhysicalRanges.h>
 
@@ -43,8 +44,14 @@ CeramicDescription readCeramic (const JsonObject& object)
     CeramicDescription ceramic;
     ceramic.thickness = fromMillimetres (object.required ("thickness_mm").number (ranges::lengthMillimetre));
     ceramic.material = readPiezoelectricMaterial (object.required ("material"));
-    ceramic.mounting = object.required ("mounting").choice (mountingWords);
-    ceramic.wiring = object.required ("wiring").choice (wiringWords);
+    ceramic.mounting = CeramicMounting::oneSide;
+    ceramic.glue = readGlue (object);
+
+    if (const auto mounting = object.optional ("mounting"))
+        ceramic.mounting = mounting->choice (mountingWords);
+
+    if (const auto wiring = object.optional ("wiring"))
+        ceramic.wiring = wiring->choice (wiringWords);
 
     if (const auto name = object.optional ("name"))
         ceramic.name = name->text (ranges::maximumNameBytes);
@@ -85,8 +92,9 @@ std::vector<CeramicDescription> readCentredCeramics (const JsonValue& list, doub
 
     for (const auto& place : places)
     {
-        const auto object = place.object ({ "name", "x_mm", "length_mm", "width_mm", "thickness_mm", "material",
-                                            "mounting", "wiring", "polarity", "capacitance_nF", "loss_factor" });
+        const auto object =
+            place.object ({ "name", "x_mm", "length_mm", "width_mm", "thickness_mm", "material", "mounting", "wiring",
+                            "polarity", "capacitance_nF", "loss_factor", "glue" });
         const auto ownLength = readSize (object.required ("length_mm"), length);
         const auto ownWidth = readSize (object.required ("width_mm"), width);
         const auto reach = (length - ownLength) / 2;
@@ -112,7 +120,7 @@ std::vector<CeramicDescription> readCornerCeramics (const JsonValue& list, doubl
     {
         const auto object =
             place.object ({ "name", "x_mm", "y_mm", "size_x_mm", "size_y_mm", "thickness_mm", "material", "mounting",
-                            "wiring", "polarity", "capacitance_nF", "loss_factor" });
+                            "wiring", "polarity", "capacitance_nF", "loss_factor", "glue" });
         const auto sizeX = readSize (object.required ("size_x_mm"), lengthX);
         const auto sizeY = readSize (object.required ("size_y_mm"), lengthY);
         auto ceramic = readCeramic (object);

@@ -1,10 +1,9 @@
 #include "StructureReader.h"
 
 #include "CeramicReader.h"
-#include "DampingReader.h"
 #include "FileUnits.h"
 #include "LimitsReader.h"
-#include "MaterialReader.h"
+#include "SubstrateReader.h"
 
 #include <antinode_text/PhysicalRanges.h>
 
@@ -40,9 +39,7 @@ double readLength (const JsonObject& body, std::string_view key)
 StructureCommon readCommon (const JsonObject& body)
 {
     StructureCommon common;
-    common.thickness = fromMillimetres (readLength (body, "thickness_mm"));
-    common.material = readElasticMaterial (body.required ("material"));
-    common.dampingRatios = readDampingRatios (body);
+    readSubstrate (common, body);
     const auto limits = readLimits (body.required ("limits"));
     common.voltageLimit = limits.voltage;
     common.slewLimit = limits.slew;
@@ -98,7 +95,7 @@ StapleDescription readStaple (const JsonValue& device)
 
 PlateDescription readPlate (const JsonValue& device)
 {
-    const auto body = readBody (device, { "length_x_mm", "length_y_mm", "edges" });
+    const auto body = readBody (device, { "length_x_mm", "length_y_mm", "edges", layersKey, theoryKey });
     const auto lengthX = readLength (body, "length_x_mm");
     const auto lengthY = readLength (body, "length_y_mm");
     const auto edges = body.required ("edges").object ({ "left", "right", "bottom", "top" });

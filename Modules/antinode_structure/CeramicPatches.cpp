@@ -20,6 +20,12 @@ BendingPatch patchOf (const CeramicDescription& ceramic)
 
     return {};
 }
+
+/** What one section has more than another. */
+BendingSection difference (const LayeredSection& with, const LayeredSection& without)
+{
+    return { (with.stiffness - without.stiffness).real(), with.massPerArea - without.massPerArea };
+}
 } // namespace
 
 BendingSection bendingSection (const PlateSection& section)
@@ -32,12 +38,23 @@ BendingSection bendingSection (const PlateSection& section)
 
 std::vector<BendingPatch> ceramicPatches (const StructureCommon& common, const CeramicDescription& ceramic)
 {
-    const auto section = ceramicSection (common, ceramic);
-    const auto bare = bendingSection (bareSection (common)), with = bendingSection (section);
+    const auto with = ceramicStack (common, ceramic, ceramic.angle);
     auto patch = patchOf (ceramic);
-    patch.added.stiffness = with.stiffness - bare.stiffness;
-    patch.added.massPerArea = with.massPerArea - bare.massPerArea;
-    patch.moment << section.momentX, section.momentY, 0;
-    return { patch };
+
+    if (! ceramic.carrier)
+    {
+        patch.added = difference (with, bareStack (common));
+        patch.moment = with.momentPerVolt.real();
+        return { patch };
+    }
+
+    const auto carrier = carrierStack (common, ceramic);
+    auto inner = discPatch (ceramic.centre(), ceramic.carrier->ceramicDiameter / 2);
+    auto driven = discPatch (ceramic.centre(), ceramic.carrier->electrodeDiameter / 2);
+    patch.added = difference (carrier, bareStack (common));
+    inner.added = difference (with, carrier);
+    driven.moment = with.momentPerVolt.real();
+    driven.kinks.clear(); // Only what stiffens bends a mode.
+    return { patch, inner, driven };
 }
 } // namespace antinode

@@ -8,6 +8,9 @@ namespace antinode
 {
 double faceArea (const CeramicDescription& ceramic)
 {
+    if (ceramic.carrier)
+        return std::numbers::pi / 4 * ceramic.carrier->electrodeDiameter * ceramic.carrier->electrodeDiameter;
+
     const auto rectangle = ceramic.sizeX * ceramic.sizeY;
 
     if (ceramic.shape == CeramicShape::rectangle)

@@ -9,6 +9,9 @@ namespace antinode
 {
 Eigen::VectorXd dampingOfModes (const std::vector<double>& ratios, Eigen::Index modes)
 {
+    if (ratios.empty())
+        return Eigen::VectorXd::Zero (modes);
+
     return Eigen::VectorXd::NullaryExpr (
         modes, [&] (Eigen::Index k) { return ratios[std::min (static_cast<std::size_t> (k), ratios.size() - 1)]; });
 }

@@ -1,5 +1,7 @@
 #include "DescriptionChecks.h"
 
+#include "SoftLayers.h"
+
 #include <antinode_base/InputError.h>
 
 #include <algorithm>
@@ -44,7 +46,7 @@ void requireCommon (const StructureCommon& common)
             throw InputError ("device",
                               "slew or current limit is " + text (limit) + "; allowed: above 0, or 0 for none");
 
-    if (common.dampingRatios.empty())
+    if (common.dampingRatios.empty() && ! hasSoftLayers (common))
         throw InputError ("device", "has no damping ratio; allowed: one for all modes, or a list");
 
     for (const auto ratio : common.dampingRatios)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "MaterialTypes.h"
+
 #include <antinode_model/ModalModel.h>
 
 #include <optional>
@@ -9,25 +11,6 @@
 
 namespace antinode
 {
-/** An elastic material in plane stress. Isotropic: E1 = E2, G12 = E / (2 (1 + nu)). */
-struct ElasticMaterial
-{
-    double youngsModulus1 = 0, youngsModulus2 = 0; ///< Pa, along x and y.
-    double shearModulus = 0;                       ///< Pa
-    double poissonRatio12 = 0;
-    double density = 0; ///< kg/m^3
-};
-
-/** A piezoelectric ceramic, poled through its thickness, isotropic in its plane. */
-struct PiezoelectricMaterial
-{
-    double youngsModulus = 0;        ///< Pa, 1/s11E
-    double poissonRatio = 0;         ///< -s12E/s11E
-    double density = 0;              ///< kg/m^3
-    double d31 = 0;                  ///< m/V, negative for the usual ones
-    double permittivityRelative = 0; ///< eps33T/eps0, 0 if not given
-};
-
 enum class EdgeCondition
 {
     clamped,
@@ -64,6 +47,8 @@ struct CeramicDescription
     double sizeX = 0, sizeY = 0; ///< m
     double thickness = 0;        ///< m, of one ceramic
     PiezoelectricMaterial material;
+    std::optional<GlueLayer> glue;      ///< Between it and the plate; none: of no thickness.
+    std::optional<CarrierDisc> carrier; ///< Of a disc bender, whose diameter the sizes give.
     CeramicMounting mounting = CeramicMounting::bothSides;
     CeramicWiring wiring = CeramicWiring::parallel;
     int polarity = 1;                    ///< 1 or -1
@@ -76,12 +61,22 @@ struct CeramicDescription
     Eigen::Vector2d centre() const { return { x + sizeX / 2, y + sizeY / 2 }; }
 };
 
+enum class PlateTheory
+{
+    thin,
+    mindlin ///< Frequencies are corrected for shear and rotary inertia.
+};
+
 /** The common properties of all described (not measured) devices. */
 struct StructureCommon
 {
-    double thickness = 0; ///< m
-    ElasticMaterial material;
+    double thickness = 0;                 ///< m
+    ElasticMaterial material;             ///< Of a laminate that of its first layer that is not soft.
+    std::vector<LayerDescription> layers; ///< Of a laminate, from the bottom up; empty: one of the material.
+    SectionReference reference;           ///< Of a laminate with soft layers: the solver gives it.
+    PlateTheory theory = PlateTheory::thin;
     std::vector<double> dampingRatios; ///< One for all modes, or one per mode; the last one serves all further modes.
+                                       ///< Soft layers add theirs; with them it may be empty.
     std::vector<CeramicDescription> ceramics;
     double voltageLimit = 0;                ///< V, of every ceramic
     double slewLimit = 0;                   ///< V/s, of every amplifier; 0: none.

@@ -8,6 +8,9 @@ namespace antinode
     memory ends it. */
 inline constexpr int maximumBeamModes = 200, maximumPlateModes = 500;
 
+/** How many modes of a plate are solved where nothing says it. */
+inline constexpr int defaultPlateModes = 100;
+
 /** The one of a device that is solved. [any] */
 inline int maximumModes (const DeviceDescription& device)
 {

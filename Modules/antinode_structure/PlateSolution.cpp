@@ -18,8 +18,6 @@ namespace antinode
 {
 namespace
 {
-constexpr int defaultPlateModes = 100;
-
 /** Eigenvalues are in units of D / (m L^4) of the bare substrate and the longer side. */
 double eigenvalueUnit (const PlateDescription& plate, const PlateLayout& layout)
 {

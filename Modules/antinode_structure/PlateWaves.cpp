@@ -1,6 +1,8 @@
 #include "PlateWaves.h"
 
 #include "CeramicShapes.h"
+#include "SoftLayers.h"
+#include "ThickPlates.h"
 
 #include <Eigen/Core>
 
@@ -121,19 +123,29 @@ std::vector<std::string> thicknessWarnings (const StructureCommon& common, const
     const auto first = std::find_if (angularFrequencies.begin(), angularFrequencies.end(),
                                      [&] (double omega) { return largestExcess (common, omega) > tolerable; });
 
-    if (first == angularFrequencies.end())
+    if (first == angularFrequencies.end() || hasSoftLayers (common))
         return {};
 
-    const auto highest = angularFrequencies[angularFrequencies.size() - 1];
-    std::array<char, 400> text {};
-    std::snprintf (
-        text.data(), text.size(),
-        "From mode %d (%.0f Hz) on, waves are so short compared with the thickness that thin-plate theory "
-        "overestimates frequencies by more than 2 %%; at mode %d (%.0f Hz), where a wave is %.1f thicknesses of "
-        "the bare plate long, by about %.0f %%.",
-        static_cast<int> (first - angularFrequencies.begin()) + 1, *first / (2 * pi),
-        static_cast<int> (angularFrequencies.size()), highest / (2 * pi),
-        2 * pi / (waveNumberAt (common, highest) * common.thickness), 100 * largestExcess (common, highest));
+    const auto count = static_cast<int> (angularFrequencies.size());
+    const auto highest = angularFrequencies[count - 1];
+    const auto waveNumber = waveNumberAt (common, highest);
+    std::array<char, 500> text {};
+
+    if (common.theory == PlateTheory::mindlin)
+        std::snprintf (text.data(), text.size(),
+                       "Frequencies are corrected for the thickness: that of mode %d from %.0f to %.0f Hz. Where edges "
+                       "are clamped, or on ceramics, up to half of the correction is missing.",
+                       count, highest / (2 * pi),
+                       mindlinFrequencyAt (common, std::sqrt (highest / thinWaveFactor (common))) / (2 * pi));
+    else
+        std::snprintf (
+            text.data(), text.size(),
+            "From mode %d (%.0f Hz) on, waves are so short compared with the thickness that thin-plate theory "
+            "overestimates frequencies by more than 2 %%; at mode %d (%.0f Hz), where a wave is %.1f thicknesses of "
+            "the bare plate long, by about %.0f %%. \"theory\": \"mindlin\" in the device corrects them.",
+            static_cast<int> (first - angularFrequencies.begin()) + 1, *first / (2 * pi), count, highest / (2 * pi),
+            2 * pi / (waveNumber * common.thickness), 100 * largestExcess (common, highest));
+
     return { text.data() };
 }
 } // namespace antinode

@@ -22,8 +22,8 @@ double angularFrequencyAt (const StructureCommon&, double waveNumber);
    narrow plates the modes of a strip. [any] Docs/Theory.md, section 1.6. */
 double expectedWaveNumber (const PlateDescription&, int modeCount);
 
-/** A warning where waves are so short compared with the thickness that thin-plate theory overestimates frequencies;
-    empty if it is right to 2 %.
+/** A warning where waves are so short compared with the thickness that thin-plate theory overestimates frequencies, or
+    by how much they are corrected; empty if it is right to 2 %, and for laminates that shear in soft layers.
     @param angularFrequencies  of the modes, ascending
     [any] Docs/Theory.md, section 1.7; Mindlin, J. Appl. Mech. 18 (1951) 31-38. */
 std::vector<std::string> thicknessWarnings (const StructureCommon&, const Eigen::VectorXd& angularFrequencies);

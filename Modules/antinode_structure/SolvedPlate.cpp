@@ -3,6 +3,8 @@
 #include "DescribedModel.h"
 #include "DescriptionChecks.h"
 #include "ElementChain.h"
+#include "FrequencyCorrection.h"
+#include "ModeLimits.h"
 #include "PlateWaves.h"
 
 #include <antinode_base/Watch.h>
@@ -190,11 +192,21 @@ ModalModel makeModel (const PlateDescription& plate, const PlateSolution& soluti
     return model;
 }
 
+PlateDescription asSolved (const PlateDescription& plate, std::optional<int> modeCount)
+{
+    const auto count = modeCount.value_or (plate.common.modeCount.value_or (defaultPlateModes));
+    auto solved = plate;
+    solved.common = asSolved (plate.common, expectedWaveNumber (plate, std::clamp (count, 1, maximumPlateModes) / 2));
+    return solved;
+}
+
 ModalModel solvePlate (const std::string& name, const PlateDescription& plate, std::optional<int> modeCount)
 {
     requireSolvable (plate);
-    auto model = makeModel (plate, solvePlateModes (plate, modeCount));
+    const auto solved = asSolved (plate, modeCount);
+    auto model = makeModel (solved, solvePlateModes (solved, modeCount));
     describe (model, name, plate.common);
+    correctFrequencies (model, solved.common);
     validate (model);
     return model;
 }
