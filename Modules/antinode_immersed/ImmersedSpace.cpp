@@ -83,6 +83,9 @@ void ImmersedSpace::findKinks (const BendingProblem& problem)
     for (std::size_t p = 0; p < problem.patches.size(); ++p)
         for (const auto& kink : problem.patches[p].kinks)
         {
+            if (kink.isAlongAxis())
+                continue; // The splines bend there.
+
             KinkFamily family { p, kink, extendedLines (problem.patches[p], kink),
                                 std::vector<Eigen::Index> (products, -1) };
 

@@ -1,5 +1,7 @@
 #include "OutlinedGrid.h"
 
+#include "GridPlaces.h"
+
 #include <antinode_base/Watch.h>
 #include <antinode_immersed/CellSizes.h>
 #include <antinode_numerics/DenseKernels.h>
@@ -11,22 +13,8 @@ namespace antinode
 {
 namespace
 {
-constexpr double largestPhase = 3;        // rad, of a wave over a cell: fewest places for 1e-5
+constexpr double largestPhase = 3;         // rad, of a wave over a cell: fewest places for 1e-5
 constexpr double largestPhaseKinked = 1.2; // where edges of ceramics bend the plate within cells
-
-/** The number of Gauss-Legendre places that represent a wave of this phase over their segment. */
-int placesFor (double phase)
-{
-    constexpr double tolerance = 3e-5; // of the amplitude
-    constexpr int fewest = 5;
-    double error = 1;
-    auto count = 0;
-
-    while (error > tolerance || count < fewest)
-        error *= phase / 4 / ++count;
-
-    return count;
-}
 
 double coordinate (const Eigen::Vector2d& place, PlaneAxis axis)
 {
@@ -45,8 +33,8 @@ void addAligned (std::vector<double>& lines, const Outline& outline, PlaneAxis a
 /** Whether an outline has a side that no line of a grid follows. */
 bool isKinked (const BendingPatch& patch)
 {
-    return std::any_of (patch.kinks.begin(), patch.kinks.end(), [] (const KinkFunction& kink)
-                        { return kink.curvature != 0 || (kink.gradient.x() != 0 && kink.gradient.y() != 0); });
+    return std::any_of (patch.kinks.begin(), patch.kinks.end(),
+                        [] (const KinkFunction& kink) { return ! kink.isAlongAxis(); });
 }
 
 /** Cells shrink towards holes and hollow arcs, around which fields vary faster than waves do. */
@@ -97,10 +85,11 @@ GridAxis makeAxis (const BendingProblem& problem, PlaneAxis axis, double waveNum
 
     addHollows (small, problem.outline, axis);
     const auto breaks = breaksBetween (from, to, cell, small);
+    constexpr int fewestPlaces = 5;
     Eigen::VectorXi counts (breaks.places.size() - 1);
 
     for (Eigen::Index s = 0; s < counts.size(); ++s)
-        counts[s] = placesFor (waveNumber * (breaks.places[s + 1] - breaks.places[s]));
+        counts[s] = placesForPhase (waveNumber * (breaks.places[s + 1] - breaks.places[s]), fewestPlaces);
 
     return gridAxis (breaks.places, counts);
 }
@@ -318,8 +307,7 @@ void OutlinedGrid::extend (Eigen::MatrixXd& shapes, const CutCell& cell) const
 Eigen::MatrixXd OutlinedGrid::shapes (const BendingModes& modes) const
 {
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero (places.rows(), modes.coefficients.cols());
-    result (onPlate, Eigen::all) =
-        modes.space.evaluate (places (onPlate, Eigen::all), modes.coefficients, 0, 0);
+    result (onPlate, Eigen::all) = modes.space.evaluate (places (onPlate, Eigen::all), modes.coefficients, 0, 0);
 
     for (const auto& cell : cutCells)
         extend (result, cell);

@@ -7,6 +7,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
+#include <antinode_outline/OutlineShapes.h>
 
 namespace antinode
 {
@@ -74,5 +75,18 @@ ModalModel solveOutlinedPlate (const std::string& name, const OutlinedPlate& pla
     settleSigns (model);
     validate (model);
     return model;
+}
+
+OutlinedPlate outlinedPlate (const PlateDescription& plate)
+{
+    const Eigen::Vector2d size (plate.lengthX, plate.lengthY);
+    OutlinedPlate outlined;
+    outlined.common = plate.common;
+    outlined.outline.paths.push_back (rectanglePath (size / 2, size, 0, { 0, 0, 0, 0 }, 0));
+
+    for (const auto condition : { plate.bottom, plate.right, plate.top, plate.left })
+        outlined.edges.push_back ({ condition });
+
+    return outlined;
 }
 } // namespace antinode

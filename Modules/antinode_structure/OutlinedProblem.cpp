@@ -15,12 +15,11 @@ namespace antinode
 {
 namespace
 {
-constexpr int defaultPlateModes = 100;
-
 EdgeSupport supportOf (const PlateEdge& edge)
 {
     const auto isClamped = edge.condition == EdgeCondition::clamped;
-    return { isClamped || edge.condition == EdgeCondition::simplySupported, isClamped, edge.translation, edge.rotation };
+    return { isClamped || edge.condition == EdgeCondition::simplySupported, isClamped, edge.translation,
+             edge.rotation };
 }
 
 BendingPatch patchOf (const PlateArea& area)
@@ -99,13 +98,6 @@ void scale (BendingProblem& problem, double length, double stiffness, double mas
     }
 }
 
-void requireCount (int count)
-{
-    if (count < 1 || count > maximumPlateModes)
-        throw InputError ("device", "number of modes is " + std::to_string (count) + "; allowed: 1 to "
-                                        + std::to_string (maximumPlateModes));
-}
-
 BendingModes solveFor (const OutlinedProblem& scaled, int count)
 {
     return bendingModes (scaled.problem, count, resolutionFor (scaled.problem, count, ModeAccuracy::usual));
@@ -162,7 +154,7 @@ BendingModes wantedModes (const OutlinedPlate& plate, const OutlinedProblem& sca
     if (! given && plate.common.maximumFrequency)
         return modesUpTo (plate, scaled, *plate.common.maximumFrequency);
 
-    requireCount (given.value_or (defaultPlateModes));
+    requirePlateModes (given.value_or (defaultPlateModes));
     return solveFor (scaled, given.value_or (defaultPlateModes));
 }
 } // namespace

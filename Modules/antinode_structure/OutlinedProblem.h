@@ -33,7 +33,7 @@ struct OutlinedSolution
     OutlinedProblem scaled;
     BendingModes modes;
     Eigen::VectorXd angularFrequencies; ///< rad/s
-    double waveNumber = 0;              ///< Of the shortest waves anywhere at the highest mode, in units of the problem.
+    double waveNumber = 0; ///< Of the shortest waves anywhere at the highest mode, in units of the problem.
 };
 
 /** Solves for the given number of flexible modes, for those that the description asks for, or for 100.
