@@ -88,24 +88,22 @@ std::optional<GlueLayer> readGlue (const JsonObject& ceramic)
                          usualGlueDensity } };
 }
 
-std::optional<CarrierDisc> readCarrier (const JsonObject& ceramic, double diameter)
+CarrierDisc readCarrier (const JsonValue& carrier, double ceramicDiameter)
 {
-    const auto given = ceramic.optional ("carrier");
-
-    if (! given)
-        return {};
-
-    const auto object = given->object ({ "diameter_mm", "thickness_mm", "material", "electrode_diameter_mm" });
-    CarrierDisc carrier;
-    carrier.thickness = readThickness (object);
-    carrier.material = readElasticMaterial (object.required ("material"));
-    carrier.ceramicDiameter = carrier.electrodeDiameter = diameter;
-    const auto limit = toMillimetres (diameter);
+    const auto object = carrier.object ({ "diameter_mm", "thickness_mm", "material", "electrode_diameter_mm" });
+    CarrierDisc disc { readThickness (object), readElasticMaterial (object.required ("material")), ceramicDiameter,
+                       ceramicDiameter };
 
     if (const auto electrode = object.optional ("electrode_diameter_mm"))
-        carrier.electrodeDiameter = fromMillimetres (electrode->number ({ ranges::lengthMillimetre.minimum, limit }));
+        disc.electrodeDiameter =
+            fromMillimetres (electrode->number ({ ranges::lengthMillimetre.minimum, toMillimetres (ceramicDiameter) }));
 
-    object.required ("diameter_mm").number ({ limit, ranges::lengthMillimetre.maximum, true });
-    return carrier;
+    return disc;
+}
+
+double readCarrierDiameter (const JsonValue& carrier, double ceramicDiameter)
+{
+    const NumberRange allowed { toMillimetres (ceramicDiameter), ranges::lengthMillimetre.maximum, true };
+    return fromMillimetres (carrier.required ("diameter_mm").number (allowed));
 }
 } // namespace antinode

@@ -17,8 +17,9 @@ void readSubstrate (StructureCommon&, const JsonObject& body);
 /** The glue of a ceramic, where it has any. @throws InputError [worker] */
 std::optional<GlueLayer> readGlue (const JsonObject& ceramic);
 
-/** The metal disc of a disc bender, where it has one.
-    @param diameter  of the ceramic, m
-    @throws InputError  where the disc is not larger than the ceramic [worker] */
-std::optional<CarrierDisc> readCarrier (const JsonObject& ceramic, double diameter);
+/** The metal disc of a disc bender, by the diameter of its ceramic, m. @throws InputError [worker] */
+CarrierDisc readCarrier (const JsonValue& carrier, double ceramicDiameter);
+
+/** Its diameter, m. @throws InputError  where it is not larger than the ceramic [worker] */
+double readCarrierDiameter (const JsonValue& carrier, double ceramicDiameter);
 } // namespace antinode

@@ -5,6 +5,7 @@
 #include <antinode_outline/Outline.h>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace antinode
@@ -46,6 +47,14 @@ struct Surface
 
 /** Whether a place lies on a surface, its edges included. y is ignored on a line. [any] */
 bool liesOn (const Surface&, double x, double y);
+
+/** Where a place does not lie on a surface, the nearest one that does, else the place itself. [any] */
+Eigen::Vector2d nearestOn (const Surface&, double x, double y);
+
+/** Refuses a place within the extent of a surface that lies outside its boundary or in a hole.
+    @param where  how errors name the place
+    @throws InputError  one sentence [any] */
+void requireWithinBoundary (const Surface&, double x, double y, const std::string& where);
 
 /** The indices of the points that stand for a part of the surface. [any] */
 std::vector<Eigen::Index> pointsOn (const Surface&);

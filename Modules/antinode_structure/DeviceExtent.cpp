@@ -19,18 +19,7 @@ struct Extent
         return surface;
     }
 
-    Surface operator() (const OutlinedPlate& plate) const
-    {
-        const auto extent = extentOf (plate.outline);
-        Surface surface;
-        surface.kind = SurfaceKind::plate;
-        surface.xMinimum = extent.least.x();
-        surface.xMaximum = extent.largest.x();
-        surface.yMinimum = extent.least.y();
-        surface.yMaximum = extent.largest.y();
-        surface.boundary = SurfaceBoundary { plate.outline, heldPieces (plate) };
-        return surface;
-    }
+    Surface operator() (const OutlinedPlate& plate) const { return outlinedSurface (plate); }
 
     static Surface line (double length)
     {

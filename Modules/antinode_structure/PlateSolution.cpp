@@ -25,13 +25,6 @@ double eigenvalueUnit (const PlateDescription& plate, const PlateLayout& layout)
     return bare.d11 / bare.massPerArea / std::pow (layout.unit, 4);
 }
 
-void requireCount (int count)
-{
-    if (count < 1 || count > maximumPlateModes)
-        throw InputError ("device", "number of modes is " + std::to_string (count) + "; allowed: 1 to "
-                                        + std::to_string (maximumPlateModes));
-}
-
 /** Rigid motions that the edges allow: all three of a free plate, the rotation about a single supported edge, else
     none. */
 int rigidBodyModes (const PlateDescription& plate)
@@ -96,7 +89,7 @@ int wantedCount (const PlateDescription& plate, const PlateLayout& layout, std::
     if (! given && plate.common.maximumFrequency)
         return modesBelow (plate, layout, *plate.common.maximumFrequency);
 
-    requireCount (given.value_or (defaultPlateModes));
+    requirePlateModes (given.value_or (defaultPlateModes));
     return given.value_or (defaultPlateModes);
 }
 
