@@ -92,17 +92,17 @@ TEST_CASE ("A free bender rings as Bessel's functions say, to 1e-4", "[structure
     patch.added = { bendingSection (inner).stiffness - problem.section.stiffness,
                     inner.massPerArea - outer.massPerArea };
     problem.patches = { patch };
-    const auto modes = bendingModes (problem, 7, resolutionFor (problem, 7, ModeAccuracy::usual));
+    const auto modes = bendingModes (problem, 9, resolutionFor (problem, 9, ModeAccuracy::usual));
     const Eigen::VectorXd hertz = modes.eigenvalues.cwiseSqrt() / (2 * std::numbers::pi);
     const auto of = [&] (const std::string& diameters)
     { return expected["modes_free_Hz"][diameters][0].get<double>(); };
 
-    // Two nodal diameters (a pair), none, three (a pair), one (a pair).
+    // Pairs with two nodal diameters, none (one mode), three, four, and one.
     CHECK (hertz[0] == Approx (of ("n2")).epsilon (1e-4));
     CHECK (hertz[1] == Approx (of ("n2")).epsilon (1e-4));
     CHECK (hertz[2] == Approx (of ("n0")).epsilon (1e-4));
     CHECK (hertz[3] == Approx (of ("n3")).epsilon (1e-4));
-    CHECK (hertz[5] == Approx (of ("n1")).epsilon (1e-4));
+    CHECK (hertz[7] == Approx (of ("n1")).epsilon (1e-4));
 }
 
 TEST_CASE ("A macro-fibre composite pulls along its fibres", "[structure][section]")
