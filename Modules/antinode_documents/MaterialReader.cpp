@@ -1,5 +1,7 @@
 #include "MaterialReader.h"
 
+#include "FileUnits.h"
+
 #include <antinode_base/MessageText.h>
 #include <antinode_structure/Materials.h>
 #include <antinode_text/PhysicalRanges.h>
@@ -10,11 +12,16 @@ namespace antinode
 {
 namespace
 {
-constexpr double pascalsPerGigapascal = 1e9;
+constexpr double pascalsPerGigapascal = 1e9, pascalsPerMegapascal = 1e6;
 constexpr NumberRange modulusGigapascal { 1e-6, 1e4 };
 constexpr NumberRange density { 1, 50000 };
 constexpr NumberRange poissonRatio { -0.99, 0.5 };
 constexpr NumberRange orthotropicPoissonRatio { -10, 10 };
+constexpr NumberRange viscoelasticPoissonRatio { 0, 0.5, false, true };
+constexpr NumberRange shearModulusMegapascal { 1e-6, 1e5 };
+constexpr NumberRange viscoelasticLoss { 0, 5 };
+constexpr NumberRange relaxationTime { 1e-9, 1e6 };
+constexpr std::size_t maximumRows = 1000;
 constexpr NumberRange d31 { -1e-6, 1e-6 };
 constexpr NumberRange permittivity { 1, 1e6 };
 
@@ -32,9 +39,9 @@ ElasticMaterial readIsotropic (const JsonValue& value)
              material.required ("density_kg_m3").number (density) };
 }
 
-ElasticMaterial readOrthotropic (const JsonValue& value)
+/** The orthotropic constants of an object. */
+ElasticMaterial readElastic (const JsonObject& object)
 {
-    const auto object = value.object ({ "E1_GPa", "E2_GPa", "G12_GPa", "nu12", "density_kg_m3" });
     ElasticMaterial material;
     material.youngsModulus1 = readModulus (object, "E1_GPa");
     material.youngsModulus2 = readModulus (object, "E2_GPa");
@@ -51,15 +58,99 @@ ElasticMaterial readOrthotropic (const JsonValue& value)
     return material;
 }
 
+[[noreturn]] void failName (const JsonValue& value, const std::vector<std::string>& names)
+{
+    const std::vector<std::string_view> words (names.begin(), names.end());
+    value.fail (value.description() + didYouMean (value.text (ranges::maximumNameBytes), words) + "; allowed: one of "
+                + listed (words) + ", or an object with the constants of the material");
+}
+
 template <typename Material>
 Material builtIn (const JsonValue& value, const std::optional<Material>& found, const std::vector<std::string>& names)
 {
     if (found)
         return *found;
 
-    const std::vector<std::string_view> words (names.begin(), names.end());
-    value.fail (value.description() + didYouMean (value.text (ranges::maximumNameBytes), words) + "; allowed: one of "
-                + listed (words) + ", or an object with the constants of the material");
+    failName (value, names);
+}
+
+/** A piezoelectric composite of fibres. */
+PiezoelectricMaterial readFibreComposite (const JsonValue& value)
+{
+    const auto object = value.object ({ "E1_GPa", "E2_GPa", "G12_GPa", "nu12", "density_kg_m3", "d31_m_per_V",
+                                        "d32_m_per_V", "electrode_distance_mm" });
+    const auto elastic = readElastic (object);
+    PiezoelectricMaterial material;
+    material.youngsModulus = elastic.youngsModulus1;
+    material.poissonRatio = elastic.poissonRatio12;
+    material.density = elastic.density;
+    material.d31 = object.required ("d31_m_per_V").number (d31);
+    material.fibres = { elastic.youngsModulus2, elastic.shearModulus, object.required ("d32_m_per_V").number (d31),
+                        fromMillimetres (object.required ("electrode_distance_mm").number (ranges::lengthMillimetre)) };
+    return material;
+}
+
+double readShearModulus (const JsonObject& object, std::string_view key)
+{
+    return object.required (key).number (shearModulusMegapascal) * pascalsPerMegapascal;
+}
+
+std::vector<ShearAtFrequency> readShearTable (const JsonValue& list)
+{
+    std::vector<ShearAtFrequency> table;
+
+    for (const auto& item : list.items (1, maximumRows))
+    {
+        const auto row = item.object ({ "frequency_Hz", "shear_modulus_MPa", "loss_factor" });
+        table.push_back ({ row.required ("frequency_Hz").number (ranges::frequencyHz),
+                           readShearModulus (row, "shear_modulus_MPa"),
+                           row.required ("loss_factor").number (viscoelasticLoss) });
+
+        if (table.size() > 1 && ! (table.back().frequency > table[table.size() - 2].frequency))
+            item.fail ("has no higher frequency than the row before; allowed: ascending frequencies");
+    }
+
+    return table;
+}
+
+void readProny (ViscoelasticMaterial& material, const JsonValue& value)
+{
+    const auto prony = value.object ({ "slow_shear_modulus_MPa", "terms" });
+    material.slowShearModulus = readShearModulus (prony, "slow_shear_modulus_MPa");
+
+    for (const auto& item : prony.required ("terms").items (1, maximumRows))
+    {
+        const auto term = item.object ({ "shear_modulus_MPa", "time_s" });
+        material.relaxation.push_back (
+            { readShearModulus (term, "shear_modulus_MPa"), term.required ("time_s").number (relaxationTime) });
+    }
+}
+
+ViscoelasticMaterial readViscoelastic (const JsonValue& value)
+{
+    const auto object =
+        value.object ({ "shear_modulus_MPa", "loss_factor", "table", "prony", "poisson_ratio", "density_kg_m3" });
+    ViscoelasticMaterial material;
+    material.density = object.required ("density_kg_m3").number (density);
+
+    if (const auto ratio = object.optional ("poisson_ratio"))
+        material.poissonRatio = ratio->number (viscoelasticPoissonRatio);
+
+    if (object.has ("table") + object.has ("prony") + object.has ("shear_modulus_MPa") != 1)
+        object.fail ("needs one of 'shear_modulus_MPa' (with 'loss_factor'), 'table' and 'prony'");
+
+    if (const auto table = object.optional ("table"))
+        material.table = readShearTable (*table);
+    else if (const auto prony = object.optional ("prony"))
+        readProny (material, *prony);
+    else
+        material.table = { { 1, readShearModulus (object, "shear_modulus_MPa"),
+                             object.required ("loss_factor").number (viscoelasticLoss) } };
+
+    if (object.has ("loss_factor") && ! object.has ("shear_modulus_MPa"))
+        object.required ("loss_factor").fail ("stands beside 'table' or 'prony', which give the loss factor");
+
+    return material;
 }
 } // namespace
 
@@ -68,7 +159,9 @@ ElasticMaterial readElasticMaterial (const JsonValue& value)
     if (value.isString())
         return builtIn (value, findElasticMaterial (value.text (ranges::maximumNameBytes)), elasticMaterialNames());
 
-    return value.find ("E1_GPa") ? readOrthotropic (value) : readIsotropic (value);
+    return value.find ("E1_GPa")
+               ? readElastic (value.object ({ "E1_GPa", "E2_GPa", "G12_GPa", "nu12", "density_kg_m3" }))
+               : readIsotropic (value);
 }
 
 PiezoelectricMaterial readPiezoelectricMaterial (const JsonValue& value)
@@ -76,6 +169,9 @@ PiezoelectricMaterial readPiezoelectricMaterial (const JsonValue& value)
     if (value.isString())
         return builtIn (value, findPiezoelectricMaterial (value.text (ranges::maximumNameBytes)),
                         piezoelectricMaterialNames());
+
+    if (value.find ("E1_GPa"))
+        return readFibreComposite (value);
 
     const auto object = value.object (
         { "youngs_modulus_GPa", "poisson_ratio", "density_kg_m3", "d31_m_per_V", "permittivity_relative" });
@@ -89,5 +185,29 @@ PiezoelectricMaterial readPiezoelectricMaterial (const JsonValue& value)
         material.permittivityRelative = given->number (permittivity);
 
     return material;
+}
+
+std::variant<ElasticMaterial, ViscoelasticMaterial> readLayerMaterial (const JsonValue& value)
+{
+    if (! value.isString())
+    {
+        if (value.find ("E1_GPa") || value.find ("youngs_modulus_GPa"))
+            return readElasticMaterial (value);
+
+        return readViscoelastic (value);
+    }
+
+    const auto name = value.text (ranges::maximumNameBytes);
+
+    if (const auto elastic = findElasticMaterial (name))
+        return *elastic;
+
+    if (const auto viscoelastic = findViscoelasticMaterial (name))
+        return *viscoelastic;
+
+    auto names = viscoelasticMaterialNames();
+    const auto elasticNames = elasticMaterialNames();
+    names.insert (names.end(), elasticNames.begin(), elasticNames.end());
+    failName (value, names);
 }
 } // namespace antinode

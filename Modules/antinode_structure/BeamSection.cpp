@@ -4,66 +4,85 @@ namespace antinode
 {
 namespace
 {
+/** Sums over layers about the middle of the substrate. */
+struct LayerSums
+{
+    double mass = 0, stretching = 0, coupling = 0, bending = 0;
+
+    void add (double youngsModulus, double density, double width, double thickness, double middle)
+    {
+        const auto area = width * thickness;
+        mass += density * area;
+        stretching += youngsModulus * area;
+        coupling += youngsModulus * area * middle;
+        bending += youngsModulus * area * (middle * middle + thickness * thickness / 12);
+    }
+
+    /** How far a ceramic on one side moves the neutral axis out of the substrate's mid-plane, z_n. */
+    double neutralAxis() const { return coupling / stretching; }
+};
+
+double glueThickness (const CeramicDescription& ceramic)
+{
+    return ceramic.glue ? ceramic.glue->thickness : 0;
+}
+
 /** From the substrate's mid-plane to that of a ceramic, d. */
 double midPlaneDistance (const StructureCommon& common, const CeramicDescription& ceramic)
 {
-    return (common.thickness + ceramic.thickness) / 2;
+    return (common.thickness + ceramic.thickness) / 2 + glueThickness (ceramic);
 }
 
-/** EA of one ceramic. */
-double ceramicAxialStiffness (const CeramicDescription& ceramic)
+LayerSums sumsOf (const StructureCommon& common, double width, const CeramicDescription& ceramic)
 {
-    return ceramic.material.youngsModulus * ceramic.sizeY * ceramic.thickness;
+    LayerSums sums;
+    sums.add (common.material.youngsModulus1, common.material.density, width, common.thickness, 0);
+
+    for (const auto side : { 1, -1 })
+    {
+        if (side < 0 && ceramic.mounting == CeramicMounting::oneSide)
+            break;
+
+        sums.add (ceramic.material.youngsModulus, ceramic.material.density, ceramic.sizeY, ceramic.thickness,
+                  side * midPlaneDistance (common, ceramic));
+
+        if (ceramic.glue)
+            sums.add (ceramic.glue->material.youngsModulus1, ceramic.glue->material.density, ceramic.sizeY,
+                      ceramic.glue->thickness, side * (common.thickness + ceramic.glue->thickness) / 2);
+    }
+
+    return sums;
 }
 
-/** How far a ceramic on one side moves the neutral axis out of the substrate's mid-plane, z_n. */
-double neutralAxisShift (const StructureCommon& common, double width, const CeramicDescription& ceramic)
+BeamSection aboutNeutralAxis (const LayerSums& sums)
 {
-    const auto ceramicStiffness = ceramicAxialStiffness (ceramic);
-    const auto wholeStiffness = bareSection (common, width).axialStiffness + ceramicStiffness;
-    return ceramicStiffness * midPlaneDistance (common, ceramic) / wholeStiffness;
+    return { sums.mass, sums.bending - sums.coupling * sums.neutralAxis(), sums.stretching };
 }
 } // namespace
 
 BeamSection bareSection (const StructureCommon& common, double width)
 {
-    const auto area = width * common.thickness;
-    const auto axialStiffness = common.material.youngsModulus1 * area;
-    return { common.material.density * area, axialStiffness * common.thickness * common.thickness / 12,
-             axialStiffness };
+    LayerSums sums;
+    sums.add (common.material.youngsModulus1, common.material.density, width, common.thickness, 0);
+    return aboutNeutralAxis (sums);
 }
 
 BeamSection ceramicSection (const StructureCommon& common, double width, const CeramicDescription& ceramic)
 {
-    const auto ceramicStiffness = ceramicAxialStiffness (ceramic);
-    const auto ceramicMass = ceramic.material.density * ceramic.sizeY * ceramic.thickness;
-    const auto ownBending = ceramic.thickness * ceramic.thickness / 12;
-    const auto distance = midPlaneDistance (common, ceramic);
-    auto section = bareSection (common, width);
-
-    if (ceramic.mounting == CeramicMounting::bothSides)
-    {
-        section.massPerLength += 2 * ceramicMass;
-        section.bendingStiffness += 2 * ceramicStiffness * (ownBending + distance * distance);
-        section.axialStiffness += 2 * ceramicStiffness;
-        return section;
-    }
-
-    const auto shift = neutralAxisShift (common, width, ceramic);
-    const auto arm = distance - shift;
-    section.massPerLength += ceramicMass;
-    section.bendingStiffness += section.axialStiffness * shift * shift + ceramicStiffness * (ownBending + arm * arm);
-    section.axialStiffness += ceramicStiffness;
-    return section;
+    return aboutNeutralAxis (sumsOf (common, width, ceramic));
 }
 
 double momentPerVolt (const StructureCommon& common, double width, const CeramicDescription& ceramic)
 {
-    const auto forcePerVolt = ceramic.polarity * ceramic.material.d31 * ceramic.material.youngsModulus * ceramic.sizeY;
+    const auto& material = ceramic.material;
+    const auto fieldTimesThickness =
+        material.fibres ? ceramic.thickness / material.fibres->electrodeDistance : 1.0; // Per volt.
+    const auto forcePerVolt =
+        ceramic.polarity * material.d31 * material.youngsModulus * ceramic.sizeY * fieldTimesThickness;
     const auto distance = midPlaneDistance (common, ceramic);
 
     if (ceramic.mounting == CeramicMounting::oneSide)
-        return forcePerVolt * (distance - neutralAxisShift (common, width, ceramic));
+        return forcePerVolt * (distance - sumsOf (common, width, ceramic).neutralAxis());
 
     const auto ceramicsAtFullVoltage = ceramic.wiring == CeramicWiring::parallel ? 2.0 : 1.0;
     return ceramicsAtFullVoltage * forcePerVolt * distance;

@@ -1,42 +1,38 @@
 #include "Materials.h"
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <iterator>
 
 namespace antinode
 {
 namespace
 {
-template <typename Material>
-struct NamedMaterial
+/** A name without what does not distinguish it. */
+std::string plain (std::string_view name)
 {
-    std::string_view name;
-    Material material;
-};
+    std::string text;
 
-constexpr ElasticMaterial isotropic (double youngsModulus, double poissonRatio, double density)
-{
-    return { youngsModulus, youngsModulus, youngsModulus / (2 * (1 + poissonRatio)), poissonRatio, density };
+    for (const auto byte : name)
+        if (const auto letter = static_cast<unsigned char> (byte); letter != '-' && letter != '_' && letter != ' ')
+            text += static_cast<char> (std::tolower (letter));
+
+    return text;
 }
 
-/** Round values of the handbooks; glass is soda-lime float glass. */
-constexpr std::array<NamedMaterial<ElasticMaterial>, 3> elasticMaterials { {
-    { "aluminium", isotropic (70e9, 0.33, 2700) },
-    { "steel", isotropic (200e9, 0.3, 7800) },
-    { "glass", isotropic (70e9, 0.22, 2500) },
-} };
+bool isCalled (const MaterialNotes& notes, const std::string& plainName)
+{
+    return plain (notes.name) == plainName
+           || std::any_of (notes.otherNames.begin(), notes.otherNames.end(),
+                           [&] (std::string_view other) { return ! other.empty() && plain (other) == plainName; });
+}
 
-/** NCE51 after its maker's data sheet: s11 = 16e-12 1/Pa, s12 = -5.0e-12 1/Pa, so E = 1/s11 and nu = -s12/s11 = .31. */
-constexpr std::array<NamedMaterial<PiezoelectricMaterial>, 1> piezoelectricMaterials { {
-    { "NCE51", { 62.5e9, 0.31, 7800, -195e-12, 1850 } },
-} };
-
-template <typename Table>
-auto findByName (const Table& table, std::string_view name) -> std::optional<decltype (table.front().material)>
+template <typename Entry>
+auto findByName (std::span<const Entry> table, std::string_view name) -> std::optional<decltype (Entry::material)>
 {
     const auto found =
-        std::find_if (table.begin(), table.end(), [name] (const auto& entry) { return entry.name == name; });
+        std::find_if (table.begin(), table.end(),
+                      [wanted = plain (name)] (const Entry& entry) { return isCalled (entry.notes, wanted); });
 
     if (found == table.end())
         return std::nullopt;
@@ -44,33 +40,43 @@ auto findByName (const Table& table, std::string_view name) -> std::optional<dec
     return found->material;
 }
 
-template <typename Table>
-std::vector<std::string> collectNames (const Table& table)
+template <typename Entry>
+std::vector<std::string> collectNames (std::span<const Entry> table)
 {
     std::vector<std::string> names;
     std::transform (table.begin(), table.end(), std::back_inserter (names),
-                    [] (const auto& entry) { return std::string (entry.name); });
+                    [] (const Entry& entry) { return std::string (entry.notes.name); });
     return names;
 }
 } // namespace
 
 std::optional<ElasticMaterial> findElasticMaterial (std::string_view name)
 {
-    return findByName (elasticMaterials, name);
-}
-
-std::vector<std::string> elasticMaterialNames()
-{
-    return collectNames (elasticMaterials);
+    return findByName (elasticMaterials(), name);
 }
 
 std::optional<PiezoelectricMaterial> findPiezoelectricMaterial (std::string_view name)
 {
-    return findByName (piezoelectricMaterials, name);
+    return findByName (piezoelectricMaterials(), name);
+}
+
+std::optional<ViscoelasticMaterial> findViscoelasticMaterial (std::string_view name)
+{
+    return findByName (viscoelasticMaterials(), name);
+}
+
+std::vector<std::string> elasticMaterialNames()
+{
+    return collectNames (elasticMaterials());
 }
 
 std::vector<std::string> piezoelectricMaterialNames()
 {
-    return collectNames (piezoelectricMaterials);
+    return collectNames (piezoelectricMaterials());
+}
+
+std::vector<std::string> viscoelasticMaterialNames()
+{
+    return collectNames (viscoelasticMaterials());
 }
 } // namespace antinode

@@ -1,107 +1,96 @@
 #include "PlateSection.h"
 
-#include <Eigen/LU>
+#include <algorithm>
+#include <iterator>
 
 namespace antinode
 {
 namespace
 {
-/** Plane-stress stiffness: the part that couples the strains along x and y, and shear. */
-struct ReducedStiffness
+std::vector<SectionLayer> substrate (const StructureCommon& common)
 {
-    Eigen::Matrix2d normal;
-    double shear = 0;
-};
+    if (common.layers.empty())
+        return { elasticLayer (common.material, common.thickness) };
 
-ReducedStiffness reduced (const ElasticMaterial& material)
-{
-    const auto poissonRatio21 = material.poissonRatio12 * material.youngsModulus2 / material.youngsModulus1;
-    const auto divisor = 1 - material.poissonRatio12 * poissonRatio21;
-    const auto coupling = material.poissonRatio12 * material.youngsModulus2;
-    ReducedStiffness stiffness;
-    stiffness.normal << material.youngsModulus1, coupling, coupling, material.youngsModulus2;
-    stiffness.normal /= divisor;
-    stiffness.shear = material.shearModulus;
-    return stiffness;
+    std::vector<SectionLayer> layers;
+
+    for (const auto& layer : common.layers)
+    {
+        const auto* soft = std::get_if<ViscoelasticMaterial> (&layer.material);
+        layers.push_back (soft ? softLayer (*soft, layer.thickness, common.reference.angularFrequency)
+                               : elasticLayer (std::get<ElasticMaterial> (layer.material), layer.thickness));
+    }
+
+    return layers;
 }
 
-ReducedStiffness reduced (const PiezoelectricMaterial& material)
+/** What is glued to one side, from the plate outwards. @param withCeramic  false: a bender's disc without it */
+std::vector<SectionLayer> mounted (const CeramicDescription& ceramic, double voltage, double angle, bool withCeramic)
 {
-    const auto shearModulus = material.youngsModulus / (2 * (1 + material.poissonRatio));
-    return reduced (ElasticMaterial { material.youngsModulus, material.youngsModulus, shearModulus,
-                                      material.poissonRatio, material.density });
+    std::vector<SectionLayer> layers;
+
+    if (ceramic.glue)
+        layers.push_back (elasticLayer (ceramic.glue->material, ceramic.glue->thickness));
+
+    if (ceramic.carrier)
+        layers.push_back (elasticLayer (ceramic.carrier->material, ceramic.carrier->thickness));
+
+    if (withCeramic)
+        layers.push_back (piezoelectricLayer (ceramic.material, ceramic.thickness, voltage, angle));
+
+    return layers;
 }
 
-/** Stretching A, coupling B and bending D of layers about the substrate's mid-plane. */
-struct Laminate
+LayeredSection stackWith (const StructureCommon& common, const CeramicDescription& ceramic, double angle,
+                          bool withCeramic)
 {
-    ReducedStiffness stretching, coupling, bending;
+    const auto isPair = ceramic.mounting == CeramicMounting::bothSides;
+    const auto voltage = ceramic.polarity * (isPair && ceramic.wiring == CeramicWiring::series ? 0.5 : 1.0);
+    auto layers = substrate (common);
+    const auto above = mounted (ceramic, voltage, angle, withCeramic);
+    std::copy (above.begin(), above.end(), std::back_inserter (layers));
 
-    void add (const ReducedStiffness& stiffness, double middle, double thickness)
+    // The one below strains the other way.
+    if (isPair)
     {
-        addTo (stretching, stiffness, thickness);
-        addTo (coupling, stiffness, thickness * middle);
-        addTo (bending, stiffness, thickness * (middle * middle + thickness * thickness / 12));
+        const auto below = mounted (ceramic, -voltage, angle, withCeramic);
+        layers.insert (layers.begin(), below.rbegin(), below.rend());
     }
 
-    static Laminate empty()
-    {
-        const ReducedStiffness zero { Eigen::Matrix2d::Zero(), 0 };
-        return { zero, zero, zero };
-    }
+    return layeredSection (layers, common.reference.waveNumber);
+}
 
-private:
-    static void addTo (ReducedStiffness& sum, const ReducedStiffness& stiffness, double factor)
-    {
-        sum.normal += factor * stiffness.normal;
-        sum.shear += factor * stiffness.shear;
-    }
-};
-
-PlateSection makeSection (const ReducedStiffness& bending, double massPerArea)
+PlateSection alongAxes (const LayeredSection& section)
 {
-    return { massPerArea, bending.normal (0, 0), bending.normal (1, 1), bending.normal (0, 1), bending.shear, 0, 0 };
+    const Eigen::Matrix3d stiffness = section.stiffness.real();
+    const Eigen::Vector3d moment = section.momentPerVolt.real();
+    return { section.massPerArea, stiffness (0, 0), stiffness (1, 1), stiffness (0, 1),
+             stiffness (2, 2),    moment[0],        moment[1] };
 }
 } // namespace
 
+LayeredSection bareStack (const StructureCommon& common)
+{
+    return layeredSection (substrate (common), common.reference.waveNumber);
+}
+
+LayeredSection ceramicStack (const StructureCommon& common, const CeramicDescription& ceramic, double angle)
+{
+    return stackWith (common, ceramic, angle, true);
+}
+
+LayeredSection carrierStack (const StructureCommon& common, const CeramicDescription& ceramic)
+{
+    return stackWith (common, ceramic, 0, false);
+}
+
 PlateSection bareSection (const StructureCommon& common)
 {
-    auto laminate = Laminate::empty();
-    laminate.add (reduced (common.material), 0, common.thickness);
-    return makeSection (laminate.bending, common.material.density * common.thickness);
+    return alongAxes (bareStack (common));
 }
 
 PlateSection ceramicSection (const StructureCommon& common, const CeramicDescription& ceramic)
 {
-    const auto isPair = ceramic.mounting == CeramicMounting::bothSides;
-    const auto distance = (common.thickness + ceramic.thickness) / 2;
-    const auto stiffness = reduced (ceramic.material);
-    auto laminate = Laminate::empty();
-    laminate.add (reduced (common.material), 0, common.thickness);
-    laminate.add (stiffness, distance, ceramic.thickness);
-
-    if (isPair)
-        laminate.add (stiffness, -distance, ceramic.thickness);
-
-    const auto& [stretching, coupling, bending] = laminate;
-    const Eigen::Matrix2d shift = coupling.normal * stretching.normal.inverse();
-    const ReducedStiffness freeInPlane { bending.normal - shift * coupling.normal,
-                                         bending.shear - coupling.shear * coupling.shear / stretching.shear };
-    const auto massPerArea =
-        common.material.density * common.thickness + (isPair ? 2 : 1) * ceramic.material.density * ceramic.thickness;
-    auto section = makeSection (freeInPlane, massPerArea);
-
-    // ebar31 = d31 / (s11 + s12), the force per length and volt of one ceramic.
-    const auto forcePerVolt =
-        ceramic.polarity * ceramic.material.d31 * ceramic.material.youngsModulus / (1 - ceramic.material.poissonRatio);
-    const auto ceramicsAtFullVoltage = isPair && ceramic.wiring == CeramicWiring::parallel ? 2 : 1;
-    Eigen::Vector2d arm = Eigen::Vector2d::Constant (ceramicsAtFullVoltage * distance);
-
-    if (! isPair)
-        arm -= shift * Eigen::Vector2d::Ones();
-
-    section.momentX = forcePerVolt * arm[0];
-    section.momentY = forcePerVolt * arm[1];
-    return section;
+    return alongAxes (ceramicStack (common, ceramic, 0));
 }
 } // namespace antinode

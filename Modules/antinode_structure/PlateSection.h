@@ -1,10 +1,12 @@
 #pragma once
 
 #include "DeviceDescription.h"
+#include "LayeredSection.h"
 
 namespace antinode
 {
-/** The bending properties of a plate's section, and the moment of a ceramic per volt. Docs/Theory.md, section 1.1. */
+/** The bending properties of a plate's section along its axes, and the moment of a ceramic per volt. Docs/Theory.md,
+   section 1.1. */
 struct PlateSection
 {
     double massPerArea = 0;          ///< kg/m^2
@@ -13,6 +15,17 @@ struct PlateSection
     double d66 = 0;                  ///< Twisting stiffness, N m: M12 = 2 D66 w,12 and its energy is 2 D66 w,12^2.
     double momentX = 0, momentY = 0; ///< kappa_b, N / V: moment per length and volt about either axis, with its sign.
 };
+
+// The sections of a plate with layers, glue and carriers, soft layers at the reference of the description. [any]
+// Docs/Theory.md, section 1.15.
+
+LayeredSection bareStack (const StructureCommon&);
+
+/** @param angle  of the ceramic, rad counter-clockwise */
+LayeredSection ceramicStack (const StructureCommon&, const CeramicDescription&, double angle);
+
+/** Of a disc bender: its disc beside the ceramic. */
+LayeredSection carrierStack (const StructureCommon&, const CeramicDescription&);
 
 /** The bare substrate. [any] */
 PlateSection bareSection (const StructureCommon&);

@@ -1,5 +1,9 @@
 #include "PlateWaves.h"
 
+#include "CeramicShapes.h"
+#include "SoftLayers.h"
+#include "ThickPlates.h"
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -37,7 +41,7 @@ double equivalentArea (const PlateDescription& plate, const PlateSection& bare)
     auto area = plate.lengthX * plate.lengthY * density (bare);
 
     for (const auto& ceramic : plate.common.ceramics)
-        area += ceramic.sizeX * ceramic.sizeY * (density (ceramicSection (plate.common, ceramic)) - density (bare));
+        area += faceArea (ceramic) * (density (ceramicSection (plate.common, ceramic)) - density (bare));
 
     return area / std::sqrt (bare.massPerArea / softerStiffness (bare));
 }
@@ -67,11 +71,10 @@ double excess (double waveNumber, double thickness, double poissonRatio)
 }
 
 /** The largest excess anywhere on the plate: of the substrate, or of a ceramic's section with its longer waves. */
-double largestExcess (const PlateDescription& plate, double angularFrequency)
+double largestExcess (const StructureCommon& common, double angularFrequency)
 {
-    const auto& common = plate.common;
     const auto poissonRatio = common.material.poissonRatio12;
-    auto largest = excess (waveNumberAt (plate, angularFrequency), common.thickness, poissonRatio);
+    auto largest = excess (waveNumberAt (common, angularFrequency), common.thickness, poissonRatio);
 
     for (const auto& ceramic : common.ceramics)
     {
@@ -84,24 +87,24 @@ double largestExcess (const PlateDescription& plate, double angularFrequency)
 }
 } // namespace
 
-double waveNumberAt (const PlateDescription& plate, double angularFrequency)
+double waveNumberAt (const StructureCommon& common, double angularFrequency)
 {
-    return computeWaveNumber (bareSection (plate.common), angularFrequency);
+    return computeWaveNumber (bareSection (common), angularFrequency);
 }
 
-double largestWaveNumberAt (const PlateDescription& plate, double angularFrequency)
+double largestWaveNumberAt (const StructureCommon& common, double angularFrequency)
 {
-    auto largest = waveNumberAt (plate, angularFrequency);
+    auto largest = waveNumberAt (common, angularFrequency);
 
-    for (const auto& ceramic : plate.common.ceramics)
-        largest = std::max (largest, computeWaveNumber (ceramicSection (plate.common, ceramic), angularFrequency));
+    for (const auto& ceramic : common.ceramics)
+        largest = std::max (largest, computeWaveNumber (ceramicSection (common, ceramic), angularFrequency));
 
     return largest;
 }
 
-double angularFrequencyAt (const PlateDescription& plate, double waveNumber)
+double angularFrequencyAt (const StructureCommon& common, double waveNumber)
 {
-    const auto section = bareSection (plate.common);
+    const auto section = bareSection (common);
     return waveNumber * waveNumber * std::sqrt (softerStiffness (section) / section.massPerArea);
 }
 
@@ -114,25 +117,35 @@ double expectedWaveNumber (const PlateDescription& plate, int modeCount)
     return std::min (weyl, stripWaveNumber (plate, modeCount));
 }
 
-std::vector<std::string> thicknessWarnings (const PlateDescription& plate, const Eigen::VectorXd& angularFrequencies)
+std::vector<std::string> thicknessWarnings (const StructureCommon& common, const Eigen::VectorXd& angularFrequencies)
 {
     constexpr double tolerable = 0.02;
     const auto first = std::find_if (angularFrequencies.begin(), angularFrequencies.end(),
-                                     [&] (double omega) { return largestExcess (plate, omega) > tolerable; });
+                                     [&] (double omega) { return largestExcess (common, omega) > tolerable; });
 
-    if (first == angularFrequencies.end())
+    if (first == angularFrequencies.end() || hasSoftLayers (common))
         return {};
 
-    const auto highest = angularFrequencies[angularFrequencies.size() - 1];
-    std::array<char, 400> text {};
-    std::snprintf (
-        text.data(), text.size(),
-        "From mode %d (%.0f Hz) on, waves are so short compared with the thickness that thin-plate theory "
-        "overestimates frequencies by more than 2 %%; at mode %d (%.0f Hz), where a wave is %.1f thicknesses of "
-        "the bare plate long, by about %.0f %%.",
-        static_cast<int> (first - angularFrequencies.begin()) + 1, *first / (2 * pi),
-        static_cast<int> (angularFrequencies.size()), highest / (2 * pi),
-        2 * pi / (waveNumberAt (plate, highest) * plate.common.thickness), 100 * largestExcess (plate, highest));
+    const auto count = static_cast<int> (angularFrequencies.size());
+    const auto highest = angularFrequencies[count - 1];
+    const auto waveNumber = waveNumberAt (common, highest);
+    std::array<char, 500> text {};
+
+    if (common.theory == PlateTheory::mindlin)
+        std::snprintf (text.data(), text.size(),
+                       "Frequencies are corrected for the thickness: that of mode %d from %.0f to %.0f Hz. Where edges "
+                       "are clamped, or on ceramics, up to half of the correction is missing.",
+                       count, highest / (2 * pi),
+                       mindlinFrequencyAt (common, std::sqrt (highest / thinWaveFactor (common))) / (2 * pi));
+    else
+        std::snprintf (
+            text.data(), text.size(),
+            "From mode %d (%.0f Hz) on, waves are so short compared with the thickness that thin-plate theory "
+            "overestimates frequencies by more than 2 %%; at mode %d (%.0f Hz), where a wave is %.1f thicknesses of "
+            "the bare plate long, by about %.0f %%. \"theory\": \"mindlin\" in the device corrects them.",
+            static_cast<int> (first - angularFrequencies.begin()) + 1, *first / (2 * pi), count, highest / (2 * pi),
+            2 * pi / (waveNumber * common.thickness), 100 * largestExcess (common, highest));
+
     return { text.data() };
 }
 } // namespace antinode

@@ -20,6 +20,9 @@ ModalModel makeModel (const PlateDescription&, const PlateSolution&);
     [worker] */
 Eigen::MatrixXd shapesOn (const PlateGrid&, const PlateProblem&, double unit, const Eigen::MatrixXd& coefficients);
 
+/** The thin plate of one section that is solved in place of a plate. [any] Docs/Theory.md, section 1.15. */
+PlateDescription asSolved (const PlateDescription&, std::optional<int> modeCount);
+
 /** A plate, solved and put on a grid. @throws InputError [worker] */
 ModalModel solvePlate (const std::string& name, const PlateDescription&, std::optional<int> modeCount);
 } // namespace antinode

@@ -2,6 +2,7 @@
 
 #include "DescribedModel.h"
 #include "DescriptionChecks.h"
+#include "FrequencyCorrection.h"
 #include "ElementChain.h"
 #include "SolvedPlate.h"
 
@@ -121,8 +122,10 @@ ModalModel solveWithStaticShare (const DeviceDescription& device, std::optional<
         return solveStructure (device, modeCount);
 
     requireSolvable (*plate);
-    auto model = makeModel (*plate, withStaticShare (*plate, solvePlateModes (*plate, modeCount)));
+    const auto solved = asSolved (*plate, modeCount);
+    auto model = makeModel (solved, withStaticShare (solved, solvePlateModes (solved, modeCount)));
     describe (model, device.name, plate->common);
+    correctFrequencies (model, solved.common);
     validate (model);
     return model;
 }

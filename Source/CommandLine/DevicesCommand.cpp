@@ -16,6 +16,8 @@ namespace antinode
 {
 namespace
 {
+constexpr int materialColumn = 21;
+
 struct DevicesOptions
 {
     bool showsMaterials = false, showsFocuses = false;
@@ -63,21 +65,71 @@ void listFocuses()
         std::printf ("%-16s %s\n", name.c_str(), targetsInWords (loadFocus (name, {})).c_str());
 }
 
+void printNotes (const MaterialNotes& notes)
+{
+    std::printf ("%*s %s; source: %s\n", materialColumn, "", std::string (notes.scatter).c_str(),
+                 std::string (notes.source).c_str());
+}
+
+void printElastic (const std::string& name, const ElasticMaterial& material)
+{
+    std::printf ("%-*s E %g GPa", materialColumn, name.c_str(), material.youngsModulus1 / 1e9);
+
+    if (material.youngsModulus2 != material.youngsModulus1)
+        std::printf (" along x, %g along y, G12 %g GPa", material.youngsModulus2 / 1e9, material.shearModulus / 1e9);
+
+    std::printf (", Poisson's ratio %g, density %g kg/m3\n", material.poissonRatio12, material.density);
+}
+
+void printPiezoelectric (const std::string& name, const PiezoelectricMaterial& material)
+{
+    std::printf ("%-*s E %g GPa, Poisson's ratio %g, density %g kg/m3, d31 %g m/V, ", materialColumn, name.c_str(),
+                 material.youngsModulus / 1e9, material.poissonRatio, material.density, material.d31);
+
+    if (material.fibres)
+        std::printf ("across the fibres E %g GPa, d32 %g m/V, electrodes %g mm apart\n",
+                     material.fibres->youngsModulus2 / 1e9, material.fibres->d32,
+                     material.fibres->electrodeDistance * milli);
+    else
+        std::printf ("relative permittivity %g\n", material.permittivityRelative);
+}
+
+void printViscoelastic (const std::string& name, const ViscoelasticMaterial& material)
+{
+    std::printf ("%-*s density %g kg/m3; shear modulus and loss factor", materialColumn, name.c_str(),
+                 material.density);
+
+    for (const auto& row : material.table)
+        std::printf ("%s %g MPa, %g at %g Hz", &row == &material.table.front() ? "" : ";", row.shearModulus / 1e6,
+                     row.lossFactor, row.frequency);
+
+    std::printf ("\n");
+}
+
 void listMaterials()
 {
-    for (const auto& name : elasticMaterialNames())
+    std::printf ("Plates and layers\n\n");
+
+    for (const auto& [notes, material] : elasticMaterials())
     {
-        const auto material = findElasticMaterial (name).value();
-        std::printf ("%-10s E %g GPa, Poisson's ratio %g, density %g kg/m3\n", name.c_str(),
-                     material.youngsModulus1 / 1e9, material.poissonRatio12, material.density);
+        printElastic (std::string (notes.name), material);
+        printNotes (notes);
     }
 
-    for (const auto& name : piezoelectricMaterialNames())
+    std::printf ("\nCeramics\n\n");
+
+    for (const auto& [notes, material] : piezoelectricMaterials())
     {
-        const auto material = findPiezoelectricMaterial (name).value();
-        std::printf ("%-10s E %g GPa, Poisson's ratio %g, density %g kg/m3, d31 %g m/V, relative permittivity %g\n",
-                     name.c_str(), material.youngsModulus / 1e9, material.poissonRatio, material.density, material.d31,
-                     material.permittivityRelative);
+        printPiezoelectric (std::string (notes.name), material);
+        printNotes (notes);
+    }
+
+    std::printf ("\nSoft layers\n\n");
+
+    for (const auto& [notes, material] : viscoelasticMaterials())
+    {
+        printViscoelastic (std::string (notes.name), material);
+        printNotes (notes);
     }
 }
 
@@ -109,7 +161,8 @@ void addDevicesCommand (CLI::App& app)
     auto* command = app.add_subcommand ("devices", "Lists the embedded devices, focuses and materials");
     auto options = std::make_shared<DevicesOptions>();
     auto* materials =
-        command->add_flag ("--materials", options->showsMaterials, "Lists the built-in materials with their values");
+        command->add_flag ("--materials", options->showsMaterials,
+                           "Lists the built-in materials with their values, what scatters, and their sources");
     auto* focuses = command->add_flag ("--focuses", options->showsFocuses, "Lists the embedded focuses");
     auto* shown = command->add_option ("--show", options->shown,
                                        "Writes an embedded device, focus or waveforms as JSON, as a starting point for "

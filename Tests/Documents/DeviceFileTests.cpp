@@ -133,8 +133,8 @@ TEST_CASE ("Errors for typical mistakes in devices give their position and what 
            == "my.json: /ends/left: is the text 'clampd' (did you mean 'clamped'?); allowed: one of 'clamped', "
               "'simply_supported', "
               "'free', 'guided'");
-    CHECK (errorWith ("beam", "material=aluminum")
-               .find ("my.json: /material: is the text 'aluminum' (did you mean 'aluminium'?); allowed: ")
+    CHECK (errorWith ("beam", "material=alumimium")
+               .find ("my.json: /material: is the text 'alumimium' (did you mean 'aluminium'?); allowed: ")
            == 0);
     CHECK (errorWith ("plate", "material.nu12=2.1") == "my.json: /material/nu12: is 2.1; allowed: above -2 to below 2");
     CHECK (errorWith ("plate", "modes.count=2.5")

@@ -3,6 +3,7 @@
 #include <antinode_base/WholeFile.h>
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_documents/FocusWords.h>
+#include <antinode_structure/Materials.h>
 
 #include <nlohmann/json.hpp>
 
@@ -44,4 +45,16 @@ TEST_CASE ("Each kind of device is in the page of file formats", "[files]")
         CHECK (page ("FileFormats.md").find ("\"kind\": \"" + (*word)[1].str() + "\"") != std::string::npos);
 
     CHECK (count >= 4);
+}
+
+TEST_CASE ("Each built-in material is in the page of materials", "[files]")
+{
+    const auto materials = page ("Materials.md");
+
+    for (const auto& list : { elasticMaterialNames(), piezoelectricMaterialNames(), viscoelasticMaterialNames() })
+        for (const auto& name : list)
+        {
+            INFO (name);
+            CHECK (materials.find ("| `" + name + "` |") != std::string::npos);
+        }
 }

@@ -26,6 +26,13 @@ Body& bodyIn (DeviceDescription& device)
 
 using Change = std::function<void (DeviceDescription&)>;
 
+ViscoelasticMaterial softMaterial (double lossFactor)
+{
+    ViscoelasticMaterial material;
+    material.table = { { 1, 1e6, lossFactor } };
+    return material;
+}
+
 std::vector<Change> commonChanges (const std::function<StructureCommon&(DeviceDescription&)>& common)
 {
     const std::vector<std::function<void (StructureCommon&)>> changes {
@@ -52,6 +59,23 @@ std::vector<Change> commonChanges (const std::function<StructureCommon&(DeviceDe
         [] (auto& c) { c.ceramics[1].material.density += 1; },
         [] (auto& c) { c.ceramics[1].material.d31 *= 2; },
         [] (auto& c) { c.ceramics[1].material.permittivityRelative += 1; },
+        [] (auto& c) { c.ceramics[1].material.fibres = FibreComposite {}; },
+        [] (auto& c) {
+            c.ceramics[1].glue = GlueLayer { 1e-6, c.material };
+        },
+        [] (auto& c) {
+            c.ceramics[1].carrier = CarrierDisc { 1e-6, c.material };
+        },
+        [] (auto& c) {
+            c.layers = { { c.thickness, c.material } };
+        },
+        [] (auto& c) {
+            c.layers = { { c.thickness, softMaterial (0.1) } };
+        },
+        [] (auto& c) {
+            c.layers = { { c.thickness, softMaterial (0.2) } };
+        },
+        [] (auto& c) { c.theory = PlateTheory::mindlin; },
         [] (auto& c) { c.ceramics[1].mounting = CeramicMounting::oneSide; },
         [] (auto& c) { c.ceramics[1].wiring = CeramicWiring::series; },
         [] (auto& c) { c.ceramics[1].polarity = -1; },

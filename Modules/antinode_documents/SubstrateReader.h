@@ -1,0 +1,25 @@
+#pragma once
+
+#include <antinode_structure/DeviceDescription.h>
+#include <antinode_text/JsonReader.h>
+
+namespace antinode
+{
+/** The keys of a substrate that a plate may have beyond thickness and material. */
+inline constexpr std::string_view layersKey = "layers", theoryKey = "theory";
+
+/** What a device is made of without its ceramics: thickness and material, or layers from the bottom up; the theory of
+    plates; damping, which a laminate with soft layers need not have.
+    @param body  of a device; only those of plates know layers and theory
+    @throws InputError [worker] */
+void readSubstrate (StructureCommon&, const JsonObject& body);
+
+/** The glue of a ceramic, where it has any. @throws InputError [worker] */
+std::optional<GlueLayer> readGlue (const JsonObject& ceramic);
+
+/** The metal disc of a disc bender, by the diameter of its ceramic, m. @throws InputError [worker] */
+CarrierDisc readCarrier (const JsonValue& carrier, double ceramicDiameter);
+
+/** Its diameter, m. @throws InputError  where it is not larger than the ceramic [worker] */
+double readCarrierDiameter (const JsonValue& carrier, double ceramicDiameter);
+} // namespace antinode

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "Outline.h"
+
+#include <optional>
+
+namespace antinode
+{
+/** Two paths that cross or touch, which may be one and the same. */
+struct PathConflict
+{
+    std::size_t path = 0, other = 0; ///< The smaller index first.
+    Eigen::Vector2d place;           ///< m
+};
+
+/** How closed paths lie to each other. */
+struct PathNesting
+{
+    std::optional<PathConflict> conflict;
+    std::vector<std::optional<std::size_t>> around; ///< The innermost path around each, where there is no conflict.
+};
+
+/** Finds whether paths cross or touch, and else which lies in which, in a time that grows little faster than the number
+   of their pieces.
+    @param tolerance  m: what is nearer than that touches
+    [any] Shamos and Hoey, Geometric intersection problems, 1976: the pieces that a line of equal x crosses, in order.
+ */
+PathNesting nestingOf (const std::vector<ClosedPath>&, double tolerance);
+} // namespace antinode

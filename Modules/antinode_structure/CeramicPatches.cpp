@@ -1,0 +1,60 @@
+#include "CeramicPatches.h"
+
+#include <antinode_immersed/PatchShapes.h>
+
+namespace antinode
+{
+namespace
+{
+BendingPatch patchOf (const CeramicDescription& ceramic)
+{
+    switch (ceramic.shape)
+    {
+        case CeramicShape::rectangle:
+            return rectanglePatch (ceramic.centre(), { ceramic.sizeX, ceramic.sizeY }, ceramic.angle);
+        case CeramicShape::disc:
+            return discPatch (ceramic.centre(), ceramic.sizeX / 2);
+        case CeramicShape::ring:
+            return ringPatch (ceramic.centre(), ceramic.sizeX / 2, ceramic.innerDiameter / 2);
+    }
+
+    return {};
+}
+
+/** What one section has more than another. */
+BendingSection difference (const LayeredSection& with, const LayeredSection& without)
+{
+    return { (with.stiffness - without.stiffness).real(), with.massPerArea - without.massPerArea };
+}
+} // namespace
+
+BendingSection bendingSection (const PlateSection& section)
+{
+    BendingSection result;
+    result.stiffness << section.d11, section.d12, 0, section.d12, section.d22, 0, 0, 0, section.d66;
+    result.massPerArea = section.massPerArea;
+    return result;
+}
+
+std::vector<BendingPatch> ceramicPatches (const StructureCommon& common, const CeramicDescription& ceramic)
+{
+    const auto with = ceramicStack (common, ceramic, ceramic.angle);
+    auto patch = patchOf (ceramic);
+
+    if (! ceramic.carrier)
+    {
+        patch.added = difference (with, bareStack (common));
+        patch.moment = with.momentPerVolt.real();
+        return { patch };
+    }
+
+    const auto carrier = carrierStack (common, ceramic);
+    auto inner = discPatch (ceramic.centre(), ceramic.carrier->ceramicDiameter / 2);
+    auto driven = discPatch (ceramic.centre(), ceramic.carrier->electrodeDiameter / 2);
+    patch.added = difference (carrier, bareStack (common));
+    inner.added = difference (with, carrier);
+    driven.moment = with.momentPerVolt.real();
+    driven.kinks.clear(); // Only what stiffens bends a mode.
+    return { patch, inner, driven };
+}
+} // namespace antinode
