@@ -104,7 +104,7 @@ void placeAt (CeramicDescription& ceramic, const Eigen::Vector2d& centre)
 
 using PlateSize = std::optional<Eigen::Vector2d>;
 
-CeramicDescription readRectangle (const JsonValue& place, const PlateSize& size)
+CeramicDescription readRectangularCeramic (const JsonValue& place, const PlateSize& size)
 {
     const auto object = plateCeramic (place, { "x_mm", "y_mm", "centre_mm", "size_x_mm", "size_y_mm", "angle_deg" });
     const auto most = size.value_or (Eigen::Vector2d::Constant (ranges::lengthMillimetre.maximum));
@@ -155,7 +155,7 @@ CeramicDescription readRound (const JsonValue& place, const JsonObject& object, 
 }
 
 /** A disc, or a disc bender: then its extent is that of the metal disc. */
-CeramicDescription readDisc (const JsonValue& place, const PlateSize&)
+CeramicDescription readDiscCeramic (const JsonValue& place, const PlateSize&)
 {
     const auto object = plateCeramic (place, { "centre_mm", "diameter_mm", "carrier" });
     auto ceramic = readRound (place, object, CeramicShape::disc);
@@ -171,7 +171,7 @@ CeramicDescription readDisc (const JsonValue& place, const PlateSize&)
     return ceramic;
 }
 
-CeramicDescription readRing (const JsonValue& place, const PlateSize&)
+CeramicDescription readRingCeramic (const JsonValue& place, const PlateSize&)
 {
     const auto object = plateCeramic (place, { "centre_mm", "diameter_mm", "inner_diameter_mm" });
     object.required ("inner_diameter_mm");
@@ -179,7 +179,7 @@ CeramicDescription readRing (const JsonValue& place, const PlateSize&)
 }
 
 constexpr WordList<CeramicDescription (*) (const JsonValue&, const PlateSize&), 3> ceramicReaders {
-    { { "rectangle", readRectangle }, { "disc", readDisc }, { "ring", readRing } }
+    { { "rectangle", readRectangularCeramic }, { "disc", readDiscCeramic }, { "ring", readRingCeramic } }
 };
 } // namespace
 
@@ -217,7 +217,7 @@ std::vector<CeramicDescription> readPlateCeramics (const JsonValue& list, const 
     for (const auto& place : places)
     {
         const auto shape = place.find ("shape");
-        const auto read = shape ? shape->choice (ceramicReaders) : readRectangle;
+        const auto read = shape ? shape->choice (ceramicReaders) : readRectangularCeramic;
         ceramics.push_back (read (place, size));
     }
 

@@ -1,5 +1,6 @@
 #include "FrequencyCorrection.h"
 
+#include "PlateSection.h"
 #include "SoftLayers.h"
 #include "ThickPlates.h"
 
@@ -39,6 +40,23 @@ double waveNumberOf (const StructureCommon& common, double angularFrequency)
 
     return high;
 }
+
+/** The moment per volt of each ceramic, the sum of both directions, with soft layers taken at a reference; 1 N/V where
+   it has none. */
+Eigen::ArrayXXd momentsAt (StructureCommon common, const SectionReference& reference)
+{
+    common.reference = reference;
+    Eigen::ArrayXXd moments (1, static_cast<Eigen::Index> (common.ceramics.size()));
+
+    for (std::size_t i = 0; i < common.ceramics.size(); ++i)
+    {
+        const auto moment = ceramicSection (common, common.ceramics[i]);
+        const auto sum = moment.momentX + moment.momentY;
+        moments (0, static_cast<Eigen::Index> (i)) = sum == 0 ? 1 : sum;
+    }
+
+    return moments;
+}
 } // namespace
 
 bool needsCorrection (const StructureCommon& common)
@@ -74,12 +92,18 @@ void correctFrequencies (ModalModel& model, const StructureCommon& common)
         return;
 
     const auto factor = thinWaveFactor (common);
+    const auto solvedMoments = momentsAt (common, common.reference);
 
     for (Eigen::Index k = 0; k < model.modes(); ++k)
     {
-        const auto corrected = waveAt (common, std::sqrt (model.angularFrequencies[k] / factor));
+        const auto waveNumber = std::sqrt (model.angularFrequencies[k] / factor);
+        const auto corrected = waveAt (common, waveNumber);
         model.angularFrequencies[k] = corrected.angularFrequency;
         model.dampingRatios[k] += corrected.lossFactor / 2;
+
+        if (hasSoftLayers (common))
+            model.participation.row (k).array() *=
+                momentsAt (common, { waveNumber, corrected.angularFrequency }) / solvedMoments;
     }
 }
 } // namespace antinode
