@@ -70,7 +70,9 @@ void PathBuilder::lineTo (const Eigen::Vector2d& end, int edge)
 
 void PathBuilder::arcTo (const Eigen::Vector2d& end, double bulge, int edge)
 {
-    if (bulge == 0 || end == place)
+    constexpr double straight = 1e-8; // A flatter arc has a centre so far away that places on it lose their digits.
+
+    if (std::abs (bulge) < straight || end == place)
     {
         lineTo (end, edge);
         return;
