@@ -94,7 +94,7 @@ std::vector<PathPiece> readArc (const DxfEntity& entity, bool isWhole)
     if (! (radius > 0))
         throw InputError (entity.name(), "has a radius of " + numberText (entity.number (40)) + "; allowed: above 0");
 
-    const auto from = isWhole ? 0.0 : entity.number (50) * pi / 180;
+    const auto from = isWhole ? 0.0 : std::remainder (entity.number (50), 360) * pi / 180;
     const auto to = isWhole ? 2 * pi : endBehind (from, entity.number (51) * pi / 180);
     return mirroredIf (entity.isMirrored(),
                        ellipseBetween (entity.place (10), { radius, 0 }, { 0, radius }, from, to, entity.edge++));
@@ -108,7 +108,7 @@ std::vector<PathPiece> readEllipse (const DxfEntity& entity)
     if (! (major.norm() > 0) || ratio == 0)
         throw InputError (entity.name(), "has an axis of length 0; allowed: above 0");
 
-    const auto from = entity.number (41);
+    const auto from = std::remainder (entity.number (41), 2 * pi);
     return ellipseBetween (entity.place (10), major, ratio * Eigen::Vector2d (-major.y(), major.x()), from,
                            endBehind (from, entity.number (42, 2 * pi)), entity.edge++);
 }

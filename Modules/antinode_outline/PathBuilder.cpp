@@ -22,7 +22,7 @@ std::vector<double> turns (const PathPiece& piece)
         {
             const auto angle = first + k * std::numbers::pi;
 
-            if (angle >= high - least)
+            if (! (angle < high - least)) // Nor where it is no number.
                 break;
 
             angles.push_back (angle);
