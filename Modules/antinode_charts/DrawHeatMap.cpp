@@ -34,6 +34,9 @@ void drawMap (juce::Graphics& g, const PlotFrame& frame, const HeatMap& chart, A
     const auto scale = g.getInternalContext().getPhysicalPixelScaleFactor();
     const auto columns = std::max (1, juce::roundToInt (frame.plot.getWidth() * scale));
     const auto rows = std::max (1, juce::roundToInt (frame.plot.getHeight() * scale));
+    const juce::Graphics::ScopedSaveState state (g);
+    if (! chart.surface.empty())
+        g.reduceClipRegion (pathOf (chart.surface, frame));
     g.setOpacity (1);
     const auto isTable = ! chart.columnNames.empty() || ! chart.rowNames.empty();
     const auto pixels = isTable ? repeated (chart.values, rows, columns) : resampled (chart.values, rows, columns);
@@ -44,7 +47,13 @@ void drawOverlays (juce::Graphics& g, const PlotFrame& frame, const HeatMap& cha
 {
     const juce::Graphics::ScopedSaveState state (g);
     g.reduceClipRegion (frame.plot.getSmallestIntegerContainer());
-    drawContours (g, frame, chart, theme);
+    {
+        const juce::Graphics::ScopedSaveState onSurface (g);
+        if (! chart.surface.empty())
+            g.reduceClipRegion (pathOf (chart.surface, frame));
+        drawContours (g, frame, chart, theme);
+    }
+    drawSurface (g, frame, chart.surface, theme);
     drawPlaces (g, frame, chart.rectangles, chart.points, theme);
 }
 
@@ -98,6 +107,8 @@ void draw (juce::Graphics& g, juce::Rectangle<float> area, const HeatMap& chart,
         drawNoData (g, frame, theme);
     drawMarkers (g, frame, chart.markers, markerRowBottom (frame, {}, theme), theme);
     drawOverlays (g, frame, chart, theme);
+    if (chart.isBare && ! chart.surface.empty())
+        return;
     if (chart.isBare)
     {
         g.setColour (theme.axis);

@@ -45,18 +45,51 @@ void drawHeldEdges (juce::Graphics& g, const PlotFrame& frame, const PlanView& c
     if (chart.heldTop)
         drawHeldEdge (g, frame, frame.plot.withHeight (depth), theme);
 }
+/** Hatching within the surface along parts of its outline that are held. */
+void drawHeldPieces (juce::Graphics& g, const PlotFrame& frame, const PlanView& chart, const Theme& theme)
+{
+    constexpr float depth = 7, hatching = 5; // pixels
+    const juce::Graphics::ScopedSaveState state (g);
+    g.reduceClipRegion (pathOf (chart.surface, frame));
+    g.setColour (theme.axis);
+    for (const auto& line : chart.heldPieces)
+    {
+        float rest = 0;
+        for (std::size_t i = 1; i < line.size(); ++i)
+        {
+            const auto from = frame.at (line[i - 1].x(), line[i - 1].y()), to = frame.at (line[i].x(), line[i].y());
+            const auto length = from.getDistanceFrom (to);
+            const auto along = length > 0 ? (to - from) / length : juce::Point<float>();
+            auto place = hatching - rest;
+            // A tick slants to both sides: that outside the surface is cut off.
+            for (; place <= length; place += hatching)
+            {
+                const auto at = from + along * place;
+                const juce::Point<float> slant (0.7f * depth * (along.x + along.y), 0.7f * depth * (along.y - along.x));
+                g.drawLine ({ at - slant, at + slant }, theme.lineWidth);
+            }
+            rest = length - (place - hatching);
+        }
+    }
+}
 } // namespace
 
 void draw (juce::Graphics& g, juce::Rectangle<float> area, const PlanView& chart, const Theme& theme)
 {
     const auto frame = makeFrame (chart, drawTitle (g, area, chart.title, theme), theme);
     g.setColour (theme.axis);
-    g.drawRect (frame.plot, theme.lineWidth);
+    if (chart.surface.empty())
+        g.drawRect (frame.plot, theme.lineWidth);
+    drawSurface (g, frame, chart.surface, theme);
+    drawHeldPieces (g, frame, chart, theme);
     drawHeldEdges (g, frame, chart, theme);
     g.setColour (theme.span);
     for (const auto& rectangle : chart.rectangles)
-        g.fillRect (juce::Rectangle<float> (frame.at (rectangle.xMinimum, rectangle.yMinimum),
-                                            frame.at (rectangle.xMaximum, rectangle.yMaximum)));
+        if (rectangle.shape.empty())
+            g.fillRect (juce::Rectangle<float> (frame.at (rectangle.xMinimum, rectangle.yMinimum),
+                                                frame.at (rectangle.xMaximum, rectangle.yMaximum)));
+        else
+            g.fillPath (pathOf (rectangle.shape, frame));
     drawPlaces (g, frame, chart.rectangles, chart.points, theme);
     drawAxes (g, frame, theme);
 }

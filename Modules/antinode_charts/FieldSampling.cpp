@@ -35,9 +35,8 @@ std::vector<Eigen::MatrixXd> mapsOfGrid (const PlateGrid& grid, const Eigen::Mat
 
     return maps;
 }
-} // namespace
-
-Eigen::MatrixXd fieldsAt (const Surface& surface, const Eigen::MatrixXd& fields, const Eigen::MatrixX2d& places)
+/** Fields at places, wherever these lie. */
+Eigen::MatrixXd valuesAt (const Surface& surface, const Eigen::MatrixXd& fields, const Eigen::MatrixX2d& places)
 {
     Eigen::MatrixXd values (places.rows(), fields.cols());
 
@@ -47,6 +46,45 @@ Eigen::MatrixXd fieldsAt (const Surface& surface, const Eigen::MatrixXd& fields,
         values.row (i) = surface.grid ? interpolateOnGrid (*surface.grid, fields, places (i, 0), places (i, 1))
                                       : interpolateInPlane (surface.points, fields, places (i, 0), places (i, 1));
     }
+
+    return values;
+}
+
+/** Beyond a boundary maps get the values of its nearest places, so that nothing shows where they are cut off there. */
+void continueBeyond (std::vector<Eigen::MatrixXd>& maps, const Surface& surface, const Eigen::MatrixXd& fields,
+                     const Eigen::VectorXd& x, const Eigen::VectorXd& y)
+{
+    std::vector<Eigen::Vector2i> cells;
+    std::vector<Eigen::Vector2d> nearest;
+
+    for (Eigen::Index j = 0; j < y.size(); ++j)
+        for (Eigen::Index i = 0; i < x.size(); ++i)
+            if (! surface.boundary->outline.contains (x[i], y[j]))
+            {
+                cells.emplace_back (static_cast<int> (j), static_cast<int> (i));
+                nearest.push_back (nearestOn (surface, x[i], y[j]));
+            }
+
+    Eigen::MatrixX2d places (static_cast<Eigen::Index> (nearest.size()), 2);
+
+    for (std::size_t p = 0; p < nearest.size(); ++p)
+        places.row (static_cast<Eigen::Index> (p)) = nearest[p].transpose();
+
+    const auto values = valuesAt (surface, fields, places);
+
+    for (std::size_t p = 0; p < cells.size(); ++p)
+        for (std::size_t k = 0; k < maps.size(); ++k)
+            maps[k](cells[p][0], cells[p][1]) = values (static_cast<Eigen::Index> (p), static_cast<Eigen::Index> (k));
+}
+} // namespace
+
+Eigen::MatrixXd fieldsAt (const Surface& surface, const Eigen::MatrixXd& fields, const Eigen::MatrixX2d& places)
+{
+    auto values = valuesAt (surface, fields, places);
+
+    for (Eigen::Index i = 0; surface.boundary && i < places.rows(); ++i)
+        if (! liesOn (surface, places (i, 0), places (i, 1)))
+            values.row (i).setConstant (std::nan (""));
 
     return values;
 }
@@ -61,12 +99,19 @@ std::vector<Eigen::MatrixXd> fieldMaps (const Surface& surface, const Eigen::Mat
     const auto y = middles (surface.yMinimum, surface.yMaximum, along (height));
 
     if (surface.grid)
-        return mapsOfGrid (*surface.grid, fields, x, y);
+    {
+        auto maps = mapsOfGrid (*surface.grid, fields, x, y);
+
+        if (surface.boundary)
+            continueBeyond (maps, surface, fields, x, y);
+
+        return maps;
+    }
 
     Eigen::MatrixX2d places (x.size() * y.size(), 2);
     places.col (0) = x.replicate (y.size(), 1);
     places.col (1) = y.transpose().replicate (x.size(), 1).reshaped();
-    const auto values = fieldsAt (surface, fields, places);
+    const auto values = valuesAt (surface, fields, places);
     std::vector<Eigen::MatrixXd> maps;
 
     for (const auto& map : values.colwise())

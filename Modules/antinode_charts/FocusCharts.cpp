@@ -175,7 +175,14 @@ HeatMap fieldOverTimeChart (const ModalModel& model, const FocusDesign& design, 
     const auto y = isPlate ? design.description.targets.front().y : 0.0;
 
     for (Eigen::Index i = 0; i < mapColumns; ++i)
-        shapes.row (i) = shapesAt (model, surface.xMinimum + width * (static_cast<double> (i) + 0.5) / mapColumns, y);
+    {
+        const auto x = surface.xMinimum + width * (static_cast<double> (i) + 0.5) / mapColumns;
+
+        if (liesOn (surface, x, y))
+            shapes.row (i) = shapesAt (model, x, y);
+        else
+            shapes.row (i).setConstant (std::nan ("")); // beyond its boundary: left empty
+    }
 
     Eigen::MatrixXd velocities (model.modes(), mapRows);
 

@@ -18,11 +18,16 @@ enum class ColourScale
     diverging   ///< Balanced about zero: the range is made symmetrical.
 };
 
-/** A rectangle over a map, for example a ceramic. */
+/** Closed lines, each back to its first place, in the units of the axes; inside is what an odd number of them encloses.
+ */
+using MapShape = std::vector<std::vector<Eigen::Vector2d>>;
+
+/** A rectangle over a map, or a shape in it, for example a ceramic. */
 struct MapRectangle
 {
     double xMinimum = 0, xMaximum = 0, yMinimum = 0, yMaximum = 0; ///< In the units of the axes.
     std::string label;
+    MapShape shape {}; ///< Empty: all of the rectangle.
 };
 
 /** A cross over a map, for example the focus. */
@@ -54,6 +59,7 @@ struct HeatMap
     std::vector<MapPoint> points;
     std::vector<Marker> markers;
     MapContours contours;
+    MapShape surface;                               ///< What of the map is shown; empty: all of it.
     std::vector<std::string> columnNames, rowNames; ///< A table: each value fills its cell, names stand at the axes.
     bool isBare = false;                            ///< Without axes and colour bar: a small map among others.
 };

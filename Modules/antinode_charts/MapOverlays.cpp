@@ -20,6 +20,16 @@ void drawWithHalo (juce::Graphics& g, const CurvePiece& line, float width, const
     drawCurve (g, line, { theme.text, width, LineStyle::solid });
 }
 
+CurvePiece closedCurve (const std::vector<Eigen::Vector2d>& line, const PlotFrame& frame)
+{
+    CurvePiece piece;
+    for (const auto& place : line)
+        piece.push_back (frame.at (place.x(), place.y()));
+    if (! piece.empty())
+        piece.push_back (piece.front());
+    return piece;
+}
+
 juce::Rectangle<float> tagAt (const std::string& label, juce::Point<float> centre, const Theme& theme)
 {
     const auto width = textWidth (label, { theme.tickHeight, false, {} }) + 6;
@@ -45,7 +55,10 @@ void drawRectangle (juce::Graphics& g, const PlotFrame& frame, const MapRectangl
     const auto other = frame.at (rectangle.xMaximum, rectangle.yMaximum);
     if (! one.isFinite() || ! other.isFinite())
         return;
-    drawWithHalo (g, { one, { other.x, one.y }, other, { one.x, other.y }, one }, 0.6f * theme.lineWidth, theme);
+    if (rectangle.shape.empty())
+        drawWithHalo (g, { one, { other.x, one.y }, other, { one.x, other.y }, one }, 0.6f * theme.lineWidth, theme);
+    for (const auto& line : rectangle.shape)
+        drawWithHalo (g, closedCurve (line, frame), 0.6f * theme.lineWidth, theme);
     const auto tag = tagAt (rectangle.label, (one + other) / 2.0f, theme);
     const auto fits = tag.getWidth() <= std::abs (other.x - one.x) && tag.getHeight() <= std::abs (other.y - one.y);
     const auto hidesPoint = std::any_of (points.begin(), points.end(),
@@ -139,5 +152,27 @@ void drawPlaces (juce::Graphics& g, const PlotFrame& frame, const std::vector<Ma
         drawRectangle (g, frame, rectangle, points, theme);
     for (const auto& point : points)
         drawPoint (g, frame, point, theme);
+}
+
+juce::Path pathOf (const MapShape& shape, const PlotFrame& frame)
+{
+    juce::Path path;
+    path.setUsingNonZeroWinding (false);
+    for (const auto& line : shape)
+    {
+        for (std::size_t i = 0; i < line.size(); ++i)
+        {
+            const auto place = frame.at (line[i].x(), line[i].y());
+            i == 0 ? path.startNewSubPath (place) : path.lineTo (place);
+        }
+        path.closeSubPath();
+    }
+    return path;
+}
+
+void drawSurface (juce::Graphics& g, const PlotFrame& frame, const MapShape& shape, const Theme& theme)
+{
+    for (const auto& line : shape)
+        drawCurve (g, closedCurve (line, frame), { theme.axis, theme.lineWidth, LineStyle::solid });
 }
 } // namespace antinode

@@ -12,4 +12,10 @@ void drawContours (juce::Graphics&, const PlotFrame&, const HeatMap&, const Them
     colour. [any] */
 void drawPlaces (juce::Graphics&, const PlotFrame&, const std::vector<MapRectangle>&, const std::vector<MapPoint>&,
                  const Theme&);
+
+/** A shape of a map as a path on the picture, inside by even and odd. [any] */
+juce::Path pathOf (const MapShape&, const PlotFrame&);
+
+/** Draws the outline of a surface over a map, where there is one. [any] */
+void drawSurface (juce::Graphics&, const PlotFrame&, const MapShape&, const Theme&);
 } // namespace antinode

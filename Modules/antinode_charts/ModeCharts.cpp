@@ -46,6 +46,23 @@ Eigen::MatrixXd scaledToOne (const Eigen::MatrixXd& shape)
     return largest > 0 ? Eigen::MatrixXd (shape / largest) : shape;
 }
 
+/** The parts of a boundary that are held as open lines, mm. */
+MapShape heldPieces (const Surface& surface)
+{
+    if (! surface.boundary)
+        return {};
+
+    MapShape lines;
+
+    for (const auto& piece : surface.boundary->held)
+    {
+        lines.push_back (shapeOf ({ { { piece } } }).front());
+        lines.back().push_back (milli * piece.end);
+    }
+
+    return lines;
+}
+
 std::vector<Panel> plateShapes (const ModalModel& model, Eigen::Index count)
 {
     const auto maps = fieldMaps (model.surface, model.shapes.leftCols (count), mapCells);
@@ -61,6 +78,7 @@ std::vector<Panel> plateShapes (const ModalModel& model, Eigen::Index count)
         map.valueRange = scaledRange;
         map.scale = ColourScale::diverging;
         map.contours.nodalLinesFrom = 1e-6;
+        map.surface = surfaceShape (model.surface);
         map.equalAspect = map.isBare = true;
         panels.emplace_back (std::move (map));
     }
@@ -96,7 +114,7 @@ PlanView deviceChart (const ModalModel& model)
     PlanView view;
     view.x = alongX (surface);
     view.rectangles = ceramicRectangles (model);
-    const auto isKnown = model.unknowns > 0; // measured devices do not say
+    const auto isKnown = model.unknowns > 0 && ! surface.boundary; // measured devices do not say
     view.heldLeft = isKnown && surface.held.left;
     view.heldRight = isKnown && surface.held.right;
 
@@ -105,6 +123,8 @@ PlanView deviceChart (const ModalModel& model)
         view.xLabel = "x (mm)";
         view.yLabel = "y (mm)";
         view.y = { surface.yMinimum * milli, surface.yMaximum * milli };
+        view.surface = surfaceShape (surface);
+        view.heldPieces = heldPieces (surface);
         view.heldBottom = isKnown && surface.held.bottom;
         view.heldTop = isKnown && surface.held.top;
         return view;

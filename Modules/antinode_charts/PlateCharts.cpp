@@ -28,6 +28,7 @@ HeatMap velocityMap (const ModalModel& model, const Eigen::MatrixXd& velocities,
     chart.y = { surface.yMinimum * milli, surface.yMaximum * milli };
     chart.scale = ColourScale::diverging;
     chart.equalAspect = true;
+    chart.surface = surfaceShape (surface);
     chart.rectangles = ceramicRectangles (model);
 
     for (const auto& target : targets)
@@ -61,7 +62,7 @@ ChartGrid plateFieldsChart (const ModalModel& model, const FocusDesign& design, 
     Eigen::MatrixXd fields (model.points(), 4);
     fields << wanted, design.truncatedField, reached, reached - wanted;
     const auto maps = fieldMaps (model.surface, fields, mapCells);
-    const auto peak = fields.leftCols (3).cwiseAbs().maxCoeff() * milli;
+    const auto peak = fields (pointsOn (model.surface), Eigen::all).leftCols (3).cwiseAbs().maxCoeff() * milli;
     constexpr const char* titles[] = { "wanted", "represented by the controlled modes", "reached",
                                        "difference: reached \xE2\x88\x92 wanted" };
 
@@ -118,13 +119,39 @@ LineChart crossSectionChart (const ModalModel& model, const FocusDesign& design,
     return chart;
 }
 
+MapShape shapeOf (const Outline& outline)
+{
+    constexpr int linesPerArc = 32; // of a quarter of a circle at most
+    MapShape shape;
+
+    for (const auto& path : outline.paths)
+    {
+        auto& line = shape.emplace_back();
+
+        for (const auto& piece : path)
+        {
+            const auto count = piece.isStraight ? 1 : linesPerArc;
+
+            for (int i = 0; i < count; ++i)
+                line.push_back (milli * piece.at (piece.from + (piece.to - piece.from) * i / count));
+        }
+    }
+
+    return shape;
+}
+
+MapShape surfaceShape (const Surface& surface)
+{
+    return surface.boundary ? shapeOf (surface.boundary->outline) : MapShape {};
+}
+
 std::vector<MapRectangle> ceramicRectangles (const ModalModel& model)
 {
     std::vector<MapRectangle> rectangles;
 
     for (const auto& ceramic : model.ceramics)
         rectangles.push_back ({ ceramic.xMinimum * milli, ceramic.xMaximum * milli, ceramic.yMinimum * milli,
-                                ceramic.yMaximum * milli, ceramic.name });
+                                ceramic.yMaximum * milli, ceramic.name, shapeOf (ceramic.outline) });
 
     return rectangles;
 }

@@ -36,6 +36,12 @@ enum class PlateDirection
     [worker] */
 LineChart crossSectionChart (const ModalModel&, const FocusDesign&, const Eigen::VectorXd& reached, PlateDirection);
 
+/** Paths as lines close enough for any picture, mm. [any] */
+MapShape shapeOf (const Outline&);
+
+/** The outline of a plate that does not fill its extent, mm; else empty. [any] */
+MapShape surfaceShape (const Surface&);
+
 /** The ceramics of a plate in mm, with their names. [any] */
 std::vector<MapRectangle> ceramicRectangles (const ModalModel&);
 

@@ -2,10 +2,13 @@
 
 #include "FileUnits.h"
 #include "MaterialReader.h"
+#include "OutlineReader.h"
 
+#include <antinode_structure/CeramicShapes.h>
 #include <antinode_text/PhysicalRanges.h>
 
 #include <algorithm>
+#include <numbers>
 
 namespace antinode
 {
@@ -76,6 +79,89 @@ void requireNoOverlap (const std::vector<JsonValue>& places, const std::vector<C
             if (overlap (ceramics[i], ceramics[j]))
                 places[i].fail ("overlaps /ceramics/" + std::to_string (j) + "; ceramics may only touch");
 }
+
+/** An object of a plate's ceramic with keys of its shape besides those that all have. */
+JsonObject plateCeramic (const JsonValue& place, std::initializer_list<std::string_view> keysOfShape)
+{
+    std::vector<std::string_view> keys { "name",   "shape",    "thickness_mm",   "material",   "mounting",
+                                         "wiring", "polarity", "capacitance_nF", "loss_factor" };
+    keys.insert (keys.end(), keysOfShape);
+    return place.object (keys);
+}
+
+void placeAt (CeramicDescription& ceramic, const Eigen::Vector2d& centre)
+{
+    ceramic.x = centre.x() - ceramic.sizeX / 2;
+    ceramic.y = centre.y() - ceramic.sizeY / 2;
+}
+
+using PlateSize = std::optional<Eigen::Vector2d>;
+
+CeramicDescription readRectangle (const JsonValue& place, const PlateSize& size)
+{
+    const auto object = plateCeramic (place, { "x_mm", "y_mm", "centre_mm", "size_x_mm", "size_y_mm", "angle_deg" });
+    const auto most = size.value_or (Eigen::Vector2d::Constant (ranges::lengthMillimetre.maximum));
+    const auto angle = object.optional ("angle_deg");
+    auto ceramic = readCeramic (object);
+    ceramic.angle = angle ? angle->number (ranges::angleDegrees) * std::numbers::pi / 180 : 0.0;
+
+    // Turned ones need other room: the solver looks at that.
+    const auto bound = [&] (double largest) { return ceramic.angle == 0 ? largest : ranges::lengthMillimetre.maximum; };
+    const auto sizeX = readSize (object.required ("size_x_mm"), bound (most.x()));
+    const auto sizeY = readSize (object.required ("size_y_mm"), bound (most.y()));
+    ceramic.sizeX = fromMillimetres (sizeX);
+    ceramic.sizeY = fromMillimetres (sizeY);
+
+    if (object.has ("centre_mm"))
+    {
+        if (object.has ("x_mm") || object.has ("y_mm"))
+            place.fail ("has both 'centre_mm' and the corner 'x_mm', 'y_mm'; allowed: one of them");
+
+        placeAt (ceramic, readPlaneMillimetres (object.required ("centre_mm")));
+        return ceramic;
+    }
+
+    if (ceramic.angle != 0)
+        place.fail ("has 'angle_deg' and no 'centre_mm' about which it is turned; allowed: 'centre_mm' for its place");
+
+    const auto isBound = size.has_value();
+    const auto least = isBound ? 0 : ranges::positionMillimetre.minimum;
+    ceramic.x = fromMillimetres (readPosition (object.required ("x_mm"), least,
+                                               isBound ? most.x() - sizeX : ranges::positionMillimetre.maximum));
+    ceramic.y = fromMillimetres (readPosition (object.required ("y_mm"), least,
+                                               isBound ? most.y() - sizeY : ranges::positionMillimetre.maximum));
+    return ceramic;
+}
+
+CeramicDescription readRound (const JsonValue& place, const JsonObject& object, CeramicShape shape)
+{
+    auto ceramic = readCeramic (object);
+    ceramic.shape = shape;
+    ceramic.sizeX = ceramic.sizeY = fromMillimetres (object.required ("diameter_mm").number (ranges::lengthMillimetre));
+
+    if (const auto inner = place.find ("inner_diameter_mm"))
+        ceramic.innerDiameter = fromMillimetres (
+            inner->number ({ ranges::lengthMillimetre.minimum, toMillimetres (ceramic.sizeX), false, true }));
+
+    placeAt (ceramic, readPlaneMillimetres (object.required ("centre_mm")));
+    return ceramic;
+}
+
+CeramicDescription readDisc (const JsonValue& place, const PlateSize&)
+{
+    return readRound (place, plateCeramic (place, { "centre_mm", "diameter_mm" }), CeramicShape::disc);
+}
+
+CeramicDescription readRing (const JsonValue& place, const PlateSize&)
+{
+    const auto object = plateCeramic (place, { "centre_mm", "diameter_mm", "inner_diameter_mm" });
+    object.required ("inner_diameter_mm");
+    return readRound (place, object, CeramicShape::ring);
+}
+
+constexpr WordList<CeramicDescription (*) (const JsonValue&, const PlateSize&), 3> ceramicReaders {
+    { { "rectangle", readRectangle }, { "disc", readDisc }, { "ring", readRing } }
+};
 } // namespace
 
 std::vector<CeramicDescription> readCentredCeramics (const JsonValue& list, double length, double width)
@@ -103,27 +189,21 @@ std::vector<CeramicDescription> readCentredCeramics (const JsonValue& list, doub
     return ceramics;
 }
 
-std::vector<CeramicDescription> readCornerCeramics (const JsonValue& list, double lengthX, double lengthY)
+std::vector<CeramicDescription> readPlateCeramics (const JsonValue& list, const std::optional<Eigen::Vector2d>& size)
 {
     const auto places = list.items (0, ranges::maximumCeramics);
     std::vector<CeramicDescription> ceramics;
 
     for (const auto& place : places)
     {
-        const auto object =
-            place.object ({ "name", "x_mm", "y_mm", "size_x_mm", "size_y_mm", "thickness_mm", "material", "mounting",
-                            "wiring", "polarity", "capacitance_nF", "loss_factor" });
-        const auto sizeX = readSize (object.required ("size_x_mm"), lengthX);
-        const auto sizeY = readSize (object.required ("size_y_mm"), lengthY);
-        auto ceramic = readCeramic (object);
-        ceramic.x = fromMillimetres (readPosition (object.required ("x_mm"), 0, lengthX - sizeX));
-        ceramic.y = fromMillimetres (readPosition (object.required ("y_mm"), 0, lengthY - sizeY));
-        ceramic.sizeX = fromMillimetres (sizeX);
-        ceramic.sizeY = fromMillimetres (sizeY);
-        ceramics.push_back (ceramic);
+        const auto shape = place.find ("shape");
+        const auto read = shape ? shape->choice (ceramicReaders) : readRectangle;
+        ceramics.push_back (read (place, size));
     }
 
-    requireNoOverlap (places, ceramics);
+    if (std::all_of (ceramics.begin(), ceramics.end(), fillsItsRectangle))
+        requireNoOverlap (places, ceramics);
+
     return ceramics;
 }
 } // namespace antinode

@@ -3,6 +3,7 @@
 #include <antinode_structure/DeviceDescription.h>
 #include <antinode_text/JsonReader.h>
 
+#include <optional>
 #include <vector>
 
 namespace antinode
@@ -12,8 +13,9 @@ namespace antinode
     @throws InputError  with the place of the ceramic [worker] */
 std::vector<CeramicDescription> readCentredCeramics (const JsonValue& list, double length, double width);
 
-/** The ceramics of a plate: by their lower left corner. They may touch, not overlap or leave it.
-    @param lengthX, lengthY  of the plate, mm
+/** The ceramics of a plate: rectangles by their lower left corner or their middle, turned or not, discs and rings.
+   Rectangles along the axes may touch, not overlap or leave a rectangular plate; whether others do is for the solver.
+    @param size  of a rectangular plate, mm
     @throws InputError  with the place of the ceramic [worker] */
-std::vector<CeramicDescription> readCornerCeramics (const JsonValue& list, double lengthX, double lengthY);
+std::vector<CeramicDescription> readPlateCeramics (const JsonValue& list, const std::optional<Eigen::Vector2d>& size);
 } // namespace antinode

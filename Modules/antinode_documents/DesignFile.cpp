@@ -104,8 +104,9 @@ Json certificateToJson (const AllocationCertificate& certificate)
 }
 
 /** Of a train the foci after the first, whose field is the design's. */
-Json laterFociToJson (const FocusDesign& design)
+Json laterFociToJson (const FocusDesign& design, const Surface& surface)
 {
+    const auto on = pointsOn (surface);
     auto list = Json::array();
 
     for (std::size_t i = 1; i < design.moments.size(); ++i)
@@ -114,8 +115,8 @@ Json laterFociToJson (const FocusDesign& design)
         list.push_back ({ { "time_s", moment.time },
                           { "captured", moment.captured },
                           { "wanted_velocities_m_s_sqrt_kg", toJsonList (moment.wanted) },
-                          { "wanted_mm_s", toJsonList (moment.target.field * 1000) },
-                          { "truncated_mm_s", toJsonList (moment.truncatedField * 1000) } });
+                          { "wanted_mm_s", toJsonList (moment.target.field (on) * 1000) },
+                          { "truncated_mm_s", toJsonList (moment.truncatedField (on) * 1000) } });
     }
 
     return list;
@@ -124,10 +125,11 @@ Json laterFociToJson (const FocusDesign& design)
 Json fieldToJson (const FocusDesign& design, const ModalModel& model)
 {
     constexpr double millimetres = 1000;
-    return { { "x_mm", toJsonList (model.surface.points.col (0) * millimetres) },
-             { "y_mm", toJsonList (model.surface.points.col (1) * millimetres) },
-             { "wanted_mm_s", toJsonList (design.target.field * millimetres) },
-             { "truncated_mm_s", toJsonList (design.truncatedField * millimetres) } };
+    const auto on = pointsOn (model.surface);
+    return { { "x_mm", toJsonList (model.surface.points (on, 0) * millimetres) },
+             { "y_mm", toJsonList (model.surface.points (on, 1) * millimetres) },
+             { "wanted_mm_s", toJsonList (design.target.field (on) * millimetres) },
+             { "truncated_mm_s", toJsonList (design.truncatedField (on) * millimetres) } };
 }
 } // namespace
 
@@ -186,7 +188,7 @@ nlohmann::ordered_json designToJson (const FocusDesign& design, const ModalModel
     json["field"] = fieldToJson (design, model);
 
     if (design.moments.size() > 1)
-        json["later_foci"] = laterFociToJson (design);
+        json["later_foci"] = laterFociToJson (design, model.surface);
 
     return json;
 }

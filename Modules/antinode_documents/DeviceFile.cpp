@@ -14,7 +14,9 @@ namespace
 using DeviceBody = decltype (DeviceDescription::body);
 
 constexpr WordList<DeviceBody (*) (const JsonValue&), 4> deviceKinds {
-    { { "plate", [] (const JsonValue& device) -> DeviceBody { return readPlate (device); } },
+    { { "plate",
+        [] (const JsonValue& device) -> DeviceBody
+        { return std::visit ([] (auto plate) -> DeviceBody { return plate; }, readPlate (device)); } },
       { "beam", [] (const JsonValue& device) -> DeviceBody { return readBeam (device); } },
       { "staple", [] (const JsonValue& device) -> DeviceBody { return readStaple (device); } },
       { "modal", [] (const JsonValue& device) -> DeviceBody { return readModalModel (device); } } }

@@ -46,20 +46,21 @@ std::string encodeModesForMatlab (const ModalModel& model)
         frequencies.real (k, 0) = model.frequencyHz (k);
 
     MatlabMatrix participation { "participation_per_V", model.participation.topRows (modes), {} };
-    MatlabMatrix shapes { "shape", model.shapes.leftCols (modes), {} };
+    const auto on = pointsOn (model.surface);
+    MatlabMatrix shapes { "shape", model.shapes (on, Eigen::all).leftCols (modes), {} };
 
     if (model.hasComplexModes())
     {
         participation.imaginary = model.participation.bottomRows (modes);
-        shapes.imaginary = model.shapes.rightCols (modes);
+        shapes.imaginary = model.shapes (on, Eigen::all).rightCols (modes);
     }
 
     return encodeMatlabFile ({ frequencies,
                                { "damping_ratio", model.dampingRatios, {} },
                                participation,
                                shapes,
-                               { "points_mm", model.surface.points * milli, {} },
-                               { "mass_kg", model.surface.masses, {} } });
+                               { "points_mm", model.surface.points (on, Eigen::all) * milli, {} },
+                               { "mass_kg", model.surface.masses (on), {} } });
 }
 
 std::string encodeDesignForMatlab (const FocusDesign& design, const ModalModel& model)
@@ -77,9 +78,10 @@ std::string encodeDesignForMatlab (const FocusDesign& design, const ModalModel& 
     all.push_back ({ "sample_rate_Hz", number (design.playback.sampleRate), {} });
     all.push_back ({ "focus_time_s", number (program.focusTime), {} });
     all.push_back ({ "voltage_limits_V", program.voltageLimits, {} });
-    all.push_back ({ "points_mm", model.surface.points * milli, {} });
-    all.push_back ({ "wanted_mm_s", design.target.field * milli, {} });
-    all.push_back ({ "represented_mm_s", design.truncatedField * milli, {} });
+    const auto on = pointsOn (model.surface);
+    all.push_back ({ "points_mm", model.surface.points (on, Eigen::all) * milli, {} });
+    all.push_back ({ "wanted_mm_s", design.target.field (on) * milli, {} });
+    all.push_back ({ "represented_mm_s", design.truncatedField (on) * milli, {} });
     return encodeMatlabFile (all);
 }
 } // namespace antinode

@@ -35,7 +35,8 @@ Eigen::Array2<Eigen::Index> evenCounts (const PlateGrid& grid, const Eigen::Matr
 
     for (const auto& shape : shapes.colwise())
     {
-        const auto values = shape.reshaped (grid.x.places.size(), grid.y.places.size());
+        const auto values = shape.head (grid.x.places.size() * grid.y.places.size())
+                                .reshaped (grid.x.places.size(), grid.y.places.size());
         const auto largest = shape.cwiseAbs().maxCoeff();
 
         for (const auto& alongX : values.colwise())
@@ -75,9 +76,23 @@ ShapeMesh evenMesh (const PlateGrid& grid, const Eigen::MatrixXd& shapes)
 
     for (Eigen::Index k = 0; k < shapes.cols(); ++k)
         mesh.shapes.col (k) =
-            (rowsX * shapes.col (k).reshaped (rowsX.cols(), rowsY.cols()) * rowsY.transpose()).reshaped();
+            (rowsX * shapes.col (k).head (rowsX.cols() * rowsY.cols()).reshaped (rowsX.cols(), rowsY.cols())
+             * rowsY.transpose())
+                .reshaped();
 
     return mesh;
+}
+
+/** Those points that lie on a surface. */
+ShapeMesh within (const Surface& surface, const ShapeMesh& mesh)
+{
+    std::vector<Eigen::Index> on;
+
+    for (Eigen::Index i = 0; i < mesh.points.rows(); ++i)
+        if (liesOn (surface, mesh.points (i, 0), mesh.points (i, 1)))
+            on.push_back (i);
+
+    return { mesh.points (on, Eigen::all), mesh.shapes (on, Eigen::all), {} };
 }
 
 /** Points in lines: those that share one coordinate, ascending in the other. */
@@ -108,6 +123,10 @@ ShapeMesh shapeMesh (const ModalModel& model)
 {
     const auto& surface = model.surface;
     auto mesh = surface.grid ? evenMesh (*surface.grid, model.shapes) : ShapeMesh { surface.points, model.shapes, {} };
+
+    if (surface.grid && surface.boundary)
+        mesh = within (surface, mesh);
+
     addTraces (mesh, 1);
     addTraces (mesh, 0);
     return mesh;

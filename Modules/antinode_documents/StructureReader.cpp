@@ -5,17 +5,21 @@
 #include "FileUnits.h"
 #include "LimitsReader.h"
 #include "MaterialReader.h"
+#include "OutlineReader.h"
+#include "SupportReader.h"
 
+#include <antinode_structure/CeramicShapes.h>
+#include <antinode_structure/OutlinedModel.h>
 #include <antinode_text/PhysicalRanges.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
 
 namespace antinode
 {
 namespace
 {
-constexpr WordList<EdgeCondition, 3> edgeWords { { { "clamped", EdgeCondition::clamped },
-                                                   { "simply_supported", EdgeCondition::simplySupported },
-                                                   { "free", EdgeCondition::free } } };
-
 constexpr WordList<EdgeCondition, 4> beamEndWords { { { "clamped", EdgeCondition::clamped },
                                                       { "simply_supported", EdgeCondition::simplySupported },
                                                       { "free", EdgeCondition::free },
@@ -62,6 +66,19 @@ StructureCommon readCommon (const JsonObject& body)
 
     return common;
 }
+
+OutlinedPlate readOutlinedPlate (const JsonValue& device)
+{
+    const auto body = readBody (device, { "outline", "edges", "foundation", "areas", "points" });
+    auto named = readOutline (body.required ("outline"));
+    OutlinedPlate plate;
+    plate.common = readCommon (body);
+    plate.common.ceramics = readPlateCeramics (body.required ("ceramics"), {});
+    plate.outline = std::move (named.outline);
+    readPlateEdges (body.required ("edges"), named.edges, plate);
+    readSupports (body, plate);
+    return plate;
+}
 } // namespace
 
 BeamDescription readBeam (const JsonValue& device)
@@ -96,22 +113,40 @@ StapleDescription readStaple (const JsonValue& device)
     return staple;
 }
 
-PlateDescription readPlate (const JsonValue& device)
+std::variant<PlateDescription, OutlinedPlate> readPlate (const JsonValue& device)
 {
-    const auto body = readBody (device, { "length_x_mm", "length_y_mm", "edges" });
+    if (device.find ("outline"))
+        return readOutlinedPlate (device);
+
+    const auto body =
+        readBody (device, { "length_x_mm", "length_y_mm", "edges", "foundation", "areas", "points", "outline" });
     const auto lengthX = readLength (body, "length_x_mm");
     const auto lengthY = readLength (body, "length_y_mm");
     const auto edges = body.required ("edges").object ({ "left", "right", "bottom", "top" });
 
     PlateDescription plate;
     plate.common = readCommon (body);
-    plate.common.ceramics = readCornerCeramics (body.required ("ceramics"), lengthX, lengthY);
+    plate.common.ceramics = readPlateCeramics (body.required ("ceramics"), Eigen::Vector2d (lengthX, lengthY));
     plate.lengthX = fromMillimetres (lengthX);
     plate.lengthY = fromMillimetres (lengthY);
-    plate.left = edges.required ("left").choice (edgeWords);
-    plate.right = edges.required ("right").choice (edgeWords);
-    plate.bottom = edges.required ("bottom").choice (edgeWords);
-    plate.top = edges.required ("top").choice (edgeWords);
-    return plate;
+    const std::array sides { readPlateEdge (edges.required ("bottom")), readPlateEdge (edges.required ("right")),
+                             readPlateEdge (edges.required ("top")), readPlateEdge (edges.required ("left")) };
+    const auto isElastic = [] (const PlateEdge& edge) { return edge.translation > 0 || edge.rotation > 0; };
+    const auto isAligned = std::all_of (plate.common.ceramics.begin(), plate.common.ceramics.end(), fillsItsRectangle);
+
+    if (isAligned && std::none_of (sides.begin(), sides.end(), isElastic) && ! body.has ("foundation")
+        && ! body.has ("areas") && ! body.has ("points"))
+    {
+        plate.bottom = sides[0].condition;
+        plate.right = sides[1].condition;
+        plate.top = sides[2].condition;
+        plate.left = sides[3].condition;
+        return plate;
+    }
+
+    auto outlined = outlinedPlate (plate);
+    outlined.edges.assign (sides.begin(), sides.end());
+    readSupports (body, outlined);
+    return outlined;
 }
 } // namespace antinode

@@ -71,6 +71,8 @@ void validate (const std::vector<Finger>& fingers, const Surface& surface)
         if (surface.kind == SurfaceKind::plate)
             requireInside (where + " y", finger.y, surface.yMinimum, surface.yMaximum);
 
+        requireWithinBoundary (surface, finger.x, finger.y, where);
+
         for (std::size_t j = 0; j < i; ++j)
             if (const auto distance = std::hypot (finger.x - fingers[j].x, finger.y - fingers[j].y);
                 distance < std::max (finger.radius + fingers[j].radius, 1e-6))

@@ -231,11 +231,8 @@ Eigen::RowVectorXd contactShapes (const ModalModel& model, const Finger& finger)
             const auto angle = 2 * std::numbers::pi * (j + 0.5) / spokes;
             const auto x = finger.x + radius * std::cos (angle);
             const auto y = surface.kind == SurfaceKind::line ? finger.y : finger.y + radius * std::sin (angle);
-            const auto isInside =
-                x >= surface.xMinimum && x <= surface.xMaximum
-                && (surface.kind == SurfaceKind::line || (y >= surface.yMinimum && y <= surface.yMaximum));
 
-            if (! isInside)
+            if (! liesOn (surface, x, y))
                 continue;
 
             sum += rule.weights[i] * shapesAt (model, x, y);

@@ -27,8 +27,13 @@ std::vector<std::pair<double, double>> bankPlaces (const Surface& surface, int c
     places.reserve (static_cast<std::size_t> (count));
 
     for (int i = 0; i < count; ++i)
-        places.emplace_back (along (surface.xMinimum, surface.xMaximum, margin, i % columns, columns),
-                             isLine ? 0.0 : along (surface.yMinimum, surface.yMaximum, margin, i / columns, rows));
+    {
+        const Eigen::Vector2d place (along (surface.xMinimum, surface.xMaximum, margin, i % columns, columns),
+                                     isLine ? 0.0
+                                            : along (surface.yMinimum, surface.yMaximum, margin, i / columns, rows));
+        const Eigen::Vector2d on = surface.boundary ? nearestOn (surface, place.x(), place.y()) : place;
+        places.emplace_back (on.x(), on.y());
+    }
 
     return places;
 }

@@ -42,6 +42,8 @@ void checkTargets (const ModalModel& model, const std::vector<Target>& targets)
 
         if (isPlate)
             check ("y", targets[i].y, surface.yMinimum, surface.yMaximum);
+
+        requireWithinBoundary (surface, targets[i].x, targets[i].y, "focus: target " + std::to_string (i + 1));
     }
 }
 

@@ -29,6 +29,25 @@ ModalModel fieldAsMode (const ModalModel& model, const Eigen::VectorXd& modalVel
     return field;
 }
 
+/** How far a surface goes on from a place, along x or y, in either direction. */
+std::pair<double, double> roomAround (const Surface& surface, const FieldPeak& place, bool isAlongY)
+{
+    const auto at = isAlongY ? place.y : place.x;
+    auto below = isAlongY ? surface.yMinimum : surface.xMinimum, above = isAlongY ? surface.yMaximum : surface.xMaximum;
+
+    if (surface.boundary)
+        for (const auto crossed : crossings (surface.boundary->outline, isAlongY ? PlaneAxis::x : PlaneAxis::y,
+                                             isAlongY ? place.x : place.y))
+        {
+            if (crossed <= at)
+                below = crossed;
+
+            above = crossed > at ? std::min (above, crossed) : above;
+        }
+
+    return { at - below, above - at };
+}
+
 double densityOn (const Surface& surface)
 {
     return surface.kind == SurfaceKind::line ? lineDensity : plateDensity;
@@ -115,12 +134,10 @@ std::optional<double> widthAtHalf (const ModalModel& model, const Eigen::VectorX
     const auto share = [&] (double distance)
     {
         const auto x = isAlongY ? peak.x : peak.x + distance, y = isAlongY ? peak.y + distance : peak.y;
-        return shapesAt (field, std::clamp (x, surface.xMinimum, surface.xMaximum),
-                         std::clamp (y, surface.yMinimum, surface.yMaximum))[0]
-               / peak.velocity;
+        const auto on = nearestOn (surface, x, y); // beyond it by rounding only
+        return shapesAt (field, on.x(), on.y())[0] / peak.velocity;
     };
-    const auto room = isAlongY ? std::pair { peak.y - surface.yMinimum, surface.yMaximum - peak.y }
-                               : std::pair { peak.x - surface.xMinimum, surface.xMaximum - peak.x };
+    const auto room = roomAround (surface, peak, isAlongY);
     const auto halfWidth = [&] (double sign, double most) -> std::optional<double>
     {
         double inside = 0, beyond = 0;

@@ -20,12 +20,6 @@ bool liesOutside (const std::vector<FocalSpot>& spots, bool isLine, double x, do
                          [&] (const FocalSpot& spot) { return liesIn (spot, isLine, x, y); });
 }
 
-bool liesOn (const Surface& surface, double x, double y)
-{
-    return x >= surface.xMinimum && x <= surface.xMaximum
-           && (surface.kind == SurfaceKind::line || (y >= surface.yMinimum && y <= surface.yMaximum));
-}
-
 FieldPeak placeOnBoundary (const FocalSpot& spot, double angle)
 {
     return { spot.x + spot.radiusX * std::cos (angle), spot.y + spot.radiusY * std::sin (angle) };

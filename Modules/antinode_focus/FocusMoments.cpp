@@ -58,14 +58,15 @@ std::string remedyForNothing (const Surface& surface, const Target& target)
 {
     Eigen::Index nearest = 0;
     const Eigen::RowVector2d place (target.x, target.y);
-    const auto distance = (surface.points.rowwise() - place).rowwise().norm().minCoeff (&nearest);
+    const Eigen::MatrixX2d points = surface.points (pointsOn (surface), Eigen::all);
+    const auto distance = (points.rowwise() - place).rowwise().norm().minCoeff (&nearest);
 
     if (distance < 0.5 * target.width)
         return "widen a target or narrow the edge window";
 
-    return "the nearest of its " + std::to_string (surface.points.rows()) + " points lies " + inWords (distance * 1000)
-           + " mm from the target, at " + inWords (surface.points (nearest, 0) * 1000) + ", "
-           + inWords (surface.points (nearest, 1) * 1000) + " mm: measure more points, or widen the target";
+    return "the nearest of its " + std::to_string (points.rows()) + " points lies " + inWords (distance * 1000)
+           + " mm from the target, at " + inWords (points (nearest, 0) * 1000) + ", "
+           + inWords (points (nearest, 1) * 1000) + " mm: measure more points, or widen the target";
 }
 } // namespace
 

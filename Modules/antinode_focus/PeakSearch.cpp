@@ -95,6 +95,13 @@ public:
         if (begin.spot < 0 && ! isLine)
             peak.y = std::clamp (values[next++], extent.surface.yMinimum, extent.surface.yMaximum);
 
+        if (begin.spot < 0 && extent.surface.boundary)
+        {
+            const auto on = nearestOn (extent.surface, peak.x, peak.y);
+            peak.x = on.x();
+            peak.y = on.y();
+        }
+
         if (begin.spot >= 0 && ! isLine)
             peak = placeOnBoundary (spot(), values[next++]);
 

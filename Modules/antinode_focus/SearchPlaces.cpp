@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace antinode
@@ -44,6 +45,61 @@ void placeEvenly (SearchPlaces& places, const ModalModel& model, double density)
     }
 }
 
+/** Keeps some of the places. */
+void keep (SearchPlaces& places, const std::function<bool (const FieldPeak&)>& isKept)
+{
+    std::vector<PeakStart> kept;
+    std::vector<Eigen::Index> rows;
+
+    for (std::size_t i = 0; i < places.starts.size(); ++i)
+        if (isKept (places.starts[i].at))
+        {
+            kept.push_back (places.starts[i]);
+            rows.push_back (static_cast<Eigen::Index> (i));
+        }
+
+    places.shapes = places.shapes (rows, Eigen::all).eval();
+    places.starts = std::move (kept);
+}
+
+/** Appends places with their shapes. */
+void append (SearchPlaces& places, const ModalModel& model, const std::vector<PeakStart>& more)
+{
+    const auto before = places.shapes.rows();
+    places.shapes.conservativeResize (before + static_cast<Eigen::Index> (more.size()), Eigen::NoChange);
+
+    for (std::size_t i = 0; i < more.size(); ++i)
+    {
+        places.shapes.row (before + static_cast<Eigen::Index> (i)) = shapesAt (model, more[i].at.x, more[i].at.y);
+        places.starts.push_back (more[i]);
+    }
+}
+
+/** Of even places those on the surface, and places all along its boundary: free edges move most. */
+void bound (SearchPlaces& places, const ModalModel& model)
+{
+    const auto& surface = model.surface;
+    keep (places, [&] (const FieldPeak& at) { return liesOn (surface, at.x, at.y); });
+    std::vector<PeakStart> along;
+
+    for (const auto& path : surface.boundary->outline.paths)
+        for (const auto& piece : path)
+        {
+            const auto step = std::max (places.steps.x, places.steps.y);
+            const auto count =
+                static_cast<int> (std::ceil (std::min (1e4, piece.length (piece.from, piece.to) / step)));
+
+            for (int i = 0; i < count; ++i)
+            {
+                const auto place = piece.at (piece.from + (piece.to - piece.from) * i / count);
+                along.push_back ({ { place.x(), place.y() }, -1, 0 });
+            }
+        }
+
+    append (places, model, along);
+    places.alongBoundary = along.size();
+}
+
 void placeOnLine (SearchPlaces& places, const ModalModel& model, double density)
 {
     const auto& surface = model.surface;
@@ -73,18 +129,7 @@ void placeOnPoints (SearchPlaces& places, const ModalModel& model)
 void leaveOut (SearchPlaces& places, const Surface& surface, const std::vector<FocalSpot>& spots)
 {
     const auto isLine = surface.kind == SurfaceKind::line;
-    std::vector<PeakStart> kept;
-    std::vector<Eigen::Index> rows;
-
-    for (std::size_t i = 0; i < places.starts.size(); ++i)
-        if (const auto& at = places.starts[i].at; liesOutside (spots, isLine, at.x, at.y))
-        {
-            kept.push_back (places.starts[i]);
-            rows.push_back (static_cast<Eigen::Index> (i));
-        }
-
-    places.shapes = places.shapes (rows, Eigen::all).eval();
-    places.starts = std::move (kept);
+    keep (places, [&] (const FieldPeak& at) { return liesOutside (spots, isLine, at.x, at.y); });
 }
 
 /** How many places the boundary of a spot has: two on a line. */
@@ -100,7 +145,7 @@ int boundaryPlaces (const FocalSpot& spot, const SearchPlaces& places, bool isLi
 void addBoundaries (SearchPlaces& places, const ModalModel& model, const std::vector<FocalSpot>& spots)
 {
     const auto isLine = model.surface.kind == SurfaceKind::line;
-    std::vector<Eigen::RowVectorXd> rows;
+    std::vector<PeakStart> more;
 
     for (std::size_t s = 0; s < spots.size(); ++s)
     {
@@ -114,16 +159,11 @@ void addBoundaries (SearchPlaces& places, const ModalModel& model, const std::ve
             if (! liesOn (model.surface, at.x, at.y) || ! liesOutside (spots, isLine, at.x, at.y))
                 continue;
 
-            places.starts.push_back ({ at, static_cast<int> (s), angle });
-            rows.push_back (shapesAt (model, at.x, at.y));
+            more.push_back ({ at, static_cast<int> (s), angle });
         }
     }
 
-    const auto before = places.shapes.rows();
-    places.shapes.conservativeResize (before + static_cast<Eigen::Index> (rows.size()), Eigen::NoChange);
-
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        places.shapes.row (before + static_cast<Eigen::Index> (i)) = rows[i];
+    append (places, model, more);
 }
 } // namespace
 
@@ -137,6 +177,9 @@ SearchPlaces searchPlaces (const ModalModel& model, double density, const std::v
         placeEvenly (places, model, density);
     else
         placeOnPoints (places, model);
+
+    if (model.surface.boundary && model.surface.grid)
+        bound (places, model);
 
     if (! outside.empty())
     {

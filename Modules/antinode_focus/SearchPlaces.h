@@ -26,9 +26,11 @@ struct SearchPlaces
     std::vector<PeakStart> starts; ///< Outside the focal spots, and on their boundaries.
     Eigen::MatrixXd shapes;        ///< Starts x N_m
     PeakSteps steps;
+    std::size_t alongBoundary = 0; ///< How many of them, all together, lie along the boundary of the surface.
 };
 
-/** Even places over a surface, edges included, or its points where these lie on no grid.
+/** Even places over a surface, edges included, or its points where these lie on no grid; of a surface with a boundary
+   those within it and others all along it.
     @param density  places per point of the surface along each axis
     [worker] */
 SearchPlaces searchPlaces (const ModalModel&, double density, const std::vector<FocalSpot>& outside);

@@ -29,9 +29,27 @@ double tukey (double fromEnd, double taper)
     return 0.5 * (1 - std::cos (std::numbers::pi * std::max (fromEnd, 0.0) / taper));
 }
 
+/** The same by the distance from what holds a boundary. Outside it the window stays 0 where it is 0 at the edge. */
+double boundaryFactor (const Surface& surface, double x, double y, double share)
+{
+    const auto& [outline, held] = *surface.boundary;
+    const Eigen::Vector2d place (x, y);
+    const auto taper =
+        0.5 * share * std::min (surface.xMaximum - surface.xMinimum, surface.yMaximum - surface.yMinimum);
+    auto distance = taper;
+
+    for (const auto& piece : held)
+        distance = std::min (distance, (piece.nearest (place) - place).norm());
+
+    return distance >= taper ? 1.0 : outline.contains (x, y) ? tukey (distance, taper) : 0.0;
+}
+
 /** The window at a place: tapered at the edges that cannot move. */
 double edgeFactor (const Surface& surface, double x, double y, double share)
 {
+    if (surface.boundary)
+        return boundaryFactor (surface, x, y, share);
+
     const auto taperX = 0.5 * share * (surface.xMaximum - surface.xMinimum);
     const auto taperY = 0.5 * share * (surface.yMaximum - surface.yMinimum);
     const auto& held = surface.held;

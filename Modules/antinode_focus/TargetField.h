@@ -19,7 +19,7 @@ double targetProfile (TargetShape, double distance, double width);
 
 /** The wanted velocity v* on the surface's points: the sum of all targets.
     @param edgeWindow  Tukey taper, the share of the surface's length that is tapered (half of it at either end where
-   the edge is held), or none
+   the edge is held; of a surface with a boundary that share of its shorter extent, along what holds it), or none
     @return            N_p values, m/s
     [any] Docs/Theory.md, section 2.1. */
 Eigen::VectorXd targetField (const Surface&, const std::vector<Target>&, std::optional<double> edgeWindow);

@@ -116,8 +116,17 @@ std::optional<BendingModes> modesOn (const BendingProblem& problem, int count, c
 {
     const auto extent = extentOf (problem.outline);
     const auto small = smallCells (problem, resolution);
-    ImmersedSpace space (problem, axisBreaks (extent, PlaneAxis::x, resolution, small.alongX),
-                         axisBreaks (extent, PlaneAxis::y, resolution, small.alongY), resolution.degree);
+    const auto x = axisBreaks (extent, PlaneAxis::x, resolution, small.alongX);
+    const auto y = axisBreaks (extent, PlaneAxis::y, resolution, small.alongY);
+    constexpr Eigen::Index mostCells = 60000;
+
+    if (x.places.size() * y.places.size() > mostCells)
+        throw InputError ("device", "needs " + std::to_string (x.places.size()) + " x "
+                                        + std::to_string (y.places.size())
+                                        + " cells; allowed: " + std::to_string (mostCells)
+                                        + ", so choose fewer modes, fewer corners and holes, or larger ceramics");
+
+    ImmersedSpace space (problem, x, y, resolution.degree);
     const auto operators = immersedOperators (problem, space);
     const auto rigid = freeMotions (problem, space, operators.mass);
     const auto unit = problem.section.stiffness.diagonal().maxCoeff() / problem.section.massPerArea

@@ -41,6 +41,9 @@ struct KinkFunction
         const Eigen::Vector2d offset = place - centre;
         return value + gradient.dot (offset) + curvature / 2 * offset.squaredNorm();
     }
+
+    /** Whether it is a line of equal x or y, on which splines can be made to bend. */
+    bool isAlongAxis() const { return curvature == 0 && (gradient.x() == 0 || gradient.y() == 0); }
 };
 
 /** A part of the plate with something on it; its outline lies within that of the plate. */

@@ -3,6 +3,7 @@
 #include "CellFunctions.h"
 
 #include <antinode_base/Watch.h>
+#include <antinode_numerics/DenseKernels.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,6 +83,9 @@ void ImmersedSpace::findKinks (const BendingProblem& problem)
     for (std::size_t p = 0; p < problem.patches.size(); ++p)
         for (const auto& kink : problem.patches[p].kinks)
         {
+            if (kink.isAlongAxis())
+                continue; // The splines bend there.
+
             KinkFamily family { p, kink, extendedLines (problem.patches[p], kink),
                                 std::vector<Eigen::Index> (products, -1) };
 
@@ -305,19 +309,30 @@ Eigen::MatrixXd ImmersedSpace::evaluate (const Eigen::MatrixX2d& places, const E
                                          int dy) const
 {
     Eigen::MatrixXd fields = Eigen::MatrixXd::Zero (places.rows(), coefficients.cols());
+    std::vector<std::vector<Eigen::Index>> rowsOf (activeCells.size());
 
     for (Eigen::Index p = 0; p < places.rows(); ++p)
-    {
-        const auto* const cell = cellAt (places (p, 0), places (p, 1));
+        if (const auto* const cell = cellNear (places (p, 0), places (p, 1)))
+            rowsOf[static_cast<std::size_t> (cell - activeCells.data())].push_back (p);
 
-        if (cell == nullptr)
+    for (std::size_t c = 0; c < activeCells.size(); ++c)
+    {
+        const auto& rows = rowsOf[c];
+
+        if (rows.empty())
             continue;
 
-        const CellFunctions functions (*this, *cell, { places.row (p).transpose() }, std::max (dx, dy));
-        const auto values = functions.derivative (dx, dy);
+        checkWatch();
+        std::vector<Eigen::Vector2d> here;
 
-        for (std::size_t i = 0; i < functions.unknowns().size(); ++i)
-            fields.row (p) += values (0, static_cast<Eigen::Index> (i)) * coefficients.row (functions.unknowns()[i]);
+        for (const auto row : rows)
+            here.emplace_back (places.row (row).transpose());
+
+        const CellFunctions functions (*this, activeCells[c], here, std::max (dx, dy));
+        const Eigen::MatrixXd local = coefficients (functions.unknowns(), Eigen::all);
+        Eigen::MatrixXd values = Eigen::MatrixXd::Zero (static_cast<Eigen::Index> (rows.size()), coefficients.cols());
+        addProduct (values, 1, functions.derivative (dx, dy), local);
+        fields (rows, Eigen::all) = values;
     }
 
     return fields;

@@ -60,7 +60,7 @@ public:
     /** The coefficients of c + a x + b y: unknowns x 1. [any] */
     Eigen::VectorXd plane (double c, double a, double b) const;
 
-    /** Fields at places on the plate.
+    /** Fields at places on the plate, on its boundary too.
         @param coefficients  unknowns x N
         @param dx, dy        derivatives along x and y
         @return              places x N

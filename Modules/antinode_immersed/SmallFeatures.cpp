@@ -98,7 +98,19 @@ void addPoints (SmallCellsOfAxes& small, const BendingProblem& problem, const Im
     for (const auto& point : problem.points)
         add (small, point.place, { 0, resolution.cell / 16, 1, resolution.degree - 2 });
 }
-/** Cells of a part of a patch's width all over it, where its edges bend the plate. */
+
+/** A line along an axis on which only the slope is continuous, with cells that shrink towards it: at the corners of a
+   patch moments vary fast. */
+void addBend (SmallCellsOfAxes& small, const KinkFunction& kink, const ImmersedResolution& resolution)
+{
+    constexpr double share = 1.0 / 6, ofWidth = 0.2, growth = 1.2;
+    const auto cell = std::min (share * resolution.cell, ofWidth * 2 * kink.width);
+    auto& along = kink.gradient.y() == 0 ? small.alongX : small.alongY;
+    along.push_back (
+        { kink.gradient.y() == 0 ? kink.centre.x() : kink.centre.y(), cell, growth, resolution.degree - 1 });
+}
+
+/** Cells of a part of a patch's width all over it, where its edges bend the plate along no axis. */
 void addPatches (SmallCellsOfAxes& small, const BendingProblem& problem, const ImmersedResolution& resolution)
 {
     constexpr double growth = 0.3;
@@ -106,6 +118,12 @@ void addPatches (SmallCellsOfAxes& small, const BendingProblem& problem, const I
     for (const auto& patch : problem.patches)
         for (const auto& kink : patch.kinks)
         {
+            if (kink.isAlongAxis())
+            {
+                addBend (small, kink, resolution);
+                continue;
+            }
+
             const auto extent = extentOf (patch.outline);
             const auto cell = resolution.patchCell * 2 * kink.width;
             const auto steps = static_cast<int> (std::ceil (extent.size().maxCoeff() / cell));

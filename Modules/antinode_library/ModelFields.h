@@ -3,6 +3,7 @@
 #include "FieldStream.h"
 
 #include <antinode_model/ModalModel.h>
+#include <antinode_outline/OutlineFields.h>
 
 namespace antinode
 {
@@ -11,9 +12,9 @@ namespace antinode
 void fields (auto& stream, Struct<Ceramic> auto& ceramic)
 {
     auto& [name, xMinimum, xMaximum, yMinimum, yMaximum, voltageLimit, slewLimit, capacitance, lossFactor, area,
-           currentLimit, amplifierVoltage] = ceramic;
+           currentLimit, amplifierVoltage, outline] = ceramic;
     stream (name, xMinimum, xMaximum, yMinimum, yMaximum, voltageLimit, slewLimit, capacitance, lossFactor, area,
-            currentLimit, amplifierVoltage);
+            currentLimit, amplifierVoltage, outline);
 }
 
 void fields (auto& stream, Struct<GridAxis> auto& axis)
@@ -34,11 +35,17 @@ void fields (auto& stream, Struct<HeldEdges> auto& held)
     stream (left, right, bottom, top);
 }
 
+void fields (auto& stream, Struct<SurfaceBoundary> auto& boundary)
+{
+    auto& [outline, held] = boundary;
+    stream (outline, held);
+}
+
 void fields (auto& stream, Struct<Surface> auto& surface)
 {
-    auto& [kind, xMinimum, xMaximum, yMinimum, yMaximum, points, masses, areas, grid, held] = surface;
+    auto& [kind, xMinimum, xMaximum, yMinimum, yMaximum, points, masses, areas, grid, held, boundary] = surface;
     auto isPlate = kind == SurfaceKind::plate;
-    stream (isPlate, xMinimum, xMaximum, yMinimum, yMaximum, points, masses, areas, grid, held);
+    stream (isPlate, xMinimum, xMaximum, yMinimum, yMaximum, points, masses, areas, grid, held, boundary);
 
     if constexpr (! std::is_const_v<std::remove_reference_t<decltype (surface)>>)
         kind = isPlate ? SurfaceKind::plate : SurfaceKind::line;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <antinode_outline/Outline.h>
+
 #include <string>
 
 namespace antinode
@@ -20,5 +22,6 @@ struct Ceramic
     double area = 0;                     ///< Of one face, m^2; 0: unknown.
     double currentLimit = 0;     ///< Of its amplifier, A; 0: none. With the capacitance it limits the slew rate.
     double amplifierVoltage = 0; ///< What its amplifier gives for a full-scale sample, V; 0: the device's full scale.
+    Outline outline {}; ///< m, of one that does not fill its extent: a disc, a ring, a turned rectangle; else empty.
 };
 } // namespace antinode

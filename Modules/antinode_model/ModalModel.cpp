@@ -92,6 +92,8 @@ Eigen::RowVectorXd shapesAt (const ModalModel& model, double x, double y)
                           "is outside the surface of '" + model.name + "'; allowed: " + allowed);
     }
 
+    requireWithinBoundary (surface, x, y, "point");
+
     if (isLine)
         return interpolateOnLine (surface.points.col (0), model.shapes, model.slopes, x);
 
@@ -164,8 +166,9 @@ void validate (const ModalModel& model)
              "has complex modes, whose shapes are not orthogonal: 'covers_whole_body' must be false");
 
     if (surface.grid)
-        require (surface.grid->x.places.size() * surface.grid->y.places.size() == points, model,
-                 "has a grid whose size differs from the number of points");
+        require (surface.boundary ? surface.grid->x.places.size() * surface.grid->y.places.size() <= points
+                                  : surface.grid->x.places.size() * surface.grid->y.places.size() == points,
+                 model, "has a grid whose size differs from the number of points");
 
     validateModes (model);
 }

@@ -1,7 +1,60 @@
 #include "Surface.h"
 
+#include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
+
+#include <algorithm>
+
 namespace antinode
 {
+bool liesOn (const Surface& surface, double x, double y)
+{
+    const auto margin = 1e-9 + 1e-9 * (surface.xMaximum - surface.xMinimum); // rounding, not geometry
+    const auto isWithin =
+        x >= surface.xMinimum - margin && x <= surface.xMaximum + margin
+        && (surface.kind == SurfaceKind::line || (y >= surface.yMinimum - margin && y <= surface.yMaximum + margin));
+
+    if (! isWithin || ! surface.boundary)
+        return isWithin;
+
+    const auto& outline = surface.boundary->outline;
+    return outline.contains (x, y) || distanceToBoundary (outline, x, y) <= margin;
+}
+
+Eigen::Vector2d nearestOn (const Surface& surface, double x, double y)
+{
+    if (liesOn (surface, x, y) && surface.boundary)
+        return { x, y };
+
+    if (surface.boundary)
+        return nearestOnBoundary (surface.boundary->outline, x, y);
+
+    return { std::clamp (x, surface.xMinimum, surface.xMaximum), std::clamp (y, surface.yMinimum, surface.yMaximum) };
+}
+
+void requireWithinBoundary (const Surface& surface, double x, double y, const std::string& where)
+{
+    if (! surface.boundary || liesOn (surface, x, y))
+        return;
+
+    const Eigen::Vector2d nearest = 1000 * nearestOnBoundary (surface.boundary->outline, x, y);
+    throw InputError (where, "(" + inWords (x * 1000) + ", " + inWords (y * 1000)
+                                 + ") mm is outside the outline of the surface or in a hole; allowed: places on it, "
+                                   "the nearest at ("
+                                 + inWords (nearest.x()) + ", " + inWords (nearest.y()) + ") mm");
+}
+
+std::vector<Eigen::Index> pointsOn (const Surface& surface)
+{
+    std::vector<Eigen::Index> rows;
+
+    for (Eigen::Index i = 0; i < surface.areas.size(); ++i)
+        if (surface.areas[i] > 0)
+            rows.push_back (i);
+
+    return rows;
+}
+
 void placeOnGrid (Surface& surface, const PlateGrid& grid)
 {
     const auto countX = grid.x.places.size(), countY = grid.y.places.size();

@@ -31,28 +31,6 @@ double areaBeside (const PathPiece& piece)
     return sum * span;
 }
 
-double distanceTo (const PathPiece& piece, const Eigen::Vector2d& place)
-{
-    if (piece.isStraight)
-    {
-        const auto along = std::clamp ((place - piece.start).dot (piece.cosine) / piece.cosine.squaredNorm(), 0.0, 1.0);
-        return (piece.at (along) - place).norm();
-    }
-
-    // Convex enough within a quadrant for golden sections to find the nearest place.
-    constexpr double section = 0.381966011250105;
-    auto low = piece.from, high = piece.to;
-    const auto distance = [&] (double t) { return (piece.at (t) - place).norm(); };
-
-    for (int i = 0; i < 40; ++i)
-    {
-        const auto a = low + section * (high - low), b = high - section * (high - low);
-        (distance (a) < distance (b) ? high : low) = distance (a) < distance (b) ? b : a;
-    }
-
-    return std::min ({ distance (low), (piece.start - place).norm(), (piece.end - place).norm() });
-}
-
 /** What a function gives for every piece, as an outline. */
 template <typename Change>
 Outline changed (Outline outline, const Change& change)
@@ -170,14 +148,29 @@ std::vector<double> crossings (const Outline& outline, PlaneAxis axis, double va
     return places;
 }
 
-double distanceToBoundary (const Outline& outline, double x, double y)
+Eigen::Vector2d nearestOnBoundary (const Outline& outline, double x, double y)
 {
-    auto nearest = std::numeric_limits<double>::infinity();
+    const Eigen::Vector2d place (x, y);
+    Eigen::Vector2d nearest = place;
+    auto least = std::numeric_limits<double>::infinity();
 
     for (const auto& path : outline.paths)
         for (const auto& piece : path)
-            nearest = std::min (nearest, distanceTo (piece, { x, y }));
+        {
+            const auto candidate = piece.nearest (place);
+
+            if (const auto square = (candidate - place).squaredNorm(); square < least)
+            {
+                least = square;
+                nearest = candidate;
+            }
+        }
 
     return nearest;
+}
+
+double distanceToBoundary (const Outline& outline, double x, double y)
+{
+    return (nearestOnBoundary (outline, x, y) - Eigen::Vector2d (x, y)).norm();
 }
 } // namespace antinode

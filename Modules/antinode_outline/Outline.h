@@ -52,6 +52,9 @@ Outline scaled (const Outline&, double factor);
    is inside. [any] */
 std::vector<double> crossings (const Outline&, PlaneAxis, double value);
 
+/** The nearest place of the boundary; of an outline without one the place itself. [any] */
+Eigen::Vector2d nearestOnBoundary (const Outline&, double x, double y);
+
 /** The nearest distance from a place to the boundary, m. [any] */
 double distanceToBoundary (const Outline&, double x, double y);
 } // namespace antinode

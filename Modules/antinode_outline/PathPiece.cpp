@@ -21,6 +21,15 @@ PlaneAxis other (PlaneAxis axis)
     return axis == PlaneAxis::x ? PlaneAxis::y : PlaneAxis::x;
 }
 
+/** Whether an arc is that of a circle. */
+bool isCircular (const PathPiece& piece)
+{
+    constexpr double equal = 1e-12;
+    const auto square = piece.cosine.squaredNorm();
+    return std::abs (piece.sine.squaredNorm() - square) <= equal * square
+           && std::abs (piece.cosine.dot (piece.sine)) <= equal * square;
+}
+
 /** How far an angle lies outside an interval. */
 double distanceTo (double angle, double low, double high)
 {
@@ -80,6 +89,39 @@ std::optional<double> PathPiece::crossing (PlaneAxis axis, double value) const
         return std::nullopt;
 
     return coordinate (at (parameterAt (axis, value)), other (axis));
+}
+
+Eigen::Vector2d PathPiece::nearest (const Eigen::Vector2d& place) const
+{
+    const auto low = std::min (from, to), high = std::max (from, to);
+
+    if (isStraight)
+        return at (std::clamp ((place - centre).dot (cosine) / cosine.squaredNorm(), low, high));
+
+    const auto nearer = [&] (const Eigen::Vector2d& a, const Eigen::Vector2d& b) -> const Eigen::Vector2d&
+    { return (a - place).squaredNorm() <= (b - place).squaredNorm() ? a : b; };
+    const auto nearerEnd = nearer (start, end);
+
+    if (isCircular (*this))
+    {
+        const Eigen::Vector2d offset = place - centre;
+        const auto angle = std::atan2 (offset.dot (sine), offset.dot (cosine));
+        const auto turns = std::round ((angle - (low + high) / 2) / (2 * std::numbers::pi));
+        return nearer (at (std::clamp (angle - 2 * std::numbers::pi * turns, low, high)), nearerEnd);
+    }
+
+    // Convex enough within a quadrant for golden sections to find the nearest place.
+    constexpr double section = 0.381966011250105;
+    auto begin = low, finish = high;
+    const auto distance = [&] (double t) { return (at (t) - place).squaredNorm(); };
+
+    for (int i = 0; i < 40; ++i)
+    {
+        const auto a = begin + section * (finish - begin), b = finish - section * (finish - begin);
+        (distance (a) < distance (b) ? finish : begin) = distance (a) < distance (b) ? b : a;
+    }
+
+    return nearer (at (begin), nearerEnd);
 }
 
 double PathPiece::least (PlaneAxis axis) const

@@ -37,6 +37,9 @@ struct PathPiece
        [any] */
     std::optional<double> crossing (PlaneAxis, double value) const;
 
+    /** The nearest place of it. [any] */
+    Eigen::Vector2d nearest (const Eigen::Vector2d& place) const;
+
     double least (PlaneAxis) const;
     double largest (PlaneAxis) const;
 

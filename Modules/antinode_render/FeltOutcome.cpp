@@ -47,12 +47,13 @@ void lookEverywhere (FeltOutcome& outcome, const ModalModel& model, const FeltMo
     for (std::size_t i = 0; i < levels.size(); ++i)
         outcome.places.push_back ({ search.starts[i].at.x, search.starts[i].at.y, levels[i] });
 
-    if (isLine || model.surface.grid)
+    if (isLine || (model.surface.grid && ! model.surface.boundary))
         outcome.columns = std::count_if (outcome.places.begin(), outcome.places.end(),
                                          [&] (const auto& place) { return place.y == outcome.places.front().y; });
 
-    const auto felt = std::count_if (levels.begin(), levels.end(), [] (double level) { return level > 0; });
-    outcome.feltShare = static_cast<double> (felt) / static_cast<double> (levels.size());
+    const auto evenly = levels.end() - static_cast<std::ptrdiff_t> (search.alongBoundary);
+    const auto felt = std::count_if (levels.begin(), evenly, [] (double level) { return level > 0; });
+    outcome.feltShare = static_cast<double> (felt) / static_cast<double> (evenly - levels.begin());
 }
 
 bool isFar (const FeltPlace& place, const std::vector<Target>& targets)

@@ -28,7 +28,17 @@ Eigen::MatrixXd levelMap (const Surface& surface, const FeltOutcome& felt)
     const auto levels = levelsOf (felt);
 
     if (felt.columns == 0)
-        return fieldMaps (surface, levels, feltMapCells).front();
+    {
+        auto scattered = surface;
+        scattered.grid.reset();
+        scattered.points.resize (levels.size(), 2);
+
+        for (Eigen::Index i = 0; i < levels.size(); ++i)
+            scattered.points.row (i) << felt.places[static_cast<std::size_t> (i)].x,
+                felt.places[static_cast<std::size_t> (i)].y;
+
+        return fieldMaps (scattered, levels, feltMapCells).front();
+    }
 
     return Eigen::Map<const Eigen::MatrixXd> (levels.data(), felt.columns, levels.size() / felt.columns).transpose();
 }
@@ -46,6 +56,7 @@ HeatMap feltMapChart (const ModalModel& model, const FeltOutcome& felt)
     const auto top = chart.values.maxCoeff();
     chart.valueRange = AxisRange { top - shownLevels, top };
     chart.equalAspect = true;
+    chart.surface = surfaceShape (surface);
     chart.rectangles = ceramicRectangles (model);
     chart.contours = { { 0 }, {} };
 

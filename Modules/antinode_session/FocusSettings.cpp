@@ -34,8 +34,9 @@ std::pair<double, double> placeOr (std::pair<double, double> given, const Surfac
 {
     const auto [x, y] = percentFromPlace (surface, given.first, given.second);
     const auto wanted = placeFromPercent (surface, xPercent, yPercent);
-    return { isSame (xPercent, static_cast<float> (x)) ? given.first : wanted.first,
-             isSame (yPercent, static_cast<float> (y)) ? given.second : wanted.second };
+    const std::pair place { isSame (xPercent, static_cast<float> (x)) ? given.first : wanted.first,
+                            isSame (yPercent, static_cast<float> (y)) ? given.second : wanted.second };
+    return ! surface.boundary || liesOn (surface, place.first, place.second) ? place : wanted;
 }
 
 void applyTarget (FocusDescription& focus, const PlaySettings& settings, const PlaySettings& loaded,
@@ -72,8 +73,14 @@ void moveInTime (FocusDescription& focus, double focusTime)
 
 std::pair<double, double> placeFromPercent (const Surface& surface, double xPercent, double yPercent)
 {
-    return { fromPercent (xPercent, surface.xMinimum, surface.xMaximum),
-             fromPercent (yPercent, surface.yMinimum, surface.yMaximum) };
+    const auto x = fromPercent (xPercent, surface.xMinimum, surface.xMaximum);
+    const auto y = fromPercent (yPercent, surface.yMinimum, surface.yMaximum);
+
+    if (! surface.boundary)
+        return { x, y };
+
+    const auto place = nearestOn (surface, x, y);
+    return { place.x(), place.y() };
 }
 
 std::pair<double, double> percentFromPlace (const Surface& surface, double x, double y)

@@ -85,10 +85,8 @@ Session::TouchResult Session::fireAt (double x, double y, double amplitude)
 
     const auto& surface = now->model->surface;
     const auto isLine = surface.kind == SurfaceKind::line;
-    const auto isInside =
-        x >= surface.xMinimum && x <= surface.xMaximum && (isLine || (y >= surface.yMinimum && y <= surface.yMaximum));
 
-    if (! isInside)
+    if (! liesOn (surface, x, y))
         return TouchResult::outsideSurface;
 
     return requests->touch ({ x, isLine ? 0.0 : y, amplitude }) ? TouchResult::taken : TouchResult::notAccepted;

@@ -67,9 +67,10 @@ Eigen::MatrixXd SessionWorker::probeShapes() const
     const auto& surface = model->surface;
 
     for (std::size_t i = 0; i < places.size(); ++i)
-        shapes.row (static_cast<Eigen::Index> (i)) =
-            shapesAt (*played, std::clamp (places[i].first, surface.xMinimum, surface.xMaximum),
-                      std::clamp (places[i].second, surface.yMinimum, surface.yMaximum));
+    {
+        const auto place = nearestOn (surface, places[i].first, places[i].second);
+        shapes.row (static_cast<Eigen::Index> (i)) = shapesAt (*played, place.x(), place.y());
+    }
 
     return shapes;
 }

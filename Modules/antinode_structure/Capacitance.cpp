@@ -1,5 +1,7 @@
 #include "Capacitance.h"
 
+#include "CeramicShapes.h"
+
 #include <antinode_base/InputError.h>
 
 #include <algorithm>
@@ -13,7 +15,7 @@ double capacitance (const CeramicDescription& ceramic)
 
     constexpr auto vacuumPermittivity = 8.8541878128e-12; // F/m
     const auto one =
-        vacuumPermittivity * ceramic.material.permittivityRelative * ceramic.sizeX * ceramic.sizeY / ceramic.thickness;
+        vacuumPermittivity * ceramic.material.permittivityRelative * faceArea (ceramic) / ceramic.thickness;
 
     if (ceramic.mounting == CeramicMounting::oneSide)
         return one;

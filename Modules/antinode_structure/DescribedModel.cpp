@@ -1,11 +1,29 @@
 #include "DescribedModel.h"
 
 #include "Capacitance.h"
+#include "CeramicShapes.h"
+
+#include <antinode_numerics/Decompositions.h>
 
 #include <algorithm>
 
 namespace antinode
 {
+namespace
+{
+/** The end of the run of modes from the given one on that have its frequency, to rounding. */
+Eigen::Index endOfCluster (const Eigen::VectorXd& frequencies, Eigen::Index first)
+{
+    constexpr double equal = 1e-8;
+    auto end = first + 1;
+
+    while (end < frequencies.size() && frequencies[end] - frequencies[end - 1] <= equal * frequencies[first])
+        ++end;
+
+    return end;
+}
+} // namespace
+
 Eigen::VectorXd dampingOfModes (const std::vector<double>& ratios, Eigen::Index modes)
 {
     return Eigen::VectorXd::NullaryExpr (
@@ -24,12 +42,16 @@ void describe (ModalModel& model, const std::string& name, const StructureCommon
         const auto& ceramic = common.ceramics[i];
         const auto alongX = [&] (double x) { return std::clamp (x, surface.xMinimum, surface.xMaximum); };
         const auto alongY = [&] (double y) { return std::clamp (y, surface.yMinimum, surface.yMaximum); };
+        const auto [least, largest] = ceramicExtent (ceramic);
         model.ceramics.push_back ({ ceramic.name.empty() ? "C" + std::to_string (i + 1) : ceramic.name,
-                                    alongX (ceramic.x), alongX (ceramic.x + ceramic.sizeX), alongY (ceramic.y),
-                                    alongY (ceramic.y + ceramic.sizeY), common.voltageLimit, slewLimit (common, i),
-                                    capacitance (ceramic) });
+                                    alongX (least.x()), alongX (largest.x()), alongY (least.y()), alongY (largest.y()),
+                                    common.voltageLimit, slewLimit (common, i), capacitance (ceramic) });
+
+        if (! fillsItsRectangle (ceramic))
+            model.ceramics.back().outline = ceramicOutline (ceramic);
+
         model.ceramics.back().lossFactor = ceramic.lossFactor;
-        model.ceramics.back().area = ceramic.sizeX * ceramic.sizeY;
+        model.ceramics.back().area = faceArea (ceramic);
         model.ceramics.back().currentLimit = common.currentLimit;
     }
 }
@@ -54,8 +76,59 @@ void settleSigns (ModalModel& model)
     }
 }
 
+void settleEqualFrequencies (ModalModel& model)
+{
+    const Eigen::VectorXd moment = model.surface.masses.cwiseProduct (model.surface.points.col (0).cwiseAbs2());
+
+    for (Eigen::Index first = 0, end = 0; first < model.modes(); first = end)
+    {
+        end = endOfCluster (model.angularFrequencies, first);
+        const auto count = end - first;
+
+        if (count == 1)
+            continue;
+
+        const Eigen::MatrixXd shapes = model.shapes.middleCols (first, count);
+        const auto turn = symmetricEigen (shapes.transpose() * moment.asDiagonal() * shapes).vectors;
+        model.shapes.middleCols (first, count) = shapes * turn;
+        model.participation.middleRows (first, count) =
+            (turn.transpose() * model.participation.middleRows (first, count)).eval();
+        model.angularFrequencies.segment (first, count)
+            .setConstant (model.angularFrequencies.segment (first, count).mean());
+    }
+}
+
 bool isHeld (EdgeCondition condition)
 {
     return condition == EdgeCondition::clamped || condition == EdgeCondition::simplySupported;
+}
+
+namespace
+{
+/** The parts of a boundary at which a plate cannot move; springs do not count. */
+std::vector<PathPiece> heldPieces (const OutlinedPlate& plate)
+{
+    std::vector<PathPiece> pieces;
+
+    for (const auto& path : plate.outline.paths)
+        for (const auto& piece : path)
+            if (isHeld (plate.edges[static_cast<std::size_t> (piece.edge)].condition))
+                pieces.push_back (piece);
+
+    return pieces;
+}
+} // namespace
+
+Surface outlinedSurface (const OutlinedPlate& plate)
+{
+    const auto extent = extentOf (plate.outline);
+    Surface surface;
+    surface.kind = SurfaceKind::plate;
+    surface.xMinimum = extent.least.x();
+    surface.xMaximum = extent.largest.x();
+    surface.yMinimum = extent.least.y();
+    surface.yMaximum = extent.largest.y();
+    surface.boundary = SurfaceBoundary { plate.outline, heldPieces (plate) };
+    return surface;
 }
 } // namespace antinode

@@ -15,6 +15,13 @@ void describe (ModalModel&, const std::string& name, const StructureCommon&);
    it first exceeds a tenth of its largest amplitude. [worker] Docs/Theory.md, section 1.2. */
 void settleSigns (ModalModel&);
 
+/** Combines modes of one frequency into those that a second moment of mass along x distinguishes: any others would be
+   as good, but these do not depend on rounding. [worker] */
+void settleEqualFrequencies (ModalModel&);
+
 /** Whether a surface cannot move at such an edge. [any] */
 bool isHeld (EdgeCondition);
+
+/** Extent and boundary of an outlined plate, which springs do not hold; without points. [any] */
+Surface outlinedSurface (const OutlinedPlate&);
 } // namespace antinode

@@ -1,6 +1,9 @@
 #include "DescriptionChecks.h"
 
+#include "CeramicShapes.h"
+
 #include <antinode_base/InputError.h>
+#include <antinode_outline/OutlineChecks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -141,6 +144,94 @@ void requireNoOverlapInPlane (const std::vector<CeramicDescription>& ceramics)
         }
 }
 
+void requirePlateMaterial (const ElasticMaterial& material)
+{
+    requirePositive ("device", "second Young's modulus of the substrate", material.youngsModulus2);
+    requirePositive ("device", "shear modulus of the substrate", material.shearModulus);
+    requirePoissonRatio ("device", material.poissonRatio12, material.youngsModulus1 / material.youngsModulus2);
+}
+
+void requireNotNegative (const std::string& where, const std::string& what, double value)
+{
+    if (! (std::isfinite (value) && value >= 0))
+        throw InputError (where, what + " is " + text (value) + "; allowed: 0 or more");
+}
+
+/** The time grows with the number of lines and arcs times that of cells. */
+void requirePieces (const Outline& outline)
+{
+    constexpr std::size_t most = 2000;
+    std::size_t pieces = 0;
+
+    for (const auto& path : outline.paths)
+        pieces += path.size();
+
+    if (pieces > most)
+        throw InputError ("device: outline", "has " + std::to_string (pieces) + " lines and arcs; allowed: up to "
+                                                 + std::to_string (most) + ", curves being arcs and not short lines");
+}
+
+void requireSupports (const OutlinedPlate& plate)
+{
+    for (std::size_t i = 0; i < plate.edges.size(); ++i)
+    {
+        const auto& edge = plate.edges[i];
+        const auto place = "edge " + std::to_string (i + 1);
+
+        if (edge.condition == EdgeCondition::guided)
+            throw InputError (place, "is guided; allowed: clamped, simply supported, free or elastic");
+
+        requireNotNegative (place, "stiffness per length", edge.translation);
+        requireNotNegative (place, "rotational stiffness per length", edge.rotation);
+        requireNotNegative (place, "loss factor", edge.lossFactor);
+    }
+
+    requireNotNegative ("device", "foundation", plate.foundation);
+    requireNotNegative ("device", "loss factor of the foundation", plate.foundationLoss);
+
+    for (std::size_t i = 0; i < plate.areas.size(); ++i)
+    {
+        const auto& area = plate.areas[i];
+        const auto place = "area " + std::to_string (i + 1);
+        requireNotNegative (place, "foundation", area.stiffness);
+        requireNotNegative (place, "loss factor", area.lossFactor);
+        requireNotNegative (place, "mass per area", area.massPerArea);
+    }
+
+    for (std::size_t i = 0; i < plate.points.size(); ++i)
+    {
+        const auto& point = plate.points[i];
+        const auto place = "point " + std::to_string (i + 1);
+
+        if (! plate.outline.contains (point.x, point.y))
+            throw InputError (place, "at (" + millimetres (point.x) + ", " + millimetres (point.y)
+                                         + ") is not on the plate; allowed: inside its outline, not in a hole");
+
+        requireNotNegative (place, "stiffness", point.stiffness);
+        requireNotNegative (place, "loss factor", point.lossFactor);
+        requireNotNegative (place, "damping", point.damping);
+        requireNotNegative (place, "mass", point.mass);
+    }
+}
+
+/** Sizes and angle of a ceramic on an outlined plate. */
+void requireShape (const std::string& place, const CeramicDescription& ceramic)
+{
+    if (! (std::isfinite (ceramic.x) && std::isfinite (ceramic.y) && std::isfinite (ceramic.angle)))
+        throw InputError (place, "has a place or an angle that is not finite");
+
+    for (const auto size : { ceramic.sizeX, ceramic.sizeY })
+        if (! (std::isfinite (size) && size >= 10 * edgeTolerance))
+            throw InputError (place, "size is " + millimetres (size) + "; allowed: " + millimetres (10 * edgeTolerance)
+                                         + " or more");
+
+    if (ceramic.shape == CeramicShape::ring
+        && ! (ceramic.innerDiameter >= 10 * edgeTolerance && ceramic.innerDiameter < ceramic.sizeX))
+        throw InputError (place, "inner diameter is " + millimetres (ceramic.innerDiameter)
+                                     + "; allowed: above 0 to below the outer diameter of "
+                                     + millimetres (ceramic.sizeX));
+}
+
 void requireLine (const StructureCommon& common, double length, double width)
 {
     requirePositive ("device", "width", width);
@@ -177,10 +268,7 @@ void requireSolvable (const PlateDescription& plate)
     requirePositive ("device", "length along x", plate.lengthX);
     requirePositive ("device", "length along y", plate.lengthY);
     requireCommon (plate.common);
-    const auto& material = plate.common.material;
-    requirePositive ("device", "second Young's modulus of the substrate", material.youngsModulus2);
-    requirePositive ("device", "shear modulus of the substrate", material.shearModulus);
-    requirePoissonRatio ("device", material.poissonRatio12, material.youngsModulus1 / material.youngsModulus2);
+    requirePlateMaterial (plate.common.material);
 
     for (const auto edge : { plate.left, plate.right, plate.bottom, plate.top })
         if (edge == EdgeCondition::guided)
@@ -197,5 +285,30 @@ void requireSolvable (const PlateDescription& plate)
     }
 
     requireNoOverlapInPlane (plate.common.ceramics);
+}
+
+void requireSolvable (const OutlinedPlate& plate)
+{
+    requireCommon (plate.common);
+    requirePlateMaterial (plate.common.material);
+    checkOutline (plate.outline, "device: outline");
+    requirePieces (plate.outline);
+    requireSupports (plate);
+    std::vector<OutlinePart> parts;
+
+    for (std::size_t i = 0; i < plate.common.ceramics.size(); ++i)
+    {
+        const auto& ceramic = plate.common.ceramics[i];
+        const auto place = ceramicPlace (i, ceramic);
+        requireCeramic (place, ceramic);
+        requirePoissonRatio (place, ceramic.material.poissonRatio, 1);
+        requireShape (place, ceramic);
+        parts.push_back ({ place, ceramicOutline (ceramic) });
+    }
+
+    checkParts (plate.outline, parts);
+
+    for (std::size_t i = 0; i < plate.areas.size(); ++i)
+        checkParts (plate.outline, { { "area " + std::to_string (i + 1), plate.areas[i].outline } });
 }
 } // namespace antinode

@@ -18,4 +18,7 @@ void requireSolvable (const BeamDescription&);
 void requireSolvable (const StapleDescription&);
 /** The same for a plate: its material, edges and ceramics in the plane. [worker] */
 void requireSolvable (const PlateDescription&);
+
+/** The same for an outlined plate: also its outline, supports, and ceramics on it and apart. [worker] */
+void requireSolvable (const OutlinedPlate&);
 } // namespace antinode

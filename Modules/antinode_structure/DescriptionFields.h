@@ -3,6 +3,7 @@
 #include "DeviceDescription.h"
 
 #include <antinode_base/StructFields.h>
+#include <antinode_outline/OutlineFields.h>
 
 namespace antinode
 {
@@ -21,9 +22,10 @@ void fields (auto& stream, Struct<PiezoelectricMaterial> auto& material)
 
 void fields (auto& stream, Struct<CeramicDescription> auto& ceramic)
 {
-    auto& [name, x, y, sizeX, sizeY, thickness, material, mounting, wiring, polarity, capacitance, lossFactor] =
-        ceramic;
-    stream (name, x, y, sizeX, sizeY, thickness, material, mounting, wiring, polarity, capacitance, lossFactor);
+    auto& [name, x, y, sizeX, sizeY, thickness, material, mounting, wiring, polarity, capacitance, lossFactor, shape,
+           angle, innerDiameter] = ceramic;
+    stream (name, x, y, sizeX, sizeY, thickness, material, mounting, wiring, polarity, capacitance, lossFactor, shape,
+            angle, innerDiameter);
 }
 
 void fields (auto& stream, Struct<StructureCommon> auto& common)
@@ -50,5 +52,29 @@ void fields (auto& stream, Struct<PlateDescription> auto& plate)
 {
     auto& [common, lengthX, lengthY, left, right, bottom, top] = plate;
     stream (common, lengthX, lengthY, left, right, bottom, top);
+}
+
+void fields (auto& stream, Struct<PlateEdge> auto& edge)
+{
+    auto& [condition, translation, rotation, lossFactor] = edge;
+    stream (condition, translation, rotation, lossFactor);
+}
+
+void fields (auto& stream, Struct<PlateArea> auto& area)
+{
+    auto& [outline, stiffness, lossFactor, massPerArea] = area;
+    stream (outline, stiffness, lossFactor, massPerArea);
+}
+
+void fields (auto& stream, Struct<PlatePoint> auto& point)
+{
+    auto& [x, y, stiffness, lossFactor, damping, mass] = point;
+    stream (x, y, stiffness, lossFactor, damping, mass);
+}
+
+void fields (auto& stream, Struct<OutlinedPlate> auto& plate)
+{
+    auto& [common, outline, edges, foundation, foundationLoss, areas, points] = plate;
+    stream (common, outline, edges, foundation, foundationLoss, areas, points);
 }
 } // namespace antinode

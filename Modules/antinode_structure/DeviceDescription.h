@@ -48,7 +48,15 @@ enum class CeramicWiring
     series    ///< Each sees half of it.
 };
 
-/** A ceramic of a beam, staple (y and sizeY across the width) or plate. */
+enum class CeramicShape
+{
+    rectangle,
+    disc, ///< sizeX = sizeY is its diameter.
+    ring  ///< A disc with a round hole in its middle.
+};
+
+/** A ceramic of a beam, staple (y and sizeY across the width) or plate. Those of plates may have any shape and angle;
+   they are turned about the middle of the rectangle that x, y and the sizes give. */
 struct CeramicDescription
 {
     std::string name;
@@ -61,6 +69,11 @@ struct CeramicDescription
     int polarity = 1;                    ///< 1 or -1
     double capacitance = 0;              ///< Measured, of what the amplifier sees, F; 0: from the material.
     double lossFactor = usualLossFactor; ///< tan delta
+    CeramicShape shape = CeramicShape::rectangle;
+    double angle = 0;         ///< rad, counter-clockwise
+    double innerDiameter = 0; ///< Of a ring, m.
+
+    Eigen::Vector2d centre() const { return { x + sizeX / 2, y + sizeY / 2 }; }
 };
 
 /** The common properties of all described (not measured) devices. */
@@ -102,6 +115,46 @@ struct PlateDescription
     EdgeCondition bottom = EdgeCondition::free, top = EdgeCondition::free;
 };
 
+/** How an edge of a plate of any outline is held: fixed, or free but for springs along it, as tape or foam are. */
+struct PlateEdge
+{
+    EdgeCondition condition = EdgeCondition::free; ///< clamped, simplySupported or free
+    double translation = 0;                        ///< Stiffness per length against displacement, N/m^2.
+    double rotation = 0;                           ///< Against the slope across the edge, N.
+    double lossFactor = 0;                         ///< Of the springs.
+};
+
+/** What lies under or on a part of a plate. */
+struct PlateArea
+{
+    Outline outline;        ///< m
+    double stiffness = 0;   ///< Winkler's, N/m^3.
+    double lossFactor = 0;  ///< Of the stiffness.
+    double massPerArea = 0; ///< kg/m^2
+};
+
+/** What a plate is fastened to, or bears, at one place. */
+struct PlatePoint
+{
+    double x = 0, y = 0;   ///< m
+    double stiffness = 0;  ///< Of a spring to ground, N/m.
+    double lossFactor = 0; ///< Of the spring.
+    double damping = 0;    ///< Of a dashpot to ground, N s/m.
+    double mass = 0;       ///< kg
+};
+
+/** A plate of any outline, held along its edges in any way. */
+struct OutlinedPlate
+{
+    StructureCommon common;
+    Outline outline;              ///< m
+    std::vector<PlateEdge> edges; ///< By the numbers of the outline's edges.
+    double foundation = 0;        ///< Winkler's under the whole plate, N/m^3.
+    double foundationLoss = 0;    ///< Its loss factor.
+    std::vector<PlateArea> areas;
+    std::vector<PlatePoint> points;
+};
+
 /** The kinds of device whose modes are computed, for messages. */
 inline constexpr auto computedKinds = "beam, staple, plate";
 
@@ -110,7 +163,7 @@ struct DeviceDescription
 {
     std::string name;
     std::string description;
-    std::variant<BeamDescription, StapleDescription, PlateDescription, ModalModel> body;
+    std::variant<BeamDescription, StapleDescription, PlateDescription, OutlinedPlate, ModalModel> body;
     bool requiresArming = false; ///< Stays silent after loading until the user arms the output.
 };
 

@@ -1,4 +1,4 @@
-#include "DeviceDescription.h"
+#include "DescribedModel.h"
 
 namespace antinode
 {
@@ -18,6 +18,8 @@ struct Extent
         surface.yMaximum = plate.lengthY;
         return surface;
     }
+
+    Surface operator() (const OutlinedPlate& plate) const { return outlinedSurface (plate); }
 
     static Surface line (double length)
     {

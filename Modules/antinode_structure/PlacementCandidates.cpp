@@ -1,8 +1,11 @@
 #include "PlacementCandidates.h"
 
 #include "BeamSection.h"
+#include "CeramicShapes.h"
 #include "DescribedModel.h"
 #include "DescriptionChecks.h"
+#include "OutlinedCandidates.h"
+#include "OutlinedModel.h"
 #include "PlateSolution.h"
 
 #include <antinode_base/InputError.h>
@@ -16,31 +19,6 @@ namespace antinode
 {
 namespace
 {
-constexpr std::size_t maximumCandidates = 5000;
-
-/** Positions from one end to the other, symmetric about the middle, at most one step apart. */
-std::vector<double> positions (double from, double to, double step)
-{
-    if (! (step > 0))
-        throw InputError ("placement: step", "is not a positive number; allowed: above 0 mm");
-
-    const auto length = std::max (to - from, 0.0);
-    const auto wanted = std::ceil (length / step - 1e-9);
-
-    if (! (wanted < static_cast<double> (maximumCandidates)))
-        throw InputError ("placement: step",
-                          "gives more than " + std::to_string (maximumCandidates) + " positions; choose a larger step");
-
-    std::vector<double> result;
-
-    const auto intervals = static_cast<int> (wanted);
-
-    for (int i = 0; i <= intervals; ++i)
-        result.push_back (intervals > 0 ? from + length * i / intervals : (from + to) / 2);
-
-    return result;
-}
-
 [[noreturn]] void throwTooLarge()
 {
     throw InputError ("placement: ceramic size", "is larger than the device; allowed: up to the size of the device");
@@ -54,8 +32,8 @@ std::vector<double> positionsBetween (double from, double to, EdgeCondition low,
     const auto most = std::min (grid.freeEdgeMargin, grid.edgeDistance.value_or (grid.freeEdgeMargin));
     const auto free = (low == EdgeCondition::free ? 1 : 0) + (high == EdgeCondition::free ? 1 : 0);
     const auto margin = free > 0 ? std::min (most, std::max (0.0, to - from) / free) : 0.0;
-    return positions (low == EdgeCondition::free ? from + margin : from, high == EdgeCondition::free ? to - margin : to,
-                      grid.step);
+    return candidatePositions (low == EdgeCondition::free ? from + margin : from,
+                               high == EdgeCondition::free ? to - margin : to, grid.step);
 }
 
 /** The candidates of a plate, row by row. */
@@ -91,9 +69,12 @@ struct CandidateFinder
 
     PlacementCandidates operator() (const PlateDescription& plate) const
     {
+        if (! fillsItsRectangle (like))
+            return (*this) (outlinedPlate (plate));
+
         PlacementCandidates candidates;
         candidates.ceramics = onPlate (plate, like, grid);
-        requireFew (candidates);
+        requireFewCandidates (candidates.ceramics.size());
         const auto solution = solvePlateModes (plate, grid.modes);
         candidates.angularFrequencies = solution.angularFrequencies;
         candidates.dampingRatios = dampingOfModes (plate.common.dampingRatios, grid.modes);
@@ -124,19 +105,19 @@ struct CandidateFinder
         return onLine (staple, staple.topLength, EdgeCondition::clamped, EdgeCondition::clamped); // both go on as legs
     }
 
+    PlacementCandidates operator() (const OutlinedPlate& plate) const
+    {
+        auto candidates = outlinedCandidates (plate, like, grid);
+        candidates.dampingRatios = dampingOfModes (plate.common.dampingRatios, grid.modes);
+        return candidates;
+    }
+
     PlacementCandidates operator() (const ModalModel&) const
     {
         throw InputError ("device '" + device.name + "'", std::string ("is of kind modal; allowed: ") + computedKinds);
     }
 
 private:
-    static void requireFew (const PlacementCandidates& candidates)
-    {
-        if (candidates.ceramics.size() > maximumCandidates)
-            throw InputError ("placement: step", "gives more than " + std::to_string (maximumCandidates)
-                                                     + " positions; choose a larger step");
-    }
-
     template <typename Body>
     PlacementCandidates onLine (const Body& body, double length, EdgeCondition left, EdgeCondition right) const
     {
@@ -173,8 +154,15 @@ bool PlacementCandidates::overlap (Eigen::Index a, Eigen::Index b) const
 {
     const auto& first = ceramics[static_cast<std::size_t> (a)];
     const auto& second = ceramics[static_cast<std::size_t> (b)];
-    return std::abs (first.x - second.x) < first.sizeX - edgeTolerance
-           && std::abs (first.y - second.y) < first.sizeY - edgeTolerance;
+    const Eigen::Vector2d offset = second.centre() - first.centre();
+
+    if (first.shape != CeramicShape::rectangle)
+        return offset.norm() < first.sizeX - edgeTolerance;
+
+    // All of them are turned alike.
+    const auto cosine = std::cos (first.angle), sine = std::sin (first.angle);
+    return std::abs (cosine * offset.x() + sine * offset.y()) < first.sizeX - edgeTolerance
+           && std::abs (cosine * offset.y() - sine * offset.x()) < first.sizeY - edgeTolerance;
 }
 
 DeviceDescription withCeramics (DeviceDescription device, const std::vector<CeramicDescription>& ceramics)

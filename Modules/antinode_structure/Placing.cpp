@@ -1,5 +1,6 @@
 #include "Placing.h"
 
+#include "CeramicShapes.h"
 #include "Controllability.h"
 
 #include <antinode_base/InputError.h>
@@ -43,8 +44,8 @@ Eigen::MatrixXd scaledKernel (const Eigen::VectorXd& angularFrequencies, const E
 }
 bool overlaps (const CeramicDescription& ceramic, const KeepOut& zone)
 {
-    return ceramic.x < zone.right && ceramic.x + ceramic.sizeX > zone.left && ceramic.y < zone.top
-           && ceramic.y + ceramic.sizeY > zone.bottom;
+    const auto [least, largest] = ceramicExtent (ceramic);
+    return least.x() < zone.right && largest.x() > zone.left && least.y() < zone.top && largest.y() > zone.bottom;
 }
 
 /** Those candidates that keep out of all zones. */

@@ -18,20 +18,11 @@ namespace antinode
 {
 namespace
 {
-constexpr int defaultPlateModes = 100;
-
 /** Eigenvalues are in units of D / (m L^4) of the bare substrate and the longer side. */
 double eigenvalueUnit (const PlateDescription& plate, const PlateLayout& layout)
 {
     const auto bare = bareSection (plate.common);
     return bare.d11 / bare.massPerArea / std::pow (layout.unit, 4);
-}
-
-void requireCount (int count)
-{
-    if (count < 1 || count > maximumPlateModes)
-        throw InputError ("device", "number of modes is " + std::to_string (count) + "; allowed: 1 to "
-                                        + std::to_string (maximumPlateModes));
 }
 
 /** Rigid motions that the edges allow: all three of a free plate, the rotation about a single supported edge, else
@@ -70,12 +61,12 @@ PlateProblem affordableProblem (const PlateDescription& plate, const PlateLayout
 int modesBelow (const PlateDescription& plate, const PlateLayout& layout, double frequency)
 {
     const auto angularFrequency = 2 * std::numbers::pi * frequency;
-    const auto lowest = angularFrequencyAt (plate, expectedWaveNumber (plate, 2));
-    const auto waveNumber = largestWaveNumberAt (plate, std::max (angularFrequency, lowest));
+    const auto lowest = angularFrequencyAt (plate.common, expectedWaveNumber (plate, 2));
+    const auto waveNumber = largestWaveNumberAt (plate.common, std::max (angularFrequency, lowest));
     const auto tooMany = "maximum frequency is " + std::to_string (frequency) + " Hz; allowed: above 0 Hz, with up to "
                          + std::to_string (maximumPlateModes) + " modes below it";
 
-    if (! (waveNumberAt (plate, angularFrequency) <= 2 * expectedWaveNumber (plate, maximumPlateModes)))
+    if (! (waveNumberAt (plate.common, angularFrequency) <= 2 * expectedWaveNumber (plate, maximumPlateModes)))
         throw InputError ("device", tooMany);
 
     const auto problem = affordableProblem (plate, layout, waveNumber);
@@ -98,7 +89,7 @@ int wantedCount (const PlateDescription& plate, const PlateLayout& layout, std::
     if (! given && plate.common.maximumFrequency)
         return modesBelow (plate, layout, *plate.common.maximumFrequency);
 
-    requireCount (given.value_or (defaultPlateModes));
+    requirePlateModes (given.value_or (defaultPlateModes));
     return given.value_or (defaultPlateModes);
 }
 
@@ -223,7 +214,7 @@ PlateSolution solutionFor (const PlateDescription& plate, const PlateLayout& lay
              angularFrequencies,
              pairs.vectors / massScale,
              errors,
-             largestWaveNumberAt (plate, angularFrequencies[count - 1]) };
+             largestWaveNumberAt (plate.common, angularFrequencies[count - 1]) };
 }
 } // namespace
 
@@ -233,7 +224,7 @@ PlateSolution solvePlateModes (const PlateDescription& plate, std::optional<int>
     const auto count = wantedCount (plate, layout, modeCount);
     constexpr int resolvedModes = 50; // At least: then few modes are right to many digits, and still cost little.
     const auto expected = expectedWaveNumber (plate, std::max (count, resolvedModes));
-    auto waveNumber = largestWaveNumberAt (plate, angularFrequencyAt (plate, expected));
+    auto waveNumber = largestWaveNumberAt (plate.common, angularFrequencyAt (plate.common, expected));
 
     for (;;)
     {

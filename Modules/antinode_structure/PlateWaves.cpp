@@ -1,5 +1,7 @@
 #include "PlateWaves.h"
 
+#include "CeramicShapes.h"
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -37,7 +39,7 @@ double equivalentArea (const PlateDescription& plate, const PlateSection& bare)
     auto area = plate.lengthX * plate.lengthY * density (bare);
 
     for (const auto& ceramic : plate.common.ceramics)
-        area += ceramic.sizeX * ceramic.sizeY * (density (ceramicSection (plate.common, ceramic)) - density (bare));
+        area += faceArea (ceramic) * (density (ceramicSection (plate.common, ceramic)) - density (bare));
 
     return area / std::sqrt (bare.massPerArea / softerStiffness (bare));
 }
@@ -67,11 +69,10 @@ double excess (double waveNumber, double thickness, double poissonRatio)
 }
 
 /** The largest excess anywhere on the plate: of the substrate, or of a ceramic's section with its longer waves. */
-double largestExcess (const PlateDescription& plate, double angularFrequency)
+double largestExcess (const StructureCommon& common, double angularFrequency)
 {
-    const auto& common = plate.common;
     const auto poissonRatio = common.material.poissonRatio12;
-    auto largest = excess (waveNumberAt (plate, angularFrequency), common.thickness, poissonRatio);
+    auto largest = excess (waveNumberAt (common, angularFrequency), common.thickness, poissonRatio);
 
     for (const auto& ceramic : common.ceramics)
     {
@@ -84,24 +85,24 @@ double largestExcess (const PlateDescription& plate, double angularFrequency)
 }
 } // namespace
 
-double waveNumberAt (const PlateDescription& plate, double angularFrequency)
+double waveNumberAt (const StructureCommon& common, double angularFrequency)
 {
-    return computeWaveNumber (bareSection (plate.common), angularFrequency);
+    return computeWaveNumber (bareSection (common), angularFrequency);
 }
 
-double largestWaveNumberAt (const PlateDescription& plate, double angularFrequency)
+double largestWaveNumberAt (const StructureCommon& common, double angularFrequency)
 {
-    auto largest = waveNumberAt (plate, angularFrequency);
+    auto largest = waveNumberAt (common, angularFrequency);
 
-    for (const auto& ceramic : plate.common.ceramics)
-        largest = std::max (largest, computeWaveNumber (ceramicSection (plate.common, ceramic), angularFrequency));
+    for (const auto& ceramic : common.ceramics)
+        largest = std::max (largest, computeWaveNumber (ceramicSection (common, ceramic), angularFrequency));
 
     return largest;
 }
 
-double angularFrequencyAt (const PlateDescription& plate, double waveNumber)
+double angularFrequencyAt (const StructureCommon& common, double waveNumber)
 {
-    const auto section = bareSection (plate.common);
+    const auto section = bareSection (common);
     return waveNumber * waveNumber * std::sqrt (softerStiffness (section) / section.massPerArea);
 }
 
@@ -114,11 +115,11 @@ double expectedWaveNumber (const PlateDescription& plate, int modeCount)
     return std::min (weyl, stripWaveNumber (plate, modeCount));
 }
 
-std::vector<std::string> thicknessWarnings (const PlateDescription& plate, const Eigen::VectorXd& angularFrequencies)
+std::vector<std::string> thicknessWarnings (const StructureCommon& common, const Eigen::VectorXd& angularFrequencies)
 {
     constexpr double tolerable = 0.02;
     const auto first = std::find_if (angularFrequencies.begin(), angularFrequencies.end(),
-                                     [&] (double omega) { return largestExcess (plate, omega) > tolerable; });
+                                     [&] (double omega) { return largestExcess (common, omega) > tolerable; });
 
     if (first == angularFrequencies.end())
         return {};
@@ -132,7 +133,7 @@ std::vector<std::string> thicknessWarnings (const PlateDescription& plate, const
         "the bare plate long, by about %.0f %%.",
         static_cast<int> (first - angularFrequencies.begin()) + 1, *first / (2 * pi),
         static_cast<int> (angularFrequencies.size()), highest / (2 * pi),
-        2 * pi / (waveNumberAt (plate, highest) * plate.common.thickness), 100 * largestExcess (plate, highest));
+        2 * pi / (waveNumberAt (common, highest) * common.thickness), 100 * largestExcess (common, highest));
     return { text.data() };
 }
 } // namespace antinode

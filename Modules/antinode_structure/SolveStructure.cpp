@@ -1,9 +1,11 @@
+#include "CeramicShapes.h"
 #include "ChainModel.h"
 #include "DescribedChain.h"
 #include "DescribedModel.h"
 #include "DescriptionChecks.h"
 #include "DeviceDescription.h"
 #include "ModeLimits.h"
+#include "OutlinedModel.h"
 #include "SolvedPlate.h"
 
 #include <antinode_base/InputError.h>
@@ -153,7 +155,14 @@ struct BodySolver
     ModalModel operator() (const BeamDescription& beam) const { return solveLine (name, beam, modeCount); }
     ModalModel operator() (const StapleDescription& staple) const { return solveLine (name, staple, modeCount); }
 
-    ModalModel operator() (const PlateDescription& plate) const { return solvePlate (name, plate, modeCount); }
+    ModalModel operator() (const PlateDescription& plate) const
+    {
+        const auto isAligned =
+            std::all_of (plate.common.ceramics.begin(), plate.common.ceramics.end(), fillsItsRectangle);
+        return isAligned ? solvePlate (name, plate, modeCount) : (*this) (outlinedPlate (plate));
+    }
+
+    ModalModel operator() (const OutlinedPlate& plate) const { return solveOutlinedPlate (name, plate, modeCount); }
 
     ModalModel operator() (const ModalModel& measured) const
     {

@@ -3,6 +3,7 @@
 #include "DescribedModel.h"
 #include "DescriptionChecks.h"
 #include "ElementChain.h"
+#include "GridPlaces.h"
 #include "PlateWaves.h"
 
 #include <antinode_base/Watch.h>
@@ -17,27 +18,14 @@ namespace antinode
 {
 namespace
 {
-/** The number of Gauss-Legendre nodes that represent a wave of this phase over their segment. */
-int placesFor (double phase)
-{
-    constexpr double tolerance = 3e-5; // of the amplitude
-    double error = 1;
-    auto count = 0;
-
-    // The error of interpolation through n places is about (phase / 4)^n / n!.
-    while (error > tolerance || count < 3)
-        error *= phase / 4 / ++count;
-
-    return count;
-}
-
 GridAxis makeGridAxis (const Eigen::VectorXd& lines, double unit, double waveNumber)
 {
     const Eigen::VectorXd edges = lines * unit;
+    constexpr int fewestPlaces = 3;
     Eigen::VectorXi counts (edges.size() - 1);
 
     for (Eigen::Index s = 0; s < counts.size(); ++s)
-        counts[s] = placesFor (waveNumber * (edges[s + 1] - edges[s]));
+        counts[s] = placesForPhase (waveNumber * (edges[s + 1] - edges[s]), fewestPlaces);
 
     return gridAxis (edges, counts);
 }
@@ -69,42 +57,6 @@ void weigh (Surface& surface, const Eigen::MatrixXd& masses)
             for (Eigen::Index s = 0; s < masses.rows(); ++s)
                 surface.masses.segment (j * countX + grid.x.first[s], grid.x.first[s + 1] - grid.x.first[s]) *=
                     masses (s, t);
-}
-
-/** The end of the run of modes from the given one on that have its frequency, to rounding. */
-Eigen::Index endOfCluster (const Eigen::VectorXd& frequencies, Eigen::Index first)
-{
-    constexpr double equal = 1e-8;
-    auto end = first + 1;
-
-    while (end < frequencies.size() && frequencies[end] - frequencies[end - 1] <= equal * frequencies[first])
-        ++end;
-
-    return end;
-}
-
-/** Combines modes of one frequency into those that a second moment of mass along x distinguishes: any others would be
-   as good, but these do not depend on rounding. */
-void settleEqualFrequencies (ModalModel& model)
-{
-    const Eigen::VectorXd moment = model.surface.masses.cwiseProduct (model.surface.points.col (0).cwiseAbs2());
-
-    for (Eigen::Index first = 0, end = 0; first < model.modes(); first = end)
-    {
-        end = endOfCluster (model.angularFrequencies, first);
-        const auto count = end - first;
-
-        if (count == 1)
-            continue;
-
-        const Eigen::MatrixXd shapes = model.shapes.middleCols (first, count);
-        const auto turn = symmetricEigen (shapes.transpose() * moment.asDiagonal() * shapes).vectors;
-        model.shapes.middleCols (first, count) = shapes * turn;
-        model.participation.middleRows (first, count) =
-            (turn.transpose() * model.participation.middleRows (first, count)).eval();
-        model.angularFrequencies.segment (first, count)
-            .setConstant (model.angularFrequencies.segment (first, count).mean());
-    }
 }
 
 Eigen::MatrixXd computeParticipation (const PlateDescription& plate, const PlateSolution& solution)
@@ -177,7 +129,7 @@ ModalModel makeModel (const PlateDescription& plate, const PlateSolution& soluti
     model.frequencyErrors = solution.frequencyErrors;
     model.rigidBodyModes = solution.rigidBodyModes;
     model.unknowns = static_cast<int> (solution.problem.unknowns());
-    model.warnings = thicknessWarnings (plate, solution.angularFrequencies);
+    model.warnings = thicknessWarnings (plate.common, solution.angularFrequencies);
     warnOfErrors (model);
     model.participation = computeParticipation (plate, solution);
 

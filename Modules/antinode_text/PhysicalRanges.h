@@ -15,6 +15,12 @@ constexpr std::size_t maximumDescriptionBytes = 20000;
 
 constexpr NumberRange lengthMillimetre { 1e-4, 1e5 };
 constexpr NumberRange positionMillimetre { -1e5, 1e5 };
+constexpr NumberRange angleDegrees { -360, 360 };
+constexpr NumberRange supportStiffness { 0, 1e9 }; // in N and mm, per length, area or not
+constexpr NumberRange supportDamping { 0, 1e9 };   // N s/m
+constexpr NumberRange supportLossFactor { 0, 10 };
+constexpr NumberRange massPerArea { 0, 1e5 }; // kg/m^2
+constexpr NumberRange massGram { 0, 1e9 };
 constexpr NumberRange frequencyHz { 1e-3, 1e8 };
 constexpr NumberRange voltage { 1e-3, 1e5 };
 constexpr NumberRange slewVoltsPerMicrosecond { 1e-6, 1e6 };

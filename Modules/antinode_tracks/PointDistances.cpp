@@ -59,7 +59,7 @@ std::optional<double> leastDistance (const ModalModel& model, TrackBand band, co
     {
         const auto x = from.x + far * alongX, y = from.y + far * alongY;
 
-        if (x < surface.xMinimum || x > surface.xMaximum || y < surface.yMinimum || y > surface.yMaximum)
+        if (! liesOn (surface, x, y))
             return {};
 
         Eigen::MatrixXd shapes (2, model.coordinates());

@@ -26,6 +26,8 @@ void requireOnSurface (const Surface& surface, double x, double y, const std::st
         requireInside (y, surface.yMinimum, surface.yMaximum, which + " y");
     else
         requireInside (y, 0, 0, which + " y");
+
+    requireWithinBoundary (surface, x, y, which);
 }
 
 void requirePath (const Surface& surface, const TouchedPoint& point, const std::string& which)

@@ -29,7 +29,7 @@ void addRows (std::string& text, const std::string& first, const Eigen::MatrixX2
                              values (i, 0) * milli, values (i, 1) * milli, values (i, 2) * milli);
 }
 
-/** Places along x (direction 0) or y (1) through a target. */
+/** Places on the surface along x (direction 0) or y (1) through a target. */
 Eigen::MatrixX2d section (const Surface& surface, const Target& target, int direction)
 {
     Eigen::MatrixX2d places (sectionPoints, 2);
@@ -38,20 +38,27 @@ Eigen::MatrixX2d section (const Surface& surface, const Target& target, int dire
     places.col (direction) = direction == 0
                                  ? Eigen::VectorXd::LinSpaced (sectionPoints, surface.xMinimum, surface.xMaximum)
                                  : Eigen::VectorXd::LinSpaced (sectionPoints, surface.yMinimum, surface.yMaximum);
-    return places;
+    std::vector<Eigen::Index> on;
+
+    for (Eigen::Index i = 0; i < places.rows(); ++i)
+        if (liesOn (surface, places (i, 0), places (i, 1)))
+            on.push_back (i);
+
+    return places (on, Eigen::all);
 }
 } // namespace
 
 void writeFields (OutputFolder& folder, const RenderedFocus& focus)
 {
     const auto& surface = focus.model.surface;
+    const auto on = pointsOn (surface);
     auto field = std::string ("focus,") + columns, sections = std::string ("focus,along,") + columns;
 
     for (std::size_t i = 0; i < focus.moments.size(); ++i)
     {
         const auto number = std::to_string (i + 1) + ",";
         const auto values = fields (focus, i);
-        addRows (field, number, surface.points, values);
+        addRows (field, number, surface.points (on, Eigen::all), values (on, Eigen::all));
 
         if (surface.kind == SurfaceKind::plate)
             for (const auto direction : { 0, 1 })

@@ -10,6 +10,7 @@
 #include <antinode_base/Watch.h>
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_library/Inputs.h>
+#include <antinode_structure/CeramicShapes.h>
 #include <antinode_structure/Placing.h>
 #include <antinode_text/OutputFolder.h>
 
@@ -38,8 +39,13 @@ void printResult (const PlacedCeramics& placed, const PlaceOptions& options)
         std::printf ("  Including mass and stiffness of the ceramics: %.4g times.\n", *placed.resolved);
 
     for (const auto& ceramic : placed.ceramics)
-        std::printf ("  %-4s x %8.3f  y %8.3f mm, %g x %g mm\n", ceramic.name.c_str(), ceramic.x * milli,
-                     ceramic.y * milli, ceramic.sizeX * milli, ceramic.sizeY * milli);
+        if (fillsItsRectangle (ceramic))
+            std::printf ("  %-4s x %8.3f  y %8.3f mm, %g x %g mm\n", ceramic.name.c_str(), ceramic.x * milli,
+                         ceramic.y * milli, ceramic.sizeX * milli, ceramic.sizeY * milli);
+        else
+            std::printf ("  %-4s centre %8.3f, %8.3f mm, %g x %g mm\n", ceramic.name.c_str(),
+                         ceramic.centre().x() * milli, ceramic.centre().y() * milli, ceramic.sizeX * milli,
+                         ceramic.sizeY * milli);
 
     std::printf ("Device: %s\n", options.file.c_str());
 }

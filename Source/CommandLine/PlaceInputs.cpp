@@ -49,6 +49,13 @@ double rounded (double metres)
 nlohmann::json ceramicJson (nlohmann::json like, const CeramicDescription& ceramic, bool isPlate)
 {
     like["name"] = ceramic.name;
+
+    if (like.contains ("centre_mm"))
+    {
+        like["centre_mm"] = { rounded (ceramic.centre().x()), rounded (ceramic.centre().y()) };
+        return like;
+    }
+
     like["x_mm"] = rounded (isPlate ? ceramic.x : ceramic.x + ceramic.sizeX / 2);
 
     if (isPlate)
@@ -116,12 +123,19 @@ nlohmann::json ceramicLike (const nlohmann::json& document, bool isPlate, const 
                                                                         { lengthKey, 10 },
                                                                         { widthKey, 10 } };
 
-    if (isPlate)
-        ceramic["y_mm"] = 0;
+    if (ceramic.contains ("centre_mm"))
+        ceramic["centre_mm"] = { 0, 0 };
+    else
+    {
+        ceramic["x_mm"] = 0;
 
-    ceramic["x_mm"] = 0;
+        if (isPlate)
+            ceramic["y_mm"] = 0;
+    }
 
-    if (! size.empty())
+    if (! size.empty() && ceramic.contains ("diameter_mm"))
+        ceramic["diameter_mm"] = parseSize (size).first;
+    else if (! size.empty())
         std::tie (ceramic[lengthKey], ceramic[widthKey]) = parseSize (size);
 
     return ceramic;

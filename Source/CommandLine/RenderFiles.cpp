@@ -69,16 +69,17 @@ void writeVoltagesMatlab (OutputFolder& folder, const RenderedFocus& focus)
     for (std::size_t i = 0; i < focus.probes.size(); ++i)
         probes.row (static_cast<Eigen::Index> (i)) << focus.probes[i].first * milli, focus.probes[i].second * milli;
 
+    const auto on = pointsOn (focus.model.surface);
     folder.write ("voltages.mat",
                   encodeMatlabFile ({ { "voltages_V", render.voltages.transpose(), {} },
                                       { "sample_rate_Hz", number (render.sampleRate), {} },
                                       { "focus_sample", number (static_cast<double> (render.focusSample) + 1), {} },
                                       { "probes_mm", probes, {} },
                                       { "velocity_mm_s", (render.probeVelocities * milli).transpose(), {} },
-                                      { "points_mm", focus.model.surface.points * milli, {} },
-                                      { "wanted_mm_s", focus.design.target.field * milli, {} },
-                                      { "represented_mm_s", focus.design.truncatedField * milli, {} },
-                                      { "reached_mm_s", focus.reachedField * milli, {} } }));
+                                      { "points_mm", focus.model.surface.points (on, Eigen::all) * milli, {} },
+                                      { "wanted_mm_s", focus.design.target.field (on) * milli, {} },
+                                      { "represented_mm_s", focus.design.truncatedField (on) * milli, {} },
+                                      { "reached_mm_s", focus.reachedField (on) * milli, {} } }));
 }
 
 void writeProbes (OutputFolder& folder, const RenderedFocus& focus)

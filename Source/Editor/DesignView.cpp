@@ -28,8 +28,9 @@ std::vector<std::pair<double, double>> chooseProbes (const DesignQuestion& quest
     // A focus of another device may have probes outside this surface: the session moves them too.
     for (auto& [x, y] : probes)
     {
-        x = std::clamp (x, surface.xMinimum, surface.xMaximum);
-        y = std::clamp (y, surface.yMinimum, surface.yMaximum);
+        const auto place = nearestOn (surface, x, y);
+        x = place.x();
+        y = place.y();
     }
 
     return probes;

@@ -34,7 +34,7 @@ FieldFrames framesOfFocus (const ModalModel& model, const Eigen::VectorXd& veloc
     FieldFrames frames;
     frames.focusVelocities = velocities;
     frames.focusField = model.shapes * velocities;
-    frames.largest = frames.focusField.cwiseAbs().maxCoeff();
+    frames.largest = frames.focusField (pointsOn (model.surface)).cwiseAbs().maxCoeff();
     fill (frames, model, velocities);
     return frames;
 }
@@ -49,7 +49,7 @@ FieldFrames makeFrames (const ModalModel& model, const Eigen::MatrixXd& velociti
 {
     const Eigen::MatrixXd fields = model.shapes * velocities;
     Eigen::Index largest = 0;
-    fields.cwiseAbs().colwise().maxCoeff().maxCoeff (&largest);
+    fields (pointsOn (model.surface), Eigen::all).cwiseAbs().colwise().maxCoeff().maxCoeff (&largest);
     auto frames = framesOfFocus (model, velocities.col (largest));
     fill (frames, model, velocities);
     return frames;

@@ -21,13 +21,6 @@ float shownRadius (const Finger& finger, const PlotFrame& plot)
     return std::max (smallestRadius, plot.xAt (finger.radius * milli) - plot.xAt (0));
 }
 
-bool isInside (const Finger& finger, const Surface& surface)
-{
-    const auto isLine = surface.kind == SurfaceKind::line;
-    return finger.x >= surface.xMinimum && finger.x <= surface.xMaximum
-           && (isLine || (finger.y >= surface.yMinimum && finger.y <= surface.yMaximum));
-}
-
 bool isAmong (const std::vector<Finger>& fingers, const Finger& wanted)
 {
     return std::find (fingers.begin(), fingers.end(), wanted) != fingers.end();
@@ -170,7 +163,7 @@ void SurfaceFingers::drop()
     if (! finger)
         return;
 
-    if (isInside (fingers[*finger], surface()))
+    if (liesOn (surface(), fingers[*finger].x, fingers[*finger].y))
         apply (fingers);
     else
         lift (*finger);
@@ -185,7 +178,7 @@ void SurfaceFingers::paint (juce::Graphics& g, const PlotFrame& plot, const Pale
         const auto& finger = fingers[i];
         const auto radius = shownRadius (finger, plot);
         const auto disc = juce::Rectangle<float> (2 * radius, 2 * radius).withCentre (middle (i, plot));
-        g.setColour (palette.window.withAlpha (isInside (finger, extent) ? 0.35f : 0.1f));
+        g.setColour (palette.window.withAlpha (liesOn (extent, finger.x, finger.y) ? 0.35f : 0.1f));
         g.fillEllipse (disc);
         g.setColour (palette.text.withAlpha (finger.isKnown ? 0.9f : 0.5f));
         g.drawEllipse (disc, finger.isKnown ? 2.0f : 1.0f);

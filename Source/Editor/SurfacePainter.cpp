@@ -153,7 +153,16 @@ void SurfacePainter::paintOverlay (juce::Graphics& g, bool withContours) const
     g.reduceClipRegion (plot.plot.getSmallestIntegerContainer());
 
     if (withContours)
+    {
+        const juce::Graphics::ScopedSaveState state (g);
+
+        if (! chart.surface.empty())
+            g.reduceClipRegion (pathOf (chart.surface, plot));
+
         drawContours (g, plot, chart, colours->charts);
+    }
+
+    drawSurface (g, plot, chart.surface, colours->charts);
 
     // The first place is the spot, which can be dragged.
     const std::vector<MapPoint> others (chart.points.begin() + 1, chart.points.end());
@@ -221,6 +230,11 @@ void SurfacePainter::paintPlate (juce::Graphics& g, int frame) const
     const auto image = colourImage (picture->frames->maps[static_cast<std::size_t> (frame)], { -maximum, maximum },
                                     colours->charts.diverging);
     g.setImageResamplingQuality (juce::Graphics::mediumResamplingQuality);
+
+    // Pixel by pixel: a smooth edge would cost more than the map, and its line is drawn above it.
+    if (const auto& surface = std::get<HeatMap> (*picture->field).surface; ! surface.empty())
+        g.reduceClipRegion (pathOf (surface, plot));
+
     g.drawImage (image, plot.plot);
 }
 } // namespace antinode

@@ -15,12 +15,6 @@ bool overlap (const Finger& a, const Finger& b)
     return std::hypot (a.x - b.x, a.y - b.y) < a.radius + b.radius;
 }
 
-bool isOn (const Surface& surface, double x, double y)
-{
-    return x >= surface.xMinimum && x <= surface.xMaximum
-           && (surface.kind == SurfaceKind::line || (y >= surface.yMinimum && y <= surface.yMaximum));
-}
-
 /** In the extents of the surface, as touches come. */
 double distance (const Finger& a, const Finger& b, const Surface& surface)
 {
@@ -51,7 +45,7 @@ RestResult RestingTouches::rest (std::int64_t finger, double x, double y, const 
     if (kind.empty())
         return RestResult::noKind;
 
-    if (! isOn (surface, x, y))
+    if (! liesOn (surface, x, y))
         return RestResult::outsideSurface;
 
     auto wanted = builtInFinger (kind, x, surface.kind == SurfaceKind::line ? 0 : y);
@@ -89,7 +83,7 @@ std::vector<Finger> RestingTouches::fitting (std::vector<Finger> own, const Surf
         const auto isFree = std::none_of (own.begin(), own.end(),
                                           [&touched = touch] (const auto& other) { return overlap (other, touched); });
 
-        if (isFree && own.size() < maximumFingers && isOn (surface, touch.x, touch.y))
+        if (isFree && own.size() < maximumFingers && liesOn (surface, touch.x, touch.y))
             own.push_back (touch);
     }
 

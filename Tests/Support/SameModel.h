@@ -26,6 +26,26 @@ inline bool isSameToTheBit (const GridAxis& a, const GridAxis& b)
            && isSameToTheBit (a.edges, b.edges) && isSameToTheBit (a.first, b.first);
 }
 
+inline bool isSameToTheBit (const PathPiece& a, const PathPiece& b)
+{
+    return isSameToTheBit (a.start, b.start) && isSameToTheBit (a.end, b.end) && isSameToTheBit (a.centre, b.centre)
+           && isSameToTheBit (a.cosine, b.cosine) && isSameToTheBit (a.sine, b.sine) && isSameToTheBit (a.from, b.from)
+           && isSameToTheBit (a.to, b.to) && a.isStraight == b.isStraight && a.edge == b.edge;
+}
+
+template <typename Value>
+bool isSameToTheBit (const std::vector<Value>& a, const std::vector<Value>& b)
+{
+    return std::equal (a.begin(), a.end(), b.begin(), b.end(),
+                       [] (const auto& left, const auto& right) { return isSameToTheBit (left, right); });
+}
+
+inline bool isSameToTheBit (const std::optional<SurfaceBoundary>& a, const std::optional<SurfaceBoundary>& b)
+{
+    return a.has_value() == b.has_value()
+           && (! a || (isSameToTheBit (a->outline.paths, b->outline.paths) && isSameToTheBit (a->held, b->held)));
+}
+
 inline bool isSameToTheBit (const Surface& a, const Surface& b)
 {
     const auto sameGrid =
@@ -35,7 +55,8 @@ inline bool isSameToTheBit (const Surface& a, const Surface& b)
            && isSameToTheBit (a.xMaximum, b.xMaximum) && isSameToTheBit (a.yMinimum, b.yMinimum)
            && isSameToTheBit (a.yMaximum, b.yMaximum) && isSameToTheBit (a.points, b.points)
            && isSameToTheBit (a.masses, b.masses) && isSameToTheBit (a.areas, b.areas) && a.held.left == b.held.left
-           && a.held.right == b.held.right && a.held.bottom == b.held.bottom && a.held.top == b.held.top;
+           && a.held.right == b.held.right && a.held.bottom == b.held.bottom && a.held.top == b.held.top
+           && isSameToTheBit (a.boundary, b.boundary);
 }
 
 inline bool isSameToTheBit (const Ceramic& a, const Ceramic& b)
@@ -45,7 +66,8 @@ inline bool isSameToTheBit (const Ceramic& a, const Ceramic& b)
            && isSameToTheBit (a.voltageLimit, b.voltageLimit) && isSameToTheBit (a.slewLimit, b.slewLimit)
            && isSameToTheBit (a.capacitance, b.capacitance) && isSameToTheBit (a.lossFactor, b.lossFactor)
            && isSameToTheBit (a.area, b.area) && isSameToTheBit (a.currentLimit, b.currentLimit)
-           && isSameToTheBit (a.amplifierVoltage, b.amplifierVoltage);
+           && isSameToTheBit (a.amplifierVoltage, b.amplifierVoltage)
+           && isSameToTheBit (a.outline.paths, b.outline.paths);
 }
 
 inline bool isSameToTheBit (const ModalModel& a, const ModalModel& b)

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "DeviceDescription.h"
+
+#include <optional>
+
+namespace antinode
+{
+/** A plate of any outline, solved and put on a grid. @throws InputError [worker] Docs/Theory.md, section 1.13. */
+ModalModel solveOutlinedPlate (const std::string& name, const OutlinedPlate&, std::optional<int> modeCount);
+
+/** A rectangular plate as one with an outline, whose edges are bottom, right, top and left: for what only that solver
+   takes, ceramics that are turned or round. [any] */
+OutlinedPlate outlinedPlate (const PlateDescription&);
+} // namespace antinode

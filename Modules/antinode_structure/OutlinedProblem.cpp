@@ -1,0 +1,191 @@
+#include "OutlinedProblem.h"
+
+#include "CeramicPatches.h"
+#include "ModeLimits.h"
+#include "PlateWaves.h"
+
+#include <antinode_base/InputError.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+EdgeSupport supportOf (const PlateEdge& edge)
+{
+    const auto isClamped = edge.condition == EdgeCondition::clamped;
+    return { isClamped || edge.condition == EdgeCondition::simplySupported, isClamped, edge.translation,
+             edge.rotation };
+}
+
+BendingPatch patchOf (const PlateArea& area)
+{
+    BendingPatch patch;
+    patch.outline = area.outline;
+    patch.added.massPerArea = area.massPerArea;
+    patch.foundation = area.stiffness;
+    return patch;
+}
+
+/** The problem in SI, and which ceramic a patch belongs to. */
+OutlinedProblem inSi (const OutlinedPlate& plate)
+{
+    OutlinedProblem result;
+    auto& problem = result.problem;
+    problem.outline = plate.outline;
+    problem.section = bendingSection (bareSection (plate.common));
+    problem.foundation = plate.foundation;
+    std::transform (plate.edges.begin(), plate.edges.end(), std::back_inserter (problem.edges), supportOf);
+
+    for (std::size_t i = 0; i < plate.common.ceramics.size(); ++i)
+        for (auto& patch : ceramicPatches (plate.common, plate.common.ceramics[i]))
+        {
+            problem.patches.push_back (std::move (patch));
+            result.ceramicOfPatch.push_back (i);
+        }
+
+    std::transform (plate.areas.begin(), plate.areas.end(), std::back_inserter (problem.patches), patchOf);
+
+    for (const auto& point : plate.points)
+        problem.points.push_back ({ { point.x, point.y }, point.stiffness, point.mass });
+
+    return result;
+}
+
+void divide (KinkFunction& kink, double length)
+{
+    kink.centre /= length;
+    kink.value /= length;
+    kink.curvature *= length;
+    kink.width /= length;
+}
+
+/** Changes everything to the units that are given. */
+void scale (BendingProblem& problem, double length, double stiffness, double massPerArea)
+{
+    const auto perFoundation = std::pow (length, 4) / stiffness;
+    problem.outline = scaled (problem.outline, 1 / length);
+    problem.section.stiffness /= stiffness;
+    problem.section.massPerArea /= massPerArea;
+    problem.foundation *= perFoundation;
+
+    for (auto& edge : problem.edges)
+    {
+        edge.translation *= std::pow (length, 3) / stiffness;
+        edge.rotation *= length / stiffness;
+    }
+
+    for (auto& patch : problem.patches)
+    {
+        patch.outline = scaled (patch.outline, 1 / length);
+        patch.added.stiffness /= stiffness;
+        patch.added.massPerArea /= massPerArea;
+        patch.foundation *= perFoundation;
+
+        for (auto& kink : patch.kinks)
+            divide (kink, length);
+    }
+
+    for (auto& point : problem.points)
+    {
+        point.place /= length;
+        point.stiffness *= length * length / stiffness;
+        point.mass /= massPerArea * length * length;
+    }
+}
+
+BendingModes solveFor (const OutlinedProblem& scaled, int count)
+{
+    return bendingModes (scaled.problem, count, resolutionFor (scaled.problem, count, ModeAccuracy::usual));
+}
+
+BendingModes firstModes (BendingModes modes, Eigen::Index count)
+{
+    modes.eigenvalues.conservativeResize (count);
+    modes.coefficients.conservativeResize (Eigen::NoChange, count);
+    modes.participation.conservativeResize (count, Eigen::NoChange);
+    return modes;
+}
+
+/** About how many modes lie below a wave number: the inverse of expectedWaveNumber. */
+int expectedCount (const BendingProblem& problem, double waveNumber)
+{
+    auto count = 1;
+
+    while (count <= maximumPlateModes && expectedWaveNumber (problem, count) < waveNumber)
+        count += 1 + count / 50;
+
+    return count;
+}
+
+/** All modes up to a frequency: as many as are expected, then more until one lies above it. */
+BendingModes modesUpTo (const OutlinedPlate& plate, const OutlinedProblem& scaled, double frequency)
+{
+    const auto omega = 2 * std::numbers::pi * frequency;
+    const auto limit = omega * omega / scaled.eigenvalueUnit();
+    auto wanted = expectedCount (scaled.problem, waveNumberAt (plate.common, omega) * scaled.length) + 2;
+
+    for (;; wanted += 4 + wanted / 4)
+    {
+        const auto modes = solveFor (scaled, std::min (wanted, maximumPlateModes + 1));
+        const auto below = (modes.eigenvalues.array() <= limit).count();
+
+        if (below == 0)
+            throw InputError ("device", "has no mode up to its maximum frequency; choose a higher frequency");
+
+        if (below > maximumPlateModes)
+            throw InputError ("device", "maximum frequency is " + std::to_string (frequency)
+                                            + " Hz; allowed: above 0 Hz, with up to "
+                                            + std::to_string (maximumPlateModes) + " modes below it");
+
+        if (below < modes.eigenvalues.size())
+            return firstModes (modes, below);
+    }
+}
+
+BendingModes wantedModes (const OutlinedPlate& plate, const OutlinedProblem& scaled, std::optional<int> argument)
+{
+    const auto given = argument ? argument : plate.common.modeCount;
+
+    if (! given && plate.common.maximumFrequency)
+        return modesUpTo (plate, scaled, *plate.common.maximumFrequency);
+
+    requirePlateModes (given.value_or (defaultPlateModes));
+    return solveFor (scaled, given.value_or (defaultPlateModes));
+}
+} // namespace
+
+double OutlinedProblem::eigenvalueUnit() const
+{
+    return stiffness / massPerArea / std::pow (length, 4);
+}
+
+double OutlinedProblem::shapeUnit() const
+{
+    return 1 / (std::sqrt (massPerArea) * length);
+}
+
+OutlinedProblem outlinedProblem (const OutlinedPlate& plate)
+{
+    auto result = inSi (plate);
+    result.length = extentOf (plate.outline).size().maxCoeff();
+    result.stiffness = result.problem.section.stiffness.diagonal().maxCoeff();
+    result.massPerArea = result.problem.section.massPerArea;
+    scale (result.problem, result.length, result.stiffness, result.massPerArea);
+    return result;
+}
+
+OutlinedSolution solveOutlinedModes (const OutlinedPlate& plate, std::optional<int> modeCount)
+{
+    auto scaled = outlinedProblem (plate);
+    auto modes = wantedModes (plate, scaled, modeCount);
+    Eigen::VectorXd angularFrequencies = (modes.eigenvalues * scaled.eigenvalueUnit()).cwiseSqrt();
+    const auto highest = angularFrequencies[angularFrequencies.size() - 1];
+    const auto waveNumber = largestWaveNumberAt (plate.common, highest) * scaled.length;
+    return { std::move (scaled), std::move (modes), std::move (angularFrequencies), waveNumber };
+}
+} // namespace antinode
