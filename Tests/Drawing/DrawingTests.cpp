@@ -125,8 +125,8 @@ TEST_CASE ("Bezier curves that stand for parts of a circle become those, others 
     for (std::size_t i = 0; i < path.size(); ++i)
     {
         const auto& next = path[(i + 1) % path.size()];
-        const auto in = path[i].derivative (path[i].to) * (path[i].to < path[i].from ? -1 : 1);
-        const auto out = next.derivative (next.from) * (next.to < next.from ? -1 : 1);
+        const Eigen::Vector2d in = path[i].derivative (path[i].to) * (path[i].to < path[i].from ? -1 : 1);
+        const Eigen::Vector2d out = next.derivative (next.from) * (next.to < next.from ? -1 : 1);
         bends += in.normalized().dot (out.normalized()) < 1 - 1e-6 ? 1 : 0;
     }
 
