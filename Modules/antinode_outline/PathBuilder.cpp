@@ -85,6 +85,11 @@ void PathBuilder::arcTo (const Eigen::Vector2d& end, double bulge, int edge)
     const auto radius = (place - centre).norm();
     const auto from = std::atan2 (place.y() - centre.y(), place.x() - centre.x());
     ellipseTo (centre, { radius, 0 }, { 0, radius }, from, from + 4 * std::atan (bulge), edge);
+    endAt (end);
+}
+
+void PathBuilder::endAt (const Eigen::Vector2d& end)
+{
     pieces.back().end = place = end;
 }
 

@@ -1,6 +1,9 @@
 #include "Support/ErrorText.h"
 #include "Support/TemporaryFolder.h"
 
+#include <antinode_documents/OutlineReader.h>
+#include <antinode_drawing/Drawing.h>
+#include <antinode_library/DrawnOutline.h>
 #include <antinode_library/Library.h>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -29,6 +32,21 @@ TEST_CASE ("A device file that names a drawing beside it is loaded with the path
     CHECK (outline.at ("pieces").size() == 4);
     CHECK (outline.at ("start_mm") == nlohmann::json ({ 0, 60 })); // y points upwards.
     CHECK (outline.at ("holes").size() == 1);
+}
+
+TEST_CASE ("Drawings keep their outline through the document of a device", "[library][drawing]")
+{
+    for (const std::string file : { "inkscape.svg", "inkscape.dxf", "ezdxf-R2000.dxf" })
+    {
+        const auto path = std::string (ANTINODE_TEST_DATA) + "/Drawings/" + file;
+        const nlohmann::json keys { { "file", file }, { "unit", "mm" }, { "layer", file[0] == 'e' ? "Outline" : "" } };
+        const auto drawn = readDrawnOutline (path, keys);
+        const auto document = nlohmann::json::parse (outlineToJson (drawn).dump());
+        const auto read = readOutline (JsonValue (document, "plate.json")).outline;
+        CHECK (read.paths.size() == drawn.paths.size());
+        CHECK (areaOf (read) == Approx (areaOf (drawn)).epsilon (1e-9));
+        CHECK (lengthOfEdge (read, 0) == Approx (lengthOfEdge (drawn, 0)).epsilon (1e-9));
+    }
 }
 
 TEST_CASE ("A drawing that cannot be read is named, and why", "[library][drawing]")
