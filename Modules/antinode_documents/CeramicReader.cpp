@@ -97,7 +97,7 @@ void placeAt (CeramicDescription& ceramic, const Eigen::Vector2d& centre)
 
 using PlateSize = std::optional<Eigen::Vector2d>;
 
-CeramicDescription readRectangle (const JsonValue& place, const PlateSize& size)
+CeramicDescription readRectangularCeramic (const JsonValue& place, const PlateSize& size)
 {
     const auto object = plateCeramic (place, { "x_mm", "y_mm", "centre_mm", "size_x_mm", "size_y_mm", "angle_deg" });
     const auto most = size.value_or (Eigen::Vector2d::Constant (ranges::lengthMillimetre.maximum));
@@ -147,12 +147,12 @@ CeramicDescription readRound (const JsonValue& place, const JsonObject& object, 
     return ceramic;
 }
 
-CeramicDescription readDisc (const JsonValue& place, const PlateSize&)
+CeramicDescription readDiscCeramic (const JsonValue& place, const PlateSize&)
 {
     return readRound (place, plateCeramic (place, { "centre_mm", "diameter_mm" }), CeramicShape::disc);
 }
 
-CeramicDescription readRing (const JsonValue& place, const PlateSize&)
+CeramicDescription readRingCeramic (const JsonValue& place, const PlateSize&)
 {
     const auto object = plateCeramic (place, { "centre_mm", "diameter_mm", "inner_diameter_mm" });
     object.required ("inner_diameter_mm");
@@ -160,7 +160,7 @@ CeramicDescription readRing (const JsonValue& place, const PlateSize&)
 }
 
 constexpr WordList<CeramicDescription (*) (const JsonValue&, const PlateSize&), 3> ceramicReaders {
-    { { "rectangle", readRectangle }, { "disc", readDisc }, { "ring", readRing } }
+    { { "rectangle", readRectangularCeramic }, { "disc", readDiscCeramic }, { "ring", readRingCeramic } }
 };
 } // namespace
 
@@ -197,7 +197,7 @@ std::vector<CeramicDescription> readPlateCeramics (const JsonValue& list, const 
     for (const auto& place : places)
     {
         const auto shape = place.find ("shape");
-        const auto read = shape ? shape->choice (ceramicReaders) : readRectangle;
+        const auto read = shape ? shape->choice (ceramicReaders) : readRectangularCeramic;
         ceramics.push_back (read (place, size));
     }
 

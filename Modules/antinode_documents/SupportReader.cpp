@@ -3,6 +3,7 @@
 #include "FileUnits.h"
 #include "OutlineReader.h"
 
+#include <antinode_base/MessageText.h>
 #include <antinode_outline/OutlineParts.h>
 #include <antinode_text/PhysicalRanges.h>
 

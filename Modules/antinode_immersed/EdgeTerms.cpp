@@ -177,6 +177,21 @@ void forEachHeldPiece (const BendingProblem& problem, const Function& function)
     }
 }
 
+/** The stiffness of the plate with the patches on it beside a place of its edge. */
+Eigen::Matrix3d stiffnessBeside (const BendingProblem& problem, const Eigen::Vector2d& place,
+                                 const Eigen::Vector2d& normal)
+{
+    constexpr double step = 1e-6; // of the plate's size, inward
+    const Eigen::Vector2d inside = place - step * extentOf (problem.outline).size().maxCoeff() * normal;
+    auto stiffness = problem.section.stiffness;
+
+    for (const auto& patch : problem.patches)
+        if (patch.outline.contains (inside.x(), inside.y()))
+            stiffness += patch.added.stiffness;
+
+    return stiffness;
+}
+
 double largestStiffness (const BendingProblem& problem)
 {
     return problem.section.stiffness.diagonal().maxCoeff();
@@ -205,33 +220,35 @@ void addEdgeTerms (BlockBandedMatrix& stiffness, const BendingProblem& problem, 
 {
     const auto rule = gaussLegendre (space.x().degree() + 3, 1);
     const auto unit = largestStiffness (problem);
-    forEachHeldPiece (problem,
-                      [&] (const PathPiece& piece, const EdgeSupport& support, double turn)
-                      {
-                          const auto parameters = cellParameters (piece, space);
+    forEachHeldPiece (
+        problem,
+        [&] (const PathPiece& piece, const EdgeSupport& support, double turn)
+        {
+            const auto parameters = cellParameters (piece, space);
 
-                          for (std::size_t i = 0; i + 1 < parameters.size(); ++i)
-                          {
-                              checkWatch();
+            for (std::size_t i = 0; i + 1 < parameters.size(); ++i)
+            {
+                checkWatch();
 
-                              if (! (parameters[i + 1] > parameters[i]))
-                                  continue;
+                if (! (parameters[i + 1] > parameters[i]))
+                    continue;
 
-                              const auto middle = piece.at ((parameters[i] + parameters[i + 1]) / 2);
-                              const auto* active = space.cellNear (middle.x(), middle.y());
+                const auto middle = piece.at ((parameters[i] + parameters[i + 1]) / 2);
+                const auto* active = space.cellNear (middle.x(), middle.y());
 
-                              if (active == nullptr)
-                                  continue;
+                if (active == nullptr)
+                    continue;
 
-                              const auto points = edgePoints (piece, parameters[i], parameters[i + 1], rule, turn);
-                              const CellFunctions functions (space, *active, points.places, 3);
-                              const EdgeFields fields (functions, points, problem.section.stiffness);
-                              const auto extent = space.extent (active->column, active->row);
-                              const auto cell = std::min (extent.right - extent.left, extent.top - extent.bottom);
-                              addToMatrix (stiffness, functions.unknowns(),
-                                           localTerms (fields, points, support, unit, cell));
-                          }
-                      });
+                const auto points = edgePoints (piece, parameters[i], parameters[i + 1], rule, turn);
+                const CellFunctions functions (space, *active, points.places, 3);
+                const auto centre = points.places.size() / 2;
+                const auto local = stiffnessBeside (problem, points.places[centre], points.normals[centre]);
+                const EdgeFields fields (functions, points, local);
+                const auto extent = space.extent (active->column, active->row);
+                const auto cell = std::min (extent.right - extent.left, extent.top - extent.bottom);
+                addToMatrix (stiffness, functions.unknowns(), localTerms (fields, points, support, unit, cell));
+            }
+        });
 }
 
 Eigen::Matrix3d rigidSupport (const BendingProblem& problem)

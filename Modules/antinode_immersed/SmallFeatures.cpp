@@ -103,7 +103,7 @@ void addPoints (SmallCellsOfAxes& small, const BendingProblem& problem, const Im
    patch moments vary fast. */
 void addBend (SmallCellsOfAxes& small, const KinkFunction& kink, const ImmersedResolution& resolution)
 {
-    constexpr double share = 1.0 / 6, ofWidth = 0.2, growth = 1.2;
+    constexpr double share = 0.05, ofWidth = 0.2, growth = 1.4; // The first cell is twice the share.
     const auto cell = std::min (share * resolution.cell, ofWidth * 2 * kink.width);
     auto& along = kink.gradient.y() == 0 ? small.alongX : small.alongY;
     along.push_back (

@@ -245,6 +245,13 @@ ModalModel solveDevice (const DeviceDescription& device, std::optional<int> mode
 
 WideModel solveWide (const DeviceDescription& device, const ModalModel& known, double frequency, bool usesCache)
 {
+    if (std::holds_alternative<OutlinedPlate> (device.body))
+        return {
+            known, known.modes(),
+            "Two solutions of a plate with an outline have points of their own: what spills over into modes beyond "
+            "these is not known."
+        };
+
     const auto wider = reaching (device, { {}, frequency });
 
     if (! wider)

@@ -183,8 +183,8 @@ void SurfacePainter::paint (juce::Graphics& g, int frame) const
     {
         const juce::Graphics::ScopedSaveState state (g);
 
-        // A map covers all of the plot: large images cost more than small ones.
-        if (! isLine())
+        // A map covers all of the plot, unless it has an outline: large images cost more than small ones.
+        if (! isLine() && std::get<HeatMap> (*picture->field).surface.empty())
             g.excludeClipRegion (plot.plot.toNearestInt() + area.getPosition());
 
         drawLayer (g, below);
@@ -231,7 +231,6 @@ void SurfacePainter::paintPlate (juce::Graphics& g, int frame) const
                                     colours->charts.diverging);
     g.setImageResamplingQuality (juce::Graphics::mediumResamplingQuality);
 
-    // Pixel by pixel: a smooth edge would cost more than the map, and its line is drawn above it.
     if (const auto& surface = std::get<HeatMap> (*picture->field).surface; ! surface.empty())
         g.reduceClipRegion (pathOf (surface, plot));
 
