@@ -93,7 +93,7 @@ Eigen::MatrixXd playedVoltages (const ModalModel& known, const FocusDesign& desi
 }
 
 LearntFocus learnFocus (const WideModel& nominal, const FocusDescription& focus, const std::vector<Sensor>& sensors,
-                        const ModeSpread& deviations, const PlayAndRecord& play, const LearningSettings& settings,
+                        const ModeSpread& deviations, const PassPlayer& play, const LearningSettings& settings,
                         const std::function<void (double)>& progress)
 {
     LearntFocus result;

@@ -14,7 +14,7 @@ namespace antinode
     for.
     @param pass  0 for the first
     @return      with the voltages that were played, if others than these */
-using PlayAndRecord = std::function<PlayedRecording (const Eigen::MatrixXd& voltages, int pass)>;
+using PassPlayer = std::function<PlayedRecording (const Eigen::MatrixXd& voltages, int pass)>;
 
 struct LearningSettings
 {
@@ -58,6 +58,6 @@ struct LearntFocus
     @throws LimitError, InputError, Cancelled  as designFocus and learnModes
     [worker] Docs/Theory.md, section 7.6. */
 LearntFocus learnFocus (const WideModel& nominal, const FocusDescription&, const std::vector<Sensor>&,
-                        const ModeSpread&, const PlayAndRecord&, const LearningSettings&,
+                        const ModeSpread&, const PassPlayer&, const LearningSettings&,
                         const std::function<void (double)>& progress = {});
 } // namespace antinode

@@ -103,7 +103,7 @@ Eigen::VectorXd noiseOf (const Eigen::MatrixXd& signals, double signalToNoise)
            * (signals.rowwise().norm() / std::sqrt (static_cast<double> (signals.cols()))).cwiseMax (1e-30);
 }
 
-PlayAndRecord recordedBench (const LearnOptions& options, const LearningSetup& setup)
+PassPlayer recordedBench (const LearnOptions& options, const LearningSetup& setup)
 {
     return [&] (const Eigen::MatrixXd&, int pass)
     {
@@ -116,7 +116,7 @@ PlayAndRecord recordedBench (const LearnOptions& options, const LearningSetup& s
 }
 
 /** A bench whose device deviates as the options say. */
-PlayAndRecord simulatedBench (const LearnOptions& options, const LearningSetup& setup)
+PassPlayer simulatedBench (const LearnOptions& options, const LearningSetup& setup)
 {
     const DetuningSpread spread { options.frequency / percent, options.damping / percent,
                                   options.participation / percent, 0 };

@@ -21,7 +21,7 @@ namespace antinode
 {
 namespace
 {
-constexpr double percent = 100;
+constexpr double inPercent = 100;
 
 /** Velocities of a table's columns but the time: sensors x N_s, m/s. */
 Eigen::MatrixXd recordedTable (const std::filesystem::path& path)
@@ -62,9 +62,9 @@ std::string learntTable (const LearntFocus& learnt, const WideModel& nominal, co
     {
         std::array<char, 256> line {};
         std::snprintf (line.data(), line.size(), "%td,%.9g,%.9g,%.4g,%.4g,%.9g,%.9g,%.4g,%.4g\n", k + 1,
-                       nominal.model.frequencyHz (k), now.model.frequencyHz (k), percent * before.frequencies[k],
-                       percent * now.frequencyDeviations[k], nominal.model.dampingRatios[k], now.model.dampingRatios[k],
-                       percent * before.dampings[k], percent * now.dampingDeviations[k]);
+                       nominal.model.frequencyHz (k), now.model.frequencyHz (k), inPercent * before.frequencies[k],
+                       inPercent * now.frequencyDeviations[k], nominal.model.dampingRatios[k], now.model.dampingRatios[k],
+                       inPercent * before.dampings[k], inPercent * now.dampingDeviations[k]);
         text += line.data();
     }
 
@@ -76,13 +76,13 @@ nlohmann::ordered_json summary (const LearntFocus& learnt)
     nlohmann::ordered_json document { { "schema", "antinode.learnt/1" },
                                       { "is_accepted", learnt.refusal.empty() },
                                       { "refusal", learnt.refusal },
-                                      { "unexplained_percent", percent * learnt.learnt.unexplained },
+                                      { "unexplained_percent", inPercent * learnt.learnt.unexplained },
                                       { "residual_of_noise", learnt.learnt.residual },
                                       { "trigger_sample", 0 } };
     auto& passes = document["passes"] = nlohmann::ordered_json::array();
 
     for (const auto& pass : learnt.passes)
-        passes.push_back ({ { "estimated_field_error_percent", percent * pass.estimatedError },
+        passes.push_back ({ { "estimated_field_error_percent", inPercent * pass.estimatedError },
                             { "surprise_of_noise", pass.surprise },
                             { "surprise_of_noise_nominal", pass.nominalSurprise } });
 

@@ -112,7 +112,7 @@ struct Bench
     }
 };
 
-LearntFocus learn (const Bench& bench, const PlayAndRecord& play)
+LearntFocus learn (const Bench& bench, const PassPlayer& play)
 {
     return learnFocus (bench.nominal, sincFocus(), bench.sensors(),
                        sameSpread (bench.nominal.model.modes(), 0.005, 0.1, 0.05), play, threePasses());
