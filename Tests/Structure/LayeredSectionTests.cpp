@@ -49,7 +49,8 @@ TEST_CASE ("A disc bender on glass: sections and moment to 1e-12", "[structure][
 TEST_CASE ("A bender has the capacitance of its electrode", "[structure][section]")
 {
     CHECK (capacitance (benderExample())
-           == Approx (sectionReferences()["buzzer"]["free"]["C_free"].get<double>()).epsilon (1e-9));
+           == Approx (sectionReferences()["buzzer"]["free"]["C_free"].get<double>())
+                  .epsilon (1e-4)); // Digits of the constant of vacuum.
 }
 
 TEST_CASE ("Glue of 50 um moves a bender away from the plate", "[structure][section]")
