@@ -140,9 +140,10 @@ void addPiece (PathBuilder& path, const JsonObject& piece, const Eigen::Vector2d
         const auto begin = angleOf (centre, cosine, sine, from);
         const auto turn = angleOf (centre, cosine, sine, to) - begin;
         path.ellipseTo (centre, cosine, sine, begin, begin + std::remainder (turn, 2 * std::numbers::pi), edge);
+        return;
     }
 
-    path.lineTo (to, edge); // of an ellipse what rounding leaves
+    path.lineTo (to, edge);
 }
 
 NamedPath readPieces (const JsonValue& value)
