@@ -49,7 +49,7 @@ std::vector<BendingPatch> ceramicPatches (const StructureCommon& common, const C
     }
 
     // With larger cells than on other patches frequencies change by 1e-5, and there may be dozens of benders.
-    constexpr double coarser = 1.7;
+    constexpr double coarser = 1.4;
     const auto carrier = carrierStack (common, ceramic);
     auto inner = discPatch (ceramic.centre(), ceramic.carrier->ceramicDiameter / 2);
     auto driven = discPatch (ceramic.centre(), ceramic.carrier->electrodeDiameter / 2);

@@ -15,8 +15,9 @@ bool needsCorrection (const StructureCommon&);
     [any] Docs/Theory.md, section 1.15. */
 StructureCommon asSolved (StructureCommon, double waveNumber);
 
-/** Gives solved modes the frequencies that waves of their length have on the bare plate, and adds the damping of soft
-   layers. Parts with ceramics are taken to change as the bare plate does; shapes and participation stay.
+/** Gives solved modes the frequencies that waves of their length have on the bare plate, adds the damping of soft
+   layers and scales participation by the moment per volt at that length. Parts with ceramics are taken to change as the
+   bare plate does; shapes stay.
     @param common  as solved
     [worker] Docs/Theory.md, sections 1.7 and 1.15. */
 void correctFrequencies (ModalModel&, const StructureCommon&);

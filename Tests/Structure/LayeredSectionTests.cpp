@@ -3,6 +3,7 @@
 #include <antinode_immersed/BendingModes.h>
 #include <antinode_immersed/PatchShapes.h>
 #include <antinode_outline/OutlineShapes.h>
+#include <antinode_structure/Capacitance.h>
 
 #include <numbers>
 
@@ -43,6 +44,13 @@ TEST_CASE ("A disc bender on glass: sections and moment to 1e-12", "[structure][
     requireSection (inner, expected["inner"]);
     CHECK (inner.momentPerVolt[0].real() == Approx (expected["kappa"].get<double>()).epsilon (1e-12));
     CHECK (inner.momentPerVolt[1].real() == Approx (inner.momentPerVolt[0].real()).epsilon (1e-14));
+}
+
+TEST_CASE ("A bender has the capacitance of its electrode", "[structure][section]")
+{
+    CHECK (capacitance (benderExample())
+           == Approx (sectionReferences()["buzzer"]["free"]["C_free"].get<double>())
+                  .epsilon (1e-4)); // Digits of the constant of vacuum.
 }
 
 TEST_CASE ("Glue of 50 um moves a bender away from the plate", "[structure][section]")
