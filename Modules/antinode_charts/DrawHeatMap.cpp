@@ -100,7 +100,8 @@ void draw (juce::Graphics& g, juce::Rectangle<float> area, const HeatMap& chart,
     const ChartAxis values { chart.valueLabel, range, false, {}, false };
     const auto barWidth = chart.isBare ? 0 : colourBarWidth (values, rest.getHeight(), theme);
     const auto frame = makeFrame (chart, rest, barWidth, theme);
-    drawGrid (g, frame, theme);
+    if (chart.surface.empty()) // Lines would show in holes.
+        drawGrid (g, frame, theme);
     if (dataRange (chart))
         drawMap (g, frame, chart, range, map);
     else

@@ -2,6 +2,7 @@
 
 #include "GridPlaces.h"
 
+#include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>
 #include <antinode_immersed/CellSizes.h>
 #include <antinode_numerics/DenseKernels.h>
@@ -271,7 +272,7 @@ Eigen::VectorXd OutlinedGrid::masses() const
 void OutlinedGrid::extend (Eigen::MatrixXd& shapes, const CutCell& cell) const
 {
     // Of all polynomials that are as smooth as waves the one that is nearest to the shapes on the plate.
-    constexpr double tolerance = 1e-6, least = 1e-3;
+    constexpr double least = 1e-3;
     const auto amplitude = 10 / std::sqrt (areaOf (problem.outline));
     const Segment alongX (axisX, cell.column), alongY (axisY, cell.row);
     const auto sizesX = usualCoefficients (waveNumber * alongX.length / 2, alongX.count);
@@ -292,9 +293,15 @@ void OutlinedGrid::extend (Eigen::MatrixXd& shapes, const CutCell& cell) const
             nodes.col (term) = size * (nodesX.col (a) * nodesY.col (b).transpose()).reshaped();
         }
 
-    Eigen::MatrixXd system = tolerance * tolerance * Eigen::MatrixXd::Identity (terms, terms);
+    // More than rounding leaves of the sum, so that it can be factored: 1e-5 of the amplitude.
+    constexpr double tolerance = 1e-13;
+    Eigen::MatrixXd system = tolerance * samples.squaredNorm() * Eigen::MatrixXd::Identity (terms, terms);
     addGram (system, 1, samples);
-    factorLower (system);
+
+    if (! factorLower (system))
+        throw InputError ("device",
+                          "has an outline that leaves too little of a cell; change it or the number of modes a little");
+
     Eigen::MatrixXd right = Eigen::MatrixXd::Zero (terms, shapes.cols());
     addProduct (right, 1, samples, shapes.middleRows (cell.first, cell.count));
     const Eigen::MatrixXd values = nodes * solveFactored (system, std::move (right));
