@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace antinode
 {
@@ -52,8 +53,20 @@ HeatMap mapOf (const ModalModel& model, const BankVolts& volts)
     return chart;
 }
 
+/** From left to right: one of them may have been moved to the focus's own place. */
+std::vector<std::size_t> alongX (const BankVolts& volts)
+{
+    std::vector<std::size_t> order (volts.places.size());
+    std::iota (order.begin(), order.end(), std::size_t { 0 });
+    std::stable_sort (order.begin(), order.end(),
+                      [&] (std::size_t one, std::size_t other)
+                      { return volts.places[one].first < volts.places[other].first; });
+    return order;
+}
+
 LineChart curvesOf (const BankVolts& volts)
 {
+    const auto order = alongX (volts);
     const auto count = static_cast<Eigen::Index> (volts.places.size());
     Series peaks, bounds;
     peaks.name = "peak voltage";
@@ -65,7 +78,7 @@ LineChart curvesOf (const BankVolts& volts)
 
     for (Eigen::Index i = 0; i < count; ++i)
     {
-        const auto at = static_cast<std::size_t> (i);
+        const auto at = order[static_cast<std::size_t> (i)];
         peaks.x[i] = volts.places[at].first * milli;
         peaks.y[i] = orMissing (volts.peaks[at]);
         bounds.y[i] = orMissing (volts.bounds[at]);

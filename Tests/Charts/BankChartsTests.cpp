@@ -32,11 +32,13 @@ TEST_CASE ("A bank on a plate is a map in the order of its places, one on a line
     CHECK (map.values (2, 4) > map.values (2, 3));
 
     const auto beam = test::sineBeam (8, 4);
-    const BankVolts line { { { -0.05, 0 }, { 0, 0 }, { 0.05, 0 } }, { 3, 0, 4 }, { 2.5, 0, 3.2 }, 100 };
+    // The one in the middle was moved to the focus's own place, to the left of all.
+    const BankVolts line { { { -0.05, 0 }, { -0.06, 0 }, { 0.05, 0 } }, { 3, 0, 4 }, { 2.5, 0, 3.2 }, 100 };
     const auto chart = std::get<LineChart> (bankVoltsChart (beam, line));
     REQUIRE (chart.series.size() == 2);
     CHECK (chart.series[0].x[2] == Approx (50));
-    CHECK (std::isnan (chart.series[0].y[1]));
+    CHECK (std::isnan (chart.series[0].y[0]));
+    CHECK (chart.series[0].y[1] == 3);
     CHECK (chart.series[1].y[2] == 3.2);
     CHECK (chart.limits.empty());
 }
