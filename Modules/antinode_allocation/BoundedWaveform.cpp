@@ -195,7 +195,8 @@ BoundedWaveform solveBoundedWaveform (const BoundedWaveformProblem& problem)
 {
     WaveformDual dual (problem);
     auto seen = dual.freeGrams();
-    const auto start = unlimitedMultipliers (dual, seen);
+    const Eigen::VectorXd start = problem.start.size() > 0 ? Eigen::VectorXd (problem.start.cwiseQuotient (dual.scale))
+                                                           : unlimitedMultipliers (dual, seen);
     const auto [summit, share] = problem.nearness > 0 ? climbNearBound (dual, start, problem.nearness, seen)
                                                       : std::pair (climb (dual, start, seen), 1.0);
     const auto& point = summit.point;

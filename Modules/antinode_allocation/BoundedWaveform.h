@@ -9,7 +9,7 @@ namespace antinode
     Unknown: samples u, N_b x N_s, V. Row k gives sum_i sum_n participation (k, i) weights (k, n) u (i, n):
 
         minimise    1/2 sum_i sum_n costs (n) u (i, n)^2 + sum over soft rows (row value)^2 / (2 compliance)
-        subject to  row value = wanted (hard rows, those of compliance 0),   |u (i, n)| <= limits (i)
+        subject to  row value = wanted (hard rows, those of compliance 0),   |u (i, n)| <= limits (i) shares (i, n)
 */
 struct BoundedWaveformProblem
 {
@@ -19,6 +19,8 @@ struct BoundedWaveformProblem
     Eigen::VectorXd compliance;    ///< N_r, at least 0.
     Eigen::VectorXd limits;        ///< N_b, V, more than 0.
     Eigen::VectorXd costs;         ///< N_s: of each sample's energy, more than 0; empty: 1 each.
+    Eigen::MatrixXd shares;        ///< N_b x N_s: of the limits, what each sample may have, more than 0; empty: all.
+    Eigen::VectorXd start;         ///< N_r: multipliers of a problem alike; empty: those without limits.
     double nearness = 0; ///< Above 1: the limits are lowered to so many times the peak bound. 0: they are as given.
 };
 

@@ -12,6 +12,10 @@ WaveformDual::WaveformDual (const BoundedWaveformProblem& problem)
         roots = problem.costs.cwiseSqrt();
 
     caps = problem.limits * roots.transpose();
+
+    if (problem.shares.size() > 0)
+        caps = caps.cwiseProduct (problem.shares);
+
     weights = problem.weights * roots.cwiseInverse().asDiagonal();
     scale = (weights.rowwise().norm().array() * participation.rowwise().norm().array()).matrix();
 

@@ -29,6 +29,9 @@ struct DesignOrigin
     FocusDescription focus;
 };
 
+/** Whether a document says that it is a design, of whatever version. [any] */
+bool isDesignFile (const nlohmann::json&);
+
 /** @throws InputError  as readDesign [worker] */
 DesignOrigin readDesignOrigin (const nlohmann::json&, const std::string& source);
 } // namespace antinode

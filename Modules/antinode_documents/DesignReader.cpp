@@ -234,6 +234,13 @@ void addMoments (FocusDesign& design, const JsonObject& object, const ModalModel
 }
 } // namespace
 
+bool isDesignFile (const nlohmann::json& document)
+{
+    const auto schema = document.is_object() ? document.find ("schema") : document.end();
+    return schema != document.end() && schema->is_string()
+           && schema->get_ref<const std::string&>().starts_with ("antinode.design/");
+}
+
 DesignOrigin readDesignOrigin (const nlohmann::json& document, const std::string& source)
 {
     const JsonValue value (document, source);

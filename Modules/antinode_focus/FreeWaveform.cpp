@@ -199,7 +199,7 @@ FreeWaveform freeWaveform (const ModalModel& model, const FocusDescription& desc
 
     // What sparse samples cannot reach, denser ones may.
     for (; ! waveform.isNear && factor > 1; waveform = solvePlayed (problem))
-        problem = makeProblem (task, factor /= 2);
+        problem = makeProblem (task, --factor);
 
     if (! waveform.free.isMet)
         throwBeyondLimit (largestLimitField (model, description.allocation, limits), problem.hard, description);

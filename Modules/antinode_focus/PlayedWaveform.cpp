@@ -1,6 +1,9 @@
 #include "PlayedWaveform.h"
 
+#include <antinode_numerics/KaiserSinc.h>
+
 #include <algorithm>
+#include <cmath>
 
 namespace antinode
 {
@@ -11,44 +14,91 @@ double peakShare (const Eigen::MatrixXd& samples, const Eigen::VectorXd& limits)
     return samples.cwiseAbs().rowwise().maxCoeff().cwiseQuotient (limits).maxCoeff();
 }
 
-/** The least peak that is proven, as a share of the limits. */
-double provenShare (const PlayedProblem& problem, const BoundedWaveform& free, double lowered)
+/** The free sample that a played one lies nearest to; those behind the focus are images of those before it. */
+Eigen::Index nearestFree (const SparseSamples& sparse, Eigen::Index played)
 {
-    if (! problem.everySample)
-        return free.peakBound;
+    const auto focus = sparse.range.focus;
+    const auto place = static_cast<double> (played) / static_cast<double> (sparse.factor) - kaiserSincHalfWidth;
+    const auto nearest = static_cast<Eigen::Index> (std::llround (place));
+    return std::clamp<Eigen::Index> (nearest > focus ? 2 * focus - nearest : nearest, 0, focus);
+}
 
-    const Eigen::VectorXd ofHardRows = free.multipliers.head (problem.hard.wanted.size());
-    return std::min (free.peakBound / lowered, provenPeak (*problem.everySample, ofHardRows));
+/** Lowers the free samples where what is played between them is higher than allowed, and their neighbours. */
+void lowerWhereHigh (Eigen::MatrixXd& shares, const PlayedProblem& problem, const Eigen::MatrixXd& played,
+                     double allowed, double room)
+{
+    for (Eigen::Index i = 0; i < shares.rows(); ++i)
+    {
+        Eigen::VectorXd excess = Eigen::VectorXd::Ones (shares.cols());
+
+        for (Eigen::Index m = 0; m < played.cols(); ++m)
+        {
+            auto& largest = excess[nearestFree (problem.sparse, m)];
+            largest = std::max (largest, std::abs (played (i, m)) / (allowed * problem.all.limits[i]));
+        }
+
+        for (Eigen::Index n = 0; n < shares.cols(); ++n)
+        {
+            const auto first = std::max<Eigen::Index> (n - 1, 0);
+            const auto around = excess.segment (first, std::min (n + 2, shares.cols()) - first).maxCoeff();
+
+            if (around > 1)
+                shares (i, n) /= room * around;
+        }
+    }
+}
+
+/** As near to the bound as is asked for, between the free samples too, if the attempts lead there. */
+PlayedWaveform solveBetween (const PlayedProblem& problem, PlayedWaveform result)
+{
+    constexpr int attempts = 20;
+    constexpr double rounding = 1e-9, firstRoom = 1.01, moreRoom = 0.003;
+    const auto hard = problem.hard.wanted.size();
+    auto lowered = problem.all;
+    lowered.shares = Eigen::MatrixXd::Ones (problem.all.limits.size(), problem.all.weights.cols());
+    lowered.nearness = 0;
+    double bound = 0;
+
+    for (int attempt = 0; attempt < attempts && result.free.isMet; ++attempt)
+    {
+        // Of waveforms with lowered samples the multipliers prove no more than those of the first two.
+        if (attempt < 2)
+            bound = std::max (bound, provenPeak (*problem.everySample, result.free.multipliers.head (hard)));
+
+        result.played = playedSamples (result.free.samples, problem.sparse, problem.focusTime);
+        result.peak = peakShare (result.played.values, problem.all.limits);
+        const auto allowed = std::min (1.0, problem.all.nearness * bound);
+        result.free.peakBound = bound;
+        result.free.limitShare = allowed;
+        result.isNear = result.peak <= allowed * (1 + rounding);
+
+        if (result.isNear)
+            break;
+
+        lowerWhereHigh (lowered.shares, problem, result.played.values, allowed, firstRoom + moreRoom * attempt);
+        lowered.limits = allowed * problem.all.limits;
+        lowered.start = result.free.multipliers;
+        result.free = solveBoundedWaveform (lowered);
+    }
+
+    return result;
 }
 } // namespace
 
 PlayedWaveform solvePlayed (const PlayedProblem& problem)
 {
-    constexpr int attempts = 6;
-    constexpr double room = 1.002, nearest = 1.01, rounding = 1e-9;
-    const auto nearness = problem.all.nearness;
-    auto lowered = problem.all;
     PlayedWaveform result;
-    double excess = 1;
+    result.free = solveBoundedWaveform (problem.all);
 
-    for (int attempt = 0; attempt < attempts && ! result.isNear; ++attempt)
-    {
-        lowered.limits = problem.all.limits / excess;
-        lowered.nearness = nearness > 0 ? std::max (nearness / excess, nearest) : 0;
-        result.free = solveBoundedWaveform (lowered);
-        result.free.peakBound = provenShare (problem, result.free, excess);
-        result.free.limitShare /= excess;
+    if (! result.free.isMet)
+        return result;
 
-        if (! result.free.isMet)
-            break;
+    if (problem.sparse.factor > 1)
+        return solveBetween (problem, std::move (result));
 
-        result.played = playedSamples (result.free.samples, problem.sparse, problem.focusTime);
-        result.peak = peakShare (result.played.values, problem.all.limits);
-        const auto allowed = nearness > 0 ? std::min (1.0, nearness * result.free.peakBound) : 1.0;
-        result.isNear = problem.sparse.factor == 1 || result.peak <= allowed * (1 + rounding);
-        excess *= room * std::max (1.0, result.peak / allowed);
-    }
-
+    result.played = playedSamples (result.free.samples, problem.sparse, problem.focusTime);
+    result.peak = peakShare (result.played.values, problem.all.limits);
+    result.isNear = true;
     return result;
 }
 } // namespace antinode

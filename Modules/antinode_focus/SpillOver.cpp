@@ -11,15 +11,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace antinode
 {
 namespace
 {
-constexpr double sameFrequency = 0.01;                    // Two solutions of one device agree far better.
-constexpr double worthwhileShare = 0.9;                   // Less is not gained for more guards.
-constexpr std::array triedGuards { 1.1, 1.25, 1.5, 2.0 }; // Times the known modes.
-constexpr std::array triedWhereSlow { 1.5 };              // The same of drives of least peak.
+constexpr double sameFrequency = 0.01;                            // Two solutions of one device agree far better.
+constexpr double worthwhileShare = 0.9;                           // Less is not gained for more guards.
+constexpr std::array triedGuards { 1.1, 1.25, 1.5, 2.0 };         // Times the known modes.
+constexpr std::array triedWhereSlow { 1.5 };                      // The same of drives of least peak.
+constexpr std::array triedOfSamples { 1.1, 1.25, 1.5, 2.0, 2.5 }; // Of samples, which reach up to half their rate.
 
 /** Values at the points of one grid taken to those of another, column by column. */
 Eigen::MatrixXd regridded (const PlateGrid& from, const PlateGrid& to, const Eigen::MatrixXd& values)
@@ -101,10 +103,13 @@ std::vector<double> guardsToTry (AllocationMethod method)
 {
     const auto& traits = methodTraits (method);
 
-    if (! traits.hasExactRows && traits.waveforms != AllocatedWaveforms::samples)
+    if (traits.waveforms == AllocatedWaveforms::samples)
+        return { triedOfSamples.begin(), triedOfSamples.end() };
+
+    if (! traits.hasExactRows)
         return {}; // It guards no modes.
 
-    if (traits.asksForMinimumPeak && traits.waveforms != AllocatedWaveforms::samples)
+    if (traits.asksForMinimumPeak)
         return { triedWhereSlow.begin(), triedWhereSlow.end() };
 
     return { triedGuards.begin(), triedGuards.end() };
@@ -257,13 +262,19 @@ FocusDesign designWithin (const WideModel& wide, const FocusDescription& descrip
 
     first.spillOver = describedSpillOver (wide, wide.known, spillOverShare (wide, first));
     auto best = first;
+    // Samples guard all that is known of, where so many times the device's modes are not.
+    const auto mostGuarded = first.program.samples ? wide.model.modes() : std::numeric_limits<Eigen::Index>::max();
+    Eigen::Index tried = 0;
 
     for (const auto multiple : guardsToTry (description.allocation.method))
     {
-        const auto designed = static_cast<Eigen::Index> (std::ceil (multiple * static_cast<double> (wide.known)));
+        const auto designed =
+            std::min (static_cast<Eigen::Index> (std::ceil (multiple * static_cast<double> (wide.known))), mostGuarded);
 
-        if (best.spillOver->share <= allowedSpillOver || designed > wide.model.modes())
+        if (best.spillOver->share <= allowedSpillOver || designed > wide.model.modes() || designed == tried)
             break;
+
+        tried = designed;
 
         auto next = guardedDesign (wide, description, playback, extent, designed);
 

@@ -1,6 +1,7 @@
 #include "ToleranceCauses.h"
 
 #include "Prediction.h"
+#include "SampledPrediction.h"
 #include "StateRows.h"
 
 #include <antinode_base/NumberText.h>
@@ -26,6 +27,17 @@ constexpr std::array<Node, 4> gaussHermite { { { 1.3556261799742659, 0.222075922
                                                { 2.8569700138728056, 0.0112574113277207 },
                                                { -2.8569700138728056, 0.0112574113277207 } } };
 
+/** What samples give every mode at the focus per unit of participation, N_m x N_b. */
+Eigen::MatrixXd responsesToSamples (const ModalModel& off, const std::vector<int>& modes,
+                                    const SampledVoltages& samples, double focusTime)
+{
+    const auto focus = std::llround ((focusTime - samples.firstTime) * samples.playback.sampleRate);
+    const auto states = sampleResponses (off, modes, samples.playback, samples.values.cols(), focus);
+    const Eigen::VectorXd ratio = decayRates (off).cwiseQuotient (dampedFrequencies (off));
+    const Eigen::MatrixXd velocities = states.real() - ratio.asDiagonal() * states.imag();
+    return velocities * samples.values.transpose();
+}
+
 /** The velocity of every mode at the focus that each ceramic alone gives it, N_m x N_b, with all frequencies and
     dampings times a factor. */
 Eigen::MatrixXd velocitiesByCeramic (const ModalModel& model, const FocusDesign& design, double frequencyFactor,
@@ -41,9 +53,17 @@ Eigen::MatrixXd velocitiesByCeramic (const ModalModel& model, const FocusDesign&
     for (const auto& oscillation : design.program.oscillations)
         oscillations.push_back ({ oscillation });
 
-    const auto responses =
-        rowResponses (off, rowsAt (design.program.focusTime, modes, ModalQuantity::velocity), oscillations, {});
-    return (responses * design.program.allocation.transpose()).cwiseProduct (model.participation);
+    const auto& program = design.program;
+    Eigen::MatrixXd velocities = Eigen::MatrixXd::Zero (model.modes(), model.actuators());
+
+    if (! oscillations.empty())
+        velocities = rowResponses (off, rowsAt (program.focusTime, modes, ModalQuantity::velocity), oscillations, {})
+                     * program.allocation.transpose();
+
+    if (program.samples)
+        velocities += responsesToSamples (off, modes, *program.samples, program.focusTime);
+
+    return velocities.cwiseProduct (model.participation);
 }
 
 /** Modes are independent of each other, so all of them can be off at once where each is looked at alone. */

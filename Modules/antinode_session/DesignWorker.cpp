@@ -1,7 +1,10 @@
 #include "DesignWorker.h"
 
+#include "WrittenDesign.h"
+
 #include <antinode_base/Watch.h>
 #include <antinode_focus/BankPlaces.h>
+#include <antinode_focus/DesignFocus.h>
 
 #include <algorithm>
 #include <utility>
@@ -47,6 +50,7 @@ void DesignWorker::request (DesignRequest request)
     const std::lock_guard lock (mutex);
     state = {};
     state.wanted = static_cast<int> (request.places.size()) + 1;
+    state.volts.resize (request.places.size());
     isReady.fill (false);
     next = std::move (request);
     nextRequestTime = Clock::now();
@@ -223,14 +227,18 @@ bool DesignWorker::designPlace (const DesignRequest& request, int place, const F
 {
     std::shared_ptr<const PlayableFocus> focus;
     std::string error;
+    PlaceVolts volts;
     const WatchScope scope ([this, place, begin = Clock::now()] { return mayContinue (place, begin); });
 
     try
     {
         requireRoom (bank.foci[FocusBank::livePlace].get(), request, place);
-        const auto design = designer.design (request, description);
+        const auto design = place == FocusBank::livePlace && request.written != nullptr
+                                ? designAsWritten (*request.written, *request.model)
+                                : designer.design (request, description);
         auto made = std::make_shared<const PlayableFocus> (design.program, request.playback);
         requireRoom (made.get(), request, place);
+        volts = { peakVoltage (design), design.minimumPeakVoltage };
         focus = std::move (made);
     }
     catch (const Cancelled&)
@@ -250,6 +258,9 @@ bool DesignWorker::designPlace (const DesignRequest& request, int place, const F
         return true; // The state is the next request's already, or does not count this place.
 
     ++state.designed;
+
+    if (place < static_cast<int> (state.volts.size()))
+        state.volts[static_cast<std::size_t> (place)] = volts;
 
     if (! failed)
         return true;

@@ -13,9 +13,28 @@ DeviceDocument readDeviceDocument (const nlohmann::json& json, const std::string
     return { json.dump(), readDevice (json, source) };
 }
 
+std::shared_ptr<const DesignDocument> readDesignDocument (const nlohmann::json& json, const std::string& source)
+{
+    return std::make_shared<const DesignDocument> (DesignDocument {
+        json.dump(), source, std::make_shared<const nlohmann::json> (json), readDesignOrigin (json, source) });
+}
+
 FocusDocument readFocusDocument (const nlohmann::json& json, const std::string& source)
 {
+    if (isDesignFile (json))
+    {
+        auto design = readDesignDocument (json, source);
+        return { json["focus"].dump(), design->origin.focus, design };
+    }
+
     return { json.dump(), readFocus (json, source) };
+}
+
+bool sayTheSame (const FocusDocument& one, const FocusDocument& other)
+{
+    const auto hasDesign = one.design != nullptr, otherHasDesign = other.design != nullptr;
+    return one.text == other.text && hasDesign == otherHasDesign
+           && (one.design == other.design || one.design->text == other.design->text);
 }
 
 FocusDocument withFingers (const FocusDocument& focus, const std::vector<Finger>& fingers)
@@ -26,6 +45,8 @@ FocusDocument withFingers (const FocusDocument& focus, const std::vector<Finger>
     for (const auto& finger : fingers)
         json["fingers"].push_back (nlohmann::json (fingerToJson (finger)));
 
-    return readFocusDocument (json, "focus");
+    auto changed = readFocusDocument (json, "focus");
+    changed.design = focus.design;
+    return changed;
 }
 } // namespace antinode

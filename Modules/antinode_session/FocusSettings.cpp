@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace antinode
 {
@@ -116,24 +117,30 @@ PlaySettings settingsFromFocus (const FocusDescription& focus, const Surface& su
     return settings;
 }
 
+FocusDescription withMethod (FocusDescription focus, AllocationMethod method)
+{
+    const auto& traits = methodTraits (method);
+    focus.allocation.method = method;
+
+    if (! traits.takesRobustness)
+        focus.allocation.robust.reset();
+
+    if (method != AllocationMethod::leastVoltage)
+        focus.allocation.timesBound.reset();
+
+    if (method != AllocationMethod::freeWaveform)
+        focus.felt.reset();
+
+    focus.allocation.isUndisplaced = focus.allocation.isUndisplaced && traits.hasExactRows;
+    return focus;
+}
+
 FocusDescription withSettings (const FocusDescription& document, const PlaySettings& settings, const Surface& surface)
 {
     auto focus = document;
     const auto loaded = settingsFromFocus (document, surface, settings);
     applyTarget (focus, settings, loaded, surface);
-    focus.allocation.method = settings.method;
-
-    if (! methodTraits (focus.allocation.method).takesRobustness)
-        focus.allocation.robust.reset();
-
-    if (focus.allocation.method != AllocationMethod::leastVoltage)
-        focus.allocation.timesBound.reset();
-
-    if (focus.allocation.method != AllocationMethod::freeWaveform)
-        focus.felt.reset();
-
-    focus.allocation.isUndisplaced =
-        focus.allocation.isUndisplaced && methodTraits (focus.allocation.method).hasExactRows;
+    focus = withMethod (std::move (focus), settings.method);
 
     if (! isSame (settings.focusTimeMilliseconds, loaded.focusTimeMilliseconds))
         moveInTime (focus, static_cast<double> (settings.focusTimeMilliseconds) * milli);

@@ -15,6 +15,9 @@ namespace antinode
 /** The parameters of a loaded focus. [any] */
 PlaySettings settingsFromFocus (const FocusDescription&, const Surface&, const PlaySettings& present);
 
+/** A focus by another method: what that one does not take is left out. [any] */
+FocusDescription withMethod (FocusDescription, AllocationMethod);
+
 /** A loaded focus as the parameters have changed it. What a parameter says as the focus does is taken from the focus,
    to the bit: so the same focus gives the same voltages in a host and on the command line.
     @param document  what was loaded, with at least one target

@@ -25,7 +25,8 @@ struct SessionSnapshot
     FocusDescription focus;                  ///< As it is designed: the document as the parameters changed it.
     std::vector<std::pair<double, double>> notePlaces; ///< x, y in m of the notes 0 to 127; empty if all play the spot.
     Playback playback;
-    bool isSolving = false;  ///< Whether a device is being solved.
-    std::string deviceError; ///< Why the requested device cannot be played; the previous one then continues.
+    bool isAsWritten = false; ///< Whether the focus plays a design that was written before.
+    bool isSolving = false;   ///< Whether a device is being solved.
+    std::string deviceError;  ///< Why the requested device cannot be played; the previous one then continues.
 };
 } // namespace antinode

@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <utility>
+
 namespace antinode
 {
 namespace
@@ -34,25 +36,30 @@ std::uint64_t readMutes (const JsonValue& value)
 }
 } // namespace
 
+/** Documents go in as they are: a written design has megabytes, and hosts ask often. */
 std::string stateToText (const SessionState& state)
 {
-    nlohmann::ordered_json muted = nlohmann::ordered_json::array();
+    auto muted = nlohmann::ordered_json::array();
 
     for (int i = 0; i < maximumMutes; ++i)
         if (((state.mutes >> i) & 1U) != 0)
             muted.push_back (i + 1);
 
-    nlohmann::ordered_json json { { "schema", schema },
-                                  { "device", nlohmann::ordered_json::parse (state.device->text) },
-                                  { "focus", nlohmann::ordered_json::parse (state.focus->text) },
-                                  { "parameters", state.parameters },
-                                  { "muted_ceramics", muted } };
+    const auto& design = state.focus->design;
+    auto text = R"({"schema":")" + std::string (schema) + R"(","device":)" + state.device->text;
+    text += R"(,"focus":)" + state.focus->text;
 
-    // Left out where it is as ever: such a state loads in versions that do not know of it.
+    // What is as ever is left out: such a state loads in versions that do not know of it.
+    if (design != nullptr)
+        text += R"(,"design":)" + design->text;
+
+    text += R"(,"parameters":)" + nlohmann::ordered_json (state.parameters).dump();
+    text += R"(,"muted_ceramics":)" + muted.dump();
+
     if (state.isGraphOpen)
-        json["open_graph"] = true;
+        text += R"(,"open_graph":true)";
 
-    return json.dump();
+    return text + "}";
 }
 
 SessionState readState (std::string_view text)
@@ -60,7 +67,8 @@ SessionState readState (std::string_view text)
     const auto json = parseJson (text, "state");
     const JsonValue value (json, "state");
     value.requireSchema (schema);
-    const auto state = value.object ({ "schema", "device", "focus", "parameters", "muted_ceramics", "open_graph" });
+    const auto state =
+        value.object ({ "schema", "device", "focus", "design", "parameters", "muted_ceramics", "open_graph" });
     const auto openGraph = state.optional ("open_graph");
     const auto device = state.required ("device"), focus = state.required ("focus"),
                parameters = state.required ("parameters");
@@ -68,9 +76,13 @@ SessionState readState (std::string_view text)
     if (! parameters.isObject())
         parameters.fail ("must be an object of numbers");
 
+    auto read = readFocusDocument (json["focus"], "state: focus");
+
+    if (state.has ("design"))
+        read.design = readDesignDocument (json["design"], "state: design");
+
     return { std::make_shared<const DeviceDocument> (readDeviceDocument (json["device"], "state: device")),
-             std::make_shared<const FocusDocument> (readFocusDocument (json["focus"], "state: focus")),
-             readParameters (parameters, json["parameters"]), readMutes (state.required ("muted_ceramics")),
-             openGraph && openGraph->boolean() };
+             std::make_shared<const FocusDocument> (std::move (read)), readParameters (parameters, json["parameters"]),
+             readMutes (state.required ("muted_ceramics")), openGraph && openGraph->boolean() };
 }
 } // namespace antinode

@@ -244,6 +244,7 @@ void SessionWorker::publish()
     if (model != nullptr)
     {
         now.focus = withSettings (focus->description, settings, model->surface);
+        now.isAsWritten = written() != nullptr;
         now.notePlaces = notePlaces();
     }
 

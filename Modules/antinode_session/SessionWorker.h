@@ -40,6 +40,7 @@ private:
     void forwardTouches (const std::vector<SessionTouch>&);
     void publish();
     DesignProgress designs() const;
+    std::shared_ptr<const DesignDocument> written() const;
     std::vector<std::pair<double, double>> notePlaces() const;
     Eigen::MatrixXd probeShapes() const;
 

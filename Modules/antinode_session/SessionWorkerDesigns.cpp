@@ -1,6 +1,7 @@
 #include "SessionWorker.h"
 
 #include "FocusSettings.h"
+#include "WrittenDesign.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_focus/BankPlaces.h>
@@ -19,8 +20,9 @@ constexpr double bankMargin = 0.1; // of the surface's shorter side, kept from i
 void SessionWorker::requestDesigns (const std::vector<int>& firstNotes)
 {
     const auto description = withSettings (focus->description, settings, model->surface);
+    auto asWritten = written();
     requests->setLatencySamples (estimateLatency (focus->description, settings, rate));
-    entry->setPlaysSpotOnly (settings.noteLayout == NoteLayout::spot);
+    entry->setPlaysSpotOnly (settings.noteLayout == NoteLayout::spot || asWritten != nullptr);
     isFocusNew = false;
 
     try
@@ -32,8 +34,19 @@ void SessionWorker::requestDesigns (const std::vector<int>& firstNotes)
         // A focus of another device may have probes outside this surface: the monitor stays where it was.
     }
 
-    path->worker().request (
-        { designed, description, notePlaces(), firstNotes, { Reconstruction::bandLimited, rate }, widen() });
+    path->worker().request ({ designed,
+                              description,
+                              notePlaces(),
+                              firstNotes,
+                              { Reconstruction::bandLimited, rate },
+                              widen(),
+                              std::move (asWritten) });
+}
+
+/** The design that was written for the focus, while the parameters say what it says. */
+std::shared_ptr<const DesignDocument> SessionWorker::written() const
+{
+    return writtenFor (*focus, withSettings (focus->description, settings, model->surface));
 }
 
 /** Under fingers the modes beyond the device's own are not known. */
@@ -48,7 +61,8 @@ std::function<WideModel()> SessionWorker::widen() const
 
 std::vector<std::pair<double, double>> SessionWorker::notePlaces() const
 {
-    if (settings.noteLayout == NoteLayout::spot)
+    // A written design has one place.
+    if (settings.noteLayout == NoteLayout::spot || written() != nullptr)
         return {};
 
     const auto& surface = model->surface;

@@ -8,11 +8,13 @@
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_library/Inputs.h>
+#include <antinode_library/Library.h>
 #include <antinode_library/SkinThresholds.h>
 #include <antinode_render/PerformedWaveforms.h>
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 namespace antinode
 {
@@ -25,7 +27,7 @@ struct PerformOptions
     double latency = 0;  // ms
     std::vector<std::string> assignments, passes;
     SensorOptions sensor;
-    bool hasReport = true, usesCache = true, isQuiet = false;
+    bool hasReport = true, hasDesign = false, usesCache = true, isQuiet = false;
 };
 
 void printPerformed (const PerformOptions& options, const PerformedWaveforms& performed)
@@ -81,7 +83,8 @@ void perform (const PerformOptions& options)
     const auto [known, judge] = trackModels (device, options.usesCache);
     const auto passes = readRecordedPasses (options.passes, known, description.band, options.sensor);
     const auto performed = performWaveforms (known, judge, description, settings, show, passes);
-    writePerformed (options.folder, performed, options.hasReport);
+    const auto own = options.hasDesign ? std::optional (solveDevice (device, {}, options.usesCache)) : std::nullopt;
+    writePerformed (options.folder, performed, { options.hasReport, own ? &*own : nullptr });
 
     if (! options.isQuiet)
         printPerformed (options, performed);
@@ -120,6 +123,8 @@ void addPerformCommand (CLI::App& app)
         ->allow_extra_args (false)
         ->type_name ("FOLDER")
         ->excludes (latency);
+    command->add_flag ("--design", options->hasDesign,
+                       "Also writes design.json: the voltages as the plug-in and render --design play them");
     addSensorOptions (*command, options->sensor);
     addCacheFlag (*command, options->usesCache);
     command->add_flag ("!--no-report", options->hasReport, "Writes no report.html");

@@ -1,7 +1,9 @@
 #include "PerformedFiles.h"
 
 #include <antinode_base/NumberText.h>
+#include <antinode_documents/DesignFile.h>
 #include <antinode_library/Library.h>
+#include <antinode_render/PerformedDesign.h>
 #include <antinode_reports/WaveformsReport.h>
 #include <antinode_structure/ModeLimits.h>
 #include <antinode_text/OutputFolder.h>
@@ -47,15 +49,20 @@ TrackModels trackModels (const DeviceDescription& device, bool usesCache)
     return { std::move (known), std::move (judge) };
 }
 
-void writePerformed (const std::filesystem::path& path, const PerformedWaveforms& performed, bool hasReport)
+void writePerformed (const std::filesystem::path& path, const PerformedWaveforms& performed,
+                     const PerformedExtras& extras)
 {
     OutputFolder folder (path);
     folder.write ("voltages.wav", encodeWave (performed.design.voltages.values, performed.judge.fullScaleVoltage,
                                               performed.played.sampleRate));
     writeFingers (folder, performed);
 
-    if (hasReport)
+    if (extras.hasReport)
         folder.write ("report.html", renderReport (waveformsReport (performed)));
+
+    if (extras.designFor != nullptr)
+        folder.write ("design.json",
+                      designToJson (performedDesign (performed, *extras.designFor), *extras.designFor).dump() + "\n");
 
     folder.write ("summary.json", performedToJson (performed).dump (2) + "\n");
     folder.commit();

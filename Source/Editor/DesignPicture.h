@@ -50,6 +50,7 @@ struct DesignPicture
     std::shared_ptr<const Chart> section;      ///< Of a plate, along x through the focus; none if there is no design.
     std::shared_ptr<const Chart> spectrum;     ///< None if there is no design.
     std::shared_ptr<const RenderedCharts> rendered; ///< Of an earlier design until the stage is complete.
+    std::shared_ptr<const Chart> methods;           ///< What this focus needs by several methods; comes last.
     std::string error;                              ///< Why there is no design, in one sentence.
     Stage stage = Stage::predicted;
 };

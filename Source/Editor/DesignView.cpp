@@ -1,5 +1,7 @@
 #include "DesignView.h"
 
+#include <antinode_base/InputError.h>
+#include <antinode_charts/BankCharts.h>
 #include <antinode_charts/FocusCharts.h>
 #include <antinode_charts/PlateCharts.h>
 #include <antinode_focus/DesignFocus.h>
@@ -7,6 +9,7 @@
 #include <antinode_library/SkinThresholds.h>
 #include <antinode_reports/FeltSection.h>
 #include <antinode_session/FocusSettings.h>
+#include <antinode_session/WrittenDesign.h>
 
 #include <algorithm>
 #include <chrono>
@@ -59,6 +62,19 @@ std::shared_ptr<const Chart> makeFieldChart (const DesignPicture& made, const Mo
         map.contours = {};
 
     return std::make_shared<const Chart> (std::move (map));
+}
+/** V; 0 where the method cannot play the focus. */
+double peakBy (AllocationMethod method, const ModalModel& model, const DesignPicture& made)
+{
+    try
+    {
+        return peakVoltage (
+            designFocus (model, withMethod (made.focus, method), made.question.playback, DesignExtent::playable));
+    }
+    catch (const InputError&)
+    {
+        return 0;
+    }
 }
 } // namespace
 
@@ -127,7 +143,10 @@ void DesignView::answer (const DesignQuestion& question)
     made.focus = withSettings (question.focus->description, question.settings, question.model->surface);
 
     if (const auto before = picture(); before != nullptr && before->question.model == question.model)
+    {
         made.rendered = before->rendered;
+        made.methods = before->methods;
+    }
 
     try
     {
@@ -144,6 +163,7 @@ void DesignView::answer (const DesignQuestion& question)
         made.field = makeFieldChart (made, *question.model, nullptr);
         made.spectrum = nullptr;
         made.rendered = nullptr;
+        made.methods = nullptr;
         made.stage = DesignPicture::Stage::complete;
         show (made);
     }
@@ -168,8 +188,17 @@ void DesignView::load (const DesignPicture& made)
 FocusDesign DesignView::playableDesign (const DesignPicture& made) const
 {
     const WatchScope scope (watch (longDesign));
+    return designOf (made, DesignExtent::playable);
+}
+
+FocusDesign DesignView::designOf (const DesignPicture& made, DesignExtent extent) const
+{
     const auto& model = loaded.designed ? *loaded.designed : loaded.model;
-    return designFocus (model, made.focus, made.question.playback, DesignExtent::playable);
+
+    if (const auto written = writtenFor (*made.question.focus, made.focus))
+        return designAsWritten (*written, model);
+
+    return designFocus (model, made.focus, made.question.playback, extent);
 }
 
 void DesignView::answerWith (DesignPicture& made, const FocusDesign& playable)
@@ -203,8 +232,7 @@ void DesignView::render (DesignPicture& made)
     options.probes = chooseProbes (question);
     options.threshold = findSkinThreshold ({});
     options.mayLiftOff = false; // as the plug-in plays
-    const auto& model = loaded.designed ? *loaded.designed : loaded.model;
-    auto design = designFocus (model, made.focus, question.playback, DesignExtent::complete);
+    auto design = designOf (made, DesignExtent::complete);
     const auto focus = renderFocus (loaded, std::move (design), options);
     auto charts = std::make_shared<RenderedCharts>();
     charts->voltages = std::make_shared<const Chart> (voltagesChart (focus.model, focus.design.program, focus.render));
@@ -216,6 +244,24 @@ void DesignView::render (DesignPicture& made)
     made.rendered = std::move (charts);
     made.stage = DesignPicture::Stage::complete;
     show (made);
+    compareMethods (made, focus.design);
+    show (made);
+}
+
+/** The methods that take no longer than a moment, and the one that plays. */
+void DesignView::compareMethods (DesignPicture& made, const FocusDesign& designed) const
+{
+    const auto& model = loaded.designed ? *loaded.designed : loaded.model;
+    const auto chosen = designed.description.allocation.method;
+    std::vector<MethodVolts> volts;
+
+    for (const auto method : { AllocationMethod::minimumNorm, AllocationMethod::exact, AllocationMethod::leastVoltage })
+        if (method != chosen)
+            volts.push_back ({ methodTraits (method).word, peakBy (method, model, made) });
+
+    volts.push_back ({ std::string (methodTraits (chosen).word) + " (plays)", peakVoltage (designed) });
+    made.methods = std::make_shared<const Chart> (
+        methodVoltsChart (volts, designed.lowerBoundVoltage, designed.program.voltageLimits.maxCoeff()));
 }
 
 void DesignView::show (const DesignPicture& made)

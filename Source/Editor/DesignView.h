@@ -39,8 +39,10 @@ private:
     void answer (const DesignQuestion&);
     void load (const DesignPicture&);
     FocusDesign playableDesign (const DesignPicture&) const;
+    FocusDesign designOf (const DesignPicture&, DesignExtent) const;
     void answerWith (DesignPicture&, const FocusDesign& playable);
     void render (DesignPicture&);
+    void compareMethods (DesignPicture&, const FocusDesign& designed) const;
     void show (const DesignPicture&);
     bool isOutdated() const { return asked != answered || isStopping; }
     Watch watch (std::chrono::milliseconds grace) const;

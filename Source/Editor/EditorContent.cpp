@@ -1,5 +1,7 @@
 #include "EditorContent.h"
 
+#include <antinode_charts/BankCharts.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -14,6 +16,7 @@ EditorContent::EditorContent (AntinodeProcessor& processorToShow)
     : processor (processorToShow), past (processor), presets (processor, past), top (processor, past),
       surfaceView (processor, past), section ("Section along x"), spectrum ("Modal spectrum"),
       felt ("Sensation level over the whole event"), voltages ("Voltages with their limits"),
+      methods ("Peak voltage by several methods"), bank ("Peak voltage of the notes' places"),
       probe (processor.session().probeTrace()), parameters (processor), meters (processor, past), status (processor),
       browser (std::make_unique<PresetPanel> (presets)), tooltips (this, 600)
 {
@@ -73,6 +76,7 @@ void EditorContent::refresh (double seconds)
     parameters.refresh();
     askForPicture();
     showPicture();
+    showBank();
     time.advance (seconds);
     surfaceView.setFrame (time.frame());
     surfaceView.refresh();
@@ -131,9 +135,34 @@ void EditorContent::showPicture()
     section.setChart (picture->section, wording);
     spectrum.setChart (picture->spectrum, wording);
     voltages.setChart (picture->rendered != nullptr ? picture->rendered->voltages : nullptr, wording);
+    methods.setChart (picture->methods, wording);
     felt.setChart (picture->rendered != nullptr ? picture->rendered->felt : nullptr, wording);
     probe.designed().setChart (picture->rendered != nullptr ? picture->rendered->probe : nullptr, wording);
     scores.setPicture (picture);
+}
+
+void EditorContent::showBank()
+{
+    const auto now = processor.session().snapshot();
+    auto volts = processor.session().progress().volts;
+
+    if (volts == shownVolts || now->model == nullptr || volts.size() != now->notePlaces.size())
+        return;
+
+    BankVolts shown { now->notePlaces, {}, {}, voltageLimits (*now->model).maxCoeff() };
+
+    for (const auto& [peak, bound] : volts)
+    {
+        shown.peaks.push_back (peak);
+        shown.bounds.push_back (bound);
+    }
+
+    if (const auto& limit = now->focus.allocation.voltageLimit)
+        shown.limit = std::min (shown.limit, *limit);
+
+    bank.setChart (volts.empty() ? nullptr : std::make_shared<const Chart> (bankVoltsChart (*now->model, shown)),
+                   "All notes play the focus at its own place.");
+    shownVolts = std::move (volts);
 }
 
 bool EditorContent::isSettled() const
@@ -180,7 +209,8 @@ void EditorContent::browse (std::optional<LibraryKind> kind)
 
 void EditorContent::showPanel (const juce::String& name)
 {
-    const auto isLower = layout == Layout::wide && (name == "Voltages" || name == "Scores");
+    const auto isLower =
+        layout == Layout::wide && (name == "Voltages" || name == "Methods" || name == "Bank" || name == "Scores");
     (isLower ? lower : upper).show (name);
 }
 
@@ -224,6 +254,17 @@ bool EditorContent::handleShortcut (const juce::KeyPress& key)
         return false;
 
     return true;
+}
+
+bool EditorContent::isInterestedInFileDrag (const juce::StringArray& files)
+{
+    return files.size() == 1 && files[0].endsWithIgnoreCase (".json");
+}
+
+void EditorContent::filesDropped (const juce::StringArray& files, int, int)
+{
+    if (isInterestedInFileDrag (files))
+        status.say (presets.loadFile (files[0].toStdString()));
 }
 
 void EditorContent::paint (juce::Graphics& g)

@@ -24,7 +24,7 @@ namespace antinode
 {
 /** The content of the editor as a plain component for any window. Nothing in it runs by itself except the design view's
     thread: whoever has it calls refresh(). [message thread] */
-class EditorContent final : public juce::Component
+class EditorContent final : public juce::Component, public juce::FileDragAndDropTarget
 {
 public:
     /** The least size at which everything is legible, in pixels at scale 1. */
@@ -56,12 +56,17 @@ public:
     /** Opens the browser of a kind, or closes it. */
     void browse (std::optional<LibraryKind>);
 
-    /** Shows one of the panels at the right: "Spectrum", "Felt", "Probe", "Voltages", "Scores", "Controls". */
+    /** Shows one of the panels at the right: "Spectrum", "Felt", "Probe", "Voltages", "Methods", "Bank", "Scores",
+        "Controls". */
     void showPanel (const juce::String& name);
 
     void paint (juce::Graphics&) override;
     void resized() override;
     bool keyPressed (const juce::KeyPress&) override;
+
+    /** A file that is dropped on the window is loaded: a device, a focus or a written design. */
+    bool isInterestedInFileDrag (const juce::StringArray& files) override;
+    void filesDropped (const juce::StringArray& files, int x, int y) override;
 
 private:
     enum class Layout
@@ -74,6 +79,7 @@ private:
     void askForPicture();
     void showPicture();
     void showModel();
+    void showBank();
     void setLayout (Layout);
     void layOutNarrow (juce::Rectangle<int>);
     void layOutWide (juce::Rectangle<int>);
@@ -95,7 +101,7 @@ private:
     TopBar top;
     SurfaceView surfaceView;
     Timeline time;
-    ChartView section, spectrum, felt, voltages;
+    ChartView section, spectrum, felt, voltages, methods, bank;
     ProbePanel probe;
     ScoresView scores;
     ParameterPanel parameters;
@@ -110,5 +116,6 @@ private:
     std::shared_ptr<const ModalModel> model;
     std::shared_ptr<const DesignPicture> picture;
     std::optional<DesignQuestion> asked;
+    std::optional<std::vector<PlaceVolts>> shownVolts; ///< Of the bank that is shown.
 };
 } // namespace antinode

@@ -21,6 +21,8 @@ void EditorContent::setLayout (Layout wanted)
         ofFelt { "Felt", "What skin feels of the whole event, everywhere: dB over threshold, a model.", &felt },
         ofProbe { "Probe", "Velocity at the probe over time: designed and live.", &probe },
         ofVoltages { "Voltages", "Voltage of each ceramic with its limits.", &voltages },
+        ofMethods { "Methods", "What this focus needs by several methods, and what no waveform goes below.", &methods },
+        ofBank { "Bank", "What the foci of the notes' places need, over the surface.", &bank },
         ofScores { "Scores", "Scores of the focus, warnings and choices.", &scores },
         ofControls { "Controls", "All parameters.", &parameterView };
     upper.setPanels ({});
@@ -30,9 +32,9 @@ void EditorContent::setLayout (Layout wanted)
     {
         addAndMakeVisible (parameterView);
         upper.setPanels ({ ofSpectrum, ofFelt, ofProbe });
-        lower.setPanels ({ ofVoltages, ofScores });
+        lower.setPanels ({ ofVoltages, ofMethods, ofBank, ofScores });
     }
-    else
+    else // There is no room for more tabs.
         upper.setPanels ({ ofControls, ofSpectrum, ofFelt, ofVoltages, ofProbe, ofScores });
 
     lower.setVisible (wanted == Layout::wide);

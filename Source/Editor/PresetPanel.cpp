@@ -32,7 +32,8 @@ PresetPanel::PresetPanel (Presets& presetsToShow) : presets (presetsToShow)
     remove.onClick = [this] { removeSelected(); };
     remove.setTooltip ("Deletes the selected user preset.");
     file.onClick = [this] { chooseFile(); };
-    file.setTooltip ("Loads a JSON file.");
+    file.setTooltip (
+        "Loads a JSON file; as a focus also a design.json, which plays as it was written. Or drop it on the window.");
     save.onClick = [this] { saveAs (name.getText()); };
     save.setTooltip ("Saves the loaded preset with its parameter changes under the name at the left.");
     close.onClick = [this]

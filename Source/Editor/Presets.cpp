@@ -1,6 +1,9 @@
 #include "Presets.h"
 
+#include <antinode_base/InputError.h>
 #include <antinode_documents/FocusFile.h>
+#include <antinode_session/WrittenDesign.h>
+#include <antinode_text/JsonText.h>
 
 #include <nlohmann/json.hpp>
 
@@ -46,10 +49,31 @@ nlohmann::ordered_json deviceNamed (const AntinodeProcessor& processor, const st
 /** The loaded focus as the parameters changed it, under another name. */
 nlohmann::ordered_json focusNamed (AntinodeProcessor& processor, const std::string& name)
 {
-    auto focus = withSettings (processor.state().focus->description, processor.parameters().settings(),
+    const auto document = processor.state().focus;
+    auto focus = withSettings (document->description, processor.parameters().settings(),
                                deviceExtent (processor.device()->description));
+
+    if (writtenFor (*document, focus) != nullptr)
+        throw InputError (document->design->source,
+                          "is a written design, which its file and sessions keep; move a parameter to save its focus");
+
     focus.name = name;
     return focusToJson (focus);
+}
+/** A design for another device or rate changes nothing. */
+void requirePlayable (AntinodeProcessor& processor, const FocusDocument& focus)
+{
+    const auto now = processor.session().snapshot();
+    const auto& device = *processor.device();
+    const auto isSolved = now->device != nullptr && now->device->text == device.text;
+    requireFit (focus, device, isSolved ? now->model.get() : nullptr, now->playback);
+}
+
+LibraryKind kindOf (const nlohmann::json& document)
+{
+    const auto schema = document.is_object() ? document.value ("schema", nlohmann::json()) : nlohmann::json();
+    const auto isDevice = schema.is_string() && schema.get<std::string>().starts_with ("antinode.device/");
+    return isDevice ? LibraryKind::device : LibraryKind::focus;
 }
 } // namespace
 
@@ -69,8 +93,18 @@ juce::String Presets::load (LibraryKind kind, const std::string& nameOrFile)
             if (kind == LibraryKind::device)
                 history.record ([&] { processor.load (wanted.device, nullptr); });
             else
+            {
+                requirePlayable (processor, *wanted.focus);
                 history.record ([&] { processor.load (nullptr, wanted.focus); });
+            }
         });
+}
+
+juce::String Presets::loadFile (const std::string& file)
+{
+    auto kind = LibraryKind::focus;
+    const auto failure = attemptAction ([&] { kind = kindOf (readJsonFile (file)); });
+    return failure.isEmpty() ? load (kind, file) : failure;
 }
 
 juce::String Presets::save (LibraryKind kind, const std::string& name)
@@ -96,6 +130,8 @@ juce::String Presets::loadedName (LibraryKind kind) const
 {
     const auto& name =
         kind == LibraryKind::device ? processor.device()->description.name : processor.focus()->description.name;
-    return name.empty() ? juce::String ("unnamed") : juce::String::fromUTF8 (name.c_str());
+    const auto shown = name.empty() ? juce::String ("unnamed") : juce::String::fromUTF8 (name.c_str());
+    const auto isWritten = kind == LibraryKind::focus && processor.session().snapshot()->isAsWritten;
+    return isWritten ? shown + " (as written)" : shown;
 }
 } // namespace antinode

@@ -15,8 +15,11 @@ class Presets
 public:
     Presets (AntinodeProcessor&, History&);
 
-    /** @param nameOrFile  as loadDocument */
+    /** @param nameOrFile  as loadDocument; as a focus a written design too, where it fits the loaded device */
     juce::String load (LibraryKind, const std::string& nameOrFile);
+
+    /** A device, a focus or a written design, as its file says. */
+    juce::String loadFile (const std::string& file);
 
     /** Saves the device, or the focus with its parameter changes, as a user preset, and continues with that. */
     juce::String save (LibraryKind, const std::string& name);

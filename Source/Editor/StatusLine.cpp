@@ -55,6 +55,9 @@ StatusLine::Message StatusLine::message (const DesignPicture* picture, bool isWo
     if (const auto sentence = unplayableNotes (progress, session->playback.sampleRate); ! sentence.empty())
         return { fromUtf8 (sentence), Level::caution };
 
+    if (session->isAsWritten && ! isWorking)
+        return { "Ready; every note plays the design as it was written, moving a parameter designs its focus again" };
+
     return { isWorking ? juce::String::fromUTF8 ("Ready; rendering the charts \xE2\x80\xA6") : juce::String ("Ready") };
 }
 

@@ -37,7 +37,7 @@ std::shared_ptr<const FocusDocument> AntinodeProcessor::keptFocus() const
 void AntinodeProcessor::setState (const SessionState& wanted, bool isRestored)
 {
     const auto isOtherDevice = wanted.device->text != device()->text,
-               isOtherFocus = wanted.focus->text != keptFocus()->text;
+               isOtherFocus = ! sayTheSame (*wanted.focus, *keptFocus());
     {
         const juce::ScopedLock lock (documents);
         loadedDevice = wanted.device;

@@ -73,7 +73,7 @@ void savePerformed (const PerformedValue& value, const std::string& folder, bool
         .run (
             [&]
             {
-                writePerformed (folder, value.performed, hasReport);
+                writePerformed (folder, value.performed, { hasReport });
                 return true;
             });
 }

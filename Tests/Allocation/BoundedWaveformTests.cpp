@@ -87,6 +87,28 @@ TEST_CASE ("Limits below what is near the bound stay as they are, and too low on
     CHECK (refused.peakBound > 1);
 }
 
+TEST_CASE ("Samples keep limits of their own, and multipliers nearby lead to the same ones", "[allocation][nearBound]")
+{
+    for (unsigned seed = 0; seed < 10; ++seed)
+    {
+        CAPTURE (seed);
+        auto problem = randomProblem (6, 10, 5 * seed);
+        problem.limits.setConstant (3 * minimumWaveformPeak (randomProblem (6, 0, 5 * seed), 1e-2).upper * 5);
+        problem.shares = 0.75 + 0.25 * randomMatrix (4, 300, seed + 90).array();
+        const auto solution = solveBoundedWaveform (problem);
+        REQUIRE (solution.isMet);
+        const Eigen::MatrixXd allowed = problem.limits.asDiagonal() * problem.shares;
+        CHECK ((solution.samples.cwiseAbs().array() <= allowed.array() * (1 + 1e-12)).all());
+        // The least there is: weak duality holds with limits of single samples too.
+        CHECK (solution.objective == Approx (solution.bound).epsilon (1e-9));
+
+        problem.start = 0.8 * solution.multipliers;
+        const auto again = solveBoundedWaveform (problem);
+        CHECK ((again.samples - solution.samples).cwiseAbs().maxCoeff()
+               < 1e-8 * solution.samples.cwiseAbs().maxCoeff());
+    }
+}
+
 TEST_CASE ("Gram matrices of free samples are the same from step to step as anew", "[allocation]")
 {
     const auto weights = randomMatrix (9, 200, 1);

@@ -1,6 +1,10 @@
 #include "EditorFixture.h"
 #include "Support/TemporaryFolder.h"
 
+#include <antinode_documents/DesignFile.h>
+#include <antinode_focus/DesignFocus.h>
+#include <nlohmann/json.hpp>
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -120,6 +124,55 @@ TEST_CASE ("What is the factory's is neither replaced nor deleted")
     browser.select ("staple");
     browser.removeSelected();
     CHECK (browser.message().contains ("is not a user preset"));
+}
+
+TEST_CASE ("A design.json that is dropped on the window plays as it was written, others change nothing")
+{
+    const OwnLibrary library;
+    EditorFixture test;
+    test.settle();
+    auto& content = test.content();
+    const auto model = test.processor.session().snapshot()->model;
+    auto focus = test.processor.focus()->description;
+    focus.name = "written before";
+    focus.targets.front().x = -0.02;
+    auto json = designToJson (designFocus (*model, focus, { Reconstruction::bandLimited, 48000 }), *model);
+    const juce::File folder (juce::String (library.folder.path().string()));
+    const auto drop = [&] (const juce::String& name, const juce::String& text)
+    {
+        const auto file = folder.getChildFile (name);
+        REQUIRE (file.replaceWithText (text));
+        const juce::StringArray files { file.getFullPathName() };
+        const auto isTaken = content.isInterestedInFileDrag (files);
+
+        if (isTaken)
+            content.filesDropped (files, 0, 0);
+
+        test.settle();
+        return isTaken;
+    };
+    const auto before = test.stateText();
+    CHECK_FALSE (drop ("sound.wav", "RIFF"));
+    CHECK (drop ("broken.json", "{"));
+    CHECK (content.statusLine().getDescription().contains ("broken.json"));
+    json["device"] = "beam";
+    CHECK (drop ("other.json", json.dump()));
+    CHECK (content.statusLine().getDescription().contains ("is for the device 'beam'"));
+    CHECK (test.stateText() == before);
+    json["device"] = "staple";
+    CHECK (drop ("design.json", json.dump()));
+    CHECK (test.processor.focus()->description.name == "written before");
+    CHECK (content.statusLine().getDescription().startsWith ("Ready; every note plays the design"));
+    auto& browser = content.presetPanel();
+    browser.open (LibraryKind::focus);
+    browser.saveAs ("copy");
+    CHECK (browser.message().contains ("is a written design"));
+    const auto written = test.stateText();
+    content.history().undo();
+    CHECK (test.stateText() == before);
+    content.history().redo();
+    CHECK (test.stateText() == written);
+    test.settle();
 }
 
 TEST_CASE ("A broken file gives one sentence and changes nothing")

@@ -83,6 +83,28 @@ TEST_CASE ("A place that guards what another one needed has that place's design"
     CHECK (again.controlledModes == first.controlledModes);
 }
 
+// The interface lets through what is below 96 kHz: modes to 185 kHz of a beam of which the device says those to 22.6.
+TEST_CASE ("Fast interfaces leave no more in modes beyond than slow ones, within a quarter of the bound",
+           "[freeWaveform][leastVoltage]")
+{
+    const WideModel wide { test::sineBeam (40, 8), 14, {}, {} };
+    auto focus = nearFocus (0.02);
+    focus.modes.count = 10;
+
+    for (const auto rate : { 96000.0, 192000.0 })
+    {
+        CAPTURE (rate);
+        const auto design = designWithin (wide, focus, { Reconstruction::bandLimited, rate });
+        CHECK (peakVoltage (design) <= 1.25 * design.lowerBoundVoltage);
+        CHECK (spillOverShare (wide, design) < 0.002);
+        RenderSettings settings;
+        settings.playback = design.playback;
+        settings.duration = 0.02;
+        settings.probeShapes.resize (0, wide.model.modes());
+        CHECK (spillOverShare (wide, renderOffline (wide.model, design.program, settings).focusVelocities) < 0.002);
+    }
+}
+
 TEST_CASE ("What least voltage comes to is said in shares of limits, which may differ", "[freeWaveform][leastVoltage]")
 {
     auto model = test::sineBeam (20, 8);

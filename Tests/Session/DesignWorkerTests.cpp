@@ -240,10 +240,13 @@ TEST_CASE (
     CHECK (asked == 1);
     CHECK (worker.progress().failed == 0);
     const auto first = designWithin (wide, request.focus, request.playback, DesignExtent::playable);
+    REQUIRE (worker.progress().volts.size() == 5);
     const auto guarded = firstModes (wide.model, wide.known + first.spillOver->guardedBeyond);
     const auto [x, y] = request.places[3];
     const auto design = designGuarding (guarded, wide.known, movedTo (request.focus, x, y), request.playback);
     const auto& expected = design.program.samples->values;
+    CHECK (worker.progress().volts[3].peak == peakVoltage (design));
+    CHECK (worker.progress().volts[3].peak <= 1.25 * worker.progress().volts[3].bound * (1 + 1e-9));
     const auto played = firstChannel (player, 3, static_cast<int> (expected.cols()));
     CHECK ((played - expected.row (0).transpose()).cwiseAbs().maxCoeff() < 1e-6 * expected.cwiseAbs().maxCoeff());
 }

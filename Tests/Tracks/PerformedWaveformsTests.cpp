@@ -1,5 +1,9 @@
 #include "Support/SinePlate.h"
 
+#include <antinode_documents/DesignFile.h>
+#include <antinode_engine/OfflineRender.h>
+#include <antinode_focus/DesignFocus.h>
+#include <antinode_render/PerformedDesign.h>
 #include <antinode_render/PerformedWaveforms.h>
 
 #include <catch2/catch.hpp>
@@ -98,4 +102,30 @@ TEST_CASE ("Fingers that no design knows of spoil the silence", "[tracks][render
     description.tracks[1].point.finger->isKnown = false;
     description.silent[0].finger->isKnown = false;
     CHECK (performed (description).scores.suppression (2) > -40);
+}
+
+// Read back and played as any design: the voltages come from the limiter of a render, at their own rate.
+TEST_CASE ("Waveforms at fingers written as a design are played as they were designed", "[tracks][render]")
+{
+    auto own = test::SinePlate().model (20);
+    own.name = "sine";
+    const auto result = performed (threeFingers());
+    const auto json = nlohmann::json::parse (designToJson (performedDesign (result, own), own).dump());
+    const auto read = readDesign (json, "design.json", own);
+    const auto& voltages = result.design.voltages;
+    RenderSettings settings;
+    settings.playback = voltages.playback;
+    settings.duration = static_cast<double> (voltages.values.cols()) / voltages.playback.sampleRate;
+    settings.probeShapes.resize (0, own.modes());
+    const auto rendered = renderOffline (own, read.program, settings).voltages;
+    CHECK ((rendered.leftCols (voltages.values.cols()) - voltages.values).cwiseAbs().maxCoeff()
+           < 1e-9 * voltages.values.cwiseAbs().maxCoeff());
+    CHECK (read.description.fingers.size() == 3);
+    CHECK_FALSE (read.description.fingers[0].isKnown);
+    CHECK (peakVoltage (read) == Approx (result.design.peaks.maxCoeff()));
+
+    // The burst of 350 Hz is faster than the tone: 2 pi f times its displacement, at the first finger.
+    const auto& target = read.description.targets.front();
+    CHECK (target.x == 0.05);
+    CHECK (target.peakVelocity == Approx (2 * 3.14159 * 350 * 1e-6).epsilon (0.05));
 }

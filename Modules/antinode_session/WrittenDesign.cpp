@@ -1,0 +1,59 @@
+#include "WrittenDesign.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
+#include <antinode_documents/FocusFile.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace antinode
+{
+namespace
+{
+std::string textWithoutFingers (FocusDescription focus)
+{
+    focus.fingers.clear();
+    return focusToJson (focus).dump();
+}
+
+bool knowsFingers (const FocusDescription& focus)
+{
+    return std::any_of (focus.fingers.begin(), focus.fingers.end(), [] (const auto& finger) { return finger.isKnown; });
+}
+} // namespace
+
+std::shared_ptr<const DesignDocument> writtenFor (const FocusDocument& document, const FocusDescription& wanted)
+{
+    const auto& design = document.design;
+    const auto isWanted = design != nullptr && textWithoutFingers (design->origin.focus) == textWithoutFingers (wanted);
+    return isWanted ? design : nullptr;
+}
+
+FocusDesign designAsWritten (const DesignDocument& document, const ModalModel& model)
+{
+    return readDesign (*document.json, document.source, model);
+}
+
+void requireFit (const FocusDocument& focus, const DeviceDocument& device, const ModalModel* model, Playback playback)
+{
+    if (focus.design == nullptr)
+        return;
+
+    const auto& design = *focus.design;
+    const auto& [name, made, isSampled, description] = design.origin;
+
+    if (name != device.description.name)
+        throw InputError (design.source, "is for the device '" + name + "', and '" + device.description.name
+                                             + "' is loaded; load that device first");
+
+    if (isSampled && playback.sampleRate > 0 && made.sampleRate != playback.sampleRate)
+        throw InputError (design.source, "has samples of " + inWords (made.sampleRate) + " Hz, and the host plays "
+                                             + inWords (playback.sampleRate)
+                                             + " Hz; allowed: that rate, or a new design");
+
+    if (model != nullptr && ! knowsFingers (description))
+        designAsWritten (design, *model);
+}
+} // namespace antinode
