@@ -136,7 +136,7 @@ HeatMap correlationMap (const SweepSummary& summary, const std::vector<std::stri
 
 LineChart parallelCoordinates (const SweepTable& table)
 {
-    constexpr Eigen::Index most = 300, mostAxes = 12;
+    constexpr Eigen::Index most = 150, mostAxes = 12;
     const auto keys = sweptKeys (table.inputs.plan);
     std::vector<Eigen::VectorXd> axes;
     LineChart chart;

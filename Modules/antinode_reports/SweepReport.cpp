@@ -165,8 +165,8 @@ ReportSection dependenceSection (const SweepTable& table, const SweepSummary& su
 
     section.figures.push_back (
         { "Parallel coordinates: a line per case through its keys and results, each axis from its "
-          "least to its largest value. Dark are the cases with the lowest tenth of the first "
-          "result.",
+          "least to its largest value. In the colour of the text: the tenth of the cases "
+          "with the lowest first result.",
           {},
           parallelCoordinates (table),
           reportFigureWidth,
