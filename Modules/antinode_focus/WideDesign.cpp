@@ -22,11 +22,13 @@ std::vector<Finger> knownFingers (const std::vector<Finger>& fingers)
     return known;
 }
 
-WideDesign designUnderFingers (const WideModel& wide, const FocusDescription& focus, Playback playback)
+WideDesign designUnderFingers (const WideModel& wide, const FocusDescription& focus, Playback playback,
+                               DesignExtent extent)
 {
     const auto known = knownFingers (focus.fingers).size();
     auto played = playedUnderFingers (wide, focus.fingers);
-    auto design = known == 0 ? designWithin (wide, focus, playback) : designFocus (*played.designed, focus, playback);
+    auto design = known == 0 ? designWithin (wide, focus, playback, extent)
+                             : designFocus (*played.designed, focus, playback, extent);
     design.choices.push_back ("Fingers on the surface: " + std::to_string (focus.fingers.size())
                               + ", of which the design knows " + std::to_string (known) + ".");
     return { std::move (played), std::move (design) };
@@ -59,12 +61,13 @@ WideModel playedUnderFingers (const WideModel& wide, const std::vector<Finger>& 
     return played;
 }
 
-WideDesign designWide (WideModel wide, const FocusDescription& focus, Playback playback, const WidenModel& widen)
+WideDesign designWide (WideModel wide, const FocusDescription& focus, Playback playback, const WidenModel& widen,
+                       DesignExtent extent)
 {
     if (! focus.fingers.empty())
-        return designUnderFingers (wide, focus, playback);
+        return designUnderFingers (wide, focus, playback, extent);
 
-    auto design = designWithin (wide, focus, playback);
+    auto design = designWithin (wide, focus, playback, extent);
 
     if (auto& spill = design.spillOver; spill && spill->guardedBeyond > 0 && wide.obstacle.empty()
                                         && wide.highestFrequency() < widePlay * spill->designedFrequency)

@@ -30,5 +30,6 @@ using WidenModel = std::function<WideModel (const ModalModel& known, double freq
     fingers are on the surface, the wide model is loaded by all of them, and the design by those that it knows.
     @throws InputError, LimitError  as designFocus
     [worker] Docs/Theory.md, sections 1.12 and 5.2. */
-WideDesign designWide (WideModel, const FocusDescription&, Playback, const WidenModel&);
+WideDesign designWide (WideModel, const FocusDescription&, Playback, const WidenModel&,
+                       DesignExtent extent = DesignExtent::complete);
 } // namespace antinode

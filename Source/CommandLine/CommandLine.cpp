@@ -46,6 +46,8 @@ int runCommandLine (int argumentCount, const char* const* arguments)
     addDesignCommand (app);
     addRenderCommand (app);
     addPerformCommand (app);
+    addSweepCommand (app);
+    addMapCommand (app);
     addPaperCommand (app);
     addExciteCommand (app);
     addMeasureCommand (app);

@@ -12,6 +12,8 @@ void addIdentifyCommand (CLI::App&);
 void addDesignCommand (CLI::App&);
 void addRenderCommand (CLI::App&);
 void addPerformCommand (CLI::App&);
+void addSweepCommand (CLI::App&);
+void addMapCommand (CLI::App&);
 void addPaperCommand (CLI::App&);
 void addExciteCommand (CLI::App&);
 void addMeasureCommand (CLI::App&);

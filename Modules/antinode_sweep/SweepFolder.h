@@ -1,0 +1,63 @@
+#pragma once
+
+#include "SweepPart.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** Some of the parts of a sweep: every so many-th. */
+struct SweepShard
+{
+    std::uint64_t index = 1, count = 1; ///< 1 to count
+};
+
+/** "3/7". @throws InputError  for anything that is none [any] */
+SweepShard readShard (const std::string& text);
+
+/** A folder that keeps a plan and the parts that have been computed. Any number of processes, also on other computers,
+   may fill it at once, and may be killed at any moment: a part is there whole or not at all.
+    Docs/Decisions/0107-sweeps.md. */
+class SweepFolder
+{
+public:
+    /** Makes the folder where it is missing and puts the plan there.
+        @throws InputError  when it cannot be written or belongs to another plan [worker] */
+    SweepFolder (const std::filesystem::path&, const SweepInputs&);
+
+    /** The parts of a shard that are not there yet, or are damaged, by their indices.
+        @throws InputError  when a part belongs to another plan [worker] */
+    std::vector<std::size_t> missing (SweepShard) const;
+
+    /** All parts. */
+    const std::vector<SweepPart>& parts() const { return all; }
+
+    /** Keeps a part. @throws InputError  when it cannot be written [worker, several at once] */
+    void write (std::size_t part, const std::vector<CaseResult>&) const;
+
+    /** The results of a part that is there. @throws InputError  when it is missing or damaged, or of another plan
+        [worker] */
+    std::vector<CaseResult> read (std::size_t part) const;
+
+    /** Removes what killed processes have left. [worker] */
+    void tidy() const;
+
+private:
+    std::filesystem::path pathOf (std::size_t part) const;
+
+    std::filesystem::path folder;
+    std::string hash;
+    std::vector<SweepPart> all;
+};
+
+/** Computes parts and keeps them, on all cores.
+    @param show  called now and then with how many cases are done, by one thread at a time
+    @throws Cancelled  when a watch of this thread says no; parts that are finished stay
+    [worker] */
+void computeParts (const CaseEvaluator&, const SweepFolder&, const std::vector<std::size_t>& parts, std::size_t threads,
+                   const std::function<void (std::uint64_t)>& show);
+} // namespace antinode

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "SweepPlan.h"
+
+#include <filesystem>
+#include <string>
+
+namespace antinode
+{
+/** A plan with the documents that it names, so that nothing else is needed to compute its cases. */
+struct SweepInputs
+{
+    SweepPlan plan;
+    nlohmann::json document; ///< The plan's, with the documents of focus and device in it.
+    std::string hash;        ///< Of this and the version of the program, 32 hexadecimal digits.
+
+    const nlohmann::json& focus() const { return document.at ("focus"); }
+    const nlohmann::json& device() const { return document.at ("device"); }
+};
+
+/** A plan and its documents from files; names of files begin at the folder of the plan.
+    @throws InputError  as readJsonFile, readSweepPlan and loadDocument
+    [worker] */
+SweepInputs loadSweep (const std::filesystem::path&);
+} // namespace antinode

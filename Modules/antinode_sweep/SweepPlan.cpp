@@ -1,0 +1,204 @@
+#include "SweepPlan.h"
+
+#include "Deviation.h"
+#include "SobolSequence.h"
+#include "SweptKeysReader.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/MessageText.h>
+#include <antinode_base/Prefixes.h>
+#include <antinode_text/JsonReader.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace antinode
+{
+namespace
+{
+constexpr std::string_view schema = "antinode.sweep/1";
+constexpr std::size_t longestText = 200, longestFileName = 4000, mostDimensions = 64, mostPoints = 100;
+
+constexpr WordList<SweepScheme, 5> schemeWords { { { "grid", SweepScheme::grid },
+                                                   { "random", SweepScheme::random },
+                                                   { "latin_hypercube", SweepScheme::latinHypercube },
+                                                   { "sobol", SweepScheme::sobol },
+                                                   { "saltelli", SweepScheme::saltelli } } };
+constexpr WordList<SweepEvaluation, 2> evaluationWords { { { "render", SweepEvaluation::render },
+                                                           { "closed_form", SweepEvaluation::closedForm } } };
+
+/** All combinations. */
+std::uint64_t gridCases (const JsonValue& root, const SweepPlan& plan)
+{
+    std::uint64_t cases = 1;
+
+    for (std::size_t i = 0; i < plan.vary.size(); ++i)
+    {
+        if (plan.vary[i].drawn)
+            root.fail ("draws " + inQuotes (plan.vary[i].keys.front())
+                       + ", which a grid cannot; allowed: listed values or a range, or another 'scheme'");
+
+        cases *= plan.vary[i].rows.size();
+
+        if (cases > maximumSweepCases)
+            root.fail ("has more cases than " + std::to_string (maximumSweepCases) + "; allowed: fewer values");
+    }
+
+    return cases;
+}
+
+std::uint64_t readCases (const JsonObject& object, const JsonValue& root, const SweepPlan& plan)
+{
+    const auto isSaltelli = plan.scheme == SweepScheme::saltelli;
+    const auto* const key = isSaltelli ? "base_cases" : "cases";
+
+    for (const auto* other : { "cases", "base_cases" })
+        if (object.has (other) && (plan.scheme == SweepScheme::grid || std::string_view (other) != key))
+            root.fail (inQuotes (other)
+                       + " does not fit the scheme; allowed: 'base_cases' with saltelli, 'cases' with "
+                         "random, latin_hypercube and sobol, none of them with grid");
+
+    if (plan.scheme == SweepScheme::grid)
+        return gridCases (root, plan);
+
+    const auto blocks = isSaltelli ? plan.vary.size() + 2 : 1;
+    const auto most = maximumSweepCases / blocks;
+    return blocks * static_cast<std::uint64_t> (object.required (key).integer (1, static_cast<int> (most)));
+}
+
+void checkDimensions (const JsonValue& root, const SweepPlan& plan)
+{
+    const auto dimensions = plan.vary.size() * (plan.scheme == SweepScheme::saltelli ? 2 : 1);
+    const auto isSequence = plan.scheme == SweepScheme::saltelli || plan.scheme == SweepScheme::sobol;
+
+    if (isSequence && dimensions > sobolDimensions)
+        root.fail ("varies " + std::to_string (plan.vary.size()) + " things; allowed with this scheme: up to "
+                   + std::to_string (sobolDimensions * plan.vary.size() / dimensions));
+
+    if (plan.scheme == SweepScheme::saltelli && plan.vary.empty())
+        root.fail ("varies nothing; allowed with the scheme saltelli: one thing or more");
+
+    const auto isSpread = [] (const auto& assignment) { return isSpreadKey (assignment.first); };
+    const auto sweepsSpread = [] (const SweptKeys& swept)
+    { return std::any_of (swept.keys.begin(), swept.keys.end(), isSpreadKey); };
+
+    if (plan.scheme == SweepScheme::saltelli
+        && (std::any_of (plan.set.begin(), plan.set.end(), isSpread)
+            || std::any_of (plan.vary.begin(), plan.vary.end(), sweepsSpread)))
+        root.fail ("draws each mode's own deviation, to which the indices of saltelli cannot be traced; allowed: "
+                   "deviations that all modes share");
+}
+
+/** A key has one value. */
+void checkUnique (const JsonValue& root, const SweepPlan& plan)
+{
+    std::set<std::string> known;
+    const auto add = [&] (const std::string& key)
+    {
+        if (! known.insert (key).second)
+            root.fail ("gives " + inQuotes (key) + " twice; allowed: once");
+    };
+
+    for (const auto& [key, value] : plan.set)
+        add (key);
+
+    for (const auto& swept : plan.vary)
+        for (const auto& key : swept.keys)
+            add (key);
+}
+
+/** A name, a file's name, or a whole document. */
+nlohmann::json readDocument (const JsonValue& value, const nlohmann::json& json)
+{
+    if (! value.isObject())
+        value.text (longestFileName);
+
+    return json;
+}
+
+void readRecord (const JsonObject& object, SweepPlan& plan)
+{
+    if (const auto value = object.optional ("record"))
+        for (const auto& each : value->items (0, maximumSweepColumns))
+        {
+            plan.record.push_back (each.text (longestText));
+
+            if (plan.record.back() == "solver.time_ms")
+                each.fail ("is a time, which differs from run to run; allowed: other keys of summary.json");
+
+            if (std::count (plan.record.begin(), plan.record.end(), plan.record.back()) > 1)
+                each.fail (inQuotes (plan.record.back()) + " is there twice; allowed: once");
+        }
+
+    if (const auto value = object.optional ("points_mm"))
+        for (const auto& each : value->items (0, mostPoints))
+        {
+            const auto place = each.numbers (2, 2, { -1e5, 1e5 });
+            plan.points.emplace_back (place[0] / milli, place[1] / milli);
+        }
+
+    if (plan.record.empty() && plan.points.empty())
+        object.fail ("records nothing; allowed: keys of summary.json in 'record', places in 'points_mm'");
+}
+} // namespace
+
+SweepPlan readSweepPlan (const nlohmann::json& document, const std::string& source)
+{
+    const JsonValue root (document, source);
+    root.requireSchema (schema);
+    const auto object =
+        root.object ({ "schema", "name", "description", "focus", "device", "seed", "cases", "base_cases", "scheme",
+                       "set", "vary", "evaluate", "record", "points_mm", "rate_Hz" });
+    SweepPlan plan;
+
+    if (const auto value = object.optional ("name"))
+        plan.name = value->text (longestText);
+
+    if (const auto value = object.optional ("description"))
+        value->text (10'000, true);
+
+    plan.focus = readDocument (object.required ("focus"), document["focus"]);
+
+    if (const auto value = object.optional ("device"))
+        plan.device = readDocument (*value, document["device"]);
+
+    if (const auto value = object.optional ("scheme"))
+        plan.scheme = value->choice (schemeWords);
+
+    if (const auto value = object.optional ("seed"))
+        plan.seed = static_cast<std::uint64_t> (value->integer (0, std::numeric_limits<int>::max()));
+
+    if (const auto value = object.optional ("rate_Hz"))
+        plan.sampleRate = value->number ({ 8000, 2e6 });
+
+    if (const auto value = object.optional ("evaluate"))
+        plan.evaluation = value->choice (evaluationWords);
+
+    if (object.has ("set"))
+    {
+        const auto& entries = document["set"];
+        const auto value = object.required ("set");
+
+        if (! value.isObject())
+            value.fail (value.description() + "; allowed: an object of keys and their values");
+
+        for (const auto& [key, json] : entries.items())
+            plan.set.emplace_back (readSweptKey (value, key), readScalar (value.required (key), json));
+    }
+
+    if (const auto value = object.optional ("vary"))
+    {
+        const auto items = value->items (0, mostDimensions);
+
+        for (std::size_t i = 0; i < items.size(); ++i)
+            plan.vary.push_back (readSweptKeys (items[i], document["vary"][i]));
+    }
+
+    checkUnique (root, plan);
+    checkDimensions (root, plan);
+    plan.cases = readCases (object, root, plan);
+    readRecord (object, plan);
+    return plan;
+}
+} // namespace antinode

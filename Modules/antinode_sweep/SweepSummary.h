@@ -1,0 +1,37 @@
+#pragma once
+
+#include "Sensitivity.h"
+#include "SweepTable.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** How one recorded number is distributed over the cases that have it. */
+struct ColumnSummary
+{
+    std::string column;
+    Eigen::Index count = 0; ///< Cases that have it.
+    double mean = 0, deviation = 0, minimum = 0, maximum = 0;
+    std::array<double, 5> percentiles {}; ///< At tolerancePercents.
+    std::vector<double> correlations;     ///< Of ranks, with each key that varies.
+    std::vector<SobolIndices> indices;    ///< Of each dimension of the plan, where its scheme is saltelli.
+};
+
+/** What a sweep says at a glance. */
+struct SweepSummary
+{
+    std::vector<ColumnSummary> columns;
+};
+
+/** [worker] */
+SweepSummary summarise (const SweepTable&);
+
+/** summary.json of a sweep. [worker] Docs/FileFormats.md. */
+nlohmann::ordered_json sweepToJson (const SweepTable&, const SweepSummary&);
+
+/** The percentiles as lines of text, then what failed. [any] */
+std::string sweepInWords (const SweepTable&, const SweepSummary&);
+} // namespace antinode

@@ -1,0 +1,120 @@
+#include "Support/ErrorText.h"
+#include "Support/TemporaryFolder.h"
+
+#include <antinode_sweep/SweepTable.h>
+#include <antinode_text/OutputFolder.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+using namespace antinode;
+
+namespace
+{
+SweepInputs inputsOf (const TemporaryFolder& folder, int cases)
+{
+    const auto file = folder.path() / "given.json";
+    writeWholeFile (
+        file,
+        R"({"schema": "antinode.sweep/1", "focus": "demonstrator", "device": "beam", "scheme": "random", "cases": )"
+            + std::to_string (cases)
+            + R"(, "evaluate": "closed_form", "record": ["field_error_truncated", "peak_ratio"],
+        "vary": [{"key": "deviation.damping_percent", "uniform": {"minimum": -10, "maximum": 10}}]})");
+    return loadSweep (file);
+}
+
+std::string csvOf (const SweepFolder& folder, const SweepInputs& inputs)
+{
+    return sweepToCsv (mergeParts (folder, inputs), [] (std::string text) { return text; });
+}
+
+void compute (const SweepInputs& inputs, const SweepFolder& folder, SweepShard shard, std::size_t threads)
+{
+    computeParts (CaseEvaluator (inputs, false), folder, folder.missing (shard), threads, [] (std::uint64_t) {});
+}
+} // namespace
+
+TEST_CASE ("Parts cover all cases once, some 500 of them", "[sweep]")
+{
+    for (const std::uint64_t cases : { 1, 2, 499, 500, 10'000, 12'345, 10'000'000 })
+    {
+        const auto parts = sweepParts (cases);
+        std::uint64_t next = 0;
+
+        for (const auto& part : parts)
+        {
+            CHECK (part.first == next);
+            next += part.count;
+        }
+
+        CHECK (next == cases);
+        CHECK (parts.size() <= 1001);
+    }
+}
+
+TEST_CASE ("Shards of any number merge to the bytes of a single run", "[sweep]")
+{
+    const TemporaryFolder folder;
+    const auto inputs = inputsOf (folder, 40);
+    const SweepFolder single (folder.path() / "single", inputs), seven (folder.path() / "seven", inputs);
+    compute (inputs, single, {}, 1);
+
+    for (const std::uint64_t i : { 3, 1, 7, 2, 6, 5 })
+        compute (inputs, seven, { i, 7 }, 2);
+
+    CHECK_THAT (errorText ([&] { mergeParts (seven, inputs); }), Catch::Contains ("6 of 40 parts are missing"));
+    compute (inputs, seven, { 4, 7 }, 2);
+    CHECK (csvOf (single, inputs) == csvOf (seven, inputs));
+    CHECK (sweepToMatlab (mergeParts (single, inputs)) == sweepToMatlab (mergeParts (seven, inputs)));
+}
+
+TEST_CASE ("Damaged parts are computed again, parts of other plans are refused", "[sweep]")
+{
+    const TemporaryFolder folder;
+    const auto inputs = inputsOf (folder, 5), others = inputsOf (folder, 6);
+    const auto path = folder.path() / "out";
+    const SweepFolder parts (path, inputs);
+    compute (inputs, parts, {}, 1);
+    const auto whole = csvOf (parts, inputs);
+
+    std::filesystem::resize_file (path / "parts" / "00000002.part", 40);
+    std::ofstream (path / "parts" / "00000003.part") << "no part";
+    CHECK (parts.missing ({}) == std::vector<std::size_t> { 2, 3 });
+    CHECK_THAT (errorText ([&] { parts.read (2); }), Catch::Contains ("missing or damaged"));
+    compute (inputs, parts, {}, 1);
+    CHECK (csvOf (parts, inputs) == whole);
+
+    CHECK_THAT (errorText ([&] { SweepFolder (path, others); }), Catch::Contains ("another plan"));
+    const SweepFolder second (folder.path() / "second", others);
+    compute (others, second, {}, 1);
+    std::filesystem::copy_file (folder.path() / "second" / "parts" / "00000001.part", path / "parts" / "00000001.part",
+                                std::filesystem::copy_options::overwrite_existing);
+    CHECK_THAT (errorText ([&] { (void) parts.missing ({}); }), Catch::Contains ("belongs to another plan"));
+}
+
+TEST_CASE ("A part's bytes are read as they were written, and no others", "[sweep]")
+{
+    const std::vector<CaseResult> results { { { 1, -2.5 }, {} },
+                                            { { std::nan (""), std::nan ("") }, "failed, \"so\"" } };
+    const auto bytes = encodePart ("hash", 17, results);
+    const auto part = decodePart (bytes);
+    CHECK (part.hash == "hash");
+    CHECK (part.first == 17);
+    CHECK (part.results[0].values == results[0].values);
+    CHECK (part.results[1].error == results[1].error);
+
+    for (std::size_t length = 0; length < bytes.size(); ++length)
+        CHECK_FALSE (errorText ([&] { decodePart (std::string_view (bytes).substr (0, length)); }).empty());
+}
+
+TEST_CASE ("A shard is one of its number", "[sweep]")
+{
+    CHECK (readShard ("7/7").index == 7);
+
+    for (const auto* text :
+         { "8/7", "0/7", "1/0", "1", "/7", "1/", "1/2/3", "-1/7", "1/99999999999999999999", "a/b", "" })
+        CHECK_THAT (errorText ([&] { readShard (text); }), Catch::Contains ("allowed: I/N"));
+}
