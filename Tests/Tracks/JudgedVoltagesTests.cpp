@@ -18,7 +18,7 @@ WaveformsDescription clickAndSilence()
     description.tracks.resize (1);
     auto& point = description.tracks[0].point;
     std::tie (point.x, point.y) = std::pair (0.05, 0.06);
-    description.tracks[0].signal = GaborSignal { 350, 0.01 };
+    description.tracks[0].signal = ClickSignal { 350 };
     description.tracks[0].level.value = 1e-6;
     description.silent.resize (1);
     std::tie (description.silent[0].x, description.silent[0].y) = std::pair (0.15, 0.04);
@@ -98,10 +98,10 @@ TEST_CASE ("Recorded voltages of another sign or half the level are told from th
 TEST_CASE ("Recorded voltages that do not belong to the device or the points are refused", "[tracks][render]")
 {
     const Eigen::MatrixXd voltages = recorded (0);
-    CHECK (test::errorText ([&] { judged (voltages.topRows (3), clickAndSilence()); })
+    CHECK (errorText ([&] { judged (voltages.topRows (3), clickAndSilence()); })
                .find ("have 3 channels; allowed: " + std::to_string (plate().actuators()))
            != std::string::npos);
     auto moving = clickAndSilence();
     moving.silent[0].path = { { 0, 0.15, 0.04 }, { 0.05, 0.14, 0.04 } };
-    CHECK (test::errorText ([&] { judged (voltages, moving); }).find ("have a path") != std::string::npos);
+    CHECK (errorText ([&] { judged (voltages, moving); }).find ("have a path") != std::string::npos);
 }
