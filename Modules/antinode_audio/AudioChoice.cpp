@@ -90,6 +90,9 @@ juce::AudioDeviceManager::AudioDeviceSetup makeSetup (const AudioChoice& choice,
     for (const auto input : choice.inputs)
         setup.inputChannels.setBit (input);
 
+    if (choice.opensAllInputs)
+        setup.inputChannels.setRange (0, maximumDeviceOutputs, true);
+
     if (choice.outputs.empty())
         setup.outputChannels.setRange (0, maximumDeviceOutputs, true);
 
@@ -165,7 +168,7 @@ void openAudio (juce::AudioDeviceManager& manager, const AudioChoice& choice)
     manager.setCurrentAudioDeviceType (type, true);
     auto setup = makeSetup (choice, device);
 
-    if (! choice.inputs.empty())
+    if (! choice.inputs.empty() || choice.opensAllInputs)
         setup.inputDeviceName = inputDevice (found, setup.outputDeviceName);
 
     if (const auto failure = manager.setAudioDeviceSetup (setup, true); failure.isNotEmpty())

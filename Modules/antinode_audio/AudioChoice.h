@@ -10,12 +10,13 @@ namespace antinode
 /** The audio device and its settings. Empty or 0 leaves the choice to the device. */
 struct AudioChoice
 {
-    std::string type;           ///< "ALSA" or "JACK"
-    std::string device;         ///< Name within the type, as listed.
-    double sampleRate = 0;      ///< Hz
-    int blockSize = 0;          ///< Samples.
-    std::vector<int> outputs;   ///< Output channels to open, counted from 0; empty: all.
-    std::vector<int> inputs {}; ///< Input channels to open, counted from 0; empty: none.
+    std::string type;            ///< "ALSA" or "JACK"
+    std::string device;          ///< Name within the type, as listed.
+    double sampleRate = 0;       ///< Hz
+    int blockSize = 0;           ///< Samples.
+    std::vector<int> outputs;    ///< Output channels to open, counted from 0; empty: all.
+    std::vector<int> inputs {};  ///< Input channels to open, counted from 0; empty: none.
+    bool opensAllInputs = false; ///< Opens all inputs that there are, in place of those.
 
     bool operator== (const AudioChoice&) const = default;
 };

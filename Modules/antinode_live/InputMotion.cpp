@@ -65,6 +65,10 @@ void InputMotion::take (std::size_t index, const Eigen::Ref<const Eigen::RowVect
     input.oldest = (input.oldest + 1) % input.squares.size();
     const auto mean = input.energy / static_cast<double> (input.squares.size());
     input.displacement = std::max (input.displacement, std::abs (displacement));
+
+    if (input.recentCount < mostRecent)
+        input.recent[input.recentCount++] = displacement;
+
     input.felt = std::max ({ input.felt, std::abs (amount), static_cast<float> (std::sqrt (2 * mean)) });
 }
 
@@ -78,12 +82,19 @@ float InputMotion::takeFelt (std::size_t input)
     return std::exchange (inputs[input].felt, 0.0F);
 }
 
+std::span<const float> InputMotion::takeRecent (std::size_t index)
+{
+    auto& input = inputs[index];
+    return { input.recent.data(), std::exchange (input.recentCount, 0) };
+}
+
 void InputMotion::reset()
 {
     for (auto& input : inputs)
     {
         input.displacement = input.felt = 0;
         input.energy = 0;
+        input.recentCount = 0;
         std::fill (input.squares.begin(), input.squares.end(), 0.0);
     }
 }

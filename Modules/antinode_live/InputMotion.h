@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <span>
 #include <vector>
 
 namespace antinode
@@ -30,6 +32,13 @@ public:
         [audio thread] Docs/Theory.md, section 5.1. */
     float takeFelt (std::size_t input);
 
+    /** How many displacements are kept for takeRecent(). */
+    static constexpr std::size_t mostRecent = 64;
+
+    /** The displacements within the band since the last call, m, the oldest first; the first of them where there were
+        more. They are valid until the next take(). [audio thread] */
+    std::span<const float> takeRecent (std::size_t input);
+
     /** As if nothing had been taken. [audio thread] */
     void reset();
 
@@ -40,6 +49,8 @@ private:
         double energy = 0;           // of the last samples
         std::vector<double> squares; // of those
         std::size_t oldest = 0;
+        std::array<float, mostRecent> recent {};
+        std::size_t recentCount = 0;
     };
 
     Eigen::VectorXf inBand, weighted; // taps, that of the oldest sample first

@@ -1,11 +1,15 @@
 #include "PerformedWaveforms.h"
 
+#include "TrackAlignment.h"
+
+#include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_felt/FeltDisplacement.h>
 #include <antinode_felt/FeltMotion.h>
 #include <antinode_fingers/LoadedModel.h>
 #include <antinode_live/LiveTracks.h>
+#include <antinode_tracks/TrackMemory.h>
 
 #include <nlohmann/json.hpp>
 
@@ -70,6 +74,44 @@ FeltOutcome feltByFingers (const PerformedWaveforms& performed, const SkinThresh
     return felt;
 }
 
+/** The surface with its fingers, which plays the voltages of a design. */
+void play (PerformedWaveforms& performed, const ModalModel& judge)
+{
+    const auto fingers = restingFingers (performed.design.description);
+    performed.judge = fingers.empty() ? judge : loadedModel (judge, fingers);
+    performed.played = playTracks (performed.judge, performed.design.description, performed.design.voltages, listening);
+}
+
+void score (PerformedWaveforms& performed, const SkinThreshold& threshold)
+{
+    const auto& design = performed.design;
+    performed.scores = scoreTracks (performed.played, design.wanted, design.description.band);
+    performed.felt = feltByFingers (performed, threshold);
+}
+
+/** @throws InputError  for voltages that cannot be judged */
+void requireJudgeable (const ModalModel& judge, const WaveformsDescription& description, double sampleRate,
+                       const Eigen::MatrixXd& voltages)
+{
+    if (voltages.rows() != judge.actuators())
+        throw InputError ("played voltages", "have " + std::to_string (voltages.rows())
+                                                 + " channels; allowed: " + std::to_string (judge.actuators())
+                                                 + ", one per ceramic of " + judge.name);
+
+    for (const auto& point : touchedPoints (description))
+        if (! point.path.empty())
+            throw InputError ("waveforms", "have a path; allowed with played voltages: points that stay, since when "
+                                           "tracks begin has to be found");
+
+    constexpr double kept = 12000; // modal velocities per second: those of playTracks
+    const auto seconds = static_cast<double> (voltages.cols()) / sampleRate;
+    requireTrackMemory (
+        { sizeof (double) * seconds
+              * (kept * static_cast<double> (judge.coordinates()) + sampleRate * static_cast<double> (voltages.rows())),
+          0 },
+        seconds);
+}
+
 nlohmann::ordered_json pathJson (const std::vector<PathPoint>& path)
 {
     auto json = nlohmann::ordered_json::array();
@@ -131,11 +173,41 @@ PerformedWaveforms performWaveforms (const ModalModel& known, const ModalModel& 
     if (progress)
         progress ("Playing", 0.8);
 
-    const auto fingers = restingFingers (description);
-    performed.judge = fingers.empty() ? judge : loadedModel (judge, fingers);
-    performed.played = playTracks (performed.judge, description, performed.design.voltages, listening);
-    performed.scores = scoreTracks (performed.played, performed.design.wanted, description.band);
-    performed.felt = feltByFingers (performed, settings.threshold);
+    play (performed, judge);
+    score (performed, settings.threshold);
+    return performed;
+}
+
+PerformedWaveforms judgeVoltages (const ModalModel& known, const ModalModel& judge,
+                                  const WaveformsDescription& description, const TrackSettings& settings,
+                                  const Eigen::MatrixXd& voltages, const ShowProgress& progress)
+{
+    constexpr double alike = 0.9;
+    requireJudgeable (judge, description, settings.sampleRate, voltages);
+    PerformedWaveforms performed;
+    auto& design = performed.design;
+    design.description = description;
+    design.wanted = wantedAsPlayed (known, description, settings);
+    design.designRate = settings.sampleRate;
+    design.voltages = { { Reconstruction::bandLimited, settings.sampleRate }, 0, voltages };
+    design.peaks = voltages.cwiseAbs().rowwise().maxCoeff();
+    design.limitUse.unlimitedPeak = design.peaks.cwiseQuotient (voltageLimits (judge)).maxCoeff();
+
+    if (progress)
+        progress ("Playing", 0.3);
+
+    play (performed, judge);
+    const auto alignment = alignTracks (performed.played.displacements, design.wanted);
+    performed.likeness = alignment.likeness;
+    performed.played.trigger = alignment.begin;
+    design.voltages.firstTime = -static_cast<double> (alignment.begin) / settings.sampleRate;
+
+    if (alignment.likeness < alike)
+        design.warnings.push_back ("What the fingers get is not like the tracks (correlation "
+                                   + fixedText (alignment.likeness, 2)
+                                   + "): check order, sign and scale of the channels, places and band.");
+
+    score (performed, settings.threshold);
     return performed;
 }
 
@@ -172,9 +244,12 @@ nlohmann::ordered_json performedToJson (const PerformedWaveforms& performed)
                                   { "trigger_sample", performed.played.trigger },
                                   { "modes", performed.judge.modes() },
                                   { "peak_voltage_V", design.peaks.maxCoeff() },
-                                  { "unlimited_peak_over_limit", design.limitUse.unlimitedPeak },
-                                  { "design_error", design.error },
-                                  { "iterations", design.iterations } };
+                                  { "unlimited_peak_over_limit", design.limitUse.unlimitedPeak } };
+
+    if (performed.likeness)
+        json["likeness"] = *performed.likeness;
+    else
+        json.update ({ { "design_error", design.error }, { "iterations", design.iterations } });
 
     if (design.latency > 0)
         json["latency_ms"] = design.latency * milli;

@@ -24,6 +24,7 @@ struct PerformedWaveforms
     TrackScores scores;
     FeltOutcome felt;                          ///< Its targets are the touched points, those with tracks first.
     std::optional<TrackCorrection> correction; ///< Where recorded passes were given.
+    std::optional<double> likeness; ///< Of voltages from elsewhere: how alike reached and wanted motions are, -1 to 1.
 };
 
 /** Designs waveforms for one model of a surface, plays them on another one, and scores what comes of it. With a latency
@@ -36,6 +37,19 @@ struct PerformedWaveforms
 PerformedWaveforms performWaveforms (const ModalModel& known, const ModalModel& judge, const WaveformsDescription&,
                                      const TrackSettings&, const ShowProgress& progress = {},
                                      const std::vector<RecordedPass>& passes = {});
+
+/** What voltages do that come from elsewhere, as from a recording of what a host played: they are played and scored as
+   those of a design. When their tracks begin is found: at the whole sample where the reached motion is most like the
+   wanted one.
+    @param known     what says which motion is wanted
+    @param judge     as performWaveforms
+    @param voltages  N_b x N_s, V, at the rate of the settings
+    @throws InputError  for another number of ceramics, points that move, more than memory holds
+    @throws Cancelled   when a watch of this thread says no
+    [worker] */
+PerformedWaveforms judgeVoltages (const ModalModel& known, const ModalModel& judge, const WaveformsDescription&,
+                                  const TrackSettings&, const Eigen::MatrixXd& voltages,
+                                  const ShowProgress& progress = {});
 
 /** A touched point by its own name, or as a file numbers it. @param point  index in touchedPoints [any] */
 std::string fingerName (const WaveformsDescription&, std::size_t point);

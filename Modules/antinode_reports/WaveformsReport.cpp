@@ -16,25 +16,56 @@ namespace
 constexpr double shownBeyondBand = 2; // times the band's upper frequency in spectra
 constexpr double shownDecibels = 100; // below the strongest line
 constexpr double leastLine = 1e-12;   // of the strongest: what is drawn lowest
+constexpr double shownRinging = 0.1;  // s of what is shown after the last track
+constexpr double shownPart = 0.12;    // s, of a long event
+constexpr double longEvent = 0.4;     // s
 
-/** The wanted motion of a finger beside what was played. */
+/** The wanted motion of a finger beside what was played, which may have ended too early. */
 Eigen::VectorXd wantedOf (const PerformedWaveforms& performed, Eigen::Index finger)
 {
     Eigen::VectorXd wanted = Eigen::VectorXd::Zero (performed.played.displacements.cols());
-    wanted.segment (performed.played.trigger, performed.design.wanted.rows()) = performed.design.wanted.col (finger);
+    const auto count =
+        std::min<Eigen::Index> (performed.design.wanted.rows(), wanted.size() - performed.played.trigger);
+    wanted.segment (performed.played.trigger, count) = performed.design.wanted.col (finger).head (count);
     return wanted;
 }
 
-LineChart waveformChart (const PerformedWaveforms& performed, Eigen::Index finger)
+/** Samples that a chart shows. */
+struct ShownSamples
+{
+    Eigen::Index first = 0, count = 0;
+};
+
+/** From the first voltage to the last one, or until the tracks have long ended: voltages from elsewhere may go on. */
+ShownSamples wholeEvent (const PerformedWaveforms& performed)
+{
+    const auto ringing = std::llround (shownRinging * performed.played.sampleRate);
+    return { 0, std::min<Eigen::Index> (performed.design.voltages.values.cols(),
+                                        performed.played.trigger + performed.design.wanted.rows() + ringing) };
+}
+
+/** What can be seen of waveforms where the whole event is long: some of it from shortly before the largest motion on.
+ */
+ShownSamples loudestPart (const PerformedWaveforms& performed)
+{
+    const auto whole = wholeEvent (performed);
+    const auto count = std::min<Eigen::Index> (whole.count, std::llround (shownPart * performed.played.sampleRate));
+    Eigen::Index finger = 0, loudest = 0;
+    performed.played.displacements.leftCols (whole.count).cwiseAbs().maxCoeff (&finger, &loudest);
+    return { std::clamp<Eigen::Index> (loudest - count / 6, 0, whole.count - count), count };
+}
+
+LineChart waveformChart (const PerformedWaveforms& performed, Eigen::Index finger, ShownSamples shown)
 {
     const auto& played = performed.played;
-    const auto first = -static_cast<double> (played.trigger) / played.sampleRate * milli;
-    const auto count = performed.design.voltages.values.cols();
-    const Eigen::VectorXd times =
-        Eigen::VectorXd::LinSpaced (count, first, first + static_cast<double> (count - 1) / played.sampleRate * milli);
+    const auto first = static_cast<double> (shown.first - played.trigger) / played.sampleRate * milli;
+    const Eigen::VectorXd times = Eigen::VectorXd::LinSpaced (
+        shown.count, first, first + static_cast<double> (shown.count - 1) / played.sampleRate * milli);
     LineChart chart;
-    chart.series = { { "reached", times, played.displacements.row (finger).head (count).transpose() * micro },
-                     { "wanted", times, wantedOf (performed, finger).head (count) * micro, LineStyle::dashed } };
+    chart.series = {
+        { "reached", times, played.displacements.row (finger).segment (shown.first, shown.count).transpose() * micro },
+        { "wanted", times, wantedOf (performed, finger).segment (shown.first, shown.count) * micro, LineStyle::dashed }
+    };
     chart.series.back().colour = series_colour::neutral;
     return chart;
 }
@@ -106,6 +137,18 @@ int gridHeight (const ChartGrid& grid)
     return rowHeight * rows + 60;
 }
 
+ChartGrid waveformGrid (const PerformedWaveforms& performed, ShownSamples shown)
+{
+    auto grid = fingerGrid (performed);
+    grid.xLabel = "time (ms)";
+    grid.yLabel = "displacement (um)";
+
+    for (Eigen::Index p = 0; p < performed.design.wanted.cols(); ++p)
+        grid.panels.emplace_back (waveformChart (performed, p, shown));
+
+    return grid;
+}
+
 ReportSection waveformSection (const PerformedWaveforms& performed)
 {
     ReportSection section;
@@ -116,6 +159,14 @@ ReportSection waveformSection (const PerformedWaveforms& performed)
     const auto height = gridHeight (waveforms);
     section.figures.push_back (
         { "Wanted (dashed) and reached waveforms.", {}, std::move (waveforms), reportFigureWidth, height });
+
+    if (static_cast<double> (wholeEvent (performed).count) > longEvent * performed.played.sampleRate)
+        section.figures.push_back ({ "The same around the largest motion.",
+                                     {},
+                                     waveformGrid (performed, loudestPart (performed)),
+                                     reportFigureWidth,
+                                     height });
+
     auto spectra = fingerGrid (performed);
     spectra.xLabel = "frequency (Hz)";
     spectra.yLabel = "displacement (dB)";
@@ -232,14 +283,7 @@ std::vector<ReportScore> waveformScores (const PerformedWaveforms& performed)
 
 ChartGrid fingerWaveformsChart (const PerformedWaveforms& performed)
 {
-    auto grid = fingerGrid (performed);
-    grid.xLabel = "time (ms)";
-    grid.yLabel = "displacement (um)";
-
-    for (Eigen::Index p = 0; p < performed.design.wanted.cols(); ++p)
-        grid.panels.emplace_back (waveformChart (performed, p));
-
-    return grid;
+    return waveformGrid (performed, wholeEvent (performed));
 }
 
 ReportPage waveformsReport (const PerformedWaveforms& performed)

@@ -1,5 +1,6 @@
 #include "SessionWorker.h"
 
+#include "Amplifiers.h"
 #include "FocusSettings.h"
 
 #include <antinode_base/InputError.h>
@@ -26,19 +27,6 @@ PlayerSettings toPlayerSettings (const PlaySettings& settings)
 bool needNewPath (const PlaySettings& one, const PlaySettings& other)
 {
     return one.noteOff != other.noteOff || one.retrigger != other.retrigger || one.focusOnNote != other.focusOnNote;
-}
-std::shared_ptr<const ModalModel> withAmplifiers (const std::shared_ptr<const ModalModel>& model,
-                                                  const std::vector<double>& volts)
-{
-    if (std::all_of (volts.begin(), volts.end(), [] (double each) { return each == 0; }))
-        return model;
-
-    auto result = std::make_shared<ModalModel> (*model);
-
-    for (std::size_t i = 0; i < std::min (volts.size(), result->ceramics.size()); ++i)
-        result->ceramics[i].amplifierVoltage = volts[i];
-
-    return result;
 }
 } // namespace
 

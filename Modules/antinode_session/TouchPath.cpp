@@ -27,7 +27,8 @@ Eigen::VectorXd slewLimitsOf (const ModalModel& model)
 
 TouchPath::TouchPath (std::shared_ptr<const ModalModel> model, int inputs, TrackBand band,
                       const FilterSettings& settings, const SkinThreshold& threshold)
-    : modes (std::move (model)), rate (settings.sampleRate), fingers (inputs)
+    : modes (std::move (model)), rate (settings.sampleRate),
+      traceRate (rate / static_cast<double> (filterTiming (band, settings).factor)), fingers (inputs)
 {
     const auto limits = voltageLimits (*modes);
     input = graph.add (std::make_unique<InputNode> (fingers), NodeGraph::noSource);
@@ -57,6 +58,7 @@ void TouchPath::process (const TouchBlock<Sample>& block, const TouchControls& c
         filterNode().setLevel (static_cast<std::size_t> (j), controls.levels[static_cast<std::size_t> (j)]);
 
     noteInputs (block, fingerMeters);
+    fingerMeters.traceRate.store (traceRate, std::memory_order_relaxed);
     static_cast<InputNode&> (graph.node (input)).give (block.inputs, 1);
     limiterNode().setArmed (controls.isArmed && ! isLeaving);
     graph.processParts<double> (block.count, {},
@@ -64,6 +66,7 @@ void TouchPath::process (const TouchBlock<Sample>& block, const TouchControls& c
                                 {
                                     write (block, offset, count, outputs);
                                     note (count, outputs, meters);
+                                    noteMotions (fingerMeters);
                                 });
 
     for (int j = 0; j < fingers; ++j)
@@ -90,6 +93,14 @@ void TouchPath::noteInputs (const TouchBlock<Sample>& block, FingerMeters& meter
 
         meters.inputs.note (j, static_cast<float> (peak));
     }
+}
+
+/** After every part: so no more displacements have come than are kept. */
+void TouchPath::noteMotions (FingerMeters& meters)
+{
+    for (std::size_t j = 0; j < static_cast<std::size_t> (fingers); ++j)
+        for (const auto displacement : filterNode().motion().takeRecent (j))
+            meters.traces[j].push (displacement);
 }
 
 template <typename Sample>

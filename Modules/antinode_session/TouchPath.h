@@ -40,6 +40,9 @@ public:
     double sampleRate() const { return rate; }
     int inputs() const { return fingers; }
 
+    /** V of a sample of 1.0. [any] */
+    double fullScaleVolts() const { return modes->fullScaleVoltage; }
+
     /** Where its filters come from. [session's thread] */
     HandOver<FilterBank>& banks() { return filterNode().banks(); }
 
@@ -65,9 +68,10 @@ private:
     template <typename Sample>
     void write (const TouchBlock<Sample>&, int offset, int count, Outputs) const;
     void note (int count, Outputs, LevelMeters&);
+    void noteMotions (FingerMeters&);
 
     std::shared_ptr<const ModalModel> modes;
-    double rate;
+    double rate, traceRate; ///< Hz, of the host and of the filters.
     int fingers;
     NodeGraph graph;
     int input = 0, filters = 0, limiter = 0; ///< Indices of its nodes.

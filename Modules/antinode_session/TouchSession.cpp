@@ -45,9 +45,19 @@ void TouchSession::setComparing (bool shouldCompare)
     worker->setComparing (shouldCompare);
 }
 
+void TouchSession::setAmplifiers (std::vector<double> volts)
+{
+    worker->setAmplifiers (std::move (volts));
+}
+
 std::shared_ptr<const TouchSnapshot> TouchSession::snapshot() const
 {
     return worker->snapshot();
+}
+
+double TouchSession::fullScaleVolts() const
+{
+    return worker->fullScaleVolts();
 }
 
 LevelMeters& TouchSession::meters()

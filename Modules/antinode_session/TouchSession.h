@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace antinode
 {
@@ -73,8 +74,15 @@ public:
         nothing else to do. [any] */
     void setComparing (bool shouldCompare);
 
+    /** What amplifiers limit, as withAmplifiers has it; a change of a limit ramps to 0 V and back. [any but the audio
+        thread] */
+    void setAmplifiers (std::vector<double> volts);
+
     /** [any but the audio thread] */
     std::shared_ptr<const TouchSnapshot> snapshot() const;
+
+    /** The voltage of a sample of 1.0 in the last block, V; 0 before the first one that plays. [any] */
+    double fullScaleVolts() const;
 
     LevelMeters& meters();
     FingerMeters& fingerMeters();

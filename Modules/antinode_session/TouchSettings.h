@@ -1,8 +1,10 @@
 #pragma once
 
+#include "FingerTrace.h"
 #include "PeakMeters.h"
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 
 namespace antinode
@@ -59,8 +61,10 @@ struct TouchControls
 /** Levels of the audio thread for other threads. */
 struct FingerMeters
 {
-    PeakMeters<mostFingers> inputs;        ///< Of full scale.
-    PeakMeters<mostFingers> displacements; ///< m within the band: what is asked for.
-    PeakMeters<mostFingers> felt;          ///< Times the threshold of skin.
+    PeakMeters<mostFingers> inputs;              ///< Of full scale.
+    PeakMeters<mostFingers> displacements;       ///< m within the band: what is asked for.
+    PeakMeters<mostFingers> felt;                ///< Times the threshold of skin.
+    std::array<FingerTrace, mostFingers> traces; ///< m within the band, sample by sample of the filters.
+    std::atomic<double> traceRate { 0 };         ///< Hz, of the traces; 0 before anything plays.
 };
 } // namespace antinode

@@ -1,5 +1,7 @@
 #include "TouchWorker.h"
 
+#include "Amplifiers.h"
+
 #include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>
 #include <antinode_library/Library.h>
@@ -88,6 +90,7 @@ void TouchWorker::step()
     if (takeDocument())
         solve (solvedForTouch);
 
+    takeAmplifiers();
     paths.collect();
 
     if (path != nullptr)
@@ -105,6 +108,38 @@ void TouchWorker::step()
 
     if (path != nullptr && designedFor != settings)
         design();
+}
+
+void TouchWorker::setAmplifiers (std::vector<double> volts)
+{
+    const std::lock_guard lock (mutex);
+    wantedAmplifiers = std::move (volts);
+}
+
+/** A path has limits of its own: another one is built where these change. */
+void TouchWorker::takeAmplifiers()
+{
+    const auto isSolvedNew = present.model != limited;
+
+    if (isSolvedNew)
+        solved = present.model;
+
+    {
+        const std::lock_guard lock (mutex);
+
+        if (solved == nullptr || (! isSolvedNew && amplifiers == wantedAmplifiers))
+            return;
+
+        amplifiers = wantedAmplifiers;
+    }
+
+    if (auto made = withAmplifiers (solved, amplifiers);
+        isSolvedNew || voltageLimits (*made) != voltageLimits (*limited))
+    {
+        present.model = limited = std::move (made);
+        isModelNew = true;
+        publish();
+    }
 }
 
 void TouchWorker::buildPath()
@@ -283,6 +318,7 @@ void TouchWorker::process (const TouchBlock<Sample>& block, const TouchControls&
 {
     if (auto* const current = paths.current (preparedRate, block.count))
     {
+        fullScale.store (current->fullScaleVolts(), std::memory_order_relaxed);
         current->process (block, controls, paths.isLeaving(), levels, fingerLevels);
         return;
     }

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace antinode
 {
@@ -32,16 +33,19 @@ public:
     template <typename Sample>
     void process (const TouchBlock<Sample>&, const TouchControls&);
     void setComparing (bool shouldCompare) { isComparing = shouldCompare; }
+    void setAmplifiers (std::vector<double> volts);
     LevelMeters& meters() { return levels; }
     FingerMeters& fingerMeters() { return fingerLevels; }
     std::int64_t latencySamples (std::size_t latency) const;
     double tailSeconds() const { return tail; }
+    double fullScaleVolts() const { return fullScale; }
 
     /** Works until it is stopped; then no path is left. Nothing may be processing by then. [session's thread] */
     void run();
 
 private:
     void step();
+    void takeAmplifiers();
     void buildPath();
     bool isSettled() const;
     void design();
@@ -54,7 +58,10 @@ private:
     bool hasNews();
 
     std::atomic<bool> isComparing { false };
-    std::optional<TouchSettings> designedFor; ///< Also where that failed: nobody shall try it again and again.
+    std::vector<double> wantedAmplifiers;              ///< V, under the lock.
+    std::vector<double> amplifiers;                    ///< Of the session's thread, as the next lines.
+    std::shared_ptr<const ModalModel> solved, limited; ///< Without and with the amplifiers.
+    std::optional<TouchSettings> designedFor;          ///< Also where that failed: nobody shall try it again and again.
     TouchFormat format;
     SkinThreshold threshold;
     std::unique_ptr<TouchDesigner> designer;
@@ -63,6 +70,6 @@ private:
     PathExchange<TouchPath> paths;
     LevelMeters levels;
     FingerMeters fingerLevels;
-    std::atomic<double> preparedRate { 0 }, tail { 1 };
+    std::atomic<double> preparedRate { 0 }, tail { 1 }, fullScale { 0 };
 };
 } // namespace antinode

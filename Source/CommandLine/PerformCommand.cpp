@@ -11,6 +11,7 @@
 #include <antinode_library/Library.h>
 #include <antinode_library/SkinThresholds.h>
 #include <antinode_render/PerformedWaveforms.h>
+#include <antinode_text/WaveReader.h>
 
 #include <cstdio>
 #include <memory>
@@ -22,7 +23,7 @@ namespace
 {
 struct PerformOptions
 {
-    std::string waveforms = "three-fingers", device, folder = "antinode-out", thresholdFile;
+    std::string waveforms = "three-fingers", device, folder = "antinode-out", thresholdFile, played;
     double rate = 48000; // Hz
     double latency = 0;  // ms
     std::vector<std::string> assignments, passes;
@@ -57,6 +58,10 @@ void printPerformed (const PerformOptions& options, const PerformedWaveforms& pe
     if (const auto latency = performed.design.latency; latency > 0)
         std::printf ("  latency: %.2f ms from an input to its finger\n", latency * milli);
 
+    if (performed.likeness)
+        std::printf ("  tracks begin %.2f ms after the first played sample; correlation of reached and wanted: %.4f\n",
+                     -performed.design.voltages.firstTime * milli, *performed.likeness);
+
     std::printf ("  voltages: %s\n", trackVoltsInWords (performed).c_str());
 
     for (const auto& warning : performed.design.warnings)
@@ -64,6 +69,16 @@ void printPerformed (const PerformOptions& options, const PerformedWaveforms& pe
 
     std::printf ("Waveforms, voltages and sounds: %s/%s\n", options.folder.c_str(),
                  options.hasReport ? "report.html" : "summary.json");
+}
+
+/** What the voltages of a file do, 1.0 of which is the device's full scale. */
+PerformedWaveforms judgePlayed (const std::string& file, const ModalModel& known, const ModalModel& judge,
+                                const WaveformsDescription& description, TrackSettings settings,
+                                const ShowProgress& show)
+{
+    const auto wave = readWaveFile (file);
+    settings.sampleRate = wave.sampleRate;
+    return judgeVoltages (known, judge, description, settings, judge.fullScaleVoltage * wave.samples, show);
 }
 
 void perform (const PerformOptions& options)
@@ -81,8 +96,11 @@ void perform (const PerformOptions& options)
         options.assignments);
     show ("Modes of the device", 0);
     const auto [known, judge] = trackModels (device, options.usesCache);
-    const auto passes = readRecordedPasses (options.passes, known, description.band, options.sensor);
-    const auto performed = performWaveforms (known, judge, description, settings, show, passes);
+    const auto performed =
+        options.played.empty()
+            ? performWaveforms (known, judge, description, settings, show,
+                                readRecordedPasses (options.passes, known, description.band, options.sensor))
+            : judgePlayed (options.played, known, judge, description, settings, show);
     const auto own = options.hasDesign ? std::optional (solveDevice (device, {}, options.usesCache)) : std::nullopt;
     writePerformed (options.folder, performed, { options.hasReport, own ? &*own : nullptr });
 
@@ -102,10 +120,8 @@ void addPerformCommand (CLI::App& app)
                          "Device: an embedded name or a .json file (default: the one that the waveforms name, else "
                          "glass-148x210)");
     command->add_option ("--out", options->folder, "Output folder")->capture_default_str();
-    command->add_option ("--rate", options->rate, "Sample rate, Hz")
-        ->check (CLI::Range (1000.0, 2e6))
-        ->type_name ("FLOAT")
-        ->capture_default_str();
+    auto* rate = command->add_option ("--rate", options->rate, "Sample rate, Hz");
+    rate->check (CLI::Range (1000.0, 2e6))->type_name ("FLOAT")->capture_default_str();
     command
         ->add_option ("--set", options->assignments,
                       "Overrides a key, for example waveforms.tracks.0.x_mm=24 (repeatable)")
@@ -117,14 +133,21 @@ void addPerformCommand (CLI::App& app)
         "--latency-ms", options->latency,
         "Voltages follow the tracks as live inputs, by filters with this latency, ms: for example 5");
     latency->check (CLI::Range (0.1, 100.0))->type_name ("FLOAT");
+    auto* passes = command->add_option (
+        "--correct", options->passes,
+        "Folder of an earlier pass with recorded.csv or recorded.wav in it (repeatable, in order)");
+    passes->allow_extra_args (false)->type_name ("FOLDER")->excludes (latency);
     command
-        ->add_option ("--correct", options->passes,
-                      "Folder of an earlier pass with recorded.csv or recorded.wav in it (repeatable, in order)")
-        ->allow_extra_args (false)
-        ->type_name ("FOLDER")
-        ->excludes (latency);
-    command->add_flag ("--design", options->hasDesign,
-                       "Also writes design.json: the voltages as the plug-in and render --design play them");
+        ->add_option (
+            "--played", options->played,
+            "Judges voltages recorded elsewhere, as in a host: WAV, one channel per ceramic, 1.0 = full scale")
+        ->type_name ("FILE")
+        ->excludes (latency)
+        ->excludes (passes)
+        ->excludes (rate)
+        ->excludes (
+            command->add_flag ("--design", options->hasDesign,
+                               "Also writes design.json: the voltages as the plug-in and render --design play them"));
     addSensorOptions (*command, options->sensor);
     addCacheFlag (*command, options->usesCache);
     command->add_flag ("!--no-report", options->hasReport, "Writes no report.html");

@@ -142,7 +142,7 @@ void takeStandalone (const Screenshot& wanted, const juce::File& folder)
     antinode::StandaloneHost host (antinode::SettingsFile ({}), false);
     antinode::MainComponent window (host);
     window.setSize (wanted.width, wanted.height);
-    show (wanted, host.processor(), window.editor());
+    show (wanted, host.processor(), *window.fociEditor());
     window.showSettings ("Routing");
     window.update();
     write (window, folder.getChildFile (wanted.file + ".png"));
@@ -174,5 +174,6 @@ int main (int argumentCount, char* arguments[])
 
     antinode::takePlate (folder.getChildFile ("plate-plugin.png"));
     antinode::takeTouch (folder.getChildFile ("touch-plugin.png"));
+    antinode::takeTouchStandalone (folder.getChildFile ("standalone-touch.png"));
     takeStandalone ({ "standalone", 1500, 852, "phone", "phone-thumb", true }, folder);
 }

@@ -1,5 +1,6 @@
 #include "TouchScreenshot.h"
 
+#include <Standalone/MainComponent.h>
 #include <TouchEditor/TouchEditor.h>
 
 #include <antinode_library/Library.h>
@@ -45,12 +46,9 @@ void playTracks (TouchProcessor& processor, TouchContent& content)
         content.refresh (touchBlock / touchRate);
     }
 }
-} // namespace
-
-void takeTouch (const juce::File& file)
+/** Four fingers on the glass plate, three of which play. */
+void putDown (TouchProcessor& processor)
 {
-    TouchProcessor processor (32, juce::AudioProcessor::wrapperType_Undefined);
-    processor.setNonRealtime (true);
     processor.load (std::make_shared<const DeviceDocument> (
         readDeviceDocument (loadDocument (LibraryKind::device, "glass-148x210"), "glass-148x210")));
     processor.parameters().setValues ({ { "finger1_x", 22 },
@@ -70,9 +68,11 @@ void takeTouch (const juce::File& file)
                                         { "finger4_state", 1 },
                                         { "finger4_load", 1 } });
     processor.prepareToPlay (touchRate, touchBlock);
-    TouchEditor editor (processor);
-    auto& content = editor.content();
+}
 
+/** Plays until there is something to see. */
+void playUntilSeen (TouchProcessor& processor, TouchContent& content)
+{
     do
     {
         std::this_thread::sleep_for (std::chrono::milliseconds (10));
@@ -80,9 +80,38 @@ void takeTouch (const juce::File& file)
     } while (! content.hasPicture() || ! content.volts().contains ("5 ms: "));
 
     playTracks (processor, content);
-    const auto image = editor.createComponentSnapshot (editor.getLocalBounds(), true, 1);
+}
+
+void keepPicture (juce::Component& component, const juce::File& file)
+{
+    const auto image = component.createComponentSnapshot (component.getLocalBounds(), true, 1);
     file.deleteFile();
     juce::FileOutputStream stream (file);
     juce::PNGImageFormat().writeImageToStream (image, stream);
+}
+} // namespace
+
+void takeTouch (const juce::File& file)
+{
+    TouchProcessor processor (32, juce::AudioProcessor::wrapperType_Undefined);
+    processor.setNonRealtime (true);
+    putDown (processor);
+    TouchEditor editor (processor);
+    playUntilSeen (processor, editor.content());
+    keepPicture (editor, file);
+}
+
+void takeTouchStandalone (const juce::File& file)
+{
+    TouchHost host (SettingsFile ({}), false);
+    host.processor().setNonRealtime (true);
+    putDown (host.processor());
+    MainComponent window (host);
+    window.setSize (1500, 720);
+    host.arm().setValueNotifyingHost (1);
+    window.showSettings ("Inputs");
+    playUntilSeen (host.processor(), window.touchEditor()->content());
+    window.update();
+    keepPicture (window, file);
 }
 } // namespace antinode

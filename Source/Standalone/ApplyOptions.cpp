@@ -1,12 +1,18 @@
 #include "ApplyOptions.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
 #include <antinode_library/Library.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 namespace antinode
 {
@@ -110,6 +116,67 @@ void loadDocuments (StandaloneHost& host, const StandaloneOptions& options)
 
     if (device != nullptr || focus != nullptr)
         host.processor().load (std::move (device), std::move (focus));
+}
+
+WantedFinger readFinger (const std::string& text)
+{
+    constexpr double highest = 100; // um, as the parameter has it
+    std::vector<double> numbers;
+    const auto* at = text.data();
+    const auto* const end = at + text.size();
+
+    for (auto isDone = false; ! isDone;)
+    {
+        auto& number = numbers.emplace_back();
+        const auto [behind, error] = std::from_chars (at, end, number);
+        isDone = behind == end;
+
+        if (error != std::errc() || ! std::isfinite (number) || (! isDone && *behind != ':') || numbers.size() > 3)
+            throw InputError ("--finger " + text, "is no finger; allowed: X:Y or X:Y:UM, numbers in mm, mm and um");
+
+        at = behind + 1;
+    }
+
+    if (numbers.size() < 2)
+        throw InputError ("--finger " + text, "has no y; allowed: X:Y or X:Y:UM, numbers in mm, mm and um");
+
+    WantedFinger finger { numbers[0] / milli, numbers[1] / milli };
+
+    if (numbers.size() > 2)
+        finger.level = numbers[2] / micro;
+
+    if (! (finger.level >= 0 && finger.level * micro <= highest))
+        throw InputError ("--finger " + text, "has a level of " + inWords (finger.level * micro)
+                                                  + " um; allowed: 0 (silent) to " + inWords (highest) + " um");
+
+    return finger;
+}
+
+void loadFingers (TouchHost& host, const StandaloneOptions& options)
+{
+    if (options.fingers.size() > mostFingers)
+        throw InputError ("--finger", "is given " + std::to_string (options.fingers.size())
+                                          + " times; allowed: " + std::to_string (mostFingers));
+
+    std::vector<WantedFinger> fingers;
+    std::transform (options.fingers.begin(), options.fingers.end(), std::back_inserter (fingers), readFinger);
+
+    if (const auto& name = options.touch; ! name.empty())
+        host.processor().load (std::make_shared<const DeviceDocument> (
+            readDeviceDocument (loadDocument (LibraryKind::device, name), documentSource (LibraryKind::device, name))));
+
+    if (! options.inputs.empty())
+        host.setInputs (readFingerInputs (options.inputs));
+
+    if (options.touchLatency > 0)
+        for (std::size_t i = 0; i < touchLatencies.size(); ++i)
+            if (std::lround (touchLatencies[i] * milli) == options.touchLatency)
+            {
+                auto& latency = host.processor().parameters().latency();
+                latency.setValueNotifyingHost (latency.convertTo0to1 (static_cast<float> (i)));
+            }
+
+    host.setFingers (std::move (fingers));
 }
 
 std::vector<TimedNote> readNotes (const StandaloneOptions& options)

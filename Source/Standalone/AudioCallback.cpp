@@ -1,6 +1,7 @@
 #include "AudioCallback.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace antinode
 {
@@ -8,14 +9,33 @@ namespace
 {
 constexpr int longestPart = 1024;          // samples that the processor gets at once
 constexpr std::size_t maximumNotes = 4096; // of one block that there is room for
-constexpr int processorChannels = AntinodeProcessor::maximumCeramics + OutputRouting::monitors;
+constexpr int processorChannels = OutputRouting::maximumCeramics + OutputRouting::monitors;
+
+/** The numbers of the channels that are open, in the order in which a device hands them over. @return how many */
+int openNumbers (const juce::BigInteger& open, std::array<int, OutputRouting::maximumOutputs>& numbers)
+{
+    int count = 0;
+
+    for (auto channel = open.findNextSetBit (0); channel >= 0 && channel < OutputRouting::maximumOutputs;
+         channel = open.findNextSetBit (channel + 1))
+        numbers[static_cast<std::size_t> (count++)] = channel;
+
+    return count;
+}
 } // namespace
 
-AudioCallback::AudioCallback (AntinodeProcessor& processorToPlay, OutputRouter& routerToUse, MidiQueue& queueToRead)
-    : processor (processorToPlay), router (routerToUse), queue (queueToRead)
+AudioCallback::AudioCallback (juce::AudioProcessor& processorToPlay, OutputRouter& routerToUse, MidiQueue& queueToRead,
+                              PlayedLevels levelsToAsk)
+    : processor (processorToPlay), router (routerToUse), queue (queueToRead), levels (std::move (levelsToAsk))
 {
+    setInputs ({});
     notes.ensureSize (MidiQueue::bytesNeeded (maximumNotes));
     partNotes.ensureSize (MidiQueue::bytesNeeded (maximumNotes));
+}
+
+void AudioCallback::setInputs (const FingerInputs& wanted)
+{
+    std::copy (wanted.inputs.begin(), wanted.inputs.end(), inputOfFinger.begin());
 }
 
 void AudioCallback::audioDeviceAboutToStart (juce::AudioIODevice* device)
@@ -28,12 +48,8 @@ void AudioCallback::prepare (double sampleRate, int blockSize, const juce::BigIn
                              const juce::BigInteger& openInputs)
 {
     firstInput = openInputs.findNextSetBit (0);
-    openChannels = 0;
-
-    for (auto output = openOutputs.findNextSetBit (0); output >= 0 && output < OutputRouting::maximumOutputs;
-         output = openOutputs.findNextSetBit (output + 1))
-        numbers[static_cast<std::size_t> (openChannels++)] = output;
-
+    openChannels = openNumbers (openOutputs, numbers);
+    openInputChannels = openNumbers (openInputs, inputNumbers);
     buffer.setSize (processorChannels, longestPart);
     processor.setRateAndBufferSizeDetails (sampleRate, std::min (blockSize, longestPart));
     processor.prepareToPlay (sampleRate, std::min (blockSize, longestPart));
@@ -67,6 +83,7 @@ void AudioCallback::audioDeviceIOCallbackWithContext (const float* const* inputs
     if (inputCount > 0 && inputs[0] != nullptr)
         inputTap.write (inputs[0], count);
 
+    noteInputs (inputs, inputCount);
     channels.fill (nullptr);
 
     for (int i = 0; i < outputCount; ++i)
@@ -81,6 +98,31 @@ void AudioCallback::audioDeviceIOCallbackWithContext (const float* const* inputs
         playPart (offset, std::min (longestPart, count - offset));
 
     played += count;
+}
+
+void AudioCallback::noteInputs (const float* const* inputs, int inputCount)
+{
+    heard.fill (nullptr);
+
+    for (int i = 0; i < std::min (inputCount, openInputChannels); ++i)
+        heard[static_cast<std::size_t> (inputNumbers[static_cast<std::size_t> (i)])] = inputs[i];
+}
+
+/** What the fingers feel, where the processor has inputs. */
+void AudioCallback::fillInputs (int offset, int count)
+{
+    const auto fingers = std::min (processor.getTotalNumInputChannels(), FingerInputs::fingers);
+
+    for (int k = 0; k < fingers; ++k)
+    {
+        const auto input = inputOfFinger[static_cast<std::size_t> (k)].load();
+
+        if (input < 0 || input >= OutputRouting::maximumOutputs)
+            continue;
+
+        if (const auto* const from = heard[static_cast<std::size_t> (input)]; from != nullptr)
+            buffer.copyFrom (k, 0, from + offset, count);
+    }
 }
 
 /** The notes of a block, in the order of their samples. */
@@ -106,6 +148,7 @@ void AudioCallback::playPart (int offset, int count)
 {
     buffer.setSize (processorChannels, count, false, false, true);
     buffer.clear();
+    fillInputs (offset, count);
     partNotes.clear();
     partNotes.addEvents (notes, offset, count, -offset);
     processor.processBlock (buffer, partNotes);
@@ -114,12 +157,11 @@ void AudioCallback::playPart (int offset, int count)
         partChannels[i] = channels[i] != nullptr ? channels[i] + offset : nullptr;
 
     const auto* const* const samples = buffer.getArrayOfReadPointers();
-    router.process (
-        { { samples, static_cast<std::size_t> (AntinodeProcessor::maximumCeramics) },
-          { samples + AntinodeProcessor::maximumCeramics, static_cast<std::size_t> (OutputRouting::monitors) },
-          { partChannels.data(), partChannels.size() },
-          count,
-          processor.session().fullScaleVolts(),
-          processor.parameters().arm().get() });
+    router.process ({ { samples, static_cast<std::size_t> (OutputRouting::maximumCeramics) },
+                      { samples + OutputRouting::maximumCeramics, static_cast<std::size_t> (OutputRouting::monitors) },
+                      { partChannels.data(), partChannels.size() },
+                      count,
+                      levels.fullScaleVolts(),
+                      levels.isArmed() });
 }
 } // namespace antinode

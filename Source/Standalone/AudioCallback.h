@@ -1,27 +1,39 @@
 #pragma once
 
 #include "EventSchedule.h"
+#include "FingerInputs.h"
 #include "InputTap.h"
 #include "MidiQueue.h"
 #include "OutputRouter.h"
 
-#include <Processor/AntinodeProcessor.h>
-
 #include <juce_audio_devices/juce_audio_devices.h>
+#include <juce_audio_processors/juce_audio_processors.h>
 
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 
 namespace antinode
 {
+/** What the router must know of what plays. [audio thread] */
+struct PlayedLevels
+{
+    std::function<double()> fullScaleVolts; ///< Of a sample of 1.0; 0: nothing plays yet.
+    std::function<bool()> isArmed;
+};
+
 /** The callback of an audio device: the processor with all its buses, then the router, on the channels that are open.
     Blocks of any length. */
 class AudioCallback : public juce::AudioIODeviceCallback
 {
 public:
-    /** All outlive this. [message thread] */
-    AudioCallback (AntinodeProcessor&, OutputRouter&, MidiQueue&);
+    /** All outlive this. @param processor  its outputs are the ceramics and, if it has one, the monitor; its inputs, if
+        it has some, are those of fingers [message thread] */
+    AudioCallback (juce::AudioProcessor& processor, OutputRouter&, MidiQueue&, PlayedLevels);
+
+    /** The input of the device that each finger feels; those that are not open are silent. [any] */
+    void setInputs (const FingerInputs&);
 
     /** Notes that begin with startSchedule(). [message thread] before a device calls */
     void setSchedule (EventSchedule wanted) { schedule = std::move (wanted); }
@@ -60,17 +72,21 @@ public:
 
 private:
     void gatherNotes (int count);
+    void noteInputs (const float* const* inputs, int inputCount);
+    void fillInputs (int offset, int count);
     void playPart (int offset, int count);
 
-    AntinodeProcessor& processor;
+    juce::AudioProcessor& processor;
     OutputRouter& router;
     MidiQueue& queue;
+    PlayedLevels levels;
     EventSchedule schedule;
     InputTap inputTap;
     std::atomic<bool> scheduleWanted { false };
     std::atomic<std::int64_t> schedulePosition { -1 }, played { 0 };
     std::atomic<double> rate { 0 };
     std::atomic<int> firstInput { -1 };
+    std::array<std::atomic<int>, FingerInputs::fingers> inputOfFinger;
     juce::CriticalSection errors; ///< For the next line.
     juce::String lastError;
 
@@ -80,6 +96,8 @@ private:
     std::array<int, OutputRouting::maximumOutputs> numbers {}; ///< Output of each channel that the device hands over.
     std::array<float*, OutputRouting::maximumOutputs> channels {}; ///< Of each output; null where it is not open.
     std::array<float*, OutputRouting::maximumOutputs> partChannels {};
-    int openChannels = 0;
+    std::array<int, OutputRouting::maximumOutputs> inputNumbers {};   ///< As `numbers`.
+    std::array<const float*, OutputRouting::maximumOutputs> heard {}; ///< Of each input; null where it is not open.
+    int openChannels = 0, openInputChannels = 0;
 };
 } // namespace antinode

@@ -36,7 +36,7 @@ void fill (juce::ComboBox& box, const std::vector<std::string>& words, const std
 }
 } // namespace
 
-AudioPanel::AudioPanel (StandaloneHost& hostToUse) : host (hostToUse), inputView (hostToUse)
+AudioPanel::AudioPanel (AudioHost& hostToUse) : host (hostToUse), inputView (hostToUse)
 {
     const std::array boxes { &type, &device, &rate, &block, &outputs, &input };
     const std::array words { "Type",           "Device",        "Sample rate, Hz",
@@ -49,6 +49,10 @@ AudioPanel::AudioPanel (StandaloneHost& hostToUse) : host (hostToUse), inputView
         addAndMakeVisible (names[i]);
         addAndMakeVisible (*boxes[i]);
     }
+
+    // All inputs are open where fingers feel them; the first is shown.
+    names.back().setVisible (host.playsFoci());
+    input.setVisible (host.playsFoci());
 
     type.setTooltip ("ALSA opens the interface itself; JACK uses a running server, including that of PipeWire.");
     refresh.setTooltip ("Searches for devices that were plugged in since the start");

@@ -14,7 +14,7 @@ class AudioPanel final : public juce::Component
 {
 public:
     /** @param hostToUse  outlives this [message thread] */
-    explicit AudioPanel (StandaloneHost& hostToUse);
+    explicit AudioPanel (AudioHost& hostToUse);
 
     /** Shows what is open, and what there is. [message thread] */
     void update();
@@ -28,7 +28,7 @@ private:
     void open (const AudioChoice&);
     AudioChoice shownFormat() const;
 
-    StandaloneHost& host;
+    AudioHost& host;
     juce::ComboBox type, device, rate, block, outputs, input;
     std::array<juce::Label, 6> names;
     juce::TextButton refresh { "Refresh" };

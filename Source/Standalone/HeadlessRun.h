@@ -1,7 +1,8 @@
 #pragma once
 
-#include "StandaloneHost.h"
+#include "AudioHost.h"
 
+#include <cstdint>
 #include <string>
 
 namespace antinode
@@ -10,29 +11,47 @@ namespace antinode
 class HeadlessRun : private juce::Timer
 {
 public:
-    /** @param hostToPlay  with its device open; outlives this
-        @param seconds     how long, from the start of the schedule on; 0: without end
-        [message thread] */
-    HeadlessRun (StandaloneHost& hostToPlay, std::vector<TimedNote> notes, double seconds, bool isArmed);
+    ~HeadlessRun() override = default;
 
-    /** Waits for the designs of the schedule's notes, plays, prints what it does in one line at the start and one at
-       the end.
+    /** Waits until what is to play is designed, plays, prints what it does in one line at the start and one at the end.
         @throws InputError  where the device or its focus cannot be played, or the audio device fails
         [message thread] runs the message loop */
     void run();
 
+protected:
+    static constexpr double armTime = 0.05; ///< s, for the ramp of arming to end before the first note
+
+    /** @param hostToPlay  with its device open; outlives this
+        @param seconds     how long, from the start on; 0: without end
+        [message thread] */
+    HeadlessRun (AudioHost& hostToPlay, double seconds, bool isArmed);
+
+    /** "1 sample", "2 samples". [any] */
+    static std::string counted (std::int64_t count, const std::string& what);
+
+    /** A line on standard error. [any] */
+    static void complain (const std::string& sentence);
+
 private:
+    /** Whether all is designed. @throws InputError  why nothing can play */
+    virtual bool isReady() = 0;
+    virtual std::string waitingFor() const = 0;  ///< A line for the meantime.
+    virtual std::string designsText() const = 0; ///< What else there is to say when it starts.
+    virtual void begin() {}                      ///< When it starts.
+    virtual std::string playedText() = 0;        ///< What was played, for the end.
+
     void timerCallback() override;
-    void beginWhenDesigned();
+    void beginWhenReady();
     void checkDevice();
     void end (const std::string& failure);
     std::string startText() const;
-    std::string endText() const;
-    std::string touchText() const;
+    std::string endText();
+    std::string touchText();
 
-    StandaloneHost& host;
+    AudioHost& host;
     double duration;
     bool arms, hasBegun = false;
+    std::int64_t beginSamples = 0;
     std::int64_t seenSamples = 0;
     juce::uint32 seenAt = 0; ///< ms, when the device called last.
     std::string failureText;

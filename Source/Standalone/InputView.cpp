@@ -15,10 +15,10 @@ namespace
 constexpr int refreshMilliseconds = 50;
 constexpr double lowestShown = 20, lowestLevel = -140; // Hz, dB
 constexpr float peakFall = 0.97F;                      // a refresh
-constexpr float quietest = -200;                       // dB
+constexpr float quietestInput = -200;                  // dB
 } // namespace
 
-InputView::InputView (StandaloneHost& hostToUse) : host (hostToUse)
+InputView::InputView (AudioHost& hostToUse) : host (hostToUse)
 {
     setTitle ("Spectrum of the sensor's input");
     summary.setFont (EditorLook::font (EditorLook::smallTextHeight));
@@ -65,7 +65,7 @@ juce::String InputView::summaryText (float peak) const
         return "No input is open: choose the input of the sensor.";
 
     const auto text = "Input " + juce::String (number + 1) + ": peak "
-                      + juce::String (juce::Decibels::gainToDecibels (peak, quietest), 1) + " dB of full scale";
+                      + juce::String (juce::Decibels::gainToDecibels (peak, quietestInput), 1) + " dB of full scale";
     const auto clipped = host.callback().input().clippedSamples() - clippedBefore;
     const auto end = clipped > 0 ? "; CLIPPED, " + juce::String (clipped) + " samples" : juce::String();
     Eigen::Index first = 0, strongest = 0;

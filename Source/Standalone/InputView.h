@@ -1,8 +1,8 @@
 #pragma once
 
+#include "AudioHost.h"
 #include "InputSpectrum.h"
 #include "LevelBar.h"
-#include "StandaloneHost.h"
 
 #include <antinode_charts/PlotFrame.h>
 
@@ -13,7 +13,7 @@ class InputView final : public juce::Component, private juce::Timer
 {
 public:
     /** @param hostToUse  outlives this */
-    explicit InputView (StandaloneHost& hostToUse);
+    explicit InputView (AudioHost& hostToUse);
 
     /** Reads what came in since the last call. */
     void refresh();
@@ -28,7 +28,7 @@ private:
     void timerCallback() override { refresh(); }
     juce::String summaryText (float peak) const;
 
-    StandaloneHost& host;
+    AudioHost& host;
     InputSpectrum spectrum;
     Eigen::VectorXd levels;
     double rate = 0; ///< Hz, of the spectrum.

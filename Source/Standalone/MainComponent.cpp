@@ -1,6 +1,9 @@
 #include "MainComponent.h"
 
+#include "MidiPanel.h"
+
 #include <algorithm>
+#include <utility>
 
 namespace antinode
 {
@@ -10,18 +13,46 @@ constexpr int topHeight = 52, windowMargin = 8, windowGap = 6, settingsWidth = 4
               barButtonWidth = 90;
 }
 
-MainComponent::MainComponent (StandaloneHost& hostToUse)
-    : host (hostToUse), player (host.processor()), audio (host), routing (host), midi (host), touch (host)
+MainComponent::MainComponent (AudioHost& hostToUse, std::unique_ptr<juce::AudioProcessorEditor> editor)
+    : host (hostToUse), player (std::move (editor)), audio (host), routing (host), touch (host)
 {
     setLookAndFeel (&look);
     // The window has edges of its own.
-    player.setResizable (true, false);
-    player.content().setDark (host.settings().isDark);
-    player.content().onTheme = [this]
+    player->setResizable (true, false);
+}
+
+MainComponent::MainComponent (StandaloneHost& hostToUse)
+    : MainComponent (hostToUse, std::make_unique<Editor> (hostToUse.processor()))
+{
+    own = std::make_unique<MidiPanel> (hostToUse);
+    followTheme (fociEditor()->content());
+    begin ({ "MIDI", "MIDI inputs that trigger foci.", own.get() });
+}
+
+MainComponent::MainComponent (TouchHost& hostToUse)
+    : MainComponent (hostToUse, std::make_unique<TouchEditor> (hostToUse.processor()))
+{
+    own = std::make_unique<InputsPanel> (hostToUse);
+    followTheme (touchEditor()->content());
+    touchEditor()->content().touches().setVisible (false); // The program's ports are a setting of its own.
+    begin ({ "Inputs", "Input of the audio device that each finger feels.", own.get() });
+}
+
+/** What is dark or light is the editor. */
+template <typename Content>
+void MainComponent::followTheme (Content& content)
+{
+    content.setDark (host.settings().isDark);
+    isEditorDark = [&content] { return content.isDark(); };
+    content.onTheme = [this]
     {
-        host.setDark (player.content().isDark());
+        host.setDark (isEditorDark());
         showTheme();
     };
+}
+
+void MainComponent::begin (const PanelGroup::Panel& ownPanel)
+{
     mute.onClick = [this]
     {
         if (host.router().isMuted())
@@ -42,7 +73,7 @@ MainComponent::MainComponent (StandaloneHost& hostToUse)
     };
     settings.setPanels ({ { "Audio device", "Audio interface for the voltages.", &audio },
                           { "Routing", "Output and amplifier of each ceramic.", &routing },
-                          { "MIDI", "MIDI inputs that trigger foci.", &midi },
+                          ownPanel,
                           { "Touch", "Ports for touches: OSC and TUIO.", &touch } });
     settings.show (openedAudio (host.devices()).type.empty() ? "Audio device" : "Routing");
 
@@ -50,11 +81,11 @@ MainComponent::MainComponent (StandaloneHost& hostToUse)
         label->setFont (EditorLook::font());
 
     for (auto* const child :
-         std::initializer_list<juce::Component*> { &player, &settings, &mute, &settingsButton, &status, &warning })
+         std::initializer_list<juce::Component*> { player.get(), &settings, &mute, &settingsButton, &status, &warning })
         addAndMakeVisible (child);
 
     setWantsKeyboardFocus (true);
-    setSize (player.getWidth() + settingsWidth, player.getHeight() + topHeight);
+    setSize (player->getWidth() + settingsWidth, player->getHeight() + topHeight);
     host.onChange = [this] { update(); };
     showTheme();
     startTimerHz (10);
@@ -63,6 +94,7 @@ MainComponent::MainComponent (StandaloneHost& hostToUse)
 MainComponent::~MainComponent()
 {
     host.onChange = nullptr;
+    player = nullptr;
     setLookAndFeel (nullptr);
 }
 
@@ -70,6 +102,9 @@ void MainComponent::update()
 {
     routing.update();
     audio.update();
+
+    if (auto* const inputs = dynamic_cast<InputsPanel*> (own.get()))
+        inputs->update();
 }
 
 bool MainComponent::keyPressed (const juce::KeyPress& key)
@@ -78,7 +113,7 @@ bool MainComponent::keyPressed (const juce::KeyPress& key)
         host.muteAll();
     else if (key == juce::KeyPress (juce::KeyPress::escapeKey))
     {
-        host.processor().session().stopAll();
+        host.stopAll();
         host.router().identify (OutputRouting::none);
     }
     else
@@ -88,7 +123,7 @@ bool MainComponent::keyPressed (const juce::KeyPress& key)
     return true;
 }
 
-juce::String MainComponent::statusText (const std::optional<TriggerLatency>& latency) const
+juce::String MainComponent::statusText (const juce::String& latency) const
 {
     const auto opened = openedAudio (host.devices());
 
@@ -100,7 +135,7 @@ juce::String MainComponent::statusText (const std::optional<TriggerLatency>& lat
            + " samples, " + juce::String (opened.outputs.size()) + " outputs, "
            + juce::String (std::max (0, host.devices().getXRunCount())) + " xruns, "
            + juce::String (juce::roundToInt (100 * host.devices().getCpuUsage())) + " % CPU"
-           + (latency ? "; " + latencyInWords (*latency) : juce::String());
+           + (latency.isNotEmpty() ? "; " + latency : juce::String());
 }
 
 juce::String MainComponent::warningText() const
@@ -118,16 +153,15 @@ void MainComponent::showState()
     mute.setButtonText (isMuted ? "MUTED: RELEASE" : "MUTE ALL");
     mute.setColour (juce::TextButton::buttonColourId, isMuted ? palette.raised : palette.warning);
     mute.setColour (juce::TextButton::textColourOffId, isMuted ? palette.warning : palette.onStrong);
-    const auto latency = triggerLatency (host);
-    status.setText (statusText (latency), juce::dontSendNotification);
-    status.setTooltip (latency ? latencyAdvice (*latency) : juce::String());
+    status.setText (statusText (host.latencyText()), juce::dontSendNotification);
+    status.setTooltip (host.latencyAdviceText());
     warning.setText (warningText(), juce::dontSendNotification);
     warning.setTooltip (warning.getText());
 }
 
 void MainComponent::showTheme()
 {
-    look.setPalette (player.content().isDark() ? Palette::dark() : Palette::light());
+    look.setPalette (isEditorDark() ? Palette::dark() : Palette::light());
     const auto& palette = look.palette();
     warning.setColour (juce::Label::textColourId, palette.warning);
     settingsButton.setColour (juce::TextButton::buttonOnColourId, palette.raised);
@@ -157,6 +191,6 @@ void MainComponent::resized()
     if (settings.isVisible())
         settings.setBounds (area.removeFromRight (settingsWidth).withTrimmedTop (windowGap));
 
-    player.setBounds (area);
+    player->setBounds (area);
 }
 } // namespace antinode

@@ -1,12 +1,18 @@
 #pragma once
 
 #include "AudioPanel.h"
-#include "MidiPanel.h"
+#include "InputsPanel.h"
 #include "RoutingPanel.h"
+#include "StandaloneHost.h"
+#include "TouchHost.h"
 #include "TouchPanel.h"
-#include "TriggerLatency.h"
 
 #include <Editor/Editor.h>
+#include <TouchEditor/TouchEditor.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
 
 namespace antinode
 {
@@ -17,16 +23,21 @@ public:
     /** The least size at which everything is legible, in pixels. */
     static constexpr int minimumWidth = 1100, minimumHeight = 560;
 
-    /** @param hostToUse  outlives this [message thread] */
+    /** Foci. @param hostToUse  outlives this [message thread] */
     explicit MainComponent (StandaloneHost& hostToUse);
+
+    /** Fingers. @param hostToUse  outlives this [message thread] */
+    explicit MainComponent (TouchHost& hostToUse);
     ~MainComponent() override;
 
-    Editor& editor() { return player; }
+    /** The one of what plays; the other is none. */
+    Editor* fociEditor() { return dynamic_cast<Editor*> (player.get()); }
+    TouchEditor* touchEditor() { return dynamic_cast<TouchEditor*> (player.get()); }
 
     /** Shows the routing and the audio device as they are now. [message thread] */
     void update();
 
-    /** Shows one of the settings: "Audio device", "Routing", "MIDI", "Touch". [message thread] */
+    /** Shows one of the settings: "Audio device", "Routing", "MIDI" or "Inputs", "Touch". [message thread] */
     void showSettings (const juce::String& name) { settings.show (name); }
 
     /** F12 mutes everything, Escape ends all that plays. */
@@ -36,18 +47,24 @@ public:
     void resized() override;
 
 private:
+    MainComponent (AudioHost& hostToUse, std::unique_ptr<juce::AudioProcessorEditor> editor);
+
+    template <typename Content>
+    void followTheme (Content&);
+    void begin (const PanelGroup::Panel& ownPanel);
     void timerCallback() override { showState(); }
     void showState();
     void showTheme();
-    juce::String statusText (const std::optional<TriggerLatency>&) const;
+    juce::String statusText (const juce::String& latency) const;
     juce::String warningText() const;
 
-    StandaloneHost& host;
+    AudioHost& host;
     EditorLook look;
-    Editor player;
+    std::unique_ptr<juce::AudioProcessorEditor> player;
+    std::function<bool()> isEditorDark;
     AudioPanel audio;
     RoutingPanel routing;
-    MidiPanel midi;
+    std::unique_ptr<juce::Component> own; ///< The panel that only foci or only fingers have.
     TouchPanel touch;
     PanelGroup settings { "Settings" };
     juce::TextButton mute, settingsButton { "Settings" };

@@ -1,16 +1,15 @@
 #include "MainWindow.h"
 
-#include "MainComponent.h"
-
 #include <algorithm>
 
 namespace antinode
 {
-MainWindow::MainWindow (StandaloneHost& host) : DocumentWindow ("Antinode", Palette::dark().window, allButtons)
+MainWindow::MainWindow (std::unique_ptr<MainComponent> content)
+    : DocumentWindow ("Antinode", Palette::dark().window, allButtons)
 {
     setUsingNativeTitleBar (true);
     setResizable (true, false);
-    setContentOwned (new MainComponent (host), true);
+    setContentOwned (content.release(), true);
     fitToScreen();
     setVisible (true);
     getContentComponent()->grabKeyboardFocus();

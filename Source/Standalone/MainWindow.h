@@ -1,8 +1,10 @@
 #pragma once
 
-#include "StandaloneHost.h"
+#include "MainComponent.h"
 
 #include <juce_gui_basics/juce_gui_basics.h>
+
+#include <memory>
 
 namespace antinode
 {
@@ -10,8 +12,8 @@ namespace antinode
 class MainWindow : public juce::DocumentWindow
 {
 public:
-    /** @param host  outlives this [message thread] needs a display */
-    explicit MainWindow (StandaloneHost& host);
+    /** [message thread] needs a display */
+    explicit MainWindow (std::unique_ptr<MainComponent> content);
 
     void closeButtonPressed() override { juce::MessageManager::getInstance()->stopDispatchLoop(); }
 

@@ -14,7 +14,7 @@ constexpr int headHeight = 22, levelMilliseconds = 50;
 constexpr int noMonitor = OutputRouting::maximumOutputs + 1;
 } // namespace
 
-RoutingPanel::RoutingPanel (StandaloneHost& hostToUse) : host (hostToUse)
+RoutingPanel::RoutingPanel (AudioHost& hostToUse) : host (hostToUse)
 {
     monitorName.setFont (EditorLook::font (EditorLook::smallTextHeight));
     viewport.setViewedComponent (&list, false);
@@ -30,13 +30,16 @@ RoutingPanel::RoutingPanel (StandaloneHost& hostToUse) : host (hostToUse)
     for (auto* const child : std::initializer_list<juce::Component*> { &viewport, &monitorName, &monitor, &straight })
         addAndMakeVisible (child);
 
+    // Fingers have no probes.
+    monitorName.setVisible (host.playsFoci());
+    monitor.setVisible (host.playsFoci());
     update();
     startTimer (levelMilliseconds);
 }
 
 void RoutingPanel::update()
 {
-    const auto model = host.processor().session().snapshot()->model;
+    const auto model = host.model();
     const auto ceramics =
         model != nullptr ? std::min (static_cast<int> (model->actuators()), OutputRouting::maximumCeramics) : 0;
     auto* const device = host.devices().getCurrentAudioDevice();

@@ -12,7 +12,7 @@ class RoutingPanel final : public juce::Component, private juce::Timer
 {
 public:
     /** @param hostToUse  outlives this [message thread] */
-    explicit RoutingPanel (StandaloneHost& hostToUse);
+    explicit RoutingPanel (AudioHost& hostToUse);
 
     /** Shows the routing as it is now, for the device as it is now. [message thread] */
     void update();
@@ -24,7 +24,7 @@ private:
     void timerCallback() override;
     void makeRows (int ceramics, int outputs);
 
-    StandaloneHost& host;
+    AudioHost& host;
     juce::Label monitorName { {}, "Probe velocities on outputs" };
     juce::ComboBox monitor;
     juce::TextButton straight { "One to one" };

@@ -10,7 +10,7 @@ constexpr int nameWidth = 30, outputWidth = 66, voltsWidth = 60, polarityWidth =
 constexpr int noOutput = OutputRouting::maximumOutputs + 1; // identifiers of a choice cannot be 0
 } // namespace
 
-RoutingRow::RoutingRow (StandaloneHost& hostToUse, int ceramicToShow, int outputs)
+RoutingRow::RoutingRow (AudioHost& hostToUse, int ceramicToShow, int outputs)
     : host (hostToUse), ceramic (ceramicToShow)
 {
     name.setText (juce::String (ceramic + 1), juce::dontSendNotification);
@@ -59,7 +59,7 @@ void RoutingRow::update()
     if (! volts.hasKeyboardFocus (true))
         volts.setText (chain.voltsPerFullScale > 0 ? juce::String (chain.voltsPerFullScale) : juce::String(), false);
 
-    const auto fullScale = host.processor().session().fullScaleVolts();
+    const auto fullScale = host.fullScaleVolts();
     volts.setTextToShowWhenEmpty (fullScale > 0 ? juce::String (fullScale) : juce::String(),
                                   EditorLook::findPalette (*this).mutedText);
     polarity.setToggleState (chain.polarity < 0, juce::dontSendNotification);
@@ -70,7 +70,7 @@ void RoutingRow::update()
 
 void RoutingRow::updateLevel()
 {
-    const auto isArmed = host.processor().parameters().arm().get();
+    const auto isArmed = host.arm().get();
     identify.setEnabled (isArmed && output() != OutputRouting::none);
     identify.setToggleState (host.router().identified() == ceramic, juce::dontSendNotification);
 

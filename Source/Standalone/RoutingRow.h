@@ -1,7 +1,7 @@
 #pragma once
 
+#include "AudioHost.h"
 #include "LevelBar.h"
-#include "StandaloneHost.h"
 
 #include <juce_gui_basics/juce_gui_basics.h>
 
@@ -12,7 +12,7 @@ class RoutingRow final : public juce::Component
 {
 public:
     /** @param hostToUse  outlives this @param ceramicToShow  from 0 @param outputs  to choose from [message thread] */
-    RoutingRow (StandaloneHost& hostToUse, int ceramicToShow, int outputs);
+    RoutingRow (AudioHost& hostToUse, int ceramicToShow, int outputs);
 
     /** Shows what the host's routing says. [message thread] */
     void update();
@@ -30,7 +30,7 @@ private:
     int output() const { return host.settings().routing.outputs[static_cast<std::size_t> (ceramic)]; }
     void changeChain();
 
-    StandaloneHost& host;
+    AudioHost& host;
     int ceramic;
     juce::Label name;
     juce::ComboBox outputChoice;

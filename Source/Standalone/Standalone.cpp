@@ -1,7 +1,9 @@
 #include "Standalone.h"
 
 #include "ApplyOptions.h"
-#include "HeadlessRun.h"
+#include "FociRun.h"
+#include "MainComponent.h"
+#include "TouchRun.h"
 #include "WindowRun.h"
 
 #include <antinode_audio/Interruption.h>
@@ -11,6 +13,7 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <memory>
 
 namespace antinode
 {
@@ -50,19 +53,35 @@ void runHeadless (const StandaloneOptions& options)
 
     loadDocuments (host, options);
     const auto settings = withOptions (host.settings(), options);
-    HeadlessRun headless (host, std::move (notes), options.duration, options.isArmed);
+    FociRun headless (host, std::move (notes), options.duration, options.isArmed);
     host.setTouch (settings.touch);
     host.setMidi (settings.midi);
     host.openAudio (settings.audio);
     headless.run();
 }
 
-void runWindow (const StandaloneOptions& options)
+void runTouchHeadless (const StandaloneOptions& options)
 {
-    StandaloneHost host (chooseSettingsFile (options), true);
-    loadDocuments (host, options);
+    TouchHost host (chooseSettingsFile (options), false);
+
+    if (const auto warning = host.warning(); warning.isNotEmpty())
+        complain (warning.toStdString());
+
+    loadFingers (host, options);
+    const auto settings = withOptions (host.settings(), options);
+    host.setTouch (settings.touch);
+    host.openAudio (settings.audio);
+    TouchRun (host, options.duration, options.isArmed).run();
+}
+
+/** @param load  takes what the options say over the settings */
+template <typename Host, typename Load>
+void runWindow (const StandaloneOptions& options, const Load& load)
+{
+    Host host (chooseSettingsFile (options), true);
+    load (host, options);
     host.openAll (withOptions (host.settings(), options));
-    runWithWindow (host);
+    runWithWindow ([&host] { return std::make_unique<MainComponent> (host); });
 }
 
 void run (const StandaloneOptions& options)
@@ -74,16 +93,20 @@ void run (const StandaloneOptions& options)
     if (options.listsDevices)
         listDevices();
     else if (options.isHeadless)
-        runHeadless (options);
+        options.playsTouch ? runTouchHeadless (options) : runHeadless (options);
+    else if (options.playsTouch)
+        runWindow<TouchHost> (options, loadFingers);
     else
-        runWindow (options);
+        runWindow<StandaloneHost> (options, loadDocuments);
 }
 } // namespace
 
 int runStandalone (int argumentCount, const char* const* arguments)
 {
-    CLI::App app ("Antinode as a standalone program: plays foci on the ceramics of any audio device.",
-                  "antinode-standalone");
+    CLI::App app (
+        "Antinode as a standalone program: plays foci, or with --touch a waveform for each finger, on the ceramics "
+        "of any audio device.",
+        "antinode-standalone");
     app.footer ("It starts disarmed: all outputs stay at 0 V until they are armed.");
     StandaloneOptions options;
     addStandaloneOptions (app, options);

@@ -1,265 +1,126 @@
 #include "StandaloneHost.h"
 
+#include "TouchWords.h"
+#include "TriggerLatency.h"
+
 #include <antinode_base/InputError.h>
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace antinode
 {
-namespace
-{
-constexpr int tickMilliseconds = 50;
-constexpr int rampPatience = 500; // ms, for the end of the ramp of a device that may have died
-} // namespace
-
 StandaloneHost::StandaloneHost (SettingsFile fileToUse, bool keepsSettings)
-    : file (std::move (fileToUse)), keeps (keepsSettings), kept (file.load())
+    : AudioHost (std::move (fileToUse), keepsSettings)
 {
-    warn (file.warning());
-
     if (kept.state)
         player.setState (*kept.state, true);
 
-    // However it was left: whoever starts the program arms it.
-    player.parameters().arm().setValueNotifyingHost (0);
-    passRouting();
-    player.addListener (this);
-    deviceManager.addChangeListener (this);
-    deviceManager.addAudioCallback (&audio);
-    startTimer (tickMilliseconds);
+    begin (player, midiQueue);
 }
 
 StandaloneHost::~StandaloneHost()
 {
-    stopTimer();
-    shutDown();
-    deviceManager.removeAudioCallback (&audio);
-    deviceManager.removeChangeListener (this);
-    player.removeListener (this);
-    cancelPendingUpdate();
-}
-
-void StandaloneHost::openAudio (const AudioChoice& choice)
-{
-    const auto wasMuted = outputRouter.isMuted();
-    muteAll();
-    waitForSilence();
-    deviceManager.closeAudioDevice();
-
-    if (! wasMuted)
-        outputRouter.release();
-
-    antinode::openAudio (deviceManager, choice);
-    kept.audio = openedAudio (deviceManager);
-    triggerAsyncUpdate();
-}
-
-void StandaloneHost::setRouting (const OutputRouting& routing)
-{
-    validate (routing);
-    kept.routing = routing;
-    passRouting();
-    triggerAsyncUpdate();
+    end();
 }
 
 void StandaloneHost::setTouch (const TouchPorts& ports)
 {
     kept.touch = ports;
-    triggerAsyncUpdate();
+    tellChange();
     touchInput.open (ports);
 }
 
 void StandaloneHost::restTouches()
 {
-    const auto model = player.session().snapshot()->model;
+    const auto now = model();
 
-    if (model == nullptr)
+    if (now == nullptr)
         return;
 
     const auto own = player.state().focus;
-    const auto wanted = touchInput.resting().due (own->description.fingers, player.touches(), model->surface,
+    const auto wanted = touchInput.resting().due (own->description.fingers, player.touches(), now->surface,
                                                   std::chrono::steady_clock::now());
 
-    if (! wanted)
-        return;
-
-    try
-    {
-        player.setTouches (*wanted);
-    }
-    catch (const InputError& failure)
-    {
-        warn (failure.what());
-        triggerAsyncUpdate();
-    }
+    if (wanted && ! succeeds ([&] { player.setTouches (*wanted); }))
+        tellChange();
 }
 
 void StandaloneHost::setMidi (const MidiChoice& choice)
 {
     kept.midi = choice;
     midiInputs.choose (choice);
-    triggerAsyncUpdate();
-}
-
-void StandaloneHost::setDark (bool isDark)
-{
-    kept.isDark = isDark;
-    triggerAsyncUpdate();
+    tellChange();
 }
 
 void StandaloneHost::openAll (const StandaloneSettings& wanted)
 {
     setMidi (wanted.midi);
-    const auto succeeds = [this] (const auto& action)
-    {
-        try
-        {
-            action();
-            return true;
-        }
-        catch (const InputError& failure)
-        {
-            warn (failure.what());
-            return false;
-        }
-    };
-    succeeds ([&] { setTouch (wanted.touch); });
-
-    // A device that has other rates or fewer channels than last time is better than none.
-    if (! succeeds ([&] { openAudio (wanted.audio); }))
-        succeeds ([&] { openAudio ({ wanted.audio.type, wanted.audio.device, 0, 0, {} }); });
-}
-
-void StandaloneHost::muteAll()
-{
-    outputRouter.muteAll();
-    outputRouter.identify (OutputRouting::none);
-    player.session().stopAll();
-}
-
-/** After muteAll(): until the device has played the ramp. */
-void StandaloneHost::waitForSilence()
-{
-    if (audio.sampleRate() <= 0)
-        return;
-
-    const auto end = juce::Time::getMillisecondCounter() + rampPatience;
-
-    while (! outputRouter.isSilent() && juce::Time::getMillisecondCounter() < end)
-        juce::Thread::sleep (1);
-
-    // The end of the ramp is still in the device's buffers; behind it comes silence.
-    juce::Thread::sleep (tickMilliseconds);
+    AudioHost::openAll (wanted);
 }
 
 void StandaloneHost::shutDown()
 {
     touchInput.open ({ 0, 0, kept.touch.address });
     player.setTouches ({});
-    save();
-    muteAll();
-    waitForSilence();
-    deviceManager.closeAudioDevice();
+    AudioHost::shutDown();
 }
 
-juce::String StandaloneHost::warning()
+float StandaloneHost::takePeakVolts()
 {
-    if (ownWarning.isNotEmpty())
-        return ownWarning;
+    float peak = 0;
 
-    const auto ofPlayer = player.warning();
-    return ofPlayer.isNotEmpty() ? ofPlayer : silentCeramics();
+    for (int i = 0; i < LevelMeters::ceramics; ++i)
+        peak = std::max (peak, player.session().meters().takePeak (i));
+
+    return peak;
 }
 
-juce::String StandaloneHost::silentCeramics()
+juce::String StandaloneHost::touchStatus()
 {
-    const auto model = player.session().snapshot()->model;
-    auto* const device = deviceManager.getCurrentAudioDevice();
+    const auto counters = touchInput.counters();
+    const auto unplayed = touchInput.unplayed();
+    const auto resting = static_cast<int> (player.touches().size());
+    const auto waiting = std::max (0, static_cast<int> (touchInput.resting().count()) - resting);
+    return portsInWords (touchInput.ports()) + "\n" + packetsInWords (counters) + "\n" + juce::String (resting)
+           + " fingers rest, " + juce::String (waiting) + " wait for room\n" + "Dropped: "
+           + juce::String (counters.limited) + " foci above 500 per second, " + juce::String (faultCount (counters))
+           + " faulty,\n" + juce::String (unplayed.outsideSurface) + " outside the surface, "
+           + juce::String (unplayed.notAccepted) + " without a device or with a full queue,\n"
+           + juce::String (unplayed.withoutKind) + " fingers while cursors play foci";
+}
 
-    if (model == nullptr || device == nullptr)
+std::string StandaloneHost::touchOutcome()
+{
+    const auto counters = touchInput.counters();
+    const auto unplayed = touchInput.unplayed();
+    const auto dropped = counters.limited + unplayed.notAccepted + unplayed.withoutKind + faultCount (counters);
+
+    if (counters.packets == 0)
         return {};
 
-    const auto open = device->getActiveOutputChannels();
-    const auto ceramics = std::min (static_cast<int> (model->actuators()), OutputRouting::maximumCeramics);
-    const auto first = kept.routing.outputs.begin();
-    const auto silent = std::count_if (
-        first, first + ceramics, [&open] (int output) { return output != OutputRouting::none && ! open[output]; });
-    return silent == 0 ? juce::String()
-                       : juce::String (silent) + " of " + juce::String (ceramics)
-                             + " ceramics stay at 0 V: their outputs are not among the "
-                             + juce::String (open.countNumberOfSetBits()) + " open outputs.";
+    return std::to_string (unplayed.outsideSurface) + " outside the surface, " + std::to_string (dropped)
+           + " dropped for other reasons";
 }
 
-void StandaloneHost::changeListenerCallback (juce::ChangeBroadcaster*)
+juce::String StandaloneHost::latencyText()
 {
-    // A device that is gone for now is not forgotten; another one makes old warnings pointless.
-    if (auto opened = openedAudio (deviceManager); ! opened.type.empty() && opened != kept.audio)
-    {
-        kept.audio = std::move (opened);
-        ownWarning.clear();
-    }
-
-    triggerAsyncUpdate();
+    const auto latency = triggerLatency (*this);
+    return latency ? latencyInWords (*latency) : juce::String();
 }
 
-void StandaloneHost::handleAsyncUpdate()
+juce::String StandaloneHost::latencyAdviceText()
 {
-    save();
-
-    if (onChange)
-        onChange();
+    const auto latency = triggerLatency (*this);
+    return latency ? latencyAdvice (*latency) : juce::String();
 }
 
-void StandaloneHost::timerCallback()
+void StandaloneHost::tick()
 {
-    outputRouter.collect();
     restTouches();
-    const auto generation = player.session().snapshot()->generation;
 
-    if (generation != seenGeneration)
-        passRouting();
-
-    if (generation != seenGeneration || player.mutes() != seenMutes)
-        triggerAsyncUpdate();
-
-    seenGeneration = generation;
-    seenMutes = player.mutes();
-
-    if (auto failure = audio.takeError(); failure.isNotEmpty())
-    {
-        warn ("The audio device has failed: " + failure.toStdString());
-        triggerAsyncUpdate();
-    }
-}
-
-/** With the limits of the ceramics, which the identify tone needs. What an output cannot give is a limit of the foci.
- */
-void StandaloneHost::passRouting()
-{
-    player.session().setAmplifiers (amplifierVoltages (kept.routing));
-    std::vector<double> limits;
-
-    if (const auto model = player.session().snapshot()->model; model != nullptr)
-        for (std::size_t i = 0; i < model->ceramics.size(); ++i)
-            limits.push_back (voltageLimit (*model, i));
-
-    outputRouter.setRouting (kept.routing, limits);
-}
-
-void StandaloneHost::save()
-{
-    if (! keeps)
-        return;
-
-    try
-    {
-        kept.state = player.state();
-        file.save (kept);
-    }
-    catch (const InputError& failure)
-    {
-        warn (failure.what());
-    }
+    if (const auto now = player.mutes(); std::exchange (seenMutes, now) != now)
+        tellChange();
 }
 } // namespace antinode

@@ -28,9 +28,39 @@ void addTouchOptions (CLI::App& app, StandaloneOptions& options)
     app.add_option ("--touch-address", options.touchAddress,
                     "Accepts touches at this IPv4 address; 127.0.0.1: this computer only, 0.0.0.0: the whole network")
         ->check (CLI::ValidIPV4);
-    app.add_option ("--tuio-cursors", options.tuioCursors,
-                    "What TUIO cursors do: play foci, or rest as a light, medium or firm finger")
+    app.add_option (
+           "--tuio-cursors", options.tuioCursors,
+           "What TUIO cursors do: play foci, or rest as a light, medium or firm finger; with --touch they always "
+           "rest, as they are or as such a finger")
         ->check (CLI::IsMember ({ "foci", "light", "medium", "firm" }));
+}
+
+/** Antinode Touch in place of foci. */
+void addFingerOptions (CLI::App& app, StandaloneOptions& options)
+{
+    auto* const touch =
+        app.add_option ("--touch", options.touch,
+                        "Antinode Touch: audio inputs feed fingers on this device (an embedded name or a .json file; "
+                        "default: that of the settings)")
+            ->type_name ("[DEVICE]")
+            ->expected (0, 1)
+            ->excludes ("--instrument")
+            ->excludes ("--focus")
+            ->excludes ("--open-graph");
+    app.add_option ("--finger", options.fingers,
+                    "Places a finger, mm from the device's origin, and um that 1.0 of its input moves it, 0: silent "
+                    "(default: 5; repeatable, finger 1 first)")
+        ->type_name ("X:Y[:UM]")
+        ->allow_extra_args (false)
+        ->needs (touch);
+    app.add_option ("--inputs", options.inputs,
+                    "Input of the audio device for each finger, finger 1 first; 0: none (default: 1,2,3,4,5,6,7,8)")
+        ->type_name ("LIST")
+        ->needs (touch);
+    app.add_option ("--latency-ms", options.touchLatency, "From an input to its finger, ms: 20, 10 or 5")
+        ->check (CLI::IsMember ({ 20, 10, 5 }))
+        ->needs (touch);
+    app.parse_complete_callback ([touch, &options] { options.playsTouch = touch->count() > 0; });
 }
 
 /** What only a program without windows is asked to do. */
@@ -42,12 +72,15 @@ void addHeadlessOptions (CLI::App& app, StandaloneOptions& options)
         app.add_option ("--note", options.notes, "Plays a note; note 60 is the focus at its own position (repeatable)")
             ->type_name ("NOTE[:VELOCITY]")
             ->allow_extra_args (false)
-            ->needs (headless);
+            ->needs (headless)
+            ->excludes ("--touch");
     app.add_option ("--at", options.times, "Time of a note after the start, s (repeatable, in the order of the notes)")
         ->allow_extra_args (false)
         ->check (CLI::Range (0.0, longestDuration))
         ->needs (notes);
-    app.add_option ("--midi-file", options.midiFile, "Plays the notes of a standard MIDI file")->needs (headless);
+    app.add_option ("--midi-file", options.midiFile, "Plays the notes of a standard MIDI file")
+        ->needs (headless)
+        ->excludes ("--touch");
     app.add_option ("--duration", options.duration, "Duration, s; default: until Ctrl+C")
         ->check (CLI::Range (0.0, longestDuration))
         ->needs (headless);
@@ -62,6 +95,7 @@ void addStandaloneOptions (CLI::App& app, StandaloneOptions& options)
     app.add_option ("--focus", options.focus, "Focus: an embedded name or a .json file");
     app.add_flag ("--open-graph", options.opensGraph,
                   "Plays by separate nodes: the same samples at a higher cost, kept with the settings");
+    addFingerOptions (app, options);
     addTouchOptions (app, options);
     auto* const file = app.add_option ("--settings", options.settings, "Settings file; default: the user's settings");
     app.add_flag ("--no-settings", options.ignoresSettings, "Neither reads nor saves settings")->excludes (file);

@@ -115,6 +115,34 @@ MidiChoice readMidi (const JsonValue& value)
     return midi;
 }
 
+Json fingersToJson (const StandaloneSettings& settings)
+{
+    auto inputs = Json::array();
+
+    for (const auto input : settings.inputs.inputs)
+        inputs.push_back (toJsonNumber (input));
+
+    Json json { { "inputs", inputs } };
+
+    if (settings.touchState)
+        json["state"] = Json::parse (deviceStateToText (*settings.touchState, touchSchema));
+
+    return json;
+}
+
+void readFingers (const JsonValue& value, const Json& json, StandaloneSettings& settings)
+{
+    const auto fingers = value.object ({ "inputs", "state" });
+    const auto inputs =
+        fingers.required ("inputs").items (settings.inputs.inputs.size(), settings.inputs.inputs.size());
+
+    for (std::size_t k = 0; k < inputs.size(); ++k)
+        settings.inputs.inputs[k] = inputs[k].integer (0, OutputRouting::maximumOutputs) - 1;
+
+    if (fingers.has ("state"))
+        settings.touchState = readDeviceState (json["state"].dump(), touchSchema);
+}
+
 TouchPorts readTouch (const JsonValue& value)
 {
     constexpr int highestPort = 65535;
@@ -141,6 +169,9 @@ std::string settingsToText (const StandaloneSettings& settings)
     if (settings.state)
         json["state"] = Json::parse (stateToText (*settings.state));
 
+    if (settings.touchState || settings.inputs != FingerInputs())
+        json["fingers"] = fingersToJson (settings);
+
     return json.dump (2) + "\n";
 }
 
@@ -149,12 +180,14 @@ StandaloneSettings readSettings (std::string_view text)
     const auto json = parseJson (text, "settings");
     const JsonValue value (json, "settings");
     value.requireSchema (schema);
-    const auto object = value.object ({ "schema", "audio", "routing", "midi", "touch", "theme", "state" });
+    const auto object = value.object ({ "schema", "audio", "routing", "midi", "touch", "theme", "state", "fingers" });
     StandaloneSettings settings { readAudio (object.required ("audio")),
                                   readRouting (object.required ("routing")),
                                   readMidi (object.required ("midi")),
                                   readTouch (object.required ("touch")),
                                   true,
+                                  {},
+                                  {},
                                   {} };
 
     if (const auto theme = object.optional ("theme"))
@@ -162,6 +195,9 @@ StandaloneSettings readSettings (std::string_view text)
 
     if (object.has ("state"))
         settings.state = readState (json["state"].dump());
+
+    if (const auto fingers = object.optional ("fingers"))
+        readFingers (*fingers, json["fingers"], settings);
 
     return settings;
 }

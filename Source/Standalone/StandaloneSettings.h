@@ -1,8 +1,10 @@
 #pragma once
 
+#include "FingerInputs.h"
 #include "OutputRouting.h"
 
 #include <antinode_audio/AudioChoice.h>
+#include <antinode_session/DeviceState.h>
 #include <antinode_session/SessionState.h>
 #include <antinode_touch/TouchPorts.h>
 
@@ -31,6 +33,8 @@ struct StandaloneSettings
     TouchPorts touch;
     bool isDark = true;                ///< Else the window is light.
     std::optional<SessionState> state; ///< Device, focus and parameters; none: the demonstrator.
+    FingerInputs inputs;               ///< Of Antinode Touch, as the next line.
+    std::optional<DeviceState> touchState;
 };
 
 /** JSON of schema antinode.standalone/1; numbers come back to the bit. [worker] Docs/FileFormats.md */

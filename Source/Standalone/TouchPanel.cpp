@@ -5,7 +5,7 @@
 #include <Editor/EditorLook.h>
 #include <antinode_base/InputError.h>
 
-#include <algorithm>
+#include <string_view>
 
 namespace antinode
 {
@@ -14,35 +14,17 @@ namespace
 constexpr int nameWidth = 90, fieldWidth = 80, choiceWidth = 190, countMilliseconds = 250;
 constexpr auto thisComputer = "127.0.0.1", wholeNetwork = "0.0.0.0";
 
-juce::String portText (int port)
+/** What a choice of cursorWords does. */
+juce::String cursorText (const AudioHost& host, std::string_view word, std::string_view finger)
 {
-    return port > 0 ? "on port " + juce::String (port) : juce::String ("off");
-}
+    if (! finger.empty())
+        return (host.playsFoci() ? "rest as " : "play as ") + juce::String (std::string (word)) + " fingers";
 
-juce::String statusText (StandaloneHost& host)
-{
-    const auto& touch = host.touch();
-    const auto ports = touch.ports();
-    const auto counters = touch.counters();
-    const auto unplayed = touch.unplayed();
-    const auto resting = static_cast<int> (host.processor().touches().size());
-    const auto waiting = std::max (0, static_cast<int> (touch.resting().count()) - resting);
-    std::int64_t faults = 0;
-
-    for (const auto count : counters.faults)
-        faults += count;
-
-    return "OSC " + portText (ports.oscPort) + ", TUIO " + portText (ports.tuioPort) + "\n"
-           + juce::String (counters.packets) + " packets, " + juce::String (counters.touches) + " touches forwarded\n"
-           + juce::String (resting) + " fingers rest, " + juce::String (waiting) + " wait for room\n"
-           + "Dropped: " + juce::String (counters.limited) + " foci above 500 per second, " + juce::String (faults)
-           + " faulty,\n" + juce::String (unplayed.outsideSurface) + " outside the surface, "
-           + juce::String (unplayed.notAccepted) + " without a device or with a full queue,\n"
-           + juce::String (unplayed.withoutKind) + " fingers while cursors play foci";
+    return host.playsFoci() ? "play foci" : "play fingers as they are";
 }
 } // namespace
 
-TouchPanel::TouchPanel (StandaloneHost& hostToUse) : host (hostToUse)
+TouchPanel::TouchPanel (AudioHost& hostToUse) : host (hostToUse)
 {
     const auto& ports = host.settings().touch;
     oscPort.setText (juce::String (ports.oscPort), false);
@@ -66,14 +48,15 @@ TouchPanel::TouchPanel (StandaloneHost& hostToUse) : host (hostToUse)
     for (std::size_t i = 0; i < cursorWords.size(); ++i)
     {
         const auto [word, finger] = cursorWords[i];
-        const auto text = finger.empty() ? std::string ("play foci") : "rest as " + std::string (word) + " fingers";
-        cursors.addItem (juce::String (text), static_cast<int> (i) + 1);
+        cursors.addItem (cursorText (host, word, finger), static_cast<int> (i) + 1);
 
         if (finger == ports.finger)
             cursors.setSelectedId (static_cast<int> (i) + 1, juce::dontSendNotification);
     }
 
-    cursors.setTooltip ("What TUIO cursors do. Fingers damp the surface; no focus is designed for them");
+    cursors.setTooltip (host.playsFoci()
+                            ? "What TUIO cursors do. Fingers damp the surface; no focus is designed for them"
+                            : "What a finger is to the surface that a touch puts down");
     applyButton.onClick = [this] { apply(); };
 
     for (auto* const child : std::initializer_list<juce::Component*> {
@@ -103,7 +86,7 @@ void TouchPanel::apply()
 
 void TouchPanel::showState()
 {
-    status.setText (failure.isNotEmpty() ? failure : statusText (host), juce::dontSendNotification);
+    status.setText (failure.isNotEmpty() ? failure : host.touchStatus(), juce::dontSendNotification);
 }
 
 void TouchPanel::lookAndFeelChanged()

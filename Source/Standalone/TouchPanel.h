@@ -1,6 +1,6 @@
 #pragma once
 
-#include "StandaloneHost.h"
+#include "AudioHost.h"
 
 #include <juce_gui_basics/juce_gui_basics.h>
 
@@ -11,7 +11,7 @@ class TouchPanel final : public juce::Component, private juce::Timer
 {
 public:
     /** @param hostToUse  outlives this [message thread] */
-    explicit TouchPanel (StandaloneHost& hostToUse);
+    explicit TouchPanel (AudioHost& hostToUse);
 
     void lookAndFeelChanged() override;
     void resized() override;
@@ -21,7 +21,7 @@ private:
     void showState();
     void apply();
 
-    StandaloneHost& host;
+    AudioHost& host;
     juce::Label oscName { {}, "OSC port" }, tuioName { {}, "TUIO port" }, cursorsName { {}, "TUIO cursors" }, status;
     juce::TextEditor oscPort, tuioPort;
     juce::ComboBox cursors;

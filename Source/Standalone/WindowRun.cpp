@@ -24,7 +24,7 @@ private:
 };
 } // namespace
 
-void runWithWindow (StandaloneHost& host)
+void runWithWindow (const std::function<std::unique_ptr<MainComponent>()>& makeContent)
 {
     // Only in what JUCE knows as a program of its own does it use X from several threads safely and outlive X's errors.
     juce::JUCEApplicationBase::createInstance = []() -> juce::JUCEApplicationBase* { return nullptr; };
@@ -32,7 +32,7 @@ void runWithWindow (StandaloneHost& host)
     if (juce::Desktop::getInstance().getDisplays().displays.isEmpty())
         throw InputError ("", "no display is available; --headless plays without a window");
 
-    const MainWindow window (host);
+    const MainWindow window (makeContent());
     const InterruptionWatch watch;
     juce::MessageManager::getInstance()->runDispatchLoop();
 }

@@ -14,12 +14,13 @@ namespace antinode
 namespace
 {
 constexpr int touchTop = 44, touchStatus = 24, touchGap = 6, voltsHeight = 40, panelWidth = 330;
-constexpr double feltFall = 20; // dB per second
+constexpr double feltFall = 20;        // dB per second
+constexpr double waveformShown = 0.06; // s, beside each finger
 } // namespace
 
 TouchContent::TouchContent (TouchProcessor& processorToShow)
     : processor (processorToShow), device ([this] (auto chosen) { processor.load (std::move (chosen)); }),
-      surfaceView (processor), fingerPanel (processor.parameters()), tooltips (this, 600)
+      touchesButton (processor), surfaceView (processor), fingerPanel (processor.parameters()), tooltips (this, 600)
 {
     juce::LookAndFeel::setDefaultLookAndFeel (&fonts.get());
     setLookAndFeel (&look);
@@ -31,8 +32,8 @@ TouchContent::TouchContent (TouchProcessor& processorToShow)
     theme.onClick = [this] { setDark (! isDark()); };
     surfaceView.onSelect = [this] (std::size_t finger) { fingerPanel.select (finger); };
 
-    for (juce::Component* const child :
-         std::initializer_list<juce::Component*> { &device, &theme, &surfaceView, &fingerPanel, &motions, &voltages })
+    for (juce::Component* const child : std::initializer_list<juce::Component*> {
+             &device, &touchesButton, &theme, &surfaceView, &fingerPanel, &motions, &voltages })
         addAndMakeVisible (child);
 
     processor.session().setComparing (true);
@@ -59,7 +60,7 @@ void TouchContent::setDark (bool isDark)
 
 void TouchContent::lookAndFeelChanged()
 {
-    for (juce::TextButton* const button : std::initializer_list<juce::TextButton*> { &device, &theme })
+    for (juce::TextButton* const button : std::initializer_list<juce::TextButton*> { &device, &touchesButton, &theme })
     {
         button->setColour (juce::TextButton::buttonColourId, look.palette().raised);
         button->setColour (juce::TextButton::textColourOffId, look.palette().text);
@@ -73,6 +74,7 @@ void TouchContent::refresh (double seconds)
     takeSnapshot();
     surfaceView.refresh (snapshot, fingerPanel.selected());
     fingerPanel.refresh();
+    touchesButton.refresh();
     showFingers (seconds);
     showVoltages (seconds);
     showStatus();
@@ -108,6 +110,7 @@ void TouchContent::showFingers (double seconds)
     auto& meters = processor.session().fingerMeters();
     std::vector<LevelRows::Row> rows;
     std::vector<double> values;
+    std::array<AskedMotion, mostFingers> beside;
 
     for (int k = 0; k < processor.inputs(); ++k)
     {
@@ -120,10 +123,35 @@ void TouchContent::showFingers (double seconds)
                           : felt[finger] > 0 ? "felt " + juce::String (juce::roundToInt (felt[finger])) + " dB"
                                              : juce::String ("not felt");
         rows.push_back ({ juce::String (k + 1), text, micro * std::max (controls.levels[finger], 1e-9) });
+
+        if (settings.fingers[finger].presence == FingerPresence::plays)
+            beside[finger] = askedOf (meters, finger, controls.levels[finger]);
     }
 
     motions.setRows (std::move (rows));
     motions.refresh (values, seconds);
+    surfaceView.show (std::move (beside));
+}
+
+/** The last waveform of a finger with what it comes to; nothing while it is asked for nothing. */
+AskedMotion TouchContent::askedOf (const FingerMeters& meters, std::size_t finger, double level) const
+{
+    const auto count = static_cast<std::size_t> (std::lround (waveformShown * meters.traceRate));
+
+    if (count < 2 || ! (level > 0))
+        return {};
+
+    AskedMotion motion { meters.traces[finger].newest (std::min (count, FingerTrace::length)), level, {} };
+    const auto peak = static_cast<double> (*std::max_element (
+        motion.waveform.begin(), motion.waveform.end(), [] (float a, float b) { return std::abs (a) < std::abs (b); }));
+
+    if (std::abs (peak) < 1e-3 * level)
+        return {};
+
+    motion.words = juce::String (micro * std::abs (peak), 1) + juce::String::fromUTF8 (" \xC2\xB5m, ")
+                   + (felt[finger] > 0 ? "felt " + juce::String (juce::roundToInt (felt[finger])) + " dB"
+                                       : juce::String ("not felt"));
+    return motion;
 }
 
 void TouchContent::showVoltages (double seconds)
@@ -147,6 +175,9 @@ juce::String TouchContent::statusNow() const
 
     if (device.error().isNotEmpty())
         return device.error();
+
+    if (touchesButton.error().isNotEmpty())
+        return touchesButton.error();
 
     if (auto warning = processor.warning(); warning.isNotEmpty())
         return warning;
@@ -208,6 +239,8 @@ void TouchContent::resized()
     area.removeFromBottom (touchStatus);
     device.setBounds (top.removeFromLeft (240));
     theme.setBounds (top.removeFromRight (34));
+    top.removeFromRight (touchGap);
+    touchesButton.setBounds (top.removeFromRight (260));
     area = area.reduced (touchGap);
     auto right = area.removeFromRight (panelWidth);
     area.removeFromRight (touchGap);

@@ -2,6 +2,7 @@
 
 #include "FingerPanel.h"
 #include "TouchSurface.h"
+#include "TouchesButton.h"
 
 #include <Editor/DeviceButton.h>
 #include <Editor/EditorLook.h>
@@ -40,6 +41,7 @@ public:
 
     TouchSurface& surface() { return surfaceView; }
     FingerPanel& fingers() { return fingerPanel; }
+    TouchesButton& touches() { return touchesButton; }
 
     /** Loads a device of the library, or of a file. What is wrong with it stands in the status line. */
     void loadDevice (const std::string& nameOrFile) { device.loadDevice (nameOrFile); }
@@ -56,6 +58,7 @@ public:
 private:
     void takeSnapshot();
     void showFingers (double seconds);
+    AskedMotion askedOf (const FingerMeters&, std::size_t finger, double level) const;
     void showVoltages (double seconds);
     void showStatus();
     juce::String statusNow() const;
@@ -66,6 +69,7 @@ private:
     std::shared_ptr<MotionView> rest = std::make_shared<MotionView>(); ///< Draws the surface at rest.
     BackgroundThread restThread { [kept = rest] { kept->run(); } };
     DeviceButton device;
+    TouchesButton touchesButton;
     juce::TextButton theme;
     TouchSurface surfaceView;
     FingerPanel fingerPanel;

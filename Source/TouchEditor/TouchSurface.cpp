@@ -14,6 +14,7 @@ namespace antinode
 namespace
 {
 constexpr float smallestDisc = 11; // pixels: what can be hit
+constexpr float motionGap = 6, motionWidth = 104, motionHeight = 24, motionText = 13;
 
 float shareOf (float percent)
 {
@@ -52,6 +53,7 @@ void TouchSurface::setPicture (std::shared_ptr<const MotionPicture> newPicture)
 {
     picture = std::move (newPicture);
     painter.setPicture (picture->field);
+    drawn = {};
     repaint();
 }
 
@@ -71,7 +73,25 @@ void TouchSurface::refresh (std::shared_ptr<const TouchSnapshot> now, std::size_
 void TouchSurface::lookAndFeelChanged()
 {
     painter.setPalette (EditorLook::findPalette (*this));
+    drawn = {};
     repaint();
+}
+
+void TouchSurface::resized()
+{
+    drawn = {};
+    repaint();
+}
+
+void TouchSurface::show (std::array<AskedMotion, mostFingers> motions)
+{
+    const auto isSeen = [] (const auto& each) { return ! each.waveform.empty(); };
+    const auto changes =
+        std::any_of (motions.begin(), motions.end(), isSeen) || std::any_of (asked.begin(), asked.end(), isSeen);
+    asked = std::move (motions);
+
+    if (changes)
+        repaint();
 }
 
 juce::Point<float> TouchSurface::at (const FingerSettings& finger) const
@@ -119,13 +139,64 @@ void TouchSurface::paint (juce::Graphics& g)
         return;
     }
 
-    painter.layOut (getLocalBounds(), g.getInternalContext().getPhysicalPixelScaleFactor());
-    painter.paint (g, 0);
+    paintSurface (g);
+
+    for (std::size_t k = 0; k < asked.size(); ++k)
+        if (! asked[k].waveform.empty() && shown.fingers[k].presence != FingerPresence::absent)
+            paintMotion (g, k);
 
     // The first ones last: where fingers lie on each other they are in front.
     for (auto k = shown.fingers.size(); k-- > 0;)
         if (shown.fingers[k].presence != FingerPresence::absent)
             paintFinger (g, k);
+}
+
+/** Waveforms are drawn 30 times a second, the surface below them once. */
+void TouchSurface::paintSurface (juce::Graphics& g)
+{
+    const auto scale = g.getInternalContext().getPhysicalPixelScaleFactor();
+    const auto width = juce::roundToInt (static_cast<float> (getWidth()) * scale),
+               height = juce::roundToInt (static_cast<float> (getHeight()) * scale);
+
+    if (drawn.getWidth() != width || drawn.getHeight() != height)
+    {
+        drawn = juce::Image (juce::Image::ARGB, std::max (1, width), std::max (1, height), true);
+        juce::Graphics inner (drawn);
+        inner.addTransform (juce::AffineTransform::scale (scale));
+        painter.layOut (getLocalBounds(), scale);
+        painter.paint (inner, 0);
+    }
+
+    g.drawImage (drawn, getLocalBounds().toFloat());
+}
+
+/** Beside the disc, at its right where there is room. */
+void TouchSurface::paintMotion (juce::Graphics& g, std::size_t index) const
+{
+    const auto& palette = EditorLook::findPalette (*this);
+    const auto& motion = asked[index];
+    const auto disc = at (shown.fingers[index]);
+    const auto away = radiusOf (shown.fingers[index]) + motionGap;
+    auto area = juce::Rectangle<float> (motionWidth, motionHeight + motionText).withCentre (disc);
+    area.setX (disc.x + away + motionWidth < static_cast<float> (getWidth()) ? disc.x + away
+                                                                             : disc.x - away - motionWidth);
+    g.setColour (palette.window.withAlpha (0.75F));
+    g.fillRoundedRectangle (area.expanded (3, 1), 3);
+    drawText (g, motion.words.toStdString(), area.removeFromBottom (motionText), juce::Justification::centred,
+              { 10, false, palette.mutedText });
+    juce::Path line;
+
+    for (std::size_t n = 0; n < motion.waveform.size(); ++n)
+    {
+        const auto share = std::clamp (motion.waveform[n] / static_cast<float> (motion.full), -1.0F, 1.0F);
+        const juce::Point<float> point (
+            area.getX() + area.getWidth() * static_cast<float> (n) / static_cast<float> (motion.waveform.size() - 1),
+            area.getCentreY() - share * area.getHeight() / 2);
+        n == 0 ? line.startNewSubPath (point) : line.lineTo (point);
+    }
+
+    g.setColour (palette.armed);
+    g.strokePath (line, juce::PathStrokeType (1));
 }
 
 void TouchSurface::paintFinger (juce::Graphics& g, std::size_t index) const

@@ -6,14 +6,25 @@
 
 #include <juce_gui_basics/juce_gui_basics.h>
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace antinode
 {
+/** What a finger is to feel, as it is drawn beside its disc. */
+struct AskedMotion
+{
+    std::vector<float> waveform; ///< m, the oldest first; empty: nothing is drawn.
+    double full = 1;             ///< m, at the top of the drawing.
+    juce::String words;
+};
+
 /** The surface from above with its fingers: discs that can be dragged, filled where they play, rings where they are
-    silent; where the filters that play are for another place, a thin ring stands there. [message thread] */
+    silent; where the filters that play are for another place, a thin ring stands there. Beside each that plays stands
+   what it is to feel. [message thread] */
 class TouchSurface final : public juce::Component, public juce::SettableTooltipClient
 {
 public:
@@ -23,6 +34,9 @@ public:
 
     /** Draws what has changed. @param selected  the finger whose controls are shown */
     void refresh (std::shared_ptr<const TouchSnapshot>, std::size_t selected);
+
+    /** Shows what fingers are to feel. */
+    void show (std::array<AskedMotion, mostFingers>);
 
     /** Called with a finger that is clicked. */
     std::function<void (std::size_t)> onSelect;
@@ -34,7 +48,7 @@ public:
     std::optional<std::size_t> putDown (juce::Point<float>);
 
     void paint (juce::Graphics&) override;
-    void resized() override { repaint(); }
+    void resized() override;
     void lookAndFeelChanged() override;
     void mouseDown (const juce::MouseEvent&) override;
     void mouseDrag (const juce::MouseEvent&) override;
@@ -45,7 +59,9 @@ private:
     juce::Point<float> at (const FingerSettings&) const;
     std::optional<std::size_t> fingerAt (juce::Point<float>) const;
     float radiusOf (const FingerSettings&) const;
+    void paintSurface (juce::Graphics&);
     void paintFinger (juce::Graphics&, std::size_t index) const;
+    void paintMotion (juce::Graphics&, std::size_t index) const;
     void moveTo (std::size_t index, juce::Point<float>);
     void showMenu (std::size_t index);
 
@@ -53,6 +69,8 @@ private:
     std::shared_ptr<const MotionPicture> picture;
     std::shared_ptr<const TouchSnapshot> snapshot;
     SurfacePainter painter;
+    juce::Image drawn; ///< The surface without fingers; none: it has to be drawn again.
+    std::array<AskedMotion, mostFingers> asked;
     TouchSettings shown;
     std::size_t selected = 0;
     std::optional<std::size_t> dragged;

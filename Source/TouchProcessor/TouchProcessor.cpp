@@ -1,7 +1,32 @@
 #include "TouchProcessor.h"
 
+#include <antinode_base/InputError.h>
+
+#include <algorithm>
+#include <cmath>
+
 namespace antinode
 {
+namespace
+{
+constexpr auto oscKey = TouchProcessor::portKeys[0], tuioKey = TouchProcessor::portKeys[1],
+               networkKey = TouchProcessor::portKeys[2];
+constexpr auto thisComputer = "127.0.0.1", wholeNetwork = "0.0.0.0";
+
+double valueOf (const std::map<std::string, double>& values, const char* key)
+{
+    const auto found = values.find (key);
+    return found != values.end() ? found->second : 0;
+}
+
+/** What is no port is one that cannot be opened, not another one. */
+int portFrom (double value)
+{
+    constexpr double beyond = 65536;
+    return value == std::floor (value) ? static_cast<int> (std::clamp (value, 0.0, beyond)) : static_cast<int> (beyond);
+}
+} // namespace
+
 std::function<juce::AudioProcessorEditor*(TouchProcessor&)> TouchProcessor::makeEditor;
 
 /** It starts with a plate that is solved quickly: fingers rest on plates. */
@@ -11,6 +36,7 @@ TouchProcessor::TouchProcessor (int ceramics, WrapperType wrapper)
 {
     controls = std::make_unique<TouchParameters> (*this, [this]
                                                   { return player != nullptr ? player->snapshot()->model : nullptr; });
+    touches = std::make_unique<NetworkFingers> (*controls, [this] { return inputs(); });
     player = std::make_unique<TouchSession> (
         *device(), [this] { return readSettings(); }, [this] { post(); });
     begin();
@@ -18,6 +44,7 @@ TouchProcessor::TouchProcessor (int ceramics, WrapperType wrapper)
 
 TouchProcessor::~TouchProcessor()
 {
+    touches.reset();
     end();
 }
 
@@ -37,10 +64,58 @@ void TouchProcessor::setValues (const std::map<std::string, double>& wanted, con
         values["arm"] = 0;
 
     controls->setValues (values);
+    openPorts (wanted);
+}
+
+std::map<std::string, double> TouchProcessor::values() const
+{
+    auto values = controls->values();
+    const auto ports = touches->wanted();
+
+    if (ports.oscPort != 0 || ports.tuioPort != 0)
+        values.insert ({ { oscKey, ports.oscPort },
+                         { tuioKey, ports.tuioPort },
+                         { networkKey, ports.address == thisComputer ? 0 : 1 } });
+
+    return values;
+}
+
+/** Those of a state. Ports that are open already stay open: fingers that touch do not leave. */
+void TouchProcessor::openPorts (const std::map<std::string, double>& values)
+{
+    const TouchPorts ports { portFrom (valueOf (values, oscKey)), portFrom (valueOf (values, tuioKey)),
+                             valueOf (values, networkKey) > 0 ? wholeNetwork : thisComputer };
+    const auto now = touches->wanted();
+
+    if (ports.oscPort == now.oscPort && ports.tuioPort == now.tuioPort && ports.address == now.address)
+        return;
+
+    try
+    {
+        setPortWarning ({});
+        touches->open (ports);
+    }
+    catch (const InputError& failure)
+    {
+        setPortWarning (juce::String::fromUTF8 (failure.what()));
+    }
+}
+
+void TouchProcessor::setPortWarning (const juce::String& text)
+{
+    const juce::ScopedLock lock (portWarnings);
+    portWarning = text;
 }
 
 juce::String TouchProcessor::ownWarning()
 {
+    {
+        const juce::ScopedLock lock (portWarnings);
+
+        if (portWarning.isNotEmpty())
+            return portWarning;
+    }
+
     const auto now = player->snapshot();
     const auto channels = getChannelCountOfBus (false, 0);
     const auto ceramics = now->model != nullptr ? static_cast<int> (now->model->actuators()) : 0;

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "NetworkFingers.h"
 #include "TouchParameters.h"
 
 #include <Processor/DeviceEffect.h>
 
 #include <antinode_session/TouchSession.h>
 
+#include <array>
 #include <atomic>
 #include <functional>
 #include <memory>
@@ -22,6 +24,9 @@ class TouchProcessor : public DeviceEffect
 public:
     static constexpr int maximumCeramics = mostChannels, maximumFingers = mostFingers;
 
+    /** What the ports are called among the values of a state. */
+    static constexpr std::array portKeys { "osc_port", "tuio_port", "touches_from_network" };
+
     /** @param ceramics  channels of the output at first, 1 to 64
         @param wrapper   what it runs in: decides how channels are laid on wires
         [message thread] */
@@ -30,6 +35,9 @@ public:
 
     TouchSession& session() { return *player; }
     TouchParameters& parameters() { return *controls; }
+
+    /** Touches by OSC and TUIO, whose ports the state keeps. None are open at first. */
+    NetworkFingers& network() { return *touches; }
 
     /** How many fingers have an input. [any] */
     int inputs() const { return getChannelCountOfBus (true, 0); }
@@ -47,7 +55,7 @@ private:
     void take (std::shared_ptr<const DeviceDocument>) override;
     void prepareSession (double sampleRate) override { player->prepare (sampleRate, inputs()); }
     std::shared_ptr<const ModalModel> solvedModel() const override { return player->snapshot()->model; }
-    std::map<std::string, double> values() const override { return controls->values(); }
+    std::map<std::string, double> values() const override;
     void setValues (const std::map<std::string, double>&, const DeviceDocument&) override;
     StepReports& stepReports() override { return controls->stepReports(); }
     std::int64_t latencyToReport() const override { return player->latencySamples (controls->settings().latency); }
@@ -57,9 +65,14 @@ private:
     template <typename Sample>
     void playFingers (const TouchBlock<Sample>&, bool isBypassed);
     TouchSettings readSettings();
+    void openPorts (const std::map<std::string, double>& values);
+    void setPortWarning (const juce::String&);
 
     std::unique_ptr<TouchParameters> controls;
+    std::unique_ptr<NetworkFingers> touches;
     std::unique_ptr<TouchSession> player;
+    juce::CriticalSection portWarnings; ///< For the next line.
+    juce::String portWarning;
     std::atomic<std::size_t> lookedLatency { 0 }; ///< What the session saw last.
 };
 } // namespace antinode

@@ -1,3 +1,4 @@
+#include <Processor/AntinodeProcessor.h>
 #include <Standalone/AudioCallback.h>
 
 #include "RouterRig.h"
@@ -14,6 +15,12 @@ using namespace antinode::test;
 
 namespace
 {
+PlayedLevels levelsOf (AntinodeProcessor& processor)
+{
+    return { [&processor] { return processor.session().fullScaleVolts(); },
+             [&processor] { return processor.parameters().arm().get(); } };
+}
+
 /** The program's audio without a device. */
 struct CallbackRig
 {
@@ -55,7 +62,7 @@ struct CallbackRig
     AntinodeProcessor processor { AntinodeProcessor::maximumCeramics, juce::AudioProcessor::wrapperType_Undefined };
     OutputRouter router;
     MidiQueue queue;
-    AudioCallback callback { processor, router, queue };
+    AudioCallback callback { processor, router, queue, levelsOf (processor) };
 };
 
 bool isSilent (const std::vector<float>& samples)
@@ -135,7 +142,7 @@ TEST_CASE ("what an output cannot give limits the foci, so that no sample is cla
     AntinodeProcessor processor { AntinodeProcessor::maximumCeramics, juce::AudioProcessor::wrapperType_Undefined };
     OutputRouter router;
     MidiQueue queue;
-    AudioCallback callback { processor, router, queue };
+    AudioCallback callback { processor, router, queue, levelsOf (processor) };
     auto device = nlohmann::json::parse (processor.device()->text);
     device["limits"] = { { "voltage_V", 10 }, { "full_scale_V", 3 } };
     auto focus = nlohmann::json::parse (processor.focus()->text);

@@ -1,6 +1,7 @@
 #include "Support/AllocationCount.h"
 
 #include <Standalone/InputView.h>
+#include <Standalone/StandaloneHost.h>
 
 #include <catch2/catch.hpp>
 

@@ -14,16 +14,16 @@ TEST_CASE ("F12 mutes all outputs until they are released, Escape mutes nothing"
     CHECK_FALSE (host.router().isMuted());
     CHECK (window.keyPressed (juce::KeyPress (juce::KeyPress::F12Key)));
     CHECK (host.router().isMuted());
-    CHECK_FALSE (window.editor().content().keyPressed (juce::KeyPress (juce::KeyPress::F12Key)));
+    CHECK_FALSE (window.fociEditor()->content().keyPressed (juce::KeyPress (juce::KeyPress::F12Key)));
 }
 
 TEST_CASE ("the settings have the same theme as the editor")
 {
     StandaloneHost host (SettingsFile ({}), false);
     MainComponent window (host);
-    window.editor().content().setDark (false);
+    window.fociEditor()->content().setDark (false);
     CHECK_FALSE (EditorLook::findPalette (window).isDark);
-    window.editor().content().setDark (true);
+    window.fociEditor()->content().setDark (true);
     CHECK (EditorLook::findPalette (window).isDark);
 }
 
@@ -37,7 +37,7 @@ TEST_CASE ("the window is as dark or light as it was left")
         {
             StandaloneHost host (SettingsFile (path), true);
             MainComponent window (host);
-            window.editor().content().setDark (isDark);
+            window.fociEditor()->content().setDark (isDark);
         }
         StandaloneHost host (SettingsFile (path), true);
         const MainComponent window (host);

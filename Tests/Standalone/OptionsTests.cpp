@@ -32,6 +32,11 @@ TEST_CASE ("wrong usage of the standalone program ends with 2")
     CHECK (run ({ "--headless", "--channels", "0" }) == 2);
     CHECK (run ({ "--headless", "--no-settings", "--settings", "a.json" }) == 2);
     CHECK (run ({ "--help" }) == 0);
+    CHECK (run ({ "--finger", "1:2" }) == 2);
+    CHECK (run ({ "--inputs", "1" }) == 2);
+    CHECK (run ({ "--touch", "--latency-ms", "7" }) == 2);
+    CHECK (run ({ "--touch", "glass-148x210", "--focus", "glass-two" }) == 2);
+    CHECK (run ({ "--headless", "--touch", "--note", "60" }) == 2);
 }
 
 TEST_CASE ("what the standalone program cannot have ends with 1")
@@ -40,6 +45,9 @@ TEST_CASE ("what the standalone program cannot have ends with 1")
     CHECK (run ({ "--headless", "--no-settings", "--midi-file", "/no/such/file" }) == 1);
     CHECK (run ({ "--headless", "--no-settings", "--focus", "no such focus" }) == 1);
     CHECK (run ({ "--headless", "--no-settings", "--osc-port", "0", "--tuio-port", "0", "--type", "OSS" }) == 1);
+    CHECK (run ({ "--headless", "--no-settings", "--touch", "no such device" }) == 1);
+    CHECK (run ({ "--headless", "--no-settings", "--touch", "--finger", "x" }) == 1);
+    CHECK (run ({ "--headless", "--no-settings", "--touch", "--inputs", "1,2," }) == 1);
 }
 
 TEST_CASE ("notes are numbers with a velocity or without, at their times")
@@ -57,6 +65,33 @@ TEST_CASE ("notes are numbers with a velocity or without, at their times")
 
     for (const auto* const wrong : { "", "x", "128", "-1", "60:", "60:0", "60:128", "60:1x", "60.5", "99999999999" })
         CHECK (noteError (wrong).find (std::string ("--note ") + wrong + ": ") == 0);
+}
+
+TEST_CASE ("fingers of options are places in mm, with a level in um or without")
+{
+    const auto finger = readFinger ("-24.5:7");
+    CHECK (finger.x == Approx (-0.0245));
+    CHECK (finger.y == Approx (0.007));
+    CHECK (finger.level == 5e-6);
+    CHECK (readFinger ("1:2:0").level == 0);
+    CHECK (readFinger ("1:2:12.5").level == Approx (12.5e-6));
+
+    for (const std::string wrong :
+         { "", "1", "1:", ":1", "1:2:", "1:2:3:4", "1:2x", "nan:1", "inf:1", "1:2:-1", "1:2:101" })
+        CHECK (errorText ([&] { readFinger (wrong); }).find ("--finger " + wrong + ": ") == 0);
+}
+
+TEST_CASE ("inputs of fingers are a list that counts from 1")
+{
+    const auto inputs = readFingerInputs ("3,0,128").inputs;
+    CHECK (inputs[0] == 2);
+    CHECK (inputs[1] == FingerInputs::none);
+    CHECK (inputs[2] == 127);
+    CHECK (inputs[3] == FingerInputs::none);
+    CHECK (readFingerInputs ("1,2,3,4,5,6,7,8") == FingerInputs());
+
+    for (const std::string wrong : { "", "x", "1,", ",1", "1;2", "-1", "129", "1,2,3,4,5,6,7,8,9", "1 ,2" })
+        CHECK (errorText ([&] { readFingerInputs (wrong); }).find ("--inputs " + wrong + ": ") == 0);
 }
 
 TEST_CASE ("options take the place of settings")

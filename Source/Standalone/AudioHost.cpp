@@ -1,0 +1,223 @@
+#include "AudioHost.h"
+
+#include <antinode_base/InputError.h>
+
+#include <algorithm>
+
+namespace antinode
+{
+namespace
+{
+constexpr int hostTickMilliseconds = 50;
+constexpr int rampPatience = 500; // ms, for the end of the ramp of a device that may have died
+} // namespace
+
+AudioHost::AudioHost (SettingsFile fileToUse, bool keepsSettings)
+    : kept (fileToUse.load()), file (std::move (fileToUse)), keeps (keepsSettings)
+{
+    warn (file.warning());
+}
+
+AudioHost::~AudioHost() = default;
+
+void AudioHost::begin (juce::AudioProcessor& processor, MidiQueue& notes)
+{
+    // However it was left: whoever starts the program arms it.
+    arm().setValueNotifyingHost (0);
+    played = &processor;
+    audio = std::make_unique<AudioCallback> (
+        processor, outputRouter, notes,
+        PlayedLevels { [this] { return fullScaleVolts(); }, [this] { return arm().get(); } });
+    passRouting();
+    played->addListener (this);
+    deviceManager.addChangeListener (this);
+    deviceManager.addAudioCallback (audio.get());
+    startTimer (hostTickMilliseconds);
+}
+
+void AudioHost::end()
+{
+    stopTimer();
+    shutDown();
+    deviceManager.removeAudioCallback (audio.get());
+    deviceManager.removeChangeListener (this);
+    played->removeListener (this);
+    cancelPendingUpdate();
+}
+
+void AudioHost::openAudio (const AudioChoice& choice)
+{
+    const auto wasMuted = outputRouter.isMuted();
+    muteAll();
+    waitForSilence();
+    deviceManager.closeAudioDevice();
+
+    if (! wasMuted)
+        outputRouter.release();
+
+    antinode::openAudio (deviceManager, choice);
+    kept.audio = audioToKeep (openedAudio (deviceManager));
+    triggerAsyncUpdate();
+}
+
+void AudioHost::setRouting (const OutputRouting& routing)
+{
+    validate (routing);
+    kept.routing = routing;
+    passRouting();
+    triggerAsyncUpdate();
+}
+
+void AudioHost::setDark (bool isDark)
+{
+    kept.isDark = isDark;
+    triggerAsyncUpdate();
+}
+
+bool AudioHost::succeeds (const std::function<void()>& action)
+{
+    try
+    {
+        action();
+        return true;
+    }
+    catch (const InputError& failure)
+    {
+        warn (failure.what());
+        return false;
+    }
+}
+
+void AudioHost::openAll (const StandaloneSettings& wanted)
+{
+    succeeds ([&] { setTouch (wanted.touch); });
+
+    // A device that has other rates or fewer channels than last time is better than none.
+    if (! succeeds ([&] { openAudio (wanted.audio); }))
+        succeeds ([&] { openAudio ({ wanted.audio.type, wanted.audio.device, 0, 0, {} }); });
+}
+
+void AudioHost::muteAll()
+{
+    outputRouter.muteAll();
+    outputRouter.identify (OutputRouting::none);
+    stopAll();
+}
+
+/** After muteAll(): until the device has played the ramp. */
+void AudioHost::waitForSilence()
+{
+    if (audio->sampleRate() <= 0)
+        return;
+
+    const auto end = juce::Time::getMillisecondCounter() + rampPatience;
+
+    while (! outputRouter.isSilent() && juce::Time::getMillisecondCounter() < end)
+        juce::Thread::sleep (1);
+
+    // The end of the ramp is still in the device's buffers; behind it comes silence.
+    juce::Thread::sleep (hostTickMilliseconds);
+}
+
+void AudioHost::shutDown()
+{
+    save();
+    muteAll();
+    waitForSilence();
+    deviceManager.closeAudioDevice();
+}
+
+juce::String AudioHost::warning()
+{
+    if (ownWarning.isNotEmpty())
+        return ownWarning;
+
+    const auto ofPlayer = playerWarning();
+    return ofPlayer.isNotEmpty() ? ofPlayer : silentCeramics();
+}
+
+juce::String AudioHost::silentCeramics()
+{
+    const auto now = model();
+    auto* const device = deviceManager.getCurrentAudioDevice();
+
+    if (now == nullptr || device == nullptr)
+        return {};
+
+    const auto open = device->getActiveOutputChannels();
+    const auto ceramics = std::min (static_cast<int> (now->actuators()), OutputRouting::maximumCeramics);
+    const auto first = kept.routing.outputs.begin();
+    const auto silent = std::count_if (
+        first, first + ceramics, [&open] (int output) { return output != OutputRouting::none && ! open[output]; });
+    return silent == 0 ? juce::String()
+                       : juce::String (silent) + " of " + juce::String (ceramics)
+                             + " ceramics stay at 0 V: their outputs are not among the "
+                             + juce::String (open.countNumberOfSetBits()) + " open outputs.";
+}
+
+void AudioHost::changeListenerCallback (juce::ChangeBroadcaster*)
+{
+    // A device that is gone for now is not forgotten; another one makes old warnings pointless.
+    if (auto opened = openedAudio (deviceManager); ! opened.type.empty())
+        if (auto toKeep = audioToKeep (std::move (opened)); toKeep != kept.audio)
+        {
+            kept.audio = std::move (toKeep);
+            ownWarning.clear();
+        }
+
+    triggerAsyncUpdate();
+}
+
+void AudioHost::handleAsyncUpdate()
+{
+    save();
+
+    if (onChange)
+        onChange();
+}
+
+void AudioHost::timerCallback()
+{
+    outputRouter.collect();
+    tick();
+
+    if (const auto now = generation(); std::exchange (seenGeneration, now) != now)
+    {
+        passRouting();
+        triggerAsyncUpdate();
+    }
+
+    if (auto failure = audio->takeError(); failure.isNotEmpty())
+    {
+        warn ("The audio device has failed: " + failure.toStdString());
+        triggerAsyncUpdate();
+    }
+}
+
+/** With the limits of the ceramics, which the identify tone needs. What an output cannot give is a limit of what plays.
+ */
+void AudioHost::passRouting()
+{
+    passAmplifiers (amplifierVoltages (kept.routing));
+    std::vector<double> limits;
+
+    if (const auto now = model(); now != nullptr)
+        for (std::size_t i = 0; i < now->ceramics.size(); ++i)
+            limits.push_back (voltageLimit (*now, i));
+
+    outputRouter.setRouting (kept.routing, limits);
+}
+
+void AudioHost::save()
+{
+    if (! keeps)
+        return;
+
+    succeeds (
+        [this]
+        {
+            keepState (kept);
+            file.save (kept);
+        });
+}
+} // namespace antinode

@@ -1,0 +1,135 @@
+#pragma once
+
+#include "AudioCallback.h"
+#include "SettingsFile.h"
+
+#include <functional>
+#include <memory>
+
+namespace antinode
+{
+/** The standalone program without its windows and without what it plays: device, routing, and saved settings. Who
+    derives from it adds the processor, calls begin() when all is made and end() before anything of it goes. Starts
+    disarmed. */
+class AudioHost : private juce::ChangeListener,
+                  private juce::AudioProcessorListener,
+                  private juce::AsyncUpdater,
+                  private juce::Timer
+{
+public:
+    ~AudioHost() override;
+
+    OutputRouter& router() { return outputRouter; }
+    AudioCallback& callback() { return *audio; }
+    juce::AudioDeviceManager& devices() { return deviceManager; }
+    const StandaloneSettings& settings() const { return kept; }
+
+    /** Each takes effect, and is kept. @throws InputError  where it cannot be had [message thread] */
+    virtual void openAudio (const AudioChoice&);
+    void setRouting (const OutputRouting&);
+    virtual void setTouch (const TouchPorts&) = 0;
+
+    /** Kept only: the window shows it. [message thread] */
+    void setDark (bool isDark);
+
+    /** Opens what the settings say of audio and touch, and keeps them; what cannot be opened becomes a warning.
+        [message thread] */
+    virtual void openAll (const StandaloneSettings&);
+
+    /** Ramps everything to 0 V, ends all that plays and the identify tone; stays so until release. [any but the audio
+        thread] */
+    void muteAll();
+
+    /** Mutes and waits for the end of the ramp, where a device plays, then closes it. [message thread] blocks for up to
+        0.5 s */
+    virtual void shutDown();
+
+    /** A warning for the user, or empty. [message thread] */
+    juce::String warning();
+
+    /** A warning about ceramics whose outputs the device does not have, or empty. [message thread] */
+    juce::String silentCeramics();
+
+    /** The device that vibrates, solved; none before. [any but the audio thread] */
+    virtual std::shared_ptr<const ModalModel> model() = 0;
+
+    /** The voltage of a sample of 1.0, V; 0 before anything plays. [any] */
+    virtual double fullScaleVolts() = 0;
+
+    virtual juce::AudioParameterBool& arm() = 0;
+
+    /** Ends what plays, as far as it ends by itself. [any but the audio thread] */
+    virtual void stopAll() {}
+
+    /** The largest voltage of all ceramics since the last call, V. [any but the audio thread] */
+    virtual float takePeakVolts() = 0;
+
+    /** What touches came in and what became of them, in lines. [message thread] */
+    virtual juce::String touchStatus() = 0;
+
+    /** What touches did that did nothing, for the end of a run; empty where none came. [message thread] */
+    virtual std::string touchOutcome() = 0;
+
+    virtual std::int64_t touchPackets() = 0;
+
+    /** Whether cursors can play foci; else they are always fingers. */
+    virtual bool playsFoci() const = 0;
+
+    /** From what is played until it is felt, in words, and how to lower the largest part; empty without a device.
+        [message thread] */
+    virtual juce::String latencyText() = 0;
+    virtual juce::String latencyAdviceText() = 0;
+
+    /** Called after a routing, device or warning has changed. [message thread] */
+    std::function<void()> onChange;
+
+protected:
+    /** Takes over the settings, but opens nothing.
+        @param keepsSettings  whether what changes is written at once
+        [message thread] */
+    AudioHost (SettingsFile, bool keepsSettings);
+
+    /** From now on it lives. @param processor  what plays, as it was left last time; must live until end() [message
+        thread] */
+    void begin (juce::AudioProcessor& processor, MidiQueue&);
+
+    /** Shuts down, and does nothing any more. [message thread] */
+    void end();
+
+    /** Something has changed: settings are kept, the window is told. [message thread] */
+    void tellChange() { triggerAsyncUpdate(); }
+
+    /** Runs an action that may fail: that becomes the warning. @return  whether it did not */
+    bool succeeds (const std::function<void()>& action);
+
+    void warn (const std::string& text) { ownWarning = juce::String::fromUTF8 (text.c_str()); }
+
+    StandaloneSettings kept;
+
+private:
+    virtual void keepState (StandaloneSettings&) = 0; ///< What plays, into the settings.
+    virtual void passAmplifiers (std::vector<double> /*volts*/) {}
+    virtual juce::String playerWarning() = 0;
+    virtual std::uint64_t generation() = 0; ///< Another one where limits may have changed.
+    virtual void tick() {}                  ///< 20 times a second.
+    virtual AudioChoice audioToKeep (AudioChoice opened) const { return opened; }
+
+    void changeListenerCallback (juce::ChangeBroadcaster*) override;
+    void audioProcessorParameterChanged (juce::AudioProcessor*, int, float) override { triggerAsyncUpdate(); }
+    void audioProcessorChanged (juce::AudioProcessor*, const ChangeDetails&) override { triggerAsyncUpdate(); }
+    void handleAsyncUpdate() override;
+    void timerCallback() override;
+    void passRouting();
+    void waitForSilence();
+    void save();
+
+    SettingsFile file;
+    bool keeps;
+    juce::String ownWarning;
+    OutputRouter outputRouter;
+    juce::AudioProcessor* played = nullptr;
+    std::unique_ptr<AudioCallback> audio;
+    juce::AudioDeviceManager deviceManager;
+    std::uint64_t seenGeneration = 0; ///< When it was looked at last.
+};
+} // namespace antinode

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "HeadlessRun.h"
+#include "StandaloneHost.h"
+
+#include <vector>
+
+namespace antinode
+{
+/** Foci without windows: the notes of a schedule, once those are designed. */
+class FociRun : public HeadlessRun
+{
+public:
+    /** As HeadlessRun. [message thread] */
+    FociRun (StandaloneHost& hostToPlay, std::vector<TimedNote> notes, double seconds, bool isArmed);
+
+private:
+    bool isReady() override;
+    std::string waitingFor() const override;
+    std::string designsText() const override;
+    void begin() override;
+    std::string playedText() override;
+
+    StandaloneHost& foci;
+};
+} // namespace antinode

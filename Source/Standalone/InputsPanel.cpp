@@ -1,0 +1,92 @@
+#include "InputsPanel.h"
+
+#include "PanelSizes.h"
+
+#include <Editor/EditorLook.h>
+
+#include <algorithm>
+
+namespace antinode
+{
+namespace
+{
+constexpr int fingerNameWidth = 70, inputChoiceWidth = 80, inputMeterMilliseconds = 50;
+constexpr int noFingerInput = OutputRouting::maximumOutputs + 1; // identifiers of a choice cannot be 0
+} // namespace
+
+InputsPanel::InputsPanel (TouchHost& hostToUse) : host (hostToUse)
+{
+    for (std::size_t k = 0; k < choices.size(); ++k)
+    {
+        names[k].setText ("Finger " + juce::String (k + 1), juce::dontSendNotification);
+        names[k].setFont (EditorLook::font (EditorLook::smallTextHeight));
+        choices[k].setTooltip ("Input of the audio device that finger " + juce::String (k + 1) + " feels");
+        choices[k].onChange = [this, k]
+        {
+            auto inputs = host.settings().inputs;
+            const auto chosen = choices[k].getSelectedId();
+            inputs.inputs[k] = chosen == noFingerInput ? FingerInputs::none : chosen - 1;
+            host.setInputs (inputs);
+        };
+        levels[k].setTooltip ("Peak of the input, from 60 dB below full scale");
+
+        for (auto* const child : std::initializer_list<juce::Component*> { &names[k], &choices[k], &levels[k] })
+            addAndMakeVisible (child);
+    }
+
+    straight.setTooltip ("Gives every finger the input of its number");
+    straight.onClick = [this] { host.setInputs ({}); };
+    addAndMakeVisible (straight);
+    update();
+    startTimer (inputMeterMilliseconds);
+}
+
+void InputsPanel::update()
+{
+    const auto& wanted = host.settings().inputs.inputs;
+    auto* const device = host.devices().getCurrentAudioDevice();
+    const auto open = device != nullptr ? device->getActiveInputChannels().getHighestBit() + 1 : 0;
+    const auto inputs =
+        std::min (std::max (open, *std::max_element (wanted.begin(), wanted.end()) + 1), OutputRouting::maximumOutputs);
+
+    for (std::size_t k = 0; k < choices.size(); ++k)
+    {
+        if (shownInputs != std::pair (inputs, open))
+        {
+            choices[k].clear (juce::dontSendNotification);
+            choices[k].addItem ("none", noFingerInput);
+
+            for (int i = 0; i < inputs; ++i)
+                choices[k].addItem (juce::String (i + 1) + (i < open ? "" : ", not open"), i + 1);
+        }
+
+        choices[k].setSelectedId (wanted[k] == FingerInputs::none ? noFingerInput : wanted[k] + 1,
+                                  juce::dontSendNotification);
+    }
+
+    shownInputs = { inputs, open };
+}
+
+void InputsPanel::timerCallback()
+{
+    // Taken also while it is hidden: a peak of long ago is none.
+    for (std::size_t k = 0; k < levels.size(); ++k)
+        levels[k].show (host.processor().session().fingerMeters().inputs.take (static_cast<int> (k)), 0);
+}
+
+void InputsPanel::resized()
+{
+    auto area = getLocalBounds().reduced (panelMargin);
+
+    for (std::size_t k = 0; k < choices.size(); ++k)
+    {
+        auto row = area.removeFromTop (panelRowHeight).reduced (0, 2);
+        names[k].setBounds (row.removeFromLeft (fingerNameWidth));
+        choices[k].setBounds (row.removeFromLeft (inputChoiceWidth));
+        row.removeFromLeft (panelMargin);
+        levels[k].setBounds (row);
+    }
+
+    straight.setBounds (area.removeFromTop (panelRowHeight).reduced (0, 2).removeFromRight (90));
+}
+} // namespace antinode

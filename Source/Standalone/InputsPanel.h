@@ -1,0 +1,35 @@
+#pragma once
+
+#include "LevelBar.h"
+#include "TouchHost.h"
+
+#include <juce_gui_basics/juce_gui_basics.h>
+
+#include <array>
+#include <utility>
+
+namespace antinode
+{
+/** The input of the audio device that each finger feels, and its level. */
+class InputsPanel final : public juce::Component, private juce::Timer
+{
+public:
+    /** @param hostToUse  outlives this [message thread] */
+    explicit InputsPanel (TouchHost& hostToUse);
+
+    /** Shows what the host says, and what inputs there are. [message thread] */
+    void update();
+
+    void resized() override;
+
+private:
+    void timerCallback() override;
+
+    TouchHost& host;
+    std::array<juce::Label, FingerInputs::fingers> names;
+    std::array<juce::ComboBox, FingerInputs::fingers> choices;
+    std::array<LevelBar, FingerInputs::fingers> levels;
+    juce::TextButton straight { "Straight" };
+    std::pair<int, int> shownInputs { -1, -1 }; ///< That are listed, and the open ones of them.
+};
+} // namespace antinode

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "TouchParameters.h"
+#include "TouchedFingers.h"
+
+#include <antinode_touch/TouchReceiver.h>
+
+#include <juce_events/juce_events.h>
+
+#include <functional>
+#include <memory>
+#include <mutex>
+
+namespace antinode
+{
+/** Touches by OSC and TUIO that put down, move and lift the fingers of Antinode Touch, as its parameters. */
+class NetworkFingers : private juce::AsyncUpdater
+{
+public:
+    /** @param parametersToSet  outlive this @param inputsOf  gives how many fingers have an input [message thread] */
+    NetworkFingers (TouchParameters& parametersToSet, std::function<int()> inputsOf);
+    ~NetworkFingers() override;
+
+    /** Lifts all touches, closes the ports that are open and opens these; `finger` is what fingers that are put down
+        are to the surface, empty: what their parameter says.
+        @throws InputError  as TouchReceiver; then none is open [any but the audio thread] */
+    void open (const TouchPorts&);
+
+    /** What was asked for; 0 where a port is off. [any but the audio thread] */
+    TouchPorts wanted() const;
+
+    /** Those that are open. [any but the audio thread] */
+    TouchPorts ports() const;
+
+    /** [any but the audio thread] */
+    TouchCounters counters() const;
+
+    const TouchedFingers& touches() const { return fingers; }
+
+    /** A touch from elsewhere. [any but the audio thread] */
+    void take (const Touch&);
+
+    /** Sets the parameters of what has changed, as a message does so soon. [message thread] */
+    void apply();
+
+private:
+    void handleAsyncUpdate() override { apply(); }
+    void apply (const FingerMove&);
+
+    TouchParameters& parameters;
+    std::function<int()> inputs;
+    TouchedFingers fingers;
+    mutable std::mutex mutex; ///< For the next lines.
+    TouchPorts wantedPorts { 0, 0, "127.0.0.1" };
+    std::unique_ptr<TouchReceiver> receiver;
+};
+} // namespace antinode
