@@ -140,6 +140,7 @@ void addPiece (PathBuilder& path, const JsonObject& piece, const Eigen::Vector2d
         const auto begin = angleOf (centre, cosine, sine, from);
         const auto turn = angleOf (centre, cosine, sine, to) - begin;
         path.ellipseTo (centre, cosine, sine, begin, begin + std::remainder (turn, 2 * std::numbers::pi), edge);
+        path.endAt (to);
         return;
     }
 

@@ -1,9 +1,11 @@
 #include "Library.h"
 
+#include "DrawnOutline.h"
 #include "ModeCache.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
+#include <antinode_documents/OutlineFile.h>
 #include <antinode_resources.h>
 #include <antinode_structure/ModeLimits.h>
 #include <antinode_text/JsonText.h>
@@ -132,6 +134,17 @@ ModalModel solveWithCache (const DeviceDescription& device, std::optional<int> m
     const auto cache = folder ? std::optional (ModeCache (*folder)) : std::nullopt;
     return solveCached (device, modeCount, cache ? &*cache : nullptr, shapes);
 }
+
+/** A document of the user's; drawings that a device names become a part of it. */
+nlohmann::json readDocumentFile (LibraryKind kind, const std::filesystem::path& file)
+{
+    auto document = readJsonFile (file);
+
+    if (kind == LibraryKind::device)
+        embedOutlineFiles (document, file.parent_path(), readDrawnOutline);
+
+    return document;
+}
 } // namespace
 
 bool isFileName (const std::string& text)
@@ -183,13 +196,13 @@ std::string documentSource (LibraryKind kind, const std::string& nameOrFile)
 nlohmann::json loadDocument (LibraryKind kind, const std::string& nameOrFile)
 {
     if (isFileName (nameOrFile))
-        return readJsonFile (nameOrFile);
+        return readDocumentFile (kind, nameOrFile);
 
     if (const auto* const file = findFactory (kind, nameOrFile))
         return parseJson (file->text(), documentSource (kind, nameOrFile));
 
     if (const auto file = userFile (kind, nameOrFile); file && std::filesystem::exists (*file))
-        return readJsonFile (*file);
+        return readDocumentFile (kind, *file);
 
     std::string allowed;
 

@@ -22,7 +22,7 @@ std::vector<double> turns (const PathPiece& piece)
         {
             const auto angle = first + k * std::numbers::pi;
 
-            if (angle >= high - least)
+            if (! (angle < high - least)) // Nor where it is no number.
                 break;
 
             angles.push_back (angle);
@@ -70,7 +70,9 @@ void PathBuilder::lineTo (const Eigen::Vector2d& end, int edge)
 
 void PathBuilder::arcTo (const Eigen::Vector2d& end, double bulge, int edge)
 {
-    if (bulge == 0 || end == place)
+    constexpr double straight = 1e-8; // A flatter arc has a centre so far away that places on it lose their digits.
+
+    if (std::abs (bulge) < straight || end == place)
     {
         lineTo (end, edge);
         return;
@@ -83,6 +85,11 @@ void PathBuilder::arcTo (const Eigen::Vector2d& end, double bulge, int edge)
     const auto radius = (place - centre).norm();
     const auto from = std::atan2 (place.y() - centre.y(), place.x() - centre.x());
     ellipseTo (centre, { radius, 0 }, { 0, radius }, from, from + 4 * std::atan (bulge), edge);
+    endAt (end);
+}
+
+void PathBuilder::endAt (const Eigen::Vector2d& end)
+{
     pieces.back().end = place = end;
 }
 

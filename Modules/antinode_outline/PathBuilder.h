@@ -26,6 +26,12 @@ public:
     /** The path, whose last piece ends at the first place; pieces of no length are left out. */
     ClosedPath close() const;
 
+    /** Puts the end of what was drawn last to a place that differs from it by rounding. */
+    void endAt (const Eigen::Vector2d& end);
+
+    /** What was drawn so far, open, arcs uncut where x or y turns back. */
+    const std::vector<PathPiece>& drawn() const { return pieces; }
+
 private:
     Eigen::Vector2d first, place;
     ClosedPath pieces;

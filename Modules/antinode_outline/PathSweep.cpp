@@ -32,7 +32,10 @@ struct SweptPiece
 
     double heightAt (double x) const
     {
-        if (left().x() == right().x())
+        // Of a line that is vertical but for rounding, the height at an x says nothing.
+        constexpr double vertical = 1e-12;
+
+        if (right().x() - left().x() <= vertical * (std::abs (left().x()) + std::abs (right().y() - left().y())))
             return (left().y() + right().y()) / 2;
 
         return piece.at (piece.parameterAt (PlaneAxis::x, x)).y();

@@ -20,7 +20,10 @@ class Chance
 public:
     explicit Chance (std::uint32_t seed) : engine (seed) {}
 
-    double between (double low, double high) { return low + (high - low) * (engine() / 4294967296.0); }
+    double between (double low, double high)
+    {
+        return low + (high - low) * (static_cast<double> (engine()) / 4294967296.0);
+    }
     int upTo (int last) { return static_cast<int> (engine() % static_cast<std::uint32_t> (last + 1)); }
 
 private:

@@ -1,0 +1,247 @@
+#include "SvgReader.h"
+
+#include "SvgNumbers.h"
+#include "SvgPage.h"
+#include "SvgPath.h"
+#include "XmlTree.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/MessageText.h>
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+namespace antinode
+{
+namespace
+{
+std::string_view withoutPrefix (std::string_view name)
+{
+    return name.substr (0, 4) == "svg:" ? name.substr (4) : name;
+}
+
+/** Names by which users know a part of a drawing. */
+std::vector<std::string_view> namesOf (const XmlNode& node)
+{
+    std::vector<std::string_view> names;
+
+    for (const auto* key : { "inkscape:label", "id" })
+        if (const auto name = node.attribute (key); ! name.empty())
+            names.push_back (name);
+
+    return names;
+}
+
+bool isHidden (const XmlNode& node)
+{
+    std::string style;
+    const auto given = node.attribute ("style");
+    std::copy_if (given.begin(), given.end(), std::back_inserter (style), [] (char c) { return c != ' '; });
+    return node.attribute ("display") == "none" || node.attribute ("visibility") == "hidden"
+           || style.find ("display:none") != std::string::npos || style.find ("visibility:hidden") != std::string::npos;
+}
+
+/** Walks through the elements of a drawing. */
+class SvgWalk
+{
+public:
+    SvgWalk (std::string file, const DrawingChoice& wanted) : source (std::move (file)), choice (wanted) {}
+
+    void visit (const XmlNode& node, const Eigen::Affine2d& outer, bool isWithin)
+    {
+        static constexpr std::array<std::string_view, 4> groups { "svg", "g", "a", "switch" };
+        const auto name = withoutPrefix (node.name);
+        const auto names = namesOf (node);
+        isWithin = isWithin || std::find (names.begin(), names.end(), choice.layer) != names.end();
+
+        if (isHidden (node))
+            return;
+
+        const auto map = outer * transformOf (node);
+
+        if (std::find (groups.begin(), groups.end(), name) == groups.end())
+        {
+            if (isWithin)
+                draw (node, name, map);
+
+            return;
+        }
+
+        groupNames.insert (groupNames.end(), names.begin(), names.begin() + (names.empty() ? 0 : 1));
+
+        for (const auto& child : node.children)
+            if (withoutPrefix (child.name) == "svg" && isWithin)
+                throw InputError (nameOf (child), "is a drawing within the drawing; allowed: groups");
+            else
+                visit (child, map, isWithin);
+    }
+
+    std::vector<Stroke> strokes;
+    std::vector<std::string_view> groupNames;
+
+private:
+    std::string nameOf (const XmlNode& node) const
+    {
+        const auto id = node.attribute ("id");
+        return source + ": " + printable (withoutPrefix (node.name))
+               + (id.empty() ? " in line " + std::to_string (node.line) : " " + inQuotes (id));
+    }
+
+    Eigen::Affine2d transformOf (const XmlNode& node) const
+    {
+        const auto text = node.attribute ("transform");
+        const auto map = svgTransform (text);
+
+        if (! map)
+            throw InputError (nameOf (node), "transform is " + inQuotes (text)
+                                                 + "; allowed: matrix, translate, scale, rotate, skewX, skewY");
+
+        return *map;
+    }
+
+    /** A length of an attribute in the units of the drawing; mm and such are not allowed there. */
+    double length (const XmlNode& node, std::string_view key, double otherwise = 0) const
+    {
+        const auto text = node.attribute (key);
+
+        if (text.empty() || text == "auto")
+            return otherwise;
+
+        if (const auto values = svgNumberList (text.substr (0, text.find ("px"))); values && values->size() == 1)
+            return values->front();
+
+        throw InputError (nameOf (node),
+                          std::string (key) + " is " + inQuotes (text) + "; allowed: a number without unit");
+    }
+
+    void draw (const XmlNode& node, std::string_view kind, const Eigen::Affine2d& map)
+    {
+        if (kind == "path")
+            for (auto& stroke : svgPathStrokes (node.attribute ("d"), map, choice.deviation, nameOf (node), edge))
+                keep (std::move (stroke));
+        else if (kind == "rect")
+            drawRectangle (node, map);
+        else if (kind == "circle" || kind == "ellipse")
+            drawEllipse (node, map, kind == "circle");
+        else if (kind == "polygon" || kind == "polyline")
+            drawPolygon (node, map, kind == "polygon");
+        else if (kind == "line")
+            drawLine (node, map);
+        else if (kind == "use")
+            throw InputError (nameOf (node), "is a clone; allowed: paths and shapes (unlink clones)");
+    }
+
+    void keep (Stroke stroke)
+    {
+        pieces += stroke.pieces.size();
+
+        if (pieces > maximumStrokePieces)
+            throw InputError (source, "has more than " + std::to_string (maximumStrokePieces) + " lines and arcs");
+
+        for (const auto& piece : stroke.pieces)
+            if (! isWithinReach (piece.start) || ! isWithinReach (piece.end))
+                throw InputError (stroke.name, "has a place farther than 1000 m from the origin");
+
+        strokes.push_back (std::move (stroke));
+    }
+
+    void drawRectangle (const XmlNode& node, const Eigen::Affine2d& map)
+    {
+        const Eigen::Vector2d corner (length (node, "x"), length (node, "y"));
+        const Eigen::Vector2d size (length (node, "width"), length (node, "height"));
+
+        if (! (size.minCoeff() > 0))
+            return; // As SVG says, it is not shown.
+
+        // One radius stands for both; neither is larger than half a side.
+        const auto rx = length (node, "rx", -1), ry = length (node, "ry", -1);
+        Eigen::Vector2d radii (rx >= 0 ? rx : std::max (ry, 0.0), ry >= 0 ? ry : std::max (rx, 0.0));
+        radii = radii.cwiseMin (size / 2);
+        const auto at = [&] (double x, double y) -> Eigen::Vector2d { return corner + Eigen::Vector2d (x, y); };
+        const auto w = size.x(), h = size.y(), a = radii.x(), b = radii.y();
+        const std::array<std::pair<Eigen::Vector2d, Eigen::Vector2d>, 4> sides { { { at (a, 0), at (w - a, 0) },
+                                                                                   { at (w, b), at (w, h - b) },
+                                                                                   { at (w - a, h), at (a, h) },
+                                                                                   { at (0, h - b), at (0, b) } } };
+        PathBuilder path (map * sides[0].first);
+
+        for (std::size_t i = 0; i < 4; ++i)
+        {
+            path.lineTo (map * sides[i].second, edge++);
+            drawSvgArc (path, sides[i].second, sides[(i + 1) % 4].first, radii, 0, false, true, map, edge++);
+        }
+
+        keep ({ nameOf (node), path.drawn() });
+    }
+
+    void drawEllipse (const XmlNode& node, const Eigen::Affine2d& map, bool isCircle)
+    {
+        const Eigen::Vector2d centre (length (node, "cx"), length (node, "cy"));
+        const Eigen::Vector2d radii = isCircle ? Eigen::Vector2d::Constant (length (node, "r"))
+                                               : Eigen::Vector2d (length (node, "rx"), length (node, "ry"));
+
+        if (! (radii.minCoeff() > 0))
+            return;
+
+        PathBuilder path (map * Eigen::Vector2d (centre.x() + radii.x(), centre.y()));
+        path.ellipseTo (map * centre, map.linear().col (0) * radii.x(), map.linear().col (1) * radii.y(), 0,
+                        2 * std::numbers::pi, edge++);
+        keep ({ nameOf (node), path.drawn() });
+    }
+
+    void drawPolygon (const XmlNode& node, const Eigen::Affine2d& map, bool isClosed)
+    {
+        const auto values = svgNumberList (node.attribute ("points"));
+
+        if (! values || values->size() % 2 != 0)
+            throw InputError (nameOf (node), "points are no list of pairs of numbers; allowed: x,y x,y ...");
+
+        if (values->size() < 4)
+            return;
+
+        const auto place = [&] (std::size_t i) -> Eigen::Vector2d
+        { return map * Eigen::Vector2d ((*values)[2 * i], (*values)[2 * i + 1]); };
+        PathBuilder path (place (0));
+
+        for (std::size_t i = 1; i < values->size() / 2; ++i)
+            path.lineTo (place (i), edge++);
+
+        if (isClosed)
+            path.lineTo (place (0), edge++);
+
+        keep ({ nameOf (node), path.drawn() });
+    }
+
+    void drawLine (const XmlNode& node, const Eigen::Affine2d& map)
+    {
+        PathBuilder path (map * Eigen::Vector2d (length (node, "x1"), length (node, "y1")));
+        path.lineTo (map * Eigen::Vector2d (length (node, "x2"), length (node, "y2")), edge++);
+        keep ({ nameOf (node), path.drawn() });
+    }
+
+    std::string source;
+    const DrawingChoice& choice;
+    int edge = 0;
+    std::size_t pieces = 0;
+};
+} // namespace
+
+std::vector<Stroke> svgStrokes (std::string_view bytes, const std::string& source, const DrawingChoice& choice)
+{
+    const auto root = readXml (bytes, source);
+
+    if (withoutPrefix (root.name) != "svg")
+        throw InputError (source, "is XML, but its first element is " + inQuotes (root.name) + "; allowed: svg");
+
+    SvgWalk walk (source, choice);
+    walk.visit (root, svgPage (root, choice.unit, source), choice.layer.empty());
+
+    if (walk.strokes.empty() && ! choice.layer.empty())
+        throw InputError (source, "shows nothing in " + inQuotes (choice.layer)
+                                      + "; allowed: the name or id of a layer, group or element"
+                                      + didYouMean (choice.layer, walk.groupNames));
+
+    return std::move (walk.strokes);
+}
+} // namespace antinode
