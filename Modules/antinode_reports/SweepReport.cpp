@@ -185,7 +185,8 @@ ReportPage sweepReport (const SweepTable& table, const SweepSummary& summary)
 
     for (const auto& column : summary.columns)
         if (column.count > 0 && page.scores.size() < shownScores)
-            page.scores.push_back ({ column.column, inWords (column.percentiles[medianIndex]), "Median over the cases." });
+            page.scores.push_back (
+                { column.column, inWords (column.percentiles[medianIndex]), "Median over the cases." });
 
     if (const auto failed = table.failed(); failed > 0)
         page.warnings.push_back (std::to_string (failed) + " cases failed; results.csv says why.");
