@@ -3,6 +3,7 @@
 #include <antinode_base/InputError.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace antinode
 {

@@ -10,7 +10,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int fingerNameWidth = 70, inputChoiceWidth = 80, inputMeterMilliseconds = 50;
+constexpr int fingerNameWidth = 70, inputChoiceWidth = 120, inputMeterMilliseconds = 50;
 constexpr int noFingerInput = OutputRouting::maximumOutputs + 1; // identifiers of a choice cannot be 0
 } // namespace
 

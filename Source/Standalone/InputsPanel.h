@@ -29,7 +29,7 @@ private:
     std::array<juce::Label, FingerInputs::fingers> names;
     std::array<juce::ComboBox, FingerInputs::fingers> choices;
     std::array<LevelBar, FingerInputs::fingers> levels;
-    juce::TextButton straight { "Straight" };
+    juce::TextButton straight { "One to one" };
     std::pair<int, int> shownInputs { -1, -1 }; ///< That are listed, and the open ones of them.
 };
 } // namespace antinode

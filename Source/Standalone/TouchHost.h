@@ -4,6 +4,7 @@
 
 #include <TouchProcessor/TouchProcessor.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
