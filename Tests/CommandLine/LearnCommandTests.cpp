@@ -1,0 +1,109 @@
+#include "Support/RunProgram.h"
+
+#include <antinode_library/Inputs.h>
+#include <antinode_measurement/SimulatedBench.h>
+#include <antinode_text/JsonText.h>
+#include <antinode_text/OutputFolder.h>
+#include <antinode_text/WaveFile.h>
+#include <antinode_text/WaveReader.h>
+
+#include <nlohmann/json.hpp>
+
+#include <catch2/catch.hpp>
+
+using namespace antinode;
+using test::readContent;
+using test::runProgram;
+
+namespace
+{
+constexpr double rate = 48000;
+
+/** `antinode learn` on the embedded beam with sensors at three places. */
+std::vector<std::string> learnArguments (const std::filesystem::path& folder, const std::string& out,
+                                         const std::vector<std::string>& more)
+{
+    std::vector<std::string> arguments {
+        "learn", "demonstrator",         "--device", "beam",      "--rate",
+        "48000", "--duration-ms",        "100",      "--sensors", (folder / "sensors.csv").string(),
+        "--out", (folder / out).string()
+    };
+    arguments.insert (arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+void writeSensors (const std::filesystem::path& folder)
+{
+    writeWholeFile (folder / "sensors.csv", "x_mm,y_mm\n-61,0\n33,0\n70,0\n");
+}
+
+/** The embedded beam with a modulus that is 1 % lower. */
+DeviceDescription driftedBeam()
+{
+    return loadDevice (
+        "beam", { "device.material={\"youngs_modulus_GPa\": 69.3, \"poisson_ratio\": 0.33, \"density_kg_m3\": 2700}" });
+}
+
+/** What the three sensors record of a pass on it. */
+void recordPass (const std::filesystem::path& pass, double signalScale)
+{
+    const auto truth = solveStructure (driftedBeam());
+    const auto wave = readWaveFile (pass / "voltages.wav");
+    Eigen::MatrixXd shapes (3, truth.modes());
+    shapes << shapesAt (truth, -0.061, 0), shapesAt (truth, 0.033, 0), shapesAt (truth, 0.07, 0);
+    SimulatedBenchSettings bench;
+    bench.sampleRate = rate;
+    bench.delay = 0.0031;
+    const auto recording = simulateBench (truth, shapes, truth.fullScaleVoltage * wave.samples,
+                                          Eigen::VectorXd::Ones (wave.samples.cols()), bench);
+    writeWholeFile (pass / "recorded.csv",
+                    encodeCsv (1000 * signalScale * recording.sensors,
+                               { "velocity_mm_s_1", "velocity_mm_s_2", "velocity_mm_s_3" }, rate, 0));
+}
+} // namespace
+
+TEST_CASE ("learn finds the frequencies of a drifted beam from one play of a focus", "[command line]")
+{
+    const TemporaryFolder folder;
+    writeSensors (folder.path());
+    auto run = runProgram (learnArguments (folder.path(), "pass1", {}));
+    INFO (run.errors);
+    REQUIRE (run.exitCode == 0);
+    recordPass (folder.path() / "pass1", 1);
+    run = runProgram (learnArguments (folder.path(), "pass2",
+                                      { "--latency-ms", "3.1", "--recorded", (folder.path() / "pass1").string() }));
+    INFO (run.errors);
+    REQUIRE (run.exitCode == 0);
+
+    const auto summary = nlohmann::json::parse (readContent (folder.path() / "pass2" / "summary.json"));
+    CHECK (summary["is_accepted"] == true);
+    CHECK (summary["passes"].size() == 1);
+    const auto learnt = solveStructure (loadDevice ((folder.path() / "pass2" / "device.json").string(), {}));
+    const auto right = solveStructure (driftedBeam());
+
+    for (Eigen::Index k = 0; k < 6; ++k) // The controlled ones.
+        CHECK (learnt.frequencyHz (k) == Approx (right.frequencyHz (k)).epsilon (2e-4));
+}
+
+TEST_CASE ("learn changes nothing where sensors are dead, and says what recordings lack", "[command line]")
+{
+    const TemporaryFolder folder;
+    writeSensors (folder.path());
+    const auto pass = folder.path() / "pass1";
+    REQUIRE (runProgram (learnArguments (folder.path(), "pass1", {})).exitCode == 0);
+    const auto recorded = learnArguments (folder.path(), "pass2", { "--recorded", pass.string() });
+    auto run = runProgram (recorded);
+    CHECK (run.exitCode == 1);
+    CHECK (run.errors.find ("has neither recorded.csv nor recorded.wav") != std::string::npos);
+
+    recordPass (pass, 1e-6);
+    run = runProgram (recorded);
+    CHECK (run.exitCode == 0);
+    CHECK (run.output.find ("Nothing is changed. The model does not explain") != std::string::npos);
+    CHECK (readContent (folder.path() / "pass2" / "voltages.wav") == readContent (pass / "voltages.wav"));
+
+    writeWholeFile (pass / "recorded.csv", "time_s,velocity_mm_s_1\n0,0\n0.0000208333,0\n");
+    run = runProgram (recorded);
+    CHECK (run.exitCode == 1);
+    CHECK (run.errors.find ("has 1 channels; allowed: 3, one per sensor") != std::string::npos);
+}
