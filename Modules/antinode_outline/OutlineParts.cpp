@@ -37,8 +37,8 @@ double parameterOf (const PathPiece& piece, const Eigen::Vector2d& place)
 std::size_t cutAt (ClosedPath& path, const Eigen::Vector2d& place)
 {
     const auto distance = [&] (const PathPiece& piece) { return (piece.nearest (place) - place).norm(); };
-    const auto nearest = std::min_element (path.begin(), path.end(), [&] (const auto& a, const auto& b)
-                                           { return distance (a) < distance (b); });
+    const auto nearest = std::min_element (path.begin(), path.end(),
+                                           [&] (const auto& a, const auto& b) { return distance (a) < distance (b); });
     const auto index = static_cast<std::size_t> (nearest - path.begin());
     const auto parameter = parameterOf (*nearest, nearest->nearest (place));
     constexpr double least = 1e-6; // of a piece: a shorter one is not worth the cut

@@ -2,8 +2,8 @@
 
 #include "DescribedModel.h"
 #include "DescriptionChecks.h"
-#include "FrequencyCorrection.h"
 #include "ElementChain.h"
+#include "FrequencyCorrection.h"
 #include "SolvedPlate.h"
 
 #include <antinode_base/Watch.h>

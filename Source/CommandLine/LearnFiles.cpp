@@ -63,8 +63,9 @@ std::string learntTable (const LearntFocus& learnt, const WideModel& nominal, co
         std::array<char, 256> line {};
         std::snprintf (line.data(), line.size(), "%td,%.9g,%.9g,%.4g,%.4g,%.9g,%.9g,%.4g,%.4g\n", k + 1,
                        nominal.model.frequencyHz (k), now.model.frequencyHz (k), inPercent * before.frequencies[k],
-                       inPercent * now.frequencyDeviations[k], nominal.model.dampingRatios[k], now.model.dampingRatios[k],
-                       inPercent * before.dampings[k], inPercent * now.dampingDeviations[k]);
+                       inPercent * now.frequencyDeviations[k], nominal.model.dampingRatios[k],
+                       now.model.dampingRatios[k], inPercent * before.dampings[k],
+                       inPercent * now.dampingDeviations[k]);
         text += line.data();
     }
 
