@@ -75,6 +75,10 @@ PlateEdge readPlateEdge (const JsonValue& value)
     }
 
     const auto object = value.object ({ "stiffness_N_per_mm2", "rotation_stiffness_N", "loss_factor" });
+
+    if (! value.find ("stiffness_N_per_mm2") && ! value.find ("rotation_stiffness_N"))
+        object.fail ("has no stiffness; allowed: \"stiffness_N_per_mm2\", \"rotation_stiffness_N\" or both");
+
     edge.translation =
         numberOrZero (object, "stiffness_N_per_mm2", ranges::supportStiffness) * newtonsPerSquareMillimetre;
     edge.rotation = numberOrZero (object, "rotation_stiffness_N", ranges::supportStiffness);

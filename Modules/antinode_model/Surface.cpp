@@ -48,8 +48,8 @@ std::vector<Eigen::Index> pointsOn (const Surface& surface)
 {
     std::vector<Eigen::Index> rows;
 
-    for (Eigen::Index i = 0; i < surface.areas.size(); ++i)
-        if (surface.areas[i] > 0)
+    for (Eigen::Index i = 0; i < surface.points.rows(); ++i)
+        if (! surface.boundary || surface.areas[i] > 0)
             rows.push_back (i);
 
     return rows;

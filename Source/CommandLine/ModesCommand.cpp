@@ -6,6 +6,7 @@
 #include <antinode_documents/UniversalModes.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_reports/ModesReport.h>
+#include <antinode_structure/DeviceKind.h>
 #include <antinode_text/OutputFolder.h>
 #include <antinode_universal/UniversalFile.h>
 
@@ -105,8 +106,6 @@ void listModes (const ModesOptions& options)
     if (! options.reportFolder.empty())
         writeReport (options.reportFolder, model);
 
-    constexpr const char* kinds[] = { "beam", "staple", "plate", "modal" };
-
     if (! options.csvFile.empty())
         writeWholeFile (options.csvFile, encodeModeTable (model));
 
@@ -117,7 +116,7 @@ void listModes (const ModesOptions& options)
         writeWholeFile (options.universalFile, encodeUniversalFile (modeSets (model)));
 
     if (options.isJson)
-        std::printf ("%s\n", modesJson (model, kinds[description.body.index()], elapsed.count()).dump (2).c_str());
+        std::printf ("%s\n", modesJson (model, deviceKind (description), elapsed.count()).dump (2).c_str());
     else
         printTable (model);
 }

@@ -5,6 +5,7 @@
 #include <antinode_documents/FocusFile.h>
 #include <antinode_documents/WaveformsFile.h>
 #include <antinode_library/Inputs.h>
+#include <antinode_structure/DeviceKind.h>
 #include <antinode_text/JsonText.h>
 
 #include <nlohmann/json.hpp>
@@ -93,8 +94,7 @@ auto bindDocument (py::module_& module, const char* name, const char* word,
 
 const char* kindOf (const DeviceValue& device)
 {
-    constexpr const char* kinds[] = { "beam", "staple", "plate", "modal" };
-    return kinds[device.description.body.index()];
+    return deviceKind (device.description);
 }
 } // namespace
 

@@ -81,8 +81,9 @@ TEST_CASE ("learn finds the frequencies of a drifted beam from one play of a foc
     const auto learnt = solveStructure (loadDevice ((folder.path() / "pass2" / "device.json").string(), {}));
     const auto right = solveStructure (driftedBeam());
 
-    for (Eigen::Index k = 0; k < 6; ++k) // The controlled ones.
-        CHECK (learnt.frequencyHz (k) == Approx (right.frequencyHz (k)).epsilon (2e-4));
+    // The controlled ones, which were .5 % off: a tenth of that where the focus has little of a mode.
+    for (Eigen::Index k = 0; k < 6; ++k)
+        CHECK (learnt.frequencyHz (k) == Approx (right.frequencyHz (k)).epsilon (5e-4));
 }
 
 TEST_CASE ("learn changes nothing where sensors are dead, and says what recordings lack", "[command line]")

@@ -77,7 +77,7 @@ TEST_CASE ("The guard sees into the loaded plug-in", "[vst3]")
     const auto before = mallocCalls();
     Steinberg::MemoryStream stream;
     plugin.component->getState (&stream);
-    CHECK (mallocCalls() - before > 100);
+    CHECK (mallocCalls() - before > 50); // A state is text, made of dozens of parts.
 }
 
 TEST_CASE ("A VST3 asks for no memory and waits for nothing while it plays", "[vst3]")

@@ -1,0 +1,21 @@
+#include "DeviceKind.h"
+
+namespace antinode
+{
+namespace
+{
+struct KindWord
+{
+    const char* operator() (const BeamDescription&) const { return "beam"; }
+    const char* operator() (const StapleDescription&) const { return "staple"; }
+    const char* operator() (const PlateDescription&) const { return "plate"; }
+    const char* operator() (const OutlinedPlate&) const { return "plate"; }
+    const char* operator() (const ModalModel&) const { return "modal"; }
+};
+} // namespace
+
+const char* deviceKind (const DeviceDescription& device)
+{
+    return std::visit (KindWord {}, device.body);
+}
+} // namespace antinode
