@@ -30,8 +30,8 @@ TEST_CASE ("Each finger feels its own input after the latency that is reported, 
     auto inputs = withRest (fingerTones (8, length, rate));
     const auto scores = judged (*processor, voltagesOf (*processor, inputs, 512), inputs);
     REQUIRE (scores.fingers.size() == 3);
-    // A design's own error is below -60 dB; modes that it does not know, and single precision, leave more. Of 5 ms it is so
-    // nearly singular that processors differ by some dB: -37 dB on one without AVX-512, below -40 dB on one with it.
+    // A design's own error is below -60 dB; modes that it does not know, and single precision, leave more. Of 5 ms it
+    // is nearly singular: the same program has come to -37 dB on one machine and to less than -40 dB on another.
     const auto share = choice == 0 ? 1 : 10;
     CHECK (scores.normalisedError (0) < share * 1e-4);
     CHECK (scores.normalisedError (1) < share * 1e-4);
