@@ -60,15 +60,18 @@ void drawHeldPieces (juce::Graphics& g, const PlotFrame& frame, const PlanView& 
             const auto from = frame.at (line[i - 1].x(), line[i - 1].y()), to = frame.at (line[i].x(), line[i].y());
             const auto length = from.getDistanceFrom (to);
             const auto along = length > 0 ? (to - from) / length : juce::Point<float>();
-            auto place = hatching - rest;
+            const auto first = hatching - rest;
+            const auto ticks = length < first ? 0 : 1 + static_cast<int> ((length - first) / hatching);
+
             // A tick slants to both sides: that outside the surface is cut off.
-            for (; place <= length; place += hatching)
+            for (int tick = 0; tick < ticks; ++tick)
             {
-                const auto at = from + along * place;
+                const auto at = from + along * (first + hatching * static_cast<float> (tick));
                 const juce::Point<float> slant (0.7f * depth * (along.x + along.y), 0.7f * depth * (along.y - along.x));
                 g.drawLine ({ at - slant, at + slant }, theme.lineWidth);
             }
-            rest = length - (place - hatching);
+
+            rest = length - (first + hatching * static_cast<float> (ticks - 1));
         }
     }
 }

@@ -36,7 +36,7 @@ double readLoss (const JsonObject& object)
 Eigen::Vector2d readPlaceOn (const JsonValue& value, const Outline& outline)
 {
     constexpr double near = 0.01; // of the outline's size
-    const auto place = readPlaneMillimetres (value);
+    auto place = readPlaneMillimetres (value);
     const auto most = near * extentOf (outline).size().maxCoeff();
 
     if (const auto distance = distanceToBoundary (outline, place.x(), place.y()); ! (distance <= most))
