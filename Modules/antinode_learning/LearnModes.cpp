@@ -76,7 +76,9 @@ public:
             const Eigen::VectorXd change = solveFactored (linear.matrix, linear.right);
             const auto before = best;
 
-            for (double share = 1; share > 0.1; share /= 2)
+            auto share = 1.0;
+
+            for (int halvings = 0; halvings < 4; ++halvings, share /= 2)
                 if (const auto reached = objective (values + share * change, time); reached < best)
                 {
                     best = reached;
@@ -140,8 +142,15 @@ LearntModes learnModes (const ModalModel& model, const std::vector<Sensor>& sens
     if (before != nullptr)
         values = valuesOf (prior, problem.all(), *before);
     else
-        for (auto time = firstTime (prior, problem.all()); time < longest; time *= lengthening)
+    {
+        auto time = firstTime (prior, problem.all());
+
+        while (time < longest)
+        {
             values = problem.solve (values, time, false);
+            time *= lengthening;
+        }
+    }
 
     values = problem.solve (values, longest, true);
     auto linear = problem.equations (values, longest);

@@ -201,7 +201,7 @@ RecordingEquations recordingEquations (const LearningPrior& prior, const Learnin
     {
         const Eigen::MatrixXd across = effects.histories.transpose() * effect;
         equations.matrix.row (row).head (modal) = across.cwiseProduct (weighted.transpose()).rowwise().sum();
-        const Eigen::MatrixXd scaled = effect * precision.asDiagonal();
+        Eigen::MatrixXd scaled = effect * precision.asDiagonal();
         equations.matrix (row, row) = scaled.cwiseProduct (effect).sum();
         equations.right[row] = scaled.cwiseProduct (residual).sum();
         return scaled;
