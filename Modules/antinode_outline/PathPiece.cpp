@@ -100,7 +100,7 @@ Eigen::Vector2d PathPiece::nearest (const Eigen::Vector2d& place) const
 
     const auto nearer = [&] (const Eigen::Vector2d& a, const Eigen::Vector2d& b) -> const Eigen::Vector2d&
     { return (a - place).squaredNorm() <= (b - place).squaredNorm() ? a : b; };
-    const auto nearerEnd = nearer (start, end);
+    const auto& nearerEnd = nearer (start, end);
 
     if (isCircular (*this))
     {
