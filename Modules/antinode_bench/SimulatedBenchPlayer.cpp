@@ -1,6 +1,7 @@
 #include "SimulatedBenchPlayer.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_model/ShapesAtPlaces.h>
 
 #include <limits>
 #include <utility>
@@ -9,10 +10,8 @@ namespace antinode
 {
 SimulatedBenchPlayer::SimulatedBenchPlayer (ModalModel modelToMeasure, const Eigen::MatrixX2d& points,
                                             SimulatedBenchSettings settingsToUse)
-    : model (std::move (modelToMeasure)), shapes (points.rows(), model.modes()), settings (settingsToUse)
+    : model (std::move (modelToMeasure)), shapes (shapesAtPlaces (model, points)), settings (settingsToUse)
 {
-    for (Eigen::Index p = 0; p < points.rows(); ++p)
-        shapes.row (p) = shapesAt (model, points (p, 0), points (p, 1));
 }
 
 Eigen::Index SimulatedBenchPlayer::sensors() const

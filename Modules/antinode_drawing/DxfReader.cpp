@@ -27,7 +27,7 @@ class DxfWalk
 {
 public:
     DxfWalk (const std::vector<DxfRecord>& all, std::string file, const DrawingChoice& wanted)
-        : records (all), source (std::move (file)), choice (wanted), unit (wanted.unit)
+        : records (all), strokes { std::move (file), {} }, choice (wanted), unit (wanted.unit)
     {
     }
 
@@ -47,13 +47,13 @@ public:
                 readEntity (i);
 
         if (! hasEntities)
-            throw InputError (source, "has no section ENTITIES; allowed: an SVG file or a DXF drawing");
+            throw InputError (strokes.source, "has no section ENTITIES; allowed: an SVG file or a DXF drawing");
 
-        if (strokes.empty() && ! choice.layer.empty())
-            throw InputError (source, "shows nothing in layer " + inQuotes (choice.layer)
-                                          + "; allowed: " + listed ({ layers.begin(), layers.end() }));
+        if (strokes.list.empty() && ! choice.layer.empty())
+            throw InputError (strokes.source, "shows nothing in layer " + inQuotes (choice.layer)
+                                                  + "; allowed: " + listed ({ layers.begin(), layers.end() }));
 
-        return std::move (strokes);
+        return std::move (strokes.list);
     }
 
 private:
@@ -61,20 +61,22 @@ private:
     {
         for (auto group = header.groups.begin(); group != header.groups.end(); ++group)
             if (group->code == 9 && group->value == "$INSUNITS" && std::next (group) != header.groups.end())
-                unit = unitByNumber (static_cast<int> (std::clamp (dxfNumber (*std::next (group), source), 0.0, 99.0)));
+                unit = unitByNumber (
+                    static_cast<int> (std::clamp (dxfNumber (*std::next (group), strokes.source), 0.0, 99.0)));
     }
 
     /** Layers that are off have a negative colour, frozen ones a flag. */
     void readLayer (const DxfRecord& layer)
     {
-        if (layer.number (62, 7, source) < 0 || (layer.integer (70, 0, source) & 1) != 0)
+        if (layer.number (62, 7, strokes.source) < 0 || (layer.integer (70, 0, strokes.source) & 1) != 0)
             hidden.insert (layer.text (2));
     }
 
     bool isLeftOut (const DxfRecord& record)
     {
         const auto layer = record.text (8);
-        const auto isOnPaper = record.integer (67, 0, source) == 1, isInvisible = record.integer (60, 0, source) == 1;
+        const auto isOnPaper = record.integer (67, 0, strokes.source) == 1,
+                   isInvisible = record.integer (60, 0, strokes.source) == 1;
         hasEntities = true;
 
         if (isDxfCurve (record.type) && ! isOnPaper)
@@ -92,7 +94,7 @@ private:
         const auto& record = records[index];
 
         if (std::find (others.begin(), others.end(), record.type) != others.end())
-            throw InputError (source,
+            throw InputError (strokes.source,
                               printable (record.type) + " in line " + std::to_string (record.line)
                                   + " is not read; allowed: LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE, POLYLINE and "
                                     "SPLINE (explode blocks), or choose a layer");
@@ -102,40 +104,24 @@ private:
             return;
 
         if (! (unit > 0))
-            throw InputError (source,
+            throw InputError (strokes.source,
                               "does not say its unit ($INSUNITS); allowed: in, ft, mm, cm, m, mil, yd, micron and "
                               "dm, or a unit beside the file's name");
 
         const auto* const end = records.data() + records.size();
-        keep ({ source + ": " + printable (record.type) + " in line " + std::to_string (record.line),
-                dxfPieces (record, records.data() + index + 1, end, { source, unit, choice.deviation }, edge) });
-    }
-
-    void keep (Stroke stroke)
-    {
-        pieces += stroke.pieces.size();
-
-        if (pieces > maximumStrokePieces)
-            throw InputError (source, "has more than " + std::to_string (maximumStrokePieces) + " lines and arcs");
-
-        for (const auto& piece : stroke.pieces)
-            if (! isWithinReach (piece.start) || ! isWithinReach (piece.end))
-                throw InputError (stroke.name, "has a place farther than 1000 m from the origin");
-
-        if (! stroke.pieces.empty())
-            strokes.push_back (std::move (stroke));
+        strokes.add (
+            { strokes.source + ": " + printable (record.type) + " in line " + std::to_string (record.line),
+              dxfPieces (record, records.data() + index + 1, end, { strokes.source, unit, choice.deviation }, edge) });
     }
 
     const std::vector<DxfRecord>& records;
-    std::string source;
+    DrawnStrokes strokes;
     const DrawingChoice& choice;
     double unit;
     std::string_view section;
     std::set<std::string_view> hidden, layers;
     bool hasEntities = false;
     int edge = 0;
-    std::size_t pieces = 0;
-    std::vector<Stroke> strokes;
 };
 } // namespace
 

@@ -217,6 +217,21 @@ bool isWithinReach (const Eigen::Vector2d& place)
     return std::abs (place.x()) <= farthest && std::abs (place.y()) <= farthest;
 }
 
+void DrawnStrokes::add (Stroke stroke)
+{
+    pieces += stroke.pieces.size();
+
+    if (pieces > maximumStrokePieces)
+        throw InputError (source, "has more than " + std::to_string (maximumStrokePieces) + " lines and arcs");
+
+    for (const auto& piece : stroke.pieces)
+        if (! isWithinReach (piece.start) || ! isWithinReach (piece.end))
+            throw InputError (stroke.name, "has a place farther than 1000 m from the origin");
+
+    if (! stroke.pieces.empty())
+        list.push_back (std::move (stroke));
+}
+
 void transform (std::vector<PathPiece>& pieces, const Eigen::Affine2d& map)
 {
     for (auto& piece : pieces)

@@ -23,6 +23,19 @@ inline constexpr std::size_t maximumStrokePieces = 200000;
  */
 bool isWithinReach (const Eigen::Vector2d&);
 
+/** The strokes of a drawing while it is read. */
+struct DrawnStrokes
+{
+    std::string source; ///< The drawing's name, for messages.
+    std::vector<Stroke> list;
+    std::size_t pieces = 0; ///< Of all strokes.
+
+    /** Takes up a stroke, unless it has no pieces.
+        @throws InputError  where there are more than maximumStrokePieces, or one of them is not within reach
+        [worker] */
+    void add (Stroke);
+};
+
 /** Lines and arcs under an affine map. [any] */
 void transform (std::vector<PathPiece>&, const Eigen::Affine2d&);
 

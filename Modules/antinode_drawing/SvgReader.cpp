@@ -46,7 +46,7 @@ bool isHidden (const XmlNode& node)
 class SvgWalk
 {
 public:
-    SvgWalk (std::string file, const DrawingChoice& wanted) : source (std::move (file)), choice (wanted) {}
+    SvgWalk (std::string file, const DrawingChoice& wanted) : strokes { std::move (file), {} }, choice (wanted) {}
 
     void visit (const XmlNode& node, const Eigen::Affine2d& outer, bool isWithin)
     {
@@ -77,14 +77,14 @@ public:
                 visit (child, map, isWithin);
     }
 
-    std::vector<Stroke> strokes;
+    DrawnStrokes strokes;
     std::vector<std::string_view> groupNames;
 
 private:
     std::string nameOf (const XmlNode& node) const
     {
         const auto id = node.attribute ("id");
-        return source + ": " + printable (withoutPrefix (node.name))
+        return strokes.source + ": " + printable (withoutPrefix (node.name))
                + (id.empty() ? " in line " + std::to_string (node.line) : " " + inQuotes (id));
     }
 
@@ -119,7 +119,7 @@ private:
     {
         if (kind == "path")
             for (auto& stroke : svgPathStrokes (node.attribute ("d"), map, choice.deviation, nameOf (node), edge))
-                keep (std::move (stroke));
+                strokes.add (std::move (stroke));
         else if (kind == "rect")
             drawRectangle (node, map);
         else if (kind == "circle" || kind == "ellipse")
@@ -130,20 +130,6 @@ private:
             drawLine (node, map);
         else if (kind == "use")
             throw InputError (nameOf (node), "is a clone; allowed: paths and shapes (unlink clones)");
-    }
-
-    void keep (Stroke stroke)
-    {
-        pieces += stroke.pieces.size();
-
-        if (pieces > maximumStrokePieces)
-            throw InputError (source, "has more than " + std::to_string (maximumStrokePieces) + " lines and arcs");
-
-        for (const auto& piece : stroke.pieces)
-            if (! isWithinReach (piece.start) || ! isWithinReach (piece.end))
-                throw InputError (stroke.name, "has a place farther than 1000 m from the origin");
-
-        strokes.push_back (std::move (stroke));
     }
 
     void drawRectangle (const XmlNode& node, const Eigen::Affine2d& map)
@@ -172,7 +158,7 @@ private:
             drawSvgArc (path, sides[i].second, sides[(i + 1) % 4].first, radii, 0, false, true, map, edge++);
         }
 
-        keep ({ nameOf (node), path.drawn() });
+        strokes.add ({ nameOf (node), path.drawn() });
     }
 
     void drawEllipse (const XmlNode& node, const Eigen::Affine2d& map, bool isCircle)
@@ -187,7 +173,7 @@ private:
         PathBuilder path (map * Eigen::Vector2d (centre.x() + radii.x(), centre.y()));
         path.ellipseTo (map * centre, map.linear().col (0) * radii.x(), map.linear().col (1) * radii.y(), 0,
                         2 * std::numbers::pi, edge++);
-        keep ({ nameOf (node), path.drawn() });
+        strokes.add ({ nameOf (node), path.drawn() });
     }
 
     void drawPolygon (const XmlNode& node, const Eigen::Affine2d& map, bool isClosed)
@@ -210,20 +196,18 @@ private:
         if (isClosed)
             path.lineTo (place (0), edge++);
 
-        keep ({ nameOf (node), path.drawn() });
+        strokes.add ({ nameOf (node), path.drawn() });
     }
 
     void drawLine (const XmlNode& node, const Eigen::Affine2d& map)
     {
         PathBuilder path (map * Eigen::Vector2d (length (node, "x1"), length (node, "y1")));
         path.lineTo (map * Eigen::Vector2d (length (node, "x2"), length (node, "y2")), edge++);
-        keep ({ nameOf (node), path.drawn() });
+        strokes.add ({ nameOf (node), path.drawn() });
     }
 
-    std::string source;
     const DrawingChoice& choice;
     int edge = 0;
-    std::size_t pieces = 0;
 };
 } // namespace
 
@@ -237,11 +221,11 @@ std::vector<Stroke> svgStrokes (std::string_view bytes, const std::string& sourc
     SvgWalk walk (source, choice);
     walk.visit (root, svgPage (root, choice.unit, source), choice.layer.empty());
 
-    if (walk.strokes.empty() && ! choice.layer.empty())
+    if (walk.strokes.list.empty() && ! choice.layer.empty())
         throw InputError (source, "shows nothing in " + inQuotes (choice.layer)
                                       + "; allowed: the name or id of a layer, group or element"
                                       + didYouMean (choice.layer, walk.groupNames));
 
-    return std::move (walk.strokes);
+    return std::move (walk.strokes.list);
 }
 } // namespace antinode

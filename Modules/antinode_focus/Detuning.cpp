@@ -47,4 +47,13 @@ ModalModel detuned (const ModalModel& model, const DetuningSpread& spread, std::
     result.angularFrequencies *= factor (spread.drift);
     return result;
 }
+
+ModalModel withoutShapes (const ModalModel& model)
+{
+    ModalModel modes;
+    modes.angularFrequencies = model.angularFrequencies;
+    modes.dampingRatios = model.dampingRatios;
+    modes.participation = model.participation;
+    return modes;
+}
 } // namespace antinode

@@ -13,4 +13,7 @@ namespace antinode
    any machine. Damping stays between 0 and 1 and frequencies positive; modes keep their order even where frequencies
    cross. [worker] Docs/Theory.md, section 7. */
 ModalModel detuned (const ModalModel&, const DetuningSpread&, std::uint64_t seed);
+
+/** Frequencies, damping and participations alone, which detuning changes: cheap to copy. [any] */
+ModalModel withoutShapes (const ModalModel&);
 } // namespace antinode

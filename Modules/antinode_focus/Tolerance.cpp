@@ -13,16 +13,6 @@ namespace antinode
 {
 namespace
 {
-/** Without shapes, which detuning does not change: cheap to copy. */
-ModalModel withoutShapes (const ModalModel& model)
-{
-    ModalModel modes;
-    modes.angularFrequencies = model.angularFrequencies;
-    modes.dampingRatios = model.dampingRatios;
-    modes.participation = model.participation;
-    return modes;
-}
-
 /** A seed for each draw (SplitMix64, Steele et al. 2014): those of neighbouring seeds have nothing in common. */
 std::uint64_t seedForDraw (std::uint64_t seed, int draw)
 {

@@ -3,6 +3,8 @@
 #include "Assignment.h"
 #include "FrequencyDrift.h"
 
+#include <antinode_model/ShapesAtPlaces.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,16 +15,6 @@ namespace
 constexpr double minimumComparedAssurance = 0.5;
 /** What a relative difference of frequencies costs, in units of MAC: one of 10 % costs 0.2. */
 constexpr double differencePenalty = 2;
-
-Eigen::MatrixXd shapesAtPoints (const ModalModel& model, const Eigen::MatrixX2d& points)
-{
-    Eigen::MatrixXd result (points.rows(), model.modes());
-
-    for (Eigen::Index p = 0; p < points.rows(); ++p)
-        result.row (p) = shapesAt (model, points (p, 0), points (p, 1));
-
-    return result;
-}
 } // namespace
 
 Eigen::MatrixXd modalAssurance (const Eigen::MatrixXd& one, const Eigen::MatrixXd& other,
@@ -48,7 +40,7 @@ ModeComparison compareModes (const IdentifiedModes& identified, const ModalModel
 {
     requireRealModes (computed, "comparisons with other modes");
     ModeComparison result;
-    result.assurance = modalAssurance (identified.shapes, shapesAtPoints (computed, identified.points), {});
+    result.assurance = modalAssurance (identified.shapes, shapesAtPlaces (computed, identified.points), {});
     Eigen::MatrixXd scores = result.assurance;
 
     for (Eigen::Index k = 0; k < scores.rows(); ++k)

@@ -5,6 +5,7 @@
 #include "FrequencyDrift.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_model/ShapesAtPlaces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,16 +24,6 @@ Eigen::MatrixXd signatures (const Eigen::MatrixXd& shapes, const Eigen::MatrixXd
 
     for (Eigen::Index k = 0; k < shapes.cols(); ++k)
         result.col (k) = (shapes.col (k) * participation.row (k)).reshaped();
-
-    return result;
-}
-
-Eigen::MatrixXd knownShapes (const ModalModel& model, const Eigen::MatrixX2d& points)
-{
-    Eigen::MatrixXd result (points.rows(), model.modes());
-
-    for (Eigen::Index p = 0; p < points.rows(); ++p)
-        result.row (p) = shapesAt (model, points (p, 0), points (p, 1));
 
     return result;
 }
@@ -118,7 +109,7 @@ RetunedModel retune (const ModalModel& model, const FrequencyResponses& response
 {
     requireRealModes (model, "updates of modes by new measurements");
     check (model, responses);
-    const auto shapes = knownShapes (model, responses.points);
+    const auto shapes = shapesAtPlaces (model, responses.points);
     auto found = identify (responses, options);
     found.shapes = found.shapes.array().isFinite().select (found.shapes, 0);
     const auto ofFound = signatures (found.shapes, found.participation);

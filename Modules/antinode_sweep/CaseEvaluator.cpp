@@ -8,6 +8,7 @@
 #include <antinode_base/Prefixes.h>
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_fingers/OneSidedContact.h>
+#include <antinode_focus/Detuning.h>
 #include <antinode_focus/Prediction.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_library/SkinThresholds.h>
@@ -142,15 +143,6 @@ void addScores (nlohmann::ordered_json& summary, const FocusScore& score, const 
     summary["v_score" + ending] = score.vScore;
     summary["field_error" + ending] = score.fieldError;
     summary["peak_ratio" + ending] = score.peakRatio;
-}
-
-ModalModel withoutShapes (const ModalModel& model)
-{
-    ModalModel modes;
-    modes.angularFrequencies = model.angularFrequencies;
-    modes.dampingRatios = model.dampingRatios;
-    modes.participation = model.participation;
-    return modes;
 }
 } // namespace
 

@@ -9,6 +9,7 @@
 #include <antinode_focus/Detuning.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_measurement/SimulatedBench.h>
+#include <antinode_model/ShapesAtPlaces.h>
 #include <antinode_responses/PointsFile.h>
 
 #include <cmath>
@@ -45,16 +46,6 @@ struct LearningSetup
     ModeSpread deviations;
 };
 
-Eigen::MatrixXd shapesOfPlaces (const ModalModel& model, const Eigen::MatrixX2d& places)
-{
-    Eigen::MatrixXd shapes (places.rows(), model.modes());
-
-    for (Eigen::Index m = 0; m < places.rows(); ++m)
-        shapes.row (m) = shapesAt (model, places (m, 0), places (m, 1));
-
-    return shapes;
-}
-
 /** The signals of an idle ceramic per modal velocity, by reciprocity: its current. */
 Eigen::RowVectorXd idleShapes (const ModalModel& model, int ceramic)
 {
@@ -75,7 +66,7 @@ LearningSetup setupFor (const LearnOptions& options)
                           {},
                           {} };
     checkKindOfPlaces (known, setup.focus);
-    const auto shapes = shapesOfPlaces (setup.nominal.model, setup.places);
+    const auto shapes = shapesAtPlaces (setup.nominal.model, setup.places);
 
     for (Eigen::Index m = 0; m < shapes.rows(); ++m)
         setup.sensors.push_back ({ shapes.row (m), 0 });
@@ -122,7 +113,7 @@ PassPlayer simulatedBench (const LearnOptions& options, const LearningSetup& set
                                   options.participation / percent, 0 };
     auto truth = std::make_shared<ModalModel> (detuned (setup.nominal.model, spread, options.bench.seed));
     auto heard = std::make_shared<Eigen::MatrixXd> (static_cast<Eigen::Index> (setup.sensors.size()), truth->modes());
-    heard->topRows (setup.places.rows()) = shapesOfPlaces (*truth, setup.places);
+    heard->topRows (setup.places.rows()) = shapesAtPlaces (*truth, setup.places);
 
     if (options.idleCeramic > 0)
         heard->bottomRows (1) = setup.sensors.back().shapes;
