@@ -2,6 +2,7 @@
 
 #include "HeardParameters.h"
 #include "RecordingEquations.h"
+#include "ShiftedSignals.h"
 
 #include <antinode_numerics/DenseKernels.h>
 

@@ -1,6 +1,7 @@
 #include "LearningPasses.h"
 
 #include "RecordingEquations.h"
+#include "ShiftedSignals.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>

@@ -1,13 +1,13 @@
 #include "RecordingEquations.h"
 
+#include "ShiftedSignals.h"
+
 #include <antinode_base/Watch.h>
 #include <antinode_numerics/DenseKernels.h>
-#include <antinode_numerics/Fourier.h>
 #include <antinode_numerics/ParallelFor.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace antinode
 {
@@ -16,25 +16,6 @@ namespace
 const PlayedRecording& recordingOf (const LearningPrior& prior, Eigen::Index r)
 {
     return prior.recordings[static_cast<std::size_t> (r)];
-}
-
-/** Signals earlier by a delay: samples x N. */
-Eigen::MatrixXd earlier (const PlayedRecording& recording, double delay, Eigen::Index samples)
-{
-    const auto late = delay * recording.sampleRate;
-    const auto length = quickLength (static_cast<double> (recording.signals.cols()) + late);
-    const auto turn = 2 * std::numbers::pi * late / static_cast<double> (length);
-    const Eigen::VectorXcd turns = Eigen::VectorXcd::NullaryExpr (
-        length / 2 + 1, [turn] (Eigen::Index k) { return std::polar (1.0, turn * static_cast<double> (k)); });
-    Eigen::MatrixXd result (samples, recording.signals.rows());
-    FourierTables tables;
-
-    for (Eigen::Index m = 0; m < result.cols(); ++m)
-        result.col (m) =
-            tables.inverse (tables.forward (recording.signals.row (m).transpose(), length).cwiseProduct (turns), length)
-                .head (samples);
-
-    return result;
 }
 
 /** The motions of all modes, N_s x N_m each. */
@@ -166,13 +147,6 @@ Eigen::MatrixXd derivative (const Eigen::MatrixXd& signals, double sampleRate)
 }
 } // namespace
 
-Eigen::Index comparableSamples (const PlayedRecording& recording)
-{
-    constexpr double edge = 128; // samples beside the end of a signal that is shifted by a part of a sample
-    const auto late = std::ceil (recording.delay * recording.sampleRate) + edge;
-    return std::max<Eigen::Index> (1, recording.voltages.cols() - static_cast<Eigen::Index> (late));
-}
-
 RecordingEquations recordingEquations (const LearningPrior& prior, const LearningParameters& parameters,
                                        const LearningState& state, Eigen::Index r, Eigen::Index samples)
 {
@@ -183,7 +157,7 @@ RecordingEquations recordingEquations (const LearningPrior& prior, const Learnin
     const auto effects = effectsOf (prior, parameters, state, voltages, change);
     const Eigen::VectorXd precision = recording.noise.cwiseAbs2().cwiseInverse();
     const Eigen::MatrixXd heard = change.velocities * state.sensors.transpose(); // N_s x N
-    const Eigen::MatrixXd signals = earlier (recording, state.delays[r], samples);
+    const Eigen::MatrixXd signals = signalsEarlier (recording, state.delays[r], samples);
     const Eigen::MatrixXd residual = signals - heard;
     const auto modal = parameters.drift();
 
@@ -225,7 +199,7 @@ double recordingMisfit (const LearningPrior& prior, const LearningState& state, 
     const auto& recording = recordingOf (prior, r);
     const auto velocities = modeVelocities (state.model, prior.voltages[static_cast<std::size_t> (r)], samples);
     const Eigen::MatrixXd residual =
-        earlier (recording, state.delays[r], samples) - velocities * state.sensors.transpose();
+        signalsEarlier (recording, state.delays[r], samples) - velocities * state.sensors.transpose();
     return (residual.array().square().matrix() * recording.noise.cwiseAbs2().cwiseInverse()).sum();
 }
 } // namespace antinode

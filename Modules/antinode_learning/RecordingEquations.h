@@ -4,10 +4,6 @@
 
 namespace antinode
 {
-/** How many samples of a recording can be compared with a prediction: the last ones, of the length of its delay, answer
-    to voltages before its end only. [any] */
-Eigen::Index comparableSamples (const PlayedRecording&);
-
 /** What one recording says of the parameters: the normal equations of the linearised problem, in standard deviations,
     without what was known before. */
 struct RecordingEquations

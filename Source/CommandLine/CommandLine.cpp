@@ -54,6 +54,7 @@ int runCommandLine (int argumentCount, const char* const* arguments)
     addFrfCommand (app);
     addRetuneCommand (app);
     addLearnCommand (app);
+    addFollowCommand (app);
     addImportCommand (app);
     addVersionCommand (app);
 

@@ -20,6 +20,7 @@ void addMeasureCommand (CLI::App&);
 void addFrfCommand (CLI::App&);
 void addRetuneCommand (CLI::App&);
 void addLearnCommand (CLI::App&);
+void addFollowCommand (CLI::App&);
 void addImportCommand (CLI::App&);
 void addVersionCommand (CLI::App&);
 } // namespace antinode

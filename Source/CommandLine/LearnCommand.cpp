@@ -87,20 +87,13 @@ LearningSetup setupFor (const LearnOptions& options)
     return setup;
 }
 
-/** Each sensor's noise by its signal-to-noise ratio. */
-Eigen::VectorXd noiseOf (const Eigen::MatrixXd& signals, double signalToNoise)
-{
-    return std::pow (10.0, -signalToNoise / 20)
-           * (signals.rowwise().norm() / std::sqrt (static_cast<double> (signals.cols()))).cwiseMax (1e-30);
-}
-
 PassPlayer recordedBench (const LearnOptions& options, const LearningSetup& setup)
 {
     return [&] (const Eigen::MatrixXd&, int pass)
     {
         auto recording = readPlayedRecording (options.recorded[static_cast<std::size_t> (pass)], setup.nominal.model,
                                               static_cast<Eigen::Index> (setup.sensors.size()), options.sensor);
-        recording.noise = noiseOf (recording.signals, options.bench.signalToNoise);
+        recording.noise = noiseOfRecording (recording.signals, options.bench.signalToNoise);
         recording.delay = options.latency / 1000;
         return recording;
     };
@@ -127,7 +120,7 @@ PassPlayer simulatedBench (const LearnOptions& options, const LearningSetup& set
         bench.seed = 1000 * options.bench.seed + static_cast<std::uint64_t> (pass);
         const auto recorded = simulateBench (*truth, *heard, voltages, Eigen::VectorXd::Ones (voltages.cols()), bench);
         return PlayedRecording { options.rate, voltages, recorded.sensors,
-                                 noiseOf (recorded.sensors, bench.signalToNoise), bench.delay };
+                                 noiseOfRecording (recorded.sensors, bench.signalToNoise), bench.delay };
     };
 }
 

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 namespace antinode
@@ -120,6 +121,12 @@ PlayedRecording readPlayedRecording (const std::filesystem::path& folder, const 
     return {
         wave.sampleRate, model.fullScaleVoltage * wave.samples.leftCols (samples), signals.leftCols (samples), {}, 0
     };
+}
+
+Eigen::VectorXd noiseOfRecording (const Eigen::MatrixXd& signals, double signalToNoise)
+{
+    return std::pow (10.0, -signalToNoise / 20)
+           * (signals.rowwise().norm() / std::sqrt (static_cast<double> (signals.cols()))).cwiseMax (1e-30);
 }
 
 void writeLearnt (const std::filesystem::path& path, const LearntFocus& learnt, const WideModel& nominal,

@@ -17,6 +17,9 @@ namespace antinode
 PlayedRecording readPlayedRecording (const std::filesystem::path& folder, const ModalModel&, Eigen::Index sensors,
                                      const SensorOptions&);
 
+/** Each sensor's noise by its signal-to-noise ratio in dB: standard deviations of its samples. [any] */
+Eigen::VectorXd noiseOfRecording (const Eigen::MatrixXd& signals, double signalToNoise);
+
 /** Writes what is to be played next and what was learnt: voltages.wav, design.json, device.json, learnt.csv and
     summary.json.
     @throws InputError  when the folder cannot be written

@@ -1,0 +1,97 @@
+#include "DriftEstimate.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_numerics/DenseKernels.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace antinode
+{
+namespace
+{
+constexpr double largestDampingRatio = 0.9;
+
+void requireSpread (const DriftSpread& spread)
+{
+    for (const auto value : { spread.drift, spread.driftRate, spread.frequency, spread.frequencyRate, spread.damping,
+                              spread.dampingRate, spread.gain, spread.gainRate, spread.feedthrough })
+        if (! (value >= 0 && value <= 1))
+            throw InputError ("drift", "has a relative deviation outside 0 to 1");
+}
+
+/** A lower triangle L with L L' = a, also where a is singular: parameters without a deviation stay as they are. */
+Eigen::MatrixXd factorOf (Eigen::MatrixXd covariance)
+{
+    // Far below any deviation, and above rounding.
+    constexpr double floor = 1e-12;
+    covariance.diagonal().array() += floor * covariance.diagonal().maxCoeff() + std::numeric_limits<double>::min();
+    factorLower (covariance);
+    return covariance.triangularView<Eigen::Lower>();
+}
+
+/** Adds what is common to all frequencies and what each has of its own. */
+void addFrequencies (Eigen::MatrixXd& covariance, const DriftLayout& layout, double common, double own)
+{
+    auto block = covariance.topLeftCorner (layout.modes, layout.modes);
+    block.array() += common * common;
+    block.diagonal().array() += own * own;
+}
+
+void addOthers (Eigen::MatrixXd& covariance, const DriftLayout& layout, double damping, double gain, double feedthrough)
+{
+    auto diagonal = covariance.diagonal();
+    const auto gains = layout.sensors * layout.modes;
+    diagonal.segment (layout.damping (0), layout.modes).array() += damping * damping;
+    diagonal.segment (layout.gain (0, 0), gains).array() += gain * gain;
+    diagonal.tail (layout.size() - layout.feedthrough (0, 0)).array() += feedthrough * feedthrough;
+}
+} // namespace
+
+DriftLayout driftLayout (const ModalModel& model, Eigen::Index sensors)
+{
+    return { model.modes(), sensors, model.actuators() };
+}
+
+DriftEstimate startOfDrift (const DriftLayout& layout, const DriftSpread& spread)
+{
+    requireSpread (spread);
+    Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero (layout.size(), layout.size());
+    addFrequencies (covariance, layout, spread.drift, spread.frequency);
+    addOthers (covariance, layout, spread.damping, spread.gain, spread.feedthrough);
+    return { Eigen::VectorXd::Zero (layout.size()), factorOf (std::move (covariance)) };
+}
+
+DriftEstimate afterTime (DriftEstimate estimate, const DriftLayout& layout, const DriftSpread& spread, double elapsed)
+{
+    const auto root = std::sqrt (elapsed);
+    Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero (layout.size(), layout.size());
+    addGram (covariance, 1, estimate.factor);
+    covariance.triangularView<Eigen::StrictlyUpper>() = covariance.transpose();
+    addFrequencies (covariance, layout, spread.driftRate * root, spread.frequencyRate * root);
+    addOthers (covariance, layout, spread.dampingRate * root, spread.gainRate * root, 0);
+    estimate.factor = factorOf (std::move (covariance));
+    return estimate;
+}
+
+DriftEstimate afterJump (DriftEstimate estimate, const DriftLayout& layout, const DriftSpread& spread, double logarithm,
+                         double left)
+{
+    estimate.values.head (layout.modes).array() += logarithm;
+    auto start = spread;
+    start.drift = left;
+    estimate.factor = startOfDrift (layout, start).factor;
+    return estimate;
+}
+
+ModalModel driftedModel (const ModalModel& nominal, const DriftLayout& layout, const Eigen::VectorXd& values)
+{
+    auto model = nominal;
+    model.angularFrequencies.array() *= values.segment (layout.frequency (0), layout.modes).array().exp();
+    model.dampingRatios =
+        (model.dampingRatios.array() * values.segment (layout.damping (0), layout.modes).array().exp())
+            .min (largestDampingRatio);
+    return model;
+}
+} // namespace antinode

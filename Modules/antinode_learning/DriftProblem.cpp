@@ -1,0 +1,235 @@
+#include "DriftProblem.h"
+
+#include "ShiftedSignals.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/Watch.h>
+#include <antinode_numerics/DenseKernels.h>
+#include <antinode_numerics/Fourier.h>
+#include <antinode_numerics/ParallelFor.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace antinode
+{
+namespace
+{
+void requireRecording (bool isRight, const std::string& what)
+{
+    if (! isRight)
+        throw InputError ("recording", what);
+}
+
+void checkRecording (const ModalModel& model, const std::vector<Sensor>& sensors, const PlayedRecording& recording)
+{
+    requireRealModes (model, "following a drift");
+    requireRecording (! sensors.empty(), "needs at least one sensor");
+
+    for (const auto& sensor : sensors)
+        requireRecording (sensor.shapes.size() == model.modes() && sensor.shapes.allFinite(),
+                          "needs one finite shape of every mode for every sensor");
+
+    requireRecording (recording.voltages.rows() == model.actuators() && recording.voltages.allFinite(),
+                      "needs finite voltages of all " + std::to_string (model.actuators()) + " ceramics");
+    requireRecording (recording.signals.rows() == static_cast<Eigen::Index> (sensors.size())
+                          && recording.signals.cols() == recording.voltages.cols() && recording.signals.allFinite(),
+                      "needs a finite signal of every sensor, as long as the voltages");
+    requireRecording (recording.noise.size() == recording.signals.rows() && recording.noise.minCoeff() > 0
+                          && recording.sampleRate > 0 && recording.delay >= 0,
+                      "needs noise above 0, a sample rate above 0 and a delay of 0 or more");
+}
+
+/** The slopes of band-limited voltages, N_s x N_b, V/s. */
+Eigen::MatrixXd slopesOf (const Eigen::MatrixXd& voltages, double sampleRate)
+{
+    constexpr double silence = 256; // samples, before the signal comes round again
+    const auto length = quickLength (static_cast<double> (voltages.cols()) + silence);
+    const auto turn = 2 * std::numbers::pi * sampleRate / static_cast<double> (length);
+    Eigen::MatrixXd slopes (voltages.cols(), voltages.rows());
+    FourierTables tables;
+
+    for (Eigen::Index i = 0; i < voltages.rows(); ++i)
+    {
+        auto spectrum = tables.forward (voltages.row (i).transpose(), length);
+
+        for (Eigen::Index k = 0; k < spectrum.size(); ++k)
+            spectrum[k] *= std::complex<double> (0, turn * static_cast<double> (k));
+
+        spectrum[spectrum.size() - 1] = 0; // of the Nyquist frequency samples know no slope
+        slopes.col (i) = tables.inverse (spectrum, length).head (voltages.cols());
+    }
+
+    return slopes;
+}
+} // namespace
+
+DriftProblem::DriftProblem (const ModalModel& model, const std::vector<Sensor>& sensorsToHear,
+                            const PlayedRecording& recording, double memory)
+    : nominal (model), order (driftLayout (model, static_cast<Eigen::Index> (sensorsToHear.size()))),
+      voltages ((checkRecording (model, sensorsToHear, recording), recording.voltages), recording.sampleRate)
+{
+    const auto last = comparableSamples (recording);
+    first = static_cast<Eigen::Index> (std::ceil (std::max (0.0, memory) * recording.sampleRate));
+    requireRecording (first < last, "is too short: nothing is left to compare after the memory of the modes");
+
+    const Eigen::VectorXd precision = recording.noise.cwiseInverse();
+    const Eigen::MatrixXd all = signalsEarlier (recording, recording.delay, last);
+    signals = all.bottomRows (last - first) * precision.asDiagonal();
+    energy = signals.squaredNorm();
+    slopes = slopesOf (recording.voltages, recording.sampleRate).middleRows (first, last - first);
+    weights.resize (order.sensors, order.modes);
+
+    for (Eigen::Index m = 0; m < order.sensors; ++m)
+        weights.row (m) = precision[m] * sensorsToHear[static_cast<std::size_t> (m)].shapes;
+
+    feedthroughWeights = precision;
+}
+
+void DriftProblem::choose (const DriftEstimate& estimate)
+{
+    constexpr double leastInformation = 0.01; // of what was known before, of a parameter
+    const auto modes = driftedModel (nominal, order, estimate.values);
+    const auto square = [&] (Eigen::Index parameter) { return estimate.factor.row (parameter).squaredNorm(); };
+    std::vector<Eigen::VectorXd> velocities (static_cast<std::size_t> (order.modes));
+    std::vector<char> isHeard (velocities.size());
+    parallelFor (velocities.size(),
+                 [&] (std::size_t mode)
+                 {
+                     const auto k = static_cast<Eigen::Index> (mode);
+                     const auto motion = motionOf (modes, k, true);
+                     velocities[mode] = compared (motion.velocity);
+                     const auto said =
+                         weights.col (k).squaredNorm()
+                         * std::max ({ compared (motion.byFrequency).squaredNorm() * square (order.frequency (k)),
+                                       compared (motion.byDamping).squaredNorm() * square (order.damping (k)),
+                                       velocities[mode].squaredNorm() * square (order.gain (0, k)) });
+                     isHeard[mode] = said > leastInformation;
+                 });
+    followed.clear();
+    others = Eigen::MatrixXd::Zero (signals.rows(), order.sensors);
+
+    for (Eigen::Index k = 0; k < order.modes; ++k)
+        if (const auto mode = static_cast<std::size_t> (k); isHeard[mode])
+            followed.push_back (k);
+        else
+            others += velocities[mode] * weights.col (k).transpose();
+
+    hasFeedthrough = square (order.feedthrough (0, 0)) > 0;
+}
+
+ModeMotion DriftProblem::motionOf (const ModalModel& modes, Eigen::Index k, bool withChanges) const
+{
+    return modeMotion (modes.angularFrequencies[k], modes.dampingRatios[k],
+                       voltages.force (modes.participation.row (k)), voltages.sampleRate(), first + signals.rows(),
+                       withChanges);
+}
+
+DriftProblem::Prediction DriftProblem::predict (const Eigen::VectorXd& values, bool withChanges) const
+{
+    checkWatch();
+    const auto modes = driftedModel (nominal, order, values);
+    Prediction prediction { others, std::vector<ModeMotion> (followed.size()) };
+    parallelFor (followed.size(),
+                 [&] (std::size_t j) { prediction.motions[j] = motionOf (modes, followed[j], withChanges); });
+
+    for (Eigen::Index m = 0; m < order.sensors; ++m)
+    {
+        for (std::size_t j = 0; j < followed.size(); ++j)
+            prediction.signals.col (m) += gainOf (values, m, followed[j]) * compared (prediction.motions[j].velocity);
+
+        if (hasFeedthrough)
+            prediction.signals.col (m) +=
+                feedthroughWeights[m] * (slopes * values.segment (order.feedthrough (m, 0), order.ceramics));
+    }
+
+    return prediction;
+}
+
+DriftProblem::Equations DriftProblem::equations (const Eigen::VectorXd& values) const
+{
+    const auto prediction = predict (values, true);
+    const auto count = static_cast<Eigen::Index> (followed.size());
+    const auto ceramics = hasFeedthrough ? order.ceramics : 0;
+    const auto perSensor = count + ceramics;
+    Equations result;
+
+    for (const auto k : followed)
+        result.parameters.push_back (order.frequency (k));
+
+    for (const auto k : followed)
+        result.parameters.push_back (order.damping (k));
+
+    for (Eigen::Index m = 0; m < order.sensors; ++m)
+    {
+        for (const auto k : followed)
+            result.parameters.push_back (order.gain (m, k));
+
+        for (Eigen::Index i = 0; i < ceramics; ++i)
+            result.parameters.push_back (order.feedthrough (m, i));
+    }
+
+    const auto all = static_cast<Eigen::Index> (result.parameters.size());
+    result.matrix = Eigen::MatrixXd::Zero (all, all);
+    result.right = Eigen::VectorXd::Zero (all);
+    result.misfit = (signals - prediction.signals).squaredNorm();
+
+    for (Eigen::Index m = 0; m < order.sensors; ++m)
+    {
+        // What this sensor hears of all modes' changes, and of what only it hears: two ranges of the parameters.
+        Eigen::MatrixXd changes (signals.rows(), 2 * count + perSensor);
+
+        for (Eigen::Index j = 0; j < count; ++j)
+        {
+            const auto& motion = prediction.motions[static_cast<std::size_t> (j)];
+            const auto k = followed[static_cast<std::size_t> (j)];
+            const auto gain = gainOf (values, m, k);
+            changes.col (j) = gain * compared (motion.byFrequency);
+            changes.col (count + j) = gain * compared (motion.byDamping);
+            changes.col (2 * count + j) = weights (m, k) * compared (motion.velocity);
+        }
+
+        if (ceramics > 0)
+            changes.rightCols (ceramics) = feedthroughWeights[m] * slopes;
+
+        Eigen::VectorXi at = Eigen::VectorXi::LinSpaced (changes.cols(), 0, static_cast<int> (changes.cols()) - 1);
+        at.tail (perSensor).array() += static_cast<int> (m * perSensor);
+        Eigen::MatrixXd gram = Eigen::MatrixXd::Zero (changes.cols(), changes.cols());
+        addGram (gram, 1, changes.transpose());
+        gram.triangularView<Eigen::StrictlyUpper>() = gram.transpose();
+        const Eigen::VectorXd residual = signals.col (m) - prediction.signals.col (m);
+        result.matrix (at, at) += gram;
+        result.right (at) += changes.transpose() * residual;
+    }
+
+    return result;
+}
+
+double DriftProblem::misfit (const Eigen::VectorXd& values) const
+{
+    return (signals - predict (values, false).signals).squaredNorm();
+}
+
+double DriftProblem::heardEnergy (const Eigen::VectorXd& values) const
+{
+    return predict (values, false).signals.squaredNorm();
+}
+
+double DriftProblem::residualNoise (const Eigen::VectorXd& values) const
+{
+    const Eigen::MatrixXd residual = signals - predict (values, false).signals;
+    double largest = 1;
+
+    for (Eigen::Index m = 0; m < residual.cols(); ++m)
+    {
+        const Eigen::ArrayXd powers = forwardFourier (residual.col (m)).cwiseAbs2();
+        // A periodogram of white noise is exponentially distributed: its mean square is twice its squared mean.
+        const auto narrowness = powers.square().mean() / (2 * powers.mean() * powers.mean());
+        largest = std::max (largest, residual.col (m).squaredNorm() / static_cast<double> (residual.rows())
+                                         * std::max (1.0, narrowness));
+    }
+
+    return largest;
+}
+} // namespace antinode

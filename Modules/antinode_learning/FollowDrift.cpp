@@ -1,0 +1,245 @@
+#include "FollowDrift.h"
+
+#include "DriftProblem.h"
+
+#include <antinode_base/NumberText.h>
+#include <antinode_numerics/DenseKernels.h>
+#include <antinode_numerics/Median.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+constexpr double percent = 100;
+constexpr double mostUnexplainedShare = 0.3; // of the signals, RMS
+constexpr double leastHeard = 100;           // energy over the noise's: less says nothing of anything
+constexpr double mostClipped = 1e-3;         // of the samples, at the largest value
+constexpr int mostFitSteps = 6;
+constexpr double smallestStep = 0.02; // standard deviations: a step of all parameters that ends the iteration
+
+/** The most probable values in units of what was known before: values = before + factor z. */
+struct Fit
+{
+    DriftEstimate estimate;
+    double misfit = 0;
+};
+
+/** B = I + R' G R, lower triangle factored, and the gradient: what a step needs. */
+struct Whitened
+{
+    Eigen::MatrixXd factored; ///< P x P
+    Eigen::VectorXd right;    ///< P
+};
+
+Whitened whitened (const DriftProblem::Equations& equations, const Eigen::MatrixXd& factor, double noise)
+{
+    const Eigen::MatrixXd rows = factor (equations.parameters, Eigen::all);
+    Eigen::MatrixXd product = Eigen::MatrixXd::Zero (rows.rows(), rows.cols());
+    addProduct (product, 1 / noise, equations.matrix, rows);
+    Whitened result { Eigen::MatrixXd::Identity (rows.cols(), rows.cols()),
+                      rows.transpose() * equations.right / noise };
+    addTransposedLeft (result.factored, 1, rows, product);
+    factorLower (result.factored);
+    return result;
+}
+
+/** Gauss and Newton's method. @param noise  how many noises each residual stands for */
+Fit fitted (const DriftProblem& problem, const DriftEstimate& before, double noise)
+{
+    Eigen::VectorXd z = Eigen::VectorXd::Zero (before.values.size());
+    const auto valuesAt = [&] (const Eigen::VectorXd& at) -> Eigen::VectorXd
+    { return before.values + before.factor * at; };
+    const auto objective = [&] (const Eigen::VectorXd& at)
+    { return problem.misfit (valuesAt (at)) / noise + at.squaredNorm(); };
+    auto best = objective (z);
+    Fit fit;
+
+    for (int i = 0; i < mostFitSteps; ++i)
+    {
+        const auto equations = problem.equations (valuesAt (z));
+        const auto linear = whitened (equations, before.factor, noise);
+        const Eigen::VectorXd step = solveFactored (linear.factored, linear.right - z);
+        auto share = 1.0;
+        auto isBetter = false;
+
+        for (int halvings = 0; halvings < 4 && ! isBetter; ++halvings, share /= 2)
+            if (const auto reached = objective (z + share * step); reached < best)
+            {
+                best = reached;
+                z += share * step;
+                isBetter = true;
+            }
+
+        // The covariance is that of the last values but a step that hardly moved.
+        fit.estimate.factor = before.factor;
+        solveLowerTransposedFromRight (linear.factored, fit.estimate.factor);
+
+        if (! isBetter || step.norm() < smallestStep)
+            break;
+    }
+
+    fit.estimate.values = valuesAt (z);
+    fit.misfit = (best - z.squaredNorm()) * noise;
+    return fit;
+}
+
+/** The fit, with what it does not explain as noise. */
+Fit fittedWithMisfit (const DriftProblem& problem, const DriftEstimate& before)
+{
+    const auto first = fitted (problem, before, 1);
+    const auto noise = problem.residualNoise (first.estimate.values);
+    return noise > 1 ? fitted (problem, before, noise) : first;
+}
+
+/** RMS of what is not explained beyond the noise, of the signals without theirs. */
+double unexplainedShare (const DriftProblem& problem, double misfit)
+{
+    const auto signal = std::max (problem.signalEnergy() - problem.samples(), problem.samples() / percent);
+    return std::sqrt (std::max (0.0, misfit - problem.samples()) / signal);
+}
+
+/** The factor of all frequencies near the estimate's that explains most: its logarithm. */
+double bestJump (const DriftProblem& problem, const DriftEstimate& before, Eigen::Index modes, double range,
+                 double step)
+{
+    double best = 0, least = problem.misfit (before.values);
+
+    for (auto i = -std::lround (range / step); i <= std::lround (range / step); ++i)
+    {
+        auto values = before.values;
+        values.head (modes).array() += static_cast<double> (i) * step;
+
+        if (const auto misfit = problem.misfit (values); misfit < least)
+        {
+            least = misfit;
+            best = static_cast<double> (i) * step;
+        }
+    }
+
+    return best;
+}
+
+/** Why signals cannot be followed whatever was played; empty: they can. */
+std::string brokenReason (const PlayedRecording& recording)
+{
+    if (! recording.signals.allFinite())
+        return "The sensor's signal is not finite.";
+
+    for (Eigen::Index m = 0; m < recording.signals.rows(); ++m)
+    {
+        const auto row = recording.signals.row (m).array();
+        const auto largest = row.abs().maxCoeff();
+        const auto atLargest = static_cast<double> ((row.abs() >= largest).count());
+
+        if (largest > 0 && atLargest > std::max (2.0, mostClipped * static_cast<double> (row.size())))
+            return "The sensor's signal is clipped.";
+    }
+
+    return {};
+}
+
+/** Whether the parameters that were heard have moved no farther than chance lets them, on the whole: single weak modes
+    may, beside loud ones that are not quite as modelled. */
+bool isPlausible (const DriftEstimate& before, const DriftEstimate& after)
+{
+    constexpr double heard = 0.7;  // of the deviation before: the parameter was heard where less is left
+    constexpr double farthest = 5; // standard deviations, RMS
+    double squares = 0, count = 0;
+
+    for (Eigen::Index p = 0; p < before.values.size(); ++p)
+        if (const auto deviation = before.deviation (p); after.deviation (p) < heard * deviation)
+        {
+            squares += std::pow ((after.values[p] - before.values[p]) / deviation, 2);
+            ++count;
+        }
+
+    return squares <= farthest * farthest * count;
+}
+
+/** A fit that can be judged. */
+struct Attempt
+{
+    DriftEstimate estimate;
+    double unexplained = 0, jump = 0;
+    bool isTaken = false; ///< Explains enough, by values that are plausible.
+};
+
+Attempt attempted (const DriftProblem& problem, const DriftEstimate& before, double jump)
+{
+    auto fit = fittedWithMisfit (problem, before);
+    const auto unexplained = unexplainedShare (problem, fit.misfit);
+    const auto isTaken = unexplained < mostUnexplainedShare && isPlausible (before, fit.estimate);
+    return { std::move (fit.estimate), unexplained, jump, isTaken };
+}
+
+/** From the common shift of all frequencies that explains most. */
+Attempt attemptedAfterJump (DriftProblem& problem, const DriftEstimate& before, const ModalModel& nominal,
+                            const DriftSettings& settings)
+{
+    const auto& ratios = nominal.dampingRatios;
+    const auto usual = median (std::vector<double> (ratios.begin(), ratios.end()));
+    // Half of the usual half width of a resonance: a step lands within the reach of the fit.
+    const auto step = std::clamp (usual / 2, settings.largestJump / 40, settings.largestJump / 4);
+    const auto jump = bestJump (problem, before, problem.layout().modes, settings.largestJump, step);
+    const auto after = afterJump (before, problem.layout(), settings.spread, jump, step);
+    problem.choose (after);
+    return attempted (problem, after, std::expm1 (jump));
+}
+
+FollowedDrift lost (const DriftEstimate& before, double unexplained, std::string reason)
+{
+    return { before, DriftState::lost, unexplained, 0, std::move (reason) };
+}
+
+FollowedDrift followed (Attempt attempt)
+{
+    return { std::move (attempt.estimate), DriftState::following, attempt.unexplained, attempt.jump, {} };
+}
+} // namespace
+
+FollowedDrift followDrift (const ModalModel& nominal, const std::vector<Sensor>& sensors, const DriftEstimate& before,
+                           const PlayedRecording& recording, const DriftSettings& settings)
+{
+    constexpr double clearlyBetter = 0.9;
+
+    if (auto reason = brokenReason (recording); ! reason.empty())
+        return lost (before, 1, std::move (reason));
+
+    DriftProblem problem (nominal, sensors, recording, settings.memory);
+    problem.choose (before);
+    const auto heard = problem.heardEnergy (before.values);
+
+    if (heard < leastHeard)
+        return { before, DriftState::silent, 0, 0, {} };
+
+    if (problem.signalEnergy() < 2 * problem.samples() && heard > 8 * problem.samples())
+        return lost (before, 1, "The sensor does not hear what is played.");
+
+    const auto surprise = unexplainedShare (problem, problem.misfit (before.values));
+    auto near = attempted (problem, before, 0);
+
+    if (near.isTaken && surprise < mostUnexplainedShare)
+        return followed (std::move (near));
+
+    // After a jump the fit may end beside it, with wrong dampings and gains: the search has to agree.
+    auto far = attemptedAfterJump (problem, before, nominal, settings);
+
+    if (near.isTaken && ! (far.isTaken && far.unexplained < clearlyBetter * near.unexplained))
+        return followed (std::move (near));
+
+    if (far.isTaken)
+        return followed (std::move (far));
+
+    const auto left = std::min (near.unexplained, far.unexplained);
+
+    if (left < mostUnexplainedShare)
+        return lost (before, left, "Only a device that is far from the model explains the sensor's signal.");
+
+    return lost (before, left,
+                 "The model does not explain " + inWords (percent * left) + " % of the sensor's signal; allowed: below "
+                     + inWords (percent * mostUnexplainedShare) + " %.");
+}
+} // namespace antinode
