@@ -55,6 +55,7 @@ bool Deviation::operator== (const Deviation& other) const
 std::vector<std::string_view> deviationKeys()
 {
     std::vector<std::string_view> names;
+    names.reserve (keys.size());
 
     for (const auto& each : keys)
         names.push_back (each.key);

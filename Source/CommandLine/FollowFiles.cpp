@@ -2,6 +2,7 @@
 
 #include <antinode_base/NumberText.h>
 #include <antinode_documents/DeviceFile.h>
+#include <antinode_focus/SpillOver.h>
 #include <antinode_reports/Report.h>
 #include <antinode_text/CsvText.h>
 #include <antinode_text/OutputFolder.h>
