@@ -64,7 +64,7 @@ void printMap (const FocusMap& map, const MapCommandOptions& options)
     std::printf ("Maps: %s/report.html\n", options.folder.c_str());
 }
 
-void map (MapCommandOptions options)
+void map (const MapCommandOptions& options)
 {
     checkAssignments (options.assignments);
     checkSampleRate (options.rate);
