@@ -12,7 +12,7 @@ namespace antinode
 {
 namespace
 {
-constexpr double transition = 0.25; // of the highest frequency, until nothing is left
+constexpr double transition = 0.25; // of the highest frequency, until nothing is left, or up to half the rate
 constexpr double samplesPerPeriod = 2 * (1 + transition);
 
 /** Rows of samples, filtered and thinned. */
@@ -22,6 +22,7 @@ Eigen::MatrixXd thinned (const Eigen::MatrixXd& rows, double sampleRate, double 
     const auto few = quickLength ((static_cast<double> (rows.cols()) + ringing) / static_cast<double> (step));
     const auto length = few * step;
     const auto lineWidth = sampleRate / static_cast<double> (length);
+    const auto fallWidth = std::min (transition * highest, sampleRate / 2 - highest);
     Eigen::MatrixXd result (rows.rows(), rows.cols() / step);
     FourierTables tables;
 
@@ -31,7 +32,7 @@ Eigen::MatrixXd thinned (const Eigen::MatrixXd& rows, double sampleRate, double 
 
         for (Eigen::Index k = 0; k < spectrum.size(); ++k)
         {
-            const auto beyond = (static_cast<double> (k) * lineWidth / highest - 1) / transition;
+            const auto beyond = (static_cast<double> (k) * lineWidth - highest) / fallWidth;
             const auto fall = beyond <= 0 ? 1.0 : beyond >= 1 ? 0.0 : (1 + std::cos (std::numbers::pi * beyond)) / 2;
             spectrum[k] *= fall / static_cast<double> (step);
         }
@@ -48,10 +49,11 @@ PlayedRecording atLowerRate (const PlayedRecording& recording, double highest)
     if (! (highest > 0))
         throw InputError ("recording", "needs a highest frequency above 0");
 
-    if (recording.sampleRate < samplesPerPeriod * highest)
+    if (recording.sampleRate <= 2 * highest)
         return recording;
 
-    const auto step = static_cast<Eigen::Index> (std::floor (recording.sampleRate / (samplesPerPeriod * highest)));
+    const auto step =
+        static_cast<Eigen::Index> (std::max (1.0, std::floor (recording.sampleRate / (samplesPerPeriod * highest))));
     const auto thin = [&] (const Eigen::MatrixXd& rows) { return thinned (rows, recording.sampleRate, highest, step); };
     return { recording.sampleRate / static_cast<double> (step), thin (recording.voltages), thin (recording.signals),
              recording.noise / std::sqrt (static_cast<double> (step)), recording.delay };

@@ -9,7 +9,7 @@ namespace antinode
 /** What of a recording lies below a frequency, voltages and signals alike, at the lowest rate that holds it: a linear
    device answers to the filtered voltages by the filtered signals, without what modes above add.
     @param highest  Hz, passed; above it all falls to 0 within a quarter of it
-    @return         the same recording where its rate is below 2.5 times that
+    @return         the same recording where its rate is at most twice that
     @throws InputError  where the frequency is not above 0
     [worker] Docs/Theory.md, section 7.7. */
 PlayedRecording atLowerRate (const PlayedRecording&, double highest);
