@@ -60,26 +60,27 @@ PlaceMapper::PlaceMapper (const WideModel& wideToUse, const FocusDescription& fo
         shared.emplace (wide, focus, options.playback);
 }
 
-std::vector<MapPlace> PlaceMapper::mapped (const std::vector<std::pair<double, double>>& places) const
+std::vector<MapPlace> PlaceMapper::mapped (const Eigen::MatrixX2d& places) const
 {
     std::vector<FocusDescription> focuses;
+    focuses.reserve (static_cast<std::size_t> (places.rows()));
 
-    for (const auto& [x, y] : places)
-        focuses.push_back (movedTo (focus, x, y));
+    for (Eigen::Index i = 0; i < places.rows(); ++i)
+        focuses.push_back (movedTo (focus, places (i, 0), places (i, 1)));
 
     const auto projections = shared ? projected (focuses) : Projections {};
     std::vector<MapPlace> results;
 
-    for (std::size_t i = 0; i < places.size(); ++i)
+    for (Eigen::Index i = 0; i < places.rows(); ++i)
     {
         checkWatch();
         auto& place = results.emplace_back();
-        place.x = places[i].first;
-        place.y = places[i].second;
+        place.x = places (i, 0);
+        place.y = places (i, 1);
 
         try
         {
-            compute (place, focuses[i], projections, static_cast<Eigen::Index> (i));
+            compute (place, focuses[static_cast<std::size_t> (i)], projections, i);
         }
         catch (const InputError& error)
         {

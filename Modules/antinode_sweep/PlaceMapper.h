@@ -5,7 +5,6 @@
 #include <antinode_focus/PlacedDesigns.h>
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace antinode
@@ -18,10 +17,10 @@ public:
         [worker] */
     PlaceMapper (const WideModel&, const FocusDescription&, const MapOptions&);
 
-    /** The designs at places, m; where there is none, its error says why.
+    /** The designs at places, x and y in m, one per row; where there is none, its error says why.
         @throws Cancelled  as checkWatch()
         [worker], several at once. */
-    std::vector<MapPlace> mapped (const std::vector<std::pair<double, double>>& places) const;
+    std::vector<MapPlace> mapped (const Eigen::MatrixX2d& places) const;
 
 private:
     /** Projections of fields on all modes: by masses, as designs take them, and by areas, as scores do. */

@@ -55,6 +55,7 @@ int runCommandLine (int argumentCount, const char* const* arguments)
     addRetuneCommand (app);
     addLearnCommand (app);
     addFollowCommand (app);
+    addSensorsCommand (app);
     addImportCommand (app);
     addVersionCommand (app);
 

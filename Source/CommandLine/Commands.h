@@ -21,6 +21,7 @@ void addFrfCommand (CLI::App&);
 void addRetuneCommand (CLI::App&);
 void addLearnCommand (CLI::App&);
 void addFollowCommand (CLI::App&);
+void addSensorsCommand (CLI::App&);
 void addImportCommand (CLI::App&);
 void addVersionCommand (CLI::App&);
 } // namespace antinode

@@ -1,0 +1,181 @@
+#include "SensorsFiles.h"
+
+#include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
+#include <antinode_charts/PlateCharts.h>
+#include <antinode_reports/Report.h>
+#include <antinode_text/CsvText.h>
+#include <antinode_text/OutputFolder.h>
+
+#include <nlohmann/json.hpp>
+
+#include <limits>
+
+namespace antinode
+{
+namespace
+{
+constexpr int sensorDigits = 9;
+
+void appendPlace (std::string& text, const Eigen::Vector2d& place)
+{
+    appendCsvNumber (text, place.x() * milli, sensorDigits);
+    text += ',';
+    appendCsvNumber (text, place.y() * milli, sensorDigits);
+}
+
+std::string sensorTable (const SensorPlaces& places)
+{
+    std::string text = "x_mm,y_mm\n";
+
+    for (std::size_t i = 0; i < places.choice.chosen.size(); ++i)
+    {
+        appendPlace (text, sensorPlace (places, i));
+        text += '\n';
+    }
+
+    return text;
+}
+
+std::string candidateTable (const SensorPlaces& places)
+{
+    std::string text = "x_mm,y_mm,bits\n";
+
+    for (std::size_t c = 0; c < places.cell.size(); ++c)
+    {
+        appendPlace (text, places.cells.centres.row (places.cell[c]));
+        text += ',';
+        appendCsvNumber (text, places.bits[static_cast<Eigen::Index> (c)], sensorDigits);
+        text += '\n';
+    }
+
+    return text;
+}
+
+nlohmann::ordered_json sensorSummary (const SensorPlaces& places)
+{
+    nlohmann::ordered_json json { { "schema", "antinode.sensors/1" },
+                                  { "device", places.device },
+                                  { "focus", places.focus },
+                                  { "candidates", places.cell.size() },
+                                  { "sensors", nlohmann::json::array() },
+                                  { "bits", places.choice.bits.back() },
+                                  { "random_bits", places.randomBits } };
+
+    for (std::size_t i = 0; i < places.choice.chosen.size(); ++i)
+    {
+        const Eigen::Vector2d place = milli * sensorPlace (places, i);
+        json["sensors"].push_back ({ { "x_mm", place.x() }, { "y_mm", place.y() }, { "bits", places.choice.bits[i] } });
+    }
+
+    return json;
+}
+
+/** What one sensor tells, by cells; where there is no surface no number. */
+Eigen::VectorXd bitsByCell (const SensorPlaces& places)
+{
+    Eigen::VectorXd values =
+        Eigen::VectorXd::Constant (places.cells.centres.rows(), std::numeric_limits<double>::quiet_NaN());
+
+    for (std::size_t c = 0; c < places.cell.size(); ++c)
+        values[places.cell[c]] = places.bits[static_cast<Eigen::Index> (c)];
+
+    return values;
+}
+
+HeatMap sensorMap (const ModalModel& model, const SensorPlaces& places)
+{
+    const auto& surface = model.surface;
+    HeatMap chart;
+    chart.values = bitsByCell (places).reshaped (places.cells.columns, places.cells.rows).transpose();
+    chart.xLabel = "x (mm)";
+    chart.yLabel = "y (mm)";
+    chart.valueLabel = "one sensor (bits)";
+    chart.x = { surface.xMinimum * milli, surface.xMaximum * milli };
+    chart.y = { surface.yMinimum * milli, surface.yMaximum * milli };
+    chart.equalAspect = true;
+    chart.rectangles = ceramicRectangles (model);
+    chart.surface = surfaceShape (surface);
+
+    for (std::size_t i = 0; i < places.choice.chosen.size(); ++i)
+    {
+        const Eigen::Vector2d place = milli * sensorPlace (places, i);
+        chart.points.push_back ({ place.x(), place.y(), std::to_string (i + 1) });
+    }
+
+    return chart;
+}
+
+LineChart sensorCurve (const ModalModel& model, const SensorPlaces& places)
+{
+    LineChart chart;
+    chart.xLabel = "position of the sensor (mm)";
+    chart.yLabel = "one sensor (bits)";
+    chart.series = { { "one sensor", milli * places.cells.centres.col (0), bitsByCell (places) } };
+    chart.legend = LegendPlace::none;
+
+    for (const auto& ceramic : model.ceramics)
+        chart.spans.push_back ({ ceramic.xMinimum * milli, ceramic.xMaximum * milli, ceramic.name });
+
+    for (std::size_t i = 0; i < places.choice.chosen.size(); ++i)
+        chart.markers.push_back ({ milli * sensorPlace (places, i).x(), std::to_string (i + 1) });
+
+    return chart;
+}
+
+ReportPage sensorReport (const ModalModel& model, const SensorPlaces& places)
+{
+    const auto isLine = model.surface.kind == SurfaceKind::line;
+    constexpr int mapHeight = 480, curveHeight = 300;
+    const std::string caption = "What one sensor tells alone, by its place; the chosen ones by number.";
+    ReportSection section;
+    section.heading = "Where to listen";
+    section.paragraphs = {
+        "A play of the focus tells of the frequency, damping and participations of each mode: by so many bits the "
+        "volume of what is possible shrinks. Sensors on nodes tell nothing, two at one antinode the same."
+    };
+
+    if (isLine)
+        section.figures.push_back ({ caption, {}, sensorCurve (model, places), reportFigureWidth, curveHeight });
+    else
+        section.figures.push_back ({ caption, {}, sensorMap (model, places), reportFigureWidth, mapHeight });
+
+    ReportTable table { "The sensors, the most telling first", { "", "x (mm)", "y (mm)", "together (bits)" }, {} };
+
+    for (std::size_t i = 0; i < places.choice.chosen.size(); ++i)
+    {
+        const Eigen::Vector2d place = milli * sensorPlace (places, i);
+        table.rows.push_back ({ std::to_string (i + 1), fixedText (place.x(), 2), fixedText (place.y(), 2),
+                                fixedText (places.choice.bits[i], 1) });
+    }
+
+    section.tables = { std::move (table) };
+    ReportPage page;
+    page.title = "Sensors on " + places.device;
+    page.subtitle = "For " + places.focus;
+    page.scores = { { "Information", fixedText (places.choice.bits.back(), 1) + " bits", "All sensors together." },
+                    { "At random", fixedText (places.randomBits, 1) + " bits",
+                      "The median of as many sensors at random places." } };
+    page.sections = { std::move (section) };
+    page.links = { { "sensors.csv", "sensors.csv" }, { "candidates.csv", "candidates.csv" } };
+    page.footer = "Antinode " ANTINODE_VERSION ".";
+    return page;
+}
+} // namespace
+
+Eigen::Vector2d sensorPlace (const SensorPlaces& places, std::size_t rank)
+{
+    const auto candidate = static_cast<std::size_t> (places.choice.chosen[rank]);
+    return places.cells.centres.row (places.cell[candidate]);
+}
+
+void writeSensors (const std::filesystem::path& path, const ModalModel& model, const SensorPlaces& places)
+{
+    OutputFolder folder (path);
+    folder.write ("sensors.csv", sensorTable (places));
+    folder.write ("candidates.csv", candidateTable (places));
+    folder.write ("summary.json", sensorSummary (places).dump (2) + "\n");
+    folder.write ("report.html", renderReport (sensorReport (model, places)));
+    folder.commit();
+}
+} // namespace antinode

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <antinode_learning/ChooseSensors.h>
+#include <antinode_model/SquareCells.h>
+
+#include <filesystem>
+#include <string>
+
+namespace antinode
+{
+/** Where sensors could be, and where they should be. */
+struct SensorPlaces
+{
+    std::string device, focus;
+    SquareCells cells;              ///< Candidates are those whose centre lies on the surface.
+    std::vector<Eigen::Index> cell; ///< Of each candidate.
+    Eigen::VectorXd bits;           ///< What a sensor at each candidate tells alone.
+    SensorChoice choice;            ///< Indices of candidates.
+    double randomBits = 0;          ///< The median of as many sensors at random candidates.
+};
+
+/** Writes where to listen: sensors.csv for `learn` and `follow`, candidates.csv, summary.json and report.html.
+    @throws InputError  when the folder cannot be written
+    [worker] Docs/FileFormats.md. */
+void writeSensors (const std::filesystem::path& folder, const ModalModel&, const SensorPlaces&);
+
+/** Where a chosen sensor is, m. @param rank  0: the most telling [any] */
+Eigen::Vector2d sensorPlace (const SensorPlaces&, std::size_t rank);
+} // namespace antinode

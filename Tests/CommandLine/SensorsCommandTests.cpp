@@ -1,0 +1,55 @@
+#include "Support/RunProgram.h"
+
+#include <antinode_text/OutputFolder.h>
+
+#include <nlohmann/json.hpp>
+
+#include <catch2/catch.hpp>
+
+using namespace antinode;
+using test::readContent;
+using test::runProgram;
+
+namespace
+{
+std::vector<std::string> sensorsArguments (const std::filesystem::path& folder, const std::vector<std::string>& more)
+{
+    std::vector<std::string> arguments { "sensors", "demonstrator",  "--device", "beam",  "--rate",
+                                         "48000",   "--duration-ms", "60",       "--out", folder.string() };
+    arguments.insert (arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+nlohmann::json choiceOf (const std::filesystem::path& folder, const std::vector<std::string>& more)
+{
+    const auto run = runProgram (sensorsArguments (folder, more));
+    INFO (run.errors);
+    REQUIRE (run.exitCode == 0);
+    return nlohmann::json::parse (readContent (folder / "summary.json"));
+}
+} // namespace
+
+TEST_CASE ("sensors chooses places that tell more than random ones, and learn takes them", "[command line]")
+{
+    const TemporaryFolder folder;
+    const auto choice = choiceOf (folder.path(), { "--count", "3", "--candidates", "200" });
+    REQUIRE (choice["sensors"].size() == 3);
+    CHECK (choice["bits"] > choice["random_bits"]);
+    CHECK (choice["sensors"][2]["bits"] == choice["bits"]);
+    CHECK (choice["sensors"][0]["bits"] < choice["sensors"][1]["bits"]);
+    CHECK (readContent (folder.path() / "report.html").find ("Where to listen") != std::string::npos);
+
+    const auto run = runProgram ({ "learn", "demonstrator", "--device", "beam", "--rate", "48000", "--duration-ms",
+                                   "60", "--sensors", (folder.path() / "sensors.csv").string(), "--out",
+                                   (folder.path() / "pass").string() });
+    INFO (run.errors);
+    CHECK (run.exitCode == 0);
+}
+
+TEST_CASE ("sensors refuses more sensors than candidates", "[command line]")
+{
+    const TemporaryFolder folder;
+    const auto run = runProgram (sensorsArguments (folder.path(), { "--count", "9", "--candidates", "5" }));
+    CHECK (run.exitCode == 1);
+    CHECK (run.errors.find ("--count: is 9; allowed: 1 to 5, as many as there are candidates") != std::string::npos);
+}
