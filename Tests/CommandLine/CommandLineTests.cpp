@@ -355,7 +355,7 @@ TEST_CASE ("place refuses impossible options in one line that names the option",
                                                                          { "--size-mm", "90", "--count", "9" },
                                                                          { "--size-mm", "1e-9" } })
     {
-        std::vector<std::string> all { "place", "phone", "--out", file };
+        std::vector<std::string> all { "place", "phone-bare", "--out", file };
         all.insert (all.end(), arguments.begin(), arguments.end());
         const auto run = runProgram (all);
         CAPTURE (arguments.front(), arguments[1], run.errors);
@@ -365,6 +365,6 @@ TEST_CASE ("place refuses impossible options in one line that names the option",
         CHECK_FALSE (std::filesystem::exists (file));
     }
 
-    CHECK (runProgram ({ "place", "phone", "--count", "0" }).exitCode == 2);
-    CHECK (runProgram ({ "place", "phone", "--count", "65" }).exitCode == 2);
+    CHECK (runProgram ({ "place", "phone-bare", "--count", "0" }).exitCode == 2);
+    CHECK (runProgram ({ "place", "phone-bare", "--count", "65" }).exitCode == 2);
 }

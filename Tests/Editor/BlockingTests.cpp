@@ -104,7 +104,7 @@ private:
 
     std::shared_ptr<const DeviceDocument> device()
     {
-        static const std::vector<std::string> embedded { "staple", "beam", "phone", "glass-148x210",
+        static const std::vector<std::string> embedded { "staple", "beam", "phone-bare", "glass-148x210",
                                                          "aluminium-200x120" };
         const auto index = static_cast<std::size_t> (between (0, 6));
         auto json = index < embedded.size() ? loadDocument (LibraryKind::device, embedded[index]) : largestDevice (80);

@@ -46,8 +46,8 @@ TEST_CASE ("On a plate the spot is dragged both ways, and the probe too")
 {
     EditorFixture test;
     Presets presets (test.processor, test.content().history());
-    REQUIRE (presets.load (LibraryKind::device, "phone").isEmpty());
-    REQUIRE (presets.load (LibraryKind::focus, "phone-thumb").isEmpty());
+    REQUIRE (presets.load (LibraryKind::device, "phone-bare").isEmpty());
+    REQUIRE (presets.load (LibraryKind::focus, "phone-bare-thumb").isEmpty());
     test.processor.parameters().find ("notes")->setValueNotifyingHost (1);
     test.snapshot (1280, 800);
     auto& surface = test.content().surface();

@@ -29,7 +29,7 @@ inline constexpr std::array allMethods { AllocationMethod::oneToOne,    Allocati
 /** A focus on each embedded device. */
 inline constexpr std::array<std::array<const char*, 2>, 5> embeddedCases { { { "staple", "demonstrator" },
                                                                              { "beam", "demonstrator" },
-                                                                             { "phone", "phone-thumb" },
+                                                                             { "phone-bare", "phone-bare-thumb" },
                                                                              { "glass-148x210", "glass-finger" },
                                                                              { "aluminium-200x120",
                                                                                "aluminium-centre" } } };

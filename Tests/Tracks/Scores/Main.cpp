@@ -121,7 +121,7 @@ int main (int count, char** arguments)
     const std::vector<std::string> given (arguments + 1, arguments + count);
     const auto table = given.empty() ? std::string ("exact") : given[0];
     const auto layouts = given.size() > 1 ? std::atoi (given[1].c_str()) : 20;
-    std::vector<std::string> devices { "glass-148x210", "phone", "aluminium-200x120" };
+    std::vector<std::string> devices { "glass-148x210", "phone-bare", "aluminium-200x120" };
 
     if (given.size() > 2)
         devices.assign (given.begin() + 2, given.end());
