@@ -151,13 +151,22 @@ void allocateProgram (FocusDesign& design, const ModalModel& model)
     throwWhereBeyondLimit (design, model);
 }
 
+/** Free samples keep slew limits where they are band-limited, and nothing is added to them. */
+static void checkSlewsCanBeKept (const FocusDesign& design)
+{
+    if (design.playback.reconstruction == Reconstruction::zeroOrderHold)
+        throw InputError ("reconstruction", "holds samples, and this device has a slew or current limit, which no step "
+                                            "keeps; allowed for free samples: 'band_limited'");
+
+    if (design.description.felt && design.description.allocation.method == AllocationMethod::freeWaveform)
+        throw InputError ("focus: felt", "makes a waveform quieter without regard to the slew or current limit of this "
+                                         "device; allowed: a device without one, or another method");
+}
+
 void sampleProgram (FocusDesign& design, const ModalModel& model, DesignExtent extent)
 {
     if (hasSlewLimits (model))
-        throw InputError ("focus: allocation method",
-                          "is " + inQuotes (methodTraits (design.description.allocation.method).word)
-                              + ", which ignores the slew or current limit of this device; "
-                                "allowed: 'exact', 'paper', 'minimum_peak' and 'dictionary'");
+        checkSlewsCanBeKept (design);
 
     const auto& moment = design.moments.front();
     const auto limits = voltageLimits (model, design.description.allocation);
@@ -175,6 +184,10 @@ void sampleProgram (FocusDesign& design, const ModalModel& model, DesignExtent e
     design.program.voltageLimits = limits;
     design.program.focusTime = moment.time;
     design.program.samples = std::move (waveform.voltages);
+
+    if (waveform.edgeTime > 0)
+        design.choices.push_back ("Edges last " + inWords (waveform.edgeTime * 1000)
+                                  + " ms, as the slew or current limit asks for; bounds hold for such waveforms.");
 
     if (waveform.felt)
         sayWhatIsFelt (design, *waveform.felt);

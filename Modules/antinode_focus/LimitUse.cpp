@@ -1,6 +1,7 @@
 #include "LimitUse.h"
 
 #include "DriveGrid.h"
+#include "SmoothEdges.h"
 
 #include <antinode_base/Watch.h>
 
@@ -117,13 +118,23 @@ LimitUse slewUse (const ModalModel& model, const VoltageProgram& program, const 
              largest.time - program.focusTime, largest.share * allowed, allowed };
 }
 
-LargestShare largestSampleShare (const VoltageProgram& program)
+LimitUses sampleUses (const ModalModel& model, const AllocationChoice& choice, const VoltageProgram& program)
 {
     const auto& samples = *program.samples;
     LargestShare largest;
     largest.look (samples.values, program.voltageLimits, samples.firstTime,
                   samples.firstTime + static_cast<double> (samples.values.cols() - 1) / samples.playback.sampleRate);
-    return largest;
+    LimitUses uses { voltageUse (model, choice, program, largest), {} };
+
+    if (const auto slewLimits = allSlewLimits (model); slewLimits.maxCoeff() > 0)
+    {
+        const auto slopes = slopesOf (samples);
+        LargestShare steepest;
+        steepest.look (slopes.values, slewLimits, slopes.first, slopes.last);
+        uses.slew = slewUse (model, program, steepest);
+    }
+
+    return uses;
 }
 } // namespace
 
@@ -159,7 +170,7 @@ ModalModel withoutVoltageLimits (ModalModel model)
 LimitUses limitUses (const ModalModel& model, const AllocationChoice& choice, const VoltageProgram& program)
 {
     if (program.samples)
-        return { voltageUse (model, choice, program, largestSampleShare (program)), {} };
+        return sampleUses (model, choice, program);
 
     const ProgramVoltages voltages (program);
 
@@ -167,10 +178,7 @@ LimitUses limitUses (const ModalModel& model, const AllocationChoice& choice, co
         return { voltageUse (model, choice, program, {}), {} };
 
     LimitUses uses { voltageUse (model, choice, program, largestShare (voltages, program.voltageLimits, false)), {} };
-    Eigen::VectorXd slewLimits (model.actuators());
-
-    for (Eigen::Index i = 0; i < slewLimits.size(); ++i)
-        slewLimits[i] = model.ceramics[static_cast<std::size_t> (i)].slewLimit;
+    const auto slewLimits = allSlewLimits (model);
 
     if (slewLimits.maxCoeff() > 0)
         uses.slew = slewUse (model, program, largestShare (voltages, slewLimits, true));

@@ -54,7 +54,7 @@ inline constexpr double noVoltageLimit = 1e5;
 ModalModel withoutVoltageLimits (ModalModel);
 
 /** How much of their limits the voltages of a program use, to 1e-4, from its first oscillation to its last; of a free
-   waveform at its samples. All 0 for a program without either.
+   waveform at its samples, its slew rate at 8 places per sample. All 0 for a program without either.
     @throws Cancelled  when a watch of this thread says no
     [worker] Docs/Theory.md, section 4.6. */
 LimitUses limitUses (const ModalModel&, const AllocationChoice&, const VoltageProgram&);

@@ -1,5 +1,7 @@
 #include "PlayedWaveform.h"
 
+#include "SmoothEdges.h"
+
 #include <antinode_numerics/KaiserSinc.h>
 
 #include <algorithm>
@@ -12,6 +14,11 @@ namespace
 double peakShare (const Eigen::MatrixXd& samples, const Eigen::VectorXd& limits)
 {
     return samples.cwiseAbs().rowwise().maxCoeff().cwiseQuotient (limits).maxCoeff();
+}
+
+SampledVoltages played (const BoundedWaveform& waveform, const PlayedProblem& problem)
+{
+    return playedSamples (withSmoothEdges (waveform.samples, problem.edge), problem.sparse, problem.focusTime);
 }
 
 /** The free sample that a played one lies nearest to; those behind the focus are images of those before it. */
@@ -39,8 +46,10 @@ void lowerWhereHigh (Eigen::MatrixXd& shares, const PlayedProblem& problem, cons
 
         for (Eigen::Index n = 0; n < shares.cols(); ++n)
         {
+            // A free sample moves what is played up to an edge later.
+            const auto later = 2 + static_cast<Eigen::Index> (std::ceil (problem.edge));
             const auto first = std::max<Eigen::Index> (n - 1, 0);
-            const auto around = excess.segment (first, std::min (n + 2, shares.cols()) - first).maxCoeff();
+            const auto around = excess.segment (first, std::min (n + later, shares.cols()) - first).maxCoeff();
 
             if (around > 1)
                 shares (i, n) /= room * around;
@@ -55,7 +64,10 @@ PlayedWaveform solveBetween (const PlayedProblem& problem, PlayedWaveform result
     constexpr double rounding = 1e-9, firstRoom = 1.01, moreRoom = 0.003;
     const auto hard = problem.hard.wanted.size();
     auto lowered = problem.all;
-    lowered.shares = Eigen::MatrixXd::Ones (problem.all.limits.size(), problem.all.weights.cols());
+
+    if (lowered.shares.size() == 0)
+        lowered.shares = Eigen::MatrixXd::Ones (problem.all.limits.size(), problem.all.weights.cols());
+
     lowered.nearness = 0;
     double bound = 0;
 
@@ -65,7 +77,7 @@ PlayedWaveform solveBetween (const PlayedProblem& problem, PlayedWaveform result
         if (attempt < 2)
             bound = std::max (bound, provenPeak (*problem.everySample, result.free.multipliers.head (hard)));
 
-        result.played = playedSamples (result.free.samples, problem.sparse, problem.focusTime);
+        result.played = played (result.free, problem);
         result.peak = peakShare (result.played.values, problem.all.limits);
         const auto allowed = std::min (1.0, problem.all.nearness * bound);
         result.free.peakBound = bound;
@@ -96,7 +108,7 @@ PlayedWaveform solvePlayed (const PlayedProblem& problem)
     if (problem.sparse.factor > 1)
         return solveBetween (problem, std::move (result));
 
-    result.played = playedSamples (result.free.samples, problem.sparse, problem.focusTime);
+    result.played = played (result.free, problem);
     result.peak = peakShare (result.played.values, problem.all.limits);
     result.isNear = true;
     return result;

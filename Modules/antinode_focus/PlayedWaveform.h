@@ -17,6 +17,9 @@ struct PlayedProblem
         where every sample is free. */
     std::optional<BoundedWaveformProblem> everySample;
     double focusTime = 0; ///< s
+    /** Time constant, in free samples, of the low-pass through which they are played; 0: none. Rows are those of the
+        free ones. */
+    double edge = 0;
 };
 
 /** Free samples, and what is played of them. */
