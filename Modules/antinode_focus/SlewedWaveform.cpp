@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace antinode
@@ -94,10 +95,11 @@ void lowerWhereSteep (SolvedWaveform& solved, const Eigen::MatrixXd& steep, doub
 std::optional<SolvedWaveform> solvedWithinSlews (const WaveformTask& task, const Eigen::VectorXd& slewLimits,
                                                  double edgeTime)
 {
-    constexpr int attempts = 25;
-    constexpr double firstRoom = 1.01, moreRoom = 0.002;
+    constexpr int attempts = 20;
+    constexpr double hopeless = 1.25, firstRoom = 1.01, moreRoom = 0.002;
     auto solved = solveWithEdges (task, edgeTime);
     const auto bound = solved.waveform.free.peakBound;
+    auto best = std::numeric_limits<double>::infinity();
 
     for (int attempt = 0; attempt < attempts && solved.waveform.free.isMet; ++attempt)
     {
@@ -105,8 +107,16 @@ std::optional<SolvedWaveform> solvedWithinSlews (const WaveformTask& task, const
         // Of waveforms with lowered samples the multipliers prove less.
         solved.waveform.free.peakBound = bound;
 
-        if (slewOf (task, solved.waveform.played).share() <= 1)
+        const auto share = slewOf (task, solved.waveform.played).share();
+
+        if (share <= 1)
             return solved;
+
+        // The rows want steeper edges than these: lowered samples only make others steeper.
+        if (share > hopeless * best)
+            break;
+
+        best = std::min (best, share);
 
         lowerWhereSteep (solved, slewShares (solved, slewLimits, task.description.focusTime),
                          firstRoom + moreRoom * attempt);
@@ -130,7 +140,9 @@ std::pair<SolvedWaveform, double> solveWithinSlews (const WaveformTask& task)
         return { std::move (free), 0.0 };
 
     // Longer edges where shorter ones do not lead there.
-    for (auto edge = slowestRise (free.waveform.played.values, slewLimits);
+    const auto sample = static_cast<double> (free.problem.sparse.factor) / task.playback.sampleRate;
+
+    for (auto edge = std::max (slowestRise (free.waveform.played.values, slewLimits), sample);
          edge < mostOfAll * task.description.focusTime; edge *= longer)
         if (auto solved = solvedWithinSlews (task, slewLimits, edge))
             return { std::move (*solved), edge };
