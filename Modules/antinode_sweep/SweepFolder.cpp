@@ -24,6 +24,7 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr std::string_view temporaryPrefix = ".part-";
+constexpr auto partExtension = ".part";
 constexpr std::uintmax_t largestPartFile = std::uintmax_t { 1 } << 30;
 
 [[noreturn]] void fail (const fs::path& path, const std::string& wrong)
@@ -107,7 +108,7 @@ SweepFolder::SweepFolder (const std::filesystem::path& path, const SweepInputs& 
 
 std::filesystem::path SweepFolder::pathOf (std::size_t part) const
 {
-    return folder / "parts" / formatted ("%08zu.part", part);
+    return folder / "parts" / formatted ("%08zu%s", part, partExtension);
 }
 
 std::vector<std::size_t> SweepFolder::missing (SweepShard shard) const
@@ -141,6 +142,17 @@ std::vector<std::size_t> SweepFolder::missing (SweepShard shard) const
     }
 
     return indices;
+}
+
+std::size_t SweepFolder::written() const
+{
+    std::error_code ignored;
+    std::size_t count = 0;
+
+    for (const auto& entry : fs::directory_iterator (folder / "parts", ignored))
+        count += entry.path().extension() == partExtension ? 1 : 0;
+
+    return count;
 }
 
 void SweepFolder::write (std::size_t part, const std::vector<CaseResult>& results) const

@@ -33,6 +33,9 @@ public:
         @throws InputError  when a part belongs to another plan [worker] */
     std::vector<std::size_t> missing (SweepShard) const;
 
+    /** How many parts are there by their names, without a look at what they hold: of a running sweep. [worker] */
+    std::size_t written() const;
+
     /** All parts. */
     const std::vector<SweepPart>& parts() const { return all; }
 

@@ -1,25 +1,19 @@
 #include "Commands.h"
 #include "CommonOptions.h"
-#include "FieldNames.h"
 #include "Progress.h"
+#include "SlurmArray.h"
+#include "SweptFiles.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
-#include <antinode_base/Watch.h>
 #include <antinode_numerics/ParallelFor.h>
-#include <antinode_reports/SweepReport.h>
 #include <antinode_sweep/SweepCases.h>
 #include <antinode_sweep/SweepSummary.h>
-#include <antinode_text/OutputFolder.h>
 
-#include <algorithm>
-#include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <thread>
 
 namespace antinode
 {
@@ -40,12 +34,7 @@ void finish (const SweepFolder& folder, const SweepInputs& inputs, const std::st
 {
     const auto table = mergeParts (folder, inputs);
     const auto summary = summarise (table);
-    OutputFolder output (path);
-    output.write ("results.csv", sweepToCsv (table, withKeysAndOptions));
-    output.write ("results.mat", sweepToMatlab (table));
-    output.write ("report.html", renderReport (sweepReport (table, summary)));
-    output.write ("summary.json", sweepToJson (table, summary).dump (2) + "\n");
-    output.commit();
+    writeSwept (path, table, summary);
     folder.tidy();
 
     if (! isQuiet)
@@ -101,75 +90,25 @@ void compute (const CaseEvaluator& evaluator, const SweepFolder& folder, SweepSh
                   });
 }
 
-/** A text as one word of a shell. */
-std::string shellWord (const std::string& text)
+/** Lets a cluster compute all parts, with this program and the folder as it is here. */
+void computeOnCluster (const SweepFolder& folder, const SweepOptions& options)
 {
-    std::string word = "'";
+    SlurmArray array;
+    array.program = std::filesystem::read_symlink ("/proc/self/exe");
+    array.folder = std::filesystem::absolute (options.folder);
+    array.options = *options.slurm;
+    array.tasks = options.tasks;
+    array.usesCache = options.usesCache;
 
-    for (const auto letter : text)
-        word += letter == '\'' ? std::string ("'\\''") : std::string (1, letter);
-
-    return word + "'";
-}
-
-/** What a command prints. @throws InputError  where it fails */
-std::string outputOf (const std::string& command)
-{
-    std::string output;
-    std::array<char, 256> some {};
-    auto* const pipe = popen (command.c_str(), "re");
-
-    while (pipe != nullptr && std::fgets (some.data(), some.size(), pipe) != nullptr)
-        output += some.data();
-
-    if (pipe == nullptr || pclose (pipe) != 0)
-        throw InputError ("--slurm", "the command '" + command.substr (0, command.find (' ')) + "' failed");
-
-    return output;
-}
-
-/** An array of jobs, each of which takes every so many-th part. @return  its number */
-std::string submitArray (const SweepOptions& options, int tasks)
-{
-    const auto folder = std::filesystem::absolute (options.folder).string();
-    const auto program = std::filesystem::read_symlink ("/proc/self/exe").string();
-    const auto script = folder + "/sweep.sbatch";
-    writeWholeFile (script, "#!/bin/sh\nexec " + shellWord (program) + " sweep " + shellWord (folder + "/plan.json")
-                                + " --out " + shellWord (folder) + " --shard \"$SLURM_ARRAY_TASK_ID/"
-                                + std::to_string (tasks) + "\" --threads \"${SLURM_CPUS_PER_TASK:-1}\" --quiet"
-                                + (options.usesCache ? "\n" : " --no-cache\n"));
-    const auto job =
-        outputOf ("sbatch --parsable --requeue --array=1-" + std::to_string (tasks) + " --output="
-                  + shellWord (folder + "/slurm-%a.log") + " " + *options.slurm + " " + shellWord (script));
-    return job.substr (0, job.find_first_of (";\n"));
-}
-
-/** Lets a cluster compute all parts. What is still missing when its jobs have ended is submitted again. */
-void computeBySlurm (const SweepFolder& folder, const SweepOptions& options)
-{
-    using namespace std::chrono_literals;
-    constexpr int rounds = 3;
+    const auto all = static_cast<double> (folder.parts().size());
     Progress progress (options.isQuiet);
-
-    for (int round = 0; round < rounds; ++round)
-    {
-        auto missing = folder.missing ({}).size();
-
-        if (missing == 0)
-            return;
-
-        const auto job = submitArray (options, static_cast<int> (std::min<std::size_t> (options.tasks, missing)));
-
-        while (! outputOf ("squeue --noheader --array --jobs=" + shellWord (job) + " 2>/dev/null || true").empty())
-        {
-            checkWatch();
-            missing = folder.missing ({}).size();
-            progress.show ("Sweeping on the cluster",
-                           1 - static_cast<double> (missing) / static_cast<double> (folder.parts().size()),
-                           std::to_string (missing) + " parts left");
-            std::this_thread::sleep_for (1s);
-        }
-    }
+    computeBySlurm (folder, array,
+                    [&] (std::size_t left, bool answers)
+                    {
+                        progress.show ("Sweeping on the cluster", 1 - static_cast<double> (left) / all,
+                                       std::to_string (left) + " parts left"
+                                           + (answers ? "" : "; Slurm does not answer"));
+                    });
 }
 
 void sweepPlan (const SweepOptions& options)
@@ -189,7 +128,7 @@ void sweepPlan (const SweepOptions& options)
     const SweepFolder folder (options.folder, evaluator.inputs());
 
     if (options.slurm)
-        computeBySlurm (folder, options);
+        computeOnCluster (folder, options);
     else
         compute (evaluator, folder, shard, options);
 
