@@ -174,13 +174,23 @@ std::vector<CaseResult> SweepFolder::read (std::size_t part) const
         fail (path, "is missing or damaged; run the sweep again, which computes it alone");
     }
 
+    check (part, decoded);
+    return std::move (decoded.results);
+}
+
+void SweepFolder::check (std::size_t part, const DecodedPart& decoded) const
+{
     if (decoded.hash != hash)
-        fail (path, "belongs to another plan; remove it, or choose another folder");
+        fail (pathOf (part), "belongs to another plan; remove it, or choose another folder");
 
     if (decoded.first != all[part].first || decoded.results.size() != all[part].count)
-        fail (path, "holds other cases than its name says; remove it and run the sweep again");
+        fail (pathOf (part), "holds other cases than its name says; remove it and run the sweep again");
+}
 
-    return std::move (decoded.results);
+void SweepFolder::keep (std::size_t part, std::string_view bytes) const
+{
+    check (part, decodePart (bytes));
+    writeAtomically (pathOf (part), bytes);
 }
 
 void SweepFolder::tidy() const
@@ -197,6 +207,20 @@ void SweepFolder::tidy() const
         fs::remove (path, ignored);
 }
 
+std::vector<CaseResult> computePart (const CaseEvaluator& evaluator, SweepPart part, const std::function<void()>& done)
+{
+    std::vector<CaseResult> results;
+
+    for (std::uint64_t i = 0; i < part.count; ++i)
+    {
+        checkWatch();
+        results.push_back (evaluator.evaluate (part.first + i));
+        done();
+    }
+
+    return results;
+}
+
 void computeParts (const CaseEvaluator& evaluator, const SweepFolder& folder, const std::vector<std::size_t>& parts,
                    std::size_t threads, const std::function<void (std::uint64_t)>& show)
 {
@@ -204,17 +228,12 @@ void computeParts (const CaseEvaluator& evaluator, const SweepFolder& folder, co
     std::uint64_t done = 0;
     const auto compute = [&] (std::size_t index)
     {
-        const auto& part = folder.parts()[parts[index]];
-        std::vector<CaseResult> results;
-
-        for (std::uint64_t i = 0; i < part.count; ++i)
-        {
-            checkWatch();
-            results.push_back (evaluator.evaluate (part.first + i));
-            const std::lock_guard lock (mutex);
-            show (++done);
-        }
-
+        const auto results = computePart (evaluator, folder.parts()[parts[index]],
+                                          [&]
+                                          {
+                                              const std::lock_guard lock (mutex);
+                                              show (++done);
+                                          });
         folder.write (parts[index], results);
     };
     parallelFor (parts.size(), compute, threads);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace antinode
@@ -42,6 +43,11 @@ public:
     /** Keeps a part. @throws InputError  when it cannot be written [worker, several at once] */
     void write (std::size_t part, const std::vector<CaseResult>&) const;
 
+    /** Keeps a part that another process has encoded.
+        @throws InputError  when the bytes are damaged or of another plan, or the part cannot be written
+        [worker, several at once] */
+    void keep (std::size_t part, std::string_view bytes) const;
+
     /** The results of a part that is there. @throws InputError  when it is missing or damaged, or of another plan
         [worker] */
     std::vector<CaseResult> read (std::size_t part) const;
@@ -51,11 +57,17 @@ public:
 
 private:
     std::filesystem::path pathOf (std::size_t part) const;
+    void check (std::size_t part, const DecodedPart&) const;
 
     std::filesystem::path folder;
     std::string hash;
     std::vector<SweepPart> all;
 };
+
+/** The results of the cases of a part. @param done  called after each case
+    @throws Cancelled  when a watch of this thread says no
+    [worker] */
+std::vector<CaseResult> computePart (const CaseEvaluator&, SweepPart, const std::function<void()>& done);
 
 /** Computes parts and keeps them, on all cores.
     @param show  called now and then with how many cases are done, by one thread at a time

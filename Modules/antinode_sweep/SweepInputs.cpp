@@ -5,6 +5,8 @@
 
 #include <xxhash.h>
 
+#include <utility>
+
 namespace antinode
 {
 namespace
@@ -64,15 +66,20 @@ std::string hashOf (const nlohmann::json& document)
 }
 } // namespace
 
-SweepInputs loadSweep (const std::filesystem::path& file)
+SweepInputs sweepInputs (nlohmann::json document, const std::filesystem::path& file)
 {
     SweepInputs inputs;
-    inputs.document = readJsonFile (file);
+    inputs.document = std::move (document);
     inputs.plan = readSweepPlan (inputs.document, file.string());
     const auto device = deviceDocument (inputs.plan, file);
     inputs.document["focus"] = focusDocument (inputs.plan.focus, file);
     inputs.document["device"] = device;
     inputs.hash = hashOf (inputs.document);
     return inputs;
+}
+
+SweepInputs loadSweep (const std::filesystem::path& file)
+{
+    return sweepInputs (readJsonFile (file), file);
 }
 } // namespace antinode

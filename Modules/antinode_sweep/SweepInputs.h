@@ -18,6 +18,12 @@ struct SweepInputs
     const nlohmann::json& device() const { return document.at ("device"); }
 };
 
+/** A plan and its documents from the plan's document.
+    @param file  how errors name it; names of files begin at its folder
+    @throws InputError  as readSweepPlan and loadDocument
+    [worker] */
+SweepInputs sweepInputs (nlohmann::json, const std::filesystem::path& file);
+
 /** A plan and its documents from files; names of files begin at the folder of the plan.
     @throws InputError  as readJsonFile, readSweepPlan and loadDocument
     [worker] */

@@ -13,4 +13,5 @@ void bindPerform (pybind11::module_&);
 void bindIdentify (pybind11::module_&);
 void bindMeasure (pybind11::module_&);
 void bindPlace (pybind11::module_&);
+void bindSweep (pybind11::module_&);
 } // namespace antinode

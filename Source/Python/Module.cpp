@@ -14,4 +14,5 @@ PYBIND11_MODULE (_antinode, module)
     antinode::bindIdentify (module);
     antinode::bindMeasure (module);
     antinode::bindPlace (module);
+    antinode::bindSweep (module);
 }

@@ -18,6 +18,7 @@ from ._documents import Device, Focus, Waveforms, device, focus, names, waveform
 from ._measured import Identified, Measured, Placed, identify, measure, place
 from ._modes import Modes
 from ._pictures import set_theme
+from ._sweeps import Swept, sweep
 from ._tracks import Performed, perform
 from .errors import InputError, LimitError
 
@@ -33,6 +34,7 @@ __all__ = [
     "Performed",
     "Placed",
     "Rendered",
+    "Swept",
     "Waveforms",
     "design",
     "device",
@@ -44,6 +46,7 @@ __all__ = [
     "place",
     "render",
     "set_theme",
+    "sweep",
     "waveforms",
 ]
 

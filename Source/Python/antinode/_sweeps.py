@@ -1,0 +1,192 @@
+"""Many cases of one question, on this computer or on the workers of Dask."""
+
+from __future__ import annotations
+
+import importlib
+import json
+import os
+import tempfile
+import threading
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Union
+
+from . import _antinode
+from ._checks import within
+from ._designs import Folder
+from ._documents import as_json
+from ._progress import Progress, shown
+from .errors import InputError
+
+if TYPE_CHECKING:
+    from ._antinode import Floats
+
+Plan = Union[str, "os.PathLike[str]", Mapping[str, Any]]
+
+
+class Swept:
+    """All cases of a sweep: N_c cases, N_k keys that vary, N_r recorded numbers. Made by :func:`antinode.sweep`."""
+
+    def __init__(self, core: _antinode.Swept) -> None:
+        self._core = core
+        self._summary: Optional[dict[str, Any]] = None
+
+    def __repr__(self) -> str:
+        cases, columns = self.values.shape
+        return f"<antinode.Swept '{self.name}': {cases} cases, {columns} results>"
+
+    def __str__(self) -> str:
+        return self._core.text()
+
+    @property
+    def name(self) -> str:
+        """The name of the plan."""
+        return self._core.name
+
+    @property
+    def keys(self) -> list[str]:
+        """N_k keys that vary, with their units: ``focus.targets.0.x_mm``."""
+        return self._core.keys
+
+    @property
+    def columns(self) -> list[str]:
+        """N_r recorded numbers, with their units, as the head of ``results.csv`` has them."""
+        return self._core.columns
+
+    @property
+    def values(self) -> Floats:
+        """N_c x N_r: what was recorded, in the units of ``columns``; NaN where a case has none. A view."""
+        return self._core.values
+
+    @property
+    def errors(self) -> dict[int, str]:
+        """The sentences of the cases (from 0) that could not be computed."""
+        return {number: sentence for number, sentence in enumerate(self._core.errors) if sentence}
+
+    @property
+    def summary(self) -> dict[str, Any]:
+        """All numbers of ``summary.json``: percentiles, correlations, Sobol's indices."""
+        if self._summary is None:
+            self._summary = json.loads(self._core.summary)
+        return self._summary
+
+    def column(self, name: str) -> Floats:
+        """N_c numbers of a key that varies or of a recorded number, in the unit of its name. Of a key whose values are
+        texts, the numbers (from 1) of their rows in the plan.
+
+        Raises:
+            InputError: there is no such key.
+        """
+        if name in self.columns:
+            return self.values[:, self.columns.index(name)]
+        if name in self.keys:
+            return self._core.numbers(self.keys.index(name))
+        raise InputError(f"column: is '{name}'; allowed: {', '.join(self.keys + self.columns)}")
+
+    def save(self, folder: Folder) -> None:
+        """Writes ``results.csv``, ``results.mat``, ``report.html`` and ``summary.json``, the bytes of ``antinode sweep``.
+
+        Raises:
+            InputError: the folder cannot be written.
+        """
+        self._core.save(os.fspath(folder))
+
+
+def sweep(
+    plan: Plan,
+    client: Optional[Any] = None,
+    *,
+    folder: Optional[Folder] = None,
+    threads: Optional[int] = None,
+    cache: bool = True,
+    progress: Progress = None,
+) -> Swept:
+    """Computes all cases of a plan, as ``antinode sweep``.
+
+    Args:
+        plan: a file, or a dict with the keys of such a file; names of files in a dict begin at the working folder.
+        client: a ``distributed.Client`` of Dask: its workers compute the parts, each as one task on one thread. They
+            need this package in this version, and no common folder. None: this computer.
+        folder: keeps plan, parts and results as ``--out`` does. What is there already is not computed again, whoever
+            has computed it: this function, the command, or its shards. None: nothing is kept.
+        threads: cases at once on this computer, 1 to 1024; None: one per processor.
+        cache: False: devices are solved without the user's cache.
+        progress: a function of what is being done and its share, 0 to 1; True: a bar of tqdm where it is installed.
+
+    Returns:
+        :class:`Swept`: ``values``, ``column(name)``, ``summary``, ``save(folder)``; the same bytes for any number of
+        threads and workers.
+
+    Raises:
+        InputError: the plan is wrong, a recorded key does not exist, or the folder is of another plan.
+        KeyboardInterrupt: Ctrl+C; parts in ``folder`` stay.
+
+    Source: Docs/FileFormats.md, "Sweep"; Docs/Decisions/0120-sweeps-from-python.md.
+    """
+    within("threads", threads, 1, 1024)
+    if client is not None and threads is not None:
+        raise InputError("threads: is of this computer; allowed: None with a client, whose workers have their own")
+    if isinstance(plan, Mapping):
+        core = _antinode.Sweep.parse(as_json(dict(plan)), cache)
+    else:
+        core = _antinode.Sweep.load(os.fspath(plan), cache)
+    core.check()
+    with shown(progress) as show:
+        if folder is not None:
+            swept = _filled(core, os.fspath(folder), client, threads, cache, show)
+            swept.save(folder)
+            core.open(os.fspath(folder)).tidy()
+            return swept
+        with tempfile.TemporaryDirectory(prefix="antinode-") as scratch:
+            return _filled(core, os.path.join(scratch, "sweep"), client, threads, cache, show)
+
+
+Show = Optional[Callable[[str, float], object]]
+
+
+def _filled(
+    core: _antinode.Sweep, folder: str, client: Optional[Any], threads: Optional[int], cache: bool, show: Show
+) -> Swept:
+    parts = core.open(folder)
+    if client is None:
+        parts.compute(threads, show)
+    else:
+        _compute_on_workers(parts, core.document, client, cache, show)
+    return Swept(parts.merge())
+
+
+def _compute_on_workers(parts: _antinode.SweepParts, document: str, client: Any, cache: bool, show: Show) -> None:
+    """Each missing part is a task: Dask gives it to a worker that is free, and to another one where that one ends."""
+    missing = parts.missing()
+    if not missing:
+        return
+    # A task itself, so that a worker that has ended takes nothing along that cannot be made again.
+    kept = client.submit(_itself, document, pure=False)
+    tasks = client.map(_part, missing, document=kept, cache=cache, pure=False)
+    indices = dict(zip((task.key for task in tasks), missing))
+    try:
+        finished = importlib.import_module("distributed").as_completed(tasks, with_results=True)
+        for done, (task, part) in enumerate(finished, 1):
+            parts.keep(indices[task.key], part)
+            if show is not None:
+                show("Sweeping", done / len(missing))
+    finally:
+        client.cancel([kept, *tasks])
+
+
+def _itself(document: str) -> str:
+    return document
+
+
+_making = threading.Lock()
+
+
+@lru_cache(maxsize=2)
+def _made(document: str, cache: bool) -> _antinode.Sweep:
+    return _antinode.Sweep.parse(document, cache)
+
+
+def _part(index: int, document: str, cache: bool) -> bytes:
+    """A part, on a worker; what parts share, devices and designs, is made once in its process."""
+    with _making:
+        core = _made(document, cache)
+    return core.part(index)
