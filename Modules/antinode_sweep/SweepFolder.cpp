@@ -174,22 +174,24 @@ std::vector<CaseResult> SweepFolder::read (std::size_t part) const
         fail (path, "is missing or damaged; run the sweep again, which computes it alone");
     }
 
-    check (part, decoded);
-    return std::move (decoded.results);
-}
-
-void SweepFolder::check (std::size_t part, const DecodedPart& decoded) const
-{
     if (decoded.hash != hash)
-        fail (pathOf (part), "belongs to another plan; remove it, or choose another folder");
+        fail (path, "belongs to another plan; remove it, or choose another folder");
 
     if (decoded.first != all[part].first || decoded.results.size() != all[part].count)
-        fail (pathOf (part), "holds other cases than its name says; remove it and run the sweep again");
+        fail (path, "holds other cases than its name says; remove it and run the sweep again");
+
+    return std::move (decoded.results);
 }
 
 void SweepFolder::keep (std::size_t part, std::string_view bytes) const
 {
-    check (part, decodePart (bytes));
+    const auto decoded = decodePart (bytes);
+
+    if (decoded.hash != hash || decoded.first != all[part].first || decoded.results.size() != all[part].count)
+        throw InputError (
+            "part " + std::to_string (part),
+            "is of another plan, or was computed by another version; allowed: this plan and this version");
+
     writeAtomically (pathOf (part), bytes);
 }
 

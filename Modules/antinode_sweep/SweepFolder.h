@@ -44,7 +44,7 @@ public:
     void write (std::size_t part, const std::vector<CaseResult>&) const;
 
     /** Keeps a part that another process has encoded.
-        @throws InputError  when the bytes are damaged or of another plan, or the part cannot be written
+        @throws InputError  when the bytes are damaged, of another plan or version, or cannot be written
         [worker, several at once] */
     void keep (std::size_t part, std::string_view bytes) const;
 
@@ -57,7 +57,6 @@ public:
 
 private:
     std::filesystem::path pathOf (std::size_t part) const;
-    void check (std::size_t part, const DecodedPart&) const;
 
     std::filesystem::path folder;
     std::string hash;

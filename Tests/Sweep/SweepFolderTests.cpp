@@ -95,6 +95,38 @@ TEST_CASE ("Damaged parts are computed again, parts of other plans are refused",
     CHECK_THAT (errorText ([&] { (void) parts.missing ({}); }), Catch::Contains ("belongs to another plan"));
 }
 
+TEST_CASE ("Parts that others have encoded make the same folder, and those of other plans are refused", "[sweep]")
+{
+    const TemporaryFolder folder;
+    const auto inputs = inputsOf (folder, 5), others = inputsOf (folder, 6);
+    const SweepFolder single (folder.path() / "single", inputs), kept (folder.path() / "kept", inputs);
+    compute (inputs, single, {}, 1);
+
+    // As a worker has it: the plan with its documents, which names no file.
+    const auto received = sweepInputs (nlohmann::json::parse (inputs.document.dump()), "plan");
+    REQUIRE (received.hash == inputs.hash);
+    const CaseEvaluator evaluator (received, false);
+    int cases = 0;
+
+    for (std::size_t i = 0; i < kept.parts().size(); ++i)
+    {
+        CHECK (kept.written() == i);
+        const auto part = kept.parts()[i];
+        kept.keep (i, encodePart (received.hash, part.first, computePart (evaluator, part, [&] { ++cases; })));
+    }
+
+    CHECK (cases == 5);
+    CHECK (kept.written() == kept.parts().size());
+    CHECK (csvOf (kept, inputs) == csvOf (single, inputs));
+
+    const auto part = encodePart (inputs.hash, 0, single.read (0));
+    CHECK_THAT (errorText ([&] { kept.keep (0, encodePart (others.hash, 0, single.read (0))); }),
+                Catch::Contains ("part 0: is of another plan"));
+    CHECK_THAT (errorText ([&] { kept.keep (1, part); }), Catch::Contains ("part 1: is of another plan"));
+    CHECK_FALSE (errorText ([&] { kept.keep (0, part.substr (0, part.size() - 1)); }).empty());
+    CHECK (csvOf (kept, inputs) == csvOf (single, inputs));
+}
+
 TEST_CASE ("A part's bytes are read as they were written, and no others", "[sweep]")
 {
     const std::vector<CaseResult> results { { { 1, -2.5 }, {} },
