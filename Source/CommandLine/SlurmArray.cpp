@@ -146,7 +146,7 @@ std::string submit (const SlurmArray& array, Clock::duration patience)
         // While a controller starts, sbatch fails as it does where options are wrong; then the controller answers.
         if (outcome.exitCode == commandNotFound || (isQueued ({}).has_value() && ++refusals == refusalsForGood)
             || Clock::now() > end)
-            throw InputError ("--slurm", "refused: " + printable (oneLine (outcome.printed), 300));
+            throw InputError ("--slurm", "sbatch failed: " + printable (oneLine (outcome.printed), 300));
 
         rest (shortestPause);
     }
