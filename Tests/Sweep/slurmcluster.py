@@ -7,6 +7,7 @@ import shutil
 import signal
 import socket
 import subprocess
+import sys
 import time
 
 os.environ["PATH"] += ":/usr/sbin:/sbin"
@@ -89,6 +90,24 @@ def descendants():
     return found - {os.getpid()}
 
 
+def run_guarded(work):
+    """What `work` returns, from a process of its own, which a signal to this one ends by way of all that it has to stop and remove: also a
+    signal that this one cannot handle."""
+    first = os.getpid()
+    child = os.fork()
+    if child == 0:
+        def end(number, frame):
+            raise SystemExit(128 + number)
+
+        signal.signal(signal.SIGTERM, end)
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # comes as SIGTERM, once
+        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM, 0, 0, 0)
+        sys.exit(work() if os.getppid() == first else 1)
+    signal.signal(signal.SIGTERM, lambda number, frame: os.kill(child, number))
+    signal.signal(signal.SIGINT, lambda number, frame: os.kill(child, signal.SIGTERM))
+    return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+
+
 class SlurmCluster:
     """Daemons in a folder. Orphans, such as slurmstepd whose slurmd was killed, become children of this program, so that it can end them."""
 
@@ -100,7 +119,6 @@ class SlurmCluster:
         self._libc = ctypes.CDLL(None, use_errno=True)
 
     def __enter__(self):
-        signal.signal(signal.SIGTERM, lambda number, frame: (_ for _ in ()).throw(SystemExit(128 + number)))
         self._libc.prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
         try:
             self._begin()
