@@ -135,7 +135,7 @@ std::string submit (const SlurmArray& array, Clock::duration patience)
     for (int refusals = 0;;)
     {
         const auto outcome = runCommand (slurmSubmission (array));
-        const auto job = slurmJobIn (outcome.printed);
+        auto job = slurmJobIn (outcome.printed);
 
         if (outcome.exitCode == 0 && ! job.empty())
         {
