@@ -19,8 +19,7 @@ AllocationCertificate makeCertificate (const PlayedWaveform& waveform, std::chro
     const auto& solution = waveform.free;
     AllocationCertificate certificate;
     certificate.peakRatio = waveform.peak;
-    certificate.status =
-        certificate.peakRatio < solution.limitShare ? AllocationStatus::unconstrained : AllocationStatus::optimal;
+    certificate.status = waveform.isLimited ? AllocationStatus::optimal : AllocationStatus::unconstrained;
     certificate.iterations = solution.iterations;
     certificate.objective = solution.objective;
     certificate.bound = solution.bound;

@@ -84,6 +84,8 @@ PlayedWaveform solveBetween (const PlayedProblem& problem, PlayedWaveform result
         result.free.limitShare = allowed;
         result.isNear = result.peak <= allowed * (1 + rounding);
 
+        result.isLimited = attempt > 0 || result.isLimited;
+
         if (result.isNear)
             break;
 
@@ -104,6 +106,10 @@ PlayedWaveform solvePlayed (const PlayedProblem& problem)
 
     if (! result.free.isMet)
         return result;
+
+    constexpr double touching = 1 - 1e-9;
+    result.isLimited = problem.all.shares.size() > 0
+                       || peakShare (result.free.samples, problem.all.limits) >= touching * result.free.limitShare;
 
     if (problem.sparse.factor > 1)
         return solveBetween (problem, std::move (result));

@@ -27,8 +27,9 @@ struct PlayedWaveform
 {
     BoundedWaveform free;
     SampledVoltages played;
-    double peak = 0;     ///< Of what is played, as a share of the limits.
-    bool isNear = false; ///< Whether it keeps the limits, and is as near to its bound as was asked for.
+    double peak = 0;        ///< Of what is played, as a share of the limits.
+    bool isLimited = false; ///< Whether limits shape it, those of single samples among them.
+    bool isNear = false;    ///< Whether it keeps the limits, and is as near to its bound as was asked for.
 };
 
 /** Between free samples the waveform is higher than at them: their limits are lowered until all that is played keeps

@@ -141,11 +141,15 @@ std::pair<SolvedWaveform, double> solveWithinSlews (const WaveformTask& task)
 
     // Longer edges where shorter ones do not lead there.
     const auto sample = static_cast<double> (free.problem.sparse.factor) / task.playback.sampleRate;
+    auto edge = std::max (slowestRise (free.waveform.played.values, slewLimits), sample);
 
-    for (auto edge = std::max (slowestRise (free.waveform.played.values, slewLimits), sample);
-         edge < mostOfAll * task.description.focusTime; edge *= longer)
+    while (edge < mostOfAll * task.description.focusTime)
+    {
         if (auto solved = solvedWithinSlews (task, slewLimits, edge))
             return { std::move (*solved), edge };
+
+        edge *= longer;
+    }
 
     throwTooSlow (task, use);
 }

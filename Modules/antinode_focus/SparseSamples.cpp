@@ -37,13 +37,13 @@ SparseSamples sparseSamples (const FocusDescription& description, Playback playb
 
 Eigen::Index largestFactor (Playback playback, double frequency)
 {
-    constexpr double lowestRate = 44100, ratesPerFrequency = 3;
+    constexpr double ratesPerFrequency = 3;
 
     if (playback.reconstruction == Reconstruction::zeroOrderHold)
         return 1;
 
-    const auto least = std::max (lowestRate, ratesPerFrequency * frequency);
-    return std::max<Eigen::Index> (static_cast<Eigen::Index> (playback.sampleRate / least), 1);
+    return std::max<Eigen::Index> (static_cast<Eigen::Index> (playback.sampleRate / (ratesPerFrequency * frequency)),
+                                   1);
 }
 
 Eigen::MatrixXd velocityWeights (const ModalModel& model, const std::vector<int>& modes, const SparseSamples& sparse)

@@ -22,7 +22,7 @@ struct SparseSamples
     [any] Docs/Theory.md, section 4.9. */
 SparseSamples sparseSamples (const FocusDescription&, Playback, std::size_t rows, Eigen::Index factor);
 
-/** The largest factor that leaves a rate of 44.1 kHz and a third of it above a frequency, Hz; 1 for held samples. [any]
+/** The largest factor that leaves a rate of three times a frequency, Hz; 1 for held samples. [any]
  */
 Eigen::Index largestFactor (Playback, double frequency);
 

@@ -59,6 +59,19 @@ void appendRows (Eigen::VectorXd& all, const Eigen::VectorXd& more)
 
 void appendShapes (ModalModel& model, const ModalModel& wide, Eigen::Index count)
 {
+    if (wide.surface.points.rows() == model.points() && wide.surface.points == model.surface.points)
+    {
+        appendColumns (model.shapes, wide.shapes.rightCols (count));
+
+        if (model.slopes.size() > 0)
+            appendColumns (model.slopes, wide.slopes.rightCols (count));
+
+        return;
+    }
+
+    if (model.surface.boundary)
+        throw InputError ("device '" + model.name + "'", "has other points in its second solution");
+
     if (model.surface.grid)
     {
         appendColumns (model.shapes,

@@ -114,25 +114,30 @@ std::optional<DeviceDescription> reaching (DeviceDescription device, const Reach
     return device;
 }
 
-/** A wide model of what one solution gives; none where it cannot be solved or gives no more modes. */
-std::optional<WideModel> tryWide (const DeviceDescription& device, const ModalModel& known, bool usesCache)
-{
-    try
-    {
-        return withModesBeyond (known, solveDevice (device, {}, usesCache));
-    }
-    catch (const InputError&)
-    {
-        return {};
-    }
-}
-
 ModalModel solveWithCache (const DeviceDescription& device, std::optional<int> modeCount, bool usesCache,
                            SolvedShapes shapes)
 {
     const auto folder = usesCache ? userCacheFolder() : std::nullopt;
     const auto cache = folder ? std::optional (ModeCache (*folder)) : std::nullopt;
     return solveCached (device, modeCount, cache ? &*cache : nullptr, shapes);
+}
+
+/** A wide model of what one solution gives; none where it cannot be solved or gives no more modes. */
+std::optional<WideModel> tryWide (const DeviceDescription& device, const ModalModel& known, bool usesCache)
+{
+    try
+    {
+        // Two solutions of a plate with an outline have points of their own: here they are those of the known modes.
+        if (std::holds_alternative<OutlinedPlate> (device.body))
+            return withModesBeyond (known, solveWithCache (device, static_cast<int> (known.modes()), usesCache,
+                                                           SolvedShapes::onPointsOfFewer));
+
+        return withModesBeyond (known, solveDevice (device, {}, usesCache));
+    }
+    catch (const InputError&)
+    {
+        return {};
+    }
 }
 
 /** A document of the user's; drawings that a device names become a part of it. */
@@ -245,13 +250,6 @@ ModalModel solveDevice (const DeviceDescription& device, std::optional<int> mode
 
 WideModel solveWide (const DeviceDescription& device, const ModalModel& known, double frequency, bool usesCache)
 {
-    if (std::holds_alternative<OutlinedPlate> (device.body))
-        return {
-            known, known.modes(),
-            "Two solutions of a plate with an outline have points of their own: what spills over into modes beyond "
-            "these is not known."
-        };
-
     const auto wider = reaching (device, { {}, frequency });
 
     if (! wider)

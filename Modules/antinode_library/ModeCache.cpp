@@ -3,6 +3,7 @@
 #include "ModeCacheEntry.h"
 
 #include <antinode_base/WholeFile.h>
+#include <antinode_structure/OutlinedModel.h>
 #include <antinode_structure/StaticShare.h>
 #include <antinode_text/OutputFolder.h>
 
@@ -48,6 +49,21 @@ void makePrivateFolder (const fs::path& folder)
 {
     if (fs::create_directories (folder))
         fs::permissions (folder, fs::perms::owner_all);
+}
+
+ModalModel solved (const DeviceDescription& device, std::optional<int> modeCount, SolvedShapes shapes)
+{
+    switch (shapes)
+    {
+        case SolvedShapes::withStaticShare:
+            return solveWithStaticShare (device, modeCount);
+        case SolvedShapes::onPointsOfFewer:
+            return solveOutlinedOnPointsOfFewer (device.name, std::get<OutlinedPlate> (device.body), modeCount.value());
+        case SolvedShapes::modes:
+            break;
+    }
+
+    return solveStructure (device, modeCount);
 }
 
 struct StoredFile
@@ -184,8 +200,7 @@ ModalModel solveCached (const DeviceDescription& device, std::optional<int> mode
         if (auto found = cache->find (device, modeCount, shapes))
             return *std::move (found);
 
-    auto model =
-        shapes == SolvedShapes::modes ? solveStructure (device, modeCount) : solveWithStaticShare (device, modeCount);
+    auto model = solved (device, modeCount, shapes);
 
     if (cache != nullptr)
         cache->store (device, modeCount, model, shapes);

@@ -31,6 +31,9 @@ std::optional<std::string> modeCacheKey (const DeviceDescription& device, std::o
     if (shapes == SolvedShapes::withStaticShare)
         writer (std::string ("static share"));
 
+    if (shapes == SolvedShapes::onPointsOfFewer)
+        writer (std::string ("points of fewer"));
+
     return std::move (writer.bytes);
 }
 } // namespace antinode

@@ -10,8 +10,9 @@ namespace antinode
 /** What a device is solved for. */
 enum class SolvedShapes
 {
-    modes,          ///< As solveStructure.
-    withStaticShare ///< As solveWithStaticShare.
+    modes,           ///< As solveStructure.
+    withStaticShare, ///< As solveWithStaticShare.
+    onPointsOfFewer ///< As solveOutlinedOnPointsOfFewer: all that an outlined plate asks for, on the points of so many.
 };
 
 /** Everything that the modes of a described device depend on, as bytes: equal where the modes are. None for a device

@@ -69,14 +69,11 @@ OutlinedPlate asSolved (const OutlinedPlate& plate, std::optional<int> modeCount
                   expectedWaveNumber (scaled.problem, std::clamp (count, 1, maximumPlateModes) / 2) / scaled.length);
     return solved;
 }
-} // namespace
-
-ModalModel solveOutlinedPlate (const std::string& name, const OutlinedPlate& plate, std::optional<int> modeCount)
+/** The model of a solution on a grid.
+    @param solved  the plate of one section that the solution is of */
+ModalModel onGrid (const std::string& name, const OutlinedPlate& plate, const OutlinedPlate& solved,
+                   const OutlinedSolution& solution, const OutlinedGrid& grid)
 {
-    requireSolvable (plate);
-    const auto solved = asSolved (plate, modeCount);
-    const auto solution = solveOutlinedModes (solved, modeCount);
-    const OutlinedGrid grid (solution.scaled.problem, solution.waveNumber);
     const auto shapes = grid.shapes (solution.modes);
     ModalModel model;
     model.surface = surfaceOf (plate, solution.scaled, grid);
@@ -93,6 +90,25 @@ ModalModel solveOutlinedPlate (const std::string& name, const OutlinedPlate& pla
     settleSigns (model);
     validate (model);
     return model;
+}
+} // namespace
+
+ModalModel solveOutlinedPlate (const std::string& name, const OutlinedPlate& plate, std::optional<int> modeCount)
+{
+    requireSolvable (plate);
+    const auto solved = asSolved (plate, modeCount);
+    const auto solution = solveOutlinedModes (solved, modeCount);
+    const OutlinedGrid grid (solution.scaled.problem, solution.waveNumber);
+    return onGrid (name, plate, solved, solution, grid);
+}
+
+ModalModel solveOutlinedOnPointsOfFewer (const std::string& name, const OutlinedPlate& plate, int fewer)
+{
+    requireSolvable (plate);
+    const auto solved = asSolved (plate, fewer);
+    const auto first = solveOutlinedModes (solved, fewer);
+    const OutlinedGrid grid (first.scaled.problem, first.waveNumber);
+    return onGrid (name, plate, solved, solveOutlinedModes (solved, {}), grid);
 }
 
 OutlinedPlate outlinedPlate (const PlateDescription& plate)

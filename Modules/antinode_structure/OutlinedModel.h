@@ -9,6 +9,12 @@ namespace antinode
 /** A plate of any outline, solved and put on a grid. @throws InputError [worker] Docs/Theory.md, section 1.13. */
 ModalModel solveOutlinedPlate (const std::string& name, const OutlinedPlate&, std::optional<int> modeCount);
 
+/** The modes that a plate asks for, as solveOutlinedPlate gives them, but on the points of its first ones.
+    @param fewer  how many these are
+    @throws InputError  as solveOutlinedPlate
+    [worker] Docs/Theory.md, section 5.2. */
+ModalModel solveOutlinedOnPointsOfFewer (const std::string& name, const OutlinedPlate&, int fewer);
+
 /** A rectangular plate as one with an outline, whose edges are bottom, right, top and left: for what only that solver
    takes, ceramics that are turned or round. [any] */
 OutlinedPlate outlinedPlate (const PlateDescription&);
