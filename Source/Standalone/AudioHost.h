@@ -108,7 +108,7 @@ protected:
 
 private:
     virtual void keepState (StandaloneSettings&) = 0; ///< What plays, into the settings.
-    virtual void passAmplifiers (std::vector<double> /*volts*/) {}
+    virtual void passAmplifiers (const std::vector<double>& /*volts*/) {}
     virtual juce::String playerWarning() = 0;
     virtual std::uint64_t generation() = 0; ///< Another one where limits may have changed.
     virtual void tick() {}                  ///< 20 times a second.

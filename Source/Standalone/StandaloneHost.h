@@ -43,7 +43,7 @@ public:
 
 private:
     void keepState (StandaloneSettings& settings) override { settings.state = player.state(); }
-    void passAmplifiers (std::vector<double> volts) override { player.session().setAmplifiers (std::move (volts)); }
+    void passAmplifiers (const std::vector<double>& volts) override { player.session().setAmplifiers (volts); }
     juce::String playerWarning() override { return player.warning(); }
     std::uint64_t generation() override { return player.session().snapshot()->generation; }
     void tick() override;

@@ -61,7 +61,7 @@ public:
 
 private:
     void keepState (StandaloneSettings&) override;
-    void passAmplifiers (std::vector<double> volts) override { player.session().setAmplifiers (std::move (volts)); }
+    void passAmplifiers (const std::vector<double>& volts) override { player.session().setAmplifiers (volts); }
     juce::String playerWarning() override;
     std::uint64_t generation() override;
     AudioChoice audioToKeep (AudioChoice opened) const override;
