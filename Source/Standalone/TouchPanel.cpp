@@ -1,6 +1,7 @@
 #include "TouchPanel.h"
 
 #include "PanelSizes.h"
+#include "RestingTouches.h"
 
 #include <Editor/EditorLook.h>
 #include <antinode_base/InputError.h>
