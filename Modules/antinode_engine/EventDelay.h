@@ -1,0 +1,42 @@
+#pragma once
+
+#include "FocusEvent.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace antinode
+{
+/** Events that come out a number of samples later, in the order in which they came, whatever the blocks are. A delay
+    that becomes shorter never lets an event overtake an earlier one. */
+class EventDelay
+{
+public:
+    static constexpr std::size_t mostWaiting = 4096;  ///< Events beyond these are left out.
+    static constexpr std::size_t mostPerBlock = 1024; ///< Those beyond come at the start of the next block.
+
+    /** @param events  of this block, in the order of their offsets
+        @param count   samples of the block
+        @param delay   samples, 0 or more
+        @return        those that fall into this block; valid until the next call
+        [audio thread] allocates nothing, locks nothing */
+    std::span<const FocusEvent> process (std::span<const FocusEvent> events, int count, std::int64_t delay);
+
+    /** As if no event had come. [audio thread] */
+    void reset() { first = waiting = 0; }
+
+private:
+    struct Waiting
+    {
+        std::int64_t due = 0; ///< Sample of the clock.
+        FocusEvent event;
+    };
+
+    std::array<Waiting, mostWaiting> ring {};
+    std::array<FocusEvent, mostPerBlock> out {};
+    std::size_t first = 0, waiting = 0;  ///< In the ring.
+    std::int64_t clock = 0, lastDue = 0; ///< Samples.
+};
+} // namespace antinode
