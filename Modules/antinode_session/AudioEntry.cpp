@@ -1,5 +1,7 @@
 #include "AudioEntry.h"
 
+#include "NoteBank.h"
+
 #include <algorithm>
 
 namespace antinode
@@ -12,8 +14,7 @@ void AudioEntry::prepare (double sampleRate)
 
 int AudioEntry::eventPlace (const FocusEvent& event) const
 {
-    const auto playsSpot = playsSpotOnly || event.place == spotNote;
-    return playsSpot ? FocusBank::livePlace : std::clamp (event.place, 0, FocusBank::places - 1);
+    return bankPlaceOf (event.place, playsSpotOnly);
 }
 
 /** The events of the block with those that came from elsewhere before them; a note's place becomes the bank's. */

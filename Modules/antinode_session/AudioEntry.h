@@ -16,9 +16,6 @@ namespace antinode
 class AudioEntry
 {
 public:
-    /** Middle C plays the focus at its own position, whatever the other notes play. */
-    static constexpr int spotNote = 60;
-
     /** Plays a block, or silence while there is no path. [audio thread] allocates nothing, locks nothing
         @param events  what came with the block; a note's place is its number */
     template <typename Sample>

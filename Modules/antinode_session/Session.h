@@ -1,6 +1,7 @@
 #pragma once
 
 #include "AudioEntry.h"
+#include "NoteBank.h"
 #include "SessionOwner.h"
 #include "SessionRequests.h"
 
@@ -26,7 +27,7 @@ class Session
 {
 public:
     /** Middle C plays the focus at its own position, whatever the other notes play. */
-    static constexpr int spotNote = AudioEntry::spotNote;
+    static constexpr int spotNote = antinode::spotNote;
 
     using ReadSettings = std::function<PlaySettings()>;
 

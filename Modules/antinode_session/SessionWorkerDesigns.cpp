@@ -1,22 +1,16 @@
 #include "SessionWorker.h"
 
 #include "FocusSettings.h"
+#include "NoteBank.h"
 #include "WrittenDesign.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_focus/BankPlaces.h>
-#include <antinode_library/Library.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace antinode
 {
-namespace
-{
-constexpr double bankMargin = 0.1; // of the surface's shorter side, kept from its edges
-} // namespace
-
 void SessionWorker::requestDesigns (const std::vector<int>& firstNotes)
 {
     const auto description = withSettings (focus->description, settings, model->surface);
@@ -55,8 +49,7 @@ std::function<WideModel()> SessionWorker::widen() const
     if (! fingers.empty())
         return {};
 
-    return [document = device, known = model, sampleRate = rate]
-    { return solveWide (document->description, *known, frequencyBeyond (*known, sampleRate), true); };
+    return modesBeyond (device, model, rate);
 }
 
 std::vector<std::pair<double, double>> SessionWorker::notePlaces() const
@@ -65,13 +58,8 @@ std::vector<std::pair<double, double>> SessionWorker::notePlaces() const
     if (settings.noteLayout == NoteLayout::spot || written() != nullptr)
         return {};
 
-    const auto& surface = model->surface;
-    const auto width = surface.xMaximum - surface.xMinimum, height = surface.yMaximum - surface.yMinimum;
-    const auto shorter = height > 0 ? std::min (width, height) : width;
-    auto places = bankPlaces (surface, FocusBank::notePlaces, bankMargin * shorter);
-    const auto spot = withSettings (focus->description, settings, surface).targets.front();
-    places[AudioEntry::spotNote] = { spot.x, spot.y };
-    return places;
+    const auto spot = withSettings (focus->description, settings, model->surface).targets.front();
+    return spreadNotes (model->surface, { spot.x, spot.y });
 }
 
 Eigen::MatrixXd SessionWorker::probeShapes() const
