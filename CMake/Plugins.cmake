@@ -1,10 +1,10 @@
-# antinode_plugin (TARGET NAME CERAMICS URI CODE FORMAT ENTRY EDITOR ISSYNTH CATEGORIES...): one binary of a plug-in.
-function (antinode_plugin target name ceramics uri code format entry editor is_synth)
+# antinode_plugin (TARGET NAME CERAMICS URI CODE FORMAT ENTRY EDITOR ISSYNTH TAKESMIDI CATEGORIES...): one binary of a plug-in.
+function (antinode_plugin target name ceramics uri code format entry editor is_synth takes_midi)
     juce_add_plugin (${target}
         PRODUCT_NAME "${name}" COMPANY_NAME "Antinode" COMPANY_WEBSITE "https://antinode.example"
         COMPANY_EMAIL "mailto:antinode@antinode.example" BUNDLE_ID "example.antinode.${target}"
         PLUGIN_MANUFACTURER_CODE Anti PLUGIN_CODE ${code} FORMATS ${format} LV2URI "${uri}"
-        IS_SYNTH ${is_synth} NEEDS_MIDI_INPUT ${is_synth} NEEDS_MIDI_OUTPUT FALSE IS_MIDI_EFFECT FALSE
+        IS_SYNTH ${is_synth} NEEDS_MIDI_INPUT ${takes_midi} NEEDS_MIDI_OUTPUT FALSE IS_MIDI_EFFECT FALSE
         VST3_CATEGORIES ${ARGN} COPY_PLUGIN_AFTER_BUILD FALSE)
     target_sources (${target} PRIVATE ${entry})
     # A Debian patch of JUCE ignores the URI above.
@@ -12,7 +12,7 @@ function (antinode_plugin target name ceramics uri code format entry editor is_s
     target_link_libraries (${target} PUBLIC ${editor} PRIVATE antinode_options)
 endfunction()
 
-# antinode_plugins (TARGET NAME SLUG CODE ENTRY EDITOR ISSYNTH CATEGORIES...): a plug-in as VST3 and as LV2, which freezes its ports when it is
+# antinode_plugins (TARGET NAME SLUG CODE ENTRY EDITOR ISSYNTH TAKESMIDI CATEGORIES...): a plug-in as VST3 and as LV2, which freezes its ports when it is
 # built: each number of ceramics is a bundle of its own. CODE has three letters.
 function (antinode_plugins target name slug code)
     set (uri "https://antinode.example/plugins/${slug}")

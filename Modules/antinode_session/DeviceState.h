@@ -13,7 +13,8 @@ namespace antinode
 struct DeviceState
 {
     std::shared_ptr<const DeviceDocument> device;
-    std::map<std::string, double> parameters; ///< By their identifiers, in the units of their texts.
+    std::map<std::string, double> parameters;        ///< By their identifiers, in the units of their texts.
+    std::shared_ptr<const FocusDocument> focus = {}; ///< Of Antinode Touch only; none: notes play nothing.
 };
 
 inline constexpr auto plateSchema = "antinode.plate/1"; ///< Of Antinode Plate.

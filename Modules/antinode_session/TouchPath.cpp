@@ -1,7 +1,10 @@
 #include "TouchPath.h"
 
 #include "BlockPeak.h"
+#include "NoteBank.h"
+#include "TouchDesigner.h"
 
+#include <antinode_graph/OverlaidFociNode.h>
 #include <antinode_graph/SlewNode.h>
 
 #include <algorithm>
@@ -35,7 +38,9 @@ TouchPath::TouchPath (std::shared_ptr<const ModalModel> model, int inputs, Track
     filters = graph.add (
         std::make_unique<FilterNode> (static_cast<int> (modes->actuators()), fingers, band, settings, threshold),
         input);
-    auto last = filters;
+    overlay = graph.add (std::make_unique<OverlaidFociNode> (static_cast<int> (modes->actuators()), PlayerSettings {}),
+                         filters);
+    auto last = overlay;
 
     if (const auto slews = slewLimitsOf (*modes); slews.maxCoeff() > 0)
         last = graph.add (std::make_unique<SlewNode> (limits, slews), last);
@@ -43,6 +48,36 @@ TouchPath::TouchPath (std::shared_ptr<const ModalModel> model, int inputs, Track
     limiter = graph.add (std::make_unique<LimiterNode> (limits), last);
     graph.setOutputs ({ limiter });
     graph.prepare ({ rate, longestTouchPart });
+
+    for (std::size_t i = 0; i < latencies.size(); ++i)
+        latencies[i] = filterTiming (band, TouchDesigner::filterSettings (rate, i)).latencySamples();
+
+    auto& voices = static_cast<OverlaidFociNode&> (graph.node (overlay)).voices();
+    focusDesigns = std::make_unique<DesignWorker> (voices.handOver());
+}
+
+void TouchPath::reset()
+{
+    graph.reset();
+    delay.reset();
+}
+
+/** Notes as places of the bank, as loud as the gain has them. */
+std::span<const FocusEvent> TouchPath::placed (std::span<const FocusEvent> notes, const TouchControls& controls)
+{
+    if (controls.notes == NoteMeaning::nothing)
+        return {};
+
+    const auto count = std::min (notes.size(), placedNotes.size());
+
+    for (std::size_t k = 0; k < count; ++k)
+    {
+        placedNotes[k] = notes[k];
+        placedNotes[k].place = bankPlaceOf (notes[k].place, controls.notes == NoteMeaning::spotOnly);
+        placedNotes[k].amplitude *= controls.focusGain;
+    }
+
+    return { placedNotes.data(), count };
 }
 
 bool TouchPath::isSilentAfter (std::int64_t passed) const
@@ -61,7 +96,8 @@ void TouchPath::process (const TouchBlock<Sample>& block, const TouchControls& c
     fingerMeters.traceRate.store (traceRate, std::memory_order_relaxed);
     static_cast<InputNode&> (graph.node (input)).give (block.inputs, 1);
     limiterNode().setArmed (controls.isArmed && ! isLeaving);
-    graph.processParts<double> (block.count, {},
+    const auto due = delay.process (placed (block.events, controls), block.count, latencies[controls.latency]);
+    graph.processParts<double> (block.count, due,
                                 [&] (int offset, int count, Outputs outputs)
                                 {
                                     write (block, offset, count, outputs);

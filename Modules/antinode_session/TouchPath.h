@@ -1,14 +1,17 @@
 #pragma once
 
+#include "DesignWorker.h"
 #include "LevelMeters.h"
 #include "TouchSettings.h"
 
+#include <antinode_engine/EventDelay.h>
 #include <antinode_graph/FilterNode.h>
 #include <antinode_graph/InputNode.h>
 #include <antinode_graph/LimiterNode.h>
 #include <antinode_graph/NodeGraph.h>
 #include <antinode_model/ModalModel.h>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -23,9 +26,11 @@ struct TouchBlock
     std::span<Sample* const> ceramics;     ///< Channel k is ceramic k, 1.0 its device's full scale; may be the same
                                            ///< memory as the inputs. Those beyond the device's ceramics become silent.
     int count = 0;                         ///< Samples.
+    std::span<const FocusEvent> events = {}; ///< In the order of their offsets; a note's place is its number.
 };
 
-/** One device at one sample rate under the inputs of fingers: filters, limiter, meters. Made by the session, played by
+/** One device at one sample rate under the inputs of fingers and notes: filters, foci, limiter, meters. Notes wait as
+    long as the filters take, so that a focus and a track of the same time stay together. Made by the session, played by
     the audio thread, freed by the session. */
 class TouchPath
 {
@@ -46,6 +51,9 @@ public:
     /** Where its filters come from. [session's thread] */
     HandOver<FilterBank>& banks() { return filterNode().banks(); }
 
+    /** Where its foci come from. [session's thread] */
+    DesignWorker& foci() { return *focusDesigns; }
+
     /** Plays a block of any length.
         @param isLeaving  from now on the voltages ramp to 0
         [audio thread] allocates nothing, locks nothing */
@@ -56,13 +64,14 @@ public:
     bool isSilentAfter (std::int64_t samples) const;
 
     /** As if no input had come. [audio thread] */
-    void reset() { graph.reset(); }
+    void reset();
 
 private:
     using Outputs = const double* const*; ///< Of the graph: the voltages behind the limiter.
 
     FilterNode& filterNode() { return static_cast<FilterNode&> (graph.node (filters)); }
     LimiterNode& limiterNode() { return static_cast<LimiterNode&> (graph.node (limiter)); }
+    std::span<const FocusEvent> placed (std::span<const FocusEvent> notes, const TouchControls&);
     template <typename Sample>
     void noteInputs (const TouchBlock<Sample>&, FingerMeters&) const;
     template <typename Sample>
@@ -74,6 +83,10 @@ private:
     double rate, traceRate; ///< Hz, of the host and of the filters.
     int fingers;
     NodeGraph graph;
-    int input = 0, filters = 0, limiter = 0; ///< Indices of its nodes.
+    int input = 0, filters = 0, overlay = 0, limiter = 0;         ///< Indices of its nodes.
+    std::array<std::int64_t, touchLatencies.size()> latencies {}; ///< Samples.
+    std::array<FocusEvent, EventDelay::mostPerBlock> placedNotes {};
+    EventDelay delay;
+    std::unique_ptr<DesignWorker> focusDesigns; ///< Ends before the graph whose voices it gives banks to.
 };
 } // namespace antinode

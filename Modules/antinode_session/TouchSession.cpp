@@ -35,9 +35,24 @@ void TouchSession::process (const TouchBlock<Sample>& block, const TouchControls
     worker->process (block, controls);
 }
 
-void TouchSession::waitUntilSettled()
+void TouchSession::waitUntilSettled (std::span<const FocusEvent> notes)
 {
-    worker->waitUntilSettled();
+    worker->waitUntilSettled (notes);
+}
+
+void TouchSession::loadFocus (std::shared_ptr<const FocusDocument> focus)
+{
+    worker->loadFocus (std::move (focus));
+}
+
+std::shared_ptr<const FocusDocument> TouchSession::focus() const
+{
+    return worker->focus();
+}
+
+DesignProgress TouchSession::focusProgress() const
+{
+    return worker->focusProgress();
 }
 
 void TouchSession::setComparing (bool shouldCompare)

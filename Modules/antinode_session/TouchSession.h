@@ -66,9 +66,16 @@ public:
     template <typename Sample>
     void process (const TouchBlock<Sample>&, const TouchControls&);
 
-    /** Waits until all that was loaded is taken up, and filters are designed for what the parameters say. [any but a
-        real-time audio thread] */
-    void waitUntilSettled();
+    /** Waits until all that was loaded is taken up, and filters are designed for what the parameters say, and the focus
+        at its own place and at those of these notes. One caller at a time. [any but a real-time audio thread] */
+    void waitUntilSettled (std::span<const FocusEvent> notes = {});
+
+    /** What notes play on top of the tracks, TouchFoci; none: nothing. Returns at once. [any but the audio thread] */
+    void loadFocus (std::shared_ptr<const FocusDocument>);
+    std::shared_ptr<const FocusDocument> focus() const;
+
+    /** Of the foci's designs. [any but the audio thread] */
+    DesignProgress focusProgress() const;
 
     /** Whether somebody wants to know the volts of all latencies: then designs are made for them too, when there is
         nothing else to do. [any] */

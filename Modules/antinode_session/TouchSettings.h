@@ -51,11 +51,22 @@ struct TouchSettings
     bool operator== (const TouchSettings&) const = default;
 };
 
+/** What notes play. */
+enum class NoteMeaning
+{
+    nothing,
+    spread,  ///< Each note the focus at a place of its own.
+    spotOnly ///< All notes the focus at its own place.
+};
+
 /** What takes effect at once. */
 struct TouchControls
 {
     bool isArmed = true;                       ///< False: all voltages ramp to 0.
     std::array<double, mostFingers> levels {}; ///< m that 1.0 of an input moves its finger; 0: silent.
+    double focusGain = 1;                      ///< Factor of the foci that begin from now on, 0 to 1.
+    std::size_t latency = 0;                   ///< Index in touchLatencies: by how much foci wait for the filters.
+    NoteMeaning notes = NoteMeaning::nothing;  ///< Set by the session.
 };
 
 /** Levels of the audio thread for other threads. */

@@ -1,6 +1,7 @@
 #include "TouchWorker.h"
 
 #include "Amplifiers.h"
+#include "NoteBank.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>
@@ -72,6 +73,7 @@ void TouchWorker::run()
                 step();
             while (! isSettled());
 
+            waitForFoci();
             finish (round);
             compare();
         }
@@ -105,6 +107,9 @@ void TouchWorker::step()
     if (const auto isFormatNew = std::exchange (format, wanted) != wanted;
         std::exchange (isModelNew, false) || isFormatNew)
         buildPath();
+
+    if (path != nullptr)
+        foci.serve (*path, present.device, amplifiers, std::exchange (isPathNew, false));
 
     if (path != nullptr && designedFor != settings)
         design();
@@ -157,6 +162,7 @@ void TouchWorker::buildPath()
                                                  threshold);
         designer = std::make_unique<TouchDesigner> (present.model, format.sampleRate, format.inputs);
         path = made.get();
+        isPathNew = true;
         tail = std::log (1000) / decayRates (*present.model).minCoeff() + FilterSettings().length;
         paths.give (std::move (made));
     }
@@ -166,6 +172,43 @@ void TouchWorker::buildPath()
     }
 
     publish();
+}
+
+void TouchWorker::waitUntilSettled (std::span<const FocusEvent> notes)
+{
+    const auto await = [this] (std::optional<std::vector<int>> awaited)
+    {
+        const std::lock_guard lock (mutex);
+        awaitedNotes = std::move (awaited);
+    };
+    std::vector<int> numbers { spotNote };
+
+    for (const auto& event : notes)
+        if (event.kind == FocusEventKind::trigger)
+            numbers.push_back (event.place);
+
+    await (std::move (numbers));
+    DeviceRounds::waitUntilSettled();
+    await ({});
+}
+
+/** Only who renders offline waits for foci: filters have to come soon. */
+void TouchWorker::waitForFoci()
+{
+    std::optional<std::vector<int>> awaited;
+    {
+        const std::lock_guard lock (mutex);
+        awaited = awaitedNotes;
+    }
+
+    if (! awaited || path == nullptr || foci.notes() == NoteMeaning::nothing)
+        return;
+
+    for (auto& note : *awaited)
+        note = bankPlaceOf (note, foci.notes() == NoteMeaning::spotOnly);
+
+    path->foci().waitFor (*awaited);
+    foci.serve (*path, present.device, amplifiers, false);
 }
 
 /** Whether what was asked for before this round is there, or cannot be. */
@@ -319,7 +362,9 @@ void TouchWorker::process (const TouchBlock<Sample>& block, const TouchControls&
     if (auto* const current = paths.current (preparedRate, block.count))
     {
         fullScale.store (current->fullScaleVolts(), std::memory_order_relaxed);
-        current->process (block, controls, paths.isLeaving(), levels, fingerLevels);
+        auto now = controls;
+        now.notes = foci.notes();
+        current->process (block, now, paths.isLeaving(), levels, fingerLevels);
         return;
     }
 

@@ -2,6 +2,7 @@
 
 #include "DeviceRounds.h"
 #include "PathExchange.h"
+#include "TouchFoci.h"
 #include "TouchSession.h"
 
 #include <antinode_felt/SkinThreshold.h>
@@ -9,6 +10,8 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace antinode
@@ -34,6 +37,10 @@ public:
     void process (const TouchBlock<Sample>&, const TouchControls&);
     void setComparing (bool shouldCompare) { isComparing = shouldCompare; }
     void setAmplifiers (std::vector<double> volts);
+    void loadFocus (std::shared_ptr<const FocusDocument> focus) { foci.load (std::move (focus)); }
+    std::shared_ptr<const FocusDocument> focus() const { return foci.focus(); }
+    DesignProgress focusProgress() const { return foci.progress(); }
+    void waitUntilSettled (std::span<const FocusEvent> notes);
     LevelMeters& meters() { return levels; }
     FingerMeters& fingerMeters() { return fingerLevels; }
     std::int64_t latencySamples (std::size_t latency) const;
@@ -54,17 +61,21 @@ private:
     void makeDesign();
     void play (std::unique_ptr<const FilterBank>);
     void compare();
+    void waitForFoci();
     bool hasOtherPath();
     bool hasNews();
 
     std::atomic<bool> isComparing { false };
     std::vector<double> wantedAmplifiers;              ///< V, under the lock.
+    std::optional<std::vector<int>> awaitedNotes;      ///< Under the lock: somebody waits for their foci.
     std::vector<double> amplifiers;                    ///< Of the session's thread, as the next lines.
     std::shared_ptr<const ModalModel> solved, limited; ///< Without and with the amplifiers.
     std::optional<TouchSettings> designedFor;          ///< Also where that failed: nobody shall try it again and again.
     TouchFormat format;
     SkinThreshold threshold;
     std::unique_ptr<TouchDesigner> designer;
+    TouchFoci foci;
+    bool isPathNew = false;    ///< Whether no focus was asked for it yet.
     TouchPath* path = nullptr; ///< The newest one, which `paths` owns.
 
     PathExchange<TouchPath> paths;

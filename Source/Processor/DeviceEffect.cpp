@@ -49,13 +49,14 @@ std::shared_ptr<const DeviceDocument> DeviceEffect::device() const
 
 DeviceState DeviceEffect::state() const
 {
-    return { device(), values() };
+    return { device(), values(), keptFocus() };
 }
 
 void DeviceEffect::setState (const DeviceState& wanted)
 {
     const auto isOtherDevice = wanted.device->text != device()->text;
     setValues (wanted.parameters, *wanted.device);
+    takeFocus (wanted.focus);
 
     if (isOtherDevice)
         load (wanted.device);
@@ -122,7 +123,7 @@ void DeviceEffect::prepareToPlay (double sampleRate, int)
 }
 
 template <typename Sample>
-void DeviceEffect::play (juce::AudioBuffer<Sample>& buffer, bool isBypassed)
+void DeviceEffect::play (juce::AudioBuffer<Sample>& buffer, const juce::MidiBuffer& midi, bool isBypassed)
 {
     const juce::ScopedNoDenormals noDenormals;
     const auto wires = static_cast<int> (std::max (inputOrder.size(), outputOrder.size()));
@@ -143,6 +144,7 @@ void DeviceEffect::play (juce::AudioBuffer<Sample>& buffer, bool isBypassed)
     for (std::size_t k = 0; k < outputOrder.size(); ++k)
         out[k] = buffer.getWritePointer (outputOrder[k]);
 
+    takeNotes (midi, buffer.getNumSamples());
     playChannels (std::span<const Sample* const> (in.data(), inputOrder.size()),
                   std::span<Sample* const> (out.data(), outputOrder.size()), buffer.getNumSamples(), isBypassed);
 
@@ -150,8 +152,8 @@ void DeviceEffect::play (juce::AudioBuffer<Sample>& buffer, bool isBypassed)
         buffer.clear (i, 0, buffer.getNumSamples());
 }
 
-template void DeviceEffect::play (juce::AudioBuffer<float>&, bool);
-template void DeviceEffect::play (juce::AudioBuffer<double>&, bool);
+template void DeviceEffect::play (juce::AudioBuffer<float>&, const juce::MidiBuffer&, bool);
+template void DeviceEffect::play (juce::AudioBuffer<double>&, const juce::MidiBuffer&, bool);
 
 /** As in AntinodeProcessor: who comes second leaves it to a message that follows. */
 void DeviceEffect::reportLatency()

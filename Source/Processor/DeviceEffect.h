@@ -44,10 +44,22 @@ public:
     bool canRemoveBus (bool) const override { return false; }
     bool isBusesLayoutSupported (const BusesLayout&) const override;
     void prepareToPlay (double sampleRate, int longestBlock) override;
-    void processBlock (juce::AudioBuffer<float>& buffer, juce::MidiBuffer&) override { play (buffer, false); }
-    void processBlock (juce::AudioBuffer<double>& buffer, juce::MidiBuffer&) override { play (buffer, false); }
-    void processBlockBypassed (juce::AudioBuffer<float>& buffer, juce::MidiBuffer&) override { play (buffer, true); }
-    void processBlockBypassed (juce::AudioBuffer<double>& buffer, juce::MidiBuffer&) override { play (buffer, true); }
+    void processBlock (juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) override
+    {
+        play (buffer, midi, false);
+    }
+    void processBlock (juce::AudioBuffer<double>& buffer, juce::MidiBuffer& midi) override
+    {
+        play (buffer, midi, false);
+    }
+    void processBlockBypassed (juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) override
+    {
+        play (buffer, midi, true);
+    }
+    void processBlockBypassed (juce::AudioBuffer<double>& buffer, juce::MidiBuffer& midi) override
+    {
+        play (buffer, midi, true);
+    }
     bool acceptsMidi() const override { return false; }
     bool producesMidi() const override { return false; }
     int getNumPrograms() override { return 1; }
@@ -91,13 +103,16 @@ private:
     virtual StepReports& stepReports() = 0;
     virtual std::int64_t latencyToReport() const = 0;
     virtual juce::String ownWarning() = 0;
+    virtual std::shared_ptr<const FocusDocument> keptFocus() const { return nullptr; } ///< Of effects that have one.
+    virtual void takeFocus (std::shared_ptr<const FocusDocument>) {}
+    virtual void takeNotes (const juce::MidiBuffer&, int) {} ///< Of the block whose channels come next.
     virtual void playChannels (std::span<const float* const> in, std::span<float* const> out, int count,
                                bool isBypassed) = 0;
     virtual void playChannels (std::span<const double* const> in, std::span<double* const> out, int count,
                                bool isBypassed) = 0;
 
     template <typename Sample>
-    void play (juce::AudioBuffer<Sample>&, bool isBypassed);
+    void play (juce::AudioBuffer<Sample>&, const juce::MidiBuffer&, bool isBypassed);
     void orderWires();
     void reportLatency();
     void reportChanges();

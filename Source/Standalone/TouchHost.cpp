@@ -36,9 +36,10 @@ double percentOf (double value, double least, double most, const char* axis, std
 TouchHost::TouchHost (SettingsFile fileToUse, bool keepsSettings) : AudioHost (std::move (fileToUse), keepsSettings)
 {
     if (kept.touchState)
-        player.setState ({ kept.touchState->device, withoutPorts (kept.touchState->parameters) });
+        player.setState (
+            { kept.touchState->device, withoutPorts (kept.touchState->parameters), kept.touchState->focus });
 
-    begin (player, noNotes);
+    begin (player, midiQueue);
     callback().setInputs (kept.inputs);
 }
 
@@ -80,6 +81,13 @@ void TouchHost::setTouch (const TouchPorts& ports)
     kept.touch = ports;
     tellChange();
     player.network().open (ports);
+}
+
+void TouchHost::openAll (const StandaloneSettings& wanted)
+{
+    kept.midi = wanted.midi;
+    midiInputs.choose (wanted.midi);
+    AudioHost::openAll (wanted);
 }
 
 /** What is kept has no touches: they are lifted first. */

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "AudioHost.h"
+#include "MidiInputs.h"
 
 #include <TouchProcessor/TouchProcessor.h>
 
@@ -18,8 +19,8 @@ struct WantedFinger
     double level = 5e-6; ///< m that 1.0 of its input moves it; 0: it rests and feels nothing.
 };
 
-/** The standalone program without its windows, playing Antinode Touch: inputs of the audio device feed fingers, outputs
-    drive ceramics. */
+/** The standalone program without its windows, playing Antinode Touch: inputs of the audio device feed fingers, MIDI
+    inputs its focus, outputs drive ceramics. */
 class TouchHost : public AudioHost
 {
 public:
@@ -43,6 +44,9 @@ public:
     /** Opens all inputs of the device. */
     void openAudio (const AudioChoice&) override;
     void setTouch (const TouchPorts&) override;
+
+    /** Listens to the MIDI inputs of the settings too: their notes play the focus. */
+    void openAll (const StandaloneSettings&) override;
     void shutDown() override;
 
     std::shared_ptr<const ModalModel> model() override { return player.session().snapshot()->model; }
@@ -68,7 +72,8 @@ private:
     std::map<std::string, double> fingerValues (const Surface&);
 
     TouchProcessor player { TouchProcessor::maximumCeramics, juce::AudioProcessor::wrapperType_Undefined };
-    MidiQueue noNotes;
+    MidiQueue midiQueue;
+    MidiInputs midiInputs { midiQueue };
     std::vector<WantedFinger> wantedFingers;
     std::string fingerFailure;
     std::shared_ptr<const ModalModel> seenModel;

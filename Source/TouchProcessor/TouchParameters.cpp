@@ -84,6 +84,8 @@ TouchControls TouchParameters::controls() const
         if (static_cast<FingerPresence> (integerValue (fingers[k].presence)) == FingerPresence::plays)
             now.levels[k] = std::min (FilterNode::largestLevel, fingers[k].level->get() * metresPerMicrometre * factor);
 
+    now.focusGain = std::min (1.0, factor);
+    now.latency = static_cast<std::size_t> (integerValue (chosenLatency));
     now.isArmed = *armed && ! *bypassed;
     return now;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace antinode
 {
@@ -54,6 +55,25 @@ void TouchProcessor::take (std::shared_ptr<const DeviceDocument> device)
         controls->arm().setValueNotifyingHost (0);
 
     player->load (std::move (device));
+}
+
+void TouchProcessor::loadFocus (std::shared_ptr<const FocusDocument> focus)
+{
+    takeFocus (std::move (focus));
+    post();
+}
+
+void TouchProcessor::takeFocus (std::shared_ptr<const FocusDocument> wanted)
+{
+    const auto now = focus();
+
+    if ((now == nullptr) != (wanted == nullptr) || (now != nullptr && ! sayTheSame (*now, *wanted)))
+        player->loadFocus (std::move (wanted));
+}
+
+void TouchProcessor::takeNotes (const juce::MidiBuffer& midi, int count)
+{
+    notes = triggers.read (midi, count);
 }
 
 void TouchProcessor::setValues (const std::map<std::string, double>& wanted, const DeviceDocument& device)
@@ -129,6 +149,9 @@ juce::String TouchProcessor::ownWarning()
     if (! now->designError.empty())
         return juce::String::fromUTF8 (now->designError.c_str()) + "; the filters before play on";
 
+    if (const auto error = player->focusProgress().liveError; ! error.empty())
+        return "Notes play nothing: " + juce::String::fromUTF8 (error.c_str());
+
     if (player->meters().isMutedForBadNumbers())
         return "A voltage was not a finite number: all voltages are 0 V until playback starts again.";
 
@@ -141,10 +164,12 @@ juce::String TouchProcessor::ownWarning()
 }
 
 template <typename Sample>
-void TouchProcessor::playFingers (const TouchBlock<Sample>& block, bool isBypassed)
+void TouchProcessor::playFingers (TouchBlock<Sample> block, bool isBypassed)
 {
+    block.events = notes;
+
     if (isNonRealtime())
-        player->waitUntilSettled();
+        player->waitUntilSettled (notes);
 
     auto now = controls->controls();
     now.isArmed = now.isArmed && ! isBypassed;

@@ -5,12 +5,14 @@
 
 #include <Processor/DeviceEffect.h>
 
+#include <antinode_graph/MidiTriggers.h>
 #include <antinode_session/TouchSession.h>
 
 #include <array>
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <span>
 
 namespace antinode
 {
@@ -39,6 +41,10 @@ public:
     /** Touches by OSC and TUIO, whose ports the state keeps. None are open at first. */
     NetworkFingers& network() { return *touches; }
 
+    /** What notes play on top of the tracks; none: nothing. The state keeps it. [message thread] */
+    void loadFocus (std::shared_ptr<const FocusDocument>);
+    std::shared_ptr<const FocusDocument> focus() const { return player->focus(); }
+
     /** How many fingers have an input. [any] */
     int inputs() const { return getChannelCountOfBus (true, 0); }
 
@@ -48,6 +54,7 @@ public:
     const juce::String getName() const override { return "Antinode Touch"; }
     juce::AudioProcessorParameter* getBypassParameter() const override { return &controls->bypass(); }
     double getTailLengthSeconds() const override { return player->tailSeconds(); }
+    bool acceptsMidi() const override { return true; }
     juce::AudioProcessorEditor* createEditor() override { return makeEditor ? makeEditor (*this) : nullptr; }
     bool hasEditor() const override { return makeEditor != nullptr; }
 
@@ -60,10 +67,13 @@ private:
     StepReports& stepReports() override { return controls->stepReports(); }
     std::int64_t latencyToReport() const override { return player->latencySamples (controls->settings().latency); }
     juce::String ownWarning() override;
+    std::shared_ptr<const FocusDocument> keptFocus() const override { return focus(); }
+    void takeFocus (std::shared_ptr<const FocusDocument>) override;
+    void takeNotes (const juce::MidiBuffer&, int count) override;
     void playChannels (std::span<const float* const>, std::span<float* const>, int count, bool isBypassed) override;
     void playChannels (std::span<const double* const>, std::span<double* const>, int count, bool isBypassed) override;
     template <typename Sample>
-    void playFingers (const TouchBlock<Sample>&, bool isBypassed);
+    void playFingers (TouchBlock<Sample>, bool isBypassed);
     TouchSettings readSettings();
     void openPorts (const std::map<std::string, double>& values);
     void setPortWarning (const juce::String&);
@@ -71,6 +81,8 @@ private:
     std::unique_ptr<TouchParameters> controls;
     std::unique_ptr<NetworkFingers> touches;
     std::unique_ptr<TouchSession> player;
+    MidiTriggers triggers { VelocityCurve {} };
+    std::span<const FocusEvent> notes;  ///< Of the block that plays; of the audio thread.
     juce::CriticalSection portWarnings; ///< For the next line.
     juce::String portWarning;
     std::atomic<std::size_t> lookedLatency { 0 }; ///< What the session saw last.

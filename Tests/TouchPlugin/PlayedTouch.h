@@ -13,6 +13,7 @@
 #include <memory>
 #include <numbers>
 #include <string>
+#include <vector>
 
 namespace antinode::test
 {
@@ -47,19 +48,39 @@ inline std::unique_ptr<TouchProcessor> offlineTouch (int ceramics, double sample
     return processor;
 }
 
-/** Plays inputs. @param inputs  fingers x samples @return  ceramics x samples, full scale 1 */
+/** A note-on. */
+struct PlayedNote
+{
+    int sample = 0, note = 60, velocity = 127;
+};
+
+/** The notes that fall into a block. */
+inline juce::MidiBuffer notesWithin (const std::vector<PlayedNote>& notes, int first, int count)
+{
+    juce::MidiBuffer midi;
+
+    for (const auto& each : notes)
+        if (each.sample >= first && each.sample < first + count)
+            midi.addEvent (juce::MidiMessage::noteOn (1, each.note, static_cast<juce::uint8> (each.velocity)),
+                           each.sample - first);
+
+    return midi;
+}
+
+/** Plays inputs and notes. @param inputs  fingers x samples @return  ceramics x samples, full scale 1 */
 template <typename Sample = double>
-Eigen::MatrixXd voltagesOf (TouchProcessor& processor, const Eigen::MatrixXd& inputs, int block)
+Eigen::MatrixXd voltagesOf (TouchProcessor& processor, const Eigen::MatrixXd& inputs, int block,
+                            const std::vector<PlayedNote>& notes = {})
 {
     const auto channels = std::max (processor.getTotalNumInputChannels(), processor.getTotalNumOutputChannels());
     const auto ceramics = processor.getTotalNumOutputChannels();
     const auto samples = static_cast<int> (inputs.cols());
     Eigen::MatrixXd played (ceramics, samples);
-    juce::MidiBuffer midi;
 
     for (int done = 0; done < samples; done += block)
     {
         const auto count = std::min (block, samples - done);
+        auto midi = notesWithin (notes, done, count);
         juce::AudioBuffer<Sample> buffer (channels, count);
         buffer.clear();
 

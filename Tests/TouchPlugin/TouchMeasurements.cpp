@@ -147,12 +147,23 @@ TEST_CASE ("How much of a core the audio thread needs", "[.touch-cost]")
     const auto count = GENERATE (1, 3, 5);
     const auto processor = measuredTouch (count);
     const auto inputs = oneNoise (count);
+    const auto* const focus = std::getenv ("ANTINODE_TOUCH_FOCUS"); // A focus of the library, 24 notes in all.
+    std::vector<PlayedNote> notes;
     double least = 1e9;
+
+    if (focus != nullptr)
+    {
+        processor->loadFocus (std::make_shared<const FocusDocument> (
+            readFocusDocument (loadDocument (LibraryKind::focus, focus), "focus")));
+
+        for (int k = 0; k < 24; ++k)
+            notes.push_back ({ static_cast<int> (k * seconds * rate / 24), 40 + k, 127 });
+    }
 
     for (int i = 0; i < 20; ++i)
     {
         const auto begin = std::clock();
-        voltagesOf<float> (*processor, inputs, block);
+        voltagesOf<float> (*processor, inputs, block, notes);
         least = std::min (least, static_cast<double> (std::clock() - begin) / CLOCKS_PER_SEC);
     }
 

@@ -35,7 +35,6 @@ TouchFindings playGuarded (TouchProcessor& processor)
 {
     TouchFindings findings;
     juce::AudioBuffer<float> buffer (ceramics, longestBlock);
-    juce::MidiBuffer midi;
     const auto samples = 48000LL * secondsOfAudio();
 
     for (long long done = 0, i = 0; done < samples; ++i)
@@ -48,6 +47,7 @@ TouchFindings playGuarded (TouchProcessor& processor)
             for (int n = 0; n < count; ++n)
                 buffer.setSample (k, n, 0.1F * static_cast<float> ((n / 20 * (k + 3) + i) % 17 - 8));
 
+        auto midi = notesWithin ({ { 0, static_cast<int> (i % 128), 100 } }, i % 5 == 0 ? 0 : 1, count);
         const auto memoryBefore = mallocCalls(), locksBefore = lockCalls();
         {
             const SyscallTrap trap;
@@ -64,13 +64,16 @@ TouchFindings playGuarded (TouchProcessor& processor)
 }
 } // namespace
 
-TEST_CASE ("The touch plug-in asks for no memory and waits for nothing while fingers move, come and go",
+TEST_CASE ("The touch plug-in asks for no memory and waits for nothing while fingers move, come and go, and notes play",
            "[touch-plugin][soak]")
 {
     REQUIRE (guardsSee());
     TouchProcessor processor (ceramics, juce::AudioProcessor::wrapperType_Undefined);
     processor.parameters().setValues (threeFingers());
     processor.prepareToPlay (48000, longestBlock);
+    const auto focus = std::make_shared<const FocusDocument> (
+        readFocusDocument (loadDocument (LibraryKind::focus, "aluminium-centre"), "focus"));
+    processor.loadFocus (focus);
     processor.session().waitUntilSettled();
     TouchFindings findings;
     std::atomic<bool> isPlaying { true };
@@ -93,6 +96,9 @@ TEST_CASE ("The touch plug-in asks for no memory and waits for nothing while fin
 
         if (i % 70 == 35)
             parameters.latency().setValueNotifyingHost (static_cast<float> (i / 70 % 3) / 2);
+
+        if (i % 300 == 299)
+            processor.loadFocus (i % 600 == 299 ? nullptr : focus);
 
         if (i % 1000 == 999)
             processor.load (touchDevice (i % 2000 == 999 ? "beam" : "aluminium-200x120"));
