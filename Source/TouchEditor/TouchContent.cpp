@@ -20,7 +20,8 @@ constexpr double waveformShown = 0.06; // s, beside each finger
 
 TouchContent::TouchContent (TouchProcessor& processorToShow)
     : processor (processorToShow), device ([this] (auto chosen) { processor.load (std::move (chosen)); }),
-      touchesButton (processor), surfaceView (processor), fingerPanel (processor.parameters()), tooltips (this, 600)
+      focus (processor), touchesButton (processor), surfaceView (processor), fingerPanel (processor.parameters()),
+      tooltips (this, 600)
 {
     juce::LookAndFeel::setDefaultLookAndFeel (&fonts.get());
     setLookAndFeel (&look);
@@ -33,7 +34,7 @@ TouchContent::TouchContent (TouchProcessor& processorToShow)
     surfaceView.onSelect = [this] (std::size_t finger) { fingerPanel.select (finger); };
 
     for (juce::Component* const child : std::initializer_list<juce::Component*> {
-             &device, &touchesButton, &theme, &surfaceView, &fingerPanel, &motions, &voltages })
+             &device, &focus, &touchesButton, &theme, &surfaceView, &fingerPanel, &motions, &voltages })
         addAndMakeVisible (child);
 
     processor.session().setComparing (true);
@@ -60,7 +61,8 @@ void TouchContent::setDark (bool isDark)
 
 void TouchContent::lookAndFeelChanged()
 {
-    for (juce::TextButton* const button : std::initializer_list<juce::TextButton*> { &device, &touchesButton, &theme })
+    for (juce::TextButton* const button :
+         std::initializer_list<juce::TextButton*> { &device, &focus, &touchesButton, &theme })
     {
         button->setColour (juce::TextButton::buttonColourId, look.palette().raised);
         button->setColour (juce::TextButton::textColourOffId, look.palette().text);
@@ -74,6 +76,7 @@ void TouchContent::refresh (double seconds)
     takeSnapshot();
     surfaceView.refresh (snapshot, fingerPanel.selected());
     fingerPanel.refresh();
+    focus.refresh();
     touchesButton.refresh();
     showFingers (seconds);
     showVoltages (seconds);
@@ -176,6 +179,9 @@ juce::String TouchContent::statusNow() const
     if (device.error().isNotEmpty())
         return device.error();
 
+    if (focus.error().isNotEmpty())
+        return focus.error();
+
     if (touchesButton.error().isNotEmpty())
         return touchesButton.error();
 
@@ -237,7 +243,9 @@ void TouchContent::resized()
     auto area = getLocalBounds();
     auto top = area.removeFromTop (touchTop).reduced (8, 6);
     area.removeFromBottom (touchStatus);
-    device.setBounds (top.removeFromLeft (240));
+    device.setBounds (top.removeFromLeft (210));
+    top.removeFromLeft (touchGap);
+    focus.setBounds (top.removeFromLeft (190));
     theme.setBounds (top.removeFromRight (34));
     top.removeFromRight (touchGap);
     touchesButton.setBounds (top.removeFromRight (260));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "FingerPanel.h"
+#include "FocusButton.h"
 #include "TouchSurface.h"
 #include "TouchesButton.h"
 
@@ -46,6 +47,9 @@ public:
     /** Loads a device of the library, or of a file. What is wrong with it stands in the status line. */
     void loadDevice (const std::string& nameOrFile) { device.loadDevice (nameOrFile); }
 
+    /** Loads a focus that notes play, as loadDevice does. */
+    void loadFocus (const std::string& nameOrFile) { focus.loadDocument (nameOrFile); }
+
     juce::String status() const { return statusText; }
 
     /** What noise at the fingers' levels costs, by latency. */
@@ -69,6 +73,7 @@ private:
     std::shared_ptr<MotionView> rest = std::make_shared<MotionView>(); ///< Draws the surface at rest.
     BackgroundThread restThread { [kept = rest] { kept->run(); } };
     DeviceButton device;
+    FocusButton focus;
     TouchesButton touchesButton;
     juce::TextButton theme;
     TouchSurface surfaceView;

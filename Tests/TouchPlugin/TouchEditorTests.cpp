@@ -28,6 +28,21 @@ TEST_CASE ("The touch editor shows surface and fingers of plates and lines, dark
     CHECK (countColours (editor.createComponentSnapshot (editor.getLocalBounds(), true, 1)) > 40);
 }
 
+TEST_CASE ("The touch editor loads the focus that notes play, and says what is wrong with one",
+           "[touch-plugin][editor]")
+{
+    const auto processor = offlineTouch (16, 48000, 480);
+    TouchEditor editor (*processor);
+    auto& content = editor.content();
+    content.loadFocus ("aluminium-centre");
+    REQUIRE (processor->focus() != nullptr);
+    CHECK (processor->focus()->description.name == "aluminium-centre");
+    content.loadFocus ("no-such-focus");
+    content.refresh (0.1);
+    CHECK (content.status().contains ("no-such-focus"));
+    CHECK (processor->focus()->description.name == "aluminium-centre");
+}
+
 TEST_CASE ("A finger that is dragged moves its parameters, and its controls are shown", "[touch-plugin][editor]")
 {
     const auto processor = offlineTouch (16, 48000, 480);

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <antinode_library/Library.h>
+
+#include <juce_gui_basics/juce_gui_basics.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace antinode
+{
+/** A button with the name of something that is loaded; a click chooses another one of the library, or of a file.
+    [message thread] */
+class LibraryButton : public juce::TextButton
+{
+public:
+    using Take = std::function<void (const nlohmann::json&, const std::string& source)>;
+
+    /** @param what  is loaded: "device"
+        @param take  gets what was chosen; an InputError of it becomes error() */
+    LibraryButton (LibraryKind, const juce::String& what, Take take);
+
+    /** Loads one of the library, or of a file. */
+    void loadDocument (const std::string& nameOrFile);
+
+    /** What is wrong with the one that was chosen last, in one sentence; empty where nothing is. */
+    juce::String error() const { return said; }
+
+protected:
+    /** Adds items that are not in the library, on top of the menu. */
+    virtual void addItems (juce::PopupMenu&) {}
+
+    void clearError() { said.clear(); }
+
+private:
+    void choose();
+    void chooseFile();
+
+    LibraryKind kind;
+    juce::String what;
+    Take onTake;
+    std::unique_ptr<juce::FileChooser> chooser;
+    juce::String said;
+};
+} // namespace antinode
