@@ -46,7 +46,7 @@ void playTracks (TouchProcessor& processor, TouchContent& content)
         content.refresh (touchBlock / touchRate);
     }
 }
-/** Four fingers on the glass plate, three of which play. */
+/** Four fingers on the glass plate, three of which play, and a focus for notes. */
 void putDown (TouchProcessor& processor)
 {
     processor.load (std::make_shared<const DeviceDocument> (
@@ -67,6 +67,8 @@ void putDown (TouchProcessor& processor)
                                         { "finger4_y", 22 },
                                         { "finger4_state", 1 },
                                         { "finger4_load", 1 } });
+    processor.loadFocus (std::make_shared<const FocusDocument> (
+        readFocusDocument (loadDocument (LibraryKind::focus, "glass-centre"), "glass-centre")));
     processor.prepareToPlay (touchRate, touchBlock);
 }
 

@@ -1,6 +1,7 @@
 #include "TouchContent.h"
 
 #include "LatencyVolts.h"
+#include "TouchSentence.h"
 
 #include <antinode_base/Prefixes.h>
 #include <antinode_felt/FeltMotion.h>
@@ -174,8 +175,6 @@ void TouchContent::showVoltages (double seconds)
 
 juce::String TouchContent::statusNow() const
 {
-    const auto& parameters = processor.parameters();
-
     if (device.error().isNotEmpty())
         return device.error();
 
@@ -185,26 +184,7 @@ juce::String TouchContent::statusNow() const
     if (touchesButton.error().isNotEmpty())
         return touchesButton.error();
 
-    if (auto warning = processor.warning(); warning.isNotEmpty())
-        return warning;
-
-    if (snapshot->isSolving)
-        return "Solving the device.";
-
-    if (snapshot->isDesigning)
-        return "Designing the filters: " + juce::String (juce::roundToInt (100 * snapshot->progress)) + " %.";
-
-    if (! parameters.arm().get())
-        return "Disarmed: all voltages are 0 V.";
-
-    const auto volts = noiseVolts (*snapshot, parameters.controls(), parameters.settings().latency);
-
-    if (snapshot->model != nullptr && volts && *volts > voltageLimits (*snapshot->model).minCoeff())
-        return "Loud: noise at these levels needs " + juce::String (juce::roundToInt (*volts)) + " V of "
-               + juce::String (juce::roundToInt (voltageLimits (*snapshot->model).minCoeff()))
-               + " V; what is beyond is cut, and then also felt elsewhere.";
-
-    return {};
+    return touchSentence (processor, *snapshot);
 }
 
 void TouchContent::showStatus()
