@@ -174,7 +174,7 @@ private:
 } // namespace
 
 Tradeoff sweepTradeoff (const ModalModel& device, const FocusDescription& focus, Playback playback,
-                        const std::function<void (const Tradeoff&)>& progress)
+                        const std::function<void (const Tradeoff&)>& progress, const FindFeltContrast& contrast)
 {
     requireRealModes (device, "trade-off studies");
     const auto model = withoutVoltageLimits (device);
@@ -194,9 +194,13 @@ Tradeoff sweepTradeoff (const ModalModel& device, const FocusDescription& focus,
 
                      try
                      {
-                         look (point, model,
-                               designFocus (model, describedFor (focus, point, decay, start.lowerBoundVoltage),
-                                            playback, DesignExtent::compared));
+                         const auto design =
+                             designFocus (model, describedFor (focus, point, decay, start.lowerBoundVoltage), playback,
+                                          DesignExtent::compared);
+                         look (point, model, design);
+
+                         if (contrast)
+                             point.feltContrast = contrast (design);
                      }
                      catch (const InputError& error)
                      {

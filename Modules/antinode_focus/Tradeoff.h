@@ -8,11 +8,14 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace antinode
 {
+struct FocusDesign;
+
 /** One design of a trade-off. */
 struct TradeoffPoint
 {
@@ -26,8 +29,12 @@ struct TradeoffPoint
     double vScore = 0; ///< Against what the controlled modes represent, closed form.
     double fieldError = 0;  ///< The same.
     bool isOnFront = false; ///< No other point with a field error below 5 % has both less voltage and less time.
-    std::string failure;    ///< Why there is no design; empty if there is one.
+    std::optional<double> feltContrast; ///< dB, where it is wanted and there is one.
+    std::string failure;                ///< Why there is no design; empty if there is one.
 };
+
+/** Gives the felt contrast of a design in dB, none where it has none; called from several threads at once. */
+using FindFeltContrast = std::function<std::optional<double> (const FocusDesign&)>;
 
 /** Voltage and duration of one focus by all methods and growths. */
 struct Tradeoff
@@ -44,10 +51,12 @@ struct Tradeoff
     @param playback  with a rate, for the free waveforms
     @param progress  called with all points so far after each design, from one thread at a time; may be empty. Who keeps
    them has them where the rest is cancelled.
+    @param contrast  what skin feels of each design; none: not wanted
     @throws InputError  as designFocus, where not even the first design can be made; Cancelled as checkWatch()
     [worker] Docs/Theory.md, section 4.10. */
 Tradeoff sweepTradeoff (const ModalModel&, const FocusDescription&, Playback,
-                        const std::function<void (const Tradeoff&)>& progress = {});
+                        const std::function<void (const Tradeoff&)>& progress = {},
+                        const FindFeltContrast& contrast = {});
 
 /** How long before the focus the norm of all modal velocities is above half of what it is at the focus. The voltages
    are taken as constant over a tenth of the period of the fastest mode listed. s [worker] Docs/Theory.md, section 4.10.

@@ -3,9 +3,6 @@
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_documents/FocusWords.h>
-#include <antinode_text/CsvText.h>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -28,24 +25,26 @@ std::string settingText (const TradeoffPoint& point)
     return point.limitMultiple > 0 ? inWords (point.limitMultiple) + " x bound" : "no limit";
 }
 
+std::string contrastText (const TradeoffPoint& point)
+{
+    return point.feltContrast ? inWords (*point.feltContrast) : "-";
+}
+
 std::vector<std::string> tableCells (const TradeoffPoint& point)
 {
     if (! point.failure.empty())
-        return { methodText (point), settingText (point), "-", "-", "-", "-", point.failure };
+        return { methodText (point), settingText (point), "-", "-", "-", "-", "-", point.failure };
 
-    return { methodText (point),
-             settingText (point),
-             inWords (point.peakVoltage),
-             inWords (point.timeInMotion * milli),
-             inWords (point.vScore),
-             inWords (point.fieldError),
-             point.isOnFront ? "front" : "" };
+    return { methodText (point),          settingText (point),
+             inWords (point.peakVoltage), inWords (point.timeInMotion * milli),
+             inWords (point.vScore),      inWords (point.fieldError),
+             contrastText (point),        point.isOnFront ? "front" : "" };
 }
 
 const std::vector<std::string>& header()
 {
-    static const std::vector<std::string> names { "method",  "setting",     "peak (V)", "in motion (ms)",
-                                                  "v-score", "field error", "" };
+    static const std::vector<std::string> names { "method",  "setting",     "peak (V)",           "in motion (ms)",
+                                                  "v-score", "field error", "felt contrast (dB)", "" };
     return names;
 }
 
@@ -53,6 +52,32 @@ std::string missingPoints (const Tradeoff& tradeoff)
 {
     return "Interrupted after " + std::to_string (tradeoff.points.size()) + " of " + std::to_string (tradeoff.planned)
            + " designs; the front is that of these.";
+}
+
+std::string frontText (const TradeoffPoint& point)
+{
+    return inWords (point.peakVoltage) + " V and " + inWords (point.timeInMotion * milli) + " ms (" + methodText (point)
+           + (point.feltContrast ? ", felt contrast " + inWords (*point.feltContrast) + " dB)" : ")");
+}
+
+/** Whether more voltage buys less motion, and how much; empty where there is no front. */
+std::string frontInWords (const Tradeoff& tradeoff)
+{
+    const TradeoffPoint *cheapest = nullptr, *shortest = nullptr;
+
+    for (const auto& point : tradeoff.points)
+        if (point.isOnFront)
+        {
+            cheapest = cheapest == nullptr || point.peakVoltage < cheapest->peakVoltage ? &point : cheapest;
+            shortest = shortest == nullptr || point.timeInMotion < shortest->timeInMotion ? &point : shortest;
+        }
+
+    if (cheapest == nullptr)
+        return {};
+
+    return cheapest == shortest ? "More voltage buys no less motion than " + frontText (*cheapest) + "."
+                                : "More voltage buys less motion before the focus: from " + frontText (*cheapest)
+                                      + " to " + frontText (*shortest) + ".";
 }
 
 /** The points of one method, from the shortest motion to the longest. */
@@ -106,76 +131,14 @@ LineChart tradeoffChart (const Tradeoff& tradeoff)
 }
 } // namespace
 
-nlohmann::ordered_json tradeoffToJson (const Tradeoff& tradeoff, const std::string& focus, const std::string& device)
-{
-    nlohmann::ordered_json json { { "schema", "antinode.tradeoff/1" },
-                                  { "focus", focus },
-                                  { "device", device },
-                                  { "lower_bound_voltage_V", tradeoff.lowerBoundVoltage },
-                                  { "lower_bound_gap", tradeoff.lowerBoundGap },
-                                  { "planned_points", tradeoff.planned } };
-    json["points"] = nlohmann::ordered_json::array();
-
-    for (const auto& point : tradeoff.points)
-    {
-        nlohmann::ordered_json item { { "method", methodText (point) } };
-
-        if (point.envelopeFolds > 0)
-            item["envelope_folds"] = point.envelopeFolds;
-
-        if (point.limitMultiple > 0)
-            item["limit_by_lower_bound"] = point.limitMultiple;
-
-        if (! point.failure.empty())
-            item["failure"] = point.failure;
-        else
-        {
-            item["peak_voltage_V"] = point.peakVoltage;
-            item["time_in_motion_ms"] = point.timeInMotion * milli;
-            item["v_score_truncated"] = point.vScore;
-            item["field_error_truncated"] = point.fieldError;
-            item["on_front"] = point.isOnFront;
-        }
-
-        json["points"].push_back (item);
-    }
-
-    return json;
-}
-
-std::string tradeoffToCsv (const Tradeoff& tradeoff)
-{
-    constexpr int digits = 9;
-    std::string text = "method,envelope_folds,limit_by_lower_bound,peak_voltage_V,time_in_motion_ms,v_score_truncated,"
-                       "field_error_truncated,on_front\r\n";
-
-    for (const auto& point : tradeoff.points)
-        if (point.failure.empty())
-        {
-            text += csvField (methodText (point));
-
-            for (const auto value :
-                 { point.envelopeFolds, point.limitMultiple, point.peakVoltage, point.timeInMotion * milli,
-                   point.vScore, point.fieldError, point.isOnFront ? 1.0 : 0.0 })
-            {
-                text += ",";
-                appendCsvNumber (text, value, digits);
-            }
-
-            text += "\r\n";
-        }
-
-    return text;
-}
-
 std::string tradeoffToText (const Tradeoff& tradeoff)
 {
     const auto line = [] (const std::vector<std::string>& cells)
     {
         std::array<char, 512> text {};
-        std::snprintf (text.data(), text.size(), "%-14s %-12s %9s %15s %9s %12s  %s\n", cells[0].c_str(),
+        std::snprintf (text.data(), text.size(), "%-14s %-12s %9s %15s %9s %12s %19s  %s\n", cells[0].c_str(),
                        cells[1].c_str(), cells[2].c_str(), cells[3].c_str(), cells[4].c_str(), cells[5].c_str(),
-                       cells[6].c_str());
+                       cells[6].c_str(), cells[7].c_str());
         return std::string (text.data());
     };
     auto text = line (header());
@@ -185,6 +148,9 @@ std::string tradeoffToText (const Tradeoff& tradeoff)
 
     if (tradeoff.points.size() < tradeoff.planned)
         text += missingPoints (tradeoff) + "\n";
+
+    if (const auto front = frontInWords (tradeoff); ! front.empty())
+        text += front + "\n";
 
     return text + "Lower bound for all waveforms: " + inWords (tradeoff.lowerBoundVoltage) + " V.\n";
 }
@@ -199,6 +165,10 @@ ReportPage tradeoffReport (const Tradeoff& tradeoff, const std::string& focus, c
         "half of its value at the focus. A point is on the front if no other design with a field error below "
         "5 % has both less voltage and less time."
     };
+
+    if (const auto front = frontInWords (tradeoff); ! front.empty())
+        section.paragraphs.push_back (front);
+
     section.figures.push_back (
         { "Peak voltage and time in motion by method. Along a curve the growth changes; for free "
           "waveforms, the voltage limit changes. The line is the lower bound for all waveforms.",
@@ -221,7 +191,8 @@ ReportPage tradeoffReport (const Tradeoff& tradeoff, const std::string& focus, c
 
     page.sections = { std::move (section) };
     page.links = { { "tradeoff.json", "tradeoff.json" }, { "tradeoff.csv", "tradeoff.csv" } };
-    page.footer = "Antinode " ANTINODE_VERSION ". All numbers are computed in closed form.";
+    page.footer = "Antinode " ANTINODE_VERSION ". Voltages, times and scores are computed in closed form; felt "
+                  "contrast is that of a render by the controlled modes.";
     return page;
 }
 } // namespace antinode

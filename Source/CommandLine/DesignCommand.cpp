@@ -12,7 +12,9 @@
 #include <antinode_documents/MatlabTables.h>
 #include <antinode_documents/ToleranceFile.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/LimitUse.h>
 #include <antinode_focus/LimitWords.h>
+#include <antinode_library/SkinThresholds.h>
 #include <antinode_render/FeltTradeoff.h>
 #include <antinode_reports/FeltTradeoffReport.h>
 #include <antinode_reports/ToleranceReport.h>
@@ -87,6 +89,16 @@ void design (const DesignCommandOptions& all)
     std::printf ("%s/design.json\n", options.folder.c_str());
 }
 
+/** What skin feels of the controlled modes, whatever the limits are. */
+FindFeltContrast feltContrasts (const ModalModel& model, Playback playback)
+{
+    RenderOptions render;
+    render.playback = playback;
+    render.threshold = findSkinThreshold ({});
+    return [unlimited = withoutVoltageLimits (model), render] (const FocusDesign& design)
+    { return renderFocus (unlimited, design, render).felt.value().contrast(); };
+}
+
 /** All designs, or those that were finished when the user interrupted. @throws Cancelled  where there are none */
 Tradeoff designsSoFar (const ModalModel& model, const FocusDescription& focus, const CommonOptions& options)
 {
@@ -96,13 +108,15 @@ Tradeoff designsSoFar (const ModalModel& model, const FocusDescription& focus, c
     try
     {
         progress.show ("Finding the lower bound", 0);
-        return sweepTradeoff (model, focus, options.playback(),
-                              [&] (const Tradeoff& now)
-                              {
-                                  soFar = now;
-                                  progress.show ("Designing", now.expectedShare,
-                                                 formatted ("%zu of %zu designs", now.points.size(), now.planned));
-                              });
+        return sweepTradeoff (
+            model, focus, options.playback(),
+            [&] (const Tradeoff& now)
+            {
+                soFar = now;
+                progress.show ("Designing", now.expectedShare,
+                               formatted ("%zu of %zu designs", now.points.size(), now.planned));
+            },
+            feltContrasts (model, options.playback()));
     }
     catch (const Cancelled&)
     {

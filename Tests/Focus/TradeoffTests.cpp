@@ -42,13 +42,15 @@ TEST_CASE ("A trade-off: more growth takes more voltage for less motion, and not
     focus.focusTime = 0.015;
     focus.modes.count = 2;
     double last = 0;
-    const auto tradeoff = sweepTradeoff (model, focus, { Reconstruction::bandLimited, 96000 },
-                                         [&] (const Tradeoff& soFar)
-                                         {
-                                             CHECK (soFar.expectedShare > last);
-                                             CHECK (soFar.planned == 46);
-                                             last = soFar.expectedShare;
-                                         });
+    const auto tradeoff = sweepTradeoff (
+        model, focus, { Reconstruction::bandLimited, 96000 },
+        [&] (const Tradeoff& soFar)
+        {
+            CHECK (soFar.expectedShare > last);
+            CHECK (soFar.planned == 46);
+            last = soFar.expectedShare;
+        },
+        [] (const FocusDesign& design) { return peakVoltage (design); });
     CHECK (last == Approx (1));
     CHECK (tradeoff.points.size() == 46);
     REQUIRE (tradeoff.lowerBoundVoltage > 0);
@@ -58,6 +60,7 @@ TEST_CASE ("A trade-off: more growth takes more voltage for less motion, and not
     {
         const auto& point = tradeoff.points[i];
         CHECK (point.failure.empty());
+        CHECK (point.feltContrast == point.peakVoltage); // What is asked of a design is told of its point.
         CHECK (point.timeInMotion > 0);
         CHECK (point.timeInMotion < focus.focusTime);
         hasFront = hasFront || point.isOnFront;
