@@ -104,7 +104,7 @@ private:
     virtual std::int64_t latencyToReport() const = 0;
     virtual juce::String ownWarning() = 0;
     virtual std::shared_ptr<const FocusDocument> keptFocus() const { return nullptr; } ///< Of effects that have one.
-    virtual void takeFocus (std::shared_ptr<const FocusDocument>) {}
+    virtual void takeFocus (const std::shared_ptr<const FocusDocument>&) {}
     virtual void takeNotes (const juce::MidiBuffer&, int) {} ///< Of the block whose channels come next.
     virtual void playChannels (std::span<const float* const> in, std::span<float* const> out, int count,
                                bool isBypassed) = 0;

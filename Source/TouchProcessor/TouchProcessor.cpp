@@ -57,18 +57,18 @@ void TouchProcessor::take (std::shared_ptr<const DeviceDocument> device)
     player->load (std::move (device));
 }
 
-void TouchProcessor::loadFocus (std::shared_ptr<const FocusDocument> focus)
+void TouchProcessor::loadFocus (const std::shared_ptr<const FocusDocument>& focus)
 {
-    takeFocus (std::move (focus));
+    takeFocus (focus);
     post();
 }
 
-void TouchProcessor::takeFocus (std::shared_ptr<const FocusDocument> wanted)
+void TouchProcessor::takeFocus (const std::shared_ptr<const FocusDocument>& wanted)
 {
     const auto now = focus();
 
     if ((now == nullptr) != (wanted == nullptr) || (now != nullptr && ! sayTheSame (*now, *wanted)))
-        player->loadFocus (std::move (wanted));
+        player->loadFocus (wanted);
 }
 
 void TouchProcessor::takeNotes (const juce::MidiBuffer& midi, int count)

@@ -42,7 +42,7 @@ public:
     NetworkFingers& network() { return *touches; }
 
     /** What notes play on top of the tracks; none: nothing. The state keeps it. [message thread] */
-    void loadFocus (std::shared_ptr<const FocusDocument>);
+    void loadFocus (const std::shared_ptr<const FocusDocument>&);
     std::shared_ptr<const FocusDocument> focus() const { return player->focus(); }
 
     /** How many fingers have an input. [any] */
@@ -68,7 +68,7 @@ private:
     std::int64_t latencyToReport() const override { return player->latencySamples (controls->settings().latency); }
     juce::String ownWarning() override;
     std::shared_ptr<const FocusDocument> keptFocus() const override { return focus(); }
-    void takeFocus (std::shared_ptr<const FocusDocument>) override;
+    void takeFocus (const std::shared_ptr<const FocusDocument>&) override;
     void takeNotes (const juce::MidiBuffer&, int count) override;
     void playChannels (std::span<const float* const>, std::span<float* const>, int count, bool isBypassed) override;
     void playChannels (std::span<const double* const>, std::span<double* const>, int count, bool isBypassed) override;
