@@ -2,50 +2,14 @@
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <random>
-#include <thread>
 
 // What a host reads of a built plug-in's parameters is what it gets back.
 
 using namespace antinode::test;
 
-namespace juce
-{
-bool dispatchNextMessageOnSystemQueue (bool returnIfNoPendingMessages); // No header has it.
-}
-
 namespace
 {
-/** Whether the host reads a step of each parameter that has steps. */
-bool readsSteps (const juce::AudioPluginInstance& instance)
-{
-    return std::all_of (instance.getParameters().begin(), instance.getParameters().end(),
-                        [] (const auto* parameter)
-                        {
-                            const auto steps =
-                                parameter->getValue() * static_cast<float> (parameter->getNumSteps() - 1);
-                            return ! parameter->isDiscrete() || std::abs (steps - std::round (steps)) < 1e-3F;
-                        });
-}
-
-/** Plays until the host has been told of all steps that its values became. */
-void waitForSteps (juce::AudioPluginInstance& instance, const BuiltPlugin& plugin)
-{
-    using Clock = std::chrono::steady_clock;
-
-    for (const auto end = Clock::now() + std::chrono::seconds (10); ! readsSteps (instance);)
-    {
-        REQUIRE (Clock::now() < end);
-        play (instance, plugin, 64, 64, -1);
-
-        if (! juce::dispatchNextMessageOnSystemQueue (true))
-            std::this_thread::sleep_for (std::chrono::milliseconds (1));
-    }
-}
-
 void scramble (juce::AudioPluginInstance& instance, std::mt19937& random)
 {
     for (auto* const parameter : instance.getParameters())

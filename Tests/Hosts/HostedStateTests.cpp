@@ -47,6 +47,11 @@ TEST_CASE ("A state comes back to the bit in another instance of any number of c
         play (*first, plugin, 512, 512, -1); // Values reach the plug-in with a block.
         play (*second, plugin, 512, 512, -1);
         const auto kept = savedState (*first);
+
+        // JUCE's host for LV2 keeps what it has set, and is told of nothing.
+        if (plugin.kind == PluginKind::vst3)
+            waitForSteps (*second, plugin);
+
         setState (*second, kept);
         REQUIRE ((innerState (plugin.kind, savedState (*second)) == innerState (plugin.kind, kept)));
         play (*second, plugin, 512, 512, -1);

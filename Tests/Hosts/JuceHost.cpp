@@ -2,7 +2,10 @@
 
 #include <Processor/VST3Channels.h>
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <numeric>
 #include <stdexcept>
@@ -86,6 +89,17 @@ void playBlock (juce::AudioPluginInstance& instance, const std::vector<int>& wir
             played (i, start + n) = static_cast<double> (samples[n]);
     }
 }
+/** Whether the host reads a step of each parameter that has steps. */
+bool readsSteps (const juce::AudioPluginInstance& instance)
+{
+    return std::all_of (instance.getParameters().begin(), instance.getParameters().end(),
+                        [] (const auto* parameter)
+                        {
+                            const auto steps =
+                                parameter->getValue() * static_cast<float> (parameter->getNumSteps() - 1);
+                            return ! parameter->isDiscrete() || std::abs (steps - std::round (steps)) < 1e-3F;
+                        });
+}
 } // namespace
 
 std::string pluginName (const BuiltPlugin& plugin)
@@ -161,6 +175,24 @@ juce::MemoryBlock savedState (juce::AudioPluginInstance& instance)
 void setState (juce::AudioPluginInstance& instance, const juce::MemoryBlock& state)
 {
     instance.setStateInformation (state.getData(), static_cast<int> (state.getSize()));
+}
+
+void waitForSteps (juce::AudioPluginInstance& instance, const BuiltPlugin& plugin)
+{
+    using Clock = std::chrono::steady_clock;
+
+    for (const auto end = Clock::now() + std::chrono::seconds (10); ! readsSteps (instance);)
+    {
+        if (Clock::now() > end)
+            throw std::runtime_error (pluginName (plugin) + ": the host was not told of its steps within 10 s");
+
+        play (instance, plugin, 64, 64, -1);
+
+        if (! juce::dispatchNextMessageOnSystemQueue (true))
+            std::this_thread::sleep_for (std::chrono::milliseconds (1));
+    }
+
+    play (instance, plugin, 64, 64, -1);
 }
 
 void runInBackground (const std::function<void()>& work)

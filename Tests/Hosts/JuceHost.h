@@ -43,6 +43,10 @@ Eigen::MatrixXd play (juce::AudioPluginInstance&, const BuiltPlugin&, int sample
 juce::MemoryBlock savedState (juce::AudioPluginInstance&);
 void setState (juce::AudioPluginInstance&, const juce::MemoryBlock&);
 
+/** Plays until the host of a VST3 was told of all steps that its values became, and has sent them back: it would send
+   them after a state, too. [main thread] @throws std::runtime_error  where that takes more than 10 s */
+void waitForSteps (juce::AudioPluginInstance&, const BuiltPlugin&);
+
 /** Runs work on another thread while this one answers messages. [main thread] */
 void runInBackground (const std::function<void()>&);
 } // namespace antinode::test
