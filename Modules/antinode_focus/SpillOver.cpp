@@ -217,8 +217,10 @@ WideModel withModesBeyond (const ModalModel& known, const ModalModel& wide)
     model.participation.bottomRows (count) = wide.participation.bottomRows (count);
     appendShapes (model, wide, count);
 
-    if (known.frequencyErrors.size() > 0)
+    if (known.frequencyErrors.size() == known.modes() && wide.frequencyErrors.size() == wide.modes())
         appendRows (model.frequencyErrors, wide.frequencyErrors.tail (count));
+    else
+        model.frequencyErrors.resize (0);
 
     return result;
 }

@@ -5,6 +5,7 @@
 #include "FrequencyCorrection.h"
 #include "ModeLimits.h"
 #include "OutlinedDamping.h"
+#include "OutlinedErrors.h"
 #include "PlateWaves.h"
 
 #include <antinode_base/InputError.h>
@@ -69,6 +70,18 @@ OutlinedPlate asSolved (const OutlinedPlate& plate, std::optional<int> modeCount
                   expectedWaveNumber (scaled.problem, std::clamp (count, 1, maximumPlateModes) / 2) / scaled.length);
     return solved;
 }
+
+/** Where the curvature of the plate is unbounded, cells cannot be small enough for everything. */
+void warnOfOutlinedErrors (ModalModel& model)
+{
+    constexpr double tolerable = 5e-3;
+    const auto largest = model.frequencyErrors.maxCoeff();
+
+    if (largest > tolerable)
+        model.warnings.push_back ("Frequencies are estimated to be wrong by up to " + inWords (100 * largest)
+                                  + " %. More modes than needed make the lower ones more accurate.");
+}
+
 /** The model of a solution on a grid.
     @param solved  the plate of one section that the solution is of */
 ModalModel onGrid (const std::string& name, const OutlinedPlate& plate, const OutlinedPlate& solved,
@@ -99,7 +112,10 @@ ModalModel solveOutlinedPlate (const std::string& name, const OutlinedPlate& pla
     const auto solved = asSolved (plate, modeCount);
     const auto solution = solveOutlinedModes (solved, modeCount);
     const OutlinedGrid grid (solution.scaled.problem, solution.waveNumber);
-    return onGrid (name, plate, solved, solution, grid);
+    auto model = onGrid (name, plate, solved, solution, grid);
+    model.frequencyErrors = frequencyErrors (solution);
+    warnOfOutlinedErrors (model);
+    return model;
 }
 
 ModalModel solveOutlinedOnPointsOfFewer (const std::string& name, const OutlinedPlate& plate, int fewer)

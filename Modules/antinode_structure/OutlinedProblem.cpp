@@ -98,17 +98,26 @@ void scale (BendingProblem& problem, double length, double stiffness, double mas
     }
 }
 
-BendingModes solveFor (const OutlinedProblem& scaled, int count)
+/** Modes and what they were resolved by. */
+struct ResolvedModes
 {
-    return bendingModes (scaled.problem, count, resolutionFor (scaled.problem, count, ModeAccuracy::usual));
+    BendingModes modes;
+    ImmersedResolution resolution;
+};
+
+ResolvedModes solveFor (const OutlinedProblem& scaled, int count)
+{
+    const auto resolution = resolutionFor (scaled.problem, count, ModeAccuracy::usual);
+    return { bendingModes (scaled.problem, count, resolution), resolution };
 }
 
-BendingModes firstModes (BendingModes modes, Eigen::Index count)
+ResolvedModes firstModes (ResolvedModes resolved, Eigen::Index count)
 {
+    auto& modes = resolved.modes;
     modes.eigenvalues.conservativeResize (count);
     modes.coefficients.conservativeResize (Eigen::NoChange, count);
     modes.participation.conservativeResize (count, Eigen::NoChange);
-    return modes;
+    return resolved;
 }
 
 /** About how many modes lie below a wave number: the inverse of expectedWaveNumber. */
@@ -123,7 +132,7 @@ int expectedCount (const BendingProblem& problem, double waveNumber)
 }
 
 /** All modes up to a frequency: as many as are expected, then more until one lies above it. */
-BendingModes modesUpTo (const OutlinedPlate& plate, const OutlinedProblem& scaled, double frequency)
+ResolvedModes modesUpTo (const OutlinedPlate& plate, const OutlinedProblem& scaled, double frequency)
 {
     const auto omega = 2 * std::numbers::pi * frequency;
     const auto limit = omega * omega / scaled.eigenvalueUnit();
@@ -131,8 +140,9 @@ BendingModes modesUpTo (const OutlinedPlate& plate, const OutlinedProblem& scale
 
     for (;; wanted += 4 + wanted / 4)
     {
-        const auto modes = solveFor (scaled, std::min (wanted, maximumPlateModes + 1));
-        const auto below = (modes.eigenvalues.array() <= limit).count();
+        auto resolved = solveFor (scaled, std::min (wanted, maximumPlateModes + 1));
+        const auto& eigenvalues = resolved.modes.eigenvalues;
+        const auto below = (eigenvalues.array() <= limit).count();
 
         if (below == 0)
             throw InputError ("device", "has no mode up to its maximum frequency; choose a higher frequency");
@@ -142,12 +152,12 @@ BendingModes modesUpTo (const OutlinedPlate& plate, const OutlinedProblem& scale
                                             + " Hz; allowed: above 0 Hz, with up to "
                                             + std::to_string (maximumPlateModes) + " modes below it");
 
-        if (below < modes.eigenvalues.size())
-            return firstModes (modes, below);
+        if (below < eigenvalues.size())
+            return firstModes (std::move (resolved), below);
     }
 }
 
-BendingModes wantedModes (const OutlinedPlate& plate, const OutlinedProblem& scaled, std::optional<int> argument)
+ResolvedModes wantedModes (const OutlinedPlate& plate, const OutlinedProblem& scaled, std::optional<int> argument)
 {
     const auto given = argument ? argument : plate.common.modeCount;
 
@@ -182,10 +192,10 @@ OutlinedProblem outlinedProblem (const OutlinedPlate& plate)
 OutlinedSolution solveOutlinedModes (const OutlinedPlate& plate, std::optional<int> modeCount)
 {
     auto scaled = outlinedProblem (plate);
-    auto modes = wantedModes (plate, scaled, modeCount);
+    auto [modes, resolution] = wantedModes (plate, scaled, modeCount);
     Eigen::VectorXd angularFrequencies = (modes.eigenvalues * scaled.eigenvalueUnit()).cwiseSqrt();
     const auto highest = angularFrequencies[angularFrequencies.size() - 1];
     const auto waveNumber = largestWaveNumberAt (plate.common, highest) * scaled.length;
-    return { std::move (scaled), std::move (modes), std::move (angularFrequencies), waveNumber };
+    return { std::move (scaled), std::move (modes), resolution, std::move (angularFrequencies), waveNumber };
 }
 } // namespace antinode

@@ -32,6 +32,7 @@ struct OutlinedSolution
 {
     OutlinedProblem scaled;
     BendingModes modes;
+    ImmersedResolution resolution;      ///< Of the cells that the modes were solved on.
     Eigen::VectorXd angularFrequencies; ///< rad/s
     double waveNumber = 0; ///< Of the shortest waves anywhere at the highest mode, in units of the problem.
 };
