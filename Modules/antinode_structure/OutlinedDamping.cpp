@@ -47,7 +47,8 @@ Eigen::VectorXd lostAlong (const PathPiece& piece, const EdgeSupport& support, c
 
     for (int i = 0; i < parts * places; ++i)
     {
-        const auto t = piece.from + step * (i / places + rule.nodes[i % places]);
+        const auto part = i / places;
+        const auto t = piece.from + step * (part + rule.nodes[i % places]);
         const auto derivative = piece.derivative (t);
         at.row (i) = piece.at (t).transpose();
         normals.row (i) << derivative.y() / derivative.norm(), -derivative.x() / derivative.norm();
