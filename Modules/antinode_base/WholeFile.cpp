@@ -2,15 +2,12 @@
 
 #include "InputError.h"
 #include "MessageText.h"
+#include "SystemFiles.h"
 #include "Watch.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace antinode
 {
@@ -41,7 +38,7 @@ class OpenedFile
 {
 public:
     OpenedFile (const std::filesystem::path& pathToOpen, const FileKind& kind)
-        : path (pathToOpen), descriptor (open (path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY))
+        : path (pathToOpen), descriptor (openForReading (path))
     {
         // ENXIO: a socket.
         if (descriptor < 0 && (errno == ENOENT || errno == ENOTDIR))
@@ -50,34 +47,33 @@ public:
         if (descriptor < 0 && errno != ENXIO)
             refuseUnreadable (path);
 
-        // Of what was opened: under this name there may be another file by now.
-        if (descriptor < 0 || fstat (descriptor, &status) != 0 || S_ISFIFO (status.st_mode)
-            || S_ISSOCK (status.st_mode))
+        const auto opened = descriptor < 0 ? std::nullopt : statusOf (descriptor);
+
+        if (! opened || opened->isPipeOrSocket)
             refuseAndClose (std::string ("is a pipe or socket; allowed: ") + kind.name);
 
-        if (S_ISDIR (status.st_mode))
+        if (opened->isFolder)
             refuseAndClose (std::string ("is a directory; allowed: ") + kind.name);
+
+        status = *opened;
     }
 
     OpenedFile (const OpenedFile&) = delete;
     OpenedFile& operator= (const OpenedFile&) = delete;
 
-    ~OpenedFile() { close (descriptor); }
+    ~OpenedFile() { closeFile (descriptor); }
 
     /** What the system says; 0 of a device, and of files that it makes while they are read. */
-    std::size_t size() const { return S_ISREG (status.st_mode) ? static_cast<std::size_t> (status.st_size) : 0; }
+    std::size_t size() const { return static_cast<std::size_t> (status.bytes); }
 
-    bool isPlain() const { return S_ISREG (status.st_mode); }
+    bool isPlain() const { return status.isPlain; }
 
     /** The next bytes; 0 at the end. */
     std::size_t read (char* to, std::size_t count)
     {
         constexpr std::size_t maximumAtOnce = std::size_t { 1 } << 20; // between two looks at the watch
         checkWatch();
-        auto got = ::read (descriptor, to, std::min (count, maximumAtOnce));
-
-        while (got < 0 && errno == EINTR)
-            got = ::read (descriptor, to, std::min (count, maximumAtOnce));
+        const auto got = readBytes (descriptor, to, std::min (count, maximumAtOnce));
 
         if (got < 0)
             refuseUnreadable (path);
@@ -88,15 +84,15 @@ public:
 private:
     [[noreturn]] void refuseAndClose (const std::string& wrong) const
     {
-        close (descriptor);
+        if (descriptor >= 0)
+            closeFile (descriptor);
+
         refuse (path, wrong);
     }
 
     const std::filesystem::path& path;
     int descriptor;
-    struct stat status
-    {
-    };
+    FileStatus status;
 };
 } // namespace
 

@@ -3,19 +3,17 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
 #include <antinode_base/NumberText.h>
+#include <antinode_base/Processes.h>
 #include <antinode_base/Watch.h>
 #include <antinode_base/WholeFile.h>
 #include <antinode_numerics/ParallelFor.h>
 
-#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
 #include <fstream>
 #include <mutex>
 #include <random>
-
-#include <unistd.h>
 
 namespace antinode
 {
@@ -35,11 +33,8 @@ constexpr std::uintmax_t largestPartFile = std::uintmax_t { 1 } << 30;
 /** A name that no other process has, on no computer. */
 std::string temporaryName()
 {
-    constexpr std::size_t longestName = 256;
-    std::array<char, longestName> host {};
-    gethostname (host.data(), host.size() - 1);
     std::random_device random;
-    return std::string (temporaryPrefix) + host.data() + "-" + std::to_string (getpid()) + "-"
+    return std::string (temporaryPrefix) + computerName() + "-" + std::to_string (ownProcess()) + "-"
            + std::to_string (random());
 }
 

@@ -2,6 +2,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
+#include <antinode_base/Processes.h>
 #include <antinode_base/Watch.h>
 
 #include <algorithm>
@@ -10,9 +11,6 @@
 #include <cstring>
 #include <fstream>
 #include <random>
-
-#include <csignal>
-#include <unistd.h>
 
 namespace antinode
 {
@@ -30,9 +28,9 @@ constexpr std::size_t bytesAtOnce = 1 << 20; // between two looks at the watch
 }
 
 /** The process that made a temporary folder of this name, or 0 where the name is another's. */
-pid_t findOwner (std::string_view name)
+int findOwner (std::string_view name)
 {
-    pid_t owner = 0;
+    int owner = 0;
 
     if (name.substr (0, temporaryPrefix.size()) != temporaryPrefix)
         return 0;
@@ -42,18 +40,13 @@ pid_t findOwner (std::string_view name)
     return parsed.ec == std::errc {} && parsed.ptr != end && *parsed.ptr == '-' && owner > 0 ? owner : 0;
 }
 
-bool isRunning (pid_t process)
-{
-    return kill (process, 0) == 0 || errno != ESRCH;
-}
-
 void removeStaleFolders (const fs::path& target)
 {
     std::error_code ignored;
     std::vector<fs::path> stale;
 
     for (const auto& entry : fs::directory_iterator (target, ignored))
-        if (const auto owner = findOwner (entry.path().filename().string()); owner > 0 && ! isRunning (owner))
+        if (const auto owner = findOwner (entry.path().filename().string()); owner > 0 && ! isProcessRunning (owner))
             if (fs::is_directory (entry.symlink_status (ignored)))
                 stale.push_back (entry.path());
 
@@ -64,7 +57,8 @@ void removeStaleFolders (const fs::path& target)
 fs::path makeTemporaryFolder (const fs::path& target)
 {
     std::random_device random;
-    auto path = target / (std::string (temporaryPrefix) + std::to_string (getpid()) + '-' + std::to_string (random()));
+    auto path =
+        target / (std::string (temporaryPrefix) + std::to_string (ownProcess()) + '-' + std::to_string (random()));
     std::error_code error;
 
     if (! fs::create_directory (path, error))
