@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <mutex>
 #include <numbers>
 #include <utility>
 
@@ -13,9 +14,12 @@ namespace antinode
 {
 namespace
 {
+/** Computed once, for all threads; entries of a map stay where they are. */
 const Quadrature& rule (int points)
 {
-    thread_local std::map<int, Quadrature> rules;
+    static std::mutex mutex;
+    static std::map<int, Quadrature> rules;
+    const std::lock_guard lock (mutex);
     const auto [entry, isNew] = rules.try_emplace (points);
 
     if (isNew)

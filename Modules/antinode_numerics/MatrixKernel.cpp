@@ -1,5 +1,6 @@
 #include "MatrixKernel.h"
 
+#include <antinode_base/ThreadLocal.h>
 #include <antinode_base/Watch.h>
 
 #include <hwy/aligned_allocator.h>
@@ -157,8 +158,8 @@ void addProduct (const ProductTarget& target, std::ptrdiff_t depth, double facto
                  const MatrixInMemory& b)
 {
     constexpr auto rowRoom = (maximumRows + tileRows - 1) / tileRows * tileRows;
-    static thread_local const auto packedA = hwy::AllocateAligned<double> (rowRoom * maximumDepth);
-    static thread_local const auto packedB = hwy::AllocateAligned<double> (maximumColumns * maximumDepth);
+    ANTINODE_KEPT_BY_THREAD const auto packedA = hwy::AllocateAligned<double> (rowRoom * maximumDepth);
+    ANTINODE_KEPT_BY_THREAD const auto packedB = hwy::AllocateAligned<double> (maximumColumns * maximumDepth);
 
     for (std::ptrdiff_t column = 0; column < target.columns; column += maximumColumns)
         for (std::ptrdiff_t k = 0; k < depth; k += maximumDepth)

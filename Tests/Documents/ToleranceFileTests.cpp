@@ -22,10 +22,10 @@ TEST_CASE ("A tolerance is written in percent and shares, with what hurts in its
     CHECK (json["seed"] == 9);
     CHECK (json["spread"]["frequency_percent"] == 0.3);
     CHECK (json["spread"]["damping_percent"] == 20);
-    CHECK (json["percentiles"] == nlohmann::json { 5, 25, 50, 75, 95 });
+    CHECK (json["percentiles"] == nlohmann::ordered_json { 5, 25, 50, 75, 95 });
     const auto& design = json["designs"][0];
     CHECK (design["peak_voltage_V"] == 12.5);
-    CHECK (design["field_error"] == nlohmann::json { 0.01, 0.02, 0.03, 0.04, 0.05 });
+    CHECK (design["field_error"] == nlohmann::ordered_json { 0.01, 0.02, 0.03, 0.04, 0.05 });
     CHECK (design["draws"][0]["peak_ratio"] == 1.01);
     CHECK (design["causes"][0]["mode"] == 2);
     CHECK (design["causes"][0]["frequency_Hz"] == Approx (1000));

@@ -2,8 +2,10 @@
 
 #include <cstddef>
 
+#ifndef _WIN32
 #include <dlfcn.h>
 #include <pthread.h>
+#endif
 
 namespace
 {
@@ -21,7 +23,7 @@ long antinode::test::lockCalls()
     return locks;
 }
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(ANTINODE_RTSAN)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(ANTINODE_RTSAN) || defined(_WIN32)
 
 bool antinode::test::mallocIsCounted()
 {
