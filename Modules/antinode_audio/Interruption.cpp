@@ -1,5 +1,7 @@
 #include "Interruption.h"
 
+#include <antinode_base/Processes.h>
+
 #include <csignal>
 
 namespace antinode
@@ -16,11 +18,8 @@ void note (int signal)
 
 void catchInterruptions()
 {
-    struct sigaction action = {};
-    action.sa_handler = note;
-    action.sa_flags = static_cast<int> (SA_RESETHAND);
-    sigaction (SIGINT, &action, nullptr);
-    sigaction (SIGTERM, &action, nullptr);
+    handleOnce (SIGINT, note);
+    handleOnce (SIGTERM, note);
 }
 
 bool isInterrupted()

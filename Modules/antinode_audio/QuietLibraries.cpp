@@ -1,5 +1,7 @@
 #include "QuietLibraries.h"
 
+#ifdef __linux__
+
 #include <alsa/asoundlib.h>
 #include <dlfcn.h>
 
@@ -31,3 +33,9 @@ void silenceAudioLibraries()
             reinterpret_cast<SetFunction> (symbol) (ignoreJack);
 }
 } // namespace antinode
+
+#else
+
+void antinode::silenceAudioLibraries() {}
+
+#endif

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace antinode
 {
@@ -10,6 +12,30 @@ int ownProcess();
 /** Whether a process of this number runs, be it another user's. [any] */
 bool isProcessRunning (int process);
 
+/** The number of the user whose process this is; 0 on Windows, where users have none. [any] */
+int ownUser();
+
 /** The name of this computer in its network; empty where the system does not say it. [worker] */
 std::string computerName();
+
+/** The arguments of this program in UTF-8, its name first: on Windows main() gets them in another encoding. There the
+    console is set to UTF-8, too. [message thread] */
+std::vector<std::string> programArguments (int count, char** arguments);
+
+/** Whether standard error goes to a terminal, which shows a line that is written again and again. [any] */
+bool errorsGoToTerminal();
+
+/** Calls a function at the first signal of a number; the next one does what it does by default. [any] */
+void handleOnce (int signal, void (*handler) (int));
+
+/** What a command did. */
+struct CommandOutcome
+{
+    int exitCode = 0;    ///< 1 of a command that a signal has ended.
+    std::string printed; ///< On standard output.
+};
+
+/** Runs a command in the system's shell and waits for its end.
+    @return  nothing where it cannot be started [worker] */
+std::optional<CommandOutcome> runShellCommand (const std::string& command);
 } // namespace antinode

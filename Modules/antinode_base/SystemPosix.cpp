@@ -1,18 +1,40 @@
 #ifndef _WIN32
 
 #include "Processes.h"
+#include "Sockets.h"
 #include "SystemFiles.h"
+#include "UserFolders.h"
 
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
 
+#include <arpa/inet.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace antinode
 {
+namespace
+{
+/** The folder of a variable, else one at home; a path that is not absolute counts as not set. */
+std::optional<std::filesystem::path> userHome (const char* variable, const char* usual)
+{
+    if (const auto* const folder = std::getenv (variable); folder != nullptr && *folder == '/')
+        return folder;
+
+    if (const auto* const home = std::getenv ("HOME"); home != nullptr && *home == '/')
+        return std::filesystem::path (home) / usual;
+
+    return std::nullopt;
+}
+} // namespace
+
 int openForReading (const std::filesystem::path& path)
 {
     return open (path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
@@ -62,6 +84,85 @@ std::string computerName()
     constexpr std::size_t longest = 256;
     std::array<char, longest> name {};
     return gethostname (name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+int ownUser()
+{
+    return static_cast<int> (getuid());
+}
+
+std::vector<std::string> programArguments (int count, char** arguments)
+{
+    return { arguments, arguments + count };
+}
+
+bool errorsGoToTerminal()
+{
+    return isatty (STDERR_FILENO) != 0;
+}
+
+void handleOnce (int signal, void (*handler) (int))
+{
+    struct sigaction action = {};
+    action.sa_handler = handler;
+    action.sa_flags = static_cast<int> (SA_RESETHAND);
+    sigaction (signal, &action, nullptr);
+}
+
+std::optional<CommandOutcome> runShellCommand (const std::string& command)
+{
+    auto* const pipe = popen (command.c_str(), "re");
+
+    if (pipe == nullptr)
+        return std::nullopt;
+
+    CommandOutcome outcome;
+    std::array<char, 256> some {};
+
+    while (std::fgets (some.data(), some.size(), pipe) != nullptr)
+        outcome.printed += some.data();
+
+    const auto status = pclose (pipe);
+    outcome.exitCode = WIFEXITED (status) ? WEXITSTATUS (status) : 1;
+    return outcome;
+}
+
+std::optional<std::filesystem::path> userDataHome()
+{
+    return userHome ("XDG_DATA_HOME", ".local/share");
+}
+
+std::optional<std::filesystem::path> userConfigHome()
+{
+    return userHome ("XDG_CONFIG_HOME", ".config");
+}
+
+std::optional<std::filesystem::path> userCacheHome()
+{
+    return userHome ("XDG_CACHE_HOME", ".cache");
+}
+
+bool isIpv4Address (const std::string& text)
+{
+    in_addr ignored {};
+    return inet_pton (AF_INET, text.c_str(), &ignored) == 1;
+}
+
+std::vector<std::size_t> waitForSockets (std::span<const int> sockets, int milliseconds)
+{
+    std::vector<pollfd> waited;
+    std::vector<std::size_t> ready;
+    waited.reserve (sockets.size());
+
+    for (const auto socket : sockets)
+        waited.push_back ({ socket, POLLIN, 0 });
+
+    if (poll (waited.data(), waited.size(), milliseconds) > 0)
+        for (std::size_t i = 0; i < waited.size(); ++i)
+            if (waited[i].revents != 0)
+                ready.push_back (i);
+
+    return ready;
 }
 } // namespace antinode
 

@@ -1,16 +1,25 @@
 #ifdef _WIN32
 
 #include "Processes.h"
+#include "Sockets.h"
 #include "SystemFiles.h"
+#include "UserFolders.h"
 
 #include <algorithm>
 #include <array>
 #include <climits>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
 
 #ifndef NOMINMAX
 #define NOMINMAX
 #endif
 #include <windows.h>
+#include <winsock2.h>
+#include <ws2tcpip.h>
+
+#include <shellapi.h>
 
 #include <fcntl.h>
 #include <io.h>
@@ -18,6 +27,16 @@
 
 namespace antinode
 {
+namespace
+{
+std::optional<std::filesystem::path> userHome (const wchar_t* variable)
+{
+    const auto* const folder = _wgetenv (variable);
+    const std::filesystem::path path (folder == nullptr ? L"" : folder);
+    return path.is_absolute() ? std::optional (path) : std::nullopt;
+}
+} // namespace
+
 /** A folder cannot be opened: that is found here, for statusOf(). */
 int openForReading (const std::filesystem::path& path)
 {
@@ -87,6 +106,100 @@ std::string computerName()
     std::array<char, 256> name {};
     auto length = static_cast<DWORD> (name.size());
     return GetComputerNameExA (ComputerNameDnsHostname, name.data(), &length) != 0 ? name.data() : "";
+}
+
+int ownUser()
+{
+    return 0;
+}
+
+std::vector<std::string> programArguments (int count, char** arguments)
+{
+    SetConsoleOutputCP (CP_UTF8);
+    int wideCount = 0;
+    auto** const wide = CommandLineToArgvW (GetCommandLineW(), &wideCount);
+
+    if (wide == nullptr)
+        return { arguments, arguments + count };
+
+    std::vector<std::string> texts;
+
+    for (int i = 0; i < wideCount; ++i)
+    {
+        std::string text (
+            static_cast<std::size_t> (WideCharToMultiByte (CP_UTF8, 0, wide[i], -1, nullptr, 0, nullptr, nullptr)),
+            ' ');
+        WideCharToMultiByte (CP_UTF8, 0, wide[i], -1, text.data(), static_cast<int> (text.size()), nullptr, nullptr);
+        text.pop_back(); // its 0
+        texts.push_back (text);
+    }
+
+    LocalFree (static_cast<void*> (wide));
+    return texts;
+}
+
+bool errorsGoToTerminal()
+{
+    return _isatty (_fileno (stderr)) != 0;
+}
+
+void handleOnce (int signal, void (*handler) (int))
+{
+    std::signal (signal, handler);
+}
+
+std::optional<CommandOutcome> runShellCommand (const std::string& command)
+{
+    auto* const pipe = _popen (command.c_str(), "r");
+
+    if (pipe == nullptr)
+        return std::nullopt;
+
+    CommandOutcome outcome;
+    std::array<char, 256> some {};
+
+    while (std::fgets (some.data(), some.size(), pipe) != nullptr)
+        outcome.printed += some.data();
+
+    outcome.exitCode = _pclose (pipe);
+    return outcome;
+}
+
+std::optional<std::filesystem::path> userDataHome()
+{
+    return userHome (L"APPDATA");
+}
+
+std::optional<std::filesystem::path> userConfigHome()
+{
+    return userHome (L"APPDATA");
+}
+
+std::optional<std::filesystem::path> userCacheHome()
+{
+    return userHome (L"LOCALAPPDATA");
+}
+
+bool isIpv4Address (const std::string& text)
+{
+    in_addr ignored {};
+    return inet_pton (AF_INET, text.c_str(), &ignored) == 1;
+}
+
+std::vector<std::size_t> waitForSockets (std::span<const int> sockets, int milliseconds)
+{
+    std::vector<WSAPOLLFD> waited;
+    std::vector<std::size_t> ready;
+
+    for (const auto socket : sockets)
+        waited.push_back ({ static_cast<SOCKET> (socket), POLLIN, 0 });
+
+    if (WSAPoll (waited.data(), static_cast<ULONG> (waited.size()), milliseconds) > 0)
+        for (std::size_t i = 0; i < waited.size(); ++i)
+            if (waited[i].revents != 0)
+                ready.push_back (i);
+
+    return ready;
 }
 } // namespace antinode
 

@@ -5,6 +5,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
+#include <antinode_base/UserFolders.h>
 #include <antinode_documents/OutlineFile.h>
 #include <antinode_resources.h>
 #include <antinode_structure/ModeLimits.h>
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 
 namespace antinode
 {
@@ -48,16 +48,10 @@ bool isAllowedName (const std::string& name)
            && std::all_of (name.begin(), name.end(), isAllowed);
 }
 
-/** Ours in the folder of a variable, else in the usual one at home. */
-std::optional<std::filesystem::path> userFolder (const char* variable, const char* usual)
+/** Ours in a folder for the files of all programs. */
+std::optional<std::filesystem::path> oursIn (const std::optional<std::filesystem::path>& home)
 {
-    if (const auto* const folder = std::getenv (variable); folder != nullptr && *folder == '/')
-        return std::filesystem::path (folder) / "antinode";
-
-    if (const auto* const home = std::getenv ("HOME"); home != nullptr && *home == '/')
-        return std::filesystem::path (home) / usual / "antinode";
-
-    return std::nullopt;
+    return home ? std::optional (*home / "antinode") : std::nullopt;
 }
 
 std::optional<std::filesystem::path> userFile (LibraryKind kind, const std::string& name)
@@ -159,12 +153,12 @@ bool isFileName (const std::string& text)
 
 std::optional<std::filesystem::path> userLibraryFolder()
 {
-    return userFolder ("XDG_DATA_HOME", ".local/share");
+    return oursIn (userDataHome());
 }
 
 std::optional<std::filesystem::path> userConfigFolder()
 {
-    return userFolder ("XDG_CONFIG_HOME", ".config");
+    return oursIn (userConfigHome());
 }
 
 std::vector<std::string> factoryNames (LibraryKind kind)

@@ -27,12 +27,10 @@ struct LibraryEntry
     bool isFactory = true; ///< False: made by the user.
 };
 
-/** The folder of user presets: $XDG_DATA_HOME/antinode, else $HOME/.local/share/antinode; none if neither is set. [any]
- */
+/** The folder of user presets: antinode in userDataHome(), where there is one. [any] */
 std::optional<std::filesystem::path> userLibraryFolder();
 
-/** The folder of user settings: $XDG_CONFIG_HOME/antinode, else $HOME/.config/antinode; none if neither is set. [any]
- */
+/** The folder of user settings: antinode in userConfigHome(), where there is one. [any] */
 std::optional<std::filesystem::path> userConfigFolder();
 
 /** Factory presets by name, then user presets by name. A user preset with a factory name is left out. [worker] */

@@ -2,6 +2,7 @@
 
 #include "ModeCacheEntry.h"
 
+#include <antinode_base/UserFolders.h>
 #include <antinode_base/WholeFile.h>
 #include <antinode_structure/OutlinedModel.h>
 #include <antinode_structure/StaticShare.h>
@@ -10,7 +11,6 @@
 #include <xxhash.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <vector>
 
 namespace antinode
@@ -177,20 +177,8 @@ void ModeCache::removeOldest() const
 
 std::optional<std::filesystem::path> userCacheFolder()
 {
-    // The XDG base directory specification: a path that is not absolute counts as not set.
-    const auto absoluteFrom = [] (const char* variable) -> std::optional<fs::path>
-    {
-        const auto* const value = std::getenv (variable);
-        return value != nullptr && fs::path (value).is_absolute() ? std::optional (fs::path (value)) : std::nullopt;
-    };
-
-    if (const auto cache = absoluteFrom ("XDG_CACHE_HOME"))
-        return *cache / "antinode" / "modes";
-
-    if (const auto home = absoluteFrom ("HOME"))
-        return *home / ".cache" / "antinode" / "modes";
-
-    return {};
+    const auto home = userCacheHome();
+    return home ? std::optional (*home / "antinode" / "modes") : std::nullopt;
 }
 
 ModalModel solveCached (const DeviceDescription& device, std::optional<int> modeCount, const ModeCache* cache,

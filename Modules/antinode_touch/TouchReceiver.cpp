@@ -1,13 +1,11 @@
 #include "TouchReceiver.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/Sockets.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <system_error>
-
-#include <arpa/inet.h>
-#include <poll.h>
 
 namespace antinode
 {
@@ -18,10 +16,8 @@ constexpr std::size_t largestPacket = 65536; ///< More than UDP can transport: n
 
 void check (const TouchPorts& ports)
 {
-    in_addr ignored {};
-
     // juce::DatagramSocket takes what is no address for 255.255.255.255, and an empty one for the whole network.
-    if (inet_pton (AF_INET, ports.address.c_str(), &ignored) != 1)
+    if (! isIpv4Address (ports.address))
         throw InputError ("Touch input",
                           "the address is \"" + ports.address + "\"; allowed: an IPv4 address, for example 127.0.0.1");
 
@@ -77,26 +73,19 @@ int TouchReceiver::open (const char* name, int port)
 void TouchReceiver::run()
 {
     std::vector<std::byte> buffer (largestPacket);
-    std::vector<pollfd> handles;
+    std::vector<int> handles;
+    handles.reserve (sockets.size());
 
     for (const auto& socket : sockets)
-        handles.push_back ({ socket->getRawSocketHandle(), POLLIN, 0 });
+        handles.push_back (socket->getRawSocketHandle());
 
     // One wait for both sockets; juce's waits for one, and the other's touches would wait with it.
     while (! isStopping)
-    {
-        if (poll (handles.data(), handles.size(), pollMilliseconds) <= 0)
-            continue;
-
-        for (std::size_t i = 0; i < handles.size(); ++i)
+        for (const auto i : waitForSockets (handles, pollMilliseconds))
         {
-            if (handles[i].revents == 0)
-                continue;
-
             const auto size = sockets[i]->read (buffer.data(), static_cast<int> (buffer.size()), false);
             receive (std::span (buffer).first (static_cast<std::size_t> (std::max (size, 0))));
         }
-    }
 }
 
 void TouchReceiver::receive (std::span<const std::byte> packet)

@@ -1,13 +1,23 @@
 #include "CommandLine.h"
 
 #include <antinode_audio/Interruption.h>
+#include <antinode_base/Processes.h>
 
 #include <juce_events/juce_events.h>
+
+#include <vector>
 
 int main (int argumentCount, char** arguments)
 {
     // Fonts and pictures share objects of JUCE that are freed with it.
     const juce::ScopedJuceInitialiser_GUI juce;
     antinode::catchInterruptions();
-    return antinode::runCommandLine (argumentCount, arguments);
+    auto texts = antinode::programArguments (argumentCount, arguments);
+    std::vector<char*> pointers;
+    pointers.reserve (texts.size());
+
+    for (auto& text : texts)
+        pointers.push_back (text.data());
+
+    return antinode::runCommandLine (static_cast<int> (pointers.size()), pointers.data());
 }

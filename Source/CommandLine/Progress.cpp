@@ -1,19 +1,18 @@
 #include "Progress.h"
 
 #include <antinode_base/NumberText.h>
+#include <antinode_base/Processes.h>
 
 #include <cmath>
 #include <cstdio>
 #include <utility>
-
-#include <unistd.h>
 
 namespace antinode
 {
 using namespace std::chrono_literals;
 
 Progress::Progress (bool isQuiet)
-    : isOn (! isQuiet && isatty (STDERR_FILENO) != 0), start (std::chrono::steady_clock::now()), last (start)
+    : isOn (! isQuiet && errorsGoToTerminal()), start (std::chrono::steady_clock::now()), last (start)
 {
 }
 

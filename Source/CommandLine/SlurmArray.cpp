@@ -2,21 +2,17 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
+#include <antinode_base/Processes.h>
 #include <antinode_base/Watch.h>
 #include <antinode_base/WholeFile.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cstdio>
 #include <optional>
 #include <sstream>
 #include <thread>
 #include <vector>
-
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace antinode
 {
@@ -52,27 +48,15 @@ std::string withoutPatterns (const std::string& path)
     return text;
 }
 
-struct CommandOutcome
-{
-    int exitCode = 0;
-    std::string printed; ///< With what it said of errors.
-};
-
+/** What a command did, with what it said of errors. */
 CommandOutcome runCommand (const std::string& command)
 {
-    CommandOutcome outcome;
-    std::array<char, 256> some {};
-    auto* const pipe = popen ((command + " 2>&1").c_str(), "re");
+    auto outcome = runShellCommand (command + " 2>&1");
 
-    if (pipe == nullptr)
+    if (! outcome)
         throw InputError ("--slurm", "no command can be started");
 
-    while (std::fgets (some.data(), some.size(), pipe) != nullptr)
-        outcome.printed += some.data();
-
-    const auto status = pclose (pipe);
-    outcome.exitCode = WIFEXITED (status) ? WEXITSTATUS (status) : 1;
-    return outcome;
+    return *outcome;
 }
 
 std::vector<std::string> linesOf (const std::string& text)
@@ -214,7 +198,7 @@ std::string slurmJobIn (const std::string& printed)
 std::string slurmListing (const std::string& job)
 {
     const auto cluster = job.find (';');
-    return "squeue --noheader --user=" + std::to_string (getuid()) + " --format=%F"
+    return "squeue --noheader --user=" + std::to_string (ownUser()) + " --format=%F"
            + (cluster == std::string::npos ? "" : " --clusters=" + shellWord (job.substr (cluster + 1)));
 }
 

@@ -1,13 +1,12 @@
 #include "SettingsFile.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/Processes.h>
 #include <antinode_base/WholeFile.h>
 #include <antinode_library/Library.h>
 
 #include <fstream>
 #include <system_error>
-
-#include <unistd.h>
 
 namespace antinode
 {
@@ -81,7 +80,7 @@ void SettingsFile::save (const StandaloneSettings& settings)
 
     // A name of this process, in the same folder: so the step at the end is one rename.
     auto temporary = file;
-    temporary += "." + std::to_string (getpid());
+    temporary += "." + std::to_string (ownProcess());
     std::error_code failure;
     fs::create_directories (file.parent_path(), failure);
     std::ofstream stream (temporary, std::ios::binary);
