@@ -15,11 +15,12 @@
 #ifndef NOMINMAX
 #define NOMINMAX
 #endif
+#include <winsock2.h> // before windows.h, which includes another version of it
+
 #include <windows.h>
-#include <winsock2.h>
-#include <ws2tcpip.h>
 
 #include <shellapi.h>
+#include <ws2tcpip.h>
 
 #include <fcntl.h>
 #include <io.h>
