@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace antinode
 {
@@ -54,7 +55,7 @@ void chooseForModes (ExcitationSettings& settings, const ModalModel& model, cons
     settings.highestFrequency = options.highest.value_or (
         std::min ({ highestByDefault, rateShare * options.rate, beyond * model.frequencyHz (model.modes() - 1) }));
     settings.resolution = options.resolution.value_or (
-        std::clamp (decay.minCoeff() / (M_PI * linesPerWidth), minimumResolution, maximumResolution));
+        std::clamp (decay.minCoeff() / (std::numbers::pi * linesPerWidth), minimumResolution, maximumResolution));
     const auto settlingTime = -std::log (restOfSettling) / decay.minCoeff();
     settings.settlingPeriods =
         options.settling.value_or (std::max (1, static_cast<int> (std::ceil (settlingTime * settings.resolution))));

@@ -173,16 +173,17 @@ std::filesystem::path slurmScriptFile (const SlurmArray& array)
 
 std::string slurmScript (const SlurmArray& array)
 {
-    return "#!/bin/sh\nexec " + shellWord (array.program) + " sweep " + shellWord (array.folder / "plan.json")
-           + " --out " + shellWord (array.folder) + " --shard \"$SLURM_ARRAY_TASK_ID/" + std::to_string (array.tasks)
+    return "#!/bin/sh\nexec " + shellWord (array.program.string()) + " sweep "
+           + shellWord ((array.folder / "plan.json").string()) + " --out " + shellWord (array.folder.string())
+           + " --shard \"$SLURM_ARRAY_TASK_ID/" + std::to_string (array.tasks)
            + "\" --threads \"${SLURM_CPUS_PER_TASK:-1}\" --quiet" + (array.usesCache ? "\n" : " --no-cache\n");
 }
 
 std::string slurmSubmission (const SlurmArray& array)
 {
     return "sbatch --parsable --requeue --array=1-" + std::to_string (array.tasks)
-           + " --output=" + shellWord (withoutPatterns (array.folder) + "/slurm-%a.log")
-           + (array.options.empty() ? "" : " " + array.options) + " " + shellWord (slurmScriptFile (array));
+           + " --output=" + shellWord (withoutPatterns (array.folder.string()) + "/slurm-%a.log")
+           + (array.options.empty() ? "" : " " + array.options) + " " + shellWord (slurmScriptFile (array).string());
 }
 
 std::string slurmJobIn (const std::string& printed)
