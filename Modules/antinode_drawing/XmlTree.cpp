@@ -5,6 +5,7 @@
 #include <expat.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 
 namespace antinode
@@ -22,6 +23,16 @@ struct XmlWay
 
 constexpr std::size_t deepest = 200;
 
+/** The line that is read now; expat 2.9 deprecates the call that older versions have. */
+std::uint64_t lineOf (XML_Parser parser)
+{
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9
+    return XML_GetCurrentLineNumber64 (parser);
+#else
+    return XML_GetCurrentLineNumber (parser);
+#endif
+}
+
 void onStart (void* data, const XML_Char* name, const XML_Char** attributes)
 {
     auto& xml = *static_cast<XmlWay*> (data);
@@ -35,7 +46,7 @@ void onStart (void* data, const XML_Char* name, const XML_Char** attributes)
 
     auto& node = xml.way.back()->children.emplace_back();
     node.name = name;
-    node.line = static_cast<long> (XML_GetCurrentLineNumber (xml.parser));
+    node.line = static_cast<long> (lineOf (xml.parser));
 
     for (; *attributes != nullptr; attributes += 2)
         node.attributes.emplace_back (attributes[0], attributes[1]);
@@ -69,7 +80,7 @@ XmlNode readXml (std::string_view bytes, const std::string& source)
 
     if (bytes.size() > most
         || XML_Parse (xml.parser, bytes.data(), static_cast<int> (bytes.size()), 1) == XML_STATUS_ERROR)
-        throw InputError (source + ": line " + std::to_string (XML_GetCurrentLineNumber (xml.parser)),
+        throw InputError (source + ": line " + std::to_string (lineOf (xml.parser)),
                           xml.isTooDeep ? "has more than " + std::to_string (deepest) + " elements in each other"
                                         : "is not XML (" + std::string (XML_ErrorString (XML_GetErrorCode (xml.parser)))
                                               + "); allowed: a whole SVG file");
