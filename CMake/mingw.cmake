@@ -1,4 +1,4 @@
-# Windows, 64 bit, by mingw-w64's g++ on Linux. Scripts/windows builds the libraries and uses this file.
+# Windows, 64 bit, by mingw-w64's g++ on Linux. Scripts/windows-libraries builds the libraries, `Scripts/package windows` all.
 set (CMAKE_SYSTEM_NAME Windows)
 set (CMAKE_SYSTEM_PROCESSOR x86_64)
 set (CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)
@@ -24,4 +24,4 @@ set (CMAKE_CXX_FLAGS_INIT -D__USE_MINGW_ANSI_STDIO=1)
 # A program that needs no other file; wine runs it for CTest and while building.
 set (CMAKE_EXE_LINKER_FLAGS_INIT "-static -L${ANTINODE_MINGW_PREFIX}/lib")
 set (CMAKE_MODULE_LINKER_FLAGS_INIT "-static -L${ANTINODE_MINGW_PREFIX}/lib")
-set (CMAKE_CROSSCOMPILING_EMULATOR wine64)
+set (CMAKE_CROSSCOMPILING_EMULATOR wine)

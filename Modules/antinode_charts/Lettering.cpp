@@ -1,5 +1,6 @@
 #include "Lettering.h"
 
+#include "Typefaces.h"
 #include "Utf8.h"
 
 #include <antinode_fonts.h>
@@ -45,18 +46,18 @@ public:
         return entry->second;
     }
 
-    float ascent() const { return typeface->getAscent(); }
+    float ascent() const { return ascentOf (*typeface); }
 
 private:
     void load (char32_t codePoint, Glyph& glyph) const
     {
         juce::Array<int> numbers;
         juce::Array<float> offsets;
-        typeface->getGlyphPositions (juce::String::charToString (static_cast<juce::juce_wchar> (codePoint)), numbers,
-                                     offsets);
+        findGlyphPositions (*typeface, juce::String::charToString (static_cast<juce::juce_wchar> (codePoint)), numbers,
+                            offsets);
         if (numbers.isEmpty())
             return;
-        typeface->getOutlineForGlyph (numbers.getFirst(), glyph.outline);
+        glyph.outline = glyphOutline (*typeface, numbers.getFirst());
         glyph.advance = offsets[1];
     }
 

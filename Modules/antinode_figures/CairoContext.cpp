@@ -197,10 +197,9 @@ void CairoContext::drawLine (const juce::Line<float>& line)
     fillPath (path, {});
 }
 
-void CairoContext::drawGlyph (int glyphNumber, const juce::AffineTransform& transform)
+void CairoContext::showGlyph (int glyphNumber, const juce::AffineTransform& transform)
 {
-    juce::Path outline;
-    state.font.getTypefacePtr()->getOutlineForGlyph (glyphNumber, outline);
+    const auto outline = glyphOutline (*state.font.getTypefacePtr(), glyphNumber);
     const auto height = state.font.getHeight();
     fillPath (outline,
               juce::AffineTransform::scale (height * state.font.getHorizontalScale(), height).followedBy (transform));

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <antinode_charts/Lettering.h>
+#include "VectorContext.h"
 
-#include <juce_graphics/juce_graphics.h>
+#include <antinode_charts/Lettering.h>
+#include <antinode_charts/Typefaces.h>
 
 #include <cairo.h>
 
@@ -11,16 +12,14 @@
 namespace antinode
 {
 /** What juce::Graphics draws, drawn by Cairo: lines stay lines, text stays text. [worker] */
-class CairoContext : public juce::LowLevelGraphicsContext, public TextDrawing
+class CairoContext : public VectorContext, public TextDrawing
 {
 public:
     /** @param target  outlives it */
     explicit CairoContext (cairo_t* target) : cairo (target) {}
 
-    bool isVectorDevice() const override { return true; }
     void setOrigin (juce::Point<int>) override;
     void addTransform (const juce::AffineTransform&) override;
-    float getPhysicalPixelScaleFactor() override { return 1; }
 
     bool clipToRectangle (const juce::Rectangle<int>&) override;
     bool clipToRectangleList (const juce::RectangleList<int>&) override;
@@ -51,7 +50,7 @@ public:
 
     void setFont (const juce::Font& font) override { state.font = font; }
     const juce::Font& getFont() override { return state.font; }
-    void drawGlyph (int glyphNumber, const juce::AffineTransform&) override;
+    void showGlyph (int glyphNumber, const juce::AffineTransform&) override;
 
     void showText (const PlacedText&) override;
 
@@ -59,7 +58,7 @@ private:
     struct State
     {
         juce::FillType fill;
-        juce::Font font;
+        juce::Font font = anyFont();
         juce::Graphics::ResamplingQuality quality = juce::Graphics::mediumResamplingQuality;
     };
 

@@ -1,11 +1,10 @@
 #include "CommandLine.h"
 
 #include <antinode_audio/Interruption.h>
+#include <antinode_base/ArgumentPointers.h>
 #include <antinode_base/Processes.h>
 
 #include <juce_events/juce_events.h>
-
-#include <vector>
 
 int main (int argumentCount, char** arguments)
 {
@@ -13,11 +12,6 @@ int main (int argumentCount, char** arguments)
     const juce::ScopedJuceInitialiser_GUI juce;
     antinode::catchInterruptions();
     auto texts = antinode::programArguments (argumentCount, arguments);
-    std::vector<char*> pointers;
-    pointers.reserve (texts.size());
-
-    for (auto& text : texts)
-        pointers.push_back (text.data());
-
+    const auto pointers = antinode::argumentPointers (texts);
     return antinode::runCommandLine (static_cast<int> (pointers.size()), pointers.data());
 }

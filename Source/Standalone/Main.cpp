@@ -1,6 +1,11 @@
 #include "Standalone.h"
 
+#include <antinode_base/ArgumentPointers.h>
+#include <antinode_base/Processes.h>
+
 int main (int argumentCount, char** arguments)
 {
-    return antinode::runStandalone (argumentCount, arguments);
+    auto texts = antinode::programArguments (argumentCount, arguments);
+    const auto pointers = antinode::argumentPointers (texts);
+    return antinode::runStandalone (static_cast<int> (pointers.size()), pointers.data());
 }

@@ -11,6 +11,7 @@
 #include <tuple>
 
 using namespace antinode;
+using test::ProgramArguments;
 using test::readContent;
 using test::runProgram;
 
@@ -35,23 +36,23 @@ TEST_CASE ("Help ends with 0, wrong usage with 2, bad input with 1 and one line"
     CHECK (runProgram ({ "render", "--format", "mp3" }).exitCode == 2);
 
     for (const auto& arguments :
-         std::vector<std::vector<std::string>> { { "render", "no-such-focus" },
-                                                 { "render", "missing.json" },
-                                                 { "render", "--device", "no-such-device" },
-                                                 { "render", "--rate", "7999" },
-                                                 { "render", "--rate", "nan" },
-                                                 { "render", "--probe", "24,0,0" },
-                                                 { "render", "--probe", "200" },
-                                                 { "render", "--set", "x=1" },
-                                                 { "render", "--set", "focus.targets.7.x_mm=1" },
-                                                 { "render", "--set", "focus.target.0.x_mm=1" },
-                                                 { "render", "--duration-ms", "1" },
-                                                 { "render", "--out", "/dev/null" },
-                                                 { "modes", "/" },
-                                                 { "design", "--set", "focus.allocation.voltage_limit_V=1" } })
+         std::vector<ProgramArguments> { { "render", "no-such-focus" },
+                                         { "render", "missing.json" },
+                                         { "render", "--device", "no-such-device" },
+                                         { "render", "--rate", "7999" },
+                                         { "render", "--rate", "nan" },
+                                         { "render", "--probe", "24,0,0" },
+                                         { "render", "--probe", "200" },
+                                         { "render", "--set", "x=1" },
+                                         { "render", "--set", "focus.targets.7.x_mm=1" },
+                                         { "render", "--set", "focus.target.0.x_mm=1" },
+                                         { "render", "--duration-ms", "1" },
+                                         { "render", "--out", "/dev/null" },
+                                         { "modes", "/" },
+                                         { "design", "--set", "focus.allocation.voltage_limit_V=1" } })
     {
         const auto run = runProgram (arguments);
-        INFO (arguments.back() << ": " << run.errors);
+        INFO (arguments.back().text << ": " << run.errors);
         CHECK (run.exitCode == 1);
         CHECK (linesIn (run.errors) == 1);
         CHECK (run.output.empty());
@@ -230,9 +231,8 @@ TEST_CASE ("A design that was written plays the same voltages again, without its
 {
     const TemporaryFolder folder;
     const auto first = folder.path() / "first", again = folder.path() / "again";
-    const std::vector<std::string> common { "--no-report", "--quiet", "--rate", "48000", "--device", "beam" };
-    auto render =
-        std::vector<std::string> { "render", "--set", "focus.allocation.method=free_waveform", "--out", first };
+    const ProgramArguments common { "--no-report", "--quiet", "--rate", "48000", "--device", "beam" };
+    auto render = ProgramArguments { "render", "--set", "focus.allocation.method=free_waveform", "--out", first };
     render.insert (render.end(), common.begin(), common.end());
     REQUIRE (runProgram (render).exitCode == 0);
     const auto design = (first / "design.json").string();
@@ -277,7 +277,7 @@ TEST_CASE ("Solved modes are kept for the next run, without a cache they are not
 {
     const TemporaryFolder folder;
     const auto cached = folder.path() / "cache" / "antinode" / "modes";
-    const auto run = [&] (const std::vector<std::string>& arguments)
+    const auto run = [&] (const ProgramArguments& arguments)
     { return test::waitForProgram (test::startProgram (arguments, folder.path())); };
 
     REQUIRE (run ({ "modes", "beam", "--no-cache" }) == 0);
@@ -347,18 +347,18 @@ TEST_CASE ("place refuses impossible options in one line that names the option",
     const TemporaryFolder folder;
     const auto file = folder.path() / "placed.json";
 
-    for (const auto& arguments : std::vector<std::vector<std::string>> { { "--size-mm", "20x" },
-                                                                         { "--size-mm", "-3" },
-                                                                         { "--size-mm", "300" },
-                                                                         { "--step-mm", "0" },
-                                                                         { "--step-mm", "0.0001" },
-                                                                         { "--size-mm", "90", "--count", "9" },
-                                                                         { "--size-mm", "1e-9" } })
+    for (const auto& arguments : std::vector<ProgramArguments> { { "--size-mm", "20x" },
+                                                                 { "--size-mm", "-3" },
+                                                                 { "--size-mm", "300" },
+                                                                 { "--step-mm", "0" },
+                                                                 { "--step-mm", "0.0001" },
+                                                                 { "--size-mm", "90", "--count", "9" },
+                                                                 { "--size-mm", "1e-9" } })
     {
-        std::vector<std::string> all { "place", "phone-bare", "--out", file };
+        ProgramArguments all { "place", "phone-bare", "--out", file };
         all.insert (all.end(), arguments.begin(), arguments.end());
         const auto run = runProgram (all);
-        CAPTURE (arguments.front(), arguments[1], run.errors);
+        CAPTURE (arguments.front().text, arguments[1].text, run.errors);
         CHECK_THAT (run.errors, Catch::StartsWith ("antinode: --"));
         CHECK (run.exitCode == 1);
         CHECK (linesIn (run.errors) == 1);

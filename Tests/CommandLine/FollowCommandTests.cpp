@@ -12,6 +12,7 @@
 #include <random>
 
 using namespace antinode;
+using test::ProgramArguments;
 using test::readContent;
 using test::runProgram;
 
@@ -63,7 +64,7 @@ void writeRecording (const std::filesystem::path& folder, bool isSwapped)
     writeWholeFile (folder / "sensors.csv", "x_mm,y_mm\n-61,0\n33,0\n");
 }
 
-std::vector<std::string> followArguments (const std::filesystem::path& folder)
+ProgramArguments followArguments (const std::filesystem::path& folder)
 {
     return { "follow",       "beam",
              "--recorded",   folder.string(),

@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 using namespace antinode;
+using test::ProgramArguments;
 using test::readContent;
 using test::runProgram;
 
@@ -30,7 +31,7 @@ TEST_CASE ("frf turns a recording of a hammer into responses, which identify rea
     }
 
     const auto wave = [&path] (int number) { return (path / ("hit" + std::to_string (number) + ".wav")).string(); };
-    const std::vector<std::string> arguments {
+    const ProgramArguments arguments {
         "frf",           wave (1), wave (2),           wave (3), "--channels", "force:1,1,2",
         "--force-scale", "100",    "--response-scale", "10",     "--quantity", "velocity",
         "--lowest-hz",   "50",     "--highest-hz",     "1000",   "--out",      (path / "h.uff").string()

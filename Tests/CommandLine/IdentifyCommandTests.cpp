@@ -153,7 +153,7 @@ TEST_CASE ("identify refuses in one line and writes nothing", "[command line][id
     const TemporaryFolder folder;
     const auto path = [&] (const std::string& name) { return (folder.path() / name).string(); };
     write (path ("frf.csv"), "1,1,0\n2,1,0\n3,1,0\n");
-    const auto refusal = [&] (std::vector<std::string> arguments)
+    const auto refusal = [&] (ProgramArguments arguments)
     {
         arguments.insert (arguments.begin(), { "identify", path ("frf.csv"), "--out", path ("out.json"), "--report" });
         const auto run = runProgram (arguments);

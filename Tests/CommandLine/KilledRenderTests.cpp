@@ -52,7 +52,7 @@ TEST_CASE ("A render that is killed at any moment leaves nothing half-written, a
     using namespace std::chrono;
     const TemporaryFolder folder, streams;
     const auto out = folder.path() / "out";
-    const std::vector<std::string> render { "render", "--quiet", "--out", out };
+    const test::ProgramArguments render { "render", "--quiet", "--out", out };
     const auto begin = steady_clock::now();
     REQUIRE (test::waitForProgram (test::startProgram (render, streams.path())) == 0);
     const auto whole = steady_clock::now() - begin;
@@ -82,7 +82,7 @@ TEST_CASE ("A render that is interrupted at any moment ends with 130, says so, a
     using namespace std::chrono;
     const TemporaryFolder folder, streams;
     const auto out = folder.path() / "out";
-    const std::vector<std::string> render { "render", "--quiet", "--no-cache", "--out", out };
+    const test::ProgramArguments render { "render", "--quiet", "--no-cache", "--out", out };
     const auto begin = steady_clock::now();
     REQUIRE (test::waitForProgram (test::startProgram (render, streams.path())) == 0);
     const auto whole = steady_clock::now() - begin;

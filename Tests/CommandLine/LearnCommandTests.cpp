@@ -12,6 +12,7 @@
 #include <catch2/catch.hpp>
 
 using namespace antinode;
+using test::ProgramArguments;
 using test::readContent;
 using test::runProgram;
 
@@ -20,10 +21,10 @@ namespace
 constexpr double rate = 48000;
 
 /** `antinode learn` on the embedded beam with sensors at three places. */
-std::vector<std::string> learnArguments (const std::filesystem::path& folder, const std::string& out,
-                                         const std::vector<std::string>& more)
+ProgramArguments learnArguments (const std::filesystem::path& folder, const std::string& out,
+                                 const ProgramArguments& more)
 {
-    std::vector<std::string> arguments {
+    ProgramArguments arguments {
         "learn", "demonstrator",         "--device", "beam",      "--rate",
         "48000", "--duration-ms",        "100",      "--sensors", (folder / "sensors.csv").string(),
         "--out", (folder / out).string()

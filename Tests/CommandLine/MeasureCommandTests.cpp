@@ -13,13 +13,14 @@
 #include <catch2/catch.hpp>
 
 using namespace antinode;
+using test::ProgramArguments;
 using test::readContent;
 using test::runProgram;
 
 namespace
 {
 /** Arguments of a short measurement of the embedded beam. */
-std::vector<std::string> shortly (std::vector<std::string> arguments)
+ProgramArguments shortly (ProgramArguments arguments)
 {
     for (const auto* const each : { "--device", "beam", "--rate", "24000", "--highest-hz", "8000", "--resolution-hz",
                                     "4", "--periods", "2", "--settling", "2" })
@@ -160,7 +161,7 @@ TEST_CASE ("Measurements that cannot begin say why in a line", "[command line]")
     const TemporaryFolder folder;
     const auto points = (folder.path() / "points.csv").string(), out = (folder.path() / "out").string();
     writeWholeFile (points, "x_mm,y_mm\n0,0\n");
-    const auto measureError = [&] (std::vector<std::string> more)
+    const auto measureError = [&] (ProgramArguments more)
     {
         auto arguments = shortly ({ "measure", "--points", points, "--out", out });
         arguments.insert (arguments.end(), more.begin(), more.end());

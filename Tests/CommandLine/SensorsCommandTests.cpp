@@ -7,20 +7,21 @@
 #include <catch2/catch.hpp>
 
 using namespace antinode;
+using test::ProgramArguments;
 using test::readContent;
 using test::runProgram;
 
 namespace
 {
-std::vector<std::string> sensorsArguments (const std::filesystem::path& folder, const std::vector<std::string>& more)
+ProgramArguments sensorsArguments (const std::filesystem::path& folder, const ProgramArguments& more)
 {
-    std::vector<std::string> arguments { "sensors", "demonstrator",  "--device", "beam",  "--rate",
-                                         "48000",   "--duration-ms", "60",       "--out", folder.string() };
+    ProgramArguments arguments { "sensors", "demonstrator",  "--device", "beam",  "--rate",
+                                 "48000",   "--duration-ms", "60",       "--out", folder.string() };
     arguments.insert (arguments.end(), more.begin(), more.end());
     return arguments;
 }
 
-nlohmann::json choiceOf (const std::filesystem::path& folder, const std::vector<std::string>& more)
+nlohmann::json choiceOf (const std::filesystem::path& folder, const ProgramArguments& more)
 {
     const auto run = runProgram (sensorsArguments (folder, more));
     INFO (run.errors);

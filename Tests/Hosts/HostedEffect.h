@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Support/Environment.h>
+
 #include <Processor/VST3Channels.h>
 
 #include <Eigen/Core>
@@ -49,7 +51,7 @@ struct HostedEffect
         auto& format = built.isLv2 ? static_cast<juce::AudioPluginFormat&> (lv2) : vst3;
         const auto identifier =
             built.isLv2 ? places.lv2Uri + juce::String (built.ceramics) : juce::String (places.vst3Bundle);
-        setenv ("ANTINODE_CERAMICS", std::to_string (built.ceramics).c_str(), 1);
+        setVariable ("ANTINODE_CERAMICS", std::to_string (built.ceramics));
         juce::OwnedArray<juce::PluginDescription> descriptions;
         format.findAllTypesForFile (descriptions, identifier);
 
@@ -58,7 +60,7 @@ struct HostedEffect
 
         juce::String error;
         instance = format.createInstanceFromDescription (*descriptions[0], sampleRate, block, error);
-        unsetenv ("ANTINODE_CERAMICS");
+        removeVariable ("ANTINODE_CERAMICS");
 
         if (instance == nullptr)
             throw std::runtime_error (error.toStdString());

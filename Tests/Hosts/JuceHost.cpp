@@ -1,5 +1,7 @@
 #include "JuceHost.h"
 
+#include "Support/Environment.h"
+
 #include <Processor/VST3Channels.h>
 
 #include <algorithm>
@@ -51,9 +53,9 @@ std::unique_ptr<juce::AudioPluginInstance> createInstance (const BuiltPlugin& pl
     }
 
     juce::VST3PluginFormat format;
-    setenv ("ANTINODE_CERAMICS", std::to_string (plugin.ceramics).c_str(), 1);
+    setVariable ("ANTINODE_CERAMICS", std::to_string (plugin.ceramics));
     auto instance = format.createInstanceFromDescription (describe (format, ANTINODE_VST3_BUNDLE), rate, block, error);
-    unsetenv ("ANTINODE_CERAMICS");
+    removeVariable ("ANTINODE_CERAMICS");
     return instance;
 }
 

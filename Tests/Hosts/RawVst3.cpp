@@ -1,9 +1,10 @@
 #include "RawVst3.h"
 
+#include "Support/Environment.h"
+#include "Support/LoadedLibrary.h"
+
 #include <cstdlib>
 #include <stdexcept>
-
-#include <dlfcn.h>
 
 namespace antinode::test
 {
@@ -12,12 +13,17 @@ namespace
 template <typename Function>
 Function findSymbol (void* module, const char* name)
 {
-    const auto symbol = reinterpret_cast<Function> (dlsym (module, name));
+    return reinterpret_cast<Function> (symbolOf (module, name));
+}
 
-    if (symbol == nullptr)
-        throw std::runtime_error (std::string ("the VST3 has no ") + name);
-
-    return symbol;
+/** What a host calls first; each system has its own name for it. */
+void enterModule (void* module)
+{
+#ifdef _WIN32
+    findSymbol<bool (*)()> (module, "InitDll")();
+#else
+    findSymbol<bool (*) (void*)> (module, "ModuleEntry") (module);
+#endif
 }
 
 template <typename Interface>
@@ -64,22 +70,18 @@ Steinberg::IPluginFactory& vst3Factory()
 {
     static auto& factory = []() -> Steinberg::IPluginFactory&
     {
-        auto* const module = dlopen (ANTINODE_VST3_BINARY, RTLD_NOW | RTLD_LOCAL);
-
-        if (module == nullptr)
-            throw std::runtime_error (dlerror());
-
-        findSymbol<bool (*) (void*)> (module, "ModuleEntry") (module);
-        return *findSymbol<Steinberg::IPluginFactory* (*) ()> (module, "GetPluginFactory")();
+        auto* const module = loadLibrary (ANTINODE_VST3_BINARY);
+        enterModule (module);
+        return *findSymbol<Steinberg::IPluginFactory*(PLUGIN_API*) ()> (module, "GetPluginFactory")();
     }();
     return factory;
 }
 
 RawVst3::RawVst3 (int ceramics, Connection connection)
 {
-    setenv ("ANTINODE_CERAMICS", std::to_string (ceramics).c_str(), 1);
+    setVariable ("ANTINODE_CERAMICS", std::to_string (ceramics));
     component = created<Vst::IComponent> (findClass (kVstAudioEffectClass).cid);
-    unsetenv ("ANTINODE_CERAMICS");
+    removeVariable ("ANTINODE_CERAMICS");
     component->initialize (&application);
     processor = queried<Vst::IAudioProcessor> (component);
     Steinberg::TUID controllerIdentifier;

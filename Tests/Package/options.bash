@@ -1,8 +1,8 @@
 #!/bin/bash
-# Every option in --help is in the completion and the man page, and none else. Usage: options.bash SOURCE FOLDER-OF-PROGRAMS
+# Every option in --help is in the completion and the man page, and none else. Usage: options.bash SOURCE FOLDER-OF-BUILD
 set -u
 source=$1
-programs=$2
+programs=$2/bin
 failed=0
 . "$source/Resources/Completion/antinode"
 
@@ -75,7 +75,7 @@ fi
 version=$("$program" version | cut -d ' ' -f 2)
 
 for page in antinode antinode-standalone; do
-    grep -q "^\.TH .*\"Antinode $version\"" "$source/Docs/Man/$page.1" || fail "$page.1 is not of version $version"
+    grep -q "^\.TH .*\"Antinode $version\"" "$2/documents/$page.1" || fail "$page.1 is not of version $version"
 done
 
 exit $failed
