@@ -3,6 +3,8 @@
 #include <antinode_numerics/DenseKernels.h>
 #include <antinode_numerics/ParallelFor.h>
 
+#include <algorithm>
+
 namespace antinode
 {
 namespace
@@ -17,15 +19,25 @@ Eigen::MatrixXd sharesOfCeramics (const LearningPrior& prior, Eigen::Index k)
 
     for (const auto& voltages : prior.voltages)
     {
-        Eigen::MatrixXd motions (voltages.samples(), ceramics);
+        std::vector<Eigen::VectorXd> motions;
+        Eigen::Index longest = 0;
 
         for (Eigen::Index i = 0; i < ceramics; ++i)
-            motions.col (i) = modeMotion (prior.model.angularFrequencies[k], prior.model.dampingRatios[k],
-                                          prior.model.participation (k, i) * voltages.of (i), voltages.sampleRate(),
-                                          voltages.samples(), false)
-                                  .velocity;
+        {
+            motions.push_back (modeMotionUntilRest (prior.model.angularFrequencies[k], prior.model.dampingRatios[k],
+                                                    prior.model.participation (k, i) * voltages.of (i),
+                                                    voltages.sampleRate(), voltages.samples(), false)
+                                   .velocity);
+            longest = std::max (longest, motions.back().size());
+        }
 
-        addGram (products, 1, motions.transpose());
+        Eigen::MatrixXd together = Eigen::MatrixXd::Zero (longest, ceramics);
+
+        for (Eigen::Index i = 0; i < ceramics; ++i)
+            together.col (i).head (motions[static_cast<std::size_t> (i)].size()) =
+                motions[static_cast<std::size_t> (i)];
+
+        addGram (products, 1, together.transpose());
     }
 
     return products.selfadjointView<Eigen::Lower>();
@@ -66,9 +78,9 @@ Eigen::Vector3d energies (const LearningPrior& prior, Eigen::Index k)
 
     for (const auto& voltages : prior.voltages)
     {
-        const auto motion = modeMotion (prior.model.angularFrequencies[k], prior.model.dampingRatios[k],
-                                        voltages.force (prior.model.participation.row (k)), voltages.sampleRate(),
-                                        voltages.samples(), true);
+        const auto motion = modeMotionUntilRest (prior.model.angularFrequencies[k], prior.model.dampingRatios[k],
+                                                 voltages.force (prior.model.participation.row (k)),
+                                                 voltages.sampleRate(), voltages.samples(), true);
         sums += Eigen::Vector3d { motion.velocity.squaredNorm(), motion.byFrequency.squaredNorm(),
                                   motion.byDamping.squaredNorm() };
     }

@@ -2,12 +2,12 @@
 
 #include "HeardParameters.h"
 #include "RecordingEquations.h"
-#include "ShiftedSignals.h"
 
 #include <antinode_numerics/DenseKernels.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace antinode
 {
@@ -19,6 +19,14 @@ constexpr double finestGain = 1e-5; // the same of the last one, where something
 constexpr double leastGain = 0.5;   // of the objective, in squares of deviations: less ends the last length
 constexpr double firstPhase = 0.5;  // rad: by how much the highest mode may be off at the end of the first length
 constexpr double lengthening = 2;
+
+/** Where an iteration ended. */
+struct Solution
+{
+    Eigen::VectorXd values;
+    Eigen::MatrixXd factored;             ///< P x P: the matrix of a step close to the end, as factorLower leaves it.
+    double residual = 0, unexplained = 0; ///< As in LearntModes, of records of the last length.
+};
 
 /** The problem with records of one length. */
 class LearningProblem
@@ -47,15 +55,23 @@ public:
         return sum;
     }
 
-    RecordingEquations equations (const Eigen::VectorXd& values, double time) const
+    /** @param withMatrix  without it there is none of the recordings', nor of the prior's */
+    RecordingEquations equations (const Eigen::VectorXd& values, double time, bool withMatrix) const
     {
         const auto now = state (values);
-        RecordingEquations sum { Eigen::MatrixXd::Identity (unknowns(), unknowns()), -values };
+        RecordingEquations sum { Eigen::MatrixXd (0, 0), -values };
+
+        if (withMatrix)
+            sum.matrix = Eigen::MatrixXd::Identity (unknowns(), unknowns());
 
         for (Eigen::Index r = 0; r < parameters.recordings; ++r)
         {
-            const auto one = recordingEquations (prior, parameters, now, r, samplesOf (recording (r), time));
-            sum.matrix += one.matrix;
+            const auto one =
+                recordingEquations (prior, parameters, now, r, samplesOf (recording (r), time), withMatrix);
+
+            if (withMatrix)
+                sum.matrix += one.matrix;
+
             sum.right += one.right;
             sum.misfit += one.misfit;
             sum.signal += one.signal;
@@ -65,33 +81,55 @@ public:
         return sum;
     }
 
-    /** The most probable values with records up to a time, from values nearby. */
-    Eigen::VectorXd solve (Eigen::VectorXd values, double time, bool isLast) const
+    /** The most probable values with records up to a time, from values nearby. The matrix of a step serves those after
+        it until one gains much, or too little: the minimum does not depend on it. */
+    Solution solve (Eigen::VectorXd values, double time, bool isLast) const
     {
-        auto best = objective (values, time);
+        constexpr double largeGain = 0.1; // of the objective
+        Solution solution { std::move (values), {}, 0, 0 };
+        auto linear = equations (solution.values, time, true);
+        auto best = linear.misfit + solution.values.squaredNorm();
+        auto isFresh = true;
 
         for (int i = 0; i < mostSteps; ++i)
         {
-            auto linear = equations (values, time);
-            factorLower (linear.matrix);
-            const Eigen::VectorXd change = solveFactored (linear.matrix, linear.right);
-            const auto before = best;
+            if (isFresh)
+            {
+                solution.factored = std::move (linear.matrix);
+                factorLower (solution.factored);
+            }
 
+            const Eigen::VectorXd change = solveFactored (solution.factored, linear.right);
+            const auto before = best;
             auto share = 1.0;
 
             for (int halvings = 0; halvings < 4; ++halvings, share /= 2)
-                if (const auto reached = objective (values + share * change, time); reached < best)
+                if (const auto reached = objective (solution.values + share * change, time); reached < best)
                 {
                     best = reached;
-                    values += share * change;
+                    solution.values += share * change;
                     break;
                 }
 
-            if (before - best < (isLast ? leastGain + finestGain * best : roughGain * best))
+            const auto gain = before - best;
+            const auto isDone = gain < (isLast ? leastGain + finestGain * best : roughGain * best);
+
+            // A matrix of elsewhere may be why.
+            if (isDone && (isFresh || gain > 0))
                 break;
+
+            isFresh = gain > largeGain * before || share < 1 || isDone;
+            linear = equations (solution.values, time, isFresh);
         }
 
-        return values;
+        if (isLast)
+        {
+            const auto end = equations (solution.values, time, false);
+            solution.residual = std::sqrt (end.misfit / end.samples);
+            solution.unexplained = std::sqrt (end.misfit / end.signal);
+        }
+
+        return solution;
     }
 
     const LearningParameters& all() const { return parameters; }
@@ -130,6 +168,48 @@ double longestTime (const std::vector<PlayedRecording>& recordings)
 
     return longest;
 }
+
+/** What is left of a parameter's deviation, of all: the diagonal of the inverse of the matrix. */
+Eigen::VectorXd deviationsLeft (const Eigen::MatrixXd& factored)
+{
+    Eigen::MatrixXd inverse = Eigen::MatrixXd::Identity (factored.rows(), factored.cols());
+    solveLower (factored, inverse);
+    return inverse.colwise().norm().transpose();
+}
+
+LearntModes learntFrom (const LearningPrior& prior, const LearningProblem& problem, const Solution& solution)
+{
+    const auto state = problem.state (solution.values);
+    const auto left = deviationsLeft (solution.factored);
+    const auto ceramics = static_cast<double> (prior.model.actuators());
+    const auto& deviations = prior.deviations;
+    LearntModes learnt { state.model,         prior.sensors,
+                         state.delays,        deviations.frequencies,
+                         deviations.dampings, deviations.participation,
+                         solution.residual,   solution.unexplained };
+
+    for (std::size_t m = 0; m < learnt.sensors.size(); ++m)
+        learnt.sensors[m].shapes = state.sensors.row (static_cast<Eigen::Index> (m));
+
+    for (std::size_t p = 0; p < problem.all().modal.size(); ++p)
+    {
+        const auto& parameter = problem.all().modal[p];
+        const auto share = left[static_cast<Eigen::Index> (p)];
+        const auto k = parameter.mode;
+
+        if (parameter.kind == ParameterKind::frequency)
+            learnt.frequencyDeviations[k] *= share;
+        else if (parameter.kind == ParameterKind::damping)
+            learnt.dampingDeviations[k] *= share;
+        else if (parameter.kind == ParameterKind::participation)
+            // Each heard combination takes its part of the mean square over all ceramics.
+            learnt.participationDeviations[k] = std::sqrt (
+                std::max (0.0, std::pow (learnt.participationDeviations[k], 2)
+                                   - std::pow (deviations.participation[k], 2) * (1 - share * share) / ceramics));
+    }
+
+    return learnt;
+}
 } // namespace
 
 LearntModes learnModes (const ModalModel& model, const std::vector<Sensor>& sensors, const ModeSpread& deviations,
@@ -148,40 +228,11 @@ LearntModes learnModes (const ModalModel& model, const std::vector<Sensor>& sens
 
         while (time < longest)
         {
-            values = problem.solve (values, time, false);
+            values = problem.solve (std::move (values), time, false).values;
             time *= lengthening;
         }
     }
 
-    values = problem.solve (values, longest, true);
-    auto linear = problem.equations (values, longest);
-    factorLower (linear.matrix);
-    const Eigen::VectorXd variances =
-        solveFactored (linear.matrix, Eigen::MatrixXd::Identity (values.size(), values.size())).diagonal();
-
-    const auto state = problem.state (values);
-    LearntModes learnt { state.model,
-                         sensors,
-                         state.delays,
-                         deviations.frequencies,
-                         deviations.dampings,
-                         std::sqrt (linear.misfit / linear.samples),
-                         std::sqrt (linear.misfit / linear.signal) };
-
-    for (std::size_t m = 0; m < sensors.size(); ++m)
-        learnt.sensors[m].shapes = state.sensors.row (static_cast<Eigen::Index> (m));
-
-    for (std::size_t p = 0; p < problem.all().modal.size(); ++p)
-    {
-        const auto& parameter = problem.all().modal[p];
-        const auto left = std::sqrt (variances[static_cast<Eigen::Index> (p)]);
-
-        if (parameter.kind == ParameterKind::frequency)
-            learnt.frequencyDeviations[parameter.mode] *= left;
-        else if (parameter.kind == ParameterKind::damping)
-            learnt.dampingDeviations[parameter.mode] *= left;
-    }
-
-    return learnt;
+    return learntFrom (prior, problem, problem.solve (std::move (values), longest, true));
 }
 } // namespace antinode

@@ -12,11 +12,12 @@ namespace antinode
 /** A device after what was heard of it. */
 struct LearntModes
 {
-    ModalModel model;                    ///< The most probable one.
-    std::vector<Sensor> sensors;         ///< Their most probable shapes.
-    Eigen::VectorXd delays;              ///< s, of each recording.
-    Eigen::VectorXd frequencyDeviations; ///< N_m: relative standard deviations that are left.
-    Eigen::VectorXd dampingDeviations;   ///< N_m
+    ModalModel model;                        ///< The most probable one.
+    std::vector<Sensor> sensors;             ///< Their most probable shapes.
+    Eigen::VectorXd delays;                  ///< s, of each recording.
+    Eigen::VectorXd frequencyDeviations;     ///< N_m: relative standard deviations that are left.
+    Eigen::VectorXd dampingDeviations;       ///< N_m
+    Eigen::VectorXd participationDeviations; ///< N_m: RMS over the ceramics.
     double residual = 0;    ///< RMS of what the model does not explain, of the noise: 1 where all is explained.
     double unexplained = 0; ///< The same, of the signals.
 };
@@ -27,7 +28,7 @@ struct LearntModes
     @param recordings  at least one; all with the same sensors
     @param before      learnt from the first of these recordings, to begin with; nullptr: nothing was
     @throws InputError  where sizes do not agree or a number is not usable; Cancelled as checkWatch()
-    [worker] Docs/Theory.md, section 9.1. */
+    [worker] Docs/Theory.md, section 7.6. */
 LearntModes learnModes (const ModalModel&, const std::vector<Sensor>&, const ModeSpread&,
                         const std::vector<PlayedRecording>& recordings, const LearntModes* before = nullptr);
 } // namespace antinode

@@ -18,33 +18,6 @@ void require (bool isRight, const std::string& what)
         throw InputError ("recordings", what);
 }
 
-void check (const LearningPrior& prior)
-{
-    requireRealModes (prior.model, "learning from recordings");
-    const auto modes = prior.model.modes();
-    const auto& deviations = prior.deviations;
-    require (! prior.recordings.empty() && ! prior.sensors.empty(), "need at least one recording of one sensor");
-    require (deviations.frequencies.size() == modes && deviations.dampings.size() == modes
-                 && deviations.participation.size() == modes,
-             "need the deviations of " + std::to_string (modes) + " modes");
-
-    for (const auto& sensor : prior.sensors)
-        require (sensor.shapes.size() == modes && sensor.shapes.allFinite() && sensor.deviation >= 0,
-                 "need one finite shape of every mode for every sensor");
-
-    for (const auto& recording : prior.recordings)
-    {
-        require (recording.voltages.rows() == prior.model.actuators() && recording.voltages.allFinite(),
-                 "need finite voltages of all " + std::to_string (prior.model.actuators()) + " ceramics");
-        require (recording.signals.rows() == static_cast<Eigen::Index> (prior.sensors.size())
-                     && recording.signals.cols() == recording.voltages.cols() && recording.signals.allFinite(),
-                 "need a finite signal of every sensor, as long as the voltages");
-        require (recording.noise.size() == recording.signals.rows() && recording.noise.minCoeff() > 0
-                     && recording.sampleRate > 0 && recording.delay >= 0,
-                 "need noise above 0, a sample rate above 0 and a delay of 0 or more");
-    }
-}
-
 /** By how much the participations of a mode differ, relative to themselves: N_b. */
 Eigen::VectorXd relativeChange (const ModalModel& now, const ModalModel& before, Eigen::Index k)
 {
@@ -82,14 +55,44 @@ void apply (LearningState& state, const LearningParameter& parameter, double val
 }
 } // namespace
 
+void requireUsable (const ModalModel& model, const std::vector<Sensor>& sensors, const ModeSpread& deviations,
+                    const std::vector<PlayedRecording>& recordings)
+{
+    requireRealModes (model, "learning from recordings");
+    const auto modes = model.modes();
+    require (! recordings.empty() && ! sensors.empty(), "need at least one recording of one sensor");
+    require (deviations.frequencies.size() == modes && deviations.dampings.size() == modes
+                 && deviations.participation.size() == modes,
+             "need the deviations of " + std::to_string (modes) + " modes");
+
+    for (const auto& sensor : sensors)
+        require (sensor.shapes.size() == modes && sensor.shapes.allFinite() && sensor.deviation >= 0,
+                 "need one finite shape of every mode for every sensor");
+
+    for (const auto& recording : recordings)
+    {
+        require (recording.voltages.rows() == model.actuators() && recording.voltages.allFinite(),
+                 "need finite voltages of all " + std::to_string (model.actuators()) + " ceramics");
+        require (recording.signals.rows() == static_cast<Eigen::Index> (sensors.size())
+                     && recording.signals.cols() == recording.voltages.cols() && recording.signals.allFinite(),
+                 "need a finite signal of every sensor, as long as the voltages");
+        require (recording.noise.size() == recording.signals.rows() && recording.noise.minCoeff() > 0
+                     && recording.sampleRate > 0 && recording.delay >= 0,
+                 "need noise above 0, a sample rate above 0 and a delay of 0 or more");
+    }
+}
+
 LearningPrior makePrior (const ModalModel& model, const std::vector<Sensor>& sensors, const ModeSpread& deviations,
                          const std::vector<PlayedRecording>& recordings)
 {
-    LearningPrior prior { model, sensors, deviations, recordings, {} };
-    check (prior);
+    requireUsable (model, sensors, deviations, recordings);
+    LearningPrior prior { model, sensors, deviations, recordings, {}, {} };
 
     for (const auto& recording : recordings)
+    {
         prior.voltages.emplace_back (recording.voltages, recording.sampleRate);
+        prior.signals.push_back (std::make_unique<ShiftedSignals> (recording));
+    }
 
     return prior;
 }
@@ -118,6 +121,11 @@ Eigen::VectorXd valuesOf (const LearningPrior& prior, const LearningParameters& 
 {
     Eigen::VectorXd values = Eigen::VectorXd::Zero (parameters.size());
     const auto& deviations = prior.deviations;
+
+    if (deviations.delay > 0)
+        for (Eigen::Index r = 0; r < std::min (parameters.recordings, before.delays.size()); ++r)
+            values[parameters.delay (r)] =
+                (before.delays[r] - prior.recordings[static_cast<std::size_t> (r)].delay) / deviations.delay;
 
     for (Eigen::Index p = 0; p < parameters.drift(); ++p)
     {

@@ -2,6 +2,9 @@
 
 #include "LearnModes.h"
 #include "PlayedVoltages.h"
+#include "ShiftedSignals.h"
+
+#include <memory>
 
 namespace antinode
 {
@@ -43,17 +46,22 @@ struct LearningState
     Eigen::VectorXd delays;  ///< s, of each recording.
 };
 
-/** What is known before. */
+/** What is known before. One thread at a time. */
 struct LearningPrior
 {
     const ModalModel& model;
     const std::vector<Sensor>& sensors;
     const ModeSpread& deviations;
     const std::vector<PlayedRecording>& recordings;
-    std::vector<PlayedVoltages> voltages; ///< Of each recording.
+    std::vector<PlayedVoltages> voltages;                    ///< Of each recording.
+    std::vector<std::unique_ptr<ShiftedSignals>> signals {}; ///< The same.
 };
 
-/** @throws InputError  as learnModes [worker] */
+/** @throws InputError  where sizes do not agree or a number is not usable [any] */
+void requireUsable (const ModalModel&, const std::vector<Sensor>&, const ModeSpread&,
+                    const std::vector<PlayedRecording>&);
+
+/** @throws InputError  as requireUsable [worker] */
 LearningPrior makePrior (const ModalModel&, const std::vector<Sensor>&, const ModeSpread&,
                          const std::vector<PlayedRecording>&);
 

@@ -1,13 +1,16 @@
 #include "LearningPasses.h"
 
+#include "LikelyDelays.h"
 #include "RecordingEquations.h"
-#include "ShiftedSignals.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_engine/OfflineRender.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace antinode
 {
@@ -24,30 +27,69 @@ WideModel wideWith (WideModel wide, const ModalModel& learnt)
     return wide;
 }
 
-/** RMS of what a model does not predict of a recording, of the noise. */
+/** What sensors would hear without delay until the voltages end: samples x N. Later phases of a model that is off are
+    no help to find a delay. */
+Eigen::MatrixXd predictedWhilePlayed (const ModalModel& model, const std::vector<Sensor>& sensors,
+                                      const PlayedRecording& recording)
+{
+    const PlayedVoltages voltages (recording.voltages, recording.sampleRate);
+    const auto velocities = modeVelocities (model, voltages, voltages.drivenSamples());
+    Eigen::MatrixXd signals (velocities.rows(), std::ssize (sensors));
+
+    for (std::size_t m = 0; m < sensors.size(); ++m)
+        signals.col (static_cast<Eigen::Index> (m)) = velocities * sensors[m].shapes.transpose();
+
+    return signals;
+}
+
+/** The same recording for each delay that it may have, the most likely one first; alone where the delay is known. */
+std::vector<PlayedRecording> withLikelyDelays (const ModalModel& model, const std::vector<Sensor>& sensors,
+                                               const PlayedRecording& recording, std::size_t most)
+{
+    if (! (recording.delaySpan > 0))
+        return { recording };
+
+    std::vector<PlayedRecording> result;
+
+    for (const auto delay : likelyDelays (recording, predictedWhilePlayed (model, sensors, recording), most))
+    {
+        result.push_back (recording);
+        result.back().delay = delay;
+        result.back().delaySpan = 0;
+    }
+
+    return result;
+}
+
+/** RMS of what a model does not predict of a recording, of the noise; by the most likely delay for this model. */
 double surprise (const ModalModel& model, const std::vector<Sensor>& sensors, const ModeSpread& deviations,
                  const PlayedRecording& recording)
 {
-    const std::vector<PlayedRecording> one { recording };
+    const auto one = withLikelyDelays (model, sensors, recording, 1);
     const auto prior = makePrior (model, sensors, deviations, one);
     LearningParameters none;
     none.recordings = 1;
     const auto state = stateAt (prior, none, Eigen::VectorXd::Zero (none.size()));
-    const auto samples = comparableSamples (recording);
+    const auto samples = comparableSamples (one.front());
     return std::sqrt (recordingMisfit (prior, state, 0, samples)
                       / static_cast<double> (recording.signals.rows() * samples));
 }
 
-/** How far the field at the focus is from the wanted one, by a model. */
-double estimatedError (const ModalModel& model, const LearningPass& pass, const LearningSettings& settings)
+/** The field at the focus that voltages make, by a model. */
+Eigen::VectorXd fieldOf (const ModalModel& model, const Eigen::MatrixXd& voltages, double focusTime,
+                         const LearningSettings& settings)
 {
-    const auto focus = static_cast<Eigen::Index> (std::llround (pass.design.program.focusTime * settings.sampleRate));
-    const auto velocities = modeVelocities (model, { pass.voltages, settings.sampleRate }, focus + 1);
-    const Eigen::VectorXd field = model.shapes * velocities.bottomRows (1).transpose();
-    const auto& areas = model.surface.areas;
-    const auto square = [&] (const Eigen::VectorXd& values) { return areas.dot (values.cwiseAbs2()); };
-    return std::sqrt (square (field - pass.design.truncatedField) / square (pass.design.truncatedField));
+    const auto focus = static_cast<Eigen::Index> (std::llround (focusTime * settings.sampleRate));
+    const auto velocities = modeVelocities (model, { voltages, settings.sampleRate }, focus + 1);
+    return model.shapes * velocities.bottomRows (1).transpose();
 }
+
+/** How far a field is from the one that is wanted: RMS over the surface, of the wanted one's. */
+double fieldError (const Surface& surface, const Eigen::VectorXd& field, const Eigen::VectorXd& wanted)
+{
+    return std::sqrt (surface.areas.dot ((field - wanted).cwiseAbs2()) / surface.areas.dot (wanted.cwiseAbs2()));
+}
+
 /** The focus by what was learnt, or as it was played last where the limits allow no other. */
 FocusDesign designedAgain (const LearntFocus& learnt, const FocusDescription& focus, const LearningSettings& settings)
 {
@@ -84,6 +126,72 @@ std::string refusalOf (const LearntFocus& learnt)
 
     return {};
 }
+
+/** A play of a device that is not known, learnt from again and again. */
+class PassLearner
+{
+public:
+    PassLearner (const WideModel& model, const std::vector<Sensor>& listening, const ModeSpread& spread)
+        : nominal (model), sensors (listening),
+          deviations (spread), learnt { model.model,          listening, {}, spread.frequencies, spread.dampings,
+                                        spread.participation, 0,         0 }
+    {
+    }
+
+    /** Learns from a play and those before.
+        @return  what it was before: surprises and the delay */
+    LearningPass hear (const PlayedRecording& recording)
+    {
+        constexpr std::size_t mostDelays = 4;  // of the first play, of which nothing is known
+        constexpr double wellExplained = 0.05; // of the signals: no other delay is tried
+        requireUsable (nominal.model, sensors, deviations, { recording });
+        auto own = deviations;
+        LearningPass pass;
+        pass.voltages = recording.voltages;
+        pass.surprise = surprise (learnt.model, learnt.sensors, deviations, recording);
+        pass.nominalSurprise = surprise (nominal.model, sensors, deviations, recording);
+
+        if (recording.delaySpan > 0)
+            own.delay = std::max (own.delay, foundDelay);
+
+        std::optional<LearntModes> best;
+        PlayedRecording chosen;
+
+        for (auto& candidate :
+             withLikelyDelays (learnt.model, learnt.sensors, recording, recordings.empty() ? mostDelays : 1))
+        {
+            recordings.push_back (std::move (candidate));
+            auto now = learnModes (nominal.model, sensors, own, recordings, recordings.size() > 1 ? &learnt : nullptr);
+
+            if (! best || now.residual < best->residual)
+            {
+                best = std::move (now);
+                chosen = std::move (recordings.back());
+            }
+
+            recordings.pop_back();
+
+            if (best->unexplained < wellExplained)
+                break;
+        }
+
+        recordings.push_back (std::move (chosen));
+        learnt = std::move (*best);
+        pass.delay = learnt.delays[learnt.delays.size() - 1];
+        return pass;
+    }
+
+    const LearntModes& now() const { return learnt; }
+
+private:
+    static constexpr double foundDelay = 100e-6; // s: deviation of a delay that was found by a model that is off
+
+    const WideModel& nominal;
+    const std::vector<Sensor>& sensors;
+    const ModeSpread& deviations;
+    std::vector<PlayedRecording> recordings;
+    LearntModes learnt;
+};
 } // namespace
 
 Eigen::MatrixXd playedVoltages (const ModalModel& known, const FocusDesign& design, const LearningSettings& settings)
@@ -99,49 +207,50 @@ LearntFocus learnFocus (const WideModel& nominal, const FocusDescription& focus,
 {
     LearntFocus result;
     result.wide = nominal;
-    result.learnt.model = nominal.model;
-    result.learnt.sensors = sensors;
-    result.learnt.frequencyDeviations = deviations.frequencies;
-    result.learnt.dampingDeviations = deviations.dampings;
-    std::vector<PlayedRecording> recordings;
+    PassLearner learner (nominal, sensors, deviations);
+    result.learnt = learner.now();
+    const auto first = designWithin (nominal, focus, playbackOf (settings), DesignExtent::compared);
+    result.design = first;
+    const auto voltagesNow = [&]
+    { return playedVoltages (firstModes (result.wide.model, result.wide.known), result.design, settings); };
+    auto voltages = voltagesNow();
+    const auto byModel = [&] (const Eigen::MatrixXd& played)
+    { return fieldOf (result.learnt.model, played, result.design.program.focusTime, settings); };
 
     for (int i = 0; i < settings.passes; ++i)
     {
-        LearningPass pass;
-        pass.design = i == 0 ? designWithin (nominal, focus, playbackOf (settings), DesignExtent::compared)
-                             : designedAgain (result, focus, settings);
-        pass.voltages = playedVoltages (firstModes (result.wide.model, result.wide.known), pass.design, settings);
-        recordings.push_back (play (pass.voltages, i));
-        pass.voltages = recordings.back().voltages;
-        pass.surprise = surprise (result.learnt.model, result.learnt.sensors, deviations, recordings.back());
-        pass.nominalSurprise = surprise (nominal.model, sensors, deviations, recordings.back());
+        auto pass = learner.hear (play (voltages, i));
+        pass.design = result.design;
         result.passes.push_back (std::move (pass));
-        result.learnt = learnModes (nominal.model, sensors, deviations, recordings, i > 0 ? &result.learnt : nullptr);
-        result.wide = wideWith (nominal, result.learnt.model);
+        result.learnt = learner.now();
 
         if (! isExplained (result.learnt))
+            break;
+
+        result.wide = wideWith (nominal, result.learnt.model);
+        result.design = designedAgain (result, focus, settings);
+        voltages = voltagesNow();
+
+        if (fieldError (nominal.model.surface, byModel (result.passes.back().voltages), byModel (voltages))
+            < settings.enough)
             break;
 
         if (progress)
             progress (static_cast<double> (i + 1) / settings.passes);
     }
 
+    const auto wanted = byModel (voltages);
+
     for (auto& pass : result.passes)
-        pass.estimatedError = estimatedError (result.learnt.model, pass, settings);
+        pass.estimatedError = fieldError (nominal.model.surface, byModel (pass.voltages), wanted);
 
-    if (result.passes.empty())
+    result.refusal = result.passes.empty() ? std::string() : refusalOf (result);
+
+    if (! result.refusal.empty())
     {
-        result.design = designWithin (nominal, focus, playbackOf (settings), DesignExtent::compared);
-        return result;
-    }
-
-    result.refusal = refusalOf (result);
-    result.design = result.passes.front().design;
-
-    if (result.refusal.empty())
-        result.design = designedAgain (result, focus, settings);
-    else
+        result.design = first;
         result.wide = nominal;
+    }
 
     return result;
 }

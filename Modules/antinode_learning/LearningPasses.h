@@ -13,14 +13,15 @@ namespace antinode
 /** Plays voltages on the surface at rest and records the sensors: N_b x N_s, V in, of the sample rate that was asked
     for.
     @param pass  0 for the first
-    @return      with the voltages that were played, if others than these */
+    @return      with the voltages that were played, if others than these; with a delaySpan the delay is looked for */
 using PassPlayer = std::function<PlayedRecording (const Eigen::MatrixXd& voltages, int pass)>;
 
 struct LearningSettings
 {
     double sampleRate = 96000; ///< Hz, of voltages and signals.
     double duration = 0.25;    ///< s, of each play from the trigger on.
-    int passes = 4;            ///< How often is played; 0: the design is made only.
+    int passes = 4;            ///< How often is played at most; 0: the design is made only.
+    double enough = 0;         ///< Of the field's error: a play that reaches it, as far as is known, is the last one.
 };
 
 /** The voltages of a design for so long: N_b x N_s, V.
@@ -36,7 +37,9 @@ struct LearningPass
     Eigen::MatrixXd voltages;   ///< N_b x N_s, V
     double surprise = 0;        ///< RMS of what the model it was designed by did not predict, of the noise.
     double nominalSurprise = 0; ///< The same of the nominal model.
-    double estimatedError = 0;  ///< Of its field at the focus, by what is known in the end: RMS, of the wanted field's.
+    double delay = 0;           ///< s, of the recording, as it was known or found.
+    double estimatedError = 0;  ///< Of its field at the focus against that of the last design, by what is
+                                ///< known in the end: RMS, of the latter's.
 };
 
 /** A focus after some plays. */

@@ -21,5 +21,6 @@ struct PlayedRecording
     Eigen::MatrixXd signals;  ///< N x N_s, in the unit of the sensors' shapes times modal velocities.
     Eigen::VectorXd noise;    ///< N: standard deviation of each sensor's samples.
     double delay = 0;         ///< s, from the voltages to the signals, as far as it is known.
+    double delaySpan = 0;     ///< s: by how much the delay may be longer; it is then looked for. 0: it is known.
 };
 } // namespace antinode

@@ -1,7 +1,10 @@
 #include "PlayedVoltages.h"
 
 #include <antinode_numerics/Fourier.h>
+#include <antinode_numerics/ParallelFor.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -40,18 +43,139 @@ Interval makeInterval (double angularFrequency, double dampingRatio, double leng
 
     return interval;
 }
+
+constexpr Eigen::Index tail = 256; // samples until a sinc has gone below 1e-3 of a jump
+
+/** Samples until the last voltage. */
+Eigen::Index lastPlayed (const Eigen::MatrixXd& voltages)
+{
+    auto last = voltages.cols();
+
+    while (last > 0 && (voltages.col (last - 1).array() == 0).all())
+        --last;
+
+    return last;
+}
+
+/** A mode while it moves: the recursion of its pole, and of its change by the pole. */
+class MovingMode
+{
+public:
+    MovingMode (double angularFrequency, double dampingRatio, double sampleRate)
+        : interval (makeInterval (angularFrequency, dampingRatio, 1 / sampleRate)),
+          turnByPole (interval.turn / sampleRate), ratio (dampingRatio / std::sqrt (1 - dampingRatio * dampingRatio)),
+          poleByDamping (angularFrequency * Complex { -dampingRatio, -dampingRatio * ratio })
+    {
+    }
+
+    // q' = Re y - (a / b) Im y; the ratio depends on the damping ratio alone.
+    double velocity() const { return y.real() - ratio * y.imag(); }
+    double byFrequency() const { return changed (interval.pole); }
+    double byDamping() const { return changed (poleByDamping) - (ratio + ratio * ratio * ratio) * y.imag(); }
+    double energy() const { return std::norm (y); }
+
+    /** To the next sample. @param force  at the places between, nullptr: none */
+    template <bool withChanges>
+    void advance (const double* force)
+    {
+        Complex added = 0, addedByPole = 0;
+
+        if (force != nullptr)
+            for (std::size_t g = 0; g < gaussPlaces.size(); ++g)
+            {
+                added += interval.taps[g] * force[g];
+
+                if constexpr (withChanges)
+                    addedByPole += interval.tapsByPole[g] * force[g];
+            }
+
+        if constexpr (withChanges)
+            byPole = product (interval.turn, byPole) + product (turnByPole, y) + addedByPole;
+
+        y = product (interval.turn, y) + added;
+    }
+
+private:
+    /** Of finite numbers: without the questions that the operator asks. */
+    static Complex product (Complex a, Complex b)
+    {
+        return { a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real() };
+    }
+
+    double changed (Complex ofPole) const
+    {
+        const auto change = product (byPole, ofPole);
+        return change.real() - ratio * change.imag();
+    }
+
+    Interval interval;
+    Complex turnByPole;
+    double ratio;
+    Complex poleByDamping, y = 0, byPole = 0;
+};
+
+/** Samples of a motion until it ends. */
+template <bool withChanges>
+ModeMotion motionUntilRest (MovingMode mode, const Eigen::VectorXd& force, Eigen::Index samples)
+{
+    constexpr double rest = 1e-20; // of the largest energy
+    const auto driven = std::min (samples, force.size() / PlayedVoltages::places);
+    ModeMotion motion;
+    motion.velocity.resize (samples);
+
+    if constexpr (withChanges)
+    {
+        motion.byFrequency.resize (samples);
+        motion.byDamping.resize (samples);
+    }
+
+    double largest = 0;
+    Eigen::Index n = 0;
+
+    for (; n < samples && (n < driven || mode.energy() > rest * largest); ++n)
+    {
+        motion.velocity[n] = mode.velocity();
+
+        if constexpr (withChanges)
+        {
+            motion.byFrequency[n] = mode.byFrequency();
+            motion.byDamping[n] = mode.byDamping();
+        }
+
+        largest = std::max (largest, mode.energy());
+        mode.advance<withChanges> (n < driven ? force.data() + n * PlayedVoltages::places : nullptr);
+    }
+
+    motion.velocity.conservativeResize (n);
+
+    if constexpr (withChanges)
+    {
+        motion.byFrequency.conservativeResize (n);
+        motion.byDamping.conservativeResize (n);
+    }
+
+    return motion;
+}
+
+void fillUp (Eigen::VectorXd& values, Eigen::Index samples)
+{
+    const auto before = values.size();
+    values.conservativeResize (samples);
+    values.tail (samples - before).setZero();
+}
 } // namespace
 
 PlayedVoltages::PlayedVoltages (const Eigen::MatrixXd& voltages, double sampleRate)
-    : values (voltages.cols() * places, voltages.rows()), count (voltages.cols()), rate (sampleRate)
+    : values (std::min (voltages.cols(), lastPlayed (voltages) + tail) * places, voltages.rows()),
+      count (voltages.cols()), rate (sampleRate)
 {
-    constexpr double silence = 256; // samples, until a sinc has gone below 1e-3 of a jump, before it comes round again
-    const auto length = quickLength (static_cast<double> (count) + silence);
+    const auto driven = drivenSamples();
+    const auto length = quickLength (static_cast<double> (driven + tail)); // before it comes round again
     FourierTables tables;
 
     for (Eigen::Index i = 0; i < voltages.rows(); ++i)
     {
-        const auto spectrum = tables.forward (voltages.row (i).transpose(), length);
+        const auto spectrum = tables.forward (voltages.row (i).head (driven).transpose(), length);
 
         for (Eigen::Index g = 0; g < places; ++g)
         {
@@ -61,72 +185,56 @@ PlayedVoltages::PlayedVoltages (const Eigen::MatrixXd& voltages, double sampleRa
                 spectrum.size(), [turn] (Eigen::Index k) { return std::polar (1.0, turn * static_cast<double> (k)); });
             const Eigen::VectorXd between = tables.inverse (spectrum.cwiseProduct (turns), length);
 
-            for (Eigen::Index n = 0; n < count; ++n)
+            for (Eigen::Index n = 0; n < driven; ++n)
                 values (n * places + g, i) = between[n];
         }
     }
 }
 
+ModeMotion modeMotionUntilRest (double angularFrequency, double dampingRatio, const Eigen::VectorXd& force,
+                                double sampleRate, Eigen::Index samples, bool withChanges)
+{
+    const MovingMode mode (angularFrequency, dampingRatio, sampleRate);
+    return withChanges ? motionUntilRest<true> (mode, force, samples) : motionUntilRest<false> (mode, force, samples);
+}
+
 ModeMotion modeMotion (double angularFrequency, double dampingRatio, const Eigen::VectorXd& force, double sampleRate,
                        Eigen::Index samples, bool withChanges)
 {
-    const auto interval = makeInterval (angularFrequency, dampingRatio, 1 / sampleRate);
-    const auto turnByPole = interval.turn / sampleRate;
-    // q' = Re y - (a / b) Im y; the ratio depends on the damping ratio alone.
-    const auto root = std::sqrt (1 - dampingRatio * dampingRatio);
-    const auto ratio = dampingRatio / root, ratioByDamping = ratio + std::pow (ratio, 3);
-    const auto poleByDamping = angularFrequency * Complex { -dampingRatio, -dampingRatio * ratio };
-    ModeMotion motion;
-    motion.velocity.resize (samples);
+    auto motion = modeMotionUntilRest (angularFrequency, dampingRatio, force, sampleRate, samples, withChanges);
+    fillUp (motion.velocity, samples);
 
     if (withChanges)
     {
-        motion.byFrequency.resize (samples);
-        motion.byDamping.resize (samples);
-    }
-
-    Complex y = 0, byPole = 0;
-
-    for (Eigen::Index n = 0; n < samples; ++n)
-    {
-        motion.velocity[n] = y.real() - ratio * y.imag();
-
-        if (withChanges)
-        {
-            const auto changed = [&] (Complex ofPole)
-            {
-                const auto change = byPole * ofPole;
-                return change.real() - ratio * change.imag();
-            };
-            motion.byFrequency[n] = changed (interval.pole);
-            motion.byDamping[n] = changed (poleByDamping) - ratioByDamping * y.imag();
-        }
-
-        Complex added = 0, addedByPole = 0;
-
-        for (std::size_t g = 0; g < gaussPlaces.size(); ++g)
-        {
-            const auto value = force[n * PlayedVoltages::places + static_cast<Eigen::Index> (g)];
-            added += interval.taps[g] * value;
-            addedByPole += interval.tapsByPole[g] * value;
-        }
-
-        byPole = interval.turn * byPole + turnByPole * y + addedByPole;
-        y = interval.turn * y + added;
+        fillUp (motion.byFrequency, samples);
+        fillUp (motion.byDamping, samples);
     }
 
     return motion;
 }
 
+std::vector<ModeMotion> modeMotions (const ModalModel& model, const PlayedVoltages& voltages, Eigen::Index samples,
+                                     bool withChanges)
+{
+    std::vector<ModeMotion> motions (static_cast<std::size_t> (model.modes()));
+    parallelFor (motions.size(),
+                 [&] (std::size_t mode)
+                 {
+                     const auto k = static_cast<Eigen::Index> (mode);
+                     motions[mode] = modeMotionUntilRest (model.angularFrequencies[k], model.dampingRatios[k],
+                                                          voltages.force (model.participation.row (k)),
+                                                          voltages.sampleRate(), samples, withChanges);
+                 });
+    return motions;
+}
+
 Eigen::MatrixXd modeVelocities (const ModalModel& model, const PlayedVoltages& voltages, Eigen::Index samples)
 {
-    Eigen::MatrixXd velocities (samples, model.modes());
+    const auto motions = modeMotions (model, voltages, samples, false);
+    Eigen::MatrixXd velocities = Eigen::MatrixXd::Zero (samples, model.modes());
 
-    for (Eigen::Index k = 0; k < model.modes(); ++k)
-        velocities.col (k) =
-            modeMotion (model.angularFrequencies[k], model.dampingRatios[k],
-                        voltages.force (model.participation.row (k)), voltages.sampleRate(), samples, false)
-                .velocity;
+    for (std::size_t k = 0; k < motions.size(); ++k)
+        velocities.col (static_cast<Eigen::Index> (k)).head (motions[k].velocity.size()) = motions[k].velocity;
 
     return velocities;
 }

@@ -2,11 +2,12 @@
 
 #include <antinode_model/ModalModel.h>
 
-#include <array>
+#include <vector>
 
 namespace antinode
 {
-/** Band-limited voltages at the places of Gauss and Legendre between their samples: what modes are integrated with. */
+/** Band-limited voltages at the places of Gauss and Legendre between their samples: what modes are integrated with.
+    They end with the last voltage but a tail of the band limit; from there on modes decay freely. */
 class PlayedVoltages
 {
 public:
@@ -15,18 +16,23 @@ public:
     /** @param voltages  N_b x N_s, V, before and after which there are none [worker] */
     PlayedVoltages (const Eigen::MatrixXd& voltages, double sampleRate);
 
+    /** As many as were played. */
     Eigen::Index samples() const { return count; }
+
+    /** After so many samples nothing drives the modes. */
+    Eigen::Index drivenSamples() const { return values.rows() / places; }
+
     Eigen::Index ceramics() const { return values.cols(); }
     double sampleRate() const { return rate; }
 
-    /** One ceramic's, N_s * places: those after sample n begin at n * places. */
+    /** One ceramic's, N_d * places, N_d the driven samples: those after sample n begin at n * places. */
     auto of (Eigen::Index ceramic) const { return values.col (ceramic); }
 
-    /** A modal force per participation: a row of participations in, N_s * places out. */
+    /** A modal force: a row of participations in, N_d * places out. */
     Eigen::VectorXd force (const Eigen::RowVectorXd& participation) const { return values * participation.transpose(); }
 
 private:
-    Eigen::MatrixXd values; // N_s * places x N_b
+    Eigen::MatrixXd values; // N_d * places x N_b
     Eigen::Index count;
     double rate;
 };
@@ -39,12 +45,21 @@ struct ModeMotion
     Eigen::VectorXd byDamping;   ///< Per relative change of the damping ratio; empty where it is not wanted.
 };
 
-/** The motion of a mode under a force, from rest.
-    @param force    as PlayedVoltages::force gives it
-    @param samples  how many of the first
+/** The motion of a mode under a force, from rest, for as long as it moves: until it has decayed to 1e-10 of what it
+   was.
+    @param force    as PlayedVoltages::force gives it; none after its end
+    @param samples  how many at most
+    @return         fewer samples than these where it has decayed before
     [worker] Docs/Theory.md, section 7.6. */
+ModeMotion modeMotionUntilRest (double angularFrequency, double dampingRatio, const Eigen::VectorXd& force,
+                                double sampleRate, Eigen::Index samples, bool withChanges);
+
+/** The same with zeros after its end: as many samples as are wanted. [worker] */
 ModeMotion modeMotion (double angularFrequency, double dampingRatio, const Eigen::VectorXd& force, double sampleRate,
                        Eigen::Index samples, bool withChanges);
+
+/** The motions of all modes until each is at rest: N_m. [worker] */
+std::vector<ModeMotion> modeMotions (const ModalModel&, const PlayedVoltages&, Eigen::Index samples, bool withChanges);
 
 /** The velocities of all modes, N_s x N_m. [worker] */
 Eigen::MatrixXd modeVelocities (const ModalModel&, const PlayedVoltages&, Eigen::Index samples);

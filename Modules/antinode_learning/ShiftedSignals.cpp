@@ -1,35 +1,50 @@
 #include "ShiftedSignals.h"
 
-#include <antinode_numerics/Fourier.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace antinode
 {
-Eigen::MatrixXd signalsEarlier (const PlayedRecording& recording, double delay, Eigen::Index samples)
+namespace
 {
-    const auto late = delay * recording.sampleRate;
-    const auto length = quickLength (static_cast<double> (recording.signals.cols()) + late);
-    const auto turn = 2 * std::numbers::pi * late / static_cast<double> (length);
+constexpr Eigen::Index edge = 128; // samples beside the end of a signal that is shifted by a part of a sample
+} // namespace
+
+ShiftedSignals::ShiftedSignals (const PlayedRecording& recording)
+    : rate (recording.sampleRate),
+      length (quickLength (static_cast<double> (recording.signals.cols() + 2 * edge) + recording.delay * rate)),
+      spectra (length / 2 + 1, recording.signals.rows())
+{
+    for (Eigen::Index m = 0; m < spectra.cols(); ++m)
+        spectra.col (m) = tables.forward (recording.signals.row (m).transpose(), length);
+}
+
+const Eigen::MatrixXd& ShiftedSignals::earlier (double delay, Eigen::Index samples)
+{
+    if (delay == shiftedBy && samples == shifted.rows())
+        return shifted;
+
+    const auto turn = 2 * std::numbers::pi * delay * rate / static_cast<double> (length);
     const Eigen::VectorXcd turns = Eigen::VectorXcd::NullaryExpr (
         length / 2 + 1, [turn] (Eigen::Index k) { return std::polar (1.0, turn * static_cast<double> (k)); });
-    Eigen::MatrixXd result (samples, recording.signals.rows());
-    FourierTables tables;
+    shifted.resize (samples, spectra.cols());
+    shiftedBy = delay;
 
-    for (Eigen::Index m = 0; m < result.cols(); ++m)
-        result.col (m) =
-            tables.inverse (tables.forward (recording.signals.row (m).transpose(), length).cwiseProduct (turns), length)
-                .head (samples);
+    for (Eigen::Index m = 0; m < shifted.cols(); ++m)
+        shifted.col (m) = tables.inverse (spectra.col (m).cwiseProduct (turns), length).head (samples);
 
-    return result;
+    return shifted;
+}
+
+Eigen::MatrixXd signalsEarlier (const PlayedRecording& recording, double delay, Eigen::Index samples)
+{
+    return ShiftedSignals (recording).earlier (delay, samples);
 }
 
 Eigen::Index comparableSamples (const PlayedRecording& recording)
 {
-    constexpr double edge = 128; // samples beside the end of a signal that is shifted by a part of a sample
-    const auto late = std::ceil (recording.delay * recording.sampleRate) + edge;
-    return std::max<Eigen::Index> (1, recording.voltages.cols() - static_cast<Eigen::Index> (late));
+    const auto late = static_cast<Eigen::Index> (std::ceil (recording.delay * recording.sampleRate)) + edge;
+    return std::max<Eigen::Index> (1, recording.voltages.cols() - late);
 }
 } // namespace antinode

@@ -54,6 +54,7 @@ struct Bench
     ModalModel truth;
     std::vector<double> places { -0.07, -0.033, 0.012, 0.055 };
     double noise = 0.01, delay = 37 / rate, delayError = 4e-6;
+    double delaySpan = 0; // above 0: nobody says the delay, which is another one in each pass
 
     explicit Bench (double scatter, std::uint64_t seed)
         : truth (detuned (sineBeam (allModes, 5), { scatter, 0.1, 0.05, 0 }, seed))
@@ -77,7 +78,8 @@ struct Bench
         for (Eigen::Index m = 0; m < shapes.rows(); ++m)
             shapes.row (m) = shapesAt (truth, places[static_cast<std::size_t> (m)], 0);
 
-        const auto late = static_cast<Eigen::Index> (delay * rate);
+        const auto isKnown = delaySpan == 0;
+        const auto late = static_cast<Eigen::Index> (delay * rate) + (isKnown ? 0 : 61 * pass);
         Eigen::MatrixXd signals = Eigen::MatrixXd::Zero (shapes.rows(), voltages.cols());
         signals.rightCols (signals.cols() - late) = played (truth, shapes, voltages).leftCols (signals.cols() - late);
         RandomNumbers random (static_cast<std::uint64_t> (100 + pass));
@@ -87,7 +89,7 @@ struct Bench
         for (Eigen::Index m = 0; m < signals.rows(); ++m)
             signals.row (m) += deviations[m] * random.normal (signals.cols()).transpose();
 
-        return { rate, voltages, signals, deviations, delay + delayError };
+        return { rate, voltages, signals, deviations, isKnown ? delay + delayError : 0, delaySpan };
     }
 
     /** The field at the focus that voltages make. */
@@ -171,6 +173,62 @@ TEST_CASE ("Three plays bring a focus on a plate half a percent off from percent
         // All that is left is noise, of which there is as much as was said.
         CHECK (learnt.learnt.residual == Approx (1).margin (0.02));
     }
+}
+
+TEST_CASE ("Delays that nobody says, of each play another one, are found to a microsecond", "[learning]")
+{
+    for (const std::uint64_t seed : { 1, 2, 3 })
+    {
+        Bench bench (0.005, seed);
+        bench.delaySpan = 0.02;
+        std::vector<Eigen::MatrixXd> voltages;
+        const auto learnt = learn (bench,
+                                   [&] (const Eigen::MatrixXd& volts, int pass)
+                                   {
+                                       voltages.push_back (volts);
+                                       return bench (volts, pass);
+                                   });
+        CAPTURE (seed, learnt.refusal);
+        REQUIRE (learnt.refusal.empty());
+        CHECK (bench.fieldError (voltages.back()) < 0.01);
+
+        for (int pass = 0; pass < 3; ++pass)
+            CHECK (learnt.learnt.delays[pass] == Approx (bench.delay + 61 * pass / rate).margin (1e-6));
+    }
+}
+
+TEST_CASE ("No more is played once the field error is small enough", "[learning]")
+{
+    const Bench bench (0.005, 1);
+    auto settings = threePasses();
+    settings.passes = 9;
+    settings.enough = 0.01;
+    const auto learnt = learnFocus (bench.nominal, sincFocus(), bench.sensors(),
+                                    sameSpread (bench.nominal.model.modes(), 0.005, 0.1, 0.05), bench, settings);
+    REQUIRE (learnt.passes.size() > 1);
+    CHECK (learnt.passes.size() < 6);
+    CHECK (learnt.passes.front().estimatedError > 0.03);
+    CHECK (learnt.passes.back().estimatedError < 0.01);
+}
+
+TEST_CASE ("What a mode does after the last voltage is what it does under voltages of zero", "[learning]")
+{
+    RandomNumbers random (5);
+    const Eigen::VectorXd force = random.normal (300 * PlayedVoltages::places);
+    Eigen::VectorXd padded = Eigen::VectorXd::Zero (4000 * PlayedVoltages::places);
+    padded.head (force.size()) = force;
+
+    // One that goes on to the end, and one that is at rest before.
+    for (const auto damping : { 0.001, 0.05 })
+    {
+        const auto brief = modeMotion (6000, damping, force, rate, 4000, true);
+        const auto whole = modeMotion (6000, damping, padded, rate, 4000, true);
+        CHECK ((brief.velocity - whole.velocity).norm() < 1e-9 * whole.velocity.norm());
+        CHECK ((brief.byFrequency - whole.byFrequency).norm() < 1e-7 * whole.byFrequency.norm());
+        CHECK ((brief.byDamping - whole.byDamping).norm() < 1e-7 * whole.byDamping.norm());
+    }
+
+    CHECK (modeMotionUntilRest (6000, 0.05, force, rate, 4000, false).velocity.size() < 4000);
 }
 
 TEST_CASE ("What is said of learnt frequencies is what they are off by", "[learning]")

@@ -8,12 +8,15 @@
 #include <antinode_numerics/Median.h>
 #include <antinode_numerics/RandomNumbers.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <string>
 
 // The table of learning from plays, some minutes by hand: Docs/Decisions/0110-learning-from-plays.md.
+// Environment: KNOWS_DELAY=1 (else it is looked for up to 30 ms), CUBIC, BEYOND.
 // Usage: antinode_learning_scores DEVICE FOCUS SCATTER_PERCENT SENSORS IDLE PASSES TRIALS [FIRST_SEED]
 using namespace antinode;
 
@@ -68,6 +71,7 @@ int main (int count, char** arguments)
               passes = std::atoi (arguments[6]), trials = std::atoi (arguments[7]),
               first = count > 8 ? std::atoi (arguments[8]) : 1;
     const double cubic = std::getenv ("CUBIC") ? std::atof (std::getenv ("CUBIC")) : 0.01;
+    const bool knowsDelay = std::getenv ("KNOWS_DELAY") != nullptr;
     const double beyond = std::getenv ("BEYOND") ? std::atof (std::getenv ("BEYOND")) : 3.5;
     const auto device = loadDevice (deviceName, {});
     const auto known = solveDevice (device, {}, true);
@@ -78,7 +82,7 @@ int main (int count, char** arguments)
     std::printf ("%td modes known, %td in the learner's model, %td played\n", known.modes(), of.nominal.model.modes(),
                  of.finer.modes());
     const auto deviations = sameSpread (of.nominal.model.modes(), scatter, 0.1, 0.05);
-    std::vector<double> before, after;
+    std::vector<double> before, after, seconds;
     int worse = 0, rejected = 0;
 
     for (int seed = first; seed < first + trials; ++seed)
@@ -111,19 +115,26 @@ int main (int count, char** arguments)
             idleTruth.participation.col (last).setZero();
         }
 
+        double played = 0; // s of processor time, of the bench
         const auto play = [&] (const Eigen::MatrixXd& voltages, int pass)
         {
+            const auto begun = std::clock();
             SimulatedBenchSettings bench;
             bench.seed = static_cast<std::uint64_t> (seed * 100 + pass);
             bench.delay = 0.002 + 0.018 * random.uniform();
             bench.cubic = cubic;
             const auto recorded =
                 simulateBench (idleTruth, heard, voltages, Eigen::VectorXd::Ones (voltages.cols()), bench);
-            PlayedRecording recording { bench.sampleRate, voltages, recorded.sensors, {}, 0 };
+            PlayedRecording recording { bench.sampleRate, voltages, recorded.sensors, {}, 0, 0 };
             recording.noise =
                 recorded.sensors.rowwise().norm() * 0.01 / std::sqrt (static_cast<double> (voltages.cols()));
-            // The sync channel tells the delay to 5 us.
-            recording.delay = bench.delay + 5e-6 * random.normal (2)[0];
+            played += static_cast<double> (std::clock() - begun) / CLOCKS_PER_SEC;
+
+            if (knowsDelay)
+                recording.delay = bench.delay + 5e-6 * random.normal (2)[0]; // as a sync channel tells it
+            else
+                recording.delaySpan = 0.03;
+
             return recording;
         };
 
@@ -131,7 +142,9 @@ int main (int count, char** arguments)
         {
             LearningSettings settings;
             settings.passes = passes;
+            const auto begun = std::clock();
             const auto learnt = learnFocus (idleModel, of.focus, sensors, deviations, play, settings);
+            const auto spent = static_cast<double> (std::clock() - begun) / CLOCKS_PER_SEC - played;
             const auto exact = designWithin ({ idleTruth, of.nominal.known, {} }, of.focus,
                                              { Reconstruction::bandLimited, 96000 }, DesignExtent::compared);
             const auto wanted = fieldOf (idleTruth, exact.program, 0);
@@ -145,9 +158,10 @@ int main (int count, char** arguments)
             const auto start =
                 relative (truth.surface, fieldOf (idleTruth, learnt.passes.front().design.program, cubic), wanted);
             const auto end = relative (truth.surface, fieldOf (idleTruth, learnt.design.program, cubic), wanted);
-            std::printf (" -> %.2f %%, residual %.2f%s\n", 100 * end, learnt.learnt.residual,
+            std::printf (" -> %.2f %%, residual %.2f, %.1f s%s\n", 100 * end, learnt.learnt.residual, spent,
                          learnt.refusal.empty() ? "" : " refused");
             std::fflush (stdout);
+            seconds.push_back (spent);
             before.push_back (start);
             after.push_back (end);
             worse += end > start;
@@ -160,7 +174,8 @@ int main (int count, char** arguments)
     }
 
     if (! after.empty())
-        std::printf ("%s: start %.2f %% median, end %.2f %% median, %.2f %% worst, %d worse, %d refused of %zu\n",
-                     focusName.c_str(), 100 * median (before), 100 * median (after),
-                     100 * *std::max_element (after.begin(), after.end()), worse, rejected, after.size());
+        std::printf (
+            "%s: start %.2f %% median, end %.2f %% median, %.2f %% worst, %d worse, %d refused of %zu; %.1f s each\n",
+            focusName.c_str(), 100 * median (before), 100 * median (after),
+            100 * *std::max_element (after.begin(), after.end()), worse, rejected, after.size(), median (seconds));
 }
