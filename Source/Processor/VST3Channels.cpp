@@ -16,13 +16,27 @@
 #pragma GCC diagnostic pop
 
 #include <numeric>
+#include <type_traits>
 
 namespace antinode
 {
+namespace
+{
+/** JUCE 7 has a set for all speakers; JUCE 8 gives it as an optional, empty where it has none. */
+template <typename Set>
+juce::AudioChannelSet setOrDiscrete (const Set& set, int channels)
+{
+    if constexpr (std::is_same_v<Set, juce::AudioChannelSet>)
+        return set;
+    else
+        return set.value_or (juce::AudioChannelSet::discreteChannels (channels));
+}
+} // namespace
+
 juce::AudioChannelSet vst3ChannelSet (int channels)
 {
     const auto speakers = channels >= 64 ? ~0ULL : (1ULL << channels) - 1;
-    return juce::getChannelSetForSpeakerArrangement (speakers);
+    return setOrDiscrete (juce::getChannelSetForSpeakerArrangement (speakers), channels);
 }
 
 std::vector<int> vst3ChannelOrder (const juce::AudioChannelSet& layout)
