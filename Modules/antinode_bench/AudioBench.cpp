@@ -3,6 +3,7 @@
 #include <antinode_audio/Interruption.h>
 #include <antinode_audio/QuietLibraries.h>
 #include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
 
 #include <algorithm>
 #include <chrono>
@@ -79,11 +80,32 @@ Eigen::Index AudioBench::sensors() const
 
 RunRecording AudioBench::play (const Excitation& excitation, Eigen::Index ceramic, Eigen::Index, Eigen::Index points)
 {
+    return playRun (playedRun (excitation, ceramic, outputFullScale), points);
+}
+
+RunRecording AudioBench::playTogether (const Eigen::MatrixXd& voltages, const Eigen::VectorXd& sync, double sampleRate,
+                                       Eigen::Index points)
+{
+    if (const auto open = openedAudio (manager).sampleRate; open != sampleRate)
+        throw InputError ("audio device", "runs at " + inWords (open) + " Hz; allowed: " + inWords (sampleRate)
+                                              + " Hz, the rate of the voltages");
+
+    Eigen::MatrixXd run (voltages.rows() + 1, voltages.cols());
+    run << voltages / outputFullScale, sync.transpose();
+
+    if (! run.allFinite() || run.cwiseAbs().maxCoeff() > 1)
+        throw InputError ("voltages", "are beyond full scale, " + inWords (outputFullScale) + " V");
+
+    return playRun (run, points);
+}
+
+/** @param run  (N_b + 1) x N_s, of full scale: ceramics, then the sync channel */
+RunRecording AudioBench::playRun (const Eigen::MatrixXd& run, Eigen::Index points)
+{
     constexpr int attempts = 3;
-    const auto run = playedRun (excitation, ceramic, outputFullScale);
     Eigen::MatrixXf played = Eigen::MatrixXf::Zero (run.cols(), std::ssize (openOutputs));
 
-    for (Eigen::Index i = 0; i < excitation.ceramics(); ++i)
+    for (Eigen::Index i = 0; i + 1 < run.rows(); ++i)
         played.col (channelColumn (openOutputs, static_cast<int> (i))) = run.row (i).transpose().cast<float>();
 
     played.col (channelColumn (openOutputs, channels.syncOutput)) = run.bottomRows (1).transpose().cast<float>();

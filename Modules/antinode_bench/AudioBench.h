@@ -36,7 +36,12 @@ public:
         thread] */
     RunRecording play (const Excitation&, Eigen::Index ceramic, Eigen::Index firstPoint, Eigen::Index points) override;
 
+    /** The same of all ceramics at once. [message thread] */
+    RunRecording playTogether (const Eigen::MatrixXd& voltages, const Eigen::VectorXd& sync, double sampleRate,
+                               Eigen::Index points) override;
+
 private:
+    RunRecording playRun (const Eigen::MatrixXd& run, Eigen::Index points);
     void waitFor (Take&);
     RunRecording toRecording (const Take&, Eigen::Index points) const;
 

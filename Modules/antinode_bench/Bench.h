@@ -26,5 +26,13 @@ public:
         [worker] takes as long as the run on a real bench */
     virtual RunRecording play (const Excitation&, Eigen::Index ceramic, Eigen::Index firstPoint,
                                Eigen::Index points) = 0;
+
+    /** Plays voltages on all ceramics at once while the sensors are at the first points.
+        @param sync  N_s: what the sync channel plays, of full scale
+        @return      as play gives it, of as many samples
+        @throws InputError  where it cannot be played, or a voltage is beyond what a sample of 1 stands for
+        [worker] takes as long as the voltages on a real bench */
+    virtual RunRecording playTogether (const Eigen::MatrixXd& voltages, const Eigen::VectorXd& sync, double sampleRate,
+                                       Eigen::Index points) = 0;
 };
 } // namespace antinode

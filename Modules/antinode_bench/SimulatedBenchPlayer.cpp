@@ -14,6 +14,12 @@ SimulatedBenchPlayer::SimulatedBenchPlayer (ModalModel modelToMeasure, const Eig
 {
 }
 
+SimulatedBenchPlayer::SimulatedBenchPlayer (ModalModel modelToMeasure, Eigen::MatrixXd shapesToHear,
+                                            SimulatedBenchSettings settingsToUse)
+    : model (std::move (modelToMeasure)), shapes (std::move (shapesToHear)), settings (settingsToUse)
+{
+}
+
 Eigen::Index SimulatedBenchPlayer::sensors() const
 {
     constexpr Eigen::Index maximum = 16; // The memory for a recording of a long run stays below some 100 MB.
@@ -38,5 +44,14 @@ RunRecording SimulatedBenchPlayer::play (const Excitation& excitation, Eigen::In
     own.seed += static_cast<std::uint64_t> (ceramic + excitation.ceramics() * firstPoint);
     return simulateBench (model, shapes.middleRows (firstPoint, points), played.topRows (model.actuators()),
                           played.bottomRows (1).transpose(), own);
+}
+
+RunRecording SimulatedBenchPlayer::playTogether (const Eigen::MatrixXd& voltages, const Eigen::VectorXd& sync,
+                                                 double sampleRate, Eigen::Index points)
+{
+    auto own = settings;
+    own.sampleRate = sampleRate;
+    own.seed += plays++;
+    return simulateBench (model, shapes.topRows (points), voltages, sync, own);
 }
 } // namespace antinode

@@ -52,6 +52,7 @@ int runCommandLine (int argumentCount, const char* const* arguments)
     addExciteCommand (app);
     addMeasureCommand (app);
     addFrfCommand (app);
+    addCalibrateCommand (app);
     addRetuneCommand (app);
     addLearnCommand (app);
     addFollowCommand (app);

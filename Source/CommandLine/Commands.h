@@ -18,6 +18,7 @@ void addPaperCommand (CLI::App&);
 void addExciteCommand (CLI::App&);
 void addMeasureCommand (CLI::App&);
 void addFrfCommand (CLI::App&);
+void addCalibrateCommand (CLI::App&);
 void addRetuneCommand (CLI::App&);
 void addLearnCommand (CLI::App&);
 void addFollowCommand (CLI::App&);

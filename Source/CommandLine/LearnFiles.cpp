@@ -1,5 +1,7 @@
 #include "LearnFiles.h"
 
+#include "LearnReport.h"
+
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
@@ -22,7 +24,7 @@ namespace antinode
 {
 namespace
 {
-constexpr double inPercent = 100;
+constexpr double inPercent = 100, inMilli = 1000;
 
 /** Velocities of a table's columns but the time: sensors x N_s, m/s. */
 Eigen::MatrixXd recordedTable (const std::filesystem::path& path)
@@ -56,17 +58,18 @@ std::string learntTable (const LearntFocus& learnt, const WideModel& nominal, co
 {
     std::string text = "mode,frequency_Hz_before,frequency_Hz_now,frequency_deviation_percent_before,"
                        "frequency_deviation_percent_now,damping_ratio_before,damping_ratio_now,"
-                       "damping_deviation_percent_before,damping_deviation_percent_now\n";
+                       "damping_deviation_percent_before,damping_deviation_percent_now,"
+                       "participation_deviation_percent_before,participation_deviation_percent_now\n";
     const auto& now = learnt.learnt;
 
     for (Eigen::Index k = 0; k < nominal.known; ++k)
     {
-        std::array<char, 256> line {};
-        std::snprintf (line.data(), line.size(), "%td,%.9g,%.9g,%.4g,%.4g,%.9g,%.9g,%.4g,%.4g\n", k + 1,
+        std::array<char, 320> line {};
+        std::snprintf (line.data(), line.size(), "%td,%.9g,%.9g,%.4g,%.4g,%.9g,%.9g,%.4g,%.4g,%.4g,%.4g\n", k + 1,
                        nominal.model.frequencyHz (k), now.model.frequencyHz (k), inPercent * before.frequencies[k],
                        inPercent * now.frequencyDeviations[k], nominal.model.dampingRatios[k],
-                       now.model.dampingRatios[k], inPercent * before.dampings[k],
-                       inPercent * now.dampingDeviations[k]);
+                       now.model.dampingRatios[k], inPercent * before.dampings[k], inPercent * now.dampingDeviations[k],
+                       inPercent * before.participation[k], inPercent * now.participationDeviations[k]);
         text += line.data();
     }
 
@@ -86,7 +89,8 @@ nlohmann::ordered_json summary (const LearntFocus& learnt)
     for (const auto& pass : learnt.passes)
         passes.push_back ({ { "estimated_field_error_percent", inPercent * pass.estimatedError },
                             { "surprise_of_noise", pass.surprise },
-                            { "surprise_of_noise_nominal", pass.nominalSurprise } });
+                            { "surprise_of_noise_nominal", pass.nominalSurprise },
+                            { "latency_ms", inMilli * pass.delay } });
 
     return document;
 }
@@ -140,6 +144,7 @@ void writeLearnt (const std::filesystem::path& path, const LearntFocus& learnt, 
     folder.write ("device.json", modalDeviceToJson (known, "Learnt from plays of a focus").dump (2) + "\n");
     folder.write ("learnt.csv", learntTable (learnt, nominal, before));
     folder.write ("summary.json", summary (learnt).dump (2) + "\n");
+    folder.write ("report.html", renderReport (learningReport (learnt, nominal, before)));
     folder.commit();
 }
 } // namespace antinode

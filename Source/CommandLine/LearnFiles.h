@@ -20,8 +20,8 @@ PlayedRecording readPlayedRecording (const std::filesystem::path& folder, const 
 /** Each sensor's noise by its signal-to-noise ratio in dB: standard deviations of its samples. [any] */
 Eigen::VectorXd noiseOfRecording (const Eigen::MatrixXd& signals, double signalToNoise);
 
-/** Writes what is to be played next and what was learnt: voltages.wav, design.json, device.json, learnt.csv and
-    summary.json.
+/** Writes what is to be played next and what was learnt: voltages.wav, design.json, device.json, learnt.csv,
+   summary.json and report.html.
     @throws InputError  when the folder cannot be written
     [worker] Docs/FileFormats.md. */
 void writeLearnt (const std::filesystem::path& folder, const LearntFocus&, const WideModel& nominal, const ModeSpread&,

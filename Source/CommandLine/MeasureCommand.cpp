@@ -1,10 +1,9 @@
+#include "AudioBenchOptions.h"
 #include "Commands.h"
 #include "ExcitationOptions.h"
 #include "MeasuredFiles.h"
-#include "SensorOptions.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_bench/AudioBench.h>
 #include <antinode_bench/Checklist.h>
 #include <antinode_bench/Measuring.h>
 #include <antinode_bench/SimulatedBenchPlayer.h>
@@ -23,11 +22,7 @@ struct MeasureOptions
     ExcitationOptions excitation;
     std::string pointsFile, folder;
     bool isSimulated = false, asksNoQuestions = false, onlyChecks = false;
-    AudioChoice audio;
-    std::vector<int> sensorInputs { 1 }; // counted from 1
-    int syncInput = 2;                   // 0: none
-    int syncOutput = 0;                  // 0: the one after the ceramics
-    SensorOptions sensor;
+    AudioBenchOptions audio;
     double latency = 0; // ms
     std::string simulatedDevice;
     SimulatedBenchSettings simulation;
@@ -51,34 +46,11 @@ std::unique_ptr<Bench> simulatedBench (const MeasureOptions& options, const Moda
     return std::make_unique<SimulatedBenchPlayer> (excitedDevice (other), points, settings);
 }
 
-BenchChannels channelsFor (const MeasureOptions& options, const ModalModel& model)
-{
-    BenchChannels channels;
-    channels.syncInput = options.syncInput - 1;
-    channels.syncOutput = options.syncOutput > 0 ? options.syncOutput - 1 : static_cast<int> (model.actuators());
-
-    for (const auto input : options.sensorInputs)
-        channels.sensors.push_back (input - 1);
-
-    return channels;
-}
-
-std::unique_ptr<Bench> audioBench (const MeasureOptions& options, const ModalModel& model)
-{
-    if (! (options.sensor.sensitivity > 0))
-        throw InputError ("--sensitivity-mm-s-per-v", "is missing; give the sensitivity of the sensor in mm/s per V");
-
-    auto choice = options.audio;
-    choice.sampleRate = options.excitation.rate;
-    return std::make_unique<AudioBench> (choice, channelsFor (options, model), model.actuators(),
-                                         model.fullScaleVoltage, options.sensor.fullScaleVelocity());
-}
-
 void writeChecklist (const MeasureOptions& options, const ModalModel& model, const ExcitationSheet& sheet,
                      const Eigen::MatrixX2d& points)
 {
-    const auto text = benchChecklist (model, sheet, points, channelsFor (options, model),
-                                      { options.sensor.sensitivity, options.sensor.inputFullScale });
+    const auto text = benchChecklist (model, sheet, points, benchChannels (options.audio, model.actuators()),
+                                      { options.audio.sensor.sensitivity, options.audio.sensor.inputFullScale });
     OutputFolder output (options.folder);
     output.write ("checklist.txt", text);
     output.commit();
@@ -97,7 +69,8 @@ void measure (const MeasureOptions& options)
         return;
     }
 
-    const auto bench = options.isSimulated ? simulatedBench (options, model, points) : audioBench (options, model);
+    const auto bench = options.isSimulated ? simulatedBench (options, model, points)
+                                           : openAudioBench (options.audio, model, options.excitation.rate);
     const MeasurementFolder folder (options.folder, sheet, points);
     RunAnalysisSettings analysis;
     analysis.latency = options.latency / 1000 * options.excitation.rate;
@@ -107,33 +80,6 @@ void measure (const MeasureOptions& options)
     writeMeasured (options.folder, measurement, sheet);
     printMeasurement (measurement, sheet);
     std::printf ("Responses and figures: %s/responses.uff, report.html\n", options.folder.c_str());
-}
-
-void addAudioOptions (CLI::App& command, MeasureOptions& options)
-{
-    constexpr int longestBlock = 1 << 16, maximumChannels = maximumDeviceOutputs;
-    command.add_option ("--backend", options.audio.type, "Type of the audio device: ALSA or JACK");
-    command.add_option ("--audio-device", options.audio.device,
-                        "Audio device, a name from antinode-standalone --list-devices");
-    command.add_option ("--block", options.audio.blockSize, "Block size, samples")
-        ->check (CLI::Range (1, longestBlock));
-    command
-        .add_option ("--sensor-input", options.sensorInputs,
-                     "Input of the sensor, counted from 1 (repeatable: several sensors at consecutive points)")
-        ->allow_extra_args (false)
-        ->check (CLI::Range (1, maximumChannels))
-        ->default_str ("1");
-    command.add_option ("--sync-input", options.syncInput, "Input wired to the sync output, counted from 1; 0: none")
-        ->check (CLI::Range (0, maximumChannels))
-        ->capture_default_str();
-    command
-        .add_option ("--sync-output", options.syncOutput,
-                     "Sync output, counted from 1; default: the output after the ceramics")
-        ->check (CLI::Range (1, maximumChannels));
-    command.add_option ("--latency-ms", options.latency, "Latency of the sensors without a sync input, ms")
-        ->check (CLI::Range (0.0, 200.0))
-        ->capture_default_str();
-    addSensorOptions (command, options.sensor);
 }
 
 void addSimulationOptions (CLI::App& command, MeasureOptions& options)
@@ -178,7 +124,11 @@ void addMeasureCommand (CLI::App& app)
         "--checklist", options->onlyChecks,
         "Writes what to connect, to check and to expect for this device and these points, plays nothing");
     command->add_flag ("--no-questions", options->asksNoQuestions, "Measures all points without asking");
-    addAudioOptions (*command, *options);
+    addAudioBenchOptions (*command, options->audio);
+    addSensorOptions (*command, options->audio.sensor);
+    command->add_option ("--latency-ms", options->latency, "Latency of the sensors without a sync input, ms")
+        ->check (CLI::Range (0.0, 200.0))
+        ->capture_default_str();
     addSimulationOptions (*command, *options);
     command->callback ([options] { measure (*options); });
 }

@@ -1,6 +1,7 @@
 #include "Commands.h"
 #include "CommonOptions.h"
 #include "FocusOnDevice.h"
+#include "IdleCeramics.h"
 #include "Progress.h"
 #include "SensorsFiles.h"
 
@@ -17,6 +18,7 @@
 #include <cstdio>
 #include <memory>
 #include <numeric>
+#include <string>
 
 namespace antinode
 {
@@ -26,6 +28,7 @@ struct SensorsOptions
 {
     std::string focus = "demonstrator", device, folder = "antinode-sensors";
     std::vector<std::string> assignments;
+    std::vector<int> idleCeramics; // counted from 1
     int count = 2, candidates = 1000;
     double rate = 96000, duration = 250, signalToNoise = 40; // Hz, ms, dB
     double frequency = 0.5, damping = 10, participation = 5; // %
@@ -45,21 +48,34 @@ SensorPlaces candidatesOn (const Surface& surface, int about)
     return places;
 }
 
-/** candidates x N_m: (shape over noise)^2. The noise is that which an average candidate has by its ratio. */
-Eigen::MatrixXd audibilitiesOf (const ModalModel& model, const SensorPlaces& places, const PlayedVoltages& voltages,
-                                double signalToNoise)
+/** Rows of shapes as (shape over noise)^2. The noise is that which an average row has by its ratio. */
+Eigen::MatrixXd overNoise (const Eigen::MatrixXd& shapes, const Eigen::MatrixXd& velocityGram, double signalToNoise)
 {
-    const Eigen::MatrixX2d at = places.cells.centres (places.cell, Eigen::all);
-    const auto shapes = shapesAtPlaces (model, at);
-    const auto velocities = modeVelocities (model, voltages, voltages.samples());
-    const Eigen::MatrixXd gram = velocities.transpose() * velocities / static_cast<double> (voltages.samples());
-    const auto meanSquare = (shapes * gram).cwiseProduct (shapes).sum() / static_cast<double> (shapes.rows());
+    const auto meanSquare = (shapes * velocityGram).cwiseProduct (shapes).sum()
+                            / static_cast<double> (std::max<Eigen::Index> (1, shapes.rows()));
 
-    if (! (meanSquare > 0))
+    if (shapes.rows() > 0 && ! (meanSquare > 0))
         throw InputError ("focus", "moves no candidate; sensors would hear nothing");
 
     constexpr double decibelsPerBel = 10;
     return shapes.cwiseAbs2() / (meanSquare * std::pow (10.0, -signalToNoise / decibelsPerBel));
+}
+
+/** candidates x N_m: places, then idle ceramics, whose currents are their participations by reciprocity. */
+Eigen::MatrixXd audibilitiesOf (const ModalModel& model, const SensorPlaces& places, const PlayedVoltages& voltages,
+                                double signalToNoise)
+{
+    const Eigen::MatrixX2d at = places.cells.centres (places.cell, Eigen::all);
+    const auto velocities = modeVelocities (model, voltages, voltages.samples());
+    const Eigen::MatrixXd gram = velocities.transpose() * velocities / static_cast<double> (voltages.samples());
+    Eigen::MatrixXd currents (std::ssize (places.idle), model.modes());
+
+    for (Eigen::Index i = 0; i < currents.rows(); ++i)
+        currents.row (i) = model.participation.col (places.idle[static_cast<std::size_t> (i)] - 1).transpose();
+
+    Eigen::MatrixXd result (at.rows() + currents.rows(), model.modes());
+    result << overNoise (shapesAtPlaces (model, at), gram, signalToNoise), overNoise (currents, gram, signalToNoise);
+    return result;
 }
 
 /** The median of what as many sensors at random candidates tell. */
@@ -86,15 +102,17 @@ double bitsAtRandom (const PlayedInformation& information, const Eigen::MatrixXd
     return bits[draws / 2];
 }
 
-void print (const SensorsOptions& options, const SensorPlaces& places)
+void print (const SensorsOptions& options, const ModalModel& model, const SensorPlaces& places)
 {
     std::printf ("%s on %s\n  %6s %10s %10s %16s\n", places.focus.c_str(), places.device.c_str(), "sensor", "x (mm)",
                  "y (mm)", "together (bits)");
 
     for (std::size_t i = 0; i < places.choice.chosen.size(); ++i)
     {
-        const Eigen::Vector2d place = milli * sensorPlace (places, i);
-        std::printf ("  %6zu %10.2f %10.2f %16.1f\n", i + 1, place.x(), place.y(), places.choice.bits[i]);
+        const Eigen::Vector2d place = milli * sensorPlace (model, places, i);
+        const auto ceramic = chosenCeramic (places, i);
+        std::printf ("  %6zu %10.2f %10.2f %16.1f%s\n", i + 1, place.x(), place.y(), places.choice.bits[i],
+                     ceramic > 0 ? ("  idle ceramic " + std::to_string (ceramic)).c_str() : "");
     }
 
     std::printf ("  at random places: %.1f bits (median)\nPlaces: %s/sensors.csv; report: %s/report.html\n",
@@ -114,17 +132,23 @@ void chooseSensorPlaces (const SensorsOptions& options)
     progress.show ("Modes of the device", 0);
     const auto known = solveDevice (device, {}, options.usesCache);
     checkKindOfPlaces (known, focus);
+    checkIdleCeramics (options.idleCeramics, known);
     auto places = candidatesOn (known.surface, options.candidates);
     places.device = known.name;
     places.focus = focus.name;
 
-    if (static_cast<std::size_t> (options.count) > places.cell.size())
+    places.idle = options.idleCeramics;
+    const auto candidates = places.cell.size() + places.idle.size();
+
+    if (static_cast<std::size_t> (options.count) > candidates)
         throw InputError ("--count", "is " + std::to_string (options.count) + "; allowed: 1 to "
-                                         + std::to_string (places.cell.size()) + ", as many as there are candidates");
+                                         + std::to_string (candidates) + ", as many as there are candidates");
 
     const Playback playback { Reconstruction::bandLimited, options.rate };
     const auto wide = wideOf (device, known, playback, options.usesCache);
-    const auto design = designWithin (wide, focus, playback, DesignExtent::playable);
+    auto driven = wide;
+    driven.model = withoutDrive (wide.model, options.idleCeramics);
+    const auto design = designWithin (driven, focus, playback, DesignExtent::playable);
     const LearningSettings play { options.rate, options.duration / 1000, 0 };
     const PlayedVoltages voltages (playedVoltages (known, design, play), options.rate);
     const auto heard = modesWithin (wide.model, options.rate);
@@ -145,7 +169,7 @@ void chooseSensorPlaces (const SensorsOptions& options)
     writeSensors (options.folder, known, places);
 
     if (! options.isQuiet)
-        print (options, places);
+        print (options, known, places);
 }
 } // namespace
 
@@ -160,6 +184,11 @@ void addSensorsCommand (CLI::App& app)
     command->add_option ("--count", options->count, "How many sensors")
         ->check (CLI::Range (1, 100))
         ->capture_default_str();
+    command
+        ->add_option ("--idle-ceramic", options->idleCeramics,
+                      "Ceramic that is not driven and may be one of the sensors, counted from 1 (repeatable)")
+        ->allow_extra_args (false)
+        ->check (CLI::Range (1, 4096));
     command->add_option ("--candidates", options->candidates, "About how many places are compared, in square cells")
         ->check (CLI::Range (1, 100000))
         ->capture_default_str();

@@ -24,13 +24,17 @@ void appendPlace (std::string& text, const Eigen::Vector2d& place)
     appendCsvNumber (text, place.y() * milli, sensorDigits);
 }
 
-std::string sensorTable (const SensorPlaces& places)
+/** The chosen places; ceramics need none. */
+std::string sensorTable (const ModalModel& model, const SensorPlaces& places)
 {
     std::string text = "x_mm,y_mm\n";
 
     for (std::size_t i = 0; i < places.choice.chosen.size(); ++i)
     {
-        appendPlace (text, sensorPlace (places, i));
+        if (chosenCeramic (places, i) > 0)
+            continue;
+
+        appendPlace (text, sensorPlace (model, places, i));
         text += '\n';
     }
 
@@ -52,20 +56,24 @@ std::string candidateTable (const SensorPlaces& places)
     return text;
 }
 
-nlohmann::ordered_json sensorSummary (const SensorPlaces& places)
+nlohmann::ordered_json sensorSummary (const ModalModel& model, const SensorPlaces& places)
 {
     nlohmann::ordered_json json { { "schema", "antinode.sensors/1" },
                                   { "device", places.device },
                                   { "focus", places.focus },
-                                  { "candidates", places.cell.size() },
+                                  { "candidates", places.cell.size() + places.idle.size() },
                                   { "sensors", nlohmann::json::array() },
                                   { "bits", places.choice.bits.back() },
                                   { "random_bits", places.randomBits } };
 
     for (std::size_t i = 0; i < places.choice.chosen.size(); ++i)
     {
-        const Eigen::Vector2d place = milli * sensorPlace (places, i);
-        json["sensors"].push_back ({ { "x_mm", place.x() }, { "y_mm", place.y() }, { "bits", places.choice.bits[i] } });
+        const Eigen::Vector2d place = milli * sensorPlace (model, places, i);
+        auto& sensor = json["sensors"].emplace_back (
+            nlohmann::ordered_json { { "x_mm", place.x() }, { "y_mm", place.y() }, { "bits", places.choice.bits[i] } });
+
+        if (const auto ceramic = chosenCeramic (places, i); ceramic > 0)
+            sensor["idle_ceramic"] = ceramic;
     }
 
     return json;
@@ -99,7 +107,7 @@ HeatMap sensorMap (const ModalModel& model, const SensorPlaces& places)
 
     for (std::size_t i = 0; i < places.choice.chosen.size(); ++i)
     {
-        const Eigen::Vector2d place = milli * sensorPlace (places, i);
+        const Eigen::Vector2d place = milli * sensorPlace (model, places, i);
         chart.points.push_back ({ place.x(), place.y(), std::to_string (i + 1) });
     }
 
@@ -118,7 +126,7 @@ LineChart sensorCurve (const ModalModel& model, const SensorPlaces& places)
         chart.spans.push_back ({ ceramic.xMinimum * milli, ceramic.xMaximum * milli, ceramic.name });
 
     for (std::size_t i = 0; i < places.choice.chosen.size(); ++i)
-        chart.markers.push_back ({ milli * sensorPlace (places, i).x(), std::to_string (i + 1) });
+        chart.markers.push_back ({ milli * sensorPlace (model, places, i).x(), std::to_string (i + 1) });
 
     return chart;
 }
@@ -140,13 +148,17 @@ ReportPage sensorReport (const ModalModel& model, const SensorPlaces& places)
     else
         section.figures.push_back ({ caption, {}, sensorMap (model, places), reportFigureWidth, mapHeight });
 
-    ReportTable table { "The sensors, the most telling first", { "", "x (mm)", "y (mm)", "together (bits)" }, {} };
+    ReportTable table { "The sensors, the most telling first",
+                        { "", "is", "x (mm)", "y (mm)", "together (bits)" },
+                        {} };
 
     for (std::size_t i = 0; i < places.choice.chosen.size(); ++i)
     {
-        const Eigen::Vector2d place = milli * sensorPlace (places, i);
-        table.rows.push_back ({ std::to_string (i + 1), fixedText (place.x(), 2), fixedText (place.y(), 2),
-                                fixedText (places.choice.bits[i], 1) });
+        const Eigen::Vector2d place = milli * sensorPlace (model, places, i);
+        const auto ceramic = chosenCeramic (places, i);
+        table.rows.push_back (
+            { std::to_string (i + 1), ceramic > 0 ? "idle ceramic " + std::to_string (ceramic) : "a place",
+              fixedText (place.x(), 2), fixedText (place.y(), 2), fixedText (places.choice.bits[i], 1) });
     }
 
     section.tables = { std::move (table) };
@@ -163,18 +175,29 @@ ReportPage sensorReport (const ModalModel& model, const SensorPlaces& places)
 }
 } // namespace
 
-Eigen::Vector2d sensorPlace (const SensorPlaces& places, std::size_t rank)
+int chosenCeramic (const SensorPlaces& places, std::size_t rank)
 {
     const auto candidate = static_cast<std::size_t> (places.choice.chosen[rank]);
-    return places.cells.centres.row (places.cell[candidate]);
+    return candidate < places.cell.size() ? 0 : places.idle[candidate - places.cell.size()];
+}
+
+Eigen::Vector2d sensorPlace (const ModalModel& model, const SensorPlaces& places, std::size_t rank)
+{
+    if (const auto number = chosenCeramic (places, rank); number > 0)
+    {
+        const auto& ceramic = model.ceramics[static_cast<std::size_t> (number - 1)];
+        return { (ceramic.xMinimum + ceramic.xMaximum) / 2, (ceramic.yMinimum + ceramic.yMaximum) / 2 };
+    }
+
+    return places.cells.centres.row (places.cell[static_cast<std::size_t> (places.choice.chosen[rank])]);
 }
 
 void writeSensors (const std::filesystem::path& path, const ModalModel& model, const SensorPlaces& places)
 {
     OutputFolder folder (path);
-    folder.write ("sensors.csv", sensorTable (places));
+    folder.write ("sensors.csv", sensorTable (model, places));
     folder.write ("candidates.csv", candidateTable (places));
-    folder.write ("summary.json", sensorSummary (places).dump (2) + "\n");
+    folder.write ("summary.json", sensorSummary (model, places).dump (2) + "\n");
     folder.write ("report.html", renderReport (sensorReport (model, places)));
     folder.commit();
 }

@@ -13,7 +13,8 @@ struct SensorPlaces
 {
     std::string device, focus;
     SquareCells cells;              ///< Candidates are those whose centre lies on the surface.
-    std::vector<Eigen::Index> cell; ///< Of each candidate.
+    std::vector<Eigen::Index> cell; ///< Of each candidate that is a place.
+    std::vector<int> idle;          ///< The candidates after these: ceramics that are not driven, counted from 1.
     Eigen::VectorXd bits;           ///< What a sensor at each candidate tells alone.
     SensorChoice choice;            ///< Indices of candidates.
     double randomBits = 0;          ///< The median of as many sensors at random candidates.
@@ -24,6 +25,9 @@ struct SensorPlaces
     [worker] Docs/FileFormats.md. */
 void writeSensors (const std::filesystem::path& folder, const ModalModel&, const SensorPlaces&);
 
-/** Where a chosen sensor is, m. @param rank  0: the most telling [any] */
-Eigen::Vector2d sensorPlace (const SensorPlaces&, std::size_t rank);
+/** Which ceramic a chosen sensor is, counted from 1; 0: a place. @param rank  0: the most telling [any] */
+int chosenCeramic (const SensorPlaces&, std::size_t rank);
+
+/** Where a chosen sensor is, m: of a ceramic its middle. [any] */
+Eigen::Vector2d sensorPlace (const ModalModel&, const SensorPlaces&, std::size_t rank);
 } // namespace antinode

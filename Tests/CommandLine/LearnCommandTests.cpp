@@ -109,3 +109,51 @@ TEST_CASE ("learn changes nothing where sensors are dead, and says what recordin
     CHECK (run.exitCode == 1);
     CHECK (run.errors.find ("has 1 channels; allowed: 3, one per sensor") != std::string::npos);
 }
+
+TEST_CASE ("learn plays on a simulated bench until the focus is right, and writes what it learnt as a page",
+           "[command line]")
+{
+    const TemporaryFolder folder;
+    writeSensors (folder.path());
+    const auto simulated = [&] (const ProgramArguments& more)
+    {
+        ProgramArguments all { "--simulate", "--seed", "3", "--passes", "5", "--enough-percent", "0.3" };
+        all.insert (all.end(), more.begin(), more.end());
+        const auto run = runProgram (learnArguments (folder.path(), "learnt", all));
+        INFO (run.errors);
+        REQUIRE (run.exitCode == 0);
+        return nlohmann::json::parse (readContent (folder.path() / "learnt" / "summary.json"));
+    };
+    const auto isLearnt = [] (const nlohmann::json& summary)
+    {
+        const auto& passes = summary["passes"];
+        return summary["is_accepted"] == true && passes.size() > 1 && passes.size() < 5
+               && passes[0]["estimated_field_error_percent"] > 1
+               && passes.back()["estimated_field_error_percent"] < 0.3;
+    };
+    auto summary = simulated ({});
+    CHECK (isLearnt (summary));
+    CHECK (summary["passes"][0]["latency_ms"].get<double>() == Approx (1.234567).margin (2e-3));
+    const auto page = readContent (folder.path() / "learnt" / "report.html");
+    CHECK (page.find ("What the data could not tell") != std::string::npos);
+    CHECK (page.find ("From play to play") != std::string::npos);
+
+    // Without the sync input the latency is found from the signals; with an idle ceramic beside the sensors.
+    summary = simulated ({ "--sync-input", "0", "--simulated-delay-ms", "9.87", "--idle-ceramic", "2" });
+    CHECK (isLearnt (summary));
+    CHECK (summary["passes"][0]["latency_ms"].get<double>() == Approx (9.87).margin (2e-3));
+}
+
+TEST_CASE ("learn says what it needs to play", "[command line]")
+{
+    const TemporaryFolder folder;
+    writeSensors (folder.path());
+    const auto errors = [&] (const ProgramArguments& more)
+    { return runProgram (learnArguments (folder.path(), "learnt", more)).errors; };
+    CHECK (errors ({ "--simulate", "--play" }).find ("allowed: one of them") != std::string::npos);
+    CHECK (errors ({ "--play" }).find ("--sensor-input: is given 1 times; allowed: 3, once per sensor")
+           != std::string::npos);
+    CHECK (runProgram ({ "learn", "demonstrator" }).errors.find ("allowed: --sensors, --idle-ceramic or both")
+           != std::string::npos);
+    CHECK (errors ({ "--idle-ceramic", "99" }).find ("--idle-ceramic: is 99; allowed: 1 to") != std::string::npos);
+}

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 using namespace antinode;
 using test::ProgramArguments;
 using test::readContent;
@@ -53,4 +55,21 @@ TEST_CASE ("sensors refuses more sensors than candidates", "[command line]")
     const auto run = runProgram (sensorsArguments (folder.path(), { "--count", "9", "--candidates", "5" }));
     CHECK (run.exitCode == 1);
     CHECK (run.errors.find ("--count: is 9; allowed: 1 to 5, as many as there are candidates") != std::string::npos);
+}
+
+TEST_CASE ("sensors takes ceramics that are idle among the candidates", "[command line]")
+{
+    const TemporaryFolder folder;
+    // Two places only: of three sensors one is the ceramic.
+    const auto choice = choiceOf (folder.path(), { "--count", "3", "--candidates", "2", "--idle-ceramic", "2" });
+    CHECK (choice["candidates"] == 3);
+    int ceramics = 0;
+
+    for (const auto& sensor : choice["sensors"])
+        ceramics += sensor.contains ("idle_ceramic") && sensor["idle_ceramic"] == 2;
+
+    CHECK (ceramics == 1);
+    // The heading and the two places.
+    const auto places = readContent (folder.path() / "sensors.csv");
+    CHECK (std::count (places.begin(), places.end(), '\n') == 3);
 }

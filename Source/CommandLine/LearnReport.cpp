@@ -1,0 +1,199 @@
+#include "LearnReport.h"
+
+#include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace antinode
+{
+namespace
+{
+constexpr double shownPercent = 100;
+constexpr double untold = 0.7; // of the deviation before: where more is left the data said little
+
+/** What is shown of one kind of parameter, by mode. */
+struct LearntKind
+{
+    std::string name;                     ///< "frequency"
+    Eigen::VectorXd changes, before, now; ///< Relative: changes, deviations before and now.
+};
+
+LearntKind frequenciesOf (const LearntFocus& learnt, const WideModel& nominal, const ModeSpread& before)
+{
+    const auto known = nominal.known;
+    return { "frequency",
+             learnt.learnt.model.angularFrequencies.head (known)
+                     .cwiseQuotient (nominal.model.angularFrequencies.head (known))
+                     .array()
+                 - 1,
+             before.frequencies.head (known), learnt.learnt.frequencyDeviations.head (known) };
+}
+
+LearntKind dampingsOf (const LearntFocus& learnt, const WideModel& nominal, const ModeSpread& before)
+{
+    const auto known = nominal.known;
+    return {
+        "damping ratio",
+        learnt.learnt.model.dampingRatios.head (known).cwiseQuotient (nominal.model.dampingRatios.head (known)).array()
+            - 1,
+        before.dampings.head (known), learnt.learnt.dampingDeviations.head (known)
+    };
+}
+
+/** Changes of one kind over frequency, within the deviations that are left and those before. */
+LineChart changeChart (const LearntKind& kind, const WideModel& nominal)
+{
+    const Eigen::VectorXd frequencies = nominal.model.angularFrequencies.head (nominal.known) / (2 * std::numbers::pi);
+    LineChart chart;
+    chart.xLabel = "frequency of the mode (Hz)";
+    chart.yLabel = "change of the " + kind.name + " (%)";
+    Series changes { "learnt", frequencies, shownPercent * kind.changes };
+    changes.points = true;
+    chart.series = {
+        changes,
+        { "learnt + deviation left", frequencies, shownPercent * (kind.changes + kind.now), LineStyle::dotted },
+        { "learnt - deviation left", frequencies, shownPercent * (kind.changes - kind.now), LineStyle::dotted }
+    };
+    chart.series[1].colour = chart.series[2].colour = series_colour::neutral;
+    chart.limits = { { shownPercent * kind.before.maxCoeff(), "deviation before" },
+                     { -shownPercent * kind.before.maxCoeff(), "deviation before" } };
+    return chart;
+}
+
+ReportSection passSection (const LearntFocus& learnt)
+{
+    const auto count = std::ssize (learnt.passes);
+    Series errors { "field error", Eigen::VectorXd::LinSpaced (count, 1, static_cast<double> (count)),
+                    Eigen::VectorXd (count) };
+    errors.points = true;
+    ReportTable table {
+        "Each play. Not predicted: RMS of what the model that it was designed by did not foresee, of the noise.",
+        { "play", "field error (%)", "not predicted", "not predicted by the device as it was", "latency (ms)" },
+        {}
+    };
+
+    for (Eigen::Index i = 0; i < count; ++i)
+    {
+        const auto& pass = learnt.passes[static_cast<std::size_t> (i)];
+        errors.y[i] = shownPercent * pass.estimatedError;
+        table.rows.push_back ({ std::to_string (i + 1), fixedText (shownPercent * pass.estimatedError, 3),
+                                fixedText (pass.surprise, 1), fixedText (pass.nominalSurprise, 1),
+                                fixedText (pass.delay * milli, 4) });
+    }
+
+    LineChart chart;
+    chart.xLabel = "play";
+    chart.yLabel = "field error (%)";
+    chart.series = { errors };
+    chart.legend = LegendPlace::none;
+    chart.logarithmicY = count > 0 && errors.y.minCoeff() > 0;
+    ReportSection section;
+    section.heading = "From play to play";
+    section.paragraphs = {
+        "The field error at the focus is estimated by the device as it is known after all plays: RMS over the surface, "
+        "relative to the wanted field. A model that is wrong would be wrong of it, too: a scan of the focus is the "
+        "proof."
+    };
+    section.figures.push_back ({ "Field error of each play.", {}, std::move (chart) });
+    section.tables.push_back (std::move (table));
+    return section;
+}
+
+ReportSection modeSection (const LearntFocus& learnt, const WideModel& nominal, const ModeSpread& before)
+{
+    const auto frequencies = frequenciesOf (learnt, nominal, before), dampings = dampingsOf (learnt, nominal, before);
+    ReportSection section;
+    section.heading = "What was learnt";
+    section.figures.push_back ({ "Change of each frequency. Dotted: by one standard deviation that is left.",
+                                 {},
+                                 changeChart (frequencies, nominal) });
+    section.figures.push_back ({ "Change of each damping ratio.", {}, changeChart (dampings, nominal) });
+    ReportTable table { "Modes of the device; deviations are standard deviations, before and now, %",
+                        { "mode", "frequency (Hz)", "now (Hz)", "deviation", "now", "damping ratio", "now", "deviation",
+                          "now", "participation: deviation", "now" },
+                        {} };
+
+    for (Eigen::Index k = 0; k < nominal.known; ++k)
+        table.rows.push_back (
+            { std::to_string (k + 1), fixedText (nominal.model.frequencyHz (k), 2),
+              fixedText (learnt.learnt.model.frequencyHz (k), 2), fixedText (shownPercent * frequencies.before[k], 3),
+              fixedText (shownPercent * frequencies.now[k], 4), fixedText (nominal.model.dampingRatios[k], 5),
+              fixedText (learnt.learnt.model.dampingRatios[k], 5), fixedText (shownPercent * dampings.before[k], 1),
+              fixedText (shownPercent * dampings.now[k], 2), fixedText (shownPercent * before.participation[k], 1),
+              fixedText (shownPercent * learnt.learnt.participationDeviations[k], 2) });
+
+    section.tables.push_back (std::move (table));
+    return section;
+}
+
+/** The modes of which the data said little, as numbers from 1: "3, 5 and 12". */
+std::string untoldModes (const Eigen::VectorXd& now, const Eigen::VectorXd& before, Eigen::Index known)
+{
+    std::vector<std::string> names;
+
+    for (Eigen::Index k = 0; k < known; ++k)
+        if (now[k] > untold * before[k])
+            names.push_back (std::to_string (k + 1));
+
+    std::string text;
+
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+
+    return text;
+}
+
+ReportSection untoldSection (const LearntFocus& learnt, const WideModel& nominal, const ModeSpread& before)
+{
+    ReportSection section;
+    section.heading = "What the data could not tell";
+    const auto add = [&] (const std::string& what, const Eigen::VectorXd& now, const Eigen::VectorXd& was)
+    {
+        const auto modes = untoldModes (now, was, nominal.known);
+        section.paragraphs.push_back (modes.empty() ? "Of the " + what + " of every mode the sensors heard enough."
+                                                    : "More than " + fixedText (shownPercent * untold, 0)
+                                                          + " % of its deviation is left to the " + what + " of mode "
+                                                          + modes + ".");
+    };
+    add ("frequency", learnt.learnt.frequencyDeviations, before.frequencies);
+    add ("damping ratio", learnt.learnt.dampingDeviations, before.dampings);
+    add ("participations", learnt.learnt.participationDeviations, before.participation);
+    section.paragraphs.push_back ("A mode stays untold where the sensors are on its nodes or the focus does not play "
+                                  "it; of the participations of a "
+                                  "mode one focus shows a few combinations only. What does not matter for this focus "
+                                  "is not heard in it: another focus "
+                                  "may need it.");
+    return section;
+}
+} // namespace
+
+ReportPage learningReport (const LearntFocus& learnt, const WideModel& nominal, const ModeSpread& before)
+{
+    ReportPage page;
+    page.title = "Learnt from plays";
+    page.subtitle = nominal.model.name + ", " + std::to_string (learnt.passes.size()) + " plays";
+
+    if (! learnt.refusal.empty())
+        page.warnings = { "Nothing is changed. " + learnt.refusal };
+
+    if (! learnt.passes.empty())
+    {
+        page.scores = { { "First play", fixedText (shownPercent * learnt.passes.front().estimatedError, 2) + " %",
+                          "Its field error, as far as is known now." },
+                        { "Last play", fixedText (shownPercent * learnt.passes.back().estimatedError, 2) + " %",
+                          "The same." },
+                        { "Not explained", fixedText (shownPercent * learnt.learnt.unexplained, 2) + " %",
+                          "Of the signals, RMS: noise, distortion, and what the model does not have." } };
+        page.sections = { passSection (learnt), modeSection (learnt, nominal, before),
+                          untoldSection (learnt, nominal, before) };
+    }
+
+    page.links = { { "learnt.csv", "learnt.csv" },
+                   { "device.json", "device.json" },
+                   { "summary.json", "summary.json" } };
+    page.footer = "Antinode " ANTINODE_VERSION ".";
+    return page;
+}
+} // namespace antinode

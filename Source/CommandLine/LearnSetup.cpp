@@ -1,0 +1,164 @@
+#include "LearnSetup.h"
+
+#include "CommonOptions.h"
+#include "FocusOnDevice.h"
+#include "IdleCeramics.h"
+#include "LearnFiles.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_bench/PlayPasses.h>
+#include <antinode_bench/SimulatedBenchPlayer.h>
+#include <antinode_focus/Detuning.h>
+#include <antinode_library/Inputs.h>
+#include <antinode_model/ShapesAtPlaces.h>
+#include <antinode_responses/PointsFile.h>
+
+#include <memory>
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+/** The places of the velocity sensors, 0 x 2 where there are none. */
+Eigen::MatrixX2d sensorPlaces (const LearnOptions& options)
+{
+    return options.pointsFile.empty() ? Eigen::MatrixX2d (0, 2) : readPointsFile (options.pointsFile);
+}
+
+/** What sensors hear of each mode's velocity, N x N_m: mode shapes, and by reciprocity the currents of idle ceramics.
+ */
+Eigen::MatrixXd heardShapes (const ModalModel& model, const Eigen::MatrixX2d& places, const std::vector<int>& idle)
+{
+    Eigen::MatrixXd shapes (places.rows() + std::ssize (idle), model.modes());
+    shapes.topRows (places.rows()) = shapesAtPlaces (model, places);
+
+    for (std::size_t i = 0; i < idle.size(); ++i)
+        shapes.row (places.rows() + static_cast<Eigen::Index> (i)) = model.participation.col (idle[i] - 1).transpose();
+
+    return shapes;
+}
+
+PassPlaySettings playSettings (const LearnOptions& options)
+{
+    PassPlaySettings settings;
+    settings.sampleRate = options.rate;
+    settings.longestDelay = options.longestLatency / 1000;
+    settings.usesSync = options.audio.syncInput > 0;
+    return settings;
+}
+
+/** The delay of a pass where it was said. */
+void setDelay (PlayedRecording& recording, const LearnOptions& options)
+{
+    if (options.latency)
+    {
+        recording.delay = *options.latency / 1000;
+        recording.delaySpan = 0;
+    }
+}
+
+PassPlayer recordedPasses (const LearnOptions& options, const LearningSetup& setup)
+{
+    return [&] (const Eigen::MatrixXd&, int pass)
+    {
+        auto recording = readPlayedRecording (options.recorded[static_cast<std::size_t> (pass)], setup.nominal.model,
+                                              std::ssize (setup.sensors), options.audio.sensor);
+        recording.noise = noiseOfRecording (recording.signals, options.bench.signalToNoise);
+        recording.delaySpan = options.longestLatency / 1000;
+        setDelay (recording, options);
+        return recording;
+    };
+}
+
+/** A bench whose device deviates as the options say. */
+std::unique_ptr<Bench> simulatedLearningBench (const LearnOptions& options, const LearningSetup& setup)
+{
+    const DetuningSpread spread { options.frequency / 100, options.damping / 100, options.participation / 100, 0 };
+    const auto truth = detuned (setup.device, spread, options.bench.seed);
+    auto bench = options.bench;
+    bench.delay = options.benchDelay / 1000;
+    bench.cubic = options.benchCubic / 100;
+    bench.seed *= 1000;
+    return std::make_unique<SimulatedBenchPlayer> (withoutDrive (truth, options.idleCeramics),
+                                                   heardShapes (truth, setup.places, options.idleCeramics), bench);
+}
+
+/** An audio device; currents of idle ceramics have a scale of their own. */
+PassPlayer audioPasses (const LearnOptions& options, const LearningSetup& setup)
+{
+    const auto wired = std::ssize (options.audio.sensorInputs), wanted = std::ssize (setup.sensors);
+
+    if (wired != wanted)
+        throw InputError ("--sensor-input", "is given " + std::to_string (wired)
+                                                + " times; allowed: " + std::to_string (wanted) + ", once per sensor");
+
+    const std::shared_ptr<Bench> bench = openAudioBench (options.audio, setup.nominal.model, options.rate);
+    auto play = playPasses (*bench, wanted, playSettings (options));
+    return [&options, &setup, bench, play = std::move (play)] (const Eigen::MatrixXd& voltages, int pass)
+    {
+        auto recording = play (voltages, pass);
+        const auto idle = std::ssize (options.idleCeramics);
+        const auto scale = options.idleScale / options.audio.sensor.sensitivity;
+        recording.signals.bottomRows (idle) *= scale;
+        recording.noise.tail (idle) *= scale;
+        setDelay (recording, options);
+        return recording;
+    };
+}
+} // namespace
+
+LearningSetup learningSetup (const LearnOptions& options)
+{
+    checkAssignments (options.assignments);
+    checkSampleRate (options.rate);
+    const auto device =
+        loadDevice (deviceFor (LibraryKind::focus, { options.focus }, options.device, usualDevice, options.assignments),
+                    options.assignments);
+    const auto known = solveDevice (device, {}, options.usesCache);
+    auto wide = wideOf (device, known, { Reconstruction::bandLimited, options.rate }, options.usesCache);
+    checkIdleCeramics (options.idleCeramics, known);
+    LearningSetup setup { wide.model, wide, loadFocus (options.focus, options.assignments), sensorPlaces (options),
+                          {},         {} };
+    checkKindOfPlaces (known, setup.focus);
+    setup.nominal.model = withoutDrive (setup.device, options.idleCeramics);
+    const auto shapes = heardShapes (setup.device, setup.places, options.idleCeramics);
+
+    if (shapes.rows() == 0)
+        throw InputError ("learn", "has no sensor; allowed: --sensors, --idle-ceramic or both");
+
+    for (Eigen::Index m = 0; m < shapes.rows(); ++m)
+        setup.sensors.push_back ({ shapes.row (m), m < setup.places.rows() ? 0 : options.participation / 100 });
+
+    setup.deviations = sameSpread (setup.nominal.model.modes(), options.frequency / 100, options.damping / 100,
+                                   options.participation / 100);
+    return setup;
+}
+
+PassPlayer passesOf (const LearnOptions& options, const LearningSetup& setup)
+{
+    if (options.isPlayed)
+        return audioPasses (options, setup);
+
+    if (! options.isSimulated)
+        return recordedPasses (options, setup);
+
+    const std::shared_ptr<Bench> bench = simulatedLearningBench (options, setup);
+    auto play = playPasses (*bench, std::ssize (setup.sensors), playSettings (options));
+    return [bench, play = std::move (play)] (const Eigen::MatrixXd& voltages, int pass)
+    { return play (voltages, pass); };
+}
+
+LearningSettings learningSettings (const LearnOptions& options)
+{
+    LearningSettings settings { options.rate, options.duration / 1000, options.passes, options.enough / 100 };
+
+    if (! options.isSimulated && ! options.isPlayed)
+    {
+        settings.passes = static_cast<int> (options.recorded.size());
+        settings.enough = 0; // What was recorded is used.
+    }
+
+    return settings;
+}
+} // namespace antinode
