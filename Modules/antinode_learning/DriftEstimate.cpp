@@ -16,7 +16,7 @@ constexpr double largestDampingRatio = 0.9;
 void requireSpread (const DriftSpread& spread)
 {
     for (const auto value : { spread.drift, spread.driftRate, spread.frequency, spread.frequencyRate, spread.damping,
-                              spread.dampingRate, spread.gain, spread.gainRate, spread.feedthrough })
+                              spread.dampingRate, spread.gain, spread.gainRate, spread.feedthrough, spread.delay })
         if (! (value >= 0 && value <= 1))
             throw InputError ("drift", "has a relative deviation outside 0 to 1");
 }
@@ -39,13 +39,11 @@ void addFrequencies (Eigen::MatrixXd& covariance, const DriftLayout& layout, dou
     block.diagonal().array() += own * own;
 }
 
-void addOthers (Eigen::MatrixXd& covariance, const DriftLayout& layout, double damping, double gain, double feedthrough)
+void addDampingAndGains (Eigen::MatrixXd& covariance, const DriftLayout& layout, double damping, double gain)
 {
     auto diagonal = covariance.diagonal();
-    const auto gains = layout.sensors * layout.modes;
     diagonal.segment (layout.damping (0), layout.modes).array() += damping * damping;
-    diagonal.segment (layout.gain (0, 0), gains).array() += gain * gain;
-    diagonal.tail (layout.size() - layout.feedthrough (0, 0)).array() += feedthrough * feedthrough;
+    diagonal.segment (layout.gain (0, 0), layout.sensors * layout.modes).array() += gain * gain;
 }
 } // namespace
 
@@ -59,7 +57,10 @@ DriftEstimate startOfDrift (const DriftLayout& layout, const DriftSpread& spread
     requireSpread (spread);
     Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero (layout.size(), layout.size());
     addFrequencies (covariance, layout, spread.drift, spread.frequency);
-    addOthers (covariance, layout, spread.damping, spread.gain, spread.feedthrough);
+    addDampingAndGains (covariance, layout, spread.damping, spread.gain);
+    covariance.diagonal().segment (layout.feedthrough (0, 0), layout.sensors * layout.ceramics).array() +=
+        spread.feedthrough * spread.feedthrough;
+    covariance.diagonal().tail (layout.sensors).array() += spread.delay * spread.delay;
     return { Eigen::VectorXd::Zero (layout.size()), factorOf (std::move (covariance)) };
 }
 
@@ -70,7 +71,7 @@ DriftEstimate afterTime (DriftEstimate estimate, const DriftLayout& layout, cons
     addGram (covariance, 1, estimate.factor);
     covariance.triangularView<Eigen::StrictlyUpper>() = covariance.transpose();
     addFrequencies (covariance, layout, spread.driftRate * root, spread.frequencyRate * root);
-    addOthers (covariance, layout, spread.dampingRate * root, spread.gainRate * root, 0);
+    addDampingAndGains (covariance, layout, spread.dampingRate * root, spread.gainRate * root);
     estimate.factor = factorOf (std::move (covariance));
     return estimate;
 }
@@ -83,6 +84,35 @@ DriftEstimate afterJump (DriftEstimate estimate, const DriftLayout& layout, cons
     start.drift = left;
     estimate.factor = startOfDrift (layout, start).factor;
     return estimate;
+}
+
+DriftEstimate estimateOfFirst (const DriftEstimate& estimate, const DriftLayout& layout, const ModalModel& nominal,
+                               const std::vector<Sensor>& sensors, Eigen::Index count)
+{
+    const DriftLayout few { count, layout.sensors, layout.ceramics };
+    std::vector<Eigen::Index> rows;
+    const auto add = [&rows] (Eigen::Index first, Eigen::Index number)
+    {
+        for (Eigen::Index i = 0; i < number; ++i)
+            rows.push_back (first + i);
+    };
+    add (layout.frequency (0), count);
+    add (layout.damping (0), count);
+
+    for (Eigen::Index m = 0; m < layout.sensors; ++m)
+        add (layout.gain (m, 0), count);
+
+    add (layout.feedthrough (0, 0), layout.sensors * layout.ceramics + layout.sensors);
+    DriftEstimate first { estimate.values (rows), estimate.factor (rows, Eigen::all) };
+    const auto above = layout.modes - count;
+    const Eigen::VectorXd compliances = nominal.angularFrequencies.tail (above).cwiseAbs2().cwiseInverse();
+
+    for (Eigen::Index m = 0; m < layout.sensors; ++m)
+        first.values.segment (few.feedthrough (m, 0), few.ceramics) +=
+            nominal.participation.bottomRows (above).transpose()
+            * sensors[static_cast<std::size_t> (m)].shapes.tail (above).transpose().cwiseProduct (compliances);
+
+    return first;
 }
 
 ModalModel driftedModel (const ModalModel& nominal, const DriftLayout& layout, const Eigen::VectorXd& values)

@@ -16,11 +16,13 @@ struct DriftSpread
     double gain = 0.05, gainRate = 1e-4; ///< Of what each sensor hears of each mode.
     double feedthrough = 0;              ///< What sensors hear of the slope of each voltage, in their unit per V/s;
                                          ///< an idle ceramic hears its neighbours; 0: nothing.
+    double delay = 0;                    ///< Of the delay of each sensor, s; 0: it is known.
 };
 
 /** What is known of a device that drifts: the most probable values of its parameters and their covariance. The
    parameters are the logarithms of all frequencies, then of all damping ratios, relative to the model's; for each
-   sensor in turn the relative gains of all modes; for each sensor the feedthrough of each ceramic. */
+   sensor in turn the relative gains of all modes; for each sensor the feedthrough of each ceramic; for each sensor the
+   delay beyond that of the recording, s. */
 struct DriftEstimate
 {
     Eigen::VectorXd values; ///< P
@@ -42,7 +44,8 @@ struct DriftLayout
     {
         return (2 + sensors) * modes + sensor * ceramics + ceramic;
     }
-    Eigen::Index size() const { return feedthrough (sensors, 0); }
+    Eigen::Index delay (Eigen::Index sensor) const { return feedthrough (sensors, 0) + sensor; }
+    Eigen::Index size() const { return delay (sensors); }
 };
 
 /** The layout of estimates for a device and so many sensors. [any] */
@@ -63,6 +66,14 @@ DriftEstimate afterTime (DriftEstimate, const DriftLayout&, const DriftSpread&, 
     @param logarithm  of the factor
     [worker] */
 DriftEstimate afterJump (DriftEstimate, const DriftLayout&, const DriftSpread&, double logarithm, double left);
+
+/** What is known of the lowest modes alone, for a search: the values, and rows of the factor that say their deviations.
+   Modes above answer as springs, which is feedthrough.
+    @param layout   of the estimate
+    @param count    of modes
+    [worker] Docs/Theory.md, section 7.7. */
+DriftEstimate estimateOfFirst (const DriftEstimate&, const DriftLayout& layout, const ModalModel& nominal,
+                               const std::vector<Sensor>&, Eigen::Index count);
 
 /** The device with the frequencies and damping ratios of an estimate. [worker] */
 ModalModel driftedModel (const ModalModel& nominal, const DriftLayout&, const Eigen::VectorXd& values);

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace antinode
 {
@@ -41,28 +40,8 @@ void checkRecording (const ModalModel& model, const std::vector<Sensor>& sensors
                       "needs noise above 0, a sample rate above 0 and a delay of 0 or more");
 }
 
-/** The slopes of band-limited voltages, N_s x N_b, V/s. */
-Eigen::MatrixXd slopesOf (const Eigen::MatrixXd& voltages, double sampleRate)
-{
-    constexpr double silence = 256; // samples, before the signal comes round again
-    const auto length = quickLength (static_cast<double> (voltages.cols()) + silence);
-    const auto turn = 2 * std::numbers::pi * sampleRate / static_cast<double> (length);
-    Eigen::MatrixXd slopes (voltages.cols(), voltages.rows());
-    FourierTables tables;
-
-    for (Eigen::Index i = 0; i < voltages.rows(); ++i)
-    {
-        auto spectrum = tables.forward (voltages.row (i).transpose(), length);
-
-        for (Eigen::Index k = 0; k < spectrum.size(); ++k)
-            spectrum[k] *= std::complex<double> (0, turn * static_cast<double> (k));
-
-        spectrum[spectrum.size() - 1] = 0; // of the Nyquist frequency samples know no slope
-        slopes.col (i) = tables.inverse (spectrum, length).head (voltages.cols());
-    }
-
-    return slopes;
-}
+constexpr double leastDelay = 2e-7;          // s, of a deviation
+constexpr Eigen::Index mostForces = 1 << 23; // numbers that are kept: 64 MB
 } // namespace
 
 DriftProblem::DriftProblem (const ModalModel& model, const std::vector<Sensor>& sensorsToHear,
@@ -75,10 +54,17 @@ DriftProblem::DriftProblem (const ModalModel& model, const std::vector<Sensor>& 
     requireRecording (first < last, "is too short: nothing is left to compare after the memory of the modes");
 
     const Eigen::VectorXd precision = recording.noise.cwiseInverse();
-    const Eigen::MatrixXd all = signalsEarlier (recording, recording.delay, last);
-    signals = all.bottomRows (last - first) * precision.asDiagonal();
+    const Eigen::MatrixXd all = signalsEarlier (recording, recording.delay, recording.signals.cols());
+    signals = all.middleRows (first, last - first) * precision.asDiagonal();
     energy = signals.squaredNorm();
     slopes = slopesOf (recording.voltages, recording.sampleRate).middleRows (first, last - first);
+    // Of all there is: the slope of a signal that is cut rings at the cut.
+    signalSlopes =
+        slopesOf (all.transpose(), recording.sampleRate).middleRows (first, last - first) * precision.asDiagonal();
+
+    if (PlayedVoltages::places * voltages.samples() * order.modes <= mostForces)
+        forces = voltages.forces (nominal.participation);
+
     weights.resize (order.sensors, order.modes);
 
     for (Eigen::Index m = 0; m < order.sensors; ++m)
@@ -116,14 +102,21 @@ void DriftProblem::choose (const DriftEstimate& estimate)
         else
             others += velocities[mode] * weights.col (k).transpose();
 
-    hasFeedthrough = square (order.feedthrough (0, 0)) > 0;
+    const auto isAnyIn = [&] (Eigen::Index from, Eigen::Index count)
+    { return (estimate.values.segment (from, count).array() != 0).any() || square (from) > 0; };
+    hasFeedthrough = isAnyIn (order.feedthrough (0, 0), order.sensors * order.ceramics);
+    // Of a delay that is known the covariance has rounding only.
+    hasDelay = estimate.values.tail (order.sensors).any() || square (order.delay (0)) > leastDelay * leastDelay;
 }
 
 ModeMotion DriftProblem::motionOf (const ModalModel& modes, Eigen::Index k, bool withChanges) const
 {
-    return modeMotion (modes.angularFrequencies[k], modes.dampingRatios[k],
-                       voltages.force (modes.participation.row (k)), voltages.sampleRate(), first + signals.rows(),
-                       withChanges);
+    const auto motion = [&] (const Eigen::VectorXd& force)
+    {
+        return modeMotion (modes.angularFrequencies[k], modes.dampingRatios[k], force, voltages.sampleRate(),
+                           first + signals.rows(), withChanges);
+    };
+    return forces.size() > 0 ? motion (forces.col (k)) : motion (voltages.force (modes.participation.row (k)));
 }
 
 DriftProblem::Prediction DriftProblem::predict (const Eigen::VectorXd& values, bool withChanges) const
@@ -142,6 +135,10 @@ DriftProblem::Prediction DriftProblem::predict (const Eigen::VectorXd& values, b
         if (hasFeedthrough)
             prediction.signals.col (m) +=
                 feedthroughWeights[m] * (slopes * values.segment (order.feedthrough (m, 0), order.ceramics));
+
+        // What comes later by a little: the signals' own slope is known.
+        if (hasDelay)
+            prediction.signals.col (m) -= values[order.delay (m)] * signalSlopes.col (m);
     }
 
     return prediction;
@@ -152,7 +149,8 @@ DriftProblem::Equations DriftProblem::equations (const Eigen::VectorXd& values) 
     const auto prediction = predict (values, true);
     const auto count = static_cast<Eigen::Index> (followed.size());
     const auto ceramics = hasFeedthrough ? order.ceramics : 0;
-    const auto perSensor = count + ceramics;
+    const Eigen::Index delays = hasDelay ? 1 : 0;
+    const auto perSensor = count + ceramics + delays;
     Equations result;
 
     for (const auto k : followed)
@@ -168,6 +166,9 @@ DriftProblem::Equations DriftProblem::equations (const Eigen::VectorXd& values) 
 
         for (Eigen::Index i = 0; i < ceramics; ++i)
             result.parameters.push_back (order.feedthrough (m, i));
+
+        if (hasDelay)
+            result.parameters.push_back (order.delay (m));
     }
 
     const auto all = static_cast<Eigen::Index> (result.parameters.size());
@@ -191,7 +192,10 @@ DriftProblem::Equations DriftProblem::equations (const Eigen::VectorXd& values) 
         }
 
         if (ceramics > 0)
-            changes.rightCols (ceramics) = feedthroughWeights[m] * slopes;
+            changes.middleCols (3 * count, ceramics) = feedthroughWeights[m] * slopes;
+
+        if (hasDelay)
+            changes.rightCols (1) = -signalSlopes.col (m);
 
         Eigen::VectorXi at = Eigen::VectorXi::LinSpaced (changes.cols(), 0, static_cast<int> (changes.cols()) - 1);
         at.tail (perSensor).array() += static_cast<int> (m * perSensor);

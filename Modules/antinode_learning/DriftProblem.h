@@ -63,11 +63,13 @@ private:
     Eigen::Index first = 0;             // sample that is compared
     Eigen::MatrixXd signals;            // N_s x N, of the compared part, over the noise
     Eigen::MatrixXd slopes;             // N_s x N_b, V/s, of the compared part
+    Eigen::MatrixXd signalSlopes;       // N_s x N: by how much the signals change with the delay, per s
     Eigen::MatrixXd weights;            // N x N_m, shapes over the noise
     Eigen::VectorXd feedthroughWeights; // N: 1 over the noise
     double energy = 0;
     std::vector<Eigen::Index> followed; // modes
     Eigen::MatrixXd others;             // N_s x N: what is heard of the modes that are not followed
-    bool hasFeedthrough = false;
+    Eigen::MatrixXd forces;             // of all modes, as PlayedVoltages gives them; empty where they are too many
+    bool hasFeedthrough = false, hasDelay = false;
 };
 } // namespace antinode

@@ -1,8 +1,10 @@
 #include "FollowDrift.h"
 
 #include "DriftProblem.h"
+#include "LowerRate.h"
 
 #include <antinode_base/NumberText.h>
+#include <antinode_focus/SpillOver.h>
 #include <antinode_numerics/DenseKernels.h>
 #include <antinode_numerics/Median.h>
 
@@ -101,16 +103,29 @@ double unexplainedShare (const DriftProblem& problem, double misfit)
     return std::sqrt (std::max (0.0, misfit - problem.samples()) / signal);
 }
 
-/** The factor of all frequencies near the estimate's that explains most: its logarithm. */
-double bestJump (const DriftProblem& problem, const DriftEstimate& before, Eigen::Index modes, double range,
-                 double step)
+/** The factor of all frequencies near the estimate's that explains most: its logarithm. It is the same for all modes,
+    so the lowest ones tell it, at a low rate. */
+double bestJump (const DriftEstimate& before, const ModalModel& nominal, const std::vector<Sensor>& sensors,
+                 const PlayedRecording& recording, const DriftSettings& settings, double step)
 {
-    double best = 0, least = problem.misfit (before.values);
+    const auto count = modesForSearch (nominal);
+    const auto model = firstModes (nominal, count);
+    const DriftLayout layout { nominal.modes(), static_cast<Eigen::Index> (sensors.size()), nominal.actuators() };
+    const auto few = estimateOfFirst (before, layout, nominal, sensors, count);
+    auto fewSensors = sensors;
 
-    for (auto i = -std::lround (range / step); i <= std::lround (range / step); ++i)
+    for (auto& sensor : fewSensors)
+        sensor.shapes.conservativeResize (count);
+
+    DriftProblem problem (model, fewSensors, atLowerRate (recording, highestModelled (model)), settings.memory);
+    problem.choose (few);
+    const auto steps = std::lround (settings.largestJump / step);
+    double best = 0, least = problem.misfit (few.values);
+
+    for (auto i = -steps; i <= steps; ++i)
     {
-        auto values = before.values;
-        values.head (modes).array() += static_cast<double> (i) * step;
+        auto values = few.values;
+        values.head (count).array() += static_cast<double> (i) * step;
 
         if (const auto misfit = problem.misfit (values); misfit < least)
         {
@@ -120,25 +135,6 @@ double bestJump (const DriftProblem& problem, const DriftEstimate& before, Eigen
     }
 
     return best;
-}
-
-/** Why signals cannot be followed whatever was played; empty: they can. */
-std::string brokenReason (const PlayedRecording& recording)
-{
-    if (! recording.signals.allFinite())
-        return "The sensor's signal is not finite.";
-
-    for (Eigen::Index m = 0; m < recording.signals.rows(); ++m)
-    {
-        const auto row = recording.signals.row (m).array();
-        const auto largest = row.abs().maxCoeff();
-        const auto atLargest = static_cast<double> ((row.abs() >= largest).count());
-
-        if (largest > 0 && atLargest > std::max (2.0, mostClipped * static_cast<double> (row.size())))
-            return "The sensor's signal is clipped.";
-    }
-
-    return {};
 }
 
 /** Whether the parameters that were heard have moved no farther than chance lets them, on the whole: single weak modes
@@ -177,13 +173,11 @@ Attempt attempted (const DriftProblem& problem, const DriftEstimate& before, dou
 
 /** From the common shift of all frequencies that explains most. */
 Attempt attemptedAfterJump (DriftProblem& problem, const DriftEstimate& before, const ModalModel& nominal,
+                            const std::vector<Sensor>& sensors, const PlayedRecording& recording,
                             const DriftSettings& settings)
 {
-    const auto& ratios = nominal.dampingRatios;
-    const auto usual = median (std::vector<double> (ratios.begin(), ratios.end()));
-    // Half of the usual half width of a resonance: a step lands within the reach of the fit.
-    const auto step = std::clamp (usual / 2, settings.largestJump / 40, settings.largestJump / 4);
-    const auto jump = bestJump (problem, before, problem.layout().modes, settings.largestJump, step);
+    const auto step = jumpStep (nominal, settings);
+    const auto jump = bestJump (before, nominal, sensors, recording, settings, step);
     const auto after = afterJump (before, problem.layout(), settings.spread, jump, step);
     problem.choose (after);
     return attempted (problem, after, std::expm1 (jump));
@@ -200,12 +194,44 @@ FollowedDrift followed (Attempt attempt)
 }
 } // namespace
 
+double jumpStep (const ModalModel& nominal, const DriftSettings& settings)
+{
+    const auto& ratios = nominal.dampingRatios;
+    const auto usual = median (std::vector<double> (ratios.begin(), ratios.end()));
+    // Half of the usual half width of a resonance: a step lands within the reach of the fit.
+    return std::clamp (usual / 2, settings.largestJump / 40, settings.largestJump / 4);
+}
+
+Eigen::Index modesForSearch (const ModalModel& model)
+{
+    constexpr Eigen::Index fewest = 6, most = 16;
+    return std::min (model.modes(), std::clamp (model.modes() / 2, fewest, most));
+}
+
+std::string signalFault (const PlayedRecording& recording)
+{
+    if (! recording.signals.allFinite())
+        return "The sensor's signal is not finite.";
+
+    for (Eigen::Index m = 0; m < recording.signals.rows(); ++m)
+    {
+        const auto row = recording.signals.row (m).array();
+        const auto largest = row.abs().maxCoeff();
+        const auto atLargest = static_cast<double> ((row.abs() >= largest).count());
+
+        if (largest > 0 && atLargest > std::max (2.0, mostClipped * static_cast<double> (row.size())))
+            return "The sensor's signal is clipped.";
+    }
+
+    return {};
+}
+
 FollowedDrift followDrift (const ModalModel& nominal, const std::vector<Sensor>& sensors, const DriftEstimate& before,
                            const PlayedRecording& recording, const DriftSettings& settings)
 {
     constexpr double clearlyBetter = 0.9;
 
-    if (auto reason = brokenReason (recording); ! reason.empty())
+    if (auto reason = signalFault (recording); ! reason.empty())
         return lost (before, 1, std::move (reason));
 
     DriftProblem problem (nominal, sensors, recording, settings.memory);
@@ -225,7 +251,7 @@ FollowedDrift followDrift (const ModalModel& nominal, const std::vector<Sensor>&
         return followed (std::move (near));
 
     // After a jump the fit may end beside it, with wrong dampings and gains: the search has to agree.
-    auto far = attemptedAfterJump (problem, before, nominal, settings);
+    auto far = attemptedAfterJump (problem, before, nominal, sensors, recording, settings);
 
     if (near.isTaken && ! (far.isTaken && far.unexplained < clearlyBetter * near.unexplained))
         return followed (std::move (near));

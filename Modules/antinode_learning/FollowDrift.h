@@ -30,6 +30,16 @@ struct FollowedDrift
     std::string reason;     ///< Why the state is lost, a sentence; else empty.
 };
 
+/** The step of a search for a jump: half of the usual half width of a resonance. Relative. [any] */
+double jumpStep (const ModalModel&, const DriftSettings&);
+
+/** How many of the lowest modes tell what all frequencies share. [any] */
+Eigen::Index modesForSearch (const ModalModel&);
+
+/** Why the signals of a recording cannot be followed whatever was played, a sentence: not finite, or clipped. Ask
+   before they are filtered, which hides clipping. Empty: they can. [any] */
+std::string signalFault (const PlayedRecording&);
+
 /** Follows the modes of a device by what sensors hear of voltages that are played for whatever reason: one step of an
    iterated Kalman filter, which is Gauss and Newton's method with what was known before as the prior. What the fit
    leaves above the noise counts as noise of its own bandwidth. Where a recording is not explained, a jump of all

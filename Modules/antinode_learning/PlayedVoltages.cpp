@@ -1,5 +1,6 @@
 #include "PlayedVoltages.h"
 
+#include <antinode_numerics/DenseKernels.h>
 #include <antinode_numerics/Fourier.h>
 #include <antinode_numerics/ParallelFor.h>
 
@@ -189,6 +190,13 @@ PlayedVoltages::PlayedVoltages (const Eigen::MatrixXd& voltages, double sampleRa
                 values (n * places + g, i) = between[n];
         }
     }
+}
+
+Eigen::MatrixXd PlayedVoltages::forces (const Eigen::MatrixXd& participation) const
+{
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero (values.rows(), participation.rows());
+    addTransposedRight (all, 1, values, participation);
+    return all;
 }
 
 ModeMotion modeMotionUntilRest (double angularFrequency, double dampingRatio, const Eigen::VectorXd& force,

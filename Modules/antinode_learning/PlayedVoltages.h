@@ -31,6 +31,9 @@ public:
     /** A modal force: a row of participations in, N_d * places out. */
     Eigen::VectorXd force (const Eigen::RowVectorXd& participation) const { return values * participation.transpose(); }
 
+    /** The same of all modes: N_m x N_b in, N_d * places x N_m out. [worker] */
+    Eigen::MatrixXd forces (const Eigen::MatrixXd& participation) const;
+
 private:
     Eigen::MatrixXd values; // N_d * places x N_b
     Eigen::Index count;

@@ -42,6 +42,28 @@ Eigen::MatrixXd signalsEarlier (const PlayedRecording& recording, double delay, 
     return ShiftedSignals (recording).earlier (delay, samples);
 }
 
+Eigen::MatrixXd slopesOf (const Eigen::MatrixXd& rows, double sampleRate)
+{
+    constexpr double silence = 256; // samples, before the signal comes round again
+    const auto length = quickLength (static_cast<double> (rows.cols()) + silence);
+    const auto turn = 2 * std::numbers::pi * sampleRate / static_cast<double> (length);
+    Eigen::MatrixXd slopes (rows.cols(), rows.rows());
+    FourierTables tables;
+
+    for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    {
+        auto spectrum = tables.forward (rows.row (i).transpose(), length);
+
+        for (Eigen::Index k = 0; k < spectrum.size(); ++k)
+            spectrum[k] *= std::complex<double> (0, turn * static_cast<double> (k));
+
+        spectrum[spectrum.size() - 1] = 0; // of the Nyquist frequency samples know no slope
+        slopes.col (i) = tables.inverse (spectrum, length).head (rows.cols());
+    }
+
+    return slopes;
+}
+
 Eigen::Index comparableSamples (const PlayedRecording& recording)
 {
     const auto late = static_cast<Eigen::Index> (std::ceil (recording.delay * recording.sampleRate)) + edge;

@@ -31,6 +31,9 @@ private:
 /** The same once. [worker] */
 Eigen::MatrixXd signalsEarlier (const PlayedRecording&, double delay, Eigen::Index samples);
 
+/** The slopes of band-limited rows, samples x rows, per s. [worker] */
+Eigen::MatrixXd slopesOf (const Eigen::MatrixXd& rows, double sampleRate);
+
 /** How many samples of a recording can be compared with a prediction: the last ones, of the length of its delay, answer
     to voltages before its end only. [any] */
 Eigen::Index comparableSamples (const PlayedRecording&);

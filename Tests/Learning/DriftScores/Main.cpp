@@ -1,6 +1,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/Detuning.h>
+#include <antinode_focus/SpillOver.h>
 #include <antinode_learning/DriftTrace.h>
 #include <antinode_learning/LowerRate.h>
 #include <antinode_library/Inputs.h>
@@ -16,7 +17,8 @@
 #include <string>
 
 // How well a drift is followed from one idle ceramic, some minutes by hand: Docs/Decisions/0121-following-a-drift.md.
-// Usage: antinode_drift_scores DEVICE SCATTER_PERCENT DRIFT_PERCENT_PER_HOUR JUMP_PERCENT WINDOWS TRIALS [FIRST_SEED]
+// Usage: antinode_drift_scores DEVICE SCATTER_PERCENT DRIFT_PERCENT_PER_HOUR JUMP_PERCENT WINDOWS TRIALS [FIRST_SEED
+// [MOST_MODES]]
 using namespace antinode;
 
 namespace
@@ -78,10 +80,12 @@ int main (int count, char** arguments)
     const auto scatter = number (2) / 100, perHour = number (3) / 100, jump = number (4) / 100;
     const auto windows = std::atoi (arguments[5]), trials = std::atoi (arguments[6]);
     const auto first = count > 7 ? std::atoi (arguments[7]) : 1;
+    const Eigen::Index mostModes = count > 8 ? std::atoi (arguments[8]) : 1000;
     const auto device = loadDevice (arguments[1], {});
     const auto known = solveDevice (device, {}, true);
     const auto top = known.frequencyHz (known.modes() - 1);
-    const auto learner = modesWithin (solveWide (device, known, std::min (1.5 * top, 0.45 * rate), true).model, rate);
+    const auto all = modesWithin (solveWide (device, known, std::min (1.5 * top, 0.45 * rate), true).model, rate);
+    const auto learner = firstModes (all, std::min (all.modes(), mostModes));
     const auto finer = solveWide (device, known, std::min (3 * top, 0.48 * rate), true).model;
     std::printf ("%td modes known, %td followed, %td played\n", known.modes(), learner.modes(), finer.modes());
     DriftSettings settings;
