@@ -28,6 +28,8 @@ constexpr NumberRange levelMillimetresPerSecond { 1e-6, 1e7 };
 constexpr NumberRange levelDecibels { -60, 120 };
 constexpr NumberRange depth { 0, 1 };
 constexpr int largestSeed = 1000000000;
+constexpr NumberRange signalRate { 100, 2e6 }, signalValue { -1e6, 1e6 };
+constexpr std::size_t mostSignalSamples = 10'000'000;
 constexpr double micrometre = 1e-6;
 
 double numberOr (const JsonObject& object, std::string_view key, const NumberRange& range, double usual)
@@ -147,15 +149,12 @@ NoiseSignal readNoise (const JsonValue& value)
     return noise;
 }
 
-SampledSignal readRecording (const JsonValue& value, const std::filesystem::path& folder)
+SampledSignal readSamples (const JsonValue& value)
 {
-    constexpr std::size_t longestPath = 4000;
-    const auto object = value.object ({ "kind", "file", "channel" });
-    const auto file = object.required ("file").text (longestPath);
-    const auto recorded = readWaveFile (folder / file);
-    const auto channels = static_cast<int> (recorded.samples.rows());
-    const auto channel = object.has ("channel") ? object.required ("channel").integer (1, channels) : 1;
-    return { file, recorded.sampleRate, recorded.samples.row (channel - 1).transpose() };
+    const auto object = value.object ({ "kind", "sample_rate_Hz", "values" });
+    const auto rate = object.required ("sample_rate_Hz").number (signalRate);
+    const auto values = object.required ("values").numbers (1, mostSignalSamples, signalValue);
+    return { {}, rate, Eigen::Map<const Eigen::VectorXd> (values.data(), static_cast<Eigen::Index> (values.size())) };
 }
 
 enum class SignalKind
@@ -164,14 +163,16 @@ enum class SignalKind
     gabor,
     tone,
     noise,
-    wav
+    wav,
+    samples
 };
 
-constexpr WordList<SignalKind, 5> signalKindWords { { { "click", SignalKind::click },
+constexpr WordList<SignalKind, 6> signalKindWords { { { "click", SignalKind::click },
                                                       { "gabor", SignalKind::gabor },
                                                       { "tone", SignalKind::tone },
                                                       { "noise", SignalKind::noise },
-                                                      { "wav", SignalKind::wav } } };
+                                                      { "wav", SignalKind::wav },
+                                                      { "samples", SignalKind::samples } } };
 
 TrackSignal readSignal (const JsonValue& value, const std::filesystem::path& folder)
 {
@@ -185,6 +186,8 @@ TrackSignal readSignal (const JsonValue& value, const std::filesystem::path& fol
             return readTone (value);
         case SignalKind::noise:
             return readNoise (value);
+        case SignalKind::samples:
+            return readSamples (value);
         case SignalKind::wav:
             break;
     }
@@ -232,6 +235,17 @@ TrackBand readBand (const JsonValue& value)
     return { numbers[0], numbers[1] };
 }
 } // namespace
+
+SampledSignal readRecording (const JsonValue& value, const std::filesystem::path& folder)
+{
+    constexpr std::size_t longestPath = 4000;
+    const auto object = value.object ({ "kind", "file", "channel" });
+    const auto file = object.required ("file").text (longestPath);
+    const auto recorded = readWaveFile (folder / file);
+    const auto channels = static_cast<int> (recorded.samples.rows());
+    const auto channel = object.has ("channel") ? object.required ("channel").integer (1, channels) : 1;
+    return { file, recorded.sampleRate, recorded.samples.row (channel - 1).transpose() };
+}
 
 WaveformsDescription readWaveforms (const nlohmann::json& document, const std::string& source,
                                     const std::filesystem::path& folder)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <antinode_text/JsonReader.h>
 #include <antinode_tracks/Waveforms.h>
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,6 +10,10 @@
 
 namespace antinode
 {
+/** A signal of kind "wav". @param folder  where the file's name begins
+    @throws InputError  as readWaveFile, and for a channel that it does not have [worker] */
+SampledSignal readRecording (const JsonValue&, const std::filesystem::path& folder);
+
 /** Waveforms at touched points from JSON. Docs/FileFormats.md.
     @param source  how errors name it
     @param folder  where the names of recordings begin

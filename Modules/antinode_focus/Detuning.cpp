@@ -48,6 +48,19 @@ ModalModel detuned (const ModalModel& model, const DetuningSpread& spread, std::
     return result;
 }
 
+// SplitMix64, Steele et al. 2014.
+std::uint64_t drawSeed (std::uint64_t seed, std::uint64_t number)
+{
+    constexpr std::uint64_t odd = 0x9e3779b97f4a7c15, first = 0xbf58476d1ce4e5b9, second = 0x94d049bb133111eb;
+    const auto mix = [] (std::uint64_t z)
+    {
+        z = (z ^ (z >> 30)) * first;
+        z = (z ^ (z >> 27)) * second;
+        return z ^ (z >> 31);
+    };
+    return mix (mix (seed + odd) + odd * number);
+}
+
 ModalModel withoutShapes (const ModalModel& model)
 {
     ModalModel modes;

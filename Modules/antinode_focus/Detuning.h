@@ -14,6 +14,10 @@ namespace antinode
    cross. [worker] Docs/Theory.md, section 7. */
 ModalModel detuned (const ModalModel&, const DetuningSpread&, std::uint64_t seed);
 
+/** The seed of one of many devices: those of neighbouring seeds and numbers have nothing in common. A plan of cases and
+    a tolerance study with the same seed draw the same devices. [any] */
+std::uint64_t drawSeed (std::uint64_t seed, std::uint64_t number);
+
 /** Frequencies, damping and participations alone, which detuning changes: cheap to copy. [any] */
 ModalModel withoutShapes (const ModalModel&);
 } // namespace antinode

@@ -3,53 +3,20 @@
 #include "Detuning.h"
 #include "Prediction.h"
 
-#include <antinode_numerics/ParallelFor.h>
+#include <antinode_numerics/EvaluatedCases.h>
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
+#include <utility>
 
 namespace antinode
 {
 namespace
 {
-/** A seed for each draw (SplitMix64, Steele et al. 2014): those of neighbouring seeds have nothing in common. */
-std::uint64_t seedForDraw (std::uint64_t seed, int draw)
+ModalModel realModes (const ModalModel& model)
 {
-    constexpr std::uint64_t odd = 0x9e3779b97f4a7c15, first = 0xbf58476d1ce4e5b9, second = 0x94d049bb133111eb;
-    const auto mix = [] (std::uint64_t z)
-    {
-        z = (z ^ (z >> 30)) * first;
-        z = (z ^ (z >> 27)) * second;
-        return z ^ (z >> 31);
-    };
-    return mix (mix (seed + odd) + odd * static_cast<std::uint64_t> (draw));
-}
-
-FocusScore scoreOn (const ModalModel& modes, const ModalModel& model, const FocusDesign& design,
-                    const FieldPeak& wantedPeak)
-{
-    const auto states = predictStates (modes, design.program, design.program.focusTime);
-    return scoreFocus (model, modalVelocities (modes, states), design.truncatedField, wantedPeak);
-}
-
-std::vector<FocusScore> drawScores (const ModalModel& model, const FocusDesign& design, const FieldPeak& wantedPeak,
-                                    const ToleranceOptions& options, const std::function<void (double)>& progress)
-{
-    const auto modes = withoutShapes (model);
-    std::vector<FocusScore> scores (static_cast<std::size_t> (options.draws));
-    const auto caller = std::this_thread::get_id();
-    parallelFor (scores.size(),
-                 [&] (std::size_t draw)
-                 {
-                     scores[draw] =
-                         scoreOn (detuned (modes, options.spread, seedForDraw (options.seed, static_cast<int> (draw))),
-                                  model, design, wantedPeak);
-
-                     if (std::this_thread::get_id() == caller)
-                         progress (static_cast<double> (draw + 1) / options.draws);
-                 });
-    return scores;
+    requireRealModes (model, "tolerance studies");
+    return withoutShapes (model);
 }
 
 Percentiles scorePercentiles (const std::vector<FocusScore>& scores, double FocusScore::*member)
@@ -78,19 +45,44 @@ Percentiles computePercentiles (std::vector<double> values)
     return result;
 }
 
-Tolerance evaluateTolerance (const ModalModel& model, const FocusDesign& design, const ToleranceOptions& options,
-                             const std::function<void (double)>& progress)
+ToleranceStudy::ToleranceStudy (const ModalModel& modelToUse, const FocusDesign& designToUse,
+                                const ToleranceOptions& optionsToUse)
+    : model (modelToUse), design (designToUse), options (optionsToUse), modes (realModes (modelToUse)),
+      wantedPeak (largestTruncated (modelToUse, designToUse, designToUse.moments.front()))
 {
-    requireRealModes (model, "tolerance studies");
+}
+
+FocusScore ToleranceStudy::scoreOn (const ModalModel& device) const
+{
+    const auto states = predictStates (device, design.program, design.program.focusTime);
+    return scoreFocus (model, modalVelocities (device, states), design.truncatedField, wantedPeak);
+}
+
+FocusScore ToleranceStudy::draw (std::size_t number) const
+{
+    return scoreOn (detuned (modes, options.spread, drawSeed (options.seed, number)));
+}
+
+Tolerance ToleranceStudy::summary (std::vector<FocusScore> draws) const
+{
     Tolerance tolerance;
-    const auto wantedPeak = largestTruncated (model, design, design.moments.front());
     tolerance.options = options;
-    tolerance.known = scoreOn (withoutShapes (model), model, design, wantedPeak);
-    tolerance.draws = drawScores (model, design, wantedPeak, options, progress);
+    tolerance.known = scoreOn (modes);
+    tolerance.draws = std::move (draws);
     tolerance.vScore = scorePercentiles (tolerance.draws, &FocusScore::vScore);
     tolerance.fieldError = scorePercentiles (tolerance.draws, &FocusScore::fieldError);
     tolerance.peakRatio = scorePercentiles (tolerance.draws, &FocusScore::peakRatio);
     tolerance.causes = toleranceCauses (model, design, options.spread);
     return tolerance;
+}
+
+Tolerance evaluateTolerance (const ModalModel& model, const FocusDesign& design, const ToleranceOptions& options,
+                             const std::function<void (double)>& progress)
+{
+    const ToleranceStudy study (model, design, options);
+    const std::function<FocusScore (std::size_t)> draw = [&] (std::size_t number) { return study.draw (number); };
+    return study.summary (evaluateCases (static_cast<std::size_t> (options.draws), draw,
+                                         [&] (std::uint64_t done)
+                                         { progress (static_cast<double> (done) / options.draws); }));
 }
 } // namespace antinode

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "DetuningSpread.h"
+#include "FieldPeak.h"
 #include "FocusDesign.h"
 #include "FocusScore.h"
 #include "ToleranceCauses.h"
@@ -41,11 +42,34 @@ struct Tolerance
     std::vector<ToleranceCause> causes; ///< Causes of error, the largest first.
 };
 
-/** The field of a design at the focus, in closed form, on devices drawn around the model. The same options draw the
-   same devices for every design, so that designs can be compared. The result does not depend on the number of threads,
-   which is that of the machine.
-    @param progress  called on the calling thread with 0 to 1
-    [worker] Docs/Theory.md, section 7.4. */
+/** The field of a design at the focus, in closed form, on devices drawn around the model: a draw depends on its number
+   alone, and the same options draw the same devices for every design, so that designs can be compared.
+   Docs/Theory.md, section 7.4. */
+class ToleranceStudy
+{
+public:
+    /** Model and design live as long as the study. @throws InputError  for complex modes [worker] */
+    ToleranceStudy (const ModalModel&, const FocusDesign&, const ToleranceOptions&);
+
+    /** The score on one device. @param number  below options.draws [worker, several at once] */
+    FocusScore draw (std::size_t number) const;
+
+    /** What all draws say together. @param draws  in the order of their numbers, not empty [worker] */
+    Tolerance summary (std::vector<FocusScore> draws) const;
+
+private:
+    FocusScore scoreOn (const ModalModel&) const;
+
+    const ModalModel& model;
+    const FocusDesign& design;
+    ToleranceOptions options;
+    ModalModel modes; ///< Of the model, without shapes.
+    FieldPeak wantedPeak;
+};
+
+/** All draws and what they say. The result does not depend on the number of threads, which is that of the machine.
+    @param progress  0 to 1, from any thread, one at a time
+    [worker] */
 Tolerance evaluateTolerance (const ModalModel&, const FocusDesign&, const ToleranceOptions&,
                              const std::function<void (double)>& progress);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <limits>
 #include <mutex>
 #include <system_error>
 #include <thread>
@@ -14,6 +15,23 @@ namespace antinode
 {
 namespace
 {
+/** How many threads work that this thread begins may have. */
+thread_local std::size_t allowedThreads = std::numeric_limits<std::size_t>::max();
+
+/** As long as it lives, this thread's work has its share of the threads. */
+class ThreadShare
+{
+public:
+    explicit ThreadShare (std::size_t share) : before (allowedThreads) { allowedThreads = share; }
+    ~ThreadShare() { allowedThreads = before; }
+
+    ThreadShare (const ThreadShare&) = delete;
+    ThreadShare& operator= (const ThreadShare&) = delete;
+
+private:
+    const std::size_t before;
+};
+
 /** The indices that are left, and the exception of the lowest that threw. All below an index were begun before it, so
     which exception is kept does not depend on the threads. */
 class SharedIndices
@@ -85,17 +103,21 @@ void parallelFor (std::size_t count, const std::function<void (std::size_t)>& wo
 {
     SharedIndices indices (count, work);
     const auto watch = threadWatch();
+    const auto most = std::min (threads, allowedThreads);
+    const auto workers = std::max<std::size_t> (1, std::min (count, most));
+    const auto share = std::max<std::size_t> (1, most / workers);
 
     {
         std::vector<std::jthread> others;
 
         try
         {
-            for (std::size_t n = 1; n < std::min (count, threads); ++n)
+            for (std::size_t n = 1; n < workers; ++n)
                 others.emplace_back (
-                    [&indices, &watch]
+                    [&indices, &watch, share]
                     {
                         const WatchScope scope (watch);
+                        const ThreadShare own (share);
                         indices.run();
                     });
         }
@@ -104,6 +126,7 @@ void parallelFor (std::size_t count, const std::function<void (std::size_t)>& wo
             // The system gives no more threads: those that there are do all of it.
         }
 
+        const ThreadShare own (share);
         indices.run();
     }
 

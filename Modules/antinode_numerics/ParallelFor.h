@@ -11,7 +11,7 @@ std::size_t processorThreads();
 /** Calls work (0) to work (count - 1), each once, begun in ascending order, on several threads, the calling one among
     them; returns when all have ended. All look at the watches of the calling one. An exception ends the work: no
     further index is begun, and the exception of the lowest index reaches the caller.
-    @param threads  how many at most, at least 1
+    @param threads  how many at most, at least 1; where work calls this again, all of it together has no more
     [worker] */
 void parallelFor (std::size_t count, const std::function<void (std::size_t)>& work,
                   std::size_t threads = processorThreads());

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace antinode
 {
@@ -147,34 +148,41 @@ nlohmann::ordered_json fingerJson (const PerformedWaveforms& performed, std::siz
 }
 } // namespace
 
+PerformedWaveforms performDesigned (const ModalModel& judge, TrackDesign design, const SkinThreshold& threshold)
+{
+    PerformedWaveforms performed;
+    performed.design = std::move (design);
+    play (performed, judge);
+    score (performed, threshold);
+    return performed;
+}
+
 PerformedWaveforms performWaveforms (const ModalModel& known, const ModalModel& judge,
                                      const WaveformsDescription& description, const TrackSettings& settings,
                                      const ShowProgress& progress, const std::vector<RecordedPass>& passes)
 {
-    PerformedWaveforms performed;
+    std::optional<TrackCorrection> correction;
 
     if (! passes.empty())
-        performed.correction = correctionFrom (known, description, settings, passes);
+        correction = correctionFrom (known, description, settings, passes);
 
-    performed.design = settings.latency > 0
-                           ? designLiveTracks (known, description, settings, progress)
-                           : designTracks (known, description, settings, progress,
-                                           performed.correction ? performed.correction->shift : TrackShift {});
+    auto design = settings.latency > 0 ? designLiveTracks (known, description, settings, progress)
+                                       : designTracks (known, description, settings, progress,
+                                                       correction ? correction->shift : TrackShift {});
 
-    if (performed.correction)
-        performed.design.warnings.emplace_back (
-            "Corrected for the recorded surface: on the simulated one, which does not "
-            "differ from its model, the errors are what the correction makes up for.");
+    if (correction)
+        design.warnings.emplace_back ("Corrected for the recorded surface: on the simulated one, which does not "
+                                      "differ from its model, the errors are what the correction makes up for.");
 
-    if (performed.correction && performed.correction->errors[performed.correction->best] >= 0)
-        performed.design.warnings.push_back ("What was recorded is no nearer to what is wanted than silence is: check "
-                                             "wiring, unit, sign and order of the channels.");
+    if (correction && correction->errors[correction->best] >= 0)
+        design.warnings.emplace_back ("What was recorded is no nearer to what is wanted than silence is: check "
+                                      "wiring, unit, sign and order of the channels.");
 
     if (progress)
         progress ("Playing", 0.8);
 
-    play (performed, judge);
-    score (performed, settings.threshold);
+    auto performed = performDesigned (judge, std::move (design), settings.threshold);
+    performed.correction = std::move (correction);
     return performed;
 }
 

@@ -38,6 +38,9 @@ PerformedWaveforms performWaveforms (const ModalModel& known, const ModalModel& 
                                      const TrackSettings&, const ShowProgress& progress = {},
                                      const std::vector<RecordedPass>& passes = {});
 
+/** Plays designed waveforms on a surface, without fingers, and scores what comes of it. [worker] */
+PerformedWaveforms performDesigned (const ModalModel& judge, TrackDesign, const SkinThreshold&);
+
 /** What voltages do that come from elsewhere, as from a recording of what a host played: they are played and scored as
    those of a design. When their tracks begin is found: at the whole sample where the reached motion is most like the
    wanted one.

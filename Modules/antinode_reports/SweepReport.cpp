@@ -180,7 +180,8 @@ ReportPage sweepReport (const SweepTable& table, const SweepSummary& summary)
     const auto& plan = table.inputs.plan;
     ReportPage page;
     page.title = (plan.name.empty() ? std::string ("Sweep") : plan.name);
-    page.subtitle = table.inputs.focus().value ("name", "") + " on " + table.inputs.device().value ("name", "") + ", "
+    const auto& played = plan.isOfWaveforms() ? table.inputs.waveforms() : table.inputs.focus();
+    page.subtitle = played.value ("name", "") + " on " + table.inputs.device().value ("name", "") + ", "
                     + std::to_string (plan.cases) + " cases, seed " + std::to_string (plan.seed);
 
     for (const auto& column : summary.columns)

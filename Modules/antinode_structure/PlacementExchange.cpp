@@ -1,6 +1,6 @@
 #include "PlacementExchange.h"
 
-#include <antinode_numerics/ParallelFor.h>
+#include <antinode_numerics/EvaluatedCases.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,19 +20,25 @@ public:
     {
     }
 
-    /** @return  whether the place has another candidate now */
-    bool improve (std::size_t place)
+    /** @param show  hears of the share of the place's candidates
+        @return  whether the place has another candidate now */
+    bool improve (std::size_t place, const std::function<void (double)>& show)
     {
         constexpr double worthwhile = 1 - 1e-6;
         const auto neighbours = freeNeighbours (place);
-        std::vector<double> costs (neighbours.size());
-        parallelFor (neighbours.size(),
-                     [&] (std::size_t i)
-                     {
-                         auto others = chosen;
-                         others[place] = neighbours[i];
-                         costs[i] = cost (chosenCeramics (candidates, others));
-                     });
+        const std::function<double (std::size_t)> costOf = [&] (std::size_t i)
+        {
+            auto others = chosen;
+            others[place] = neighbours[i];
+            return cost (chosenCeramics (candidates, others));
+        };
+        const auto costs =
+            evaluateCases (neighbours.size(), costOf,
+                           [&] (std::uint64_t done)
+                           {
+                               if (show)
+                                   show (static_cast<double> (done) / static_cast<double> (neighbours.size()));
+                           });
         const auto best = std::min_element (costs.begin(), costs.end());
 
         if (best == costs.end() || ! (*best < worthwhile * least))
@@ -95,21 +101,28 @@ std::vector<CeramicDescription> chosenCeramics (const PlacementCandidates& candi
 }
 
 std::vector<Eigen::Index> exchangeNeighbours (const PlacementCandidates& candidates, std::vector<Eigen::Index> chosen,
-                                              const PlacementCost& cost, const PlacementNews& news)
+                                              const PlacementCost& cost, const PlacementNews& news,
+                                              const std::function<void (double)>& show)
 {
     constexpr double expectedRounds = 3;
     const auto places = chosen.size();
     NeighbourExchange exchange (candidates, cost, std::move (chosen));
     double done = 0;
+    const auto turn = 1 / (expectedRounds * static_cast<double> (places));
+    const auto showTurn = [&] (double share)
+    {
+        if (show)
+            show (std::min (done + turn * share, 1.0));
+    };
 
     // It ends: each exchange costs less than the last, and there are only so many choices.
     for (std::size_t place = 0, unchanged = 0; unchanged < places; place = (place + 1) % places)
     {
-        unchanged = exchange.improve (place) ? 0 : unchanged + 1;
-        done += 1 / (expectedRounds * static_cast<double> (places));
+        unchanged = exchange.improve (place, showTurn) ? 0 : unchanged + 1;
+        done += turn;
 
         if (news)
-            news (chosenCeramics (candidates, exchange.result()), std::min (done, 1.0));
+            news (chosenCeramics (candidates, exchange.result()));
     }
 
     auto result = exchange.result();

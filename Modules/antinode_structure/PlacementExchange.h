@@ -11,8 +11,8 @@ namespace antinode
    at once. [worker] */
 using PlacementCost = std::function<double (const std::vector<CeramicDescription>&)>;
 
-/** Hears of a better choice, with how far the work is, 0 to 1. */
-using PlacementNews = std::function<void (const std::vector<CeramicDescription>&, double share)>;
+/** Hears of the best choice so far. */
+using PlacementNews = std::function<void (const std::vector<CeramicDescription>&)>;
 
 /** The candidates of some indices, named C1, C2 and so on. [any] */
 std::vector<CeramicDescription> chosenCeramics (const PlacementCandidates&, const std::vector<Eigen::Index>& chosen);
@@ -20,10 +20,12 @@ std::vector<CeramicDescription> chosenCeramics (const PlacementCandidates&, cons
 /** Exchanges chosen candidates for others that overlap them or touch them, as long as the cost falls: each in turn
    gives way to the best in its place. The result does not depend on the number of threads.
     @param chosen    where it begins
-    @param news      called from this thread with the best so far, after each place that was looked at
+    @param news      called from this thread, after each place that was looked at
+    @param show      hears of each candidate how far the work is, 0 to 1, from any thread, one at a time
     @return          ascending
     @throws Cancelled  as checkWatch()
-    [worker], on all cores. Docs/Decisions/0053-places-by-outcome.md. */
+    [worker], on all cores. Docs/Decisions/0053-places-by-outcome.md, 0138-one-engine-for-cases.md. */
 std::vector<Eigen::Index> exchangeNeighbours (const PlacementCandidates&, std::vector<Eigen::Index> chosen,
-                                              const PlacementCost&, const PlacementNews& news = {});
+                                              const PlacementCost&, const PlacementNews& news = {},
+                                              const std::function<void (double)>& show = {});
 } // namespace antinode

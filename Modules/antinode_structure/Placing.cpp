@@ -94,14 +94,8 @@ PlacedCeramics placeCeramics (const DeviceDescription& device, const CeramicDesc
 
     if (options.cost)
     {
-        const auto news = [&] (const std::vector<CeramicDescription>& ceramics, double share)
-        {
-            if (options.better)
-                options.better (ceramics);
-
-            report (begins + (1 - begins) * share);
-        };
-        placement.chosen = exchangeNeighbours (candidates, placement.chosen, options.cost, news);
+        placement.chosen = exchangeNeighbours (candidates, placement.chosen, options.cost, options.better,
+                                               [&] (double share) { report (begins + (1 - begins) * share); });
         placement.controllability = worstControllability (problem.kernel, participation (Eigen::all, placement.chosen));
     }
 

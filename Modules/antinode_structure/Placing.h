@@ -29,8 +29,7 @@ struct PlacingOptions
     Eigen::Index count = 0;  ///< How many ceramics.
     double duration = 0.025; ///< Time available to excite the modes, s.
     PlacementCost cost;      ///< What the places are exchanged for in the end; none: controllability alone counts.
-    std::function<void (const std::vector<CeramicDescription>&)>
-        better; ///< With a cost: hears of the best places so far, from the calling thread.
+    PlacementNews better;    ///< With a cost: hears of the best places so far, from the calling thread.
     std::vector<KeepOut> keepOut;
     bool isResolved = true; ///< Whether the device is solved again with its ceramics.
 };
@@ -38,7 +37,9 @@ struct PlacingOptions
 /** Chooses places by the worst controllability of the lowest modes, on the bare device's
    modes; exchanges them for neighbours where a cost is given; then solves it with its ceramics.
     @throws InputError  where keep-out zones leave no position; as placementCandidates and searchPlacement, and when
-   some mode is moved from none of the places [worker], on all cores. Docs/Theory.md, section 1.9. */
+   some mode is moved from none of the places
+    @param progress  hears how far the work is, 0 to 1, from any thread, one at a time
+    [worker], on all cores. Docs/Theory.md, section 1.9. */
 PlacedCeramics placeCeramics (const DeviceDescription&, const CeramicDescription& like, const PlacingOptions&,
                               const std::function<void (double)>& progress = {});
 } // namespace antinode

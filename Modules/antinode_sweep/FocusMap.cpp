@@ -4,10 +4,9 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_model/SquareCells.h>
-#include <antinode_numerics/ParallelFor.h>
+#include <antinode_numerics/EvaluatedCases.h>
 
 #include <algorithm>
-#include <mutex>
 
 namespace antinode
 {
@@ -41,19 +40,19 @@ FocusMap mapFocus (const WideModel& wide, const FocusDescription& focus, const M
     const auto places = static_cast<std::size_t> (cells.centres.rows());
     map.places.resize (places);
     const PlaceMapper mapper (wide, focus, options);
-    std::mutex mutex;
-    int done = 0;
+    CaseCounter counter (
+        [&] (std::uint64_t done)
+        {
+            if (show)
+                show (static_cast<int> (done), static_cast<int> (places));
+        });
     const auto mapSome = [&] (std::size_t batch)
     {
         const auto first = batch * placesAtOnce, last = std::min (first + placesAtOnce, places);
         auto some = mapper.mapped (
             cells.centres.middleRows (static_cast<Eigen::Index> (first), static_cast<Eigen::Index> (last - first)));
         std::move (some.begin(), some.end(), map.places.begin() + static_cast<std::ptrdiff_t> (first));
-        const std::lock_guard lock (mutex);
-        done += static_cast<int> (last - first);
-
-        if (show)
-            show (done, static_cast<int> (places));
+        counter.add (last - first);
     };
     parallelFor ((places + placesAtOnce - 1) / placesAtOnce, mapSome, options.threads);
 

@@ -4,6 +4,10 @@
 #include "Philox.h"
 #include "SobolSequence.h"
 
+#include <antinode_base/MessageText.h>
+#include <antinode_base/Prefixes.h>
+#include <antinode_focus/Detuning.h>
+
 #include <algorithm>
 
 namespace antinode
@@ -15,8 +19,7 @@ enum Stream : std::uint32_t
 {
     shareStream = 0,
     strataStream = 1 << 10, // four words a dimension
-    shiftStream = 1 << 12,
-    deviationStream = 1 << 13
+    shiftStream = 1 << 12
 };
 
 std::uint32_t streamOf (Stream stream, std::size_t dimension)
@@ -91,6 +94,16 @@ std::vector<std::string> sweptKeys (const SweepPlan& plan)
     return keys;
 }
 
+std::vector<std::string> sweepColumns (const SweepPlan& plan)
+{
+    auto columns = plan.record;
+
+    for (const auto& [x, y] : plan.points)
+        columns.push_back ("field_mm_s_at_" + numberText (x * milli) + "_" + numberText (y * milli));
+
+    return columns;
+}
+
 std::vector<double> caseShares (const SweepPlan& plan, std::uint64_t number)
 {
     std::vector<double> shares;
@@ -142,6 +155,6 @@ std::vector<std::pair<std::string, nlohmann::json>> caseAssignments (const Sweep
 
 std::uint64_t deviationSeed (const SweepPlan& plan, std::uint64_t number)
 {
-    return randomBits (plan.seed, number, deviationStream);
+    return drawSeed (plan.seed, number);
 }
 } // namespace antinode

@@ -2,237 +2,25 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
-#include <antinode_base/NumberText.h>
-#include <antinode_base/Processes.h>
-#include <antinode_base/Watch.h>
-#include <antinode_base/WholeFile.h>
-#include <antinode_numerics/ParallelFor.h>
 
-#include <cerrno>
-#include <charconv>
-#include <cstring>
-#include <fstream>
-#include <mutex>
-#include <random>
+#include <system_error>
 
 namespace antinode
 {
-namespace
-{
-namespace fs = std::filesystem;
-
-constexpr std::string_view temporaryPrefix = ".part-";
-constexpr auto partExtension = ".part";
-constexpr std::uintmax_t largestPartFile = std::uintmax_t { 1 } << 30;
-
-[[noreturn]] void fail (const fs::path& path, const std::string& wrong)
-{
-    throw InputError (printable (path.string(), 300), wrong);
-}
-
-/** A name that no other process has, on no computer. */
-std::string temporaryName()
-{
-    std::random_device random;
-    return std::string (temporaryPrefix) + computerName() + "-" + std::to_string (ownProcess()) + "-"
-           + std::to_string (random());
-}
-
-/** A file that is there whole or not at all. OutputFolder would remove what processes of other computers write. */
-void writeAtomically (const fs::path& path, std::string_view content)
-{
-    const auto temporary = path.parent_path() / temporaryName();
-    errno = 0;
-    std::ofstream file (temporary, std::ios::binary);
-    file.write (content.data(), static_cast<std::streamsize> (content.size()));
-    file.close();
-    std::error_code error;
-
-    if (! file)
-    {
-        const std::string reason = std::strerror (errno);
-        fs::remove (temporary, error);
-        fail (path, "cannot be written: " + reason);
-    }
-
-    fs::rename (temporary, path, error);
-
-    // Another process may have tidied up, since the same file is there.
-    if (error && ! fs::exists (path))
-        fail (path, "cannot be written: " + error.message());
-}
-} // namespace
-
-SweepShard readShard (const std::string& text)
-{
-    SweepShard shard;
-    const auto* const end = text.data() + text.size();
-    const auto first = std::from_chars (text.data(), end, shard.index);
-    const auto hasSlash = first.ec == std::errc() && first.ptr != end && *first.ptr == '/';
-    const auto second = std::from_chars (hasSlash ? first.ptr + 1 : end, end, shard.count);
-    constexpr std::uint64_t most = 1'000'000;
-
-    if (! hasSlash || second.ec != std::errc() || second.ptr != end || shard.count > most || shard.index < 1
-        || shard.index > shard.count)
-        throw InputError ("--shard", "is " + inQuotes (text) + "; allowed: I/N with I from 1 to N, for example 3/7");
-
-    return shard;
-}
-
-SweepFolder::SweepFolder (const std::filesystem::path& path, const SweepInputs& inputs)
-    : folder (path), hash (inputs.hash), all (sweepParts (inputs.plan.cases))
+PartFolder sweepFolder (const std::filesystem::path& path, const SweepInputs& inputs)
 {
     std::error_code error;
+    const auto plan = path / "plan.json";
 
-    if (path.empty() || (fs::exists (path, error) && ! fs::is_directory (path, error)))
-        fail (path, "is no folder; allowed: the name of a folder");
+    if (! path.empty() && std::filesystem::exists (plan, error) && loadSweep (plan).hash != inputs.hash)
+        throw InputError (printable (path.string(), 300), "holds parts of another plan, or of another version of the "
+                                                          "program; choose another folder");
 
-    const auto plan = folder / "plan.json";
+    PartFolder folder (path, inputs.hash, inputs.plan.cases);
 
-    if (fs::exists (plan, error) && loadSweep (plan).hash != hash)
-        fail (folder, "holds parts of another plan, or of another version of the program; choose another folder");
-
-    fs::create_directories (folder / "parts", error);
-
-    if (! fs::is_directory (folder / "parts"))
-        fail (folder, "cannot be created: " + error.message());
-
-    if (! fs::exists (plan, error))
+    if (! std::filesystem::exists (plan, error))
         writeAtomically (plan, inputs.document.dump (2) + "\n");
-}
 
-std::filesystem::path SweepFolder::pathOf (std::size_t part) const
-{
-    return folder / "parts" / formatted ("%08zu%s", part, partExtension);
-}
-
-std::vector<std::size_t> SweepFolder::missing (SweepShard shard) const
-{
-    std::vector<std::size_t> indices;
-    std::error_code error;
-
-    for (std::size_t i = shard.index - 1; i < all.size(); i += shard.count)
-    {
-        checkWatch();
-
-        if (! fs::exists (pathOf (i), error))
-        {
-            indices.push_back (i);
-            continue;
-        }
-
-        // A damaged part is computed again; one of another plan is somebody's.
-        try
-        {
-            if (decodePart (readWholeFile (pathOf (i), { "a part", largestPartFile })).hash == hash)
-                continue;
-        }
-        catch (const InputError&)
-        {
-            indices.push_back (i);
-            continue;
-        }
-
-        fail (pathOf (i), "belongs to another plan; remove it, or choose another folder");
-    }
-
-    return indices;
-}
-
-std::size_t SweepFolder::written() const
-{
-    std::error_code ignored;
-    std::size_t count = 0;
-
-    for (const auto& entry : fs::directory_iterator (folder / "parts", ignored))
-        count += entry.path().extension() == partExtension ? 1 : 0;
-
-    return count;
-}
-
-void SweepFolder::write (std::size_t part, const std::vector<CaseResult>& results) const
-{
-    writeAtomically (pathOf (part), encodePart (hash, all[part].first, results));
-}
-
-std::vector<CaseResult> SweepFolder::read (std::size_t part) const
-{
-    const auto path = pathOf (part);
-    DecodedPart decoded;
-
-    try
-    {
-        decoded = decodePart (readWholeFile (path, { "a part", largestPartFile }));
-    }
-    catch (const InputError&)
-    {
-        fail (path, "is missing or damaged; run the sweep again, which computes it alone");
-    }
-
-    if (decoded.hash != hash)
-        fail (path, "belongs to another plan; remove it, or choose another folder");
-
-    if (decoded.first != all[part].first || decoded.results.size() != all[part].count)
-        fail (path, "holds other cases than its name says; remove it and run the sweep again");
-
-    return std::move (decoded.results);
-}
-
-void SweepFolder::keep (std::size_t part, std::string_view bytes) const
-{
-    const auto decoded = decodePart (bytes);
-
-    if (decoded.hash != hash || decoded.first != all[part].first || decoded.results.size() != all[part].count)
-        throw InputError (
-            "part " + std::to_string (part),
-            "is of another plan, or was computed by another version; allowed: this plan and this version");
-
-    writeAtomically (pathOf (part), bytes);
-}
-
-void SweepFolder::tidy() const
-{
-    std::error_code ignored;
-    std::vector<fs::path> left;
-
-    for (const auto& where : { folder, folder / "parts" })
-        for (const auto& entry : fs::directory_iterator (where, ignored))
-            if (entry.path().filename().string().starts_with (temporaryPrefix))
-                left.push_back (entry.path());
-
-    for (const auto& path : left)
-        fs::remove (path, ignored);
-}
-
-std::vector<CaseResult> computePart (const CaseEvaluator& evaluator, SweepPart part, const std::function<void()>& done)
-{
-    std::vector<CaseResult> results;
-
-    for (std::uint64_t i = 0; i < part.count; ++i)
-    {
-        checkWatch();
-        results.push_back (evaluator.evaluate (part.first + i));
-        done();
-    }
-
-    return results;
-}
-
-void computeParts (const CaseEvaluator& evaluator, const SweepFolder& folder, const std::vector<std::size_t>& parts,
-                   std::size_t threads, const std::function<void (std::uint64_t)>& show)
-{
-    std::mutex mutex;
-    std::uint64_t done = 0;
-    const auto compute = [&] (std::size_t index)
-    {
-        const auto results = computePart (evaluator, folder.parts()[parts[index]],
-                                          [&]
-                                          {
-                                              const std::lock_guard lock (mutex);
-                                              show (++done);
-                                          });
-        folder.write (parts[index], results);
-    };
-    parallelFor (parts.size(), compute, threads);
+    return folder;
 }
 } // namespace antinode

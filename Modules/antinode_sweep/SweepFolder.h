@@ -1,77 +1,14 @@
 #pragma once
 
-#include "SweepPart.h"
+#include "PartFolder.h"
+#include "SweepInputs.h"
 
-#include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace antinode
 {
-/** Some of the parts of a sweep: every so many-th. */
-struct SweepShard
-{
-    std::uint64_t index = 1, count = 1; ///< 1 to count
-};
-
-/** "3/7". @throws InputError  for anything that is none [any] */
-SweepShard readShard (const std::string& text);
-
-/** A folder that keeps a plan and the parts that have been computed. Any number of processes, also on other computers,
-   may fill it at once, and may be killed at any moment: a part is there whole or not at all.
-    Docs/Decisions/0107-sweeps.md. */
-class SweepFolder
-{
-public:
-    /** Makes the folder where it is missing and puts the plan there.
-        @throws InputError  when it cannot be written or belongs to another plan [worker] */
-    SweepFolder (const std::filesystem::path&, const SweepInputs&);
-
-    /** The parts of a shard that are not there yet, or are damaged, by their indices.
-        @throws InputError  when a part belongs to another plan [worker] */
-    std::vector<std::size_t> missing (SweepShard) const;
-
-    /** How many parts are there by their names, without a look at what they hold: of a running sweep. [worker] */
-    std::size_t written() const;
-
-    /** All parts. */
-    const std::vector<SweepPart>& parts() const { return all; }
-
-    /** Keeps a part. @throws InputError  when it cannot be written [worker, several at once] */
-    void write (std::size_t part, const std::vector<CaseResult>&) const;
-
-    /** Keeps a part that another process has encoded.
-        @throws InputError  when the bytes are damaged, of another plan or version, or cannot be written
-        [worker, several at once] */
-    void keep (std::size_t part, std::string_view bytes) const;
-
-    /** The results of a part that is there. @throws InputError  when it is missing or damaged, or of another plan
-        [worker] */
-    std::vector<CaseResult> read (std::size_t part) const;
-
-    /** Removes what killed processes have left. [worker] */
-    void tidy() const;
-
-private:
-    std::filesystem::path pathOf (std::size_t part) const;
-
-    std::filesystem::path folder;
-    std::string hash;
-    std::vector<SweepPart> all;
-};
-
-/** The results of the cases of a part. @param done  called after each case
-    @throws Cancelled  when a watch of this thread says no
+/** A folder that keeps a plan, as plan.json, with its parts. It is made where it is missing.
+    @throws InputError  when it cannot be written or belongs to another plan
     [worker] */
-std::vector<CaseResult> computePart (const CaseEvaluator&, SweepPart, const std::function<void()>& done);
-
-/** Computes parts and keeps them, on all cores.
-    @param show  called now and then with how many cases are done, by one thread at a time
-    @throws Cancelled  when a watch of this thread says no; parts that are finished stay
-    [worker] */
-void computeParts (const CaseEvaluator&, const SweepFolder&, const std::vector<std::size_t>& parts, std::size_t threads,
-                   const std::function<void (std::uint64_t)>& show);
+PartFolder sweepFolder (const std::filesystem::path&, const SweepInputs&);
 } // namespace antinode

@@ -1,9 +1,10 @@
 #include "SweepInputs.h"
 
+#include "RecordedSignals.h"
+#include "SweepPart.h"
+
 #include <antinode_library/Inputs.h>
 #include <antinode_text/JsonText.h>
-
-#include <xxhash.h>
 
 #include <utility>
 
@@ -11,7 +12,7 @@ namespace antinode
 {
 namespace
 {
-constexpr auto usualDevice = "staple";
+constexpr auto usualDevice = "staple", usualTrackDevice = "glass-148x210";
 
 /** What the library takes: a file's name begins at the plan's folder. */
 std::string nameFrom (const nlohmann::json& json, const std::filesystem::path& plan)
@@ -20,18 +21,20 @@ std::string nameFrom (const nlohmann::json& json, const std::filesystem::path& p
     return isFileName (name) ? (plan.parent_path() / name).string() : name;
 }
 
-nlohmann::json focusDocument (const nlohmann::json& json, const std::filesystem::path& plan)
+/** The document itself, or that of a name, which it gets where it has none; with its recordings in it. */
+nlohmann::json playedDocument (LibraryKind kind, const nlohmann::json& json, const std::filesystem::path& plan)
 {
-    if (json.is_object())
-        return json;
+    const auto name = json.is_object() ? plan.string() : nameFrom (json, plan);
+    auto document = json.is_object() ? json : loadDocument (kind, name);
 
-    const auto name = nameFrom (json, plan);
-    auto document = loadDocument (LibraryKind::focus, name);
-
-    if (document.is_object() && ! document.contains ("name"))
+    if (json.is_string() && document.is_object() && ! document.contains ("name"))
         document["name"] = std::filesystem::path (name).stem().string();
 
-    return document;
+    if (kind == LibraryKind::focus)
+        return document;
+
+    const auto source = json.is_object() ? name : documentSource (kind, name);
+    return withRecordings (std::move (document), source, std::filesystem::path (name).parent_path());
 }
 
 nlohmann::json deviceDocument (const SweepPlan& plan, const std::filesystem::path& file)
@@ -42,27 +45,11 @@ nlohmann::json deviceDocument (const SweepPlan& plan, const std::filesystem::pat
     if (plan.device.is_string())
         return loadDocument (LibraryKind::device, nameFrom (plan.device, file));
 
-    const auto named =
-        plan.focus.is_string() ? namedDevice (LibraryKind::focus, nameFrom (plan.focus, file), {}) : std::string();
-    return loadDocument (LibraryKind::device, named.empty() ? usualDevice : named);
-}
-
-std::string hashOf (const nlohmann::json& document)
-{
-    const auto bytes = document.dump() + "\n" ANTINODE_VERSION;
-    const auto hash = XXH3_128bits (bytes.data(), bytes.size());
-    XXH128_canonical_t canonical;
-    XXH128_canonicalFromHash (&canonical, hash);
-    std::string text;
-
-    for (const auto byte : canonical.digest)
-    {
-        constexpr auto digits = "0123456789abcdef";
-        text += digits[byte >> 4];
-        text += digits[byte & 15];
-    }
-
-    return text;
+    const auto kind = plan.isOfWaveforms() ? LibraryKind::waveforms : LibraryKind::focus;
+    const auto& played = plan.isOfWaveforms() ? plan.waveforms : plan.focus;
+    const auto named = played.is_string() ? namedDevice (kind, nameFrom (played, file), {}) : std::string();
+    const auto* const usual = plan.isOfWaveforms() ? usualTrackDevice : usualDevice;
+    return loadDocument (LibraryKind::device, named.empty() ? usual : named);
 }
 } // namespace
 
@@ -72,9 +59,14 @@ SweepInputs sweepInputs (nlohmann::json document, const std::filesystem::path& f
     inputs.document = std::move (document);
     inputs.plan = readSweepPlan (inputs.document, file.string());
     const auto device = deviceDocument (inputs.plan, file);
-    inputs.document["focus"] = focusDocument (inputs.plan.focus, file);
+
+    if (inputs.plan.isOfWaveforms())
+        inputs.document["waveforms"] = playedDocument (LibraryKind::waveforms, inputs.plan.waveforms, file);
+    else
+        inputs.document["focus"] = playedDocument (LibraryKind::focus, inputs.plan.focus, file);
+
     inputs.document["device"] = device;
-    inputs.hash = hashOf (inputs.document);
+    inputs.hash = hashOf (inputs.document.dump());
     return inputs;
 }
 

@@ -11,10 +11,11 @@ namespace antinode
 struct SweepInputs
 {
     SweepPlan plan;
-    nlohmann::json document; ///< The plan's, with the documents of focus and device in it.
+    nlohmann::json document; ///< The plan's, with the documents of focus or waveforms and device in it.
     std::string hash;        ///< Of this and the version of the program, 32 hexadecimal digits.
 
     const nlohmann::json& focus() const { return document.at ("focus"); }
+    const nlohmann::json& waveforms() const { return document.at ("waveforms"); }
     const nlohmann::json& device() const { return document.at ("device"); }
 };
 

@@ -3,6 +3,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_library/FieldStream.h>
 
+#include <Eigen/Core>
 #include <xxhash.h>
 
 #include <algorithm>
@@ -24,6 +25,24 @@ std::uint64_t checksum (std::string_view bytes)
     return XXH3_64bits (bytes.data(), bytes.size());
 }
 } // namespace
+
+std::string hashOf (std::string bytes)
+{
+    bytes += "\n" ANTINODE_VERSION;
+    const auto hash = XXH3_128bits (bytes.data(), bytes.size());
+    XXH128_canonical_t canonical;
+    XXH128_canonicalFromHash (&canonical, hash);
+    std::string text;
+
+    for (const auto byte : canonical.digest)
+    {
+        constexpr auto digits = "0123456789abcdef";
+        text += digits[byte >> 4];
+        text += digits[byte & 15];
+    }
+
+    return text;
+}
 
 std::vector<SweepPart> sweepParts (std::uint64_t cases)
 {

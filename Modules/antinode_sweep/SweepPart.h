@@ -1,7 +1,5 @@
 #pragma once
 
-#include "CaseEvaluator.h"
-
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -9,17 +7,27 @@
 
 namespace antinode
 {
+/** What became of a case. */
+struct CaseResult
+{
+    std::vector<double> values; ///< Of all columns; NaN where there is none.
+    std::string error;          ///< Why there are none; empty where there are.
+};
+
 /** Cases that follow each other, which are computed and kept together. */
 struct SweepPart
 {
     std::uint64_t first = 0, count = 0;
 };
 
+/** Of bytes and the version of the program: 32 hexadecimal digits. [worker] */
+std::string hashOf (std::string bytes);
+
 /** A few cases to many, so that there are some 500 parts and a part is at most 10 000 cases. They depend on the number
    of cases alone, whoever computes them. [any] */
 std::vector<SweepPart> sweepParts (std::uint64_t cases);
 
-/** The results of a part, as bytes. @param hash  of the plan, as SweepInputs has it [worker] */
+/** The results of a part, as bytes. @param hash  of all that the cases depend on [worker] */
 std::string encodePart (const std::string& hash, std::uint64_t first, const std::vector<CaseResult>&);
 
 /** What a part's bytes hold. */

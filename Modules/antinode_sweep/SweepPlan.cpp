@@ -90,6 +90,25 @@ void checkDimensions (const JsonValue& root, const SweepPlan& plan)
                    "deviations that all modes share");
 }
 
+/** Keys are of the documents that the plan has. */
+void checkDocuments (const JsonValue& root, const SweepPlan& plan)
+{
+    const auto* const absent = plan.isOfWaveforms() ? "focus." : "waveforms.";
+    const auto check = [&] (const std::string& key)
+    {
+        if (key.starts_with (absent))
+            root.fail ("gives " + inQuotes (key) + ", but has no " + (plan.isOfWaveforms() ? "focus" : "waveforms")
+                       + "; allowed: keys of its own documents");
+    };
+
+    for (const auto& [key, value] : plan.set)
+        check (key);
+
+    for (const auto& swept : plan.vary)
+        for (const auto& key : swept.keys)
+            check (key);
+}
+
 /** A key has one value. */
 void checkUnique (const JsonValue& root, const SweepPlan& plan)
 {
@@ -138,8 +157,43 @@ void readRecord (const JsonObject& object, SweepPlan& plan)
             plan.points.emplace_back (place[0] / milli, place[1] / milli);
         }
 
+    if (plan.isOfWaveforms() && ! plan.points.empty())
+        object.fail ("has 'points_mm', which are of a focus; allowed with waveforms: silent fingers there, "
+                     "and 'fingers.N.reached_peak_um' in 'record'");
+
     if (plan.record.empty() && plan.points.empty())
         object.fail ("records nothing; allowed: keys of summary.json in 'record', places in 'points_mm'");
+}
+
+/** What is played, and how. */
+void readPlayed (const JsonObject& object, const nlohmann::json& document, SweepPlan& plan)
+{
+    constexpr double usualTrackRate = 48000, leastTrackRate = 1000, leastFocusRate = 8000, highestRate = 2e6; // Hz
+    const auto [name, value] = object.oneOf ("focus", "waveforms");
+    (name == "focus" ? plan.focus : plan.waveforms) = readDocument (value, document[std::string (name)]);
+
+    if (const auto device = object.optional ("device"))
+        plan.device = readDocument (*device, document["device"]);
+
+    if (plan.isOfWaveforms())
+        plan.sampleRate = usualTrackRate;
+
+    if (const auto rate = object.optional ("rate_Hz"))
+        plan.sampleRate = rate->number ({ plan.isOfWaveforms() ? leastTrackRate : leastFocusRate, highestRate });
+
+    if (const auto evaluate = object.optional ("evaluate"))
+        plan.evaluation = evaluate->choice (evaluationWords);
+
+    if (plan.isOfWaveforms() && plan.evaluation == SweepEvaluation::closedForm)
+        object.fail ("evaluates waveforms by 'closed_form'; allowed with waveforms: 'render'");
+
+    if (const auto latency = object.optional ("latency_ms"))
+    {
+        if (! plan.isOfWaveforms())
+            latency->fail ("is of waveforms; allowed with a focus: none");
+
+        plan.latency = latency->number ({ 0.1, 100 }) / milli;
+    }
 }
 } // namespace
 
@@ -148,8 +202,8 @@ SweepPlan readSweepPlan (const nlohmann::json& document, const std::string& sour
     const JsonValue root (document, source);
     root.requireSchema (schema);
     const auto object =
-        root.object ({ "schema", "name", "description", "focus", "device", "seed", "cases", "base_cases", "scheme",
-                       "set", "vary", "evaluate", "record", "points_mm", "rate_Hz" });
+        root.object ({ "schema", "name", "description", "focus", "waveforms", "device", "seed", "cases", "base_cases",
+                       "scheme", "set", "vary", "evaluate", "record", "points_mm", "rate_Hz", "latency_ms" });
     SweepPlan plan;
 
     if (const auto value = object.optional ("name"))
@@ -158,22 +212,13 @@ SweepPlan readSweepPlan (const nlohmann::json& document, const std::string& sour
     if (const auto value = object.optional ("description"))
         value->text (10'000, true);
 
-    plan.focus = readDocument (object.required ("focus"), document["focus"]);
-
-    if (const auto value = object.optional ("device"))
-        plan.device = readDocument (*value, document["device"]);
+    readPlayed (object, document, plan);
 
     if (const auto value = object.optional ("scheme"))
         plan.scheme = value->choice (schemeWords);
 
     if (const auto value = object.optional ("seed"))
         plan.seed = static_cast<std::uint64_t> (value->integer (0, std::numeric_limits<int>::max()));
-
-    if (const auto value = object.optional ("rate_Hz"))
-        plan.sampleRate = value->number ({ 8000, 2e6 });
-
-    if (const auto value = object.optional ("evaluate"))
-        plan.evaluation = value->choice (evaluationWords);
 
     if (object.has ("set"))
     {
@@ -195,6 +240,7 @@ SweepPlan readSweepPlan (const nlohmann::json& document, const std::string& sour
             plan.vary.push_back (readSweptKeys (items[i], document["vary"][i]));
     }
 
+    checkDocuments (root, plan);
     checkUnique (root, plan);
     checkDimensions (root, plan);
     plan.cases = readCases (object, root, plan);

@@ -25,7 +25,7 @@ enum class SweepScheme
 /** What a case is judged by. */
 enum class SweepEvaluation
 {
-    render,    ///< What summary.json of a render says.
+    render,    ///< What summary.json of a render says, or of a performance of waveforms.
     closedForm ///< The field at the first focus, by formula; a subset of the keys, some hundred times as fast.
 };
 
@@ -42,7 +42,8 @@ struct SweptKeys
 struct SweepPlan
 {
     std::string name;
-    nlohmann::json focus, device; ///< Names or file names, or the documents themselves. Device null: the focus's.
+    nlohmann::json focus, waveforms; ///< A name or a file's name, or the document itself: one of them; the other null.
+    nlohmann::json device;           ///< Likewise; null: the one that focus or waveforms name.
     SweepScheme scheme = SweepScheme::grid;
     std::uint64_t seed = 1;
     std::uint64_t cases = 1;                                 ///< All of them.
@@ -51,7 +52,10 @@ struct SweepPlan
     SweepEvaluation evaluation = SweepEvaluation::render;
     std::vector<std::string> record;               ///< Keys of summary.json, with points between their parts.
     std::vector<std::pair<double, double>> points; ///< x, y, m: where the field at the first focus is recorded.
-    double sampleRate = 192000;                    ///< Hz
+    double sampleRate = 192000;                    ///< Hz; of waveforms 48000 where none is given.
+    double latency = 0;                            ///< s: of live waveforms.
+
+    bool isOfWaveforms() const { return ! waveforms.is_null(); }
 };
 
 /** How many cases a plan may have, and how many values of one case may be recorded. */

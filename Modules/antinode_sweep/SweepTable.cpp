@@ -68,7 +68,7 @@ std::size_t SweepTable::failed() const
         std::count_if (errors.begin(), errors.end(), [] (const auto& error) { return ! error.empty(); }));
 }
 
-SweepTable mergeParts (const SweepFolder& folder, const SweepInputs& inputs)
+SweepTable mergeParts (const PartFolder& folder, const SweepInputs& inputs)
 {
     const auto lacking = folder.missing ({}).size();
 
@@ -149,24 +149,17 @@ Eigen::VectorXd sweptNumbers (const SweepTable& table, std::size_t key)
 
 std::string sweepToMatlab (const SweepTable& table)
 {
-    std::vector<Eigen::Index> whole;
-
-    for (Eigen::Index i = 0; i < table.cases(); ++i)
-        if (table.values.row (i).allFinite())
-            whole.push_back (i);
-
     std::set<std::string> taken { "cases" };
-    Eigen::VectorXd numbers (whole.size());
-    std::transform (whole.begin(), whole.end(), numbers.begin(), [] (auto i) { return static_cast<double> (i); });
-    std::vector<MatlabMatrix> matrices { { "cases", numbers, {} } };
+    const auto last = static_cast<double> (table.cases() - 1);
+    std::vector<MatlabMatrix> matrices { { "cases", Eigen::VectorXd::LinSpaced (table.cases(), 0, last), {} } };
     const auto keys = sweptKeys (table.inputs.plan);
 
     for (std::size_t k = 0; k < keys.size(); ++k)
-        matrices.push_back ({ matlabName (keys[k], taken), sweptNumbers (table, k) (whole), {} });
+        matrices.push_back ({ matlabName (keys[k], taken), sweptNumbers (table, k), {} });
 
     for (std::size_t c = 0; c < table.columns.size(); ++c)
         matrices.push_back (
-            { matlabName (table.columns[c], taken), table.values (whole, static_cast<Eigen::Index> (c)), {} });
+            { matlabName (table.columns[c], taken), table.values.col (static_cast<Eigen::Index> (c)), {}, true });
 
     return encodeMatlabFile (matrices);
 }

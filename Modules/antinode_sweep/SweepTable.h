@@ -1,6 +1,7 @@
 #pragma once
 
-#include "SweepFolder.h"
+#include "PartFolder.h"
+#include "SweepInputs.h"
 
 #include <Eigen/Core>
 
@@ -23,16 +24,16 @@ struct SweepTable
 };
 
 /** All parts of a folder put together.
-    @throws InputError  as SweepFolder::read, and when parts are missing, saying how many [worker] */
-SweepTable mergeParts (const SweepFolder&, const SweepInputs&);
+    @throws InputError  as PartFolder::read, and when parts are missing, saying how many [worker] */
+SweepTable mergeParts (const PartFolder&, const SweepInputs&);
 
 /** A row per case: its number, the keys that vary, what is recorded, its error.
     @param inWords  what an error says to the user
     [worker] Docs/FileFormats.md. */
 std::string sweepToCsv (const SweepTable&, const std::function<std::string (std::string)>& inWords);
 
-/** A column of numbers for each key that varies and each that is recorded, of the cases that have all of them, and
-   their numbers: results.mat. Texts are numbers of their rows in the plan, from 1. [worker] */
+/** A column of numbers, one per case, for each key that varies and each that is recorded, and the cases' numbers:
+   results.mat. What a case does not have is NaN. Texts are numbers of their rows in the plan, from 1. [worker] */
 std::string sweepToMatlab (const SweepTable&);
 
 /** The numbers of a key that varies: its values, or of texts the numbers of their rows in the plan, from 1.

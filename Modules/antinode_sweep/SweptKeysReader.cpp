@@ -154,13 +154,14 @@ std::string readSweptKey (const JsonValue& value, const std::string& key)
         return key;
     }
 
-    if (key == "focus.device")
-        value.fail ("is 'focus.device'; allowed: the plan's own key 'device', one for all cases");
+    if (key == "focus.device" || key == "waveforms.device")
+        value.fail ("is " + inQuotes (key) + "; allowed: the plan's own key 'device', one for all cases");
 
-    if (! (key.starts_with ("device.") || key.starts_with ("focus.")) || key.ends_with ('.')
-        || key.find ("..") != std::string::npos || key.find ('=') != std::string::npos)
+    if (! (key.starts_with ("device.") || key.starts_with ("focus.") || key.starts_with ("waveforms."))
+        || key.ends_with ('.') || key.find ("..") != std::string::npos || key.find ('=') != std::string::npos)
         value.fail (inQuotes (key)
-                    + " is no key; allowed: device.KEY, focus.KEY or deviation.KEY, for example focus.targets.0.x_mm");
+                    + " is no key; allowed: device.KEY, focus.KEY, waveforms.KEY or deviation.KEY, for example "
+                      "focus.targets.0.x_mm");
 
     return key;
 }

@@ -43,7 +43,10 @@ void require (const MatlabMatrix& written)
 {
     constexpr Eigen::Index mostNumbers = (Eigen::Index (1) << 31) / Eigen::Index (2 * sizeof (double)) - 64;
 
-    if (! written.real.allFinite() || ! written.imaginary.allFinite())
+    const auto isAllowed = [&] (const Eigen::MatrixXd& numbers)
+    { return written.mayLack ? ! numbers.array().isInf().any() : numbers.allFinite(); };
+
+    if (! isAllowed (written.real) || ! isAllowed (written.imaginary))
         throw InputError (written.name, "is not finite; nothing is written");
 
     if (written.real.size() > mostNumbers)

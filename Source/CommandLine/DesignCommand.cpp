@@ -24,7 +24,9 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
 namespace antinode
 {
@@ -53,6 +55,7 @@ void design (const DesignCommandOptions& all)
     const auto model = firstModes (made.wide.model, made.wide.known);
     const auto power = designedPower (made, options.playback(), options.repetitions);
     std::vector<DesignTolerance> tolerances;
+    const auto draws = std::filesystem::path (options.folder) / "tolerance-draws";
     OutputFolder folder (options.folder);
     folder.write ("design.json", designDocument (made, power).dump (2) + "\n");
 
@@ -62,11 +65,13 @@ void design (const DesignCommandOptions& all)
     if (all.tolerance.isWanted)
     {
         Progress progress (options.isQuiet);
-        tolerances = designTolerances (model, result, all.tolerance, progress);
+        tolerances = designTolerances (model, result, all.tolerance, draws, progress);
         writeTolerances (folder, model, result.description.name, tolerances);
     }
 
     folder.commit();
+    std::error_code ignored;
+    std::filesystem::remove_all (draws, ignored);
 
     if (options.isQuiet)
         return;

@@ -3,6 +3,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_sweep/ResumableTolerance.h>
 
 #include <array>
 #include <cstdio>
@@ -79,15 +80,19 @@ void addToleranceOptions (CLI::App& command, ToleranceCommandOptions& options)
 }
 
 std::vector<DesignTolerance> designTolerances (const ModalModel& model, const FocusDesign& design,
-                                               const ToleranceCommandOptions& options, Progress& progress)
+                                               const ToleranceCommandOptions& options,
+                                               const std::filesystem::path& folder, Progress& progress)
 {
+    constexpr int worthKeeping = 1000; // draws: fewer are done in a second
     const ToleranceOptions settings { chooseSpread (options, design.description), options.draws,
                                       static_cast<std::uint64_t> (options.seed) };
     const auto evaluate = [&] (const char* name, const FocusDesign& evaluated)
     {
+        const auto show = [&] (double share) { progress.show ("Drawing devices", share); };
         return DesignTolerance { name, peakVoltage (evaluated),
-                                 evaluateTolerance (model, evaluated, settings,
-                                                    [&] (double share) { progress.show ("Drawing devices", share); }) };
+                                 settings.draws > worthKeeping
+                                     ? resumableTolerance (folder, model, evaluated, settings, show)
+                                     : evaluateTolerance (model, evaluated, settings, show) };
     };
 
     if (! design.description.allocation.robust)

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -25,9 +26,10 @@ void addToleranceOptions (CLI::App&, ToleranceCommandOptions&);
 
 /** The design on devices drawn around the model; for a robust design also the nominal one, on the same devices. Spreads
    that are not requested are those that the focus is robust against, else the usual ones.
-    @throws InputError  for a spread that is not allowed, and as designFocus. [worker] */
+    @param folder  where the draws of long studies are kept while they are computed, so that they resume after a kill
+    @throws InputError  for a spread that is not allowed, and as designFocus and resumableTolerance. [worker] */
 std::vector<DesignTolerance> designTolerances (const ModalModel&, const FocusDesign&, const ToleranceCommandOptions&,
-                                               Progress&);
+                                               const std::filesystem::path& folder, Progress&);
 
 /** The percentiles as a table, and the largest causes of error as sentences: text of several lines. [any] */
 std::string tolerancesInWords (const ModalModel&, const std::vector<DesignTolerance>&);

@@ -10,6 +10,7 @@
 #include <antinode_library/Inputs.h>
 #include <antinode_library/Library.h>
 #include <antinode_library/SkinThresholds.h>
+#include <antinode_library/TrackModels.h>
 #include <antinode_render/PerformedWaveforms.h>
 #include <antinode_text/WaveReader.h>
 

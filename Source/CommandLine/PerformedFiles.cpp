@@ -2,34 +2,17 @@
 
 #include <antinode_base/NumberText.h>
 #include <antinode_documents/DesignFile.h>
-#include <antinode_library/Library.h>
 #include <antinode_render/PerformedDesign.h>
 #include <antinode_reports/WaveformsReport.h>
-#include <antinode_structure/ModeLimits.h>
 #include <antinode_text/OutputFolder.h>
 #include <antinode_text/WaveFile.h>
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <optional>
-#include <utility>
-
 namespace antinode
 {
 namespace
 {
-/** Half as many modes again as the design knows, where the device is solved; a measured one has no more. */
-std::optional<int> judgedModes (const DeviceDescription& description, const ModalModel& known)
-{
-    if (std::holds_alternative<ModalModel> (description.body))
-        return {};
-
-    const auto hasShare = std::holds_alternative<PlateDescription> (description.body);
-    const auto modes = known.modes() - (hasShare ? known.actuators() : 0);
-    return std::min (maximumModes (description), static_cast<int> (3 * modes / 2));
-}
-
 /** The waveform of each finger as a sound: full scale is the largest displacement of all. */
 void writeFingers (OutputFolder& folder, const PerformedWaveforms& performed)
 {
@@ -41,13 +24,6 @@ void writeFingers (OutputFolder& folder, const PerformedWaveforms& performed)
                       encodeWave (played.displacements.row (p), loudest, played.sampleRate));
 }
 } // namespace
-
-TrackModels trackModels (const DeviceDescription& device, bool usesCache)
-{
-    auto known = solveDeviceWithStaticShare (device, {}, usesCache);
-    auto judge = solveDeviceWithStaticShare (device, judgedModes (device, known), usesCache);
-    return { std::move (known), std::move (judge) };
-}
 
 void writePerformed (const std::filesystem::path& path, const PerformedWaveforms& performed,
                      const PerformedExtras& extras)

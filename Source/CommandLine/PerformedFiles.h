@@ -2,21 +2,11 @@
 
 #include <antinode_model/ModalModel.h>
 #include <antinode_render/PerformedWaveforms.h>
-#include <antinode_structure/DeviceDescription.h>
 
 #include <filesystem>
 
 namespace antinode
 {
-/** A device as tracks are designed for it and as it judges them: with half as many modes again, where it is solved. */
-struct TrackModels
-{
-    ModalModel known, judge;
-};
-
-/** @throws InputError  where the device cannot be solved [worker] */
-TrackModels trackModels (const DeviceDescription&, bool usesCache);
-
 /** What is written besides voltages, sounds and numbers. */
 struct PerformedExtras
 {

@@ -137,7 +137,7 @@ std::string submit (const SlurmArray& array, Clock::duration patience)
 }
 
 /** Waits until an array has ended, or all parts are there: then what is left of it has nothing to do. */
-void waitForArray (const std::string& job, const SweepFolder& folder,
+void waitForArray (const std::string& job, const PartFolder& folder,
                    const std::function<void (std::size_t, bool)>& show)
 {
     for (Clock::duration pause = shortestPause; folder.written() < folder.parts().size();
@@ -203,7 +203,7 @@ std::string slurmListing (const std::string& job)
            + (cluster == std::string::npos ? "" : " --clusters=" + shellWord (job.substr (cluster + 1)));
 }
 
-void computeBySlurm (const SweepFolder& folder, const SlurmArray& array,
+void computeBySlurm (const PartFolder& folder, const SlurmArray& array,
                      const std::function<void (std::size_t, bool)>& show)
 {
     auto missing = folder.missing ({}).size();

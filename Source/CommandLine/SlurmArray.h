@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_sweep/SweepFolder.h>
+#include <antinode_sweep/PartFolder.h>
 
 #include <cstddef>
 #include <filesystem>
@@ -42,5 +42,5 @@ std::string slurmListing (const std::string& job);
     @throws InputError  when Slurm refuses the array or is not there, or arrays end without a part
     @throws Cancelled   when a watch of this thread says no; the array goes on
     [worker] Docs/Decisions/0119-clusters.md. */
-void computeBySlurm (const SweepFolder&, const SlurmArray&, const std::function<void (std::size_t, bool)>& show);
+void computeBySlurm (const PartFolder&, const SlurmArray&, const std::function<void (std::size_t, bool)>& show);
 } // namespace antinode

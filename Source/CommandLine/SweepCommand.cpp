@@ -7,7 +7,9 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_numerics/ParallelFor.h>
+#include <antinode_sweep/CaseEvaluator.h>
 #include <antinode_sweep/SweepCases.h>
+#include <antinode_sweep/SweepFolder.h>
 #include <antinode_sweep/SweepSummary.h>
 
 #include <cmath>
@@ -30,7 +32,7 @@ struct SweepOptions
 };
 
 /** Writes what all parts of a folder say together. */
-void finish (const SweepFolder& folder, const SweepInputs& inputs, const std::string& path, bool isQuiet)
+void finish (const PartFolder& folder, const SweepInputs& inputs, const std::string& path, bool isQuiet)
 {
     const auto table = mergeParts (folder, inputs);
     const auto summary = summarise (table);
@@ -44,7 +46,7 @@ void finish (const SweepFolder& folder, const SweepInputs& inputs, const std::st
 void merge (const SweepOptions& options)
 {
     const auto inputs = loadSweep (std::filesystem::path (options.merged) / "plan.json");
-    finish (SweepFolder (options.merged, inputs), inputs, options.merged, options.isQuiet);
+    finish (sweepFolder (options.merged, inputs), inputs, options.merged, options.isQuiet);
 }
 
 /** A case as text: its keys as --set takes them, and what is recorded of it. */
@@ -72,16 +74,12 @@ void printCase (const SweepOptions& options)
                      std::isfinite (result.values[i]) ? formatted ("%.17g", result.values[i]).c_str() : "none");
 }
 
-void compute (const CaseEvaluator& evaluator, const SweepFolder& folder, SweepShard shard, const SweepOptions& options)
+void compute (const CaseEvaluator& evaluator, const PartFolder& folder, SweepShard shard, const SweepOptions& options)
 {
     const auto parts = folder.missing (shard);
-    std::uint64_t all = 0;
-
-    for (const auto part : parts)
-        all += folder.parts()[part].count;
-
+    const auto all = folder.casesOf (parts);
     Progress progress (options.isQuiet);
-    computeParts (evaluator, folder, parts,
+    computeParts ([&] (std::uint64_t number) { return evaluator.evaluate (number); }, folder, parts,
                   options.threads > 0 ? static_cast<std::size_t> (options.threads) : processorThreads(),
                   [&] (std::uint64_t done)
                   {
@@ -91,7 +89,7 @@ void compute (const CaseEvaluator& evaluator, const SweepFolder& folder, SweepSh
 }
 
 /** Lets a cluster compute all parts, with this program and the folder as it is here. */
-void computeOnCluster (const SweepFolder& folder, const SweepOptions& options)
+void computeOnCluster (const PartFolder& folder, const SweepOptions& options)
 {
     SlurmArray array;
     array.program = std::filesystem::read_symlink ("/proc/self/exe");
@@ -125,7 +123,7 @@ void sweepPlan (const SweepOptions& options)
     const auto shard = options.shard.empty() ? SweepShard {} : readShard (options.shard);
     const CaseEvaluator evaluator (loadSweep (options.plan), options.usesCache);
     evaluator.check();
-    const SweepFolder folder (options.folder, evaluator.inputs());
+    const auto folder = sweepFolder (options.folder, evaluator.inputs());
 
     if (options.slurm)
         computeOnCluster (folder, options);

@@ -8,6 +8,7 @@
 #include <CommandLine/RecordedPasses.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_library/SkinThresholds.h>
+#include <antinode_library/TrackModels.h>
 
 #include <nlohmann/json.hpp>
 

@@ -6,7 +6,9 @@
 #include <CommandLine/SweptFiles.h>
 #include <antinode_base/InputError.h>
 #include <antinode_numerics/ParallelFor.h>
+#include <antinode_sweep/CaseEvaluator.h>
 #include <antinode_sweep/SweepCases.h>
+#include <antinode_sweep/SweepFolder.h>
 #include <antinode_text/JsonText.h>
 
 #include <nlohmann/json.hpp>
@@ -36,7 +38,7 @@ using Sweep = std::shared_ptr<SweepValue>;
 struct SweepPartsValue
 {
     Sweep sweep;
-    SweepFolder folder;
+    PartFolder folder;
 };
 
 using SweepParts = std::shared_ptr<SweepPartsValue>;
@@ -49,6 +51,11 @@ struct SweptValue
 };
 
 using Swept = std::shared_ptr<SweptValue>;
+
+EvaluateCase evaluateBy (const SweepValue& sweep)
+{
+    return [&] (std::uint64_t number) { return sweep.evaluator.evaluate (number); };
+}
 
 /** Work without progress and result. */
 template <typename Function>
@@ -87,7 +94,10 @@ py::bytes partOf (const SweepValue& sweep, std::size_t index)
                                        throw InputError ("part", "is " + std::to_string (index) + "; allowed: 0 to "
                                                                      + std::to_string (parts.size() - 1));
 
-                                   const auto results = computePart (sweep.evaluator, parts[index], [] {});
+                                   std::vector<CaseResult> results;
+                                   const auto compute = [&] (std::size_t)
+                                   { results = computePart (evaluateBy (sweep), parts[index], [] {}); };
+                                   parallelFor (1, compute, 1); // one thread in all, as Dask counts
                                    return encodePart (inputs.hash, parts[index].first, results);
                                });
     return { bytes };
@@ -100,7 +110,7 @@ SweepParts openFolder (const Sweep& sweep, const std::string& folder)
             [&]
             {
                 return std::make_shared<SweepPartsValue> (
-                    SweepPartsValue { sweep, SweepFolder (folder, sweep->evaluator.inputs()) });
+                    SweepPartsValue { sweep, sweepFolder (folder, sweep->evaluator.inputs()) });
             });
 }
 
@@ -112,12 +122,8 @@ void computeHere (const SweepPartsValue& value, std::optional<std::size_t> threa
         [&]
         {
             const auto missing = value.folder.missing ({});
-            std::uint64_t all = 0;
-
-            for (const auto part : missing)
-                all += value.folder.parts()[part].count;
-
-            computeParts (value.sweep->evaluator, value.folder, missing, threads.value_or (processorThreads()),
+            const auto all = value.folder.casesOf (missing);
+            computeParts (evaluateBy (*value.sweep), value.folder, missing, threads.value_or (processorThreads()),
                           [&] (std::uint64_t done)
                           {
                               if (show)

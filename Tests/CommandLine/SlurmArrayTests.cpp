@@ -4,7 +4,7 @@
 #include "Support/RunProgram.h"
 #include "Support/TemporaryFolder.h"
 
-#include <antinode_sweep/SweepInputs.h>
+#include <antinode_sweep/SweepFolder.h>
 
 #include <nlohmann/json.hpp>
 
@@ -64,7 +64,7 @@ struct SmallSweep
             "evaluate": "closed_form", "record": ["peak_ratio"],
             "vary": [{"key": "deviation.damping_percent", "uniform": {"minimum": -10, "maximum": 10}}]})"),
         "plan");
-    SweepFolder parts { folder.path() / "out", inputs };
+    PartFolder parts = sweepFolder (folder.path() / "out", inputs);
     SlurmArray array { ANTINODE_PROGRAM, folder.path() / "out", "", 2, false };
 
     void compute() const

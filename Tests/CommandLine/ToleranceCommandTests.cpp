@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <filesystem>
+
 using namespace antinode;
 using test::readContent;
 using test::runProgram;
@@ -35,6 +37,24 @@ TEST_CASE ("design --tolerance writes a table, a page and numbers, the same on e
              == 0);
     CHECK (readContent (folder.path() / "tolerance.json") == text);
     CHECK (readContent (folder.path() / "tolerance.html") == page);
+}
+
+TEST_CASE ("Many draws are those of few and more, kept in parts until they are done", "[command line]")
+{
+    const TemporaryFolder folder;
+    const auto drawn = [&] (const std::string& count, const std::string& name)
+    {
+        const auto path = folder.path() / name;
+        REQUIRE (runProgram ({ "design", "--tolerance", "--draws", count, "--quiet", "--out", path.string() }).exitCode
+                 == 0);
+        CHECK_FALSE (std::filesystem::exists (path / "tolerance-draws"));
+        return nlohmann::json::parse (readContent (path / "tolerance.json"))["designs"][0]["draws"];
+    };
+    const auto few = drawn ("20", "few"), many = drawn ("1001", "many");
+    REQUIRE (many.size() == 1001);
+
+    for (std::size_t i = 0; i < few.size(); ++i)
+        CHECK (many[i] == few[i]);
 }
 
 TEST_CASE ("A robust focus is compared with what it would be without, at the spreads that it names", "[command line]")

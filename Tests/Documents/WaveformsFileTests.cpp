@@ -121,6 +121,22 @@ TEST_CASE ("A recording is looked for beside its file, and one channel of it is 
                 Catch::Contains ("voice.wav") && Catch::Contains ("has a sample that is not finite"));
 }
 
+TEST_CASE ("A signal may be given as numbers", "[documents][tracks]")
+{
+    auto document = oneTrack();
+    document["tracks"][0]["signal"] = { { "kind", "samples" },
+                                        { "sample_rate_Hz", 8000 },
+                                        { "values", { 0, 0, 0.25 } } };
+    const auto waveforms = readWaveforms (document, "my.json", {});
+    const auto& signal = std::get<SampledSignal> (waveforms.tracks[0].signal);
+    CHECK (signal.sampleRate == 8000);
+    CHECK (signal.samples == Eigen::Vector3d (0, 0, 0.25));
+    document["tracks"][0]["signal"]["values"] = nlohmann::json::array();
+    CHECK_THAT (refusal (document), Catch::Contains ("/tracks/0/signal/values"));
+    document["tracks"][0]["signal"] = { { "kind", "samples" }, { "values", { 1, 2 } } };
+    CHECK_THAT (refusal (document), Catch::Contains ("sample_rate_Hz"));
+}
+
 TEST_CASE ("Waveforms that make no sense are refused with their place", "[documents][tracks]")
 {
     auto document = oneTrack();

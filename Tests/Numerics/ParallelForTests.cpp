@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <functional>
+#include <mutex>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -52,6 +53,48 @@ TEST_CASE ("One thread is the calling one and goes in order", "[numerics][thread
 TEST_CASE ("Two threads work at once", "[numerics][threads]")
 {
     // Each waits for the other: one thread alone would never end.
+    std::atomic<int> arrived { 0 };
+    parallelFor (
+        2,
+        [&] (std::size_t)
+        {
+            ++arrived;
+
+            while (arrived < 2)
+                std::this_thread::yield();
+        },
+        2);
+    CHECK (arrived == 2);
+}
+
+TEST_CASE ("Work within work has no more threads than the whole", "[numerics][threads]")
+{
+    for (const std::size_t threads : { 1, 2, 6 })
+        for (const std::size_t count : { 1, 2, 4 })
+        {
+            std::mutex mutex;
+            std::set<std::thread::id> ids;
+            std::atomic<int> visits { 0 };
+            parallelFor (
+                count,
+                [&] (std::size_t)
+                {
+                    parallelFor (
+                        50,
+                        [&] (std::size_t)
+                        {
+                            ++visits;
+                            const std::lock_guard lock (mutex);
+                            ids.insert (std::this_thread::get_id());
+                        },
+                        100);
+                },
+                threads);
+            CHECK (visits == static_cast<int> (50 * count));
+            CHECK (ids.size() <= threads);
+        }
+
+    // Afterwards this thread has what it had before.
     std::atomic<int> arrived { 0 };
     parallelFor (
         2,

@@ -1,11 +1,14 @@
 #include "Support/ErrorText.h"
 #include "Support/TemporaryFolder.h"
 
+#include <antinode_sweep/CaseEvaluator.h>
+#include <antinode_sweep/SweepFolder.h>
 #include <antinode_sweep/SweepTable.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -26,14 +29,16 @@ SweepInputs inputsOf (const TemporaryFolder& folder, int cases)
     return loadSweep (file);
 }
 
-std::string csvOf (const SweepFolder& folder, const SweepInputs& inputs)
+std::string csvOf (const PartFolder& folder, const SweepInputs& inputs)
 {
     return sweepToCsv (mergeParts (folder, inputs), [] (std::string text) { return text; });
 }
 
-void compute (const SweepInputs& inputs, const SweepFolder& folder, SweepShard shard, std::size_t threads)
+void compute (const SweepInputs& inputs, const PartFolder& folder, SweepShard shard, std::size_t threads)
 {
-    computeParts (CaseEvaluator (inputs, false), folder, folder.missing (shard), threads, [] (std::uint64_t) {});
+    const CaseEvaluator evaluator (inputs, false);
+    computeParts ([&] (std::uint64_t number) { return evaluator.evaluate (number); }, folder, folder.missing (shard),
+                  threads, {});
 }
 } // namespace
 
@@ -59,7 +64,8 @@ TEST_CASE ("Shards of any number merge to the bytes of a single run", "[sweep]")
 {
     const TemporaryFolder folder;
     const auto inputs = inputsOf (folder, 40);
-    const SweepFolder single (folder.path() / "single", inputs), seven (folder.path() / "seven", inputs);
+    const auto single = sweepFolder (folder.path() / "single", inputs),
+               seven = sweepFolder (folder.path() / "seven", inputs);
     compute (inputs, single, {}, 1);
 
     for (const std::uint64_t i : { 3, 1, 7, 2, 6, 5 })
@@ -76,7 +82,7 @@ TEST_CASE ("Damaged parts are computed again, parts of other plans are refused",
     const TemporaryFolder folder;
     const auto inputs = inputsOf (folder, 5), others = inputsOf (folder, 6);
     const auto path = folder.path() / "out";
-    const SweepFolder parts (path, inputs);
+    const auto parts = sweepFolder (path, inputs);
     compute (inputs, parts, {}, 1);
     const auto whole = csvOf (parts, inputs);
 
@@ -87,19 +93,48 @@ TEST_CASE ("Damaged parts are computed again, parts of other plans are refused",
     compute (inputs, parts, {}, 1);
     CHECK (csvOf (parts, inputs) == whole);
 
-    CHECK_THAT (errorText ([&] { SweepFolder (path, others); }), Catch::Contains ("another plan"));
-    const SweepFolder second (folder.path() / "second", others);
+    CHECK_THAT (errorText ([&] { sweepFolder (path, others); }), Catch::Contains ("another plan"));
+    const auto second = sweepFolder (folder.path() / "second", others);
     compute (others, second, {}, 1);
     std::filesystem::copy_file (folder.path() / "second" / "parts" / "00000001.part", path / "parts" / "00000001.part",
                                 std::filesystem::copy_options::overwrite_existing);
     CHECK_THAT (errorText ([&] { (void) parts.missing ({}); }), Catch::Contains ("belongs to another plan"));
 }
 
+TEST_CASE ("Tables have all cases, also those that failed", "[sweep]")
+{
+    const TemporaryFolder folder;
+    writeWholeFile (folder.path() / "given.json",
+                    R"({"schema": "antinode.sweep/1", "focus": "demonstrator", "device": "beam",
+        "evaluate": "closed_form", "record": ["v_score"],
+        "vary": [{"key": "focus.targets.0.x_mm", "values": [24, 900, 30]}]})");
+    const auto inputs = loadSweep (folder.path() / "given.json");
+    const auto parts = sweepFolder (folder.path() / "out", inputs);
+    compute (inputs, parts, {}, 1);
+    const auto table = mergeParts (parts, inputs);
+    REQUIRE (table.failed() == 1);
+    CHECK (std::isnan (table.values (1, 0)));
+
+    // The cases' numbers, the key and the result: three doubles each, NaN where there is none.
+    const auto bytes = sweepToMatlab (table);
+    const auto holds = [&] (double a, double b, double c)
+    {
+        const std::array numbers { a, b, c };
+        return bytes.find (std::string (reinterpret_cast<const char*> (numbers.data()), sizeof (numbers)))
+               != std::string::npos;
+    };
+    CHECK (holds (0, 1, 2));
+    CHECK (holds (24, 900, 30));
+    CHECK (holds (table.values (0, 0), table.values (1, 0), table.values (2, 0)));
+    CHECK_THAT (csvOf (parts, inputs), Catch::Contains ("\n1,900,,") && Catch::Contains ("outside the surface"));
+}
+
 TEST_CASE ("Parts that others have encoded make the same folder, and those of other plans are refused", "[sweep]")
 {
     const TemporaryFolder folder;
     const auto inputs = inputsOf (folder, 5), others = inputsOf (folder, 6);
-    const SweepFolder single (folder.path() / "single", inputs), kept (folder.path() / "kept", inputs);
+    const auto single = sweepFolder (folder.path() / "single", inputs),
+               kept = sweepFolder (folder.path() / "kept", inputs);
     compute (inputs, single, {}, 1);
 
     // As a worker has it: the plan with its documents, which names no file.
@@ -112,7 +147,9 @@ TEST_CASE ("Parts that others have encoded make the same folder, and those of ot
     {
         CHECK (kept.written() == i);
         const auto part = kept.parts()[i];
-        kept.keep (i, encodePart (received.hash, part.first, computePart (evaluator, part, [&] { ++cases; })));
+        const auto results =
+            computePart ([&] (std::uint64_t number) { return evaluator.evaluate (number); }, part, [&] { ++cases; });
+        kept.keep (i, encodePart (received.hash, part.first, results));
     }
 
     CHECK (cases == 5);

@@ -73,3 +73,17 @@ TEST_CASE ("Numbers that are not finite are in no MATLAB file", "[text]")
             InputError);
     }
 }
+
+TEST_CASE ("A matrix that may lack numbers has NaN for them, and nothing infinite", "[text]")
+{
+    const TemporaryFolder folder;
+    const auto path = (folder.path() / "a.mat").string();
+    Eigen::MatrixXd partial = Eigen::MatrixXd::Ones (3, 1);
+    partial (1, 0) = std::numeric_limits<double>::quiet_NaN();
+    writeWholeFile (path, encodeMatlabFile ({ { "a", partial, {}, true } }));
+    const auto found = readByMatio (path, "a").real;
+    CHECK (found (0, 0) == 1);
+    CHECK (std::isnan (found (1, 0)));
+    partial (2, 0) = std::numeric_limits<double>::infinity();
+    CHECK_THROWS_AS (encodeMatlabFile ({ { "a", partial, {}, true } }), InputError);
+}
