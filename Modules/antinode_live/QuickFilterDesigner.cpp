@@ -14,7 +14,6 @@ namespace antinode
 namespace
 {
 constexpr double leastMix = 1e-2;                               // of the motion that the strongest mix makes
-constexpr double quickTolerance = 3e-3;                         // of the wanted motion: -50 dB
 constexpr int fewestSteps = 4, mostSteps = 12, stepsOfAll = 30; // of one track, and of all together
 
 /** The orthonormal mixes of ceramics that move the surface most in the band: eigenvectors of what all modes take from
@@ -60,7 +59,7 @@ QuickFilterDesigner::QuickFilterDesigner (std::shared_ptr<const ModalModel> mode
 {
 }
 
-FingerFilters QuickFilterDesigner::design (const WaveformsDescription& description) const
+FingerFilters QuickFilterDesigner::design (const WaveformsDescription& description, double tolerance) const
 {
     requireFixedPoints (description);
     const auto shapes = touchedShapes (*model, description);
@@ -77,8 +76,8 @@ FingerFilters QuickFilterDesigner::design (const WaveformsDescription& descripti
     {
         Eigen::MatrixXd wanted = Eigen::MatrixXd::Zero (span.length, shapes.rows());
         wanted.col (static_cast<Eigen::Index> (j)) = impulse;
-        const auto found = solveByGradients (windowed, free, wanted, quickTolerance * impulse.norm(),
-                                             stepsFor (description.tracks.size()));
+        const auto found =
+            solveByGradients (windowed, free, wanted, tolerance * impulse.norm(), stepsFor (description.tracks.size()));
         filters.iterations += found.iterations;
         filters.error = std::max (filters.error, filterError (found, compliance, impulse));
         filters.taps.push_back (found.pulls * mixes.transpose());

@@ -21,10 +21,13 @@ public:
         fewer mixes of ceramics play, and the search ends after a few steps. Points too near to be told apart are not
         refused; `error` says what is left.
         @param description  its points and fingers are used; the band is that of the designer
+        @param tolerance    of the wanted motion, where the search may end before its last step
         @throws InputError  for points outside the surface, or more of them than ceramics
         @throws Cancelled   when a watch of this thread says no
         [worker] Docs/Theory.md, section 4.15. */
-    FingerFilters design (const WaveformsDescription&) const;
+    FingerFilters design (const WaveformsDescription&, double tolerance = usualTolerance) const;
+
+    static constexpr double usualTolerance = 3e-3; ///< -50 dB
 
 private:
     std::shared_ptr<const ModalModel> model;

@@ -24,17 +24,6 @@ namespace
 {
 constexpr double listening = 0.3; // s that the surface is listened to after the last voltage
 
-std::vector<Finger> restingFingers (const WaveformsDescription& description)
-{
-    std::vector<Finger> fingers;
-
-    for (const auto& point : touchedPoints (description))
-        if (point.finger)
-            fingers.push_back (*point.finger);
-
-    return fingers;
-}
-
 /** What a finger feels that moves: what it rides on, with its last 50 ms faded out, since the surface still rings. */
 double levelOnPath (const PlayedTracks& played, Eigen::Index point, const SkinThreshold& threshold)
 {

@@ -54,6 +54,16 @@ void DesignWorker::request (DesignRequest request)
     isReady.fill (false);
     next = std::move (request);
     nextRequestTime = Clock::now();
+    isAbandoned = false;
+    changed.notify_all();
+}
+
+void DesignWorker::abandon()
+{
+    const std::lock_guard lock (mutex);
+    next.reset();
+    isAbandoned = true;
+    state.wanted = state.designed;
     changed.notify_all();
 }
 
@@ -95,7 +105,7 @@ DesignProgress DesignWorker::progress() const
 bool DesignWorker::isOutdated() const
 {
     const std::lock_guard lock (mutex);
-    return next.has_value() || isStopping;
+    return next.has_value() || isStopping || isAbandoned;
 }
 
 void DesignWorker::run()
@@ -214,12 +224,12 @@ void DesignWorker::designTouches()
     }
 }
 
-/** Touches are not outdated by a request: who asked waits for an answer. */
+/** Touches are outdated by nothing: who asked waits for an answer. */
 bool DesignWorker::mayContinue (int place, Clock::time_point begin) const
 {
     const std::lock_guard lock (mutex);
-    const auto isReplaced = next && place < FocusBank::firstTouchPlace && Clock::now() - begin > longDesign;
-    return ! isStopping && ! isReplaced;
+    const auto isReplaced = isAbandoned || (next && Clock::now() - begin > longDesign);
+    return ! isStopping && (place >= FocusBank::firstTouchPlace || ! isReplaced);
 }
 
 /** @return  false where it was given up: the place keeps what it has */
@@ -254,7 +264,7 @@ bool DesignWorker::designPlace (const DesignRequest& request, int place, const F
     bank.foci[static_cast<std::size_t> (place)] = std::move (focus);
     const std::lock_guard lock (mutex);
 
-    if (next || place >= FocusBank::firstTouchPlace)
+    if (next || isAbandoned || place >= FocusBank::firstTouchPlace)
         return true; // The state is the next request's already, or does not count this place.
 
     ++state.designed;

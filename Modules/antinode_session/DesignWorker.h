@@ -36,6 +36,10 @@ public:
     /** Asks for a bank. Returns at once. [any but the audio thread] */
     void request (DesignRequest);
 
+    /** Gives up what is not finished of the newest request: the foci that were handed over play on, its own and those
+        of the requests before. Touched places are designed all the same. Returns at once. [any but the audio thread] */
+    void abandon();
+
     /** Designs the newest request's focus at another place; calls back, on the worker's thread, when it has been handed
        over. The last 16 touched places are kept. More than 16 that wait are not taken.
         @param x, y   m
@@ -82,7 +86,7 @@ private:
     Places isReady {};       ///< The places of the newest request that were handed over.
     Clock::time_point nextRequestTime;
     DesignProgress state;
-    bool isStopping = false, isWorking = false;
+    bool isStopping = false, isWorking = false, isAbandoned = false;
     FocusBank bank;                        ///< Of the thread only: what was designed so far.
     std::optional<DesignRequest> accepted; ///< Of the thread only: what touches are designed by.
     PlaceDesigner designer;                ///< Of the thread only.

@@ -15,6 +15,7 @@ namespace antinode
 namespace
 {
 constexpr double worstQuickError = 0.1;                           // of the wanted motion: -20 dB
+constexpr double movingTolerance = 0.02;                          // of the wanted motion: -34 dB
 constexpr std::array loadWords { "", "light", "medium", "firm" }; // of FingerLoad
 
 /** The fingers that rest, those with an input first: the order of touchedPoints. */
@@ -151,10 +152,11 @@ void TouchDesigner::makeDesign (std::size_t latency, const ShowProgress& progres
     }
 }
 
-std::unique_ptr<const FilterBank> TouchDesigner::quickBank (std::size_t latency)
+std::unique_ptr<const FilterBank> TouchDesigner::quickBank (std::size_t latency, const TouchSettings& expected)
 try
 {
-    const auto description = touchedBy (model->surface, places, inputs);
+    const auto wanted = placesOnly (expected);
+    const auto description = touchedBy (model->surface, wanted, inputs);
 
     if (description.tracks.empty())
         return nullptr;
@@ -163,12 +165,13 @@ try
         quick[latency] =
             std::make_unique<const QuickFilterDesigner> (model, description.band, filterSettings (rate, latency));
 
-    const auto filters = quick[latency]->design (description);
+    const auto filters =
+        quick[latency]->design (description, wanted == places ? QuickFilterDesigner::usualTolerance : movingTolerance);
 
     if (! (filters.error <= worstQuickError))
         return nullptr;
 
-    const auto resting = restingFingers (places);
+    const auto resting = restingFingers (wanted);
     return std::make_unique<const FilterBank> (
         filterBank (filters, { resting.begin(), resting.begin() + std::ssize (description.tracks) }, inputs));
 }

@@ -46,11 +46,13 @@ public:
         [session's thread] */
     void makeDesign (std::size_t latency, const ShowProgress& progress);
 
-    /** What plays until that is made: filters for the same places within milliseconds, behind the first that take
-       longer. None where they would leave more than -20 dB at other fingers.
+    /** What plays until that is made: filters within milliseconds, behind the first that take longer. None where they
+       would leave more than -20 dB at other fingers.
+        @param expected  where the fingers will be: filters for places that differ from the present ones play for a
+                         moment only, and are made to -34 dB
         @throws  as makeDesign, but does not refuse fingers that cannot be told apart
         [session's thread] */
-    std::unique_ptr<const FilterBank> quickBank (std::size_t latency);
+    std::unique_ptr<const FilterBank> quickBank (std::size_t latency, const TouchSettings& expected);
 
     /** How filters are designed at a rate. [any] */
     static FilterSettings filterSettings (double sampleRate, std::size_t latency);

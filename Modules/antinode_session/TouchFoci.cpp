@@ -4,14 +4,40 @@
 #include "NoteBank.h"
 #include "WrittenDesign.h"
 
-#include <antinode_base/Watch.h>
 #include <antinode_focus/WideDesign.h>
 #include <antinode_library/Library.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace antinode
 {
+namespace
+{
+/** Fingers of a focus's document, and those of a session that rest beside them: where two overlap, the first is meant.
+ */
+std::vector<Finger> restingTogether (std::vector<Finger> fingers, const std::vector<Finger>& others)
+{
+    for (const auto& other : others)
+        if (std::none_of (fingers.begin(), fingers.end(),
+                          [&] (const auto& each)
+                          { return std::hypot (each.x - other.x, each.y - other.y) < each.radius + other.radius; }))
+            fingers.push_back (other);
+
+    return fingers;
+}
+
+std::shared_ptr<const ModalModel> loadedBy (const std::shared_ptr<const ModalModel>& model,
+                                            const std::vector<Finger>& fingers)
+{
+    if (fingers.empty())
+        return model;
+
+    return std::make_shared<const ModalModel> (*loadedByFingers ({ *model, model->modes(), {}, {} }, fingers).designed);
+}
+} // namespace
+
 void TouchFoci::load (std::shared_ptr<const FocusDocument> focus)
 {
     const std::lock_guard lock (mutex);
@@ -30,64 +56,126 @@ DesignProgress TouchFoci::progress() const
     return designs;
 }
 
-void TouchFoci::serve (TouchPath& path, const std::shared_ptr<const DeviceDocument>& device,
-                       const std::vector<double>& amplifiers, bool isPathNew)
+FociUnderFingers TouchFoci::underFingers() const
 {
-    if (const auto now = focus(); std::exchange (served, now) != now || isPathNew)
-    {
-        error.clear();
-        meaning = NoteMeaning::nothing;
-
-        try
-        {
-            if (served != nullptr)
-                request (path, device, amplifiers);
-        }
-        catch (const Cancelled&)
-        {
-            throw;
-        }
-        catch (const std::exception& failure)
-        {
-            error = failure.what();
-        }
-    }
-
-    auto now = served != nullptr && error.empty() ? path.foci().progress() : DesignProgress {};
-
-    if (! error.empty())
-        now.liveError = error;
-
     const std::lock_guard lock (mutex);
-    designs = std::move (now);
+    return fociUnderFingers;
 }
 
-void TouchFoci::request (TouchPath& path, const std::shared_ptr<const DeviceDocument>& device,
-                         const std::vector<double>& amplifiers)
+void TouchFoci::serve (TouchPath& path, const FociSurface& surface, bool isPathNew, const Watch& goesOn)
 {
-    if (std::exchange (solvedDevice, device) != device)
-        solved = std::make_shared<const ModalModel> (solveDevice (device->description, {}, true));
+    if (const auto now = focus(); served != now || isPathNew)
+    {
+        served = now;
+        begin (path, surface);
+    }
+
+    if (served != nullptr && error.empty() && meaning != NoteMeaning::spotOnly)
+        update (path, surface, goesOn);
+
+    const auto now = served != nullptr && error.empty() ? path.foci().progress() : DesignProgress {};
+    const std::lock_guard lock (mutex);
+    designs = now;
+    fociUnderFingers = knowledge (surface, now);
+
+    if (! error.empty())
+        designs.liveError = error;
+}
+
+/** Another focus, or another path: at first without the session's fingers, which shall not keep it waiting. */
+void TouchFoci::begin (TouchPath& path, const FociSurface& surface)
+{
+    error.clear();
+    meaning = NoteMeaning::nothing;
+    isWhole = false;
+
+    try
+    {
+        if (served != nullptr)
+            request (path, surface, {}, {});
+    }
+    catch (const std::exception& failure)
+    {
+        error = failure.what();
+    }
+}
+
+/** A bank that is there plays on while fingers move; a part of one is better than none. */
+void TouchFoci::update (TouchPath& path, const FociSurface& surface, const Watch& goesOn)
+{
+    const auto isDone = path.foci().progress().isDone();
+    isWhole = isWhole || (isDone && designedFor);
+
+    if (designedFor == surface.fingers)
+        return;
+
+    if (! surface.areResting)
+    {
+        if (isWhole && ! isDone)
+        {
+            path.foci().abandon();
+            designedFor.reset();
+        }
+
+        return;
+    }
+
+    try
+    {
+        request (path, surface, surface.fingers, goesOn);
+    }
+    catch (const Cancelled&)
+    {
+        checkWatch(); // Fingers move on: there will be another time.
+    }
+    catch (const std::exception&)
+    {
+        designedFor = surface.fingers; // The bank plays on, and nobody shall try it again and again.
+        isLoadingRefused = true;
+    }
+}
+
+void TouchFoci::request (TouchPath& path, const FociSurface& surface, const std::vector<Finger>& fingers,
+                         const Watch& goesOn)
+{
+    if (solvedDevice != surface.device)
+    {
+        solved = std::make_shared<const ModalModel> (solveDevice (surface.device->description, {}, true));
+        solvedDevice = surface.device;
+    }
 
     const auto& description = served->description;
-    const auto model = withAmplifiers (solved, amplifiers);
+    const auto model = withAmplifiers (solved, surface.amplifiers);
     const auto rate = path.sampleRate();
     auto written = writtenFor (*served, description);
     const auto& spot = description.targets.front();
     auto places = written != nullptr ? std::vector<std::pair<double, double>>()
                                      : spreadNotes (model->surface, { spot.x, spot.y });
-    auto designed = model;
-
-    if (! description.fingers.empty())
-        designed = std::make_shared<const ModalModel> (
-            *loadedByFingers ({ *model, model->modes(), {}, {} }, description.fingers).designed);
-
-    path.foci().request ({ designed,
+    const auto all = restingTogether (description.fingers, fingers);
+    const WatchScope scope (goesOn);
+    path.foci().request ({ loadedBy (model, all),
                            description,
                            std::move (places),
                            { spotNote },
                            { Reconstruction::bandLimited, rate },
-                           description.fingers.empty() ? modesBeyond (device, model, rate) : nullptr,
+                           all.empty() ? modesBeyond (surface.device, model, rate) : nullptr,
                            written });
     meaning = written != nullptr ? NoteMeaning::spotOnly : NoteMeaning::spread;
+    designedFor = fingers;
+    isLoadingRefused = false;
+}
+
+FociUnderFingers TouchFoci::knowledge (const FociSurface& surface, const DesignProgress& progress) const
+{
+    if (served == nullptr || ! error.empty() || meaning == NoteMeaning::spotOnly)
+        return FociUnderFingers::unaffected;
+
+    if (designedFor != surface.fingers || isLoadingRefused)
+        return FociUnderFingers::outdated;
+
+    if (surface.fingers.empty())
+        return FociUnderFingers::unaffected;
+
+    return progress.isDone() ? FociUnderFingers::known : FociUnderFingers::designing;
 }
 } // namespace antinode

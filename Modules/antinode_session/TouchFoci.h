@@ -2,19 +2,40 @@
 
 #include "TouchPath.h"
 
+#include <antinode_base/Watch.h>
 #include <antinode_fingers/Finger.h>
 
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace antinode
 {
+/** What the foci of notes know of the fingers of a session. */
+enum class FociUnderFingers
+{
+    unaffected, ///< There are no foci, they play as they were written, or no finger loads the surface.
+    known,      ///< They are designed for the fingers where these rest.
+    designing,  ///< They are being designed for these; those before play until then.
+    outdated    ///< Fingers have moved: those for where they rested before play on.
+};
+
+/** What foci are designed for. */
+struct FociSurface
+{
+    std::shared_ptr<const DeviceDocument> device;
+    std::vector<double> amplifiers; ///< V, as withAmplifiers.
+    std::vector<Finger> fingers;    ///< That rest on the surface and load it.
+    bool areResting = false;        ///< Whether it is worth while to design for them.
+};
+
 /** The focus of a touch session, which notes play on top of the fingers' tracks: middle C at its own place, the others
-    spread over the surface. A focus that was written before plays on every note. It is designed for the device without
-    the session's fingers, and for those that its own document has. Docs/Decisions/0113-foci-in-touch.md */
+    spread over the surface. A focus that was written before plays on every note. It is designed for the fingers of its
+    own document, and for those of the session where these rest. Docs/Decisions/0113-foci-in-touch.md,
+    0131-foci-know-resting-fingers.md */
 class TouchFoci
 {
 public:
@@ -27,24 +48,35 @@ public:
     /** Of the designs, with the reason where the focus cannot be designed. [any but the audio thread] */
     DesignProgress progress() const;
 
+    /** [any but the audio thread] */
+    FociUnderFingers underFingers() const;
+
     /** Which places of the bank notes mean, or that they mean none. [any] */
     NoteMeaning notes() const { return meaning; }
 
-    /** Asks a path's worker for the bank where the focus or the path is another one.
-        @param amplifiers  V, as withAmplifiers [session's thread] */
-    void serve (TouchPath&, const std::shared_ptr<const DeviceDocument>&, const std::vector<double>& amplifiers,
-                bool isPathNew);
+    /** Asks a path's worker for the bank where the focus or the path is another one, or other fingers rest; ends its
+        work where fingers move on and there is a whole bank that can play.
+        @param goesOn  whether to go on with loading the surface by fingers, which takes a part of a second
+        [session's thread] */
+    void serve (TouchPath&, const FociSurface&, bool isPathNew, const Watch& goesOn);
 
 private:
-    void request (TouchPath&, const std::shared_ptr<const DeviceDocument>&, const std::vector<double>& amplifiers);
+    void begin (TouchPath&, const FociSurface&);
+    void update (TouchPath&, const FociSurface&, const Watch& goesOn);
+    void request (TouchPath&, const FociSurface&, const std::vector<Finger>&, const Watch& goesOn);
+    FociUnderFingers knowledge (const FociSurface&, const DesignProgress&) const;
 
     mutable std::mutex mutex;                    ///< For the next lines.
     std::shared_ptr<const FocusDocument> wanted; ///< The newest one.
     DesignProgress designs;
+    FociUnderFingers fociUnderFingers = FociUnderFingers::unaffected;
     std::atomic<NoteMeaning> meaning { NoteMeaning::nothing };
     std::shared_ptr<const FocusDocument> served; ///< Of the session's thread, as the next lines.
     std::shared_ptr<const DeviceDocument> solvedDevice;
-    std::shared_ptr<const ModalModel> solved; ///< Without amplifiers.
-    std::string error;                        ///< Why nothing could be asked for.
+    std::shared_ptr<const ModalModel> solved;       ///< Without amplifiers.
+    std::string error;                              ///< Why nothing could be asked for.
+    std::optional<std::vector<Finger>> designedFor; ///< The session's, in the newest request; none: it was given up.
+    bool isWhole = false;                           ///< Whether every note has had its focus once.
+    bool isLoadingRefused = false;                  ///< Whether `designedFor` could not be loaded.
 };
 } // namespace antinode

@@ -55,6 +55,11 @@ DesignProgress TouchSession::focusProgress() const
     return worker->focusProgress();
 }
 
+FociUnderFingers TouchSession::fociUnderFingers() const
+{
+    return worker->fociUnderFingers();
+}
+
 void TouchSession::setComparing (bool shouldCompare)
 {
     worker->setComparing (shouldCompare);

@@ -3,6 +3,7 @@
 #include "Documents.h"
 #include "SessionOwner.h"
 #include "TouchDesigner.h"
+#include "TouchFoci.h"
 #include "TouchPath.h"
 
 #include <antinode_base/BackgroundThread.h>
@@ -76,6 +77,9 @@ public:
 
     /** Of the foci's designs. [any but the audio thread] */
     DesignProgress focusProgress() const;
+
+    /** What foci know of the fingers. [any but the audio thread] */
+    FociUnderFingers fociUnderFingers() const;
 
     /** Whether somebody wants to know the volts of all latencies: then designs are made for them too, when there is
         nothing else to do. [any] */

@@ -17,8 +17,8 @@ namespace antinode
 {
 namespace
 {
-constexpr auto touchRest = std::chrono::milliseconds (20); // for which fingers have stayed where they are
-constexpr double usualTouchRate = 48000;                   // Hz, before a host says its own
+constexpr auto focusRest = std::chrono::milliseconds (500); // for which fingers stay before foci are designed for them
+constexpr double usualTouchRate = 48000;                    // Hz, before a host says its own
 
 /** With the static share of the modes beyond: without it the points between which filters tell apart would leak.
     @throws InputError  where it cannot be solved, or has nothing that moves it */
@@ -86,11 +86,24 @@ void TouchWorker::run()
     paths.clear();
 }
 
+/** What the parameters say now. */
+TouchSettings TouchWorker::look()
+{
+    const auto now = owner->settings (settings);
+    movement.note (now, FingerMovement::Clock::now());
+    return now;
+}
+
 /** One round: what was loaded, then the format, then what the parameters say. */
 void TouchWorker::step()
 {
-    if (takeDocument())
+    if (const auto before = present.model; takeDocument())
+    {
         solve (solvedForTouch);
+
+        if (present.model != before)
+            playedDevice = present.device;
+    }
 
     takeAmplifiers();
     paths.collect();
@@ -98,7 +111,7 @@ void TouchWorker::step()
     if (path != nullptr)
         path->banks().collect();
 
-    settings = owner->settings (settings);
+    settings = look();
     const auto wanted = askedFor();
 
     if (present.model == nullptr || ! (wanted.sampleRate > 0))
@@ -109,10 +122,27 @@ void TouchWorker::step()
         buildPath();
 
     if (path != nullptr)
-        foci.serve (*path, present.device, amplifiers, std::exchange (isPathNew, false));
+        serveFoci();
 
     if (path != nullptr && designedFor != settings)
         design();
+}
+
+/** Notes that somebody waits for are designed for the fingers as they are, others where fingers rest. */
+void TouchWorker::serveFoci()
+{
+    auto areNotesAwaited = false;
+    {
+        const std::lock_guard lock (mutex);
+        areNotesAwaited = awaitedNotes && awaitedNotes->size() > 1;
+    }
+
+    const auto& places = areNotesAwaited ? settings : movement.rest();
+    const FociSurface surface { playedDevice, amplifiers,
+                                restingFingers (touchedBy (present.model->surface, places, format.inputs)),
+                                areNotesAwaited || movement.restedFor (FingerMovement::Clock::now()) >= focusRest };
+    foci.serve (*path, surface, std::exchange (isPathNew, false),
+                [this, areNotesAwaited] { return areNotesAwaited || owner->settings (settings) == settings; });
 }
 
 void TouchWorker::setAmplifiers (std::vector<double> volts)
@@ -208,152 +238,7 @@ void TouchWorker::waitForFoci()
         note = bankPlaceOf (note, foci.notes() == NoteMeaning::spotOnly);
 
     path->foci().waitFor (*awaited);
-    foci.serve (*path, present.device, amplifiers, false);
-}
-
-/** Whether what was asked for before this round is there, or cannot be. */
-bool TouchWorker::isSettled() const
-{
-    return path == nullptr || designedFor == settings;
-}
-
-/** Filters for what the parameters say, unless there are some, and plays them. */
-void TouchWorker::design()
-{
-    designer->setFingers (settings);
-    designedFor = settings;
-    present.designError.clear();
-
-    try
-    {
-        if (designer->design (settings.latency) == nullptr)
-        {
-            playQuickly();
-
-            if (! areFingersResting())
-                throw Cancelled();
-
-            makeDesign();
-        }
-
-        play (std::make_unique<const FilterBank> (designer->design (settings.latency)->bank));
-    }
-    catch (const Cancelled&)
-    {
-        checkWatch();
-        designedFor.reset();
-    }
-    catch (const std::exception& failure)
-    {
-        present.designError = failure.what();
-    }
-
-    present.isDesigning = false;
-
-    for (std::size_t i = 0; i < touchLatencies.size(); ++i)
-        present.designs[i] = designer->design (i);
-
-    publish();
-}
-
-/** Filters for places that may move on before better ones are there. */
-void TouchWorker::playQuickly()
-{
-    const WatchScope scope ([this] { return ! hasOtherPath(); });
-
-    if (auto bank = designer->quickBank (settings.latency); bank != nullptr)
-        play (std::move (bank));
-}
-
-/** Whether fingers stay where they are for a moment, or somebody waits for their filters. While they move, quick
-   filters have the processor for themselves. */
-bool TouchWorker::areFingersResting()
-{
-    const auto end = std::chrono::steady_clock::now() + touchRest;
-
-    while (std::chrono::steady_clock::now() < end)
-    {
-        std::unique_lock lock (mutex);
-        wake.wait_for (lock, interval, [this] { return isStopping || nextDevice || roundsRequested > roundsDone; });
-
-        if (isStopping || nextDevice != nullptr || roundsRequested > roundsDone)
-            return true;
-
-        lock.unlock();
-
-        if (owner->settings (settings) != settings)
-            return false;
-    }
-
-    return true;
-}
-
-/** Another device or format ends it, and other places, since quick filters for them sound better than none. */
-void TouchWorker::makeDesign()
-{
-    present.isDesigning = true;
-    present.progress = 0;
-    publish();
-    const WatchScope scope ([this] { return ! hasOtherPath() && owner->settings (settings) == settings; });
-    designer->makeDesign (settings.latency,
-                          [this] (const std::string&, double share)
-                          {
-                              present.progress = share;
-                              publish();
-                          });
-}
-
-void TouchWorker::play (std::unique_ptr<const FilterBank> bank)
-{
-    path->banks().give (std::move (bank));
-    present.playedFingers = settings;
-    publish();
-}
-
-bool TouchWorker::hasOtherPath()
-{
-    const std::lock_guard lock (mutex);
-    return nextDevice != nullptr || wantedFormat != format;
-}
-
-/** One more latency, so that their volts can be compared; whatever else there is to do ends it. */
-void TouchWorker::compare()
-{
-    if (! isComparing || designer == nullptr || ! present.designError.empty() || hasNews())
-        return;
-
-    try
-    {
-        const WatchScope scope ([this] { return ! hasNews(); });
-
-        for (std::size_t i = 0; i < touchLatencies.size(); ++i)
-            if (designer->design (i) == nullptr)
-            {
-                designer->makeDesign (i, {});
-                present.designs[i] = designer->design (i);
-                publish();
-            }
-    }
-    catch (const Cancelled&)
-    {
-        checkWatch();
-    }
-    catch (const std::exception&)
-    {
-        isComparing = false; // The one that was chosen plays all the same.
-    }
-}
-
-bool TouchWorker::hasNews()
-{
-    {
-        const std::lock_guard lock (mutex);
-
-        if (roundsRequested > roundsDone)
-            return true;
-    }
-
-    return hasOtherPath() || owner->settings (settings) != settings || designedFor != settings;
+    serveFoci();
 }
 
 template <typename Sample>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "DeviceRounds.h"
+#include "FingerMovement.h"
 #include "PathExchange.h"
 #include "TouchFoci.h"
 #include "TouchSession.h"
@@ -8,6 +9,7 @@
 #include <antinode_felt/SkinThreshold.h>
 
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <span>
@@ -40,6 +42,7 @@ public:
     void loadFocus (std::shared_ptr<const FocusDocument> focus) { foci.load (std::move (focus)); }
     std::shared_ptr<const FocusDocument> focus() const { return foci.focus(); }
     DesignProgress focusProgress() const { return foci.progress(); }
+    FociUnderFingers fociUnderFingers() const { return foci.underFingers(); }
     void waitUntilSettled (std::span<const FocusEvent> notes);
     LevelMeters& meters() { return levels; }
     FingerMeters& fingerMeters() { return fingerLevels; }
@@ -51,29 +54,35 @@ public:
     void run();
 
 private:
+    TouchSettings look();
     void step();
+    void serveFoci();
     void takeAmplifiers();
     void buildPath();
     bool isSettled() const;
     void design();
-    void playQuickly();
+    bool playQuickly();
     bool areFingersResting();
+    bool isAwaited() const;
     void makeDesign();
-    void play (std::unique_ptr<const FilterBank>);
+    void play (std::unique_ptr<const FilterBank>, const TouchSettings& places);
     void compare();
     void waitForFoci();
     bool hasOtherPath();
     bool hasNews();
 
     std::atomic<bool> isComparing { false };
-    std::vector<double> wantedAmplifiers;              ///< V, under the lock.
-    std::optional<std::vector<int>> awaitedNotes;      ///< Under the lock: somebody waits for their foci.
-    std::vector<double> amplifiers;                    ///< Of the session's thread, as the next lines.
-    std::shared_ptr<const ModalModel> solved, limited; ///< Without and with the amplifiers.
-    std::optional<TouchSettings> designedFor;          ///< Also where that failed: nobody shall try it again and again.
+    std::vector<double> wantedAmplifiers;               ///< V, under the lock.
+    std::optional<std::vector<int>> awaitedNotes;       ///< Under the lock: somebody waits for their foci.
+    std::vector<double> amplifiers;                     ///< Of the session's thread, as the next lines.
+    std::shared_ptr<const DeviceDocument> playedDevice; ///< The model's: what was asked for may have no model.
+    std::shared_ptr<const ModalModel> solved, limited;  ///< Without and with the amplifiers.
+    std::optional<TouchSettings> designedFor; ///< Also where that failed: nobody shall try it again and again.
     TouchFormat format;
     SkinThreshold threshold;
     std::unique_ptr<TouchDesigner> designer;
+    FingerMovement movement;
+    FingerMovement::Clock::duration quickTime = std::chrono::milliseconds (10); ///< That quick filters last took.
     TouchFoci foci;
     bool isPathNew = false;    ///< Whether no focus was asked for it yet.
     TouchPath* path = nullptr; ///< The newest one, which `paths` owns.

@@ -113,6 +113,17 @@ std::vector<TouchedPoint> touchedPoints (const WaveformsDescription& description
     return points;
 }
 
+std::vector<Finger> restingFingers (const WaveformsDescription& description)
+{
+    std::vector<Finger> fingers;
+
+    for (const auto& point : touchedPoints (description))
+        if (point.finger)
+            fingers.push_back (*point.finger);
+
+    return fingers;
+}
+
 std::string pointInWords (const WaveformsDescription& description, std::size_t point)
 {
     const auto tracks = description.tracks.size();

@@ -66,6 +66,9 @@ struct WaveformsDescription
 /** All touched points, those with tracks first. [any] */
 std::vector<TouchedPoint> touchedPoints (const WaveformsDescription&);
 
+/** The fingers at these points that load the surface. [any] */
+std::vector<Finger> restingFingers (const WaveformsDescription&);
+
 /** A touched point as a file numbers it: "track 2", "silent finger 1". @param point  index in touchedPoints [any] */
 std::string pointInWords (const WaveformsDescription&, std::size_t point);
 

@@ -140,11 +140,13 @@ void SurfacePainter::layOutPlate (const HeatMap& chart, juce::Graphics& g)
     const auto rest = area.withZeroOrigin().toFloat().reduced (theme.padding);
     const auto maximum = picture->frames->largest * milli;
     const ChartAxis values { chart.valueLabel, usableRange ({ -maximum, maximum }), false, {}, false };
-    const auto barWidth = colourBarWidth (values, rest.getHeight(), theme);
+    const auto barWidth = hasColourBar ? colourBarWidth (values, rest.getHeight(), theme) : 0.0F;
     plot = withEqualAspect (layOutPlot (rest, { chart.xLabel, chart.x, false, {}, false },
                                         { chart.yLabel, chart.y, false, {}, false }, { 0, barWidth }, theme));
     drawAxes (g, plot, theme);
-    drawColourBar (g, plot.plot.withX (plot.plot.getRight()).withWidth (barWidth), values, theme.diverging, theme);
+
+    if (hasColourBar)
+        drawColourBar (g, plot.plot.withX (plot.plot.getRight()).withWidth (barWidth), values, theme.diverging, theme);
 }
 
 void SurfacePainter::paintOverlay (juce::Graphics& g, bool withContours) const

@@ -19,6 +19,9 @@ public:
     void setPicture (std::shared_ptr<const DesignPicture>);
     void setPalette (const Palette&);
 
+    /** Whether there is a bar that explains the field's colours, as at first: not where there never is a field. */
+    void setColourBar (bool isShown) { hasColourBar = isShown; }
+
     /** @param scale  pixels of the screen for one of the area */
     void layOut (juce::Rectangle<int> area, float scale);
 
@@ -43,6 +46,7 @@ private:
     const Palette* colours = &Palette::dark();
     juce::Rectangle<int> area;
     float scale = 1;
+    bool hasColourBar = true;
     PlotFrame plot;
     juce::Image below, above, aboveFocus; ///< The field lies between them; the last one with the contours of the focus.
 };

@@ -22,10 +22,12 @@ juce::String touchSentence (TouchProcessor& processor, const TouchSnapshot& snap
         return "Designing the filters: " + juce::String (juce::roundToInt (100 * snapshot.progress)) + " %.";
 
     const auto foci = processor.session().focusProgress();
+    const auto underFingers = processor.session().fociUnderFingers();
 
     if (! foci.isDone())
-        return "Designing the foci of notes: " + juce::String (foci.designed) + " of " + juce::String (foci.wanted)
-               + ".";
+        return juce::String ("Designing the foci of notes")
+               + (underFingers == FociUnderFingers::designing ? " for the fingers that rest: " : ": ")
+               + juce::String (foci.designed) + " of " + juce::String (foci.wanted) + ".";
 
     if (! parameters.arm().get())
         return "Disarmed: all voltages are 0 V.";
@@ -37,6 +39,13 @@ juce::String touchSentence (TouchProcessor& processor, const TouchSnapshot& snap
                + juce::String (juce::roundToInt (voltageLimits (*snapshot.model).minCoeff()))
                + " V; what is beyond is cut, and then also felt elsewhere.";
 
-    return fromUtf8 (unplayableNotes (foci, processor.getSampleRate()));
+    if (const auto unplayable = unplayableNotes (foci, processor.getSampleRate()); ! unplayable.empty())
+        return fromUtf8 (unplayable);
+
+    return underFingers == FociUnderFingers::known ? "The foci of notes know the fingers that rest."
+           : underFingers == FociUnderFingers::outdated
+               ? "Fingers have moved: the foci of notes are those from before, "
+                 "until the fingers rest."
+               : juce::String();
 }
 } // namespace antinode

@@ -42,6 +42,7 @@ void addWords (juce::PopupMenu& menu, IntegerParameter& parameter)
 
 TouchSurface::TouchSurface (TouchProcessor& processorToShow) : processor (processorToShow)
 {
+    painter.setColourBar (false);
     setTitle ("Surface");
     setDescription ("Where the fingers are.");
     setTooltip (
@@ -170,16 +171,33 @@ void TouchSurface::paintSurface (juce::Graphics& g)
     g.drawImage (drawn, getLocalBounds().toFloat());
 }
 
-/** Beside the disc, at its right where there is room. */
+/** Beside a disc: right, left, above or below, the first that is on the surface and covers no other finger. */
+juce::Rectangle<float> TouchSurface::areaOfMotion (std::size_t index) const
+{
+    const auto disc = at (shown.fingers[index]);
+    const auto away = radiusOf (shown.fingers[index]) + motionGap;
+    const auto middle = juce::Rectangle<float> (motionWidth, motionHeight + motionText).withCentre (disc);
+    const auto aside = away + motionWidth / 2, up = away + middle.getHeight() / 2;
+    const juce::Rectangle<float> places[] = { middle.translated (aside, 0), middle.translated (-aside, 0),
+                                              middle.translated (0, -up), middle.translated (0, up) };
+    const auto isFree = [&] (const juce::Rectangle<float>& place)
+    {
+        for (std::size_t k = 0; k < shown.fingers.size(); ++k)
+            if (const auto& other = shown.fingers[k]; k != index && other.presence != FingerPresence::absent
+                                                      && place.expanded (radiusOf (other)).contains (at (other)))
+                return false;
+
+        return painter.frame().plot.contains (place);
+    };
+    const auto* const found = std::find_if (std::begin (places), std::end (places), isFree);
+    return found != std::end (places) ? *found : places[disc.x > middle.getWidth() + away ? 1 : 0];
+}
+
 void TouchSurface::paintMotion (juce::Graphics& g, std::size_t index) const
 {
     const auto& palette = EditorLook::findPalette (*this);
     const auto& motion = asked[index];
-    const auto disc = at (shown.fingers[index]);
-    const auto away = radiusOf (shown.fingers[index]) + motionGap;
-    auto area = juce::Rectangle<float> (motionWidth, motionHeight + motionText).withCentre (disc);
-    area.setX (disc.x + away + motionWidth < static_cast<float> (getWidth()) ? disc.x + away
-                                                                             : disc.x - away - motionWidth);
+    auto area = areaOfMotion (index);
     g.setColour (palette.window.withAlpha (0.75F));
     g.fillRoundedRectangle (area.expanded (3, 1), 3);
     drawText (g, motion.words.toStdString(), area.removeFromBottom (motionText), juce::Justification::centred,

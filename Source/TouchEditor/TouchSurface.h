@@ -61,6 +61,7 @@ private:
     float radiusOf (const FingerSettings&) const;
     void paintSurface (juce::Graphics&);
     void paintFinger (juce::Graphics&, std::size_t index) const;
+    juce::Rectangle<float> areaOfMotion (std::size_t index) const;
     void paintMotion (juce::Graphics&, std::size_t index) const;
     void moveTo (std::size_t index, juce::Point<float>);
     void showMenu (std::size_t index);

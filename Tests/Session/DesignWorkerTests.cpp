@@ -108,6 +108,31 @@ TEST_CASE ("A design that takes long is given up for a newer request", "[graph]"
     CHECK (*std::max_element (ends.begin(), ends.end()) < static_cast<std::int64_t> (0.04 * rate));
 }
 
+TEST_CASE ("What is given up leaves the bank before playing, and the next request is designed", "[graph]")
+{
+    FocusPlayer player (ceramics, rate, {});
+    DesignWorker worker (player.handOver());
+    worker.request (requestFor (12));
+    test::waitForBank (worker, 12);
+    const auto before = firstChannel (player, 11, 2000);
+    auto slow = requestFor (12, 0.025);
+    slow.model = std::make_shared<const ModalModel> (test::sineBeam (24, ceramics));
+    slow.focus.modes.count = 24; // Takes many seconds, and one step of its solver less than one.
+    slow.focus.allocation.method = AllocationMethod::dictionary;
+    slow.playback.sampleRate = 768000;
+    worker.request (slow);
+    std::this_thread::sleep_for (std::chrono::milliseconds (50));
+    CHECK_FALSE (worker.progress().isDone());
+    worker.abandon();
+    CHECK (worker.progress().isDone());
+    CHECK (firstChannel (player, 11, 2000) == before);
+    worker.request (requestFor (12, 0.025));
+    test::waitForBank (worker, 12);
+    CHECK (worker.progress().designed == 13);
+    CHECK (worker.progress().failed == 0);
+    CHECK_FALSE (firstChannel (player, 11, 2000).isApprox (before, 1e-3));
+}
+
 TEST_CASE ("The focus at its own place is handed over first, then the place that is wanted, then the others", "[graph]")
 {
     BankHandOver handOver;

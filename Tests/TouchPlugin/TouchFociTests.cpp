@@ -4,7 +4,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <chrono>
 #include <limits>
+#include <thread>
 
 using namespace antinode;
 using namespace antinode::test;
@@ -33,12 +35,13 @@ Eigen::MatrixXd noTracks()
     return Eigen::MatrixXd::Zero (8, length);
 }
 
-/** What the plug-in Antinode plays of the same focus and notes. */
-Eigen::MatrixXd playedByAntinode (const std::vector<PlayedNote>& notes)
+/** What the plug-in Antinode plays of a focus and notes. */
+Eigen::MatrixXd playedByAntinode (const std::vector<PlayedNote>& notes,
+                                  std::shared_ptr<const FocusDocument> focus = plateFocus())
 {
     AntinodeProcessor processor (ceramics, juce::AudioProcessor::wrapperType_Undefined);
     processor.setNonRealtime (true);
-    processor.load (touchDevice ("aluminium-200x120"), plateFocus());
+    processor.load (touchDevice ("aluminium-200x120"), std::move (focus));
     processor.prepareToPlay (rate, length);
     juce::AudioBuffer<double> buffer (processor.getTotalNumOutputChannels(), length);
     buffer.clear();
@@ -173,4 +176,102 @@ TEST_CASE ("A focus outside the surface plays nothing, and says why", "[touch-pl
     processor->loadFocus (std::make_shared<const FocusDocument> (readFocusDocument (json, "focus")));
     CHECK (voltagesOf (*processor, noTracks(), 256, { { 0, 60, 127 } }).isZero (0));
     CHECK (processor->warning().startsWith ("Notes play nothing: "));
+}
+
+namespace
+{
+/** Two fingers that load the surface, one of them at the focus. */
+std::map<std::string, double> loadedFingers()
+{
+    auto parameters = threeFingers();
+    parameters["finger1_x"] = 60;
+    parameters["finger1_y"] = 50;
+    parameters["finger1_load"] = 3;
+    parameters["finger3_load"] = 2;
+    return parameters;
+}
+
+/** The focus with the fingers of loadedFingers() in its own document. */
+std::shared_ptr<const FocusDocument> focusUnderFingers()
+{
+    auto json = loadDocument (LibraryKind::focus, "aluminium-centre");
+    json["fingers"] = { { { "kind", "firm" }, { "x_mm", 120 }, { "y_mm", 60 } },
+                        { { "kind", "medium" }, { "x_mm", 110 }, { "y_mm", 24 } } };
+    return std::make_shared<const FocusDocument> (readFocusDocument (json, "focus"));
+}
+
+/** Plays silence, as in real time, until foci know of the fingers what is expected. */
+bool plays (TouchProcessor& processor, FociUnderFingers expected)
+{
+    for (int i = 0; i < 6000 && processor.session().fociUnderFingers() != expected; ++i)
+    {
+        voltagesOf (processor, noTracks().leftCols (512), 512);
+        std::this_thread::sleep_for (std::chrono::milliseconds (10));
+    }
+
+    return processor.session().fociUnderFingers() == expected;
+}
+} // namespace
+
+TEST_CASE ("Foci of notes are designed for the fingers that rest, as for those of their own file", "[touch-plugin]")
+{
+    const std::vector<PlayedNote> notes { { 100, 60, 127 }, { 1500, 47, 64 } };
+    const auto processor = withFocus (512, loadedFingers());
+    const auto played = voltagesOf (*processor, noTracks(), 512, notes);
+    const auto expected = playedByAntinode (notes, focusUnderFingers()), bare = playedByAntinode (notes);
+    const auto latency = processor->getLatencySamples();
+    const auto differs = [&] (const Eigen::MatrixXd& from)
+    {
+        return (played.rightCols (length - latency) - from.leftCols (length - latency)).cwiseAbs().maxCoeff()
+               / from.cwiseAbs().maxCoeff();
+    };
+    CHECK (differs (expected) < 1e-9);
+    CHECK (differs (bare) > 0.02);
+}
+
+TEST_CASE ("A finger of the session where the focus's own file has one is that finger", "[touch-plugin]")
+{
+    const std::vector<PlayedNote> notes { { 100, 60, 127 } };
+    const auto alone = offlineTouch (ceramics, rate, 512), beside = offlineTouch (ceramics, rate, 512, loadedFingers());
+    alone->loadFocus (focusUnderFingers());
+    beside->loadFocus (focusUnderFingers());
+    CHECK (voltagesOf (*alone, noTracks(), 512, notes) == voltagesOf (*beside, noTracks(), 512, notes));
+}
+
+TEST_CASE ("While fingers move the foci from before play on, where fingers rest they follow", "[touch-plugin]")
+{
+    const std::vector<PlayedNote> notes { { 0, 60, 127 } };
+    TouchProcessor processor (ceramics, juce::AudioProcessor::wrapperType_Undefined);
+    processor.parameters().setValues (threeFingers());
+    processor.prepareToPlay (rate, 512);
+    processor.loadFocus (plateFocus());
+    processor.session().waitUntilSettled();
+
+    while (processor.session().focusProgress().wanted == 0 || ! processor.session().focusProgress().isDone())
+        std::this_thread::sleep_for (std::chrono::milliseconds (5));
+
+    const auto bare = voltagesOf (processor, noTracks(), 512, notes);
+    CHECK (processor.session().fociUnderFingers() == FociUnderFingers::unaffected);
+    processor.parameters().setValues (loadedFingers());
+    REQUIRE (plays (processor, FociUnderFingers::designing));
+
+    // One that moves on ends the work, and there is a whole bank to play.
+    for (int i = 0; i < 40 && processor.session().fociUnderFingers() != FociUnderFingers::outdated; ++i)
+    {
+        processor.parameters().setValues ({ { "finger3_x", 55 + i } });
+        voltagesOf (processor, noTracks().leftCols (512), 512);
+        std::this_thread::sleep_for (std::chrono::milliseconds (10));
+    }
+
+    CHECK (processor.session().fociUnderFingers() == FociUnderFingers::outdated);
+    CHECK (processor.session().focusProgress().isDone());
+    CHECK (voltagesOf (processor, noTracks(), 512, notes).cwiseAbs().maxCoeff() > 0.5 * bare.cwiseAbs().maxCoeff());
+    processor.parameters().setValues (loadedFingers());
+    REQUIRE (plays (processor, FociUnderFingers::known));
+    const auto known = voltagesOf (processor, noTracks(), 512, notes);
+    CHECK ((known - bare).cwiseAbs().maxCoeff() > 0.02 * bare.cwiseAbs().maxCoeff());
+    processor.parameters().setValues (threeFingers());
+    processor.parameters().setValues ({ { "finger1_load", 0 }, { "finger3_load", 0 } });
+    REQUIRE (plays (processor, FociUnderFingers::unaffected));
+    CHECK (voltagesOf (processor, noTracks(), 512, notes).isApprox (bare, 1e-9));
 }

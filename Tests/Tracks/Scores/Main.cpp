@@ -1,7 +1,7 @@
 // The tables of Docs/Decisions/0073-a-waveform-per-finger.md: waveforms at seeded points of the embedded plates, judged
 // by a model of more modes than the design knows, in the time domain.
 //
-//     antinode_track_scores exact|limits|fingers|passes|moving|live|quick|moving-live [layouts [devices...]]
+//     antinode_track_scores exact|limits|fingers|passes|moving|live|quick|live-music|moving-live [layouts [devices...]]
 
 #include "ScoreTools.h"
 
@@ -144,6 +144,8 @@ int main (int count, char** arguments)
             movingTable (device, layouts);
         else if (table == "quick")
             quickTable (device, layouts);
+        else if (table == "live-music")
+            liveMusicTable (device, layouts);
         else if (table == "moving-live")
             movingLiveTable (device, layouts);
         else

@@ -1,5 +1,6 @@
 #include "ScoreTools.h"
 
+#include <antinode_fingers/LoadedModel.h>
 #include <antinode_live/FilterPlayer.h>
 #include <antinode_live/LiveTracks.h>
 #include <antinode_live/QuickFilterDesigner.h>
@@ -54,6 +55,13 @@ FingerFilters firstOf (FingerFilters filters)
     return filters;
 }
 
+/** A surface with the fingers on it that load it, as complex modes: filters know them as terms of rank one. */
+ModalModel underFingers (const ModalModel& model, const WaveformsDescription& description)
+{
+    const auto fingers = restingFingers (description);
+    return fingers.empty() ? model : loadedModel (model, fingers);
+}
+
 struct Found
 {
     Spread volts, band, error, milliseconds;
@@ -61,7 +69,7 @@ struct Found
     void add (const Device& device, const WaveformsDescription& description, const FingerFilters& filters, double cpu)
     {
         const auto design = liveTracks (device.known, description, usualSettings(), firstOf (filters));
-        const auto scores = judged (device.judge, design);
+        const auto scores = judged (underFingers (device.judge, description), design);
         volts.values.push_back (design.peaks.maxCoeff());
         band.values.push_back (worstBystander (scores, &TrackScores::suppression));
         error.values.push_back (scores.suppression (0));
@@ -121,6 +129,19 @@ TrackDesign movingDesign (const Device& device, const QuickFilterDesigner& desig
     design.peaks = design.voltages.values.cwiseAbs().rowwise().maxCoeff();
     return design;
 }
+
+/** A layout with the filters of least error, and with quick ones. */
+void addBoth (const Device& device, const QuickFilterDesigner& designer, const WaveformsDescription& description,
+              double latency, Found& full, Found& quick)
+{
+    const auto all = asTracks (description);
+    FingerFilters filters;
+    const auto fullTime = cpuOf ([&] { filters = designFingerFilters (device.known, all, settingsFor (latency)); });
+    full.add (device, description, filters, fullTime);
+    const auto quickTime = cpuOf ([&] { filters = designer.design (all); });
+    quick.add (device, description, filters, quickTime);
+}
+
 /** One row for each number of points. */
 void quickRows (const Device& device, int layouts, double latency, const std::string& signal)
 {
@@ -131,16 +152,7 @@ void quickRows (const Device& device, int layouts, double latency, const std::st
         Found full, quick;
 
         for (int seed = 1; seed <= layouts; ++seed)
-        {
-            const auto description = layout (device.known.surface, count, signal, seed);
-            const auto all = asTracks (description);
-            FingerFilters filters;
-            const auto fullTime =
-                cpuOf ([&] { filters = designFingerFilters (device.known, all, settingsFor (latency)); });
-            full.add (device, description, filters, fullTime);
-            const auto quickTime = cpuOf ([&] { filters = designer.design (all); });
-            quick.add (device, description, filters, quickTime);
-        }
+            addBoth (device, designer, layout (device.known.surface, count, signal, seed), latency, full, quick);
 
         std::printf ("| %s | %.0f | %d | %s |", device.name.c_str(), 1e3 * latency, count, signal.c_str());
         full.print();
@@ -149,7 +161,50 @@ void quickRows (const Device& device, int layouts, double latency, const std::st
         std::fflush (stdout);
     }
 }
+
+/** The same fingers as built-in ones that load the surface; "": they do not. */
+WaveformsDescription under (WaveformsDescription description, const std::string& kind)
+{
+    const auto rest = [&kind] (TouchedPoint& point)
+    {
+        if (! kind.empty())
+            point.finger = builtInFinger (kind, point.x, point.y);
+    };
+    rest (description.tracks[0].point);
+
+    for (auto& point : description.silent)
+        rest (point);
+
+    return description;
+}
 } // namespace
+
+void liveMusicTable (const Device& device, int layouts)
+{
+    for (const auto latency : { 0.02, 0.01 })
+    {
+        const auto designer = designerOf (device, latency);
+
+        for (const std::string kind : { "", "medium" })
+            for (const auto count : { 2, 3, 4, 5 })
+            {
+                std::printf ("| %s | %.0f | %d | %s |", device.name.c_str(), 1e3 * latency, count,
+                             kind.empty() ? "none" : kind.c_str());
+                Found full, quick;
+
+                for (int seed = 1; seed <= layouts; ++seed)
+                {
+                    const auto description = under (layout (device.known.surface, count, "music", seed), kind);
+                    addBoth (device, designer, description, latency, full, quick);
+                }
+
+                full.print();
+                quick.print();
+                std::printf ("\n");
+                std::fflush (stdout);
+            }
+    }
+}
 
 void quickTable (const Device& device, int layouts)
 {
@@ -164,7 +219,7 @@ void movingLiveTable (const Device& device, int layouts)
 {
     const auto designer = designerOf (device);
 
-    for (const auto& [interval, age] : { std::pair { 0.005, 0.0 }, { 0.01, 0.0 }, { 0.01, 0.02 } })
+    for (const auto& [interval, age] : { std::pair { 0.005, 0.0 }, { 0.01, 0.0 }, { 0.01, 0.02 }, { 0.01, -0.005 } })
         for (const auto count : { 2, 3, 5 })
             for (const std::string signal : { "AM", "music" })
             {

@@ -66,7 +66,11 @@ void movingTable (const Device&, int layouts);
    the worst bystander, error of the target, CPU of a design with a track for every point. */
 void quickTable (const Device&, int layouts);
 
+/** Music at one finger, the others silent, bare points and fingers that load the surface, for 20 and 10 ms of latency:
+   as quickTable. */
+void liveMusicTable (const Device&, int layouts);
+
 /** A target as of movingTable played live, by banks of quick filters that fade into each other every 5 or 10 ms, of the
-    place at the end of the fade or 20 ms before. */
+    place at the end of the fade, 20 ms before or 5 ms later. */
 void movingLiveTable (const Device&, int layouts);
 } // namespace antinode::scores
