@@ -35,6 +35,7 @@ std::vector<Eigen::MatrixXd> mapsOfGrid (const PlateGrid& grid, const Eigen::Mat
 
     return maps;
 }
+
 /** Fields at places, wherever these lie. */
 Eigen::MatrixXd valuesAt (const Surface& surface, const Eigen::MatrixXd& fields, const Eigen::MatrixX2d& places)
 {
@@ -48,6 +49,21 @@ Eigen::MatrixXd valuesAt (const Surface& surface, const Eigen::MatrixXd& fields,
     }
 
     return values;
+}
+
+std::vector<Eigen::MatrixXd> mapsOfPoints (const Surface& surface, const Eigen::MatrixXd& fields,
+                                           const Eigen::VectorXd& x, const Eigen::VectorXd& y)
+{
+    Eigen::MatrixX2d places (x.size() * y.size(), 2);
+    places.col (0) = x.replicate (y.size(), 1);
+    places.col (1) = y.transpose().replicate (x.size(), 1).reshaped();
+    const auto values = valuesAt (surface, fields, places);
+    std::vector<Eigen::MatrixXd> maps;
+
+    for (const auto& map : values.colwise())
+        maps.emplace_back (map.reshaped (x.size(), y.size()).transpose());
+
+    return maps;
 }
 
 /** Beyond a boundary maps get the values of its nearest places, so that nothing shows where they are cut off there. */
@@ -97,25 +113,10 @@ std::vector<Eigen::MatrixXd> fieldMaps (const Surface& surface, const Eigen::Mat
     { return std::max<Eigen::Index> (1, std::lround (cells * length / std::max (width, height))); };
     const auto x = middles (surface.xMinimum, surface.xMaximum, along (width));
     const auto y = middles (surface.yMinimum, surface.yMaximum, along (height));
+    auto maps = surface.grid ? mapsOfGrid (*surface.grid, fields, x, y) : mapsOfPoints (surface, fields, x, y);
 
-    if (surface.grid)
-    {
-        auto maps = mapsOfGrid (*surface.grid, fields, x, y);
-
-        if (surface.boundary)
-            continueBeyond (maps, surface, fields, x, y);
-
-        return maps;
-    }
-
-    Eigen::MatrixX2d places (x.size() * y.size(), 2);
-    places.col (0) = x.replicate (y.size(), 1);
-    places.col (1) = y.transpose().replicate (x.size(), 1).reshaped();
-    const auto values = valuesAt (surface, fields, places);
-    std::vector<Eigen::MatrixXd> maps;
-
-    for (const auto& map : values.colwise())
-        maps.emplace_back (map.reshaped (x.size(), y.size()).transpose());
+    if (surface.boundary)
+        continueBeyond (maps, surface, fields, x, y);
 
     return maps;
 }

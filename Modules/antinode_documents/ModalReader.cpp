@@ -3,6 +3,8 @@
 #include "DampingReader.h"
 #include "FileUnits.h"
 #include "LimitsReader.h"
+#include "ModalBoundary.h"
+#include "OutlineReader.h"
 #include "SurfaceReader.h"
 
 #include <antinode_base/MessageText.h>
@@ -138,7 +140,7 @@ void readModes (const JsonObject& device, const std::vector<Eigen::Index>& order
 Ceramic readCeramic (const JsonValue& value, const VoltageLimits& limits)
 {
     const auto object = value.object ({ "name", "x_mm", "y_mm", "size_x_mm", "size_y_mm", "voltage_limit_V",
-                                        "slew_limit_V_per_us", "capacitance_nF", "loss_factor" });
+                                        "slew_limit_V_per_us", "capacitance_nF", "loss_factor", "outline" });
     const auto x = object.required ("x_mm").number (ranges::positionMillimetre);
     const auto y = object.required ("y_mm").number (ranges::positionMillimetre);
     const auto name = object.optional ("name");
@@ -159,6 +161,13 @@ Ceramic readCeramic (const JsonValue& value, const VoltageLimits& limits)
     ceramic.capacitance = capacitance ? fromNanofarads (capacitance->number (ranges::capacitanceNanofarad)) : 0.0;
     ceramic.lossFactor = loss ? loss->number (ranges::lossFactor) : usualLossFactor;
     ceramic.area = (ceramic.xMaximum - ceramic.xMinimum) * (ceramic.yMaximum - ceramic.yMinimum);
+
+    if (const auto outline = object.optional ("outline"))
+    {
+        ceramic.outline = readOutline (*outline).outline;
+        ceramic.area = areaOf (ceramic.outline);
+    }
+
     return ceramic;
 }
 
@@ -248,7 +257,7 @@ ModalModel readModalModel (const JsonValue& device)
 {
     const auto body = device.object ({ "schema", "name", "description", "kind", "modes", "points_mm", "weights_kg",
                                        "areas_m2", "ceramics", "limits", "delay_s", "delay_standard_deviation_s",
-                                       "covers_whole_body", "rigid_body_modes", "exact" });
+                                       "covers_whole_body", "rigid_body_modes", "outline", "held_edges", "exact" });
     std::optional<JsonObject> exact;
 
     if (const auto given = body.optional ("exact"))
@@ -257,6 +266,7 @@ ModalModel readModalModel (const JsonValue& device)
     ModalModel model;
     const auto given = readSurface (body, exact);
     model.surface = given.surface;
+    readBoundary (body, model.surface);
     readModes (body, given.order, model);
     readCeramics (body, model);
 

@@ -1,9 +1,12 @@
 #include "DeviceFile.h"
 #include "FileUnits.h"
+#include "ModalBoundary.h"
+#include "OutlineReader.h"
 
 #include <antinode_text/EigenJson.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace antinode
 {
@@ -86,10 +89,35 @@ Json ceramicsToJson (const ModalModel& model)
             item["loss_factor"] = ceramic.lossFactor;
         }
 
+        if (! ceramic.outline.paths.empty())
+            item["outline"] = outlineToJson (ceramic.outline);
+
         ceramics.push_back (std::move (item));
     }
 
     return ceramics;
+}
+
+/** Without a grid values beyond the boundary mean nothing: points that only carried it are left out. */
+ModalModel withoutGrid (ModalModel model)
+{
+    auto& surface = model.surface;
+
+    if (! surface.boundary || ! surface.grid)
+        return model;
+
+    std::vector<Eigen::Index> kept;
+
+    for (Eigen::Index p = 0; p < model.points(); ++p)
+        if (surface.areas[p] > 0 || surface.masses[p] > 0)
+            kept.push_back (p);
+
+    surface.points = Eigen::MatrixX2d (surface.points (kept, Eigen::all));
+    surface.masses = Eigen::VectorXd (surface.masses (kept));
+    surface.areas = Eigen::VectorXd (surface.areas (kept));
+    model.shapes = Eigen::MatrixXd (model.shapes (kept, Eigen::all));
+    surface.grid.reset();
+    return model;
 }
 
 /** What the units of the other keys cannot express to the last bit. */
@@ -108,8 +136,9 @@ Json exactToJson (const ModalModel& model)
 }
 } // namespace
 
-nlohmann::ordered_json modalDeviceToJson (const ModalModel& model, const std::string& description)
+nlohmann::ordered_json modalDeviceToJson (const ModalModel& given, const std::string& description)
 {
+    const auto model = withoutGrid (given);
     Json device { { "schema", "antinode.device/1" }, { "name", model.name } };
 
     if (! description.empty())
@@ -129,6 +158,10 @@ nlohmann::ordered_json modalDeviceToJson (const ModalModel& model, const std::st
     device["points_mm"] = std::move (points);
     device["weights_kg"] = toJsonList (model.surface.masses);
     device["areas_m2"] = toJsonList (model.surface.areas);
+
+    if (model.surface.boundary)
+        boundaryToJson (device, *model.surface.boundary);
+
     device["exact"] = exactToJson (model);
     return device;
 }

@@ -242,7 +242,7 @@ nlohmann::json pathToJson (const ClosedPath& path)
 
     for (const auto& piece : path)
     {
-        nlohmann::json item { { "to_mm", placeToJson (piece.end) }, { "edge", std::to_string (piece.edge + 1) } };
+        nlohmann::json item { { "to_mm", placeToJson (piece.end) }, { "edge", writtenEdgeName (piece) } };
 
         if (! piece.isStraight)
         {
@@ -293,6 +293,11 @@ NamedOutline readOutline (const JsonValue& value)
     }
 
     return result;
+}
+
+std::string writtenEdgeName (const PathPiece& piece)
+{
+    return std::to_string (piece.edge + 1);
 }
 
 nlohmann::json outlineToJson (const Outline& outline)

@@ -22,6 +22,9 @@ Eigen::Vector2d readPlaneMillimetres (const JsonValue&);
     @throws InputError  as JsonValue, and where it is no outline [worker] */
 NamedOutline readOutline (const JsonValue&);
 
+/** What outlineToJson() calls the edge of a piece of the outer path. [any] */
+std::string writtenEdgeName (const PathPiece&);
+
 /** An outline as a path with holes, which readOutline() understands; its edges are numbered from 1. [worker] */
 nlohmann::json outlineToJson (const Outline&);
 } // namespace antinode

@@ -3,6 +3,7 @@
 #include "SurfaceCells.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_model/BoundedSurface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -142,6 +143,13 @@ ModalModel toModalModel (const IdentifiedModes& modes, const MappedSurface& mapp
     ModalModel model;
     model.name = mapped.name;
     model.surface = makeSurface (modes.points (used, Eigen::all));
+
+    if (mapped.boundary)
+    {
+        model.surface = boundedBy (model.surface, *mapped.boundary);
+        model.surface.areas = voronoiCells (model.surface.points, mapped.boundary->outline);
+    }
+
     model.angularFrequencies = modes.angularFrequencies;
     model.dampingRatios = modes.dampingRatios;
     takeShapes (model, modes, used);

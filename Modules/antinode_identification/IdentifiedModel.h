@@ -12,6 +12,7 @@ struct MappedSurface
     std::string name;
     Eigen::VectorXd
         masses; ///< N_p: kg each point stands for; empty: from the shapes' orthogonality, Docs/Theory.md, section 8.6.
+    std::optional<SurfaceBoundary> boundary; ///< Where the surface ends; none: at the rectangle around the points.
     std::optional<bool> coversWholeBody; ///< Whether the points cover all that moves; where not said, it is decided.
     std::vector<Ceramic> ceramics;       ///< N_b or empty: names and limits.
     double voltageLimit = 150;           ///< V, of all ceramics where none are given.
@@ -20,9 +21,10 @@ struct MappedSurface
 
 /** A device as its identified modes: what focus designs on.
 
-    Points are areas of their own (on a line the half distances between neighbours, in the plane Voronoi cells); masses
-   are as given, or proportional to them. Points without data are left out. Where all y are equal it is a line.
-    @throws InputError  when references are forces, ceramics or masses are not one per reference or point, or two points
-   coincide [worker] Docs/Theory.md, section 8.6. */
+    Points are areas of their own (on a line the half distances between neighbours, in the plane Voronoi cells within
+   the boundary); masses are as given, or proportional to them. Points without data are left out. Where all y are equal
+   it is a line.
+    @throws InputError  when references are forces, ceramics or masses are not one per reference or point, two points
+   coincide, or one lies outside the boundary [worker] Docs/Theory.md, section 8.6. */
 ModalModel toModalModel (const IdentifiedModes&, const MappedSurface&);
 } // namespace antinode

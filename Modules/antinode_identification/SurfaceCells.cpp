@@ -1,5 +1,7 @@
 #include "SurfaceCells.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace antinode
@@ -42,6 +44,43 @@ double polygonArea (const Polygon& polygon)
 
     return twice / 2;
 }
+/** The Voronoi cell of a point within a rectangle, counter-clockwise. */
+Polygon cellOf (const Eigen::MatrixX2d& points, Eigen::Index p, const Eigen::Vector2d& lower,
+                const Eigen::Vector2d& upper)
+{
+    Polygon cell { lower, { upper.x(), lower.y() }, upper, { lower.x(), upper.y() } };
+    const Eigen::Vector2d here = points.row (p);
+
+    for (Eigen::Index q = 0; q < points.rows() && ! cell.empty(); ++q)
+        if (const Eigen::Vector2d there = points.row (q); q != p)
+            cell = clipped (cell, (here + there) / 2, there - here);
+
+    return cell;
+}
+
+Polygon asPolygon (const ClosedPath& path)
+{
+    constexpr int chords = 16;
+    Polygon polygon;
+
+    for (const auto& piece : path)
+        for (int i = 0; i < (piece.isStraight ? 1 : chords); ++i)
+            polygon.push_back (piece.at (piece.from + (piece.to - piece.from) * i / chords));
+
+    return polygon;
+}
+
+/** What a convex cell, counter-clockwise, has of any polygon. */
+double areaWithin (Polygon polygon, const Polygon& cell)
+{
+    for (std::size_t n = 0; n < cell.size(); ++n)
+    {
+        const Eigen::Vector2d along = cell[(n + 1) % cell.size()] - cell[n];
+        polygon = clipped (polygon, cell[n], { along.y(), -along.x() });
+    }
+
+    return cell.empty() ? 0 : std::abs (polygonArea (polygon));
+}
 } // namespace
 
 Eigen::VectorXd lineCells (const Eigen::VectorXd& x)
@@ -65,19 +104,35 @@ Eigen::VectorXd lineCells (const Eigen::VectorXd& x)
 Eigen::VectorXd voronoiCells (const Eigen::MatrixX2d& points)
 {
     const Eigen::Vector2d lower = points.colwise().minCoeff(), upper = points.colwise().maxCoeff();
-    const Polygon rectangle { lower, { upper.x(), lower.y() }, upper, { lower.x(), upper.y() } };
+    Eigen::VectorXd result (points.rows());
+
+    for (Eigen::Index p = 0; p < points.rows(); ++p)
+        result[p] = polygonArea (cellOf (points, p, lower, upper));
+
+    return result;
+}
+
+Eigen::VectorXd voronoiCells (const Eigen::MatrixX2d& points, const Outline& outline)
+{
+    const auto extent = extentOf (outline);
+    const Eigen::Vector2d lower = extent.least.cwiseMin (points.colwise().minCoeff().transpose());
+    const Eigen::Vector2d upper = extent.largest.cwiseMax (points.colwise().maxCoeff().transpose());
+    std::vector<Polygon> paths;
+
+    for (const auto& path : outline.paths)
+        paths.push_back (asPolygon (path));
+
     Eigen::VectorXd result (points.rows());
 
     for (Eigen::Index p = 0; p < points.rows(); ++p)
     {
-        const Eigen::Vector2d here = points.row (p);
-        auto cell = rectangle;
+        const auto cell = cellOf (points, p, lower, upper);
+        result[p] = areaWithin (paths.front(), cell);
 
-        for (Eigen::Index q = 0; q < points.rows() && ! cell.empty(); ++q)
-            if (const Eigen::Vector2d there = points.row (q); q != p)
-                cell = clipped (cell, (here + there) / 2, there - here);
+        for (std::size_t hole = 1; hole < paths.size(); ++hole)
+            result[p] -= areaWithin (paths[hole], cell);
 
-        result[p] = polygonArea (cell);
+        result[p] = std::max (result[p], 0.0); // rounding
     }
 
     return result;

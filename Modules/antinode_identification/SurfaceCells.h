@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <antinode_outline/Outline.h>
 
 namespace antinode
 {
@@ -12,4 +12,7 @@ Eigen::VectorXd lineCells (const Eigen::VectorXd& x);
     @param points  N x 2, m @return N, m^2; 0 is possible for points on the boundary of a few points only
     [worker] */
 Eigen::VectorXd voronoiCells (const Eigen::MatrixX2d& points);
+
+/** The same, cut off at an outline and its holes; arcs count as sixteen chords each. [worker] */
+Eigen::VectorXd voronoiCells (const Eigen::MatrixX2d& points, const Outline&);
 } // namespace antinode

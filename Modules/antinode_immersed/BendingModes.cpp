@@ -1,13 +1,12 @@
 #include "BendingModes.h"
 
 #include "CellSizes.h"
-#include "EdgeTerms.h"
 #include "ImmersedOperators.h"
+#include "RigidMotions.h"
 #include "SmallFeatures.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_numerics/BlockLanczos.h>
-#include <antinode_numerics/Decompositions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,13 +31,6 @@ SplineBreaks axisBreaks (const OutlineExtent& extent, PlaneAxis axis, const Imme
     const auto before = resolution.offset * resolution.cell;
     const auto after = resolution.offset > 0 ? resolution.cell - before : 0;
     return breaksBetween (extent.least[index] - before, extent.largest[index] + after, resolution.cell, small);
-}
-
-BlockBandedFactor factorShifted (const ImmersedOperators& operators, double shift)
-{
-    auto matrix = operators.stiffness;
-    matrix.addMultiple (-shift, operators.mass);
-    return BlockBandedFactor (std::move (matrix));
 }
 
 /** The place with the widest gap above it among the last few of ascending values. */
@@ -86,31 +78,6 @@ std::optional<Eigenpairs> provenPairs (const ImmersedOperators& operators, doubl
     return std::nullopt;
 }
 
-/** The rigid motions that nothing holds: unknowns x 0 to 3, orthonormal in M. */
-Eigen::MatrixXd freeMotions (const BendingProblem& problem, const ImmersedSpace& space, const BlockBandedMatrix& mass)
-{
-    constexpr double free = 1e-9; // Of the plate's own stiffness.
-    const auto held = symmetricEigen (rigidSupport (problem));
-    const auto number = (held.values.array() < free).count();
-
-    if (number == 0)
-        return Eigen::MatrixXd (space.unknowns(), 0);
-
-    const auto extent = extentOf (problem.outline);
-    const auto size = extent.size().maxCoeff();
-    const Eigen::Vector2d middle = (extent.least + extent.largest) / 2;
-    Eigen::MatrixXd planes (space.unknowns(), number);
-
-    for (Eigen::Index i = 0; i < number; ++i)
-    {
-        const Eigen::Vector3d motion = held.vectors.col (i);
-        planes.col (i) =
-            space.plane (motion[0] - motion.tail<2>().dot (middle) / size, motion[1] / size, motion[2] / size);
-    }
-
-    const auto gram = symmetricEigen (planes.transpose() * (mass * planes));
-    return planes * gram.vectors * gram.values.cwiseSqrt().cwiseInverse().asDiagonal();
-}
 /** The modes with cells laid as they are wanted; nothing where their number cannot be proven. */
 std::optional<BendingModes> modesOn (const BendingProblem& problem, int count, const ImmersedResolution& resolution)
 {
@@ -129,9 +96,7 @@ std::optional<BendingModes> modesOn (const BendingProblem& problem, int count, c
     ImmersedSpace space (problem, x, y, resolution.degree);
     const auto operators = immersedOperators (problem, space);
     const auto rigid = freeMotions (problem, space, operators.mass);
-    const auto unit = problem.section.stiffness.diagonal().maxCoeff() / problem.section.massPerArea
-                      / std::pow (extent.size().maxCoeff(), 4);
-    const auto pairs = provenPairs (operators, -unit, rigid.cols() + count);
+    const auto pairs = provenPairs (operators, -eigenvalueUnit (problem), rigid.cols() + count);
     constexpr double negligible = 0.03;
 
     // A rigid motion whose frequency is not negligible is rounding that spoils the flexible modes, too.

@@ -12,4 +12,10 @@ BendingSection turnedSection (const BendingSection& section, double angle)
     curvatures << c * c, s * s, c * s, s * s, c * c, -c * s, -2 * c * s, 2 * c * s, c * c - s * s;
     return { curvatures.transpose() * section.stiffness * curvatures, section.massPerArea };
 }
+
+double eigenvalueUnit (const BendingProblem& problem)
+{
+    return problem.section.stiffness.diagonal().maxCoeff() / problem.section.massPerArea
+           / std::pow (extentOf (problem.outline).size().maxCoeff(), 4);
+}
 } // namespace antinode

@@ -74,4 +74,7 @@ struct BendingProblem
     std::vector<BendingPatch> patches;
     std::vector<PointAttachment> points;
 };
+
+/** D / (m L^4) of the bare plate, L the longer side of its extent, 1/s^2: what eigenvalues are measured by. [any] */
+double eigenvalueUnit (const BendingProblem&);
 } // namespace antinode

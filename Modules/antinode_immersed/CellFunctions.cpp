@@ -47,8 +47,11 @@ CellFunctions::CellFunctions (const ImmersedSpace& space, const ImmersedCell& ce
 
     addFunctions (space.unknownOf, nullptr);
 
+    // Where a kink's function is 0, all that it is a factor of are.
     for (const auto& family : space.families)
-        addFunctions (family.unknownOf, &family.kink);
+        if (std::any_of (places.begin(), places.end(),
+                         [&] (const Eigen::Vector2d& place) { return family.kink (place) > 0; }))
+            addFunctions (family.unknownOf, &family.kink);
 }
 
 Eigen::VectorXd CellFunctions::kinkDerivative (const KinkFunction& kink, int dx, int dy) const
@@ -83,6 +86,12 @@ Eigen::VectorXd CellFunctions::kinkDerivative (const KinkFunction& kink, int dx,
 Eigen::MatrixXd CellFunctions::derivative (int dx, int dy) const
 {
     Eigen::MatrixXd result (static_cast<Eigen::Index> (places.size()), static_cast<Eigen::Index> (members.size()));
+    writeDerivative (dx, dy, result);
+    return result;
+}
+
+void CellFunctions::writeDerivative (int dx, int dy, Eigen::Ref<Eigen::MatrixXd> result) const
+{
     const KinkFunction* last = nullptr;
     std::vector<Eigen::VectorXd> factors; // Of the kink's derivatives, i along x and j along y.
 
@@ -113,14 +122,12 @@ Eigen::MatrixXd CellFunctions::derivative (int dx, int dy) const
                     factors.emplace_back (binomial (dx, i) * binomial (dy, j) * kinkDerivative (*last, i, j));
         }
 
-        column.setZero();
-        std::size_t next = 0;
-
         for (int j = 0; j <= dy; ++j)
             for (int i = 0; i <= dx; ++i)
-                column += factors[next++].cwiseProduct (product (dx - i, dy - j));
+                if (const auto& factor = factors[static_cast<std::size_t> (i + j * (dx + 1))]; i == 0 && j == 0)
+                    column = factor.cwiseProduct (product (dx, dy));
+                else
+                    column += factor.cwiseProduct (product (dx - i, dy - j));
     }
-
-    return result;
 }
 } // namespace antinode

@@ -17,6 +17,9 @@ public:
     /** places x functions: a derivative. [worker] */
     Eigen::MatrixXd derivative (int dx, int dy) const;
 
+    /** The same, written into a matrix of that size. [worker] */
+    void writeDerivative (int dx, int dy, Eigen::Ref<Eigen::MatrixXd> result) const;
+
 private:
     /** An unknown as a product of splines, by their numbers on the cell, and of a kink's function. */
     struct Member

@@ -2,6 +2,8 @@
 
 #include "ImmersedSpace.h"
 
+#include <antinode_numerics/BlockBandedFactor.h>
+
 namespace antinode
 {
 /** Stiffness and mass of a plate on an immersed space, and the loads of its patches. */
@@ -14,7 +16,10 @@ struct ImmersedOperators
 /** [worker] Docs/Theory.md, section 1.13. */
 ImmersedOperators immersedOperators (const BendingProblem&, const ImmersedSpace&);
 
-/** Adds factor left' right to a symmetric matrix, for functions of these numbers; the sum over all calls is symmetric.
-    [worker] */
-void addToMatrix (BlockBandedMatrix&, const std::vector<Eigen::Index>& numbers, const Eigen::MatrixXd& local);
+/** L D L' of stiffness - shift mass. [worker] */
+BlockBandedFactor factorShifted (const ImmersedOperators&, double shift);
+
+/** Adds a symmetric matrix for functions of these numbers, of which the lower triangle is read. [worker] */
+void addToMatrix (BlockBandedMatrix&, const std::vector<Eigen::Index>& numbers,
+                  const Eigen::Ref<const Eigen::MatrixXd>& local);
 } // namespace antinode

@@ -57,6 +57,17 @@ std::vector<const Outline*> outlinesOf (const BendingProblem& problem)
 
     return outlines;
 }
+
+/** Whether a kink's function is 0 all over a cell through which its edge does not pass: it lies outside. */
+bool isOutside (const KinkFunction& kink, const CellExtent& cell)
+{
+    for (const auto x : { cell.left, cell.right })
+        for (const auto y : { cell.bottom, cell.top })
+            if (kink ({ x, y }) > 0)
+                return false;
+
+    return true;
+}
 } // namespace
 
 ImmersedSpace::ImmersedSpace (const BendingProblem& problem, const SplineBreaks& breaksX, const SplineBreaks& breaksY,
@@ -129,14 +140,16 @@ void ImmersedSpace::findCells (const BendingProblem& problem)
             auto degree = axisX.degree();
             std::vector<PathPiece> lines;
 
+            const auto isCrossed = cutter.cuts (place);
+
             for (const auto& family : families)
-                if (livesOn (family, cell))
+                if (livesOn (family, cell) && (isCrossed || ! isOutside (family.kink, place)))
                 {
                     degree = std::max (degree, axisX.degree() + (family.kink.curvature == 0 ? 2 : 4));
                     lines.insert (lines.end(), family.lines.begin(), family.lines.end());
                 }
 
-            if (cutter.cuts (place) || degree > axisX.degree())
+            if (isCrossed || degree > axisX.degree())
             {
                 checkWatch();
                 cell.kind = CellKind::cut;
@@ -167,7 +180,9 @@ std::vector<double> ImmersedSpace::squares (const KinkFamily* family) const
 
         if (cell.kind == CellKind::whole)
         {
-            forProducts (cell, [&] (std::size_t product) { sums[product] += area; });
+            if (family == nullptr)
+                forProducts (cell, [&] (std::size_t product) { sums[product] += area; });
+
             continue;
         }
 
@@ -233,11 +248,15 @@ void ImmersedSpace::numberUnknowns (const BendingProblem& problem)
     for (auto& family : families)
         kinds.push_back (&family.unknownOf);
 
+    double most = 0;
+
     for (std::size_t k = 0; k < kinds.size(); ++k)
     {
         auto& numbers = *kinds[k];
         const auto sums = squares (k == 0 ? nullptr : &families[k - 1]);
-        const auto most = *std::max_element (sums.begin(), sums.end());
+
+        if (k == 0)
+            most = *std::max_element (sums.begin(), sums.end());
 
         for (std::size_t product = 0; product < numbers.size(); ++product)
             if (! (sums[product] > most * (onHeldEdge[product] ? negligibleOnHeldEdge : negligible)))

@@ -11,7 +11,7 @@ struct ImmersedResolution
     double cell = 0;          ///< Cells are at most so large, in the units of the outline.
     double offset = 0;        ///< How far the first line lies before the plate, in cells.
     double cornerCell = 1e-2; ///< Cells at a re-entrant corner, in units of the largest.
-    double holeCell = 0.3;    ///< Cells at a hole, in units of its radius; half of it where its edge is held.
+    double holeCell = 0.3;    ///< Cells at a hole, in units of its radius; 0.3 of it where its edge is held.
     double patchCell = 0.08;  ///< Cells on a patch whose edges bend the plate, in units of its width.
 };
 

@@ -83,7 +83,7 @@ void addHollows (SmallCellsOfAxes& small, const BendingProblem& problem, const I
             if (isHollow (piece, insideAtLeft (problem.outline, path)))
             {
                 const auto& edge = problem.edges[static_cast<std::size_t> (piece.edge)];
-                const auto share = edge.holdsDisplacement || edge.holdsSlope ? 0.5 : 1.0;
+                const auto share = edge.holdsDisplacement || edge.holdsSlope ? 0.3 : 1.0;
                 const auto cell = share * resolution.holeCell * std::min (piece.cosine.norm(), piece.sine.norm());
                 const Eigen::Vector2d reach (std::hypot (piece.cosine.x(), piece.sine.x()),
                                              std::hypot (piece.cosine.y(), piece.sine.y()));
@@ -110,10 +110,15 @@ void addBend (SmallCellsOfAxes& small, const KinkFunction& kink, const ImmersedR
         { kink.gradient.y() == 0 ? kink.centre.x() : kink.centre.y(), cell, growth, resolution.degree - 1 });
 }
 
-/** Cells of a part of a patch's width all over it, where its edges bend the plate along no axis. */
+/** Cells of a part of a patch's width, and of a wave, all over it, where its edges bend the plate along no axis. */
 void addPatches (SmallCellsOfAxes& small, const BendingProblem& problem, const ImmersedResolution& resolution)
 {
-    constexpr double growth = 0.3;
+    // Where edges are held all cells are small already.
+    constexpr double growth = 0.3, ofCell = 0.53, ofCellHeld = 0.86;
+    const auto isHeld =
+        std::any_of (problem.edges.begin(), problem.edges.end(),
+                     [] (const EdgeSupport& edge) { return edge.holdsDisplacement || edge.holdsSlope; });
+    const auto most = (isHeld ? ofCellHeld : ofCell) * resolution.cell;
 
     for (const auto& patch : problem.patches)
         for (const auto& kink : patch.kinks)
@@ -125,7 +130,7 @@ void addPatches (SmallCellsOfAxes& small, const BendingProblem& problem, const I
             }
 
             const auto extent = extentOf (patch.outline);
-            const auto cell = resolution.patchCell * 2 * kink.width;
+            const auto cell = std::min (resolution.patchCell * 2 * kink.width, most);
             const auto steps = static_cast<int> (std::ceil (extent.size().maxCoeff() / cell));
 
             for (int i = 0; i <= steps; ++i)

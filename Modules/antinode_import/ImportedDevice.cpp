@@ -151,6 +151,7 @@ ImportedDevice importDevice (const ElementResults& results, const ImportSettings
     ImportedDevice device;
     MappedSurface mapped;
     mapped.name = settings.name;
+    mapped.boundary = settings.boundary;
     mapped.ceramics = makeCeramics (surface, settings.voltageLimit);
     mapped.fullScaleVoltage = settings.fullScaleVoltage;
     device.model = toModalModel (modesOnSurface (results, surface, order, settings), mapped);

@@ -13,10 +13,11 @@ struct ImportSettings
 {
     std::string name = "imported";
     SideChoice side;
-    double caseVoltage = 1;        ///< V, at which the ceramics of the cases strain.
-    double dampingRatio = 0.01;    ///< Of modes for which the program says none.
-    double voltageLimit = 150;     ///< V, of all ceramics.
-    double fullScaleVoltage = 150; ///< V
+    std::optional<SurfaceBoundary> boundary; ///< Where the surface ends; none: at the rectangle around its nodes.
+    double caseVoltage = 1;                  ///< V, at which the ceramics of the cases strain.
+    double dampingRatio = 0.01;              ///< Of modes for which the program says none.
+    double voltageLimit = 150;               ///< V, of all ceramics.
+    double fullScaleVoltage = 150;           ///< V
 };
 
 /** A device made of results of finite elements, and what speaks for it. */

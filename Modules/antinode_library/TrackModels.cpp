@@ -3,6 +3,7 @@
 #include "Library.h"
 
 #include <antinode_structure/ModeLimits.h>
+#include <antinode_structure/StaticShare.h>
 
 #include <algorithm>
 #include <optional>
@@ -19,8 +20,7 @@ std::optional<int> judgedModes (const DeviceDescription& description, const Moda
     if (std::holds_alternative<ModalModel> (description.body))
         return {};
 
-    const auto hasShare = std::holds_alternative<PlateDescription> (description.body);
-    const auto modes = known.modes() - (hasShare ? known.actuators() : 0);
+    const auto modes = known.modes() - (hasStaticShare (description) ? known.actuators() : 0);
     return std::min (maximumModes (description), static_cast<int> (3 * modes / 2));
 }
 } // namespace

@@ -121,8 +121,12 @@ SplineValues SplineAxis::onCell (Eigen::Index cell, const Eigen::VectorXd& at, i
     SplineValues result { begin, Eigen::MatrixXd (at.size(), end - begin) };
 
     for (Eigen::Index i = 0; i < at.size(); ++i)
-        result.values.row (i) =
-            splineDerivatives (knots, left, order, at[i], derivative).segment (begin - first, end - begin).transpose();
+        if (i > 0 && at[i] == at[i - 1]) // as along the rows of a cell
+            result.values.row (i) = result.values.row (i - 1);
+        else
+            result.values.row (i) = splineDerivatives (knots, left, order, at[i], derivative)
+                                        .segment (begin - first, end - begin)
+                                        .transpose();
 
     return result;
 }

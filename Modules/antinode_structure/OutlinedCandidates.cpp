@@ -2,8 +2,11 @@
 
 #include "CeramicPatches.h"
 #include "CeramicShapes.h"
+#include "DescribedModel.h"
 #include "DescriptionChecks.h"
-#include "OutlinedProblem.h"
+#include "FrequencyCorrection.h"
+#include "OutlinedDamping.h"
+#include "OutlinedModel.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>
@@ -47,6 +50,14 @@ bool liesWithin (const Outline& plate, CeramicDescription ceramic, double distan
     }
 }
 
+/** Whether a ceramic lies on something that is fastened to the plate: a foot, a screw, a mass. */
+bool coversPoint (const CeramicDescription& ceramic, const std::vector<PlatePoint>& points)
+{
+    const auto outline = ceramicOutline (ceramic);
+    return std::any_of (points.begin(), points.end(),
+                        [&] (const PlatePoint& point) { return outline.contains (point.x, point.y); });
+}
+
 /** How far the nearest edge of the plate is from what a ceramic covers. */
 double distanceToEdge (const Outline& plate, const CeramicDescription& ceramic)
 {
@@ -82,7 +93,7 @@ std::vector<CeramicDescription> positionsOn (const OutlinedPlate& plate, const C
             ceramic.x = x - like.sizeX / 2;
             ceramic.y = y - like.sizeY / 2;
 
-            if (! liesWithin (plate.outline, ceramic, margin)
+            if (! liesWithin (plate.outline, ceramic, margin) || coversPoint (ceramic, plate.points)
                 || (grid.edgeDistance && distanceToEdge (plate.outline, ceramic) > *grid.edgeDistance + edgeTolerance))
                 continue;
 
@@ -169,8 +180,12 @@ PlacementCandidates outlinedCandidates (const OutlinedPlate& plate, const Cerami
     requireSolvable (plate);
     PlacementCandidates candidates;
     candidates.ceramics = positionsOn (plate, like, grid);
-    const auto solution = solveOutlinedModes (plate, grid.modes);
+    const auto solved = asSolved (plate, grid.modes);
+    const auto solution = solveOutlinedModes (solved, grid.modes);
+    const OutlinedGrid points (solution.scaled.problem, solution.waveNumber);
     candidates.angularFrequencies = solution.angularFrequencies;
+    candidates.dampingRatios = dampingOfModes (plate.common.dampingRatios, grid.modes)
+                               + dampingOfSupports (solved, solution, points, points.shapes (solution.modes));
     candidates.participation =
         Eigen::MatrixXd::Zero (grid.modes, static_cast<Eigen::Index> (candidates.ceramics.size()));
 
@@ -178,7 +193,7 @@ PlacementCandidates outlinedCandidates (const OutlinedPlate& plate, const Cerami
     {
         checkWatch();
 
-        for (auto& patch : ceramicPatches (plate.common, candidates.ceramics[i]))
+        for (auto& patch : ceramicPatches (solved.common, candidates.ceramics[i]))
         {
             patch.outline = scaled (patch.outline, 1 / solution.scaled.length);
             candidates.participation.col (static_cast<Eigen::Index> (i)) +=
@@ -186,6 +201,21 @@ PlacementCandidates outlinedCandidates (const OutlinedPlate& plate, const Cerami
         }
     }
 
+    correctCandidates (candidates, solved.common, like);
     return candidates;
+}
+
+void correctCandidates (PlacementCandidates& candidates, StructureCommon common, const CeramicDescription& like)
+{
+    // They are alike: one stands for all.
+    common.ceramics = { like };
+    ModalModel one;
+    one.angularFrequencies = candidates.angularFrequencies;
+    one.dampingRatios = candidates.dampingRatios;
+    one.participation = Eigen::MatrixXd::Ones (one.modes(), 1);
+    correctFrequencies (one, common);
+    candidates.angularFrequencies = one.angularFrequencies;
+    candidates.dampingRatios = one.dampingRatios;
+    candidates.participation = one.participation.col (0).asDiagonal() * candidates.participation;
 }
 } // namespace antinode

@@ -10,9 +10,11 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
+#include <antinode_immersed/StaticRest.h>
 #include <antinode_outline/OutlineShapes.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace antinode
 {
@@ -59,18 +61,6 @@ void addDamping (ModalModel& model, const Eigen::VectorXd& more)
                                             + "; allowed: below 1, so choose smaller losses or dashpots");
 }
 
-/** The thin plate of one section that is solved in place of a plate. */
-OutlinedPlate asSolved (const OutlinedPlate& plate, std::optional<int> modeCount)
-{
-    const auto count = modeCount.value_or (plate.common.modeCount.value_or (defaultPlateModes));
-    const auto scaled = outlinedProblem (plate);
-    auto solved = plate;
-    solved.common =
-        asSolved (plate.common,
-                  expectedWaveNumber (scaled.problem, std::clamp (count, 1, maximumPlateModes) / 2) / scaled.length);
-    return solved;
-}
-
 /** Where the curvature of the plate is unbounded, cells cannot be small enough for everything. */
 void warnOfOutlinedErrors (ModalModel& model)
 {
@@ -106,6 +96,17 @@ ModalModel onGrid (const std::string& name, const OutlinedPlate& plate, const Ou
 }
 } // namespace
 
+OutlinedPlate asSolved (const OutlinedPlate& plate, std::optional<int> modeCount)
+{
+    const auto count = modeCount.value_or (plate.common.modeCount.value_or (defaultPlateModes));
+    const auto scaled = outlinedProblem (plate);
+    auto solved = plate;
+    solved.common =
+        asSolved (plate.common,
+                  expectedWaveNumber (scaled.problem, std::clamp (count, 1, maximumPlateModes) / 2) / scaled.length);
+    return solved;
+}
+
 ModalModel solveOutlinedPlate (const std::string& name, const OutlinedPlate& plate, std::optional<int> modeCount)
 {
     requireSolvable (plate);
@@ -115,6 +116,21 @@ ModalModel solveOutlinedPlate (const std::string& name, const OutlinedPlate& pla
     auto model = onGrid (name, plate, solved, solution, grid);
     model.frequencyErrors = frequencyErrors (solution);
     warnOfOutlinedErrors (model);
+    return model;
+}
+
+ModalModel solveOutlinedWithStaticShare (const std::string& name, const OutlinedPlate& plate,
+                                         std::optional<int> modeCount)
+{
+    requireSolvable (plate);
+    const auto solved = asSolved (plate, modeCount);
+    auto solution = solveOutlinedModes (solved, modeCount);
+    const OutlinedGrid grid (solution.scaled.problem, solution.waveNumber);
+    const auto warnings = thicknessWarnings (solved.common, solution.angularFrequencies);
+    solution.modes = withStaticRest (solution.scaled.problem, std::move (solution.modes));
+    solution.angularFrequencies = (solution.modes.eigenvalues * solution.scaled.eigenvalueUnit()).cwiseSqrt();
+    auto model = onGrid (name, plate, solved, solution, grid);
+    model.warnings = warnings; // of the modes: the shapes behind them are no waves
     return model;
 }
 

@@ -6,7 +6,7 @@
 #include "DescriptionChecks.h"
 #include "OutlinedCandidates.h"
 #include "OutlinedModel.h"
-#include "PlateSolution.h"
+#include "SolvedPlate.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>
@@ -75,10 +75,11 @@ struct CandidateFinder
         PlacementCandidates candidates;
         candidates.ceramics = onPlate (plate, like, grid);
         requireFewCandidates (candidates.ceramics.size());
-        const auto solution = solvePlateModes (plate, grid.modes);
+        const auto solved = asSolved (plate, grid.modes);
+        const auto solution = solvePlateModes (solved, grid.modes);
         candidates.angularFrequencies = solution.angularFrequencies;
         candidates.dampingRatios = dampingOfModes (plate.common.dampingRatios, grid.modes);
-        const auto section = ceramicSection (plate.common, like);
+        const auto section = ceramicSection (solved.common, like);
         const auto unit = solution.layout.unit;
         candidates.participation.resize (grid.modes, static_cast<Eigen::Index> (candidates.ceramics.size()));
 
@@ -92,6 +93,7 @@ struct CandidateFinder
                                  (c.y + c.sizeY) / unit);
         }
 
+        correctCandidates (candidates, solved.common, like);
         return candidates;
     }
 
@@ -105,12 +107,7 @@ struct CandidateFinder
         return onLine (staple, staple.topLength, EdgeCondition::clamped, EdgeCondition::clamped); // both go on as legs
     }
 
-    PlacementCandidates operator() (const OutlinedPlate& plate) const
-    {
-        auto candidates = outlinedCandidates (plate, like, grid);
-        candidates.dampingRatios = dampingOfModes (plate.common.dampingRatios, grid.modes);
-        return candidates;
-    }
+    PlacementCandidates operator() (const OutlinedPlate& plate) const { return outlinedCandidates (plate, like, grid); }
 
     PlacementCandidates operator() (const ModalModel&) const
     {

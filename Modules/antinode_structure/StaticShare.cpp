@@ -1,14 +1,17 @@
 #include "StaticShare.h"
 
+#include "CeramicShapes.h"
 #include "DescribedModel.h"
 #include "DescriptionChecks.h"
 #include "ElementChain.h"
 #include "FrequencyCorrection.h"
+#include "OutlinedModel.h"
 #include "SolvedPlate.h"
 
 #include <antinode_base/Watch.h>
-#include <antinode_numerics/Decompositions.h>
+#include <antinode_numerics/RitzPairs.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -66,18 +69,15 @@ Eigen::MatrixXd balancedDeflections (const PlateProblem& problem, int rigidBodyM
     return x;
 }
 
-/** Columns of length 1 that are orthogonal in mass to modes, and span with them what they did before. */
-Eigen::MatrixXd besides (const PlateProblem& problem, const Eigen::MatrixXd& modes, Eigen::MatrixXd columns)
+ModalModel alignedWithStaticShare (const std::string& name, const PlateDescription& plate, std::optional<int> modeCount)
 {
-    const Eigen::MatrixXd weighted = problem.mass (modes);
-
-    for (int pass = 0; pass < 2; ++pass) // the second removes what rounding left
-    {
-        columns -= modes * (weighted.transpose() * columns);
-        columns.colwise().normalize();
-    }
-
-    return columns;
+    requireSolvable (plate);
+    const auto solved = asSolved (plate, modeCount);
+    auto model = makeModel (solved, withStaticShare (solved, solvePlateModes (solved, modeCount)));
+    describe (model, name, plate.common);
+    correctFrequencies (model, solved.common);
+    validate (model);
+    return model;
 }
 } // namespace
 
@@ -95,11 +95,10 @@ PlateSolution withStaticShare (const PlateDescription& plate, PlateSolution solu
     const Eigen::VectorXd last = solution.coefficients.col (modes - 1);
     const auto massScale = 1 / std::sqrt (last.dot (problem.mass (last).col (0)));
     const auto eigenvalue = massScale * massScale * last.dot (problem.stiffness (last).col (0));
-    const auto rest = besides (problem, massScale * solution.coefficients, staticDeflections (plate, solution));
-    const auto ritz =
-        generalizedEigen (rest.transpose() * problem.stiffness (rest), rest.transpose() * problem.mass (rest));
+    const auto ritz = ritzPairsBehind (std::cref (problem.stiffness), std::cref (problem.mass),
+                                       massScale * solution.coefficients, staticDeflections (plate, solution));
 
-    if (! ritz || ! (ritz->values[0] > 0))
+    if (! ritz)
         throwNumbersTooFarApart();
 
     const auto highest = solution.angularFrequencies[modes - 1];
@@ -107,26 +106,41 @@ PlateSolution withStaticShare (const PlateDescription& plate, PlateSolution solu
     solution.angularFrequencies.conservativeResize (count);
     solution.angularFrequencies.tail (count - modes) = (ritz->values / eigenvalue).cwiseSqrt().cwiseMax (1.0) * highest;
     solution.coefficients.conservativeResize (Eigen::NoChange, count);
-    solution.coefficients.rightCols (count - modes) = rest * ritz->vectors / massScale;
+    solution.coefficients.rightCols (count - modes) = ritz->vectors / massScale;
     const auto error = solution.frequencyErrors[modes - 1];
     solution.frequencyErrors.conservativeResize (count);
     solution.frequencyErrors.tail (count - modes).setConstant (error);
     return solution;
 }
 
+bool hasStaticShare (const DeviceDescription& device)
+{
+    const auto has = [] (const auto& body)
+    {
+        using Body = std::decay_t<decltype (body)>;
+
+        if constexpr (std::is_same_v<Body, PlateDescription> || std::is_same_v<Body, OutlinedPlate>)
+            return ! body.common.ceramics.empty();
+        else
+            return false;
+    };
+    return std::visit (has, device.body);
+}
+
 ModalModel solveWithStaticShare (const DeviceDescription& device, std::optional<int> modeCount)
 {
-    const auto* const plate = std::get_if<PlateDescription> (&device.body);
-
-    if (plate == nullptr || plate->common.ceramics.empty())
+    if (! hasStaticShare (device))
         return solveStructure (device, modeCount);
 
-    requireSolvable (*plate);
-    const auto solved = asSolved (*plate, modeCount);
-    auto model = makeModel (solved, withStaticShare (solved, solvePlateModes (solved, modeCount)));
-    describe (model, device.name, plate->common);
-    correctFrequencies (model, solved.common);
-    validate (model);
-    return model;
+    const auto* const outlined = std::get_if<OutlinedPlate> (&device.body);
+
+    if (outlined != nullptr)
+        return solveOutlinedWithStaticShare (device.name, *outlined, modeCount);
+
+    const auto& plate = std::get<PlateDescription> (device.body);
+    const auto& ceramics = plate.common.ceramics;
+    return std::all_of (ceramics.begin(), ceramics.end(), fillsItsRectangle)
+               ? alignedWithStaticShare (device.name, plate, modeCount)
+               : solveOutlinedWithStaticShare (device.name, outlinedPlate (plate), modeCount);
 }
 } // namespace antinode

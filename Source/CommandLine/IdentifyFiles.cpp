@@ -1,5 +1,7 @@
 #include "IdentifyFiles.h"
 
+#include "BoundaryOption.h"
+
 #include <antinode_base/NumberText.h>
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_documents/IdentifiedDevice.h>
@@ -42,6 +44,11 @@ ModalModel makeDevice (IdentifiedModes modes, const IdentifyOptions& options, co
     MappedSurface surface;
     surface.name = options.name;
     surface.masses = masses;
+    surface.boundary = boundaryFrom (options.outline);
+
+    if (! surface.boundary && computed)
+        surface.boundary = computed->surface.boundary;
+
     surface.voltageLimit = options.voltageLimit;
     surface.fullScaleVoltage =
         options.fullScaleVoltage.value_or (computed ? computed->fullScaleVoltage : options.voltageLimit);

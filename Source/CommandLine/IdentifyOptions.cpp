@@ -1,5 +1,6 @@
 #include "IdentifyOptions.h"
 
+#include "BoundaryOption.h"
 #include "CommonOptions.h"
 
 #include <antinode_base/InputError.h>
@@ -102,6 +103,7 @@ void addOutputOptions (CLI::App& command, IdentifyOptions& options)
         .add_option ("--transfer", options.transferFile,
                      "Writes the computed device with the measured frequencies and damping ratios")
         ->type_name ("DEVICE.json");
+    addOutlineOption (command, options.outline);
     command.add_option ("--name", options.name, "Name of the device")->capture_default_str();
     command.add_option ("--voltage-limit-v", options.voltageLimit, "Voltage limit of every ceramic, V")
         ->check (CLI::PositiveNumber)

@@ -18,8 +18,9 @@ struct IdentifyOptions
     std::string name = "identified";
     std::string deviceFile, reportFile, universalFile, transferFile; ///< Not written where empty.
     std::string against;                                             ///< A computed device; none if empty.
-    std::vector<std::string> bands;                                  ///< "300:4000"
-    std::string orders;                                              ///< "3:18"
+    std::string outline;            ///< Where the surface ends; empty: as that of the computed device.
+    std::vector<std::string> bands; ///< "300:4000"
+    std::string orders;             ///< "3:18"
     bool isComplex = false, isReal = false, isGramSchmidt = false, usesPeaks = false, usesCache = true, isQuiet = false;
     std::vector<double> selected, rejected; ///< Hz
     std::optional<double> delay;            ///< us

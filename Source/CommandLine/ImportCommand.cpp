@@ -1,3 +1,4 @@
+#include "BoundaryOption.h"
 #include "Commands.h"
 
 #include <antinode_base/NumberText.h>
@@ -19,7 +20,7 @@ namespace
 struct ImportOptions
 {
     std::vector<std::string> files;
-    std::string outputFile, normal = "z", side = "top", units = "SI";
+    std::string outputFile, outline, normal = "z", side = "top", units = "SI";
     double flatness = 0; // mm
     std::optional<double> fullScaleVoltage;
     ImportSettings settings;
@@ -45,6 +46,7 @@ ImportSettings toSettings (const ImportOptions& options)
     settings.side.axis = axes.at (options.normal);
     settings.side.isTop = options.side == "top";
     settings.side.flatness = options.flatness / 1000;
+    settings.boundary = boundaryFrom (options.outline);
     settings.fullScaleVoltage = options.fullScaleVoltage.value_or (settings.voltageLimit);
     return settings;
 }
@@ -98,6 +100,7 @@ void addSurfaceOptions (CLI::App& command, ImportOptions& options)
         .add_option ("--flatness-mm", options.flatness,
                      "How far nodes of the surface may lie behind its plane, mm; default: a thousandth of its extent")
         ->check (CLI::PositiveNumber);
+    addOutlineOption (command, options.outline);
     command
         .add_option ("--points", options.settings.side.maximumPoints, "Points at most; more nodes are thinned evenly")
         ->check (CLI::Range (3, 20000))

@@ -1,6 +1,7 @@
 #include "PlateExamples.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_outline/OutlineShapes.h>
 #include <antinode_structure/Controllability.h>
 #include <antinode_structure/Placing.h>
 
@@ -192,4 +193,48 @@ TEST_CASE ("Impossible placements are refused with the field", "[structure][plac
                        Catch::Contains ("placement: step: "));
     CHECK_THROWS_WITH (placeCeramics (plate, plateCeramic (0, 0, 0.1, 0.1), optionsFor (1, 2, 0.01)),
                        Catch::Contains ("placement: number of modes: ") && Catch::Contains ("mode 2"));
+}
+
+TEST_CASE ("Candidates on a laminate on tape have its frequencies, losses and participations",
+           "[structure][placement][outlined]")
+{
+    // A disc so thin that the plate does not feel it: solved with it, the plate says what the candidate should.
+    OutlinedPlate plate;
+    plate.common = plainCommon (1.25e-3);
+    plate.common.dampingRatios.clear();
+    const auto glass = findElasticMaterial ("glass").value();
+    plate.common.layers = { { 0.7e-3, glass },
+                            { 0.15e-3, findViscoelasticMaterial ("OCA").value() },
+                            { 0.4e-3, glass } };
+    plate.common.material = glass;
+    plate.outline.paths = { rectanglePath ({ 0.05, 0.03 }, { 0.1, 0.06 }, 0, { 0.01, 0.01, 0.01, 0.01 }, 0),
+                            circlePath ({ 0.08, 0.045 }, 0.006, 4) };
+    plate.edges.assign (5, { EdgeCondition::free, 1e6, 0.3, 0.3 });
+    plate.points = { { 0.02, 0.015, 1e4, 0, 0, 0 } };
+    auto disc = plateCeramic (0, 0, 0.012, 0.012, 1e-6);
+    disc.shape = CeramicShape::disc;
+    disc.mounting = CeramicMounting::oneSide;
+    const auto candidates = placementCandidates ({ "pane", "", plate }, disc, { 0.006, {}, 0.002, 12 });
+    REQUIRE (candidates.ceramics.size() > 20);
+
+    for (const auto& each : candidates.ceramics)
+    {
+        const auto centre = each.centre();
+        CHECK (std::hypot (centre.x() - 0.08, centre.y() - 0.045) >= 0.006 + 0.006 - 1e-9);
+        CHECK (distanceToBoundary (plate.outline, centre.x(), centre.y()) >= 0.006 - 1e-9);
+        CHECK (std::hypot (centre.x() - 0.02, centre.y() - 0.015) >= 0.006 - 1e-9);
+    }
+
+    const auto chosen = candidates.ceramics.size() / 3;
+    const auto model = solveStructure (withCeramics ({ "pane", "", plate }, { candidates.ceramics[chosen] }), 12);
+    const auto participation = candidates.participation.col (static_cast<Eigen::Index> (chosen));
+    const auto largest = participation.cwiseAbs().maxCoeff();
+
+    for (Eigen::Index k = 0; k < 12; ++k)
+    {
+        CHECK (candidates.angularFrequencies[k] == Approx (model.angularFrequencies[k]).epsilon (2e-3));
+        CHECK (candidates.dampingRatios[k] == Approx (model.dampingRatios[k]).epsilon (0.02));
+        CHECK (std::abs (participation[k])
+               == Approx (std::abs (model.participation (k, 0))).epsilon (0.02).margin (0.01 * largest));
+    }
 }

@@ -1,0 +1,34 @@
+#include "BoundedSurface.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace antinode
+{
+Surface boundedBy (Surface surface, SurfaceBoundary boundary)
+{
+    constexpr double tolerance = 1e-3; // of the extent: measured places are rarely better
+
+    if (surface.kind == SurfaceKind::line)
+        throw InputError ("outline", "is given, but all points have the same y, which is a line; allowed for plates");
+
+    const auto& outline = boundary.outline;
+    const auto [least, largest] = extentOf (outline);
+    const auto near = tolerance * (largest - least).maxCoeff();
+
+    for (const auto& point : surface.points.rowwise())
+        if (! outline.contains (point[0], point[1]) && distanceToBoundary (outline, point[0], point[1]) > near)
+            throw InputError ("outline", "leaves out the point at (" + inWords (1000 * point[0]) + ", "
+                                             + inWords (1000 * point[1]) + ") mm; allowed: one that holds all points");
+
+    surface.xMinimum = std::min (surface.xMinimum, least.x());
+    surface.yMinimum = std::min (surface.yMinimum, least.y());
+    surface.xMaximum = std::max (surface.xMaximum, largest.x());
+    surface.yMaximum = std::max (surface.yMaximum, largest.y());
+    surface.boundary = std::move (boundary);
+    return surface;
+}
+} // namespace antinode
