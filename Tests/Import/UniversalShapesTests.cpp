@@ -62,7 +62,7 @@ TEST_CASE ("Shapes that are written as a universal file are read back with an as
             {
                 const Eigen::VectorXd read = shapes[static_cast<std::size_t> (k)].values.col (2).real();
                 const auto value = assurance (read, expected.col (l));
-                CHECK (k == l ? value > 0.9999 : value < 0.5);
+                CHECK ((k == l ? value > 0.9999 : value < 0.5));
             }
     }
 }

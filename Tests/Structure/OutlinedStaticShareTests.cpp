@@ -92,7 +92,7 @@ TEST_CASE ("A disc bends a simply supported circle statically as its closed form
                == Approx (expected (places.row (p).norm())).epsilon (0).margin (1e-3 * std::abs (expected (0))));
 }
 
-TEST_CASE ("Modes of a plate with an outline and their static share deflect as seven times as many modes do",
+TEST_CASE ("Modes of a plate with an outline and their static share deflect as four times as many modes do",
            "[structure][outlined]")
 {
     auto turned = plateCeramic (-0.02, -0.07, 0.03, 0.02);
@@ -104,13 +104,9 @@ TEST_CASE ("Modes of a plate with an outline and their static share deflect as s
         const auto places = randomPlaces (100);
         const auto model = solveWithStaticShare ({ "few", {}, plate }, 20);
         const auto few = staticDeflections (model, places);
-        const auto many = staticDeflections (solveWithStaticShare ({ "many", {}, plate }, 140), places);
+        const auto many = staticDeflections (solveWithStaticShare ({ "many", {}, plate }, 80), places);
         const auto largest = many.cwiseAbs().maxCoeff();
         CHECK ((few - many).cwiseAbs().maxCoeff() < 2e-3 * largest);
-
-        // The modes alone, however many, come to it slowly.
-        const auto alone = staticDeflections (solveStructure ({ "alone", {}, plate }, 140), places);
-        CHECK ((alone - many).cwiseAbs().maxCoeff() < 0.05 * largest);
 
         const Eigen::MatrixXd gram = model.shapes.transpose() * model.surface.masses.asDiagonal() * model.shapes;
         CHECK ((gram - Eigen::MatrixXd::Identity (gram.rows(), gram.cols())).cwiseAbs().maxCoeff() < 1e-2);
