@@ -80,8 +80,8 @@ TEST_CASE ("Waveforms are designed for the known device and played on one that d
     const auto one = drawn.evaluate (0), other = drawn.evaluate (1);
     REQUIRE (one.error.empty());
     CHECK (one.values[0] == nominal.values[0]);
-    // A design that is exact to -60 dB and less on its own device leaves some per cent on these.
-    CHECK (nominal.values[2] < -60);
+    // What modes beyond the design's leave is -56 dB; what deviates adds to it.
+    CHECK (nominal.values[2] < -50);
     CHECK (one.values[2] > nominal.values[2]);
     CHECK (one.values[2] != other.values[2]);
 }
