@@ -3,6 +3,7 @@
 #include "SensorOptions.h"
 
 #include <antinode_bench/AudioBench.h>
+#include <antinode_model/ModalModel.h>
 
 #include <memory>
 #include <vector>

@@ -12,7 +12,7 @@ constexpr auto columns = "x_mm,y_mm,wanted_mm_s,represented_mm_s,reached_mm_s\n"
 constexpr int sectionPoints = 401;
 
 /** What is wanted, represented and reached at one focus, N_p x 3, m/s. */
-Eigen::MatrixXd fields (const RenderedFocus& focus, std::size_t moment)
+Eigen::MatrixXd fieldsAt (const RenderedFocus& focus, std::size_t moment)
 {
     const auto& wanted = focus.design.moments[moment];
     Eigen::MatrixXd all (wanted.truncatedField.size(), 3);
@@ -57,7 +57,7 @@ void writeFields (OutputFolder& folder, const RenderedFocus& focus)
     for (std::size_t i = 0; i < focus.moments.size(); ++i)
     {
         const auto number = std::to_string (i + 1) + ",";
-        const auto values = fields (focus, i);
+        const auto values = fieldsAt (focus, i);
         addRows (field, number, surface.points (on, Eigen::all), values (on, Eigen::all));
 
         if (surface.kind == SurfaceKind::plate)
