@@ -82,7 +82,9 @@ TEST_CASE ("A device identified with complex modes does on the true one what it 
     CHECK ((modes.dampingRatios - truth.dampingRatios).cwiseQuotient (truth.dampingRatios).cwiseAbs().maxCoeff()
            < 3e-3);
 
-    const auto model = toModalModel (modes, { "identified", {}, {}, {}, 150, 150 });
+    MappedSurface surface;
+    surface.name = "identified";
+    const auto model = toModalModel (modes, surface);
     CHECK (model.hasComplexModes());
     CHECK ((phaseCollinearities (model) - phaseCollinearities (truth)).cwiseAbs().maxCoeff() < 0.01);
     const auto score = playedOnChain (chain, model);
