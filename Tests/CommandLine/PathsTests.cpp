@@ -12,7 +12,7 @@ using test::runProgram;
 
 namespace
 {
-void write (const std::filesystem::path& path, const std::string& content)
+void writeFile (const std::filesystem::path& path, const std::string& content)
 {
     std::filesystem::create_directories (path.parent_path());
     std::ofstream (path, std::ios::binary) << content;
@@ -53,8 +53,8 @@ TEST_CASE ("Files and folders may have umlauts, spaces and other scripts in thei
     const TemporaryFolder folder;
     const auto strange = folder.path() / u8"Geräte für Übung 1 – 表面";
     const auto device = strange / u8"ein Gerät.json", focus = strange / u8"schöner Fokus.json";
-    write (device, shown ("staple"));
-    write (focus, shown ("demonstrator"));
+    writeFile (device, shown ("staple"));
+    writeFile (focus, shown ("demonstrator"));
     const auto plain = runProgram ({ "render", "--no-report", "--out", folder.path() / "plain" });
     const auto other =
         runProgram ({ "render", focus, "--device", device, "--no-report", "--out", strange / u8"Ergebnis ß" });
@@ -82,8 +82,8 @@ TEST_CASE ("Devices and focuses may have the line ends of Windows", "[command li
         const auto path = folder.path() / (isWindows ? "windows" : "unix");
         const auto text = [&] (const char* name)
         { return isWindows ? withWindowsLineEnds (shown (name)) : shown (name); };
-        write (path / "device.json", text ("staple"));
-        write (path / "focus.json", text ("demonstrator"));
+        writeFile (path / "device.json", text ("staple"));
+        writeFile (path / "focus.json", text ("demonstrator"));
         const auto run =
             runProgram ({ "design", path / "focus.json", "--device", path / "device.json", "--out", path });
         INFO (run.errors);
@@ -97,8 +97,8 @@ TEST_CASE ("Devices and focuses may have the line ends of Windows", "[command li
 TEST_CASE ("Tables may have the line ends of Windows", "[command line][paths]")
 {
     const TemporaryFolder folder;
-    write (folder.path() / "points.csv", "x_mm,y_mm\n-20,0\n24,0\n");
-    write (folder.path() / "points-windows.csv", withWindowsLineEnds ("x_mm,y_mm\n-20,0\n24,0\n"));
+    writeFile (folder.path() / "points.csv", "x_mm,y_mm\n-20,0\n24,0\n");
+    writeFile (folder.path() / "points-windows.csv", withWindowsLineEnds ("x_mm,y_mm\n-20,0\n24,0\n"));
 
     for (const auto* name : { "points", "points-windows" })
     {
@@ -120,7 +120,7 @@ TEST_CASE ("The user's devices are found in the folder that the system has for t
     const TemporaryFolder folder;
     auto device = nlohmann::json::parse (shown ("beam"));
     device["name"] = "eigener Balken";
-    write (folder.path() / u8"Benutzer Müller" / "antinode" / "Devices" / "own-beam.json", device.dump (2));
+    writeFile (folder.path() / u8"Benutzer Müller" / "antinode" / "Devices" / "own-beam.json", device.dump (2));
     const test::ProgramEnvironment environment { { test::userDataVariable, folder.path() / u8"Benutzer Müller" } };
     CHECK (runProgram ({ "modes", "own-beam" }, environment).exitCode == 0);
     CHECK (runProgram ({ "modes", "own-beam" }).exitCode == 1);

@@ -30,7 +30,7 @@ PlateDescription readPlate (const nlohmann::json& json)
 }
 
 /** The error of a file with a value at a pointer. */
-std::string errorWith (const std::string& pointer, const nlohmann::json& value)
+std::string errorOfLaminate (const std::string& pointer, const nlohmann::json& value)
 {
     auto json = laminated();
     json[nlohmann::json::json_pointer (pointer)] = value;
@@ -76,17 +76,17 @@ TEST_CASE ("Moduli by table and by Prony's series", "[files]")
 
 TEST_CASE ("Mistakes in layers say where and what is allowed", "[files]")
 {
-    CHECK (errorWith ("/thickness_mm", 1) == "my.json: /thickness_mm: stands beside 'layers', which give it");
-    CHECK (errorWith ("/theory", "mindlin").find ("my.json: /theory: is 'mindlin', but a laminate") == 0);
-    CHECK (errorWith ("/theory", "mindlinn").find ("did you mean 'mindlin'?") != std::string::npos);
-    CHECK (errorWith ("/layers/0/material", "OCAA")
+    CHECK (errorOfLaminate ("/thickness_mm", 1) == "my.json: /thickness_mm: stands beside 'layers', which give it");
+    CHECK (errorOfLaminate ("/theory", "mindlin").find ("my.json: /theory: is 'mindlin', but a laminate") == 0);
+    CHECK (errorOfLaminate ("/theory", "mindlinn").find ("did you mean 'mindlin'?") != std::string::npos);
+    CHECK (errorOfLaminate ("/layers/0/material", "OCAA")
                .find ("my.json: /layers/0/material: is the text 'OCAA' (did you mean 'OCA'?)")
            == 0);
-    CHECK (errorWith ("/layers/0/thickness_mm", 0).find ("my.json: /layers/0/thickness_mm: is 0") == 0);
-    CHECK (errorWith ("/layers", nlohmann::json::array()).find ("my.json: /layers: ") == 0);
-    CHECK (errorWith ("/layers/1/material/loss_factor", -1).find ("my.json: /layers/1/material/loss_factor: is -1")
+    CHECK (errorOfLaminate ("/layers/0/thickness_mm", 0).find ("my.json: /layers/0/thickness_mm: is 0") == 0);
+    CHECK (errorOfLaminate ("/layers", nlohmann::json::array()).find ("my.json: /layers: ") == 0);
+    CHECK (errorOfLaminate ("/layers/1/material/loss_factor", -1).find ("my.json: /layers/1/material/loss_factor: is -1")
            == 0);
-    CHECK (errorWith ("/layers/1/material/table", nlohmann::json::array())
+    CHECK (errorOfLaminate ("/layers/1/material/table", nlohmann::json::array())
                .find ("my.json: /layers/1/material: needs one of 'shear_modulus_MPa'")
            == 0);
 
@@ -101,6 +101,6 @@ TEST_CASE ("Mistakes in layers say where and what is allowed", "[files]")
 
 TEST_CASE ("An unknown ceramic gets the list", "[files]")
 {
-    const auto error = errorWith ("/ceramics/0/material", "PZT-5B");
+    const auto error = errorOfLaminate ("/ceramics/0/material", "PZT-5B");
     CHECK_THAT (error, Catch::Contains ("did you mean 'PZT-5A'?") && Catch::Contains ("'PIC255'"));
 }

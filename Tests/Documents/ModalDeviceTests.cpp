@@ -30,12 +30,12 @@ ModalModel readModel (const nlohmann::json& document)
 }
 
 /** Through text and back, as a file would go. */
-ModalModel writtenAndRead (const ModalModel& model)
+ModalModel modalFileReadBack (const ModalModel& model)
 {
     return readModel (parseJson (modalDeviceToJson (model, "a test").dump (2), "my.json"));
 }
 
-std::string errorWith (std::string_view assignment)
+std::string errorOfModalFile (std::string_view assignment)
 {
     auto document = goodModal();
     applyAssignment (document, assignment);
@@ -198,12 +198,12 @@ TEST_CASE ("Points whose weights make the shapes orthonormal stand for the whole
 TEST_CASE ("A modal device written and read again is the same to the bit", "[files]")
 {
     const auto read = readModel (goodModal());
-    checkSame (writtenAndRead (read), read);
+    checkSame (modalFileReadBack (read), read);
 
     for (const auto kind : { SurfaceKind::line, SurfaceKind::plate })
     {
         const auto model = irregularModel (kind);
-        checkSame (writtenAndRead (model), model);
+        checkSame (modalFileReadBack (model), model);
     }
 }
 
@@ -219,19 +219,19 @@ TEST_CASE ("A modal device is written in people's numbers where there are such",
 
 TEST_CASE ("Modal devices whose parts do not fit together are refused", "[files]")
 {
-    CHECK (errorWith ("modes.0.shape=[1, 2]") == "my.json: /modes/0/shape: has 2 entries; allowed: a list of 3");
-    CHECK (errorWith ("modes.1.participation_per_V=[1]")
+    CHECK (errorOfModalFile ("modes.0.shape=[1, 2]") == "my.json: /modes/0/shape: has 2 entries; allowed: a list of 3");
+    CHECK (errorOfModalFile ("modes.1.participation_per_V=[1]")
            == "my.json: /modes/1/participation_per_V: has 1 entries; allowed: a list of 2");
-    CHECK (errorWith ("weights_kg=[0, 0, 0]")
+    CHECK (errorOfModalFile ("weights_kg=[0, 0, 0]")
            == "my.json: /weights_kg: is zero everywhere; allowed: at least one number above 0");
-    CHECK (errorWith ("ceramics=[]") == "my.json: /ceramics: has 0 entries; allowed: a list of 2");
-    CHECK (errorWith ("ceramics.0.voltage_limit_V=121")
+    CHECK (errorOfModalFile ("ceramics=[]") == "my.json: /ceramics: has 0 entries; allowed: a list of 2");
+    CHECK (errorOfModalFile ("ceramics.0.voltage_limit_V=121")
            == "my.json: /ceramics/0/voltage_limit_V: is 121; allowed: 0 to 120");
-    CHECK (errorWith ("points_mm.2=[0, 0]")
+    CHECK (errorOfModalFile ("points_mm.2=[0, 0]")
            == "my.json: /points_mm: has entries 1 and 2 at the same position; allowed on a line: distinct positions");
-    CHECK (errorWith ("points_mm.2=[40, 1]")
+    CHECK (errorOfModalFile ("points_mm.2=[40, 1]")
            == "my.json: /modes/0/slope: is given for a plate; allowed only on a line (all points with the same y)");
-    CHECK (errorWith ("modes.2={\"frequency_Hz\": 5}")
+    CHECK (errorOfModalFile ("modes.2={\"frequency_Hz\": 5}")
            == "my.json: /modes/2: has no 'slope'; allowed: for all modes or none");
 }
 
@@ -250,7 +250,7 @@ TEST_CASE ("Complex modes go through a file to the bit, and real ones have no im
            "[files][complex]")
 {
     const auto model = test::complexModel (test::viscousChain (8, 3, 40));
-    const auto read = writtenAndRead (model);
+    const auto read = modalFileReadBack (model);
     CHECK (read.hasComplexModes());
     checkSame (model, read);
     CHECK (read.slopes == model.slopes);

@@ -9,7 +9,7 @@ namespace
 const juce::KeyPress undoKeys ('z', juce::ModifierKeys::commandModifier, 0);
 const juce::KeyPress redoKeys ('z', juce::ModifierKeys::commandModifier | juce::ModifierKeys::shiftModifier, 0);
 
-void drag (SurfaceView& surface, juce::Point<float> from, juce::Point<float> by)
+void dragBy (SurfaceView& surface, juce::Point<float> from, juce::Point<float> by)
 {
     constexpr int steps = 20;
     surface.mouseDown (mouseAt (surface, from, from));
@@ -30,7 +30,7 @@ TEST_CASE ("Dragging the spot is one step of undo, and states come back to the l
     const auto& x = *test.processor.parameters().find ("x");
     const auto before = test.stateText();
     const auto value = x.getValue();
-    drag (surface, surface.spot(), { 40, 25 });
+    dragBy (surface, surface.spot(), { 40, 25 });
     const auto after = test.stateText();
     CHECK (x.getValue() > value);
     CHECK (before != after);
@@ -53,10 +53,10 @@ TEST_CASE ("On a plate the spot is dragged both ways, and the probe too")
     auto& surface = test.content().surface();
     const auto spot = surface.spot();
     // Away from the probe, which begins at the same place.
-    drag (surface, spot + juce::Point<float> (30, 0), { 60, -20 });
+    dragBy (surface, spot + juce::Point<float> (30, 0), { 60, -20 });
     CHECK (surface.spot().getDistanceFrom (spot + juce::Point<float> (90, -20)) < 1);
     const auto probe = surface.probe();
-    drag (surface, probe, { -35, 10 });
+    dragBy (surface, probe, { -35, 10 });
     CHECK (surface.probe().getDistanceFrom (probe + juce::Point<float> (-35, 10)) < 1);
     test.content().history().undo();
     CHECK (surface.probe().getDistanceFrom (probe) < 0.01);

@@ -22,7 +22,7 @@ using Planar = Eigen::Matrix<Sample, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 
 /** Velocities under voltages that are handed over in blocks. */
 template <typename Sample>
-Planar<Sample> playInBlocks (RealtimePlate& plate, const Planar<Sample>& voltages, Eigen::Index probes, int blockSize)
+Planar<Sample> plateInBlocks (RealtimePlate& plate, const Planar<Sample>& voltages, Eigen::Index probes, int blockSize)
 {
     Planar<Sample> velocities (probes, voltages.cols());
     std::vector<const Sample*> in (static_cast<std::size_t> (voltages.rows()));
@@ -85,7 +85,7 @@ TEST_CASE ("the real-time plate follows its recursion to 1e-12, with every instr
             hwy::SetSupportedTargetsForTest (target);
             RealtimePlate plate (model, 96e3, shapes);
             hwy::SetSupportedTargetsForTest (0);
-            const Eigen::MatrixXd velocities = playInBlocks<double> (plate, voltages, probes, 3000);
+            const Eigen::MatrixXd velocities = plateInBlocks<double> (plate, voltages, probes, 3000);
             INFO (hwy::TargetName (target) << ", " << probes << " probes");
             CHECK ((velocities - wanted).norm() <= 1e-12 * wanted.norm());
         }
@@ -109,7 +109,7 @@ TEST_CASE ("modes driven at resonance, to a tenth of the rate, move as in the ex
 
         exact.process (voltages, wanted);
         const auto latency = exact.latencySamples();
-        const Eigen::MatrixXd velocities = playInBlocks<double> (fast, voltages, 1, 512);
+        const Eigen::MatrixXd velocities = plateInBlocks<double> (fast, voltages, 1, 512);
         const auto compared = voltages.cols() - latency;
         const auto error = (velocities.leftCols (compared) - wanted.rightCols (compared)).cwiseAbs().maxCoeff();
         INFO (frequency << " Hz");
@@ -125,18 +125,18 @@ TEST_CASE ("real-time velocities do not depend on the block size, to the bit, an
     const Planar<double> voltages = draws.matrix (8, 9000);
     const Planar<float> rounded = voltages.cast<float>();
     RealtimePlate plate (model, 192e3, shapes);
-    const auto whole = playInBlocks (plate, voltages, 3, 9000);
+    const auto whole = plateInBlocks (plate, voltages, 3, 9000);
     plate.reset();
-    const auto wholeRounded = playInBlocks (plate, rounded, 3, 9000);
+    const auto wholeRounded = plateInBlocks (plate, rounded, 3, 9000);
     CHECK ((wholeRounded.cast<double>() - whole).norm() < 1e-6 * whole.norm());
 
     for (const auto blockSize : blockSizes)
     {
         INFO ("blocks of " << blockSize);
         plate.reset();
-        CHECK (playInBlocks (plate, voltages, 3, blockSize) == whole);
+        CHECK (plateInBlocks (plate, voltages, 3, blockSize) == whole);
         plate.reset();
-        CHECK (playInBlocks (plate, rounded, 3, blockSize) == wholeRounded);
+        CHECK (plateInBlocks (plate, rounded, 3, blockSize) == wholeRounded);
     }
 }
 
@@ -145,7 +145,7 @@ TEST_CASE ("a real-time plate that is left alone becomes exactly still instead o
     RealtimePlate plate (modelWithModes ({ 500, 5000 }, 1, Eigen::Vector2d (1, 1)), 48e3, Eigen::MatrixXd::Ones (1, 2));
     Planar<double> voltages = Planar<double>::Zero (1, 20000);
     voltages (0, 0) = 100;
-    const auto velocities = playInBlocks (plate, voltages, 1, 512);
+    const auto velocities = plateInBlocks (plate, voltages, 1, 512);
     CHECK (velocities.cwiseAbs().maxCoeff() > 1e-4);
     CHECK ((velocities.array() == 0 || velocities.array().abs() > std::numeric_limits<double>::min()).all());
     CHECK (velocities.rightCols (100).isZero (0));
@@ -156,7 +156,7 @@ TEST_CASE ("modes above half of the rate are left out of the real-time plate ins
     const auto model = modelWithModes ({ 5e3, 40e3 }, 60, Eigen::Vector2d (1, 1));
     const Planar<double> voltages = Draws (23).matrix (1, 500);
     RealtimePlate both (model, 48e3, Eigen::RowVector2d (1, 1)), one (model, 48e3, Eigen::RowVector2d (1, 0));
-    CHECK (playInBlocks (both, voltages, 1, 500) == playInBlocks (one, voltages, 1, 500));
+    CHECK (plateInBlocks (both, voltages, 1, 500) == plateInBlocks (one, voltages, 1, 500));
 }
 
 TEST_CASE ("the real-time plate allocates nothing while it plays")

@@ -15,7 +15,7 @@ namespace
 {
 /** What ones become, in blocks. */
 template <typename Sample>
-std::vector<Sample> playInBlocks (SafetyRamp& ramp, int samples, int blockSize)
+std::vector<Sample> rampInBlocks (SafetyRamp& ramp, int samples, int blockSize)
 {
     std::vector<Sample> ones (static_cast<std::size_t> (samples), Sample (1));
 
@@ -32,42 +32,42 @@ std::vector<Sample> playInBlocks (SafetyRamp& ramp, int samples, int blockSize)
 TEST_CASE ("a ramp is a straight line whose last sample has the target")
 {
     SafetyRamp ramp (0);
-    CHECK (playInBlocks<double> (ramp, 3, 3) == std::vector<double> { 0, 0, 0 });
+    CHECK (rampInBlocks<double> (ramp, 3, 3) == std::vector<double> { 0, 0, 0 });
     ramp.setTarget (1, 4);
     CHECK (ramp.isMoving());
-    CHECK (playInBlocks<double> (ramp, 6, 6) == std::vector<double> { 0.25, 0.5, 0.75, 1, 1, 1 });
+    CHECK (rampInBlocks<double> (ramp, 6, 6) == std::vector<double> { 0.25, 0.5, 0.75, 1, 1, 1 });
     CHECK_FALSE (ramp.isMoving());
     ramp.setTarget (0, 0);
-    CHECK (playInBlocks<double> (ramp, 2, 2) == std::vector<double> { 0, 0 });
+    CHECK (rampInBlocks<double> (ramp, 2, 2) == std::vector<double> { 0, 0 });
 }
 
 TEST_CASE ("a ramp that is turned round goes on from where it is")
 {
     SafetyRamp ramp (1);
     ramp.setTarget (0, 8);
-    playInBlocks<double> (ramp, 4, 4);
+    rampInBlocks<double> (ramp, 4, 4);
     CHECK (ramp.gain() == 0.5);
     ramp.setTarget (1, 2);
-    CHECK (playInBlocks<double> (ramp, 3, 3) == std::vector<double> { 0.75, 1, 1 });
+    CHECK (rampInBlocks<double> (ramp, 3, 3) == std::vector<double> { 0.75, 1, 1 });
 }
 
 TEST_CASE ("a ramp does not depend on the block size, to the bit")
 {
     SafetyRamp ramp (1);
     ramp.setTarget (0.1, 5000);
-    const auto whole = playInBlocks<double> (ramp, 9000, 9000);
+    const auto whole = rampInBlocks<double> (ramp, 9000, 9000);
     ramp = SafetyRamp (1);
     ramp.setTarget (0.1, 5000);
-    const auto wholeFloat = playInBlocks<float> (ramp, 9000, 9000);
+    const auto wholeFloat = rampInBlocks<float> (ramp, 9000, 9000);
 
     for (const auto blockSize : blockSizes)
     {
         ramp = SafetyRamp (1);
         ramp.setTarget (0.1, 5000);
-        CHECK (playInBlocks<double> (ramp, 9000, blockSize) == whole);
+        CHECK (rampInBlocks<double> (ramp, 9000, blockSize) == whole);
         ramp = SafetyRamp (1);
         ramp.setTarget (0.1, 5000);
-        CHECK (playInBlocks<float> (ramp, 9000, blockSize) == wholeFloat);
+        CHECK (rampInBlocks<float> (ramp, 9000, blockSize) == wholeFloat);
     }
 }
 
@@ -79,7 +79,7 @@ TEST_CASE ("a gain that is not between 0 and 1 means silence")
         CHECK (SafetyRamp (gain).gain() == 0);
         SafetyRamp ramp (1);
         ramp.setTarget (gain, 2);
-        CHECK (playInBlocks<double> (ramp, 3, 3) == std::vector<double> { 0.5, 0, 0 });
+        CHECK (rampInBlocks<double> (ramp, 3, 3) == std::vector<double> { 0.5, 0, 0 });
     }
 }
 

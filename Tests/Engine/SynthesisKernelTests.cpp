@@ -14,7 +14,6 @@ using namespace antinode::test;
 
 namespace
 {
-constexpr auto bandLimited = Reconstruction::bandLimited;
 
 /** Planar channels of what a synthesiser adds to 0 from a sample on, in blocks. */
 template <typename Sample>
@@ -117,7 +116,7 @@ TEST_CASE ("voltages of every instruction set are the definition's, in double to
     for (const auto target : hwy::SupportedAndGeneratedTargets())
     {
         const OnlyTarget only (target);
-        const VoltageSynthesiser synthesiser (program, { bandLimited, 96e3 });
+        const VoltageSynthesiser synthesiser (program, { Reconstruction::bandLimited, 96e3 });
         INFO (hwy::TargetName (target));
         CHECK (worstDifference (addInBlocks<double> (synthesiser, -10, 6000, 6000), wanted) < 1e-11);
         CHECK (worstDifference (addInBlocks<float> (synthesiser, -10, 6000, 6000), wanted) < 1e-4);
@@ -129,7 +128,7 @@ TEST_CASE ("added voltages do not depend on the block size, to the bit, with any
     for (const auto target : hwy::SupportedAndGeneratedTargets())
     {
         const OnlyTarget only (target);
-        const VoltageSynthesiser synthesiser (crowd(), { bandLimited, 192e3 });
+        const VoltageSynthesiser synthesiser (crowd(), { Reconstruction::bandLimited, 192e3 });
         const auto whole = addInBlocks<double> (synthesiser, -77, 12000, 12000);
         const auto wholeFloat = addInBlocks<float> (synthesiser, -77, 12000, 12000);
 
@@ -144,7 +143,7 @@ TEST_CASE ("added voltages do not depend on the block size, to the bit, with any
 
 TEST_CASE ("voltages are the same in planar channels and in a matrix, to the bit")
 {
-    const VoltageSynthesiser synthesiser (crowd(), { bandLimited, 48e3 });
+    const VoltageSynthesiser synthesiser (crowd(), { Reconstruction::bandLimited, 48e3 });
     Eigen::MatrixXd matrix (23, 3000);
     synthesiser.process (5, matrix);
     CHECK (worstDifference (addInBlocks<double> (synthesiser, 5, 3000, 1000), matrix) == 0);
@@ -152,7 +151,7 @@ TEST_CASE ("voltages are the same in planar channels and in a matrix, to the bit
 
 TEST_CASE ("voltages are added to what the channels hold, times the amplitude, and nothing beside the block is touched")
 {
-    const VoltageSynthesiser synthesiser (manyOscillations(), { bandLimited, 48e3 });
+    const VoltageSynthesiser synthesiser (manyOscillations(), { Reconstruction::bandLimited, 48e3 });
     const auto alone = addInBlocks<double> (synthesiser, 900, 200, 200);
     std::vector<std::vector<double>> planar (8, std::vector<double> (210, 3.0));
     std::vector<double*> channels;
@@ -175,7 +174,7 @@ TEST_CASE ("in float, oscillations are exact to 3e-7 of their envelope after a s
     const Oscillation oscillation { 0, 0.0123456789, 1.2, 0, 2 * std::numbers::pi * 30.9e3, 0.7, -0.4 };
     const VoltageProgram program { { oscillation }, Eigen::MatrixXd::Ones (1, 1), Eigen::VectorXd::Ones (1), 1.1 };
     const auto wanted = byDefinition (program, 192e3, 205000, 5000);
-    const VoltageSynthesiser synthesiser (program, { bandLimited, 192e3 });
+    const VoltageSynthesiser synthesiser (program, { Reconstruction::bandLimited, 192e3 });
     CHECK (worstDifference (addInBlocks<float> (synthesiser, 205000, 5000, 512), wanted)
            < 3e-7 * std::hypot (0.7, 0.4));
 }
@@ -184,7 +183,7 @@ TEST_CASE ("an oscillation of an hour is as exact at its end as at its start")
 {
     const Oscillation oscillation { 0, 0.1, 3700, 0, 2 * std::numbers::pi * 30.9e3, 1, 0 };
     const VoltageProgram program { { oscillation }, Eigen::MatrixXd::Ones (1, 1), Eigen::VectorXd::Ones (1), 0.2 };
-    const VoltageSynthesiser synthesiser (program, { bandLimited, 192e3 });
+    const VoltageSynthesiser synthesiser (program, { Reconstruction::bandLimited, 192e3 });
 
     for (const auto first : { 50000LL, 691200000LL })
         CHECK (worstDifference (addInBlocks<double> (synthesiser, first, 500, 500),
@@ -194,7 +193,7 @@ TEST_CASE ("an oscillation of an hour is as exact at its end as at its start")
 
 TEST_CASE ("adding voltages allocates nothing")
 {
-    const VoltageSynthesiser synthesiser (manyOscillations(), { bandLimited, 48e3 });
+    const VoltageSynthesiser synthesiser (manyOscillations(), { Reconstruction::bandLimited, 48e3 });
     std::vector<std::vector<float>> planar (8, std::vector<float> (700));
     std::vector<float*> channels;
     std::transform (planar.begin(), planar.end(), std::back_inserter (channels), [] (auto& p) { return p.data(); });

@@ -10,7 +10,7 @@ using namespace antinode;
 
 namespace
 {
-FocusDescription sincFocus (AllocationMethod method = AllocationMethod::exact)
+FocusDescription focusOfSinc (AllocationMethod method = AllocationMethod::exact)
 {
     FocusDescription focus;
     focus.targets = { { TargetShape::sinc, 0.02, 0, 0.025, 0.04, 1 } };
@@ -77,10 +77,10 @@ ModalModel chargedBeam (double capacitance, double current)
 TEST_CASE ("A full scale below the voltage limit limits a design like a voltage limit of the same volts", "[focus]")
 {
     auto model = test::sineBeam (20, 8);
-    const auto minimum = designFocus (model, sincFocus (AllocationMethod::minimumPeak), {}).minimumPeakVoltage;
+    const auto minimum = designFocus (model, focusOfSinc (AllocationMethod::minimumPeak), {}).minimumPeakVoltage;
     model.fullScaleVoltage = 1.05 * minimum;
-    const auto scaled = designFocus (model, sincFocus(), {});
-    auto described = sincFocus();
+    const auto scaled = designFocus (model, focusOfSinc(), {});
+    auto described = focusOfSinc();
     described.allocation.voltageLimit = 1.05 * minimum;
     const auto limited = designFocus (test::sineBeam (20, 8), described, {});
     CHECK (scaled.program.allocation == limited.program.allocation);
@@ -99,9 +99,9 @@ TEST_CASE ("A full scale below the voltage limit limits a design like a voltage 
 TEST_CASE ("A full scale above the voltage limit changes nothing, to the bit", "[focus]")
 {
     auto model = test::sineBeam (20, 8);
-    const auto one = designFocus (model, sincFocus(), {});
+    const auto one = designFocus (model, focusOfSinc(), {});
     model.fullScaleVoltage = 400;
-    const auto other = designFocus (model, sincFocus(), {});
+    const auto other = designFocus (model, focusOfSinc(), {});
     CHECK (one.program.allocation == other.program.allocation);
     CHECK (one.program.voltageLimits == other.program.voltageLimits);
     CHECK (other.limit->kind == LimitKind::ceramic);
@@ -131,9 +131,9 @@ TEST_CASE ("A current limit is reported in mA, with its ceramic and time, as the
 {
     constexpr auto capacitance = 20e-9;
     const auto unlimited = chargedBeam (capacitance, 10);
-    const auto needed = capacitance * steepestOf (unlimited, designFocus (unlimited, sincFocus(), {})).slope;
+    const auto needed = capacitance * steepestOf (unlimited, designFocus (unlimited, focusOfSinc(), {})).slope;
     const auto model = chargedBeam (capacitance, 0.8 * needed);
-    const auto design = designFocus (model, sincFocus(), {});
+    const auto design = designFocus (model, focusOfSinc(), {});
     const auto steepest = steepestOf (model, design);
     REQUIRE (design.limit);
     const auto& limit = *design.limit;
@@ -158,7 +158,7 @@ TEST_CASE ("A slew limit holds from the first sample on, however short the drive
     for (const auto method : { AllocationMethod::exact, AllocationMethod::paper, AllocationMethod::minimumPeak })
         for (const auto kind : { DriveKind::offsetFree, DriveKind::paper })
         {
-            auto focus = sincFocus (method);
+            auto focus = focusOfSinc (method);
             focus.focusTime = 0.004;
             focus.transients.drive = kind;
             const auto unlimited = chargedBeam (20e-9, 10);
@@ -178,7 +178,7 @@ TEST_CASE ("The current of a design far below its limit is that of the steepest 
         ceramic.voltageLimit = 1e5;
 
     model.fullScaleVoltage = 1e5;
-    const auto design = designFocus (model, sincFocus(), {});
+    const auto design = designFocus (model, focusOfSinc(), {});
     const auto steepest = steepestOf (model, design);
     const auto uses = limitUses (model, {}, design.program);
     REQUIRE (uses.slew);
@@ -195,7 +195,7 @@ TEST_CASE ("A slew limit is reported in V/us where it was given, or is lower tha
     for (auto& ceramic : model.ceramics)
         ceramic.slewLimit = 1e4;
 
-    const auto design = designFocus (model, sincFocus (AllocationMethod::minimumNorm), {});
+    const auto design = designFocus (model, focusOfSinc (AllocationMethod::minimumNorm), {});
     const auto steepest = steepestOf (model, design);
     REQUIRE (design.limit);
     CHECK (design.limit->kind == LimitKind::slew);
@@ -211,13 +211,13 @@ TEST_CASE ("A current that is too low is refused in mA, with what the drives nee
            "[focus]")
 {
     constexpr auto capacitance = 20e-9;
-    const auto free = designFocus (test::sineBeam (20, 8), sincFocus(), {});
+    const auto free = designFocus (test::sineBeam (20, 8), focusOfSinc(), {});
     const auto current = 0.1 * capacitance * steepestOf (test::sineBeam (20, 8), free).slope;
     const auto model = chargedBeam (capacitance, current);
 
     try
     {
-        designFocus (model, sincFocus(), {});
+        designFocus (model, focusOfSinc(), {});
         FAIL ("the limit was not refused");
     }
     catch (const LimitError& error)
@@ -225,7 +225,7 @@ TEST_CASE ("A current that is too low is refused in mA, with what the drives nee
         CHECK_THAT (error.what(), Catch::StartsWith ("device: current limit: is ")
                                       && Catch::Contains (" mA, too low for 40 mm/s: ")
                                       && Catch::Contains (" needs at least ") && Catch::Contains (" the focus"));
-        auto slower = sincFocus();
+        auto slower = focusOfSinc();
         slower.targets[0].peakVelocity = 0.998 * error.reachableVelocity;
         const auto design = designFocus (model, slower, {});
         CHECK (capacitance * steepestOf (model, design).slope <= current * (1 + 1e-9));

@@ -17,7 +17,7 @@ using namespace antinode;
 
 namespace
 {
-constexpr Playback interface {
+constexpr Playback atInterface {
     Reconstruction::bandLimited, 48000
 };
 constexpr Playback generator { Reconstruction::zeroOrderHold, 48000 };
@@ -44,7 +44,7 @@ FocusDescription quietFocus (double weight, FeltAt at = FeltAt::places)
     return focus;
 }
 
-FreeWaveform madeWith (const ModalModel& model, const FocusDescription& focus, Playback playback = interface)
+FreeWaveform madeWith (const ModalModel& model, const FocusDescription& focus, Playback playback = atInterface)
 {
     const auto design = designFocus (model, focus, playback, DesignExtent::compared);
     return freeWaveform (model, focus, design.controlledModes, design.moments.front().wanted,
@@ -125,7 +125,7 @@ TEST_CASE ("With less felt elsewhere every controlled mode still has its velocit
 {
     const auto model = quietBeam();
 
-    for (const auto playback : { interface, generator })
+    for (const auto playback : { atInterface, generator })
     {
         const auto design = designFocus (model, quietFocus (30), playback);
         RenderSettings settings;
@@ -209,7 +209,7 @@ TEST_CASE ("Limits are kept at the cost of what is felt elsewhere, and it is sai
 {
     const auto model = quietBeam();
     auto focus = quietFocus (100);
-    const auto free = designFocus (model, focus, interface);
+    const auto free = designFocus (model, focus, atInterface);
     const auto plain = madeWith (model, quietFocus (0)).felt->plainPeak;
     const auto limit = 0.5 * (plain + peakVoltage (free));
     REQUIRE (limit > plain);
@@ -221,7 +221,7 @@ TEST_CASE ("Limits are kept at the cost of what is felt elsewhere, and it is sai
     CHECK (limited.felt->gain > 0);
     CHECK (limited.felt->gain == Approx (madeWith (model, quietFocus (limited.felt->weight)).felt->gain));
     CHECK (limited.certificate.rowResidual < 1e-9);
-    const auto design = designFocus (model, focus, interface);
+    const auto design = designFocus (model, focus, atInterface);
     REQUIRE (! design.warnings.empty());
     CHECK_THAT (design.warnings.front(), Catch::Contains ("allows the weight"));
     focus.allocation.voltageLimit = 1.0001 * plain;

@@ -13,12 +13,12 @@ using namespace antinode::test;
 namespace
 {
 constexpr double rate = 48000;
-constexpr int length = 1600, block = 256, noteAt = 100;
+constexpr int wireLength = 1600, block = 256, noteAt = 100;
 } // namespace
 
 TEST_CASE ("Each of the 64 ceramics of the comb has a voltage of its own", "[vst3]")
 {
-    const auto reference = combReference (rate, length);
+    const auto reference = combReference (rate, wireLength);
     REQUIRE (reference.ceramics.rows() == 64);
 
     for (int i = 0; i < 64; ++i)
@@ -31,7 +31,7 @@ TEST_CASE ("Each of the 64 ceramics of the comb has a voltage of its own", "[vst
 
 TEST_CASE ("Wire k of a VST3 carries ceramic k for every number of channels that a host asks for", "[vst3]")
 {
-    const auto reference = combReference (rate, length);
+    const auto reference = combReference (rate, wireLength);
     RawVst3 plugin (32);
     REQUIRE (plugin.setState (reference.state));
 
@@ -41,7 +41,7 @@ TEST_CASE ("Wire k of a VST3 carries ceramic k for every number of channels that
         CAPTURE (ceramics, monitors);
         REQUIRE (plugin.setLayout (ceramics, monitors));
         plugin.activate ({ rate, block, true, ceramics % 2 == 0 });
-        const auto played = plugin.play (length, block, noteAt);
+        const auto played = plugin.play (wireLength, block, noteAt);
         plugin.deactivate();
         REQUIRE (played.rows() == ceramics + monitors);
         REQUIRE (deviation (played, ceramics, reference, noteAt) < wireTolerance);
@@ -51,26 +51,26 @@ TEST_CASE ("Wire k of a VST3 carries ceramic k for every number of channels that
 TEST_CASE ("A host that keeps the VST3's layout gets ceramic k on wire k", "[vst3]")
 {
     const auto ceramics = GENERATE (1, 2, 8, 16, 19, 20, 21, 25, 32, 48, 63, 64);
-    const auto reference = combReference (rate, length);
+    const auto reference = combReference (rate, wireLength);
     RawVst3 plugin (ceramics);
     CHECK (plugin.channels (0) == ceramics);
     CHECK (plugin.channels (1) == 2);
     REQUIRE (plugin.setState (reference.state));
     plugin.activate ({ rate, block, true, false });
-    CHECK (deviation (plugin.play (length, block, noteAt), ceramics, reference, noteAt) < wireTolerance);
+    CHECK (deviation (plugin.play (wireLength, block, noteAt), ceramics, reference, noteAt) < wireTolerance);
 }
 
 TEST_CASE ("A new VST3 plays the demonstrator, and wires beyond its 8 ceramics are silent", "[vst3]")
 {
-    const auto reference = demonstratorReference (rate, length);
+    const auto reference = demonstratorReference (rate, wireLength);
     RawVst3 plugin (32);
     plugin.activate ({ rate, block, true, false });
-    CHECK (deviation (plugin.play (length, block, noteAt), 32, reference, noteAt) < wireTolerance);
+    CHECK (deviation (plugin.play (wireLength, block, noteAt), 32, reference, noteAt) < wireTolerance);
 }
 
 TEST_CASE ("In real time a VST3 plays what it plays offline once its foci are designed", "[vst3]")
 {
-    const auto reference = demonstratorReference (rate, length);
+    const auto reference = demonstratorReference (rate, wireLength);
     const auto isDouble = GENERATE (false, true);
     RawVst3 plugin (8);
     auto error = 1.0;
@@ -80,7 +80,7 @@ TEST_CASE ("In real time a VST3 plays what it plays offline once its foci are de
     {
         std::this_thread::sleep_for (std::chrono::milliseconds (50));
         plugin.activate ({ rate, block, false, isDouble });
-        error = deviation (plugin.play (length, block, noteAt), 8, reference, noteAt);
+        error = deviation (plugin.play (wireLength, block, noteAt), 8, reference, noteAt);
         plugin.deactivate();
     }
 
@@ -89,11 +89,11 @@ TEST_CASE ("In real time a VST3 plays what it plays offline once its foci are de
 
 TEST_CASE ("A host that keeps controller and component apart gets the same", "[vst3]")
 {
-    const auto reference = demonstratorReference (rate, length);
+    const auto reference = demonstratorReference (rate, wireLength);
     RawVst3 plugin (8, RawVst3::Connection::byMessages);
     CHECK (plugin.controller->getParameterCount() > 15);
     plugin.activate ({ rate, block, true, false });
-    CHECK (deviation (plugin.play (length, block, noteAt), 8, reference, noteAt) < wireTolerance);
+    CHECK (deviation (plugin.play (wireLength, block, noteAt), 8, reference, noteAt) < wireTolerance);
 }
 
 TEST_CASE ("Layouts that cannot be are refused, and the next best one is taken", "[vst3]")
@@ -114,7 +114,7 @@ TEST_CASE ("Layouts that cannot be are refused, and the next best one is taken",
     CHECK (plugin.channels (0) == 8);
     CHECK (plugin.channels (1) == 2);
     plugin.activate ({ rate, block, true, false });
-    CHECK (plugin.play (length, block, noteAt).allFinite());
+    CHECK (plugin.play (wireLength, block, noteAt).allFinite());
 }
 
 TEST_CASE ("Loading the VST3 and making an instance takes so long", "[vst3]")

@@ -24,7 +24,7 @@ struct PlateWithDisc
 
 constexpr double glassRadius = 0.06, glassStiffness = 2.102599131287656, glassRatio = 0.22, glassMass = 1.75;
 
-tests::CircularPlate exactPlate (const PlateWithDisc& plate)
+tests::CircularPlate circleWithDisc (const PlateWithDisc& plate)
 {
     return { 0,
              { { plate.radius, plate.stiffness, plate.poissonRatio, plate.massPerArea },
@@ -33,7 +33,7 @@ tests::CircularPlate exactPlate (const PlateWithDisc& plate)
              plate.outer };
 }
 
-BendingProblem problemOf (const PlateWithDisc& plate, const Eigen::Vector2d& centre)
+BendingProblem problemWithDisc (const PlateWithDisc& plate, const Eigen::Vector2d& centre)
 {
     BendingProblem problem;
     problem.section = isotropicSection (glassStiffness, glassRatio, glassMass);
@@ -65,9 +65,9 @@ TEST_CASE ("A disc: fifty frequencies to 1e-4, participation to 1e-3", "[immerse
     const auto plate = GENERATE_COPY (values<PlateWithDisc> (
         { {}, { 0.005, 12.8, 0.1, 6.4, {} }, { 0.015, 5.9, 0.26, 4.1, {} }, { 0.01, 12.8, 0.3, 6.4, clamped } }));
     CAPTURE (plate.radius, plate.outer.translation);
-    const auto problem = problemOf (plate, { 0.01, -0.02 });
+    const auto problem = problemWithDisc (plate, { 0.01, -0.02 });
     const auto modes = bendingModes (problem, 50, resolutionFor (problem, 50, ModeAccuracy::usual));
-    const auto exact = tests::circularModes (exactPlate (plate), 50);
+    const auto exact = tests::circularModes (circleWithDisc (plate), 50);
 
     // Over the disc the Laplacian is the flux of the slope through its edge; with nodal diameters it vanishes. Modes
     // with frequencies closer than the tolerance may be mixed.
@@ -79,7 +79,7 @@ TEST_CASE ("A disc: fifty frequencies to 1e-4, participation to 1e-3", "[immerse
             if (std::abs (exact[l].angularFrequency / exact[k].angularFrequency - 1) < 1e-3)
             {
                 const auto flux = 2 * std::numbers::pi * plate.radius
-                                  * slopeAtFirstRing (exactPlate (plate), exact[l].angularFrequency);
+                                  * slopeAtFirstRing (circleWithDisc (plate), exact[l].angularFrequency);
                 expected += exact[l].diameters > 0 ? 0 : flux * flux;
                 found += std::pow (modes.participation (static_cast<Eigen::Index> (l), 0), 2);
             }
@@ -93,7 +93,7 @@ TEST_CASE ("A disc: fifty frequencies to 1e-4, participation to 1e-3", "[immerse
 TEST_CASE ("The reference values of a disc are those of the determinant", "[immersed][plate]")
 {
     const auto& reference = outlineReferences()["disc_ceramic"]["disc_2side_free"]["n0"];
-    const auto exact = tests::circularModes (exactPlate ({}), 30);
+    const auto exact = tests::circularModes (circleWithDisc ({}), 30);
     std::size_t next = 0;
 
     for (const auto& mode : exact)
@@ -102,7 +102,7 @@ TEST_CASE ("The reference values of a disc are those of the determinant", "[imme
             CHECK (mode.angularFrequency / (2 * std::numbers::pi)
                    == Approx (reference["f_Hz"][next].get<double>()).epsilon (1e-8));
             const auto participation =
-                0.0177 * 2 * std::numbers::pi * 0.01 * slopeAtFirstRing (exactPlate ({}), mode.angularFrequency);
+                0.0177 * 2 * std::numbers::pi * 0.01 * slopeAtFirstRing (circleWithDisc ({}), mode.angularFrequency);
             CHECK (std::abs (participation)
                    == Approx (reference["alpha_N_per_sqrtkg_per_V"][next++].get<double>()).epsilon (1e-5));
         }
@@ -139,7 +139,7 @@ TEST_CASE ("Plate and square turned together keep their modes", "[immersed][plat
 
 TEST_CASE ("A ring with hardly a hole is nearly a disc, and moves no mode with nodal diameters", "[immersed][plate]")
 {
-    auto problem = problemOf ({}, { 0, 0 });
+    auto problem = problemWithDisc ({}, { 0, 0 });
     const auto disc = bendingModes (problem, 12, resolutionFor (problem, 12, ModeAccuracy::usual));
     auto ring = ringPatch ({ 0, 0 }, 0.01, 0.0005);
     ring.added = problem.patches[0].added;

@@ -12,7 +12,7 @@ using namespace antinode;
 
 namespace
 {
-constexpr double rate = 4000;
+constexpr double inputRate = 4000;
 constexpr Eigen::Index past = 400;
 
 const SkinThreshold stepThreshold { "steps", Eigen::Vector3d (40, 250, 1000), Eigen::Vector3d (1e-5, 1e-7, 1e-5) };
@@ -20,12 +20,12 @@ const SkinThreshold stepThreshold { "steps", Eigen::Vector3d (40, 250, 1000), Ei
 /** What is asked for by a tone of 1 um, once it is steady. */
 std::pair<double, double> steadyMotion (double frequency)
 {
-    InputMotion motion (rate, { 40, 1000 }, stepThreshold, past, 1);
+    InputMotion motion (inputRate, { 40, 1000 }, stepThreshold, past, 1);
     const Eigen::RowVectorXf tone = Eigen::RowVectorXf::NullaryExpr (
         3000,
         [&] (auto n) {
             return static_cast<float> (1e-6
-                                       * std::sin (2 * std::numbers::pi * frequency * static_cast<double> (n) / rate));
+                                       * std::sin (2 * std::numbers::pi * frequency * static_cast<double> (n) / inputRate));
         });
 
     for (Eigen::Index n = past; n < tone.size(); ++n)
@@ -85,7 +85,7 @@ TEST_CASE ("The noise gain of filters is that of noise in the band, by its spect
 
             for (Eigen::Index k = 0; k < 60; ++k)
                 response += filters.taps[0](k, i)
-                            * std::polar (1.0, -2 * std::numbers::pi * frequency * static_cast<double> (k) / rate);
+                            * std::polar (1.0, -2 * std::numbers::pi * frequency * static_cast<double> (k) / inputRate);
 
             power += std::norm (response);
             ++tones;

@@ -6,7 +6,7 @@ using namespace antinode;
 
 namespace
 {
-constexpr double rate = 48000;
+constexpr double fingerRate = 48000;
 constexpr FocusEvent live { 0, FocusEventKind::trigger, 60, 1 };
 
 /** The largest velocity at the focus of the demonstrator, m/s, with a firm finger on it. */
@@ -27,7 +27,7 @@ double peakUnder (test::PlayedSession& played, bool isKnown)
 TEST_CASE ("A finger on the focus damps it, and a design that knows it makes up for it", "[session]")
 {
     test::PlayedSession played;
-    played.prepare (rate);
+    played.prepare (fingerRate);
     const auto wanted = test::focusNamed ("demonstrator").description.targets.front().peakVelocity;
     CHECK (played.play (4800, { live }).row (9).cwiseAbs().maxCoeff() == Approx (wanted).epsilon (0.1));
     const auto unknown = peakUnder (played, false);
@@ -39,7 +39,7 @@ TEST_CASE ("A finger on the focus damps it, and a design that knows it makes up 
 TEST_CASE ("Fingers beside the surface of another device are left out, and that is said", "[session]")
 {
     test::PlayedSession played;
-    played.prepare (rate);
+    played.prepare (fingerRate);
     const auto before = played.play (2400, { live });
     const auto far = withFingers (test::focusNamed ("demonstrator"), { builtInFinger ("light", 0.5, 0) });
     played.session.load (nullptr, std::make_shared<const FocusDocument> (far));

@@ -14,8 +14,8 @@ using namespace antinode;
 
 namespace
 {
-constexpr double rate = 48000;
-constexpr int length = 2400;
+constexpr double designRate = 48000;
+constexpr int designLength = 2400;
 
 const ModalModel& staple()
 {
@@ -23,7 +23,7 @@ const ModalModel& staple()
     return model;
 }
 
-nlohmann::json writtenBy (AllocationMethod method, double sampleRate = rate)
+nlohmann::json writtenBy (AllocationMethod method, double sampleRate = designRate)
 {
     auto focus = test::focusNamed ("demonstrator").description;
     focus.allocation.method = method;
@@ -40,11 +40,11 @@ std::shared_ptr<const FocusDocument> documentOf (const nlohmann::json& json)
 Eigen::MatrixXd rendered (const nlohmann::json& json)
 {
     RenderSettings settings;
-    settings.playback = { Reconstruction::bandLimited, rate };
-    settings.duration = length / rate;
+    settings.playback = { Reconstruction::bandLimited, designRate };
+    settings.duration = designLength / designRate;
     settings.probeShapes.resize (0, staple().modes());
     const auto design = readDesign (json, "design.json", staple());
-    return renderOffline (staple(), design.program, settings).voltages.leftCols (length) / staple().fullScaleVoltage;
+    return renderOffline (staple(), design.program, settings).voltages.leftCols (designLength) / staple().fullScaleVoltage;
 }
 
 std::array<FocusEvent, 1> noteOn (int note)
@@ -56,7 +56,7 @@ Eigen::MatrixXd playNote (test::PlayedSession& played, int note)
 {
     const auto events = noteOn (note);
     played.session.waitUntilSettled (events);
-    return played.play (length, { events.begin(), events.end() }).topRows (8);
+    return played.play (designLength, { events.begin(), events.end() }).topRows (8);
 }
 } // namespace
 
@@ -68,7 +68,7 @@ TEST_CASE ("Every note plays a written design as it is rendered: oscillations an
     // Its own parameters, as a plug-in sets them where it loads one.
     played.change ([method] (PlaySettings& settings) { settings.method = method; });
     played.session.load (nullptr, documentOf (json));
-    played.prepare (rate);
+    played.prepare (designRate);
     CHECK (played.session.snapshot()->isAsWritten);
     CHECK (played.session.snapshot()->notePlaces.empty());
     const auto expected = rendered (json);
@@ -93,7 +93,7 @@ TEST_CASE ("A parameter that moves designs the focus of a written design again, 
 
     test::PlayedSession played;
     played.session.load (nullptr, documentOf (json));
-    played.prepare (rate);
+    played.prepare (designRate);
     const auto expected = rendered (json);
     const auto isWritten = [&] (const Eigen::MatrixXd& voltages)
     { return (voltages - expected).cwiseAbs().maxCoeff() < 1e-6 * expected.cwiseAbs().maxCoeff(); };
@@ -133,7 +133,7 @@ TEST_CASE ("A written design that does not fit is one sentence, and silence", "[
     }
 
     played.session.load (nullptr, documentOf (json));
-    played.session.prepare (rate);
+    played.session.prepare (designRate);
     CHECK (playNote (played, 60).isZero (0));
     CHECK_THAT (played.session.progress().liveError, Catch::Contains (expected));
     CHECK (played.session.progress().liveError.find ('\n') == std::string::npos);
@@ -147,12 +147,12 @@ TEST_CASE ("What cannot be played is said before it is loaded", "[session][writt
                     { Reconstruction::bandLimited, sampleRate });
     };
     auto json = writtenBy (AllocationMethod::leastVoltage);
-    CHECK_NOTHROW (fits (json, "staple", rate));
+    CHECK_NOTHROW (fits (json, "staple", designRate));
     CHECK_NOTHROW (fits (json, "staple", 0));
     CHECK_THROWS_WITH (fits (json, "staple", 96000), Catch::Contains ("has samples of 48000 Hz"));
-    CHECK_THROWS_WITH (fits (json, "beam", rate), Catch::Contains ("is for the device 'staple', and 'beam' is loaded"));
+    CHECK_THROWS_WITH (fits (json, "beam", designRate), Catch::Contains ("is for the device 'staple', and 'beam' is loaded"));
     json["samples"]["voltages_V"][7][2] = "much";
-    CHECK_THROWS_WITH (fits (json, "staple", rate), Catch::Contains ("/samples/voltages_V/7/2"));
+    CHECK_THROWS_WITH (fits (json, "staple", designRate), Catch::Contains ("/samples/voltages_V/7/2"));
     CHECK_NOTHROW (fits (writtenBy (AllocationMethod::exact), "staple", 96000));
 }
 

@@ -15,7 +15,7 @@ namespace
 {
 constexpr double plateRadius = 0.1, discRadius = 0.02;
 
-CeramicDescription disc (double x, double y, double radius)
+CeramicDescription discAt (double x, double y, double radius)
 {
     auto ceramic = plateCeramic (x - radius, y - radius, 2 * radius, 2 * radius);
     ceramic.shape = CeramicShape::disc;
@@ -64,7 +64,7 @@ Eigen::MatrixX2d randomPlaces (int count)
 TEST_CASE ("A disc bends a simply supported circle statically as its closed form says, to 1e-3 by 12 modes",
            "[structure][outlined]")
 {
-    const auto plate = circle (EdgeCondition::simplySupported, { disc (0, 0, discRadius) });
+    const auto plate = circle (EdgeCondition::simplySupported, { discAt (0, 0, discRadius) });
     const auto outer = bareSection (plate.common), inner = ceramicSection (plate.common, plate.common.ceramics[0]);
 
     // w' is 2 c r on the disc, 2 b r + d / r beside it; slope and radial moment go on at its edge, whose jump is the
@@ -100,7 +100,7 @@ TEST_CASE ("Modes of a plate with an outline and their static share deflect as f
 
     for (const auto condition : { EdgeCondition::free, EdgeCondition::clamped })
     {
-        const auto plate = circle (condition, { disc (0.04, 0.03, discRadius), turned });
+        const auto plate = circle (condition, { discAt (0.04, 0.03, discRadius), turned });
         const auto places = randomPlaces (100);
         const auto model = solveWithStaticShare ({ "few", {}, plate }, 20);
         const auto few = staticDeflections (model, places);

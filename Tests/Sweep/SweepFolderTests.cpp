@@ -17,7 +17,7 @@ using namespace antinode;
 
 namespace
 {
-SweepInputs inputsOf (const TemporaryFolder& folder, int cases)
+SweepInputs inputsOfFolder (const TemporaryFolder& folder, int cases)
 {
     const auto file = folder.path() / "given.json";
     writeWholeFile (
@@ -63,7 +63,7 @@ TEST_CASE ("Parts cover all cases once, some 500 of them", "[sweep]")
 TEST_CASE ("Shards of any number merge to the bytes of a single run", "[sweep]")
 {
     const TemporaryFolder folder;
-    const auto inputs = inputsOf (folder, 40);
+    const auto inputs = inputsOfFolder (folder, 40);
     const auto single = sweepFolder (folder.path() / "single", inputs),
                seven = sweepFolder (folder.path() / "seven", inputs);
     compute (inputs, single, {}, 1);
@@ -80,7 +80,7 @@ TEST_CASE ("Shards of any number merge to the bytes of a single run", "[sweep]")
 TEST_CASE ("Damaged parts are computed again, parts of other plans are refused", "[sweep]")
 {
     const TemporaryFolder folder;
-    const auto inputs = inputsOf (folder, 5), others = inputsOf (folder, 6);
+    const auto inputs = inputsOfFolder (folder, 5), others = inputsOfFolder (folder, 6);
     const auto path = folder.path() / "out";
     const auto parts = sweepFolder (path, inputs);
     compute (inputs, parts, {}, 1);
@@ -132,7 +132,7 @@ TEST_CASE ("Tables have all cases, also those that failed", "[sweep]")
 TEST_CASE ("Parts that others have encoded make the same folder, and those of other plans are refused", "[sweep]")
 {
     const TemporaryFolder folder;
-    const auto inputs = inputsOf (folder, 5), others = inputsOf (folder, 6);
+    const auto inputs = inputsOfFolder (folder, 5), others = inputsOfFolder (folder, 6);
     const auto single = sweepFolder (folder.path() / "single", inputs),
                kept = sweepFolder (folder.path() / "kept", inputs);
     compute (inputs, single, {}, 1);

@@ -26,7 +26,7 @@ const std::string twoFingers = R"({"schema": "antinode.waveforms/1", "name": "tw
     "band_Hz": [40, 1000], "tracks": [{"x_mm": 30, "level_um": 0.1,
     "signal": {"kind": "gabor", "frequency_Hz": 500, "width_ms": 6}}], "silent": [{"x_mm": 60}]})";
 
-SweepInputs inputsOf (const TemporaryFolder& folder, const std::string& more)
+SweepInputs inputsOfWaveforms (const TemporaryFolder& folder, const std::string& more)
 {
     writeWholeFile (folder.path() / "two.json", twoFingers);
     writeWholeFile (folder.path() / "plan.json",
@@ -42,7 +42,7 @@ TEST_CASE ("A case of waveforms is what perform says of them", "[sweep][tracks]"
 {
     const TemporaryFolder folder;
     const auto inputs =
-        inputsOf (folder, recorded + R"(, "vary": [{"key": "waveforms.tracks.0.level_um", "values": [0.1, 0.2]}])");
+        inputsOfWaveforms (folder, recorded + R"(, "vary": [{"key": "waveforms.tracks.0.level_um", "values": [0.1, 0.2]}])");
     const CaseEvaluator evaluator (inputs, false);
     evaluator.check();
     const auto first = evaluator.evaluate (0), second = evaluator.evaluate (1);
@@ -67,14 +67,14 @@ TEST_CASE ("Waveforms are designed for the known device and played on one that d
 {
     const TemporaryFolder folder;
     const auto inputs =
-        inputsOf (folder, recorded + R"(, "vary": [{"key": "deviation.voltage_percent", "values": [0, 10]}])");
+        inputsOfWaveforms (folder, recorded + R"(, "vary": [{"key": "deviation.voltage_percent", "values": [0, 10]}])");
     const CaseEvaluator evaluator (inputs, false);
     const auto nominal = evaluator.evaluate (0), louder = evaluator.evaluate (1);
     REQUIRE (louder.error.empty());
     CHECK (louder.values[0] == nominal.values[0]);
     CHECK (louder.values[1] == Approx (1.1 * nominal.values[1]).epsilon (1e-9));
 
-    const auto spread = inputsOf (folder, recorded + R"(, "scheme": "random", "cases": 2,
+    const auto spread = inputsOfWaveforms (folder, recorded + R"(, "scheme": "random", "cases": 2,
         "set": {"deviation.frequency_spread_percent": 0.5, "deviation.damping_spread_percent": 10})");
     const CaseEvaluator drawn (spread, false);
     const auto one = drawn.evaluate (0), other = drawn.evaluate (1);
@@ -89,7 +89,7 @@ TEST_CASE ("Waveforms are designed for the known device and played on one that d
 TEST_CASE ("Cases of waveforms have the same bits in any order, on any number of threads", "[sweep][tracks]")
 {
     const TemporaryFolder folder;
-    const auto inputs = inputsOf (folder, recorded + R"(, "scheme": "sobol", "cases": 6, "vary": [
+    const auto inputs = inputsOfWaveforms (folder, recorded + R"(, "scheme": "sobol", "cases": 6, "vary": [
         {"key": "waveforms.silent.0.x_mm", "uniform": {"minimum": 50, "maximum": 70}},
         {"key": "deviation.damping_percent", "normal": {"mean": 0, "standard_deviation": 10}}])");
     const CaseEvaluator evaluator (inputs, false);
@@ -160,7 +160,7 @@ TEST_CASE ("Plans over waveforms that make no sense are refused with one sentenc
 {
     const TemporaryFolder folder;
     const auto refusal = [&] (const std::string& more)
-    { return errorText ([&] { CaseEvaluator (inputsOf (folder, more), false).check(); }); };
+    { return errorText ([&] { CaseEvaluator (inputsOfWaveforms (folder, more), false).check(); }); };
     CHECK_THAT (refusal (R"("focus": "demonstrator", "record": ["peak_voltage_V"])"),
                 Catch::Contains ("both 'focus' and 'waveforms'"));
     CHECK_THAT (refusal (recorded + R"(, "evaluate": "closed_form")"), Catch::Contains ("'closed_form'"));

@@ -12,7 +12,7 @@ using namespace antinode;
 
 namespace
 {
-std::uint32_t number (const std::string& bytes, std::size_t position, std::size_t count)
+std::uint32_t fieldOf (const std::string& bytes, std::size_t position, std::size_t count)
 {
     std::uint32_t value = 0;
 
@@ -24,7 +24,7 @@ std::uint32_t number (const std::string& bytes, std::size_t position, std::size_
 
 float sampleAt (const std::string& bytes, std::size_t index)
 {
-    return std::bit_cast<float> (number (bytes, 80 + 4 * index, 4));
+    return std::bit_cast<float> (fieldOf (bytes, 80 + 4 * index, 4));
 }
 } // namespace
 
@@ -37,24 +37,24 @@ TEST_CASE ("A WAV file has the extensible float format, discrete channels and in
     const auto bytes = encodeWave (volts, 150, 192000);
     REQUIRE (bytes.size() == 80 + 24);
     CHECK (bytes.substr (0, 4) == "RIFF");
-    CHECK (number (bytes, 4, 4) == bytes.size() - 8);
+    CHECK (fieldOf (bytes, 4, 4) == bytes.size() - 8);
     CHECK (bytes.substr (8, 8) == "WAVEfmt ");
-    CHECK (number (bytes, 16, 4) == 40);
-    CHECK (number (bytes, 20, 2) == 0xfffe);
-    CHECK (number (bytes, 22, 2) == 3);
-    CHECK (number (bytes, 24, 4) == 192000);
-    CHECK (number (bytes, 28, 4) == 192000 * 12);
-    CHECK (number (bytes, 32, 2) == 12);
-    CHECK (number (bytes, 34, 2) == 32);
-    CHECK (number (bytes, 36, 2) == 22);
-    CHECK (number (bytes, 38, 2) == 32);
-    CHECK (number (bytes, 40, 4) == 0);
+    CHECK (fieldOf (bytes, 16, 4) == 40);
+    CHECK (fieldOf (bytes, 20, 2) == 0xfffe);
+    CHECK (fieldOf (bytes, 22, 2) == 3);
+    CHECK (fieldOf (bytes, 24, 4) == 192000);
+    CHECK (fieldOf (bytes, 28, 4) == 192000 * 12);
+    CHECK (fieldOf (bytes, 32, 2) == 12);
+    CHECK (fieldOf (bytes, 34, 2) == 32);
+    CHECK (fieldOf (bytes, 36, 2) == 22);
+    CHECK (fieldOf (bytes, 38, 2) == 32);
+    CHECK (fieldOf (bytes, 40, 4) == 0);
     CHECK (bytes.substr (44, 16) == std::string ("\x03\0\0\0\0\0\x10\0\x80\0\0\xaa\0\x38\x9b\x71", 16));
     CHECK (bytes.substr (60, 4) == "fact");
-    CHECK (number (bytes, 64, 4) == 4);
-    CHECK (number (bytes, 68, 4) == 2);
+    CHECK (fieldOf (bytes, 64, 4) == 4);
+    CHECK (fieldOf (bytes, 68, 4) == 2);
     CHECK (bytes.substr (72, 4) == "data");
-    CHECK (number (bytes, 76, 4) == 24);
+    CHECK (fieldOf (bytes, 76, 4) == 24);
     CHECK (sampleAt (bytes, 0) == 1.0f);
     CHECK (sampleAt (bytes, 1) == 0.0f);
     CHECK (sampleAt (bytes, 2) == 2.0f);
@@ -66,10 +66,10 @@ TEST_CASE ("A WAV file has the extensible float format, discrete channels and in
 TEST_CASE ("A WAV file takes any rate and many channels", "[files]")
 {
     const auto fast = encodeWave (Eigen::MatrixXd::Zero (65, 10), 1, 4294967295.0);
-    CHECK (number (fast, 22, 2) == 65);
-    CHECK (number (fast, 24, 4) == 4294967295u);
-    CHECK (number (fast, 28, 4) == 4294967295u);
-    CHECK (number (fast, 76, 4) == 65 * 10 * 4);
+    CHECK (fieldOf (fast, 22, 2) == 65);
+    CHECK (fieldOf (fast, 24, 4) == 4294967295u);
+    CHECK (fieldOf (fast, 28, 4) == 4294967295u);
+    CHECK (fieldOf (fast, 76, 4) == 65 * 10 * 4);
     CHECK (encodeWave (Eigen::MatrixXd (16383, 0), 1, 48000).size() == 80);
 }
 
