@@ -1,24 +1,17 @@
 #include "Commands.h"
 #include "CommonOptions.h"
 #include "DesignTolerances.h"
-#include "FieldNames.h"
+#include "DesignTradeoffs.h"
 #include "FocusOnDevice.h"
 #include "Progress.h"
 
 #include <antinode_audio/Interruption.h>
-#include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Watch.h>
 #include <antinode_documents/MatlabTables.h>
-#include <antinode_documents/ToleranceFile.h>
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_focus/LimitUse.h>
 #include <antinode_focus/LimitWords.h>
-#include <antinode_library/SkinThresholds.h>
-#include <antinode_render/FeltTradeoff.h>
-#include <antinode_reports/FeltTradeoffReport.h>
-#include <antinode_reports/ToleranceReport.h>
-#include <antinode_reports/TradeoffReport.h>
+#include <antinode_library/Inputs.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <nlohmann/json.hpp>
@@ -40,13 +33,6 @@ struct DesignCommandOptions
     bool isForMatlab = false;
 };
 
-void writeTolerances (OutputFolder& folder, const ModalModel& model, const std::string& focus,
-                      const std::vector<DesignTolerance>& tolerances)
-{
-    folder.write ("tolerance.json", toleranceToJson (model, focus, tolerances).dump (2) + "\n");
-    folder.write ("tolerance.html", renderReport (toleranceReport (model, focus, tolerances)));
-}
-
 void design (const DesignCommandOptions& all)
 {
     const auto& options = all.common;
@@ -65,7 +51,8 @@ void design (const DesignCommandOptions& all)
     if (all.tolerance.isWanted)
     {
         Progress progress (options.isQuiet);
-        tolerances = designTolerances (model, result, all.tolerance, draws, progress);
+        tolerances = designTolerances (model, result, all.tolerance, draws,
+                                       [&] (const std::string& what, double share) { progress.show (what, share); });
         writeTolerances (folder, model, result.description.name, tolerances);
     }
 
@@ -94,69 +81,29 @@ void design (const DesignCommandOptions& all)
     std::printf ("%s/design.json\n", options.folder.c_str());
 }
 
-/** What skin feels of the controlled modes, whatever the limits are. */
-FindFeltContrast feltContrasts (const ModalModel& model, Playback playback)
-{
-    RenderOptions render;
-    render.playback = playback;
-    render.threshold = findSkinThreshold ({});
-    return [unlimited = withoutVoltageLimits (model), render] (const FocusDesign& design)
-    { return renderFocus (unlimited, design, render).felt.value().contrast(); };
-}
-
 /** All designs, or those that were finished when the user interrupted. @throws Cancelled  where there are none */
-Tradeoff designsSoFar (const ModalModel& model, const FocusDescription& focus, const CommonOptions& options)
+DesignTradeoff designsSoFar (const CommonOptions& options)
 {
+    checkAssignments (options.assignments);
+    const auto focus = loadFocus (options.focus, options.assignments);
+    const auto wanted = focus.felt ? completed (options, focus) : focus;
     Progress progress (options.isQuiet);
-    Tradeoff soFar;
+    progress.show (focus.felt ? "Designing" : "Finding the lower bound", 0);
+    DesignTradeoff soFar;
 
     try
     {
-        progress.show ("Finding the lower bound", 0);
-        return sweepTradeoff (
-            model, focus, options.playback(),
-            [&] (const Tradeoff& now)
+        return designTradeoff (
+            loadDevice (options.device, options.assignments), wanted, options.playback(), options.usesCache,
+            [&] (const DesignTradeoff& now, double share)
             {
                 soFar = now;
-                progress.show ("Designing", now.expectedShare,
-                               formatted ("%zu of %zu designs", now.points.size(), now.planned));
-            },
-            feltContrasts (model, options.playback()));
-    }
-    catch (const Cancelled&)
-    {
-        if (soFar.points.empty())
-            throw;
-
-        answerInterruption();
-        return soFar;
-    }
-}
-
-/** As designsSoFar, by the weight of what is felt elsewhere. */
-FeltTradeoff weightsSoFar (const ModalModel& model, const FocusDescription& focus, const CommonOptions& options)
-{
-    Progress progress (options.isQuiet);
-    RenderOptions render;
-    render.playback = options.playback();
-    render.threshold = focus.felt->threshold;
-    FeltTradeoff soFar;
-
-    try
-    {
-        progress.show ("Designing", 0);
-        return sweepFeltWeights (
-            wideFrom (options, model), focus, render, widenBy (options),
-            [&] (const FeltTradeoff& now)
-            {
-                soFar = now;
-                progress.show ("Designing", static_cast<double> (now.points.size()) / static_cast<double> (now.planned),
-                               formatted ("%zu of %zu designs", now.points.size(), now.planned));
+                progress.show ("Designing", share, formatted ("%zu of %zu designs", now.designs(), now.planned()));
             });
     }
     catch (const Cancelled&)
     {
-        if (soFar.points.empty())
+        if (soFar.designs() == 0)
             throw;
 
         answerInterruption();
@@ -164,53 +111,15 @@ FeltTradeoff weightsSoFar (const ModalModel& model, const FocusDescription& focu
     }
 }
 
-/** @param text  for the console */
-void writeTradeoff (const CommonOptions& options, const nlohmann::ordered_json& json, const std::string& csv,
-                    const ReportPage& page, const std::string& text)
-{
-    OutputFolder folder (options.folder);
-    folder.write ("tradeoff.json", json.dump (2) + "\n");
-    folder.write ("tradeoff.csv", csv);
-    folder.write ("tradeoff.html", renderReport (page));
-    folder.commit();
-
-    if (! options.isQuiet)
-        std::printf ("%s%s/tradeoff.html\n", text.c_str(), options.folder.c_str());
-}
-
-void sweepWeights (const ModalModel& model, const FocusDescription& focus, const CommonOptions& options)
-{
-    auto tradeoff = weightsSoFar (model, focus, options);
-
-    for (auto& point : tradeoff.points)
-        point.failure = withKeysAndOptions (point.failure);
-
-    writeTradeoff (options, feltTradeoffToJson (tradeoff, focus.name, model.name), feltTradeoffToCsv (tradeoff),
-                   feltTradeoffReport (tradeoff, focus.name, model.name), feltTradeoffToText (tradeoff));
-
-    if (tradeoff.points.size() < tradeoff.planned)
-        throw Cancelled();
-}
-
 void sweep (const CommonOptions& options)
 {
-    const auto [model, focus] = inputsFrom (options);
+    const auto tradeoff = designsSoFar (options);
+    writeTradeoff (options.folder, tradeoff);
 
-    if (focus.felt)
-    {
-        sweepWeights (model, completed (options, focus), options);
-        return;
-    }
+    if (! options.isQuiet)
+        std::printf ("%s%s/tradeoff.html\n", tradeoffInWords (tradeoff).c_str(), options.folder.c_str());
 
-    auto tradeoff = designsSoFar (model, focus, options);
-
-    for (auto& point : tradeoff.points)
-        point.failure = withKeysAndOptions (point.failure);
-
-    writeTradeoff (options, tradeoffToJson (tradeoff, focus.name, model.name), tradeoffToCsv (tradeoff),
-                   tradeoffReport (tradeoff, focus.name, model.name), tradeoffToText (tradeoff));
-
-    if (tradeoff.points.size() < tradeoff.planned)
+    if (tradeoff.designs() < tradeoff.planned())
         throw Cancelled();
 }
 } // namespace

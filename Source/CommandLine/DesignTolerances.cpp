@@ -2,8 +2,12 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
+#include <antinode_documents/ToleranceFile.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_reports/ToleranceReport.h>
 #include <antinode_sweep/ResumableTolerance.h>
+
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cstdio>
@@ -81,18 +85,22 @@ void addToleranceOptions (CLI::App& command, ToleranceCommandOptions& options)
 
 std::vector<DesignTolerance> designTolerances (const ModalModel& model, const FocusDesign& design,
                                                const ToleranceCommandOptions& options,
-                                               const std::filesystem::path& folder, Progress& progress)
+                                               const std::filesystem::path& folder, const ShowProgress& progress)
 {
     constexpr int worthKeeping = 1000; // draws: fewer are done in a second
     const ToleranceOptions settings { chooseSpread (options, design.description), options.draws,
                                       static_cast<std::uint64_t> (options.seed) };
+    const auto show = [&] (double share)
+    {
+        if (progress)
+            progress ("Drawing devices", share);
+    };
+    const auto isKept = ! folder.empty() && settings.draws > worthKeeping;
     const auto evaluate = [&] (const char* name, const FocusDesign& evaluated)
     {
-        const auto show = [&] (double share) { progress.show ("Drawing devices", share); };
         return DesignTolerance { name, peakVoltage (evaluated),
-                                 settings.draws > worthKeeping
-                                     ? resumableTolerance (folder, model, evaluated, settings, show)
-                                     : evaluateTolerance (model, evaluated, settings, show) };
+                                 isKept ? resumableTolerance (folder, model, evaluated, settings, show)
+                                        : evaluateTolerance (model, evaluated, settings, show) };
     };
 
     if (! design.description.allocation.robust)
@@ -102,6 +110,13 @@ std::vector<DesignTolerance> designTolerances (const ModalModel& model, const Fo
     description.allocation.robust.reset();
     const auto nominal = designFocus (model, description, design.playback, DesignExtent::playable);
     return { evaluate ("nominal", nominal), evaluate ("robust", design) };
+}
+
+void writeTolerances (OutputFolder& folder, const ModalModel& model, const std::string& focus,
+                      const std::vector<DesignTolerance>& tolerances)
+{
+    folder.write ("tolerance.json", toleranceToJson (model, focus, tolerances).dump (2) + "\n");
+    folder.write ("tolerance.html", renderReport (toleranceReport (model, focus, tolerances)));
 }
 
 std::string tolerancesInWords (const ModalModel& model, const std::vector<DesignTolerance>& designs)

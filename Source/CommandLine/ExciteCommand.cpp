@@ -1,10 +1,7 @@
 #include "Commands.h"
 #include "ExcitationOptions.h"
+#include "ExcitedFiles.h"
 
-#include <antinode_base/InputError.h>
-#include <antinode_text/WaveFile.h>
-
-#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -18,41 +15,17 @@ struct ExciteOptions
     std::string folder;
 };
 
-/** All runs one after the other. */
-Eigen::MatrixXd playedRuns (const ExcitationSheet& sheet)
-{
-    constexpr double maximumBytes = 512.0 * 1024 * 1024, bytesPerSample = 4;
-    const auto& excitation = sheet.excitation;
-    const auto ceramics = excitation.ceramics(), samples = ceramics * excitation.runLength;
-
-    if (static_cast<double> (samples) * static_cast<double> (ceramics + 1) * bytesPerSample > maximumBytes)
-        throw InputError ("excitation", "would make a file of more than 512 MiB; choose fewer periods, a coarser "
-                                        "resolution or a lower rate, or use `antinode measure`, which needs no file");
-
-    Eigen::MatrixXd played (ceramics + 1, samples);
-
-    for (Eigen::Index i = 0; i < ceramics; ++i)
-        played.middleCols (i * excitation.runLength, excitation.runLength) =
-            playedRun (excitation, i, sheet.fullScaleVoltage);
-
-    return played;
-}
-
 void excite (const ExciteOptions& options)
 {
     const auto model = excitedDevice (options.excitation);
     const auto sheet = excitationFor (model, options.excitation);
     const auto& excitation = sheet.excitation;
     const auto& settings = excitation.settings;
-    const auto played = playedRuns (sheet);
-
-    OutputFolder folder (options.folder);
-    folder.write ("excitation.wav", encodeWave (played, 1, settings.sampleRate));
-    writeSheet (folder, sheet);
-    folder.commit();
+    writeExcitation (options.folder, sheet);
 
     std::printf ("%s: %td ceramics and a sync channel, %.1f s at %.0f Hz\n", model.name.c_str(), excitation.ceramics(),
-                 static_cast<double> (played.cols()) / settings.sampleRate, settings.sampleRate);
+                 static_cast<double> (excitation.ceramics() * excitation.runLength) / settings.sampleRate,
+                 settings.sampleRate);
     std::printf ("  %s, %zu lines from %.6g to %.6g Hz, %.4g Hz apart\n", options.excitation.signal.c_str(),
                  excitation.lines.size(), excitation.lineFrequency (excitation.lines.front()),
                  excitation.lineFrequency (excitation.lines.back()),

@@ -104,6 +104,12 @@ LineChart driftChart (const ModalModel& nominal, Eigen::Index known, const Drift
 
     return chart;
 }
+} // namespace
+
+const char* driftStateWord (DriftState state)
+{
+    return state == DriftState::following ? "following" : state == DriftState::silent ? "silent" : "lost";
+}
 
 ReportPage driftReport (const ModalModel& nominal, Eigen::Index known, const DriftTrace& trace)
 {
@@ -135,7 +141,7 @@ ReportPage driftReport (const ModalModel& nominal, Eigen::Index known, const Dri
     return page;
 }
 
-nlohmann::ordered_json summary (const DriftTrace& trace)
+nlohmann::ordered_json driftToJson (const DriftTrace& trace)
 {
     const auto count = [&] (DriftState state)
     {
@@ -151,22 +157,20 @@ nlohmann::ordered_json summary (const DriftTrace& trace)
              { "last_state", driftStateWord (last.state) },
              { "last_reason", last.reason } };
 }
-} // namespace
-
-const char* driftStateWord (DriftState state)
+std::string driftedDeviceText (const ModalModel& nominal, Eigen::Index known, const DriftTrace& trace)
 {
-    return state == DriftState::following ? "following" : state == DriftState::silent ? "silent" : "lost";
+    const auto layout = driftLayout (nominal, 1);
+    const auto now = firstModes (driftedModel (nominal, layout, trace.estimate.values), known);
+    return modalDeviceToJson (now, "Followed while it was played").dump (2) + "\n";
 }
 
 void writeDrift (const std::filesystem::path& path, const ModalModel& nominal, Eigen::Index known,
                  const DriftTrace& trace)
 {
-    const auto layout = driftLayout (nominal, 1);
-    const auto now = firstModes (driftedModel (nominal, layout, trace.estimate.values), known);
     OutputFolder folder (path);
     folder.write ("drift.csv", driftTable (trace, known));
-    folder.write ("device.json", modalDeviceToJson (now, "Followed while it was played").dump (2) + "\n");
-    folder.write ("summary.json", summary (trace).dump (2) + "\n");
+    folder.write ("device.json", driftedDeviceText (nominal, known, trace));
+    folder.write ("summary.json", driftToJson (trace).dump (2) + "\n");
     folder.write ("report.html", renderReport (driftReport (nominal, known, trace)));
     folder.commit();
 }

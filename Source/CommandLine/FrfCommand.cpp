@@ -1,13 +1,11 @@
 #include "Commands.h"
-#include "ExcitationOptions.h"
+#include "EstimatedFiles.h"
 #include "HammerRecordings.h"
-#include "SensorOptions.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_documents/ExcitationFolder.h>
 #include <antinode_reports/MeasurementReport.h>
-#include <antinode_responses/PointsFile.h>
-#include <antinode_responses/UniversalResponses.h>
-#include <antinode_text/WaveReader.h>
+#include <antinode_text/OutputFolder.h>
 #include <antinode_universal/UniversalFile.h>
 
 #include <cstdio>
@@ -20,155 +18,10 @@ namespace
 struct FrfOptions
 {
     std::vector<std::string> files;
-    std::string sheet, pointsFile, outputFile, reportFolder;
-    std::vector<std::string> recordings; // The files after the sheet.
+    std::string outputFile, reportFolder, estimator = "h1";
+    RecordingOptions recordings; // The files after the sheet.
     HammerRecordingOptions hammer;
-    SensorOptions sensor;
-    int syncChannel = -1;          // counted from 1; 0: none, -1: the last one
-    int referenceChannel = 0;      // counted from 1; 0: none
-    double referenceFullScale = 1; // V
-    double latency = 0;            // ms
-    std::string estimator = "h1";
 };
-
-ResponseEstimator estimatorOf (const FrfOptions& options)
-{
-    return options.estimator == "h2"   ? ResponseEstimator::h2
-           : options.estimator == "hv" ? ResponseEstimator::hv
-                                       : ResponseEstimator::h1;
-}
-
-/** The roles of the channels of a recording, counted from 0; -1: none. */
-struct ChannelRoles
-{
-    Eigen::Index sync = -1, reference = -1;
-    std::vector<Eigen::Index> sensors;
-};
-
-ChannelRoles findRoles (const FrfOptions& options, Eigen::Index channels, const std::string& file)
-{
-    ChannelRoles roles;
-    roles.sync = options.syncChannel < 0 ? channels - 1 : options.syncChannel - 1;
-    roles.reference = options.referenceChannel - 1;
-
-    for (Eigen::Index channel = 0; channel < channels; ++channel)
-        if (channel != roles.sync && channel != roles.reference)
-            roles.sensors.push_back (channel);
-
-    if (roles.sync >= channels || roles.reference >= channels || (roles.sync == roles.reference && roles.sync >= 0)
-        || roles.sensors.empty())
-        throw InputError (file,
-                          "has " + std::to_string (channels)
-                              + " channels, which do not fit the sensors, sync channel and reference of the options; "
-                                "--sync-channel 0 stands for no sync channel");
-
-    return roles;
-}
-
-/** The sample of a recording at which the first run starts, or slightly before: the sync signal starts there. */
-Eigen::Index findOnset (const Eigen::VectorXd& sync, double sampleRate, const std::string& file)
-{
-    constexpr double threshold = 0.05, leadTime = 0.02;
-    const auto minimum = threshold * sync.cwiseAbs().maxCoeff();
-
-    if (! (minimum > 0))
-        throw InputError (file, "is silent on its sync channel; --sync-channel gives its number, 0 for none");
-
-    Eigen::Index first = 0;
-
-    while (std::abs (sync[first]) < minimum)
-        ++first;
-
-    return std::max<Eigen::Index> (0, first - static_cast<Eigen::Index> (leadTime * sampleRate));
-}
-
-/** The channels and runs of a recording. */
-struct PlacedRecording
-{
-    WaveSamples wave;
-    ChannelRoles roles;
-    Eigen::Index first = 0;
-    std::string file;
-};
-
-PlacedRecording placed (const FrfOptions& options, const ExcitationSheet& sheet, const std::string& file)
-{
-    PlacedRecording recording { readWaveFile (file), {}, 0, file };
-    const auto rate = sheet.excitation.settings.sampleRate;
-
-    if (recording.wave.sampleRate != rate)
-        throw InputError (file, "has a sample rate of " + std::to_string (std::lround (recording.wave.sampleRate))
-                                    + " Hz; allowed: " + std::to_string (std::lround (rate))
-                                    + " Hz, the rate of the excitation");
-
-    recording.roles = findRoles (options, recording.wave.samples.rows(), file);
-
-    if (recording.roles.sync >= 0)
-        recording.first = findOnset (recording.wave.samples.row (recording.roles.sync), rate, file);
-
-    return recording;
-}
-
-RunRecording extractRun (const PlacedRecording& recording, const FrfOptions& options, const Excitation& excitation,
-                         Eigen::Index ceramic)
-{
-    const auto& samples = recording.wave.samples;
-    const auto first = recording.first + ceramic * excitation.runLength;
-    const auto count = std::min (excitation.runLength, samples.cols() - first);
-
-    if (count < excitation.signal.size())
-        throw InputError (recording.file, "ends before ceramic " + std::to_string (ceramic + 1) + " of "
-                                              + std::to_string (excitation.ceramics()) + " has finished its run");
-
-    RunRecording run;
-    run.sensors = samples (recording.roles.sensors, Eigen::seqN (first, count)) * options.sensor.fullScaleVelocity();
-
-    if (recording.roles.sync >= 0)
-        run.sync = samples.row (recording.roles.sync).segment (first, count);
-
-    if (recording.roles.reference >= 0)
-        run.reference = samples.row (recording.roles.reference).segment (first, count) * options.referenceFullScale;
-
-    return run;
-}
-
-void analyse (SurfaceMeasurement& measurement, const PlacedRecording& recording, const FrfOptions& options,
-              const Excitation& excitation, Eigen::Index firstPoint)
-{
-    RunAnalysisSettings settings;
-    settings.latency = options.latency / 1000 * excitation.settings.sampleRate;
-    settings.estimator = estimatorOf (options);
-
-    for (Eigen::Index ceramic = 0; ceramic < excitation.ceramics(); ++ceramic)
-        try
-        {
-            place (measurement, ceramic, firstPoint,
-                   analyseRun (excitation, ceramic, extractRun (recording, options, excitation, ceramic), settings));
-        }
-        catch (const InputError& error)
-        {
-            throw InputError (recording.file + ": ceramic " + std::to_string (ceramic + 1), error.what());
-        }
-}
-
-/** The positions in the options' file, or 1 mm apart on a line. */
-Eigen::MatrixX2d readPlaces (const FrfOptions& options, Eigen::Index sensors)
-{
-    if (options.pointsFile.empty())
-    {
-        Eigen::MatrixX2d places = Eigen::MatrixX2d::Zero (sensors, 2);
-        places.col (0) = Eigen::VectorXd::LinSpaced (sensors, 0, 1e-3 * static_cast<double> (sensors - 1));
-        return places;
-    }
-
-    auto places = readPointsFile (options.pointsFile);
-
-    if (places.rows() != sensors)
-        throw InputError (options.pointsFile, "has " + std::to_string (places.rows()) + " points; allowed: "
-                                                  + std::to_string (sensors) + ", as in the recordings");
-
-    return places;
-}
 
 void refuse (const std::vector<const CLI::Option*>& options, const std::string& wrong)
 {
@@ -177,54 +30,38 @@ void refuse (const std::vector<const CLI::Option*>& options, const std::string& 
             throw InputError (option->get_name(), wrong);
 }
 
-void estimateResponses (const FrfOptions& options)
+void estimateFromHammer (const FrfOptions& options)
 {
-    const auto sheet = readSheet (options.sheet);
-    std::vector<Eigen::Index> counts;
-    Eigen::Index sensors = 0;
+    const auto measurement = measureHammerFiles (options.files, options.recordings.pointsFile,
+                                                 estimatorNamed (options.estimator), options.hammer);
+    writeWholeFile (options.outputFile, encodeUniversalFile (hammerSets (measurement)));
+    printHammer (measurement);
+    std::printf ("Responses: %s\n", options.outputFile.c_str());
+}
 
-    // Which point is whose is known only when all files' channels are counted; they are too large to be kept.
-    for (const auto& file : options.recordings)
-    {
-        counts.push_back (
-            static_cast<Eigen::Index> (findRoles (options, readWaveFile (file).samples.rows(), file).sensors.size()));
-        sensors += counts.back();
-    }
-
-    auto measurement = unmeasured (sheet.excitation, sheet.ceramics, readPlaces (options, sensors));
-    Eigen::Index first = 0;
-
-    for (std::size_t i = 0; i < counts.size(); first += counts[i++])
-        analyse (measurement, placed (options, sheet, options.recordings[i]), options, sheet.excitation, first);
+void estimateFromExcitation (const FrfOptions& options)
+{
+    auto recordings = options.recordings;
+    recordings.files.assign (options.files.begin() + 1, options.files.end());
+    recordings.estimator = estimatorNamed (options.estimator);
+    const auto sheet = readSheet (options.files.front());
+    const auto measurement = estimateResponses (sheet, recordings);
 
     if (! options.reportFolder.empty())
         writeMeasurementReport (options.reportFolder, measurement, sheet);
 
-    writeWholeFile (options.outputFile, encodeUniversalFile (responseSets (measurement.responses)));
+    writeWholeFile (options.outputFile, measurementText (measurement));
     printMeasurement (measurement, sheet);
 }
+
 /** With a sheet first: of an excitation; else of a hammer. */
-void estimate (FrfOptions& options, const std::vector<const CLI::Option*>& ofExcitation)
+void estimate (const FrfOptions& options, const std::vector<const CLI::Option*>& ofExcitation)
 {
-    if (! options.files.front().ends_with (".json"))
-    {
-        refuse (ofExcitation, "belongs to an excitation, whose sheet excitation.json is then the first file");
-        estimateFromHammer (options.files, options.pointsFile, options.outputFile, estimatorOf (options),
-                            options.hammer);
-        return;
-    }
-
-    refuse (options.hammer.options, "belongs to recordings of a hammer, which are given without a sheet");
-
-    if (options.files.size() < 2)
-        throw InputError ("frf", "has no recording; allowed: the sheet and WAV files");
-
-    if (! (options.sensor.sensitivity > 0))
-        throw InputError ("--sensitivity-mm-s-per-v", "is missing; give the sensitivity of the sensor in mm/s per V");
-
-    options.sheet = options.files.front();
-    options.recordings.assign (options.files.begin() + 1, options.files.end());
-    estimateResponses (options);
+    const auto isOfExcitation = options.files.front().ends_with (".json");
+    refuse (isOfExcitation ? options.hammer.options : ofExcitation,
+            isOfExcitation ? "belongs to recordings of a hammer, which are given without a sheet"
+                           : "belongs to an excitation, whose sheet excitation.json is then the first file");
+    isOfExcitation ? estimateFromExcitation (options) : estimateFromHammer (options);
 }
 } // namespace
 
@@ -233,6 +70,7 @@ void addFrfCommand (CLI::App& app)
     auto* command =
         app.add_subcommand ("frf", "Computes frequency responses from recordings of an excitation or a hammer");
     auto options = std::make_shared<FrfOptions>();
+    auto& recordings = options->recordings;
     command
         ->add_option (
             "files", options->files,
@@ -241,21 +79,21 @@ void addFrfCommand (CLI::App& app)
         ->required();
     command->add_option ("--out", options->outputFile, "Universal file to write")->required()->type_name ("FILE");
     command
-        ->add_option ("--points", options->pointsFile,
+        ->add_option ("--points", recordings.pointsFile,
                       "CSV of the points, x and y in mm; default: 1 mm apart on a line")
         ->type_name ("FILE");
-    addSensorOptions (*command, options->sensor);
-    command->add_option ("--sync-channel", options->syncChannel,
+    addSensorOptions (*command, recordings.sensor);
+    command->add_option ("--sync-channel", recordings.syncChannel,
                          "Channel with the sync output, counted from 1; 0: none; default: the last channel");
     command
-        ->add_option ("--reference-channel", options->referenceChannel,
+        ->add_option ("--reference-channel", recordings.referenceChannel,
                       "Channel with the measured voltage of the amplifiers, counted from 1")
         ->check (CLI::Range (1, 16383));
     command
-        ->add_option ("--reference-full-scale", options->referenceFullScale,
+        ->add_option ("--reference-full-scale", recordings.referenceFullScale,
                       "Voltage at the ceramics for a reference sample of 1, V")
         ->capture_default_str();
-    command->add_option ("--latency-ms", options->latency, "Latency of the sensors without a sync channel, ms")
+    command->add_option ("--latency-ms", recordings.latency, "Latency of the sensors without a sync channel, ms")
         ->check (CLI::Range (0.0, 200.0))
         ->capture_default_str();
     command->add_option ("--estimator", options->estimator, "Estimator for noise: h1, h2 or their geometric mean hv")

@@ -3,11 +3,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
 #include <antinode_base/NumberText.h>
-#include <antinode_base/WholeFile.h>
-#include <antinode_responses/HammerMeasurement.h>
 #include <antinode_responses/PointsFile.h>
-#include <antinode_text/OutputFolder.h>
-#include <antinode_universal/UniversalFile.h>
 
 #include <cmath>
 #include <cstdio>
@@ -116,7 +112,7 @@ double meanCoherenceOf (const HammerMeasurement& measurement)
     return sum / static_cast<double> (count);
 }
 
-void printOutcome (const HammerMeasurement& measurement, const std::string& outputFile)
+void printOutcome (const HammerMeasurement& measurement)
 {
     const auto& [frequencies, drive, references, points, values, variances, integrations] = measurement.responses;
     const auto rate = measurement.recordings.front().sampleRate;
@@ -143,7 +139,6 @@ void printOutcome (const HammerMeasurement& measurement, const std::string& outp
                  frequencies[0], frequencies[frequencies.size() - 1], spacing, points.rows(), references.size());
     std::printf ("%s\n", std::isfinite (coherence) ? formatted ("mean coherence %.4f", coherence).c_str()
                                                    : "no coherence: one hit each");
-    std::printf ("Responses: %s\n", outputFile.c_str());
 }
 } // namespace
 
@@ -189,9 +184,8 @@ void addHammerRecordingOptions (CLI::App& command, HammerRecordingOptions& optio
               ->check (CLI::Range (1.0, 1e6)));
 }
 
-void estimateFromHammer (const std::vector<std::string>& files, const std::string& pointsFile,
-                         const std::string& outputFile, ResponseEstimator estimator,
-                         const HammerRecordingOptions& options)
+HammerMeasurement measureHammerFiles (const std::vector<std::string>& files, const std::string& pointsFile,
+                                      ResponseEstimator estimator, const HammerRecordingOptions& options)
 {
     std::vector<RecordingFile> recordings;
     recordings.reserve (files.size());
@@ -199,9 +193,12 @@ void estimateFromHammer (const std::vector<std::string>& files, const std::strin
     for (const auto& file : files)
         recordings.push_back (readRecordings (file, options.channels));
 
-    const auto measurement = measureByHammer (recordings, hammerOptions (options, pointsFile, estimator));
-    writeWholeFile (outputFile, encodeUniversalFile (hammerSets (measurement)));
+    return measureByHammer (recordings, hammerOptions (options, pointsFile, estimator));
+}
+
+void printHammer (const HammerMeasurement& measurement)
+{
     printHits (measurement);
-    printOutcome (measurement, outputFile);
+    printOutcome (measurement);
 }
 } // namespace antinode

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_measurement/AveragedSpectra.h>
+#include <antinode_responses/HammerMeasurement.h>
 
 #include <CLI/CLI.hpp>
 
@@ -25,9 +25,13 @@ struct HammerRecordingOptions
 /** Adds them to a sub-command. The struct must live as long as the app. */
 void addHammerRecordingOptions (CLI::App&, HammerRecordingOptions&);
 
-/** Reads recordings, finds and checks the hits, writes their responses and says which hits were left out and why.
+/** Frequency responses of recordings, whose hits are found and checked.
     @param pointsFile  places of the points; empty: as the files say
-    @throws InputError  where a file or an option is not usable, or no hit is left [worker] */
-void estimateFromHammer (const std::vector<std::string>& files, const std::string& pointsFile,
-                         const std::string& outputFile, ResponseEstimator, const HammerRecordingOptions&);
+    @throws InputError  where a file or an option is not usable, or no hit is left
+    [worker] Docs/Theory.md, section 8.11. */
+HammerMeasurement measureHammerFiles (const std::vector<std::string>& files, const std::string& pointsFile,
+                                      ResponseEstimator, const HammerRecordingOptions&);
+
+/** Tells the terminal what was measured, and which hits were left out and why. */
+void printHammer (const HammerMeasurement&);
 } // namespace antinode

@@ -3,6 +3,7 @@
 #include "Progress.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_library/Inputs.h>
 #include <antinode_reports/IdentificationTables.h>
 
 #include <cstdio>
@@ -32,8 +33,11 @@ void print (const IdentificationResult& result)
 
 IdentificationResult identifyShowing (const IdentifyOptions& options)
 {
+    const auto against =
+        options.against.empty() ? std::optional<DeviceDescription>() : std::optional (loadDevice (options.against, {}));
     Progress progress (options.isQuiet);
-    return identifyFiles (options, [&] (const std::string& what, double share) { progress.show (what, share); });
+    return identifyFiles (options, against,
+                          [&] (const std::string& what, double share) { progress.show (what, share); });
 }
 
 void runIdentify (const IdentifyOptions& options, bool hasReport)

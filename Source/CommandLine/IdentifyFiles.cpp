@@ -7,7 +7,7 @@
 #include <antinode_documents/IdentifiedDevice.h>
 #include <antinode_documents/UniversalModes.h>
 #include <antinode_identification/IdentifiedModel.h>
-#include <antinode_library/Inputs.h>
+#include <antinode_library/Library.h>
 #include <antinode_reports/IdentificationDiagram.h>
 #include <antinode_text/OutputFolder.h>
 #include <antinode_universal/UniversalFile.h>
@@ -94,7 +94,8 @@ std::string fileNameOf (const std::filesystem::path& path)
 }
 } // namespace
 
-IdentificationResult identifyFiles (const IdentifyOptions& options, const ShowProgress& progress)
+IdentificationResult identifyFiles (const IdentifyOptions& options, const std::optional<DeviceDescription>& against,
+                                    const ShowProgress& progress)
 {
     const auto show = [&] (const std::string& what, double share)
     {
@@ -106,8 +107,8 @@ IdentificationResult identifyFiles (const IdentifyOptions& options, const ShowPr
     const auto search = toIdentificationOptions (options, measurement.responses.points.rows());
     IdentificationResult result;
 
-    if (! options.against.empty())
-        result.computed = solveDevice (loadDevice (options.against, {}), std::nullopt, options.usesCache);
+    if (against)
+        result.computed = solveDevice (*against, std::nullopt, options.usesCache);
 
     show ("Identifying", 0.1);
     const RecordEffects effects { measurement.recordLength, options.windowDecay.value_or (measurement.windowDecay) };

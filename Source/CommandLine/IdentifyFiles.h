@@ -4,16 +4,20 @@
 
 #include <antinode_base/ShowProgress.h>
 #include <antinode_reports/IdentificationReport.h>
+#include <antinode_structure/DeviceDescription.h>
 
+#include <optional>
 #include <string>
 
 namespace antinode
 {
 /** The modes of measured files, as the options ask for them.
+    @param against   a computed device to compare with; none: there is none
     @param progress  may be empty
     @throws InputError  for files that cannot be read, options that are not allowed, and where there are no modes
     [worker] Docs/Theory.md, section 8. */
-IdentificationResult identifyFiles (const IdentifyOptions&, const ShowProgress& progress);
+IdentificationResult identifyFiles (const IdentifyOptions&, const std::optional<DeviceDescription>& against,
+                                    const ShowProgress& progress);
 
 /** In dB; also that of the measured quantity where it is not a velocity, and of the modes alone, which are all that a
     device has, where residual terms make a difference. [any] */

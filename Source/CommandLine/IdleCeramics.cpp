@@ -7,7 +7,7 @@ namespace antinode
 void checkIdleCeramics (const std::vector<int>& idle, const ModalModel& model)
 {
     for (const auto ceramic : idle)
-        if (ceramic > model.actuators())
+        if (ceramic < 1 || ceramic > model.actuators())
             throw InputError ("--idle-ceramic", "is " + std::to_string (ceramic) + "; allowed: 1 to "
                                                     + std::to_string (model.actuators()));
 }

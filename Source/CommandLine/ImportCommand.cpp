@@ -1,55 +1,25 @@
 #include "BoundaryOption.h"
 #include "Commands.h"
+#include "ImportFiles.h"
 
 #include <antinode_base/NumberText.h>
-#include <antinode_base/WholeFile.h>
-#include <antinode_documents/DeviceFile.h>
-#include <antinode_import/ImportedDevice.h>
 #include <antinode_text/OutputFolder.h>
 
-#include <nlohmann/json.hpp>
+#include <CLI/CLI.hpp>
 
 #include <cstdio>
-#include <map>
 #include <memory>
 
 namespace antinode
 {
 namespace
 {
-struct ImportOptions
+struct ImportCommandOptions
 {
-    std::vector<std::string> files;
-    std::string outputFile, outline, normal = "z", side = "top", units = "SI";
-    double flatness = 0; // mm
-    std::optional<double> fullScaleVoltage;
-    ImportSettings settings;
+    ImportOptions wanted;
+    std::string outputFile;
     bool isQuiet = false;
 };
-
-ElementResults readFiles (const ImportOptions& options)
-{
-    constexpr FileKind kind { "results of finite elements", std::uintmax_t { 2048 } << 20 };
-    std::vector<ElementResults> results;
-
-    for (const auto& file : options.files)
-        results.push_back (readElementResults (readWholeFile (file, kind), file));
-
-    auto merged = mergedResults (std::move (results));
-    return options.units == "mm" ? fromMillimetres (std::move (merged)) : merged;
-}
-
-ImportSettings toSettings (const ImportOptions& options)
-{
-    const std::map<std::string, int> axes { { "x", 0 }, { "y", 1 }, { "z", 2 } };
-    auto settings = options.settings;
-    settings.side.axis = axes.at (options.normal);
-    settings.side.isTop = options.side == "top";
-    settings.side.flatness = options.flatness / 1000;
-    settings.boundary = boundaryFrom (options.outline);
-    settings.fullScaleVoltage = options.fullScaleVoltage.value_or (settings.voltageLimit);
-    return settings;
-}
 
 void print (const ImportedDevice& device)
 {
@@ -78,11 +48,10 @@ void print (const ImportedDevice& device)
         std::printf ("Warning: %s\n", warning.c_str());
 }
 
-void importFiles (const ImportOptions& options)
+void importDevice (const ImportCommandOptions& options)
 {
-    const auto device = importDevice (readFiles (options), toSettings (options));
-    writeWholeFile (options.outputFile,
-                    modalDeviceToJson (device.model, "Imported from results of finite elements").dump (2) + "\n");
+    const auto device = importFiles (options.wanted);
+    writeWholeFile (options.outputFile, importedDeviceText (device));
 
     if (! options.isQuiet)
         print (device);
@@ -112,12 +81,13 @@ void addImportCommand (CLI::App& app)
 {
     auto* command = app.add_subcommand (
         "import", "Makes a device of the modes and reaction forces that a finite-element program computed");
-    auto options = std::make_shared<ImportOptions>();
+    auto all = std::make_shared<ImportCommandOptions>();
+    auto* const options = &all->wanted;
     auto& settings = options->settings;
     command->add_option ("files", options->files, "CalculiX .frd and .dat files, or universal files")
         ->required()
         ->type_name ("FILES");
-    command->add_option ("--out", options->outputFile, "Device file to write")->required()->type_name ("DEVICE.json");
+    command->add_option ("--out", all->outputFile, "Device file to write")->required()->type_name ("DEVICE.json");
     command->add_option ("--name", settings.name, "Name of the device")->capture_default_str();
     command->add_option ("--units", options->units, "Units of the files: SI (m, kg, N, s) or mm (mm, t, N, s)")
         ->check (CLI::IsMember ({ "SI", "mm" }))
@@ -140,7 +110,7 @@ void addImportCommand (CLI::App& app)
         ->add_option ("--full-scale-v", options->fullScaleVoltage,
                       "Voltage of a sample of 1, V; default: the voltage limit")
         ->check (CLI::PositiveNumber);
-    command->add_flag ("--quiet", options->isQuiet, "Prints only errors");
-    command->callback ([options] { importFiles (*options); });
+    command->add_flag ("--quiet", all->isQuiet, "Prints only errors");
+    command->callback ([all] { importDevice (*all); });
 }
 } // namespace antinode

@@ -5,6 +5,8 @@
 #include "Progress.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_library/Inputs.h>
+#include <antinode_responses/PointsFile.h>
 
 #include <cstdio>
 #include <memory>
@@ -13,6 +15,12 @@ namespace antinode
 {
 namespace
 {
+/** The places of the velocity sensors, 0 x 2 where there are none. */
+Eigen::MatrixX2d sensorPlaces (const LearnOptions& options)
+{
+    return options.pointsFile.empty() ? Eigen::MatrixX2d (0, 2) : readPointsFile (options.pointsFile);
+}
+
 void print (const LearnOptions& options, const LearningSetup& setup, const LearntFocus& learnt)
 {
     std::printf ("%s on %s\n", setup.focus.name.c_str(), setup.nominal.model.name.c_str());
@@ -37,9 +45,14 @@ void learn (const LearnOptions& options)
     if (options.isSimulated + options.isPlayed + ! options.recorded.empty() > 1)
         throw InputError ("learn", "is given more than one of --simulate, --play and --recorded; allowed: one of them");
 
+    checkAssignments (options.assignments);
+    const auto device =
+        loadDevice (deviceFor (LibraryKind::focus, { options.focus }, options.device, usualDevice, options.assignments),
+                    options.assignments);
     Progress progress (options.isQuiet);
     progress.show ("Modes of the device", 0);
-    const auto setup = learningSetup (options);
+    const auto setup =
+        learningSetup (device, loadFocus (options.focus, options.assignments), sensorPlaces (options), options);
     const auto settings = learningSettings (options);
     const auto learnt =
         learnFocus (setup.nominal, setup.focus, setup.sensors, setup.deviations, passesOf (options, setup), settings,

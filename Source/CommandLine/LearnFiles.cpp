@@ -75,25 +75,6 @@ std::string learntTable (const LearntFocus& learnt, const WideModel& nominal, co
 
     return text;
 }
-
-nlohmann::ordered_json summary (const LearntFocus& learnt)
-{
-    nlohmann::ordered_json document { { "schema", "antinode.learnt/1" },
-                                      { "is_accepted", learnt.refusal.empty() },
-                                      { "refusal", learnt.refusal },
-                                      { "unexplained_percent", inPercent * learnt.learnt.unexplained },
-                                      { "residual_of_noise", learnt.learnt.residual },
-                                      { "trigger_sample", 0 } };
-    auto& passes = document["passes"] = nlohmann::ordered_json::array();
-
-    for (const auto& pass : learnt.passes)
-        passes.push_back ({ { "estimated_field_error_percent", inPercent * pass.estimatedError },
-                            { "surprise_of_noise", pass.surprise },
-                            { "surprise_of_noise_nominal", pass.nominalSurprise },
-                            { "latency_ms", inMilli * pass.delay } });
-
-    return document;
-}
 } // namespace
 
 PlayedRecording readPlayedRecording (const std::filesystem::path& folder, const ModalModel& model, Eigen::Index sensors,
@@ -133,6 +114,31 @@ Eigen::VectorXd noiseOfRecording (const Eigen::MatrixXd& signals, double signalT
            * (signals.rowwise().norm() / std::sqrt (static_cast<double> (signals.cols()))).cwiseMax (1e-30);
 }
 
+nlohmann::ordered_json learntToJson (const LearntFocus& learnt)
+{
+    nlohmann::ordered_json document { { "schema", "antinode.learnt/1" },
+                                      { "is_accepted", learnt.refusal.empty() },
+                                      { "refusal", learnt.refusal },
+                                      { "unexplained_percent", inPercent * learnt.learnt.unexplained },
+                                      { "residual_of_noise", learnt.learnt.residual },
+                                      { "trigger_sample", 0 } };
+    auto& passes = document["passes"] = nlohmann::ordered_json::array();
+
+    for (const auto& pass : learnt.passes)
+        passes.push_back ({ { "estimated_field_error_percent", inPercent * pass.estimatedError },
+                            { "surprise_of_noise", pass.surprise },
+                            { "surprise_of_noise_nominal", pass.nominalSurprise },
+                            { "latency_ms", inMilli * pass.delay } });
+
+    return document;
+}
+
+std::string learntDeviceText (const LearntFocus& learnt)
+{
+    const auto known = firstModes (learnt.wide.model, learnt.wide.known);
+    return modalDeviceToJson (known, "Learnt from plays of a focus").dump (2) + "\n";
+}
+
 void writeLearnt (const std::filesystem::path& path, const LearntFocus& learnt, const WideModel& nominal,
                   const ModeSpread& before, const LearningSettings& settings)
 {
@@ -141,9 +147,9 @@ void writeLearnt (const std::filesystem::path& path, const LearntFocus& learnt, 
     folder.write ("voltages.wav", encodeWave (playedVoltages (known, learnt.design, settings), known.fullScaleVoltage,
                                               settings.sampleRate));
     folder.write ("design.json", designToJson (learnt.design, known).dump (2) + "\n");
-    folder.write ("device.json", modalDeviceToJson (known, "Learnt from plays of a focus").dump (2) + "\n");
+    folder.write ("device.json", learntDeviceText (learnt));
     folder.write ("learnt.csv", learntTable (learnt, nominal, before));
-    folder.write ("summary.json", summary (learnt).dump (2) + "\n");
+    folder.write ("summary.json", learntToJson (learnt).dump (2) + "\n");
     folder.write ("report.html", renderReport (learningReport (learnt, nominal, before)));
     folder.commit();
 }

@@ -4,6 +4,8 @@
 
 #include <antinode_learning/LearningPasses.h>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <filesystem>
 #include <string>
 
@@ -20,8 +22,14 @@ PlayedRecording readPlayedRecording (const std::filesystem::path& folder, const 
 /** Each sensor's noise by its signal-to-noise ratio in dB: standard deviations of its samples. [any] */
 Eigen::VectorXd noiseOfRecording (const Eigen::MatrixXd& signals, double signalToNoise);
 
+/** summary.json of what was learnt. [any] Docs/FileFormats.md. */
+nlohmann::ordered_json learntToJson (const LearntFocus&);
+
+/** The file of the device as it was learnt. [worker] Docs/FileFormats.md. */
+std::string learntDeviceText (const LearntFocus&);
+
 /** Writes what is to be played next and what was learnt: voltages.wav, design.json, device.json, learnt.csv,
-   summary.json and report.html.
+    summary.json and report.html.
     @throws InputError  when the folder cannot be written
     [worker] Docs/FileFormats.md. */
 void writeLearnt (const std::filesystem::path& folder, const LearntFocus&, const WideModel& nominal, const ModeSpread&,

@@ -9,9 +9,8 @@
 #include <antinode_bench/PlayPasses.h>
 #include <antinode_bench/SimulatedBenchPlayer.h>
 #include <antinode_focus/Detuning.h>
-#include <antinode_library/Inputs.h>
+#include <antinode_library/Library.h>
 #include <antinode_model/ShapesAtPlaces.h>
-#include <antinode_responses/PointsFile.h>
 
 #include <memory>
 #include <utility>
@@ -20,12 +19,6 @@ namespace antinode
 {
 namespace
 {
-/** The places of the velocity sensors, 0 x 2 where there are none. */
-Eigen::MatrixX2d sensorPlaces (const LearnOptions& options)
-{
-    return options.pointsFile.empty() ? Eigen::MatrixX2d (0, 2) : readPointsFile (options.pointsFile);
-}
-
 /** What sensors hear of each mode's velocity, N x N_m: mode shapes, and by reciprocity the currents of idle ceramics.
  */
 Eigen::MatrixXd heardShapes (const ModalModel& model, const Eigen::MatrixX2d& places, const std::vector<int>& idle)
@@ -62,12 +55,10 @@ PassPlayer recordedPasses (const LearnOptions& options, const LearningSetup& set
 {
     return [&] (const Eigen::MatrixXd&, int pass)
     {
-        auto recording = readPlayedRecording (options.recorded[static_cast<std::size_t> (pass)], setup.nominal.model,
-                                              std::ssize (setup.sensors), options.audio.sensor);
-        recording.noise = noiseOfRecording (recording.signals, options.bench.signalToNoise);
-        recording.delaySpan = options.longestLatency / 1000;
-        setDelay (recording, options);
-        return recording;
+        return withNoiseAndLatency (readPlayedRecording (options.recorded[static_cast<std::size_t> (pass)],
+                                                         setup.nominal.model, std::ssize (setup.sensors),
+                                                         options.audio.sensor),
+                                    options);
     };
 }
 
@@ -108,18 +99,22 @@ PassPlayer audioPasses (const LearnOptions& options, const LearningSetup& setup)
 }
 } // namespace
 
-LearningSetup learningSetup (const LearnOptions& options)
+PlayedRecording withNoiseAndLatency (PlayedRecording recording, const LearnOptions& options)
 {
-    checkAssignments (options.assignments);
+    recording.noise = noiseOfRecording (recording.signals, options.bench.signalToNoise);
+    recording.delaySpan = options.longestLatency / 1000;
+    setDelay (recording, options);
+    return recording;
+}
+
+LearningSetup learningSetup (const DeviceDescription& device, FocusDescription focus, Eigen::MatrixX2d places,
+                             const LearnOptions& options)
+{
     checkSampleRate (options.rate);
-    const auto device =
-        loadDevice (deviceFor (LibraryKind::focus, { options.focus }, options.device, usualDevice, options.assignments),
-                    options.assignments);
     const auto known = solveDevice (device, {}, options.usesCache);
     auto wide = wideOf (device, known, { Reconstruction::bandLimited, options.rate }, options.usesCache);
     checkIdleCeramics (options.idleCeramics, known);
-    LearningSetup setup { wide.model, wide, loadFocus (options.focus, options.assignments), sensorPlaces (options),
-                          {},         {} };
+    LearningSetup setup { wide.model, wide, std::move (focus), std::move (places), {}, {} };
     checkKindOfPlaces (known, setup.focus);
     setup.nominal.model = withoutDrive (setup.device, options.idleCeramics);
     const auto shapes = heardShapes (setup.device, setup.places, options.idleCeramics);

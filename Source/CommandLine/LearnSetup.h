@@ -4,6 +4,7 @@
 
 #include <antinode_learning/LearningPasses.h>
 #include <antinode_measurement/SimulatedBench.h>
+#include <antinode_structure/DeviceDescription.h>
 
 #include <optional>
 #include <string>
@@ -39,8 +40,12 @@ struct LearningSetup
     ModeSpread deviations;
 };
 
-/** @throws InputError  for anything that cannot be used [worker] */
-LearningSetup learningSetup (const LearnOptions&);
+/** @param places  of the velocity sensors, m
+    @throws InputError  for anything that cannot be used [worker] */
+LearningSetup learningSetup (const DeviceDescription&, FocusDescription, Eigen::MatrixX2d places, const LearnOptions&);
+
+/** A recording with what the options say of its noise and its latency. [any] */
+PlayedRecording withNoiseAndLatency (PlayedRecording, const LearnOptions&);
 
 /** Where passes come from: folders of earlier ones, a simulated bench, or an audio device. It lives as long as these
     two.

@@ -1,17 +1,11 @@
 #include "Commands.h"
 #include "CommonOptions.h"
-#include "FieldNames.h"
-#include "FocusOnDevice.h"
+#include "MapFiles.h"
 #include "Progress.h"
 
 #include <antinode_library/Inputs.h>
 #include <antinode_library/SkinThresholds.h>
 #include <antinode_numerics/ParallelFor.h>
-#include <antinode_reports/MapReport.h>
-#include <antinode_sweep/FocusMap.h>
-#include <antinode_text/OutputFolder.h>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -67,15 +61,10 @@ void printMap (const FocusMap& map, const MapCommandOptions& options)
 void map (const MapCommandOptions& options)
 {
     checkAssignments (options.assignments);
-    checkSampleRate (options.rate);
     const auto focus = loadFocus (options.focus, options.assignments);
     const auto description =
         loadDevice (deviceFor (LibraryKind::focus, { options.focus }, options.device, usualDevice, options.assignments),
                     options.assignments);
-    Progress progress (options.isQuiet);
-    progress.show ("Solving the device", 0);
-    const auto known = solveDevice (description, {}, options.usesCache);
-    checkKindOfPlaces (known, focus);
     MapOptions settings;
     settings.places = options.places;
     settings.playback.sampleRate = options.rate;
@@ -84,20 +73,19 @@ void map (const MapCommandOptions& options)
     if (options.hasFelt)
         settings.threshold = findSkinThreshold (options.thresholdFile);
 
-    const auto result = mapFocus (wideOf (description, known, settings.playback, options.usesCache), focus, settings,
-                                  [&] (int done, int all)
-                                  {
-                                      progress.show ("Mapping", static_cast<double> (done) / all,
-                                                     std::to_string (done) + " of " + std::to_string (all) + " places");
-                                  });
-    OutputFolder folder (options.folder);
-    folder.write ("map.csv", mapToCsv (result, withKeysAndOptions));
-    folder.write ("report.html", renderReport (mapReport (result, known)));
-    folder.write ("summary.json", mapToJson (result).dump (2) + "\n");
-    folder.commit();
+    Progress progress (options.isQuiet);
+    progress.show ("Solving the device", 0);
+    const auto mapped =
+        mapOnDevice (description, focus, settings, options.usesCache,
+                     [&] (int done, int all)
+                     {
+                         progress.show ("Mapping", static_cast<double> (done) / all,
+                                        std::to_string (done) + " of " + std::to_string (all) + " places");
+                     });
+    writeMap (options.folder, mapped);
 
     if (! options.isQuiet)
-        printMap (result, options);
+        printMap (mapped.map, options);
 }
 } // namespace
 

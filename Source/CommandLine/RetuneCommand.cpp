@@ -1,13 +1,9 @@
 #include "Commands.h"
 #include "CommonOptions.h"
+#include "RetunedFiles.h"
 
-#include <antinode_documents/DeviceFile.h>
-#include <antinode_identification/Retuning.h>
 #include <antinode_library/Inputs.h>
-#include <antinode_responses/MeasurementReader.h>
 #include <antinode_text/OutputFolder.h>
-
-#include <nlohmann/json.hpp>
 
 #include <cstdio>
 #include <memory>
@@ -44,15 +40,9 @@ void print (const ModalModel& before, const RetunedModel& retuned)
 
 void retuneDevice (const RetuneOptions& options)
 {
-    const auto model = solveDevice (loadDevice (options.device, {}), {}, options.usesCache);
-    std::vector<MeasurementFile> files;
-
-    for (const auto& file : options.files)
-        files.push_back (readMeasurement (file, CsvForm::byHeadings));
-
-    const auto retuned = retune (model, mergedResponses (files, {}).responses, {});
-    writeWholeFile (options.outputFile, modalDeviceToJson (retuned.model, "Retuned from a few points").dump (2) + "\n");
-    print (model, retuned);
+    const auto retuned = retuneByFiles (loadDevice (options.device, {}), options.files, options.usesCache);
+    writeWholeFile (options.outputFile, retunedDeviceText (retuned.now));
+    print (retuned.before, retuned.now);
 }
 } // namespace
 

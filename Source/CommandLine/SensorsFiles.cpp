@@ -56,29 +56,6 @@ std::string candidateTable (const SensorPlaces& places)
     return text;
 }
 
-nlohmann::ordered_json sensorSummary (const ModalModel& model, const SensorPlaces& places)
-{
-    nlohmann::ordered_json json { { "schema", "antinode.sensors/1" },
-                                  { "device", places.device },
-                                  { "focus", places.focus },
-                                  { "candidates", places.cell.size() + places.idle.size() },
-                                  { "sensors", nlohmann::json::array() },
-                                  { "bits", places.choice.bits.back() },
-                                  { "random_bits", places.randomBits } };
-
-    for (std::size_t i = 0; i < places.choice.chosen.size(); ++i)
-    {
-        const Eigen::Vector2d place = milli * sensorPlace (model, places, i);
-        auto& sensor = json["sensors"].emplace_back (
-            nlohmann::ordered_json { { "x_mm", place.x() }, { "y_mm", place.y() }, { "bits", places.choice.bits[i] } });
-
-        if (const auto ceramic = chosenCeramic (places, i); ceramic > 0)
-            sensor["idle_ceramic"] = ceramic;
-    }
-
-    return json;
-}
-
 /** What one sensor tells, by cells; where there is no surface no number. */
 Eigen::VectorXd bitsByCell (const SensorPlaces& places)
 {
@@ -130,8 +107,32 @@ LineChart sensorCurve (const ModalModel& model, const SensorPlaces& places)
 
     return chart;
 }
+} // namespace
 
-ReportPage sensorReport (const ModalModel& model, const SensorPlaces& places)
+nlohmann::ordered_json sensorsToJson (const ModalModel& model, const SensorPlaces& places)
+{
+    nlohmann::ordered_json json { { "schema", "antinode.sensors/1" },
+                                  { "device", places.device },
+                                  { "focus", places.focus },
+                                  { "candidates", places.cell.size() + places.idle.size() },
+                                  { "sensors", nlohmann::json::array() },
+                                  { "bits", places.choice.bits.back() },
+                                  { "random_bits", places.randomBits } };
+
+    for (std::size_t i = 0; i < places.choice.chosen.size(); ++i)
+    {
+        const Eigen::Vector2d place = milli * sensorPlace (model, places, i);
+        auto& sensor = json["sensors"].emplace_back (
+            nlohmann::ordered_json { { "x_mm", place.x() }, { "y_mm", place.y() }, { "bits", places.choice.bits[i] } });
+
+        if (const auto ceramic = chosenCeramic (places, i); ceramic > 0)
+            sensor["idle_ceramic"] = ceramic;
+    }
+
+    return json;
+}
+
+ReportPage sensorsReport (const ModalModel& model, const SensorPlaces& places)
 {
     const auto isLine = model.surface.kind == SurfaceKind::line;
     constexpr int mapHeight = 480, curveHeight = 300;
@@ -173,7 +174,6 @@ ReportPage sensorReport (const ModalModel& model, const SensorPlaces& places)
     page.footer = "Antinode " ANTINODE_VERSION ".";
     return page;
 }
-} // namespace
 
 int chosenCeramic (const SensorPlaces& places, std::size_t rank)
 {
@@ -197,8 +197,8 @@ void writeSensors (const std::filesystem::path& path, const ModalModel& model, c
     OutputFolder folder (path);
     folder.write ("sensors.csv", sensorTable (model, places));
     folder.write ("candidates.csv", candidateTable (places));
-    folder.write ("summary.json", sensorSummary (model, places).dump (2) + "\n");
-    folder.write ("report.html", renderReport (sensorReport (model, places)));
+    folder.write ("summary.json", sensorsToJson (model, places).dump (2) + "\n");
+    folder.write ("report.html", renderReport (sensorsReport (model, places)));
     folder.commit();
 }
 } // namespace antinode

@@ -2,6 +2,9 @@
 
 #include <antinode_learning/ChooseSensors.h>
 #include <antinode_model/SquareCells.h>
+#include <antinode_reports/Report.h>
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <filesystem>
 #include <string>
@@ -24,6 +27,12 @@ struct SensorPlaces
     @throws InputError  when the folder cannot be written
     [worker] Docs/FileFormats.md. */
 void writeSensors (const std::filesystem::path& folder, const ModalModel&, const SensorPlaces&);
+
+/** summary.json of where to listen. [any] Docs/FileFormats.md. */
+nlohmann::ordered_json sensorsToJson (const ModalModel&, const SensorPlaces&);
+
+/** report.html of where to listen: what one sensor tells, by its place. [worker] */
+ReportPage sensorsReport (const ModalModel&, const SensorPlaces&);
 
 /** Which ceramic a chosen sensor is, counted from 1; 0: a place. @param rank  0: the most telling [any] */
 int chosenCeramic (const SensorPlaces&, std::size_t rank);

@@ -1,5 +1,8 @@
 #include "ArrayViews.h"
 
+#include <pybind11/complex.h>
+
+#include <algorithm>
 #include <vector>
 
 namespace antinode
@@ -23,6 +26,14 @@ py::array readOnlyArray (const ArrayPlace& place, const py::object& owner)
 {
     return readOnly ({ place.rows, place.columns }, { place.rowStep * bytes, place.columnStep * bytes }, place.data,
                      owner);
+}
+
+py::array copyOf (const Eigen::MatrixXcd& values)
+{
+    py::array_t<std::complex<double>, py::array::f_style> array ({ values.rows(), values.cols() });
+    std::copy (values.data(), values.data() + values.size(), array.mutable_data());
+    py::detail::array_proxy (array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+    return array;
 }
 
 py::array readOnlyVector (const ArrayPlace& place, const py::object& owner)

@@ -61,4 +61,7 @@ pybind11::array arrayOf (Matrix computed)
     const pybind11::capsule owner (kept.release(), [] (void* memory) { delete static_cast<Matrix*> (memory); });
     return viewOf (*matrix, owner);
 }
+
+/** Complex numbers as an array of their own that cannot be written. [any] with the GIL */
+pybind11::array copyOf (const Eigen::MatrixXcd&);
 } // namespace antinode

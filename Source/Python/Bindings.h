@@ -14,4 +14,14 @@ void bindIdentify (pybind11::module_&);
 void bindMeasure (pybind11::module_&);
 void bindPlace (pybind11::module_&);
 void bindSweep (pybind11::module_&);
+void bindMap (pybind11::module_&);
+void bindTolerance (pybind11::module_&);
+void bindTradeoff (pybind11::module_&);
+void bindExcite (pybind11::module_&);
+void bindFrf (pybind11::module_&);
+void bindRetune (pybind11::module_&);
+void bindImport (pybind11::module_&);
+void bindLearn (pybind11::module_&);
+void bindFollow (pybind11::module_&);
+void bindSensors (pybind11::module_&);
 } // namespace antinode

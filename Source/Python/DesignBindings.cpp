@@ -26,38 +26,10 @@ namespace py = pybind11;
 
 using Design = std::shared_ptr<DesignValue>;
 
-/** What of `antinode design` and `antinode render` is the same. */
-struct DesignSettings
-{
-    double sampleRate = 0; ///< Hz
-    std::string reconstruction;
-    double repetitions = 0; ///< Per second.
-    std::string thresholdFile;
-    bool usesCache = true;
-};
-
-Playback playbackOf (const DesignSettings& settings)
-{
-    checkSampleRate (settings.sampleRate);
-
-    if (settings.reconstruction == "band_limited")
-        return { Reconstruction::bandLimited, settings.sampleRate };
-
-    if (settings.reconstruction == "zero_order_hold")
-        return { Reconstruction::zeroOrderHold, settings.sampleRate };
-
-    throw InputError ("--reconstruction",
-                      "is " + inQuotes (settings.reconstruction) + "; allowed: band_limited, zero_order_hold");
-}
-
 /** The steps of `antinode design`, in its order. */
 DesignValue makeDesign (const FocusValue& focus, const DeviceValue& device, const DesignSettings& settings)
 {
-    auto wanted = focus.description;
-
-    if (wanted.felt && ! settings.thresholdFile.empty())
-        wanted.felt->threshold = findSkinThreshold (settings.thresholdFile);
-
+    const auto wanted = focusWith (focus, settings);
     const auto playback = playbackOf (settings);
     const auto known = solveDevice (device.description, {}, settings.usesCache);
     checkKindOfPlaces (known, wanted);
@@ -70,13 +42,6 @@ Design design (const FocusValue& focus, const DeviceValue& device, const DesignS
 {
     Work work (std::move (progress));
     return work.run ([&] { return std::make_shared<DesignValue> (makeDesign (focus, device, settings)); });
-}
-
-/** design.json, byte by byte. */
-std::string designText (const DesignValue& design)
-{
-    const auto power = designedPower (design.made, design.playback, design.repetitions);
-    return designDocument (design.made, power).dump (2) + "\n";
 }
 
 void saveDesign (const DesignValue& design, const std::string& path)
@@ -151,6 +116,36 @@ void bindArrays (py::class_<DesignValue, Design>& bound)
 }
 } // namespace
 
+Playback playbackOf (const DesignSettings& settings)
+{
+    checkSampleRate (settings.sampleRate);
+
+    if (settings.reconstruction == "band_limited")
+        return { Reconstruction::bandLimited, settings.sampleRate };
+
+    if (settings.reconstruction == "zero_order_hold")
+        return { Reconstruction::zeroOrderHold, settings.sampleRate };
+
+    throw InputError ("--reconstruction",
+                      "is " + inQuotes (settings.reconstruction) + "; allowed: band_limited, zero_order_hold");
+}
+
+FocusDescription focusWith (const FocusValue& focus, const DesignSettings& settings)
+{
+    auto wanted = focus.description;
+
+    if (wanted.felt && ! settings.thresholdFile.empty())
+        wanted.felt->threshold = findSkinThreshold (settings.thresholdFile);
+
+    return wanted;
+}
+
+std::string designText (const DesignValue& design)
+{
+    const auto power = designedPower (design.made, design.playback, design.repetitions);
+    return designDocument (design.made, power).dump (2) + "\n";
+}
+
 void bindDesign (py::module_& module)
 {
     py::class_<DesignSettings> (module, "DesignSettings")
@@ -168,17 +163,8 @@ void bindDesign (py::module_& module)
     value.def ("numbers", &designNumbers);
     value.def ("text",
                [] (const DesignValue& self) { return Work (py::none()).run ([&] { return designText (self); }); });
-    value.def ("save",
-               [] (const DesignValue& self, const std::string& folder)
-               {
-                   Work (py::none())
-                       .run (
-                           [&]
-                           {
-                               saveDesign (self, folder);
-                               return true;
-                           });
-               });
+    value.def ("save", [] (const DesignValue& self, const std::string& folder)
+               { workAway ([&] { saveDesign (self, folder); }); });
     value.def ("png", &designPicture);
     bindArrays (value);
 }

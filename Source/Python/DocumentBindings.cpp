@@ -3,9 +3,11 @@
 
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_documents/FocusFile.h>
+#include <antinode_documents/NamedDevice.h>
 #include <antinode_documents/WaveformsFile.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_structure/DeviceKind.h>
+#include <antinode_text/JsonReader.h>
 #include <antinode_text/JsonText.h>
 
 #include <nlohmann/json.hpp>
@@ -52,6 +54,29 @@ nlohmann::json documentOf (LibraryKind kind, const Source& source, const Assignm
     return document;
 }
 
+/** The file of a device that a document names, from the folder of the document's own file, as an absolute name: so the
+    document still names it when it is changed, kept elsewhere or sent to another process. */
+void resolveDevice (nlohmann::json& document, const Source& source)
+{
+    if (source.nameOrFile.empty() || ! isFileName (source.nameOrFile) || ! document.is_object())
+        return;
+
+    const auto found = document.find ("device");
+
+    if (found != document.end() && found->is_string() && isFileName (found->get<std::string>()))
+        *found = std::filesystem::absolute (std::filesystem::path (source.nameOrFile).parent_path()
+                                            / found->get<std::string>())
+                     .lexically_normal()
+                     .string();
+}
+
+/** The name or file of the device that a document names; empty: it names none. */
+std::string deviceNamedBy (const nlohmann::json& document, const std::string& source)
+{
+    const JsonValue value (document, source);
+    return value.isObject() ? readNamedDevice (value.find ("device")) : std::string();
+}
+
 DeviceValue deviceOf (const Source& source, const Assignments& assignments)
 {
     auto document = documentOf (LibraryKind::device, source, assignments);
@@ -62,16 +87,20 @@ DeviceValue deviceOf (const Source& source, const Assignments& assignments)
 FocusValue focusOf (const Source& source, const Assignments& assignments)
 {
     auto document = documentOf (LibraryKind::focus, source, assignments);
+    resolveDevice (document, source);
     auto description = focusFromDocument (document, source.forErrors (LibraryKind::focus), source.fallbackName());
-    return { document.dump(), std::move (description) };
+    return { document.dump(), std::move (description),
+             deviceNamedBy (document, source.forErrors (LibraryKind::focus)) };
 }
 
 WaveformsValue waveformsOf (const Source& source, const Assignments& assignments)
 {
     auto document = documentOf (LibraryKind::waveforms, source, assignments);
+    resolveDevice (document, source);
     auto description = waveformsFromDocument (document, source.forErrors (LibraryKind::waveforms),
                                               source.nameOrFile.empty() ? "waveforms" : source.nameOrFile);
-    return { document.dump(), std::move (description) };
+    return { document.dump(), std::move (description),
+             deviceNamedBy (document, source.forErrors (LibraryKind::waveforms)) };
 }
 
 /** A value that is made from a name or file, or from the text of a document. */
@@ -101,8 +130,10 @@ const char* kindOf (const DeviceValue& device)
 void bindDocuments (py::module_& module)
 {
     bindDocument (module, "Device", "device", &deviceOf).def_property_readonly ("kind", &kindOf);
-    bindDocument (module, "Focus", "focus", &focusOf);
-    bindDocument (module, "Waveforms", "waveforms", &waveformsOf);
+    bindDocument (module, "Focus", "focus", &focusOf)
+        .def_property_readonly ("device", [] (const FocusValue& value) { return value.device; });
+    bindDocument (module, "Waveforms", "waveforms", &waveformsOf)
+        .def_property_readonly ("device", [] (const WaveformsValue& value) { return value.device; });
     module.def ("embedded_names",
                 [] (const std::string& kind)
                 {

@@ -22,13 +22,16 @@ struct IdentifiedValue
 
 using Identified = std::shared_ptr<IdentifiedValue>;
 
-Identified identifyBy (const IdentifyOptions& options, py::object progress)
+/** @param against  a computed device; None: there is none */
+Identified identifyBy (const IdentifyOptions& options, const std::shared_ptr<DeviceValue>& against, py::object progress)
 {
     Work work (std::move (progress));
     const auto show = work.progress();
+    const auto computed = against ? std::optional (against->description) : std::nullopt;
     return work.run (
         [&] {
-            return std::make_shared<IdentifiedValue> (IdentifiedValue { options, identifyFiles (options, show) });
+            return std::make_shared<IdentifiedValue> (
+                IdentifiedValue { options, identifyFiles (options, computed, show) });
         });
 }
 
@@ -41,13 +44,7 @@ void saveIdentified (const IdentifiedValue& value, const std::string& device, co
     options.reportFile = report;
     options.universalFile = universalFile;
     options.transferFile = transferred;
-    Work (py::none())
-        .run (
-            [&]
-            {
-                writeIdentified (value.result, options, ! report.empty());
-                return true;
-            });
+    workAway ([&] { writeIdentified (value.result, options, ! report.empty()); });
 }
 
 Eigen::VectorXd hertz (const Eigen::VectorXd& angularFrequencies)
@@ -61,7 +58,6 @@ void bindOptions (py::module_& module)
     options.def (py::init());
     options.def_readwrite ("files", &IdentifyOptions::files);
     options.def_readwrite ("name", &IdentifyOptions::name);
-    options.def_readwrite ("against", &IdentifyOptions::against);
     options.def_readwrite ("bands", &IdentifyOptions::bands);
     options.def_readwrite ("orders", &IdentifyOptions::orders);
     options.def_readwrite ("is_complex", &IdentifyOptions::isComplex);

@@ -1,12 +1,12 @@
 #include "ArrayViews.h"
 #include "Bindings.h"
+#include "Places.h"
 #include "Values.h"
 #include "Work.h"
 
 #include <CommandLine/ExcitationOptions.h>
 #include <CommandLine/MeasuredFiles.h>
 #include <antinode_base/InputError.h>
-#include <antinode_base/MessageText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_bench/Measuring.h>
 #include <antinode_bench/SimulatedBenchPlayer.h>
@@ -38,19 +38,6 @@ struct BenchSettings
     double cubicDistortion = 0; ///< %
 };
 
-Eigen::MatrixX2d placesOf (const std::vector<std::pair<double, double>>& millimetres)
-{
-    Eigen::MatrixX2d places (static_cast<Eigen::Index> (millimetres.size()), 2);
-
-    for (std::size_t i = 0; i < millimetres.size(); ++i)
-        places.row (static_cast<Eigen::Index> (i)) << millimetres[i].first / milli, millimetres[i].second / milli;
-
-    if (places.rows() == 0 || ! places.allFinite())
-        throw InputError ("points_mm", "are none or not finite; allowed: at least one place on the surface, mm");
-
-    return places;
-}
-
 ModalModel excitable (const DeviceValue& device, bool usesCache)
 {
     auto model = solveDevice (device.description, {}, usesCache);
@@ -81,16 +68,16 @@ SurfaceMeasurement simulate (const ModalModel& model, const ModalModel& onBench,
     return measurement;
 }
 
-Measured measure (const DeviceValue& device, const std::vector<std::pair<double, double>>& points,
-                  const std::string& folder, const ExcitationOptions& excitation, const DeviceValue& onBench,
-                  const BenchSettings& settings, py::object progress)
+Measured measure (const DeviceValue& device, const PlacePairs& points, const std::string& folder,
+                  const ExcitationOptions& excitation, const DeviceValue& onBench, const BenchSettings& settings,
+                  py::object progress)
 {
     Work work (std::move (progress));
     const auto show = work.progress();
     return work.run (
         [&]
         {
-            const auto places = placesOf (points);
+            const auto places = placesOf (points, "points_mm");
             const auto model = excitable (device, excitation.usesCache);
             const auto bench = excitable (onBench, excitation.usesCache);
             return std::make_shared<MeasuredValue> (
@@ -98,8 +85,8 @@ Measured measure (const DeviceValue& device, const std::vector<std::pair<double,
         });
 }
 
-/** N_f x N_p of one ceramic, a copy: complex numbers, (m/s)/V. */
-py::array_t<std::complex<double>> responsesOf (const MeasuredValue& value, std::size_t ceramic)
+/** N_f x N_p of one ceramic, (m/s)/V. */
+py::array responsesOf (const MeasuredValue& value, std::size_t ceramic)
 {
     const auto& all = value.measurement.responses.values;
 
@@ -107,31 +94,12 @@ py::array_t<std::complex<double>> responsesOf (const MeasuredValue& value, std::
         throw InputError ("ceramic",
                           "is " + std::to_string (ceramic) + "; allowed: 0 to " + std::to_string (all.size() - 1));
 
-    const auto& values = all[ceramic];
-    py::array_t<std::complex<double>, py::array::f_style> array ({ values.rows(), values.cols() });
-    std::copy (values.data(), values.data() + values.size(), array.mutable_data());
-    return array;
-}
-
-void bindExcitation (py::module_& module)
-{
-    py::class_<ExcitationOptions> options (module, "ExcitationOptions");
-    options.def (py::init());
-    options.def_readwrite ("cache", &ExcitationOptions::usesCache);
-    options.def_readwrite ("signal", &ExcitationOptions::signal);
-    options.def_readwrite ("sample_rate_Hz", &ExcitationOptions::rate);
-    options.def_readwrite ("lowest_frequency_Hz", &ExcitationOptions::lowest);
-    options.def_readwrite ("highest_frequency_Hz", &ExcitationOptions::highest);
-    options.def_readwrite ("resolution_Hz", &ExcitationOptions::resolution);
-    options.def_readwrite ("periods", &ExcitationOptions::periods);
-    options.def_readwrite ("settling_periods", &ExcitationOptions::settling);
-    options.def_readwrite ("levels_V", &ExcitationOptions::levels);
+    return copyOf (all[ceramic]);
 }
 } // namespace
 
 void bindMeasure (py::module_& module)
 {
-    bindExcitation (module);
     py::class_<BenchSettings> (module, "BenchSettings")
         .def (py::init<double, double, double>(), py::arg ("snr_dB"), py::arg ("delay_ms"), py::arg ("cubic_percent"));
 

@@ -70,13 +70,7 @@ Performed perform (const WaveformsValue& waveforms, const DeviceValue& device, c
 
 void savePerformed (const PerformedValue& value, const std::string& folder, bool hasReport)
 {
-    Work (py::none())
-        .run (
-            [&]
-            {
-                writePerformed (folder, value.performed, { hasReport });
-                return true;
-            });
+    workAway ([&] { writePerformed (folder, value.performed, { hasReport }); });
 }
 
 std::vector<std::string> fingerNames (const PerformedValue& value)

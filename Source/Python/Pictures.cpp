@@ -26,6 +26,17 @@ const Theme& themeNamed (const std::string& name)
 
     throw InputError ("theme", "is " + inQuotes (name) + "; allowed: light, dark, print");
 }
+
+std::vector<const ReportFigure*> figuresOf (const ReportPage& page)
+{
+    std::vector<const ReportFigure*> figures;
+
+    for (const auto& section : page.sections)
+        for (const auto& figure : section.figures)
+            figures.push_back (&figure);
+
+    return figures;
+}
 } // namespace
 
 std::string picture (const Chart& chart, const PictureStyle& style, int usualHeight)
@@ -42,6 +53,28 @@ std::string fieldPicture (const ModalModel& model, const FocusDesign& design, co
                         plateFigureHeight (model.surface, style.width, 1, 1));
 
     return picture (fieldChart (model, design.target.field, design.truncatedField, reached), style, lineHeight);
+}
+
+std::vector<std::string> figureCaptions (const ReportPage& page)
+{
+    std::vector<std::string> captions;
+
+    for (const auto* const figure : figuresOf (page))
+        captions.push_back (figure->caption);
+
+    return captions;
+}
+
+std::string figurePicture (const ReportPage& page, int index, const PictureStyle& style)
+{
+    const auto figures = figuresOf (page);
+
+    if (index < 0 || static_cast<std::size_t> (index) >= figures.size())
+        throw InputError ("figure", "is " + std::to_string (index) + "; allowed: 0 to "
+                                        + std::to_string (static_cast<long> (figures.size()) - 1));
+
+    const auto& figure = *figures[static_cast<std::size_t> (index)];
+    return picture (figure.chart, style, figure.height * style.width / figure.width);
 }
 
 void bindPictures (pybind11::module_& module)

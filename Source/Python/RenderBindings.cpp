@@ -85,13 +85,7 @@ void save (const RenderValue& value, const std::string& folder, const std::strin
     for (const auto& figure : figures)
         checkWord ("--figures", figure, { "svg", "pdf" });
 
-    Work (py::none())
-        .run (
-            [&]
-            {
-                writeRendered (folder, value.focus, value.outcome, { format, hasReport, figures });
-                return true;
-            });
+    workAway ([&] { writeRendered (folder, value.focus, value.outcome, { format, hasReport, figures }); });
 }
 
 /** N_probes x 2, mm */

@@ -57,19 +57,6 @@ EvaluateCase evaluateBy (const SweepValue& sweep)
     return [&] (std::uint64_t number) { return sweep.evaluator.evaluate (number); };
 }
 
-/** Work without progress and result. */
-template <typename Function>
-void workAway (const Function& function)
-{
-    Work (py::none())
-        .run (
-            [&]
-            {
-                function();
-                return true;
-            });
-}
-
 Sweep loadPlan (const std::string& file, bool usesCache)
 {
     return Work (py::none()).run ([&] { return std::make_shared<SweepValue> (loadSweep (file), usesCache); });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <antinode_documents/ExcitationFile.h>
 #include <antinode_focus/FocusDescription.h>
 #include <antinode_focus/WideDesign.h>
 #include <antinode_model/ModalModel.h>
@@ -25,6 +26,7 @@ struct FocusValue
 {
     std::string document; ///< JSON
     FocusDescription description;
+    std::string device; ///< The name or file of the one that it is for; empty: it names none.
 };
 
 /** Waveforms as Python holds them. */
@@ -32,7 +34,11 @@ struct WaveformsValue
 {
     std::string document; ///< JSON
     WaveformsDescription description;
+    std::string device; ///< As of a focus.
 };
+
+/** An excitation: what is played to measure a device. */
+using Excited = std::shared_ptr<ExcitationSheet>;
 
 /** Modes: what NumPy's arrays lie on. */
 struct ModesValue
@@ -48,6 +54,26 @@ struct DesignValue
     double repetitions = 0; ///< Per second.
     std::string thresholdFile;
 };
+
+/** What of `antinode design` and `antinode render` is the same. */
+struct DesignSettings
+{
+    double sampleRate = 0; ///< Hz
+    std::string reconstruction;
+    double repetitions = 0; ///< Per second.
+    std::string thresholdFile;
+    bool usesCache = true;
+};
+
+/** How voltages are played. @throws InputError  for a rate or reconstruction that is not allowed [any] */
+Playback playbackOf (const DesignSettings&);
+
+/** A focus with the threshold of skin that the settings give, where it asks for one.
+    @throws InputError  where it cannot be read [worker] */
+FocusDescription focusWith (const FocusValue&, const DesignSettings&);
+
+/** design.json of a design, byte by byte. [worker] */
+std::string designText (const DesignValue&);
 
 /** A render with its outcome. */
 struct RenderValue

@@ -69,4 +69,17 @@ private:
     std::exception_ptr failure;
     std::atomic<bool> isEnded { false }, isLookDue { false };
 };
+
+/** Work without progress and result. @throws  as Work [worker] with the GIL, which is released meanwhile */
+template <typename Function>
+void workAway (const Function& function)
+{
+    Work (pybind11::none())
+        .run (
+            [&]
+            {
+                function();
+                return true;
+            });
+}
 } // namespace antinode

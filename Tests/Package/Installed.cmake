@@ -40,7 +40,8 @@ if (STANDALONE)
 endif()
 
 if (PYTHON)
-    foreach (module __init__.py _antinode.pyi _checks.py _designs.py _documents.py _measured.py _modes.py _pictures.py _plots.py _progress.py _sweeps.py _tracks.py errors.py py.typed)
+    foreach (module __init__.py _antinode.pyi _checks.py _compared.py _designs.py _documents.py _imported.py _learning.py _maps.py _measured.py
+             _modes.py _pictures.py _places.py _plots.py _progress.py _recorded.py _sweeps.py _tracks.py errors.py py.typed)
         list (APPEND expected lib/python3/dist-packages/antinode/${module})
     endforeach()
     list (APPEND expected share/doc/python3-antinode/changelog.Debian.gz share/doc/python3-antinode/copyright

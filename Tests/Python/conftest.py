@@ -3,8 +3,10 @@
 import os
 import pathlib
 import re
+import struct
 import subprocess
 
+import numpy as np
 import pytest
 
 
@@ -28,6 +30,14 @@ def contents(folder):
         file.name: re.sub(rb'"time_ms": [0-9.e+-]+|(?<=iterations, )[0-9.e+-]+ ms', b"", file.read_bytes())
         for file in pathlib.Path(folder).iterdir()
     }
+
+
+def write_wave(file, samples, rate):
+    """A WAV file of 32-bit floating point, one channel per row."""
+    channels, values = len(samples), np.asarray(samples).astype("<f4").T.tobytes()
+    head = struct.pack("<HHIIHH", 3, channels, rate, rate * 4 * channels, 4 * channels, 32)
+    body = b"fmt " + struct.pack("<I", len(head)) + head + b"data" + struct.pack("<I", len(values)) + values
+    file.write_bytes(b"RIFF" + struct.pack("<I", 4 + len(body)) + b"WAVE" + body)
 
 
 @pytest.fixture

@@ -75,5 +75,18 @@ def test_a_document_travels_to_another_process_with_its_name(tmp_path):
     assert focus.name == an.focus(focus, x_mm=0).name == "at-24"
 
 
+def test_a_focus_is_designed_for_the_device_that_it_names(tmp_path):
+    """As `--device` leaves it open; the name of a file begins at the folder of the focus, wherever it is kept later."""
+    assert an.design("glass-centre").device == an.device("glass-148x210").name
+    (tmp_path / "mine").mkdir()
+    an.device("staple", name="my staple").save(tmp_path / "mine" / "device.json")
+    an.focus(device="./device.json").save(tmp_path / "mine" / "focus.json")
+    focus = an.focus(tmp_path / "mine" / "focus.json")
+    focus.save(tmp_path / "kept.json")
+    for each in (focus, an.focus(focus, x_mm=-24), pickle.loads(pickle.dumps(focus)), an.focus(tmp_path / "kept.json")):
+        assert an.design(each).device == "my staple"
+    assert an.design(focus, "beam").device == an.device("beam").name
+
+
 def test_names_are_the_embedded_ones():
     assert "staple" in an.names() and "demonstrator" in an.names("focus") and "three-fingers" in an.names("waveforms")

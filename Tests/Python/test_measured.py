@@ -60,6 +60,25 @@ def test_identify_finds_the_modes_and_writes_what_the_command_line_writes(progra
     assert found.device.kind == "modal" and np.array_equal(found.device.modes().frequencies_Hz, found.frequencies_Hz)
 
 
+def test_identified_modes_are_compared_with_a_device_of_any_kind(program, measured, tmp_path):
+    responses = measured[0] / "responses.uff"
+    computed = an.device("beam", thickness_mm=2.01)
+    computed.save(tmp_path / "computed")
+    options = ["--band", "100:7000", "--against", f"{tmp_path}/computed"]
+    names = ["device.json", "report.html", "report-diagram.html", "transferred.json"]
+    wanted, made = tmp_path / "wanted", tmp_path / "made"
+    wanted.mkdir()
+    program("identify", responses, *options, "--out", wanted / names[0], "--report", wanted / names[1], "--transfer", wanted / names[3])
+    for against in (computed, tmp_path / "computed", computed.to_dict()):
+        made.mkdir(exist_ok=True)
+        found = an.identify(responses, bands_Hz=[(100.0, 7000.0)], against=against)
+        found.save(made / names[0], report=made / names[1], transferred=made / names[3])
+        for name in names:
+            assert (made / name).read_bytes() == (wanted / name).read_bytes(), name
+    with pytest.raises(an.InputError, match="against"):
+        an.identify(responses).save(made / "other.json", transferred=made / "none.json")
+
+
 def test_place_finds_what_the_command_line_finds(program, tmp_path):
     options = ["--count", 3, "--modes", 6, "--size-mm", "12x10", "--keep-out-mm", "80,40,120,80"]
     program("place", "aluminium-200x120", *options, "--out", tmp_path / "wanted.json")

@@ -7,17 +7,28 @@
 >>> render.save("moved")
 
 The functions do what the commands of the same names do, on values, with the same results to the bit. Arguments carry
-their units as files do. Errors are InputError (a ValueError) and LimitError.
+their units as files do. Errors are InputError (a ValueError) and LimitError. Values show themselves in notebooks, and
+plot() gives a figure of Matplotlib.
 
-Documents: Docs/Manual/python.md; Docs/FileFormats.md for all keys.
+Documents:  device, focus, waveforms: from a name, a file or a dict; names lists the embedded ones.
+Foci:       design, render (a design that is played), tolerance, tradeoff, map, sweep; perform: a waveform per finger.
+Devices:    device(...).modes(), place (ceramics), import_device (finite elements).
+Benches:    excite, frf, measure (simulated), identify, retune, sensors, learn, follow.
+
+Manual: Docs/Manual/python.md; all keys of files: Docs/FileFormats.md; formulas: Docs/Theory.md.
 """
 
 from ._antinode import version as __version__
+from ._compared import Tolerance, Tradeoff, tolerance, tradeoff
 from ._designs import Design, Rendered, design, render
 from ._documents import Device, Focus, Waveforms, device, focus, names, waveforms
+from ._imported import Imported, import_device
+from ._learning import Followed, Learnt, Sensors, follow, learn, sensors
+from ._maps import Mapped, map
 from ._measured import Identified, Measured, Placed, identify, measure, place
 from ._modes import Modes
 from ._pictures import set_theme
+from ._recorded import Estimated, Excitation, Retuned, excite, frf, retune
 from ._sweeps import Swept, sweep
 from ._tracks import Performed, perform
 from .errors import InputError, LimitError
@@ -25,28 +36,48 @@ from .errors import InputError, LimitError
 __all__ = [
     "Design",
     "Device",
+    "Estimated",
+    "Excitation",
     "Focus",
+    "Followed",
     "Identified",
+    "Imported",
     "InputError",
+    "Learnt",
     "LimitError",
+    "Mapped",
     "Measured",
     "Modes",
     "Performed",
     "Placed",
     "Rendered",
+    "Retuned",
+    "Sensors",
     "Swept",
+    "Tolerance",
+    "Tradeoff",
     "Waveforms",
     "design",
     "device",
+    "excite",
     "focus",
+    "follow",
+    "frf",
     "identify",
+    "import_device",
+    "learn",
+    "map",
     "measure",
     "names",
     "perform",
     "place",
     "render",
+    "retune",
+    "sensors",
     "set_theme",
     "sweep",
+    "tolerance",
+    "tradeoff",
     "waveforms",
 ]
 

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import json
 import os
-from typing import TYPE_CHECKING, Any, Iterable, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Optional, Union
 
 from . import _antinode
-from ._documents import Device, Focus, Source, device, focus
+from ._documents import Device, Focus, Source, device_for, focus_of
 from ._pictures import Pictured, Style, style
+from ._places import Probe, place_pairs
 from ._progress import Progress, shown
 
 if TYPE_CHECKING:
     from ._antinode import Floats
 
 Folder = Union[str, "os.PathLike[str]"]
-Probe = Union[float, Sequence[float]]
 
 
 class Design(Pictured):
@@ -250,7 +250,7 @@ class Rendered(Pictured):
 
 def design(
     focus: Union[Source, Focus] = "demonstrator",
-    device: Union[Source, Device] = "staple",
+    device: Union[None, Source, Device] = None,
     *,
     sample_rate_Hz: float = 192000.0,
     reconstruction: str = "band_limited",
@@ -263,14 +263,14 @@ def design(
 
     Args:
         focus: :func:`antinode.focus`, or what that takes.
-        device: :func:`antinode.device`, or what that takes.
+        device: :func:`antinode.device`, or what that takes; None: the one that the focus names, else ``staple``.
         sample_rate_Hz: that the voltages are played at, 8000 to 2000000 Hz.
         reconstruction: 'band_limited', or 'zero_order_hold' for generators that hold samples.
-        repeat_Hz: foci per second for which power and currents are told.
+        repeat_Hz: foci per second for which electrical power and currents are computed.
         threshold: a CSV of Hz and um: what skin feels; None: the built-in table.
         cache: False: the device is solved without the user's cache.
-        progress: a function of what is being done and its share, 0 to 1; True: a bar of tqdm where it is installed. A
-            render is told; a design alone ends too soon, or tells nothing.
+        progress: a function of what is being done and its share, 0 to 1; True: a bar of tqdm where it is installed. Of
+            a design alone nothing is told: its solver does not know how long it will take.
 
     Returns:
         :class:`Design`: ``allocation_V``, ``oscillations``, ``certificate``, ``save(folder)``.
@@ -283,16 +283,33 @@ def design(
 
     Source: Docs/Theory.md, sections 2 to 4.
     """
-    settings = _antinode.DesignSettings(
-        sample_rate_Hz, reconstruction, repeat_Hz, os.fspath(threshold) if threshold else "", cache
-    )
+    settings = design_settings(sample_rate_Hz, reconstruction, repeat_Hz, threshold, cache)
     with shown(progress) as show:
-        return Design(_antinode.Design.make(_focus(focus)._core, _device(device)._core, settings, show))
+        return made_design(focus, device, settings, show)
+
+
+def design_settings(
+    sample_rate_Hz: float, reconstruction: str, repeat_Hz: float, threshold: Optional[Folder], cache: bool
+) -> _antinode.DesignSettings:
+    """What of design, render, tolerance and trade-off is the same."""
+    table = os.fspath(threshold) if threshold else ""
+    return _antinode.DesignSettings(sample_rate_Hz, reconstruction, repeat_Hz, table, cache)
+
+
+def made_design(
+    focus: Union[Source, Focus],
+    device: Union[None, Source, Device],
+    settings: _antinode.DesignSettings,
+    show: Optional[Callable[[str, float], object]],
+) -> Design:
+    """A design by settings that are made already."""
+    wanted = focus_of(focus)
+    return Design(_antinode.Design.make(wanted._core, device_for(wanted, device)._core, settings, show))
 
 
 def render(
     focus: Union[Source, Focus, Design] = "demonstrator",
-    device: Union[Source, Device] = "staple",
+    device: Union[None, Source, Device] = None,
     *,
     probes_mm: Iterable[Probe] = (),
     duration_ms: Optional[float] = None,
@@ -323,29 +340,9 @@ def render(
 
     Source: Docs/Theory.md, sections 5 and 6.
     """
-    places = [(float(p), 0.0) if isinstance(p, (int, float)) else (float(p[0]), float(p[1])) for p in probes_mm]
+    places = place_pairs("probes_mm", probes_mm)
     settings = _antinode.RenderSettings(places, duration_ms, block_size)
+    of_design = design_settings(sample_rate_Hz, reconstruction, repeat_Hz, threshold, cache)
     with shown(progress) as show:
-        made = (
-            focus
-            if isinstance(focus, Design)
-            else design(
-                focus,
-                device,
-                sample_rate_Hz=sample_rate_Hz,
-                reconstruction=reconstruction,
-                repeat_Hz=repeat_Hz,
-                threshold=threshold,
-                cache=cache,
-                progress=show,
-            )
-        )
+        made = focus if isinstance(focus, Design) else made_design(focus, device, of_design, show)
         return Rendered(_antinode.Rendered.make(made._core, settings, show), made)
-
-
-def _focus(source: Union[Source, Focus]) -> Focus:
-    return source if isinstance(source, Focus) else focus(source)
-
-
-def _device(source: Union[Source, Device]) -> Device:
-    return source if isinstance(source, Device) else device(source)

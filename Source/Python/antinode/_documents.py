@@ -254,8 +254,30 @@ def waveforms(
     return Waveforms(_core_of(_antinode.Waveforms, start, {**keys, **(changes or {})}))
 
 
+def device_of(source: Union[Source, Device]) -> Device:
+    """A device, or what makes one."""
+    return source if isinstance(source, Device) else device(source)
+
+
+def device_for(wanted: Union[Focus, Waveforms], source: Union[None, Source, Device], usual: str = "staple") -> Device:
+    """The device that is given, else the one that a focus or waveforms name, else the usual one."""
+    return device_of(source if source is not None else wanted._core.device or usual)
+
+
+def focus_of(source: Union[Source, Focus]) -> Focus:
+    """A focus, or what makes one."""
+    return source if isinstance(source, Focus) else focus(source)
+
+
 def names(kind: str = "device") -> list[str]:
-    """The embedded names. Args: kind: 'device', 'focus' or 'waveforms'."""
+    """The embedded names, sorted.
+
+    Args:
+        kind: 'device', 'focus' or 'waveforms'.
+
+    Raises:
+        InputError: another kind.
+    """
     if kind not in ("device", "focus", "waveforms"):
         raise InputError(f"kind: is '{kind}'; allowed: 'device', 'focus', 'waveforms'")
     return _antinode.embedded_names(kind)

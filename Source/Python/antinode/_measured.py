@@ -8,25 +8,15 @@ from typing import TYPE_CHECKING, Any, Iterable, Optional, Sequence, Union
 
 from . import _antinode
 from ._checks import within, word
-from ._designs import Folder, Probe
-from ._documents import Device, Focus, Source, device as _make_device, focus as _make_focus
+from ._designs import Folder
+from ._documents import Device, Focus, Source, device as _make_device, device_of, focus_of
+from ._places import Probe, place_pairs
 from ._progress import Progress, shown
+from ._recorded import excitation_options
 from .errors import InputError
 
 if TYPE_CHECKING:
     from ._antinode import Complexes, Floats
-
-
-def _pairs(name: str, places: Iterable[Probe]) -> list[tuple[float, float]]:
-    pairs = []
-    for place in places:
-        if isinstance(place, (int, float)):
-            pairs.append((float(place), 0.0))
-        elif len(place) == 2:
-            pairs.append((float(place[0]), float(place[1])))
-        else:
-            raise InputError(f"{name}: {place!r} is no place; allowed: x, or x and y, mm")
-    return pairs
 
 
 class Measured:
@@ -104,26 +94,24 @@ def measure(
     """
     if not simulate:
         raise InputError("simulate: is False; allowed: True, or a bench with a sensor by `antinode measure`")
-    word("signal", signal, ("multisine", "sweep", "noise"))
     within("snr_dB", snr_dB, -20, 300)
     within("delay_ms", delay_ms, 0, 200)
     within("cubic_percent", cubic_percent, -20, 20)
-    options = _antinode.ExcitationOptions()
-    options.cache = cache
-    options.signal = signal
-    options.sample_rate_Hz = sample_rate_Hz
-    options.lowest_frequency_Hz = lowest_frequency_Hz
-    options.highest_frequency_Hz = highest_frequency_Hz
-    options.resolution_Hz = resolution_Hz
-    options.periods = periods
-    options.settling_periods = settling_periods
-    options.levels_V = list(levels_V)
-    measured = device if isinstance(device, Device) else _make_device(device)
-    bench = measured
-    if simulated_device is not None:
-        bench = simulated_device if isinstance(simulated_device, Device) else _make_device(simulated_device)
+    options = excitation_options(
+        signal,
+        sample_rate_Hz,
+        lowest_frequency_Hz,
+        highest_frequency_Hz,
+        resolution_Hz,
+        periods,
+        settling_periods,
+        levels_V,
+        cache,
+    )
+    measured = device_of(device)
+    bench = measured if simulated_device is None else device_of(simulated_device)
     settings = _antinode.BenchSettings(snr_dB, delay_ms, cubic_percent)
-    places = _pairs("points_mm", points_mm)
+    places = place_pairs("points_mm", points_mm)
     with shown(progress) as show:
         core = _antinode.Measured.make(
             measured._core, places, os.fspath(folder), options, bench._core, settings, show
@@ -216,7 +204,7 @@ def identify(
     drive_unit: Optional[str] = None,
     points: Optional[Folder] = None,
     references: Sequence[str] = (),
-    against: Optional[Folder] = None,
+    against: Union[None, Source, Device] = None,
     voltage_limit_V: float = 150.0,
     full_scale_V: Optional[float] = None,
     cache: bool = True,
@@ -236,7 +224,7 @@ def identify(
         mass_kg: that the points represent, evenly distributed: scales the shapes.
         quantity, response_unit, drive, drive_unit, points, references: where files do not say them: 'velocity',
             'm/s', 'voltage', 'V', a CSV of x and y in mm, the names of the references in the order of the ceramics.
-        against: a computed device to compare with, a name or a file.
+        against: a computed device to compare with: :func:`antinode.device`, or what that takes.
         voltage_limit_V, full_scale_V: of the device.
 
     Other args: as :func:`antinode.design`.
@@ -275,12 +263,12 @@ def identify(
     options.drive_unit = drive_unit or ""
     options.points = os.fspath(points) if points else ""
     options.references = list(references)
-    options.against = os.fspath(against) if against else ""
     options.voltage_limit_V = voltage_limit_V
     options.full_scale_V = full_scale_V
     options.cache = cache
+    computed = None if against is None else device_of(against)._core
     with shown(progress) as show:
-        return Identified(_antinode.Identified.make(options, show))
+        return Identified(_antinode.Identified.make(options, computed, show))
 
 
 class Placed:
@@ -366,7 +354,7 @@ def place(
     options.keep_out_mm = [",".join(repr(float(value)) for value in zone) for zone in keep_out_mm]
     options.focus_time_ms = focus_time_ms
     options.frozen = frozen
-    bare = device if isinstance(device, Device) else _make_device(device)
-    wanted = [each if isinstance(each, Focus) else _make_focus(each) for each in focuses]
+    bare = device_of(device)
+    wanted = [focus_of(each) for each in focuses]
     with shown(progress) as show:
         return Placed(_antinode.Placed.make(bare._core, options, [each._core for each in wanted], show))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from . import _antinode
 from .errors import InputError
 
@@ -42,3 +44,40 @@ class Pictured:
 
     def _repr_png_(self) -> bytes:
         return self.png()
+
+
+class Reported(Pictured):
+    """A value whose pictures are the figures of the report that :meth:`save` writes."""
+
+    _core: Any
+    _first = 0
+
+    @property
+    def figures(self) -> list[str]:
+        """The captions of the figures, in the order of the report."""
+        captions: list[str] = self._core.captions()
+        return captions
+
+    def png(
+        self,
+        *,
+        width: int = 760,
+        height: int = 0,
+        scale: float = 1.0,
+        theme: str | None = None,
+        figure: int | None = None,
+    ) -> bytes:
+        """A figure as the bytes of a PNG file.
+
+        Args:
+            width, height: pixels at scale 1, 16 to 8192; a height of 0 follows from what is drawn.
+            scale: pixels of the file for each of these, 0.25 to 8; 2 for dense screens.
+            theme: 'light', 'dark' or 'print'; None: that of :func:`antinode.set_theme`.
+            figure: which one of ``figures``, from 0; None: the one that notebooks show.
+
+        Raises:
+            InputError: there is no such figure, size or theme.
+        """
+        chosen = self._first if figure is None else figure
+        drawn: bytes = self._core.figure_png(chosen, style(width, height, scale, theme))
+        return drawn

@@ -4,9 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Mapping
 
+from ._checks import word
+
 if TYPE_CHECKING:
     from ._antinode import Floats
+    from ._compared import Tolerance, Tradeoff
     from ._documents import Device
+    from ._learning import Followed, Learnt, Sensors
+    from ._maps import Mapped
+    from ._recorded import Estimated
     from ._tracks import Performed
 
 
@@ -75,4 +81,119 @@ def plot_fingers(performed: Performed) -> Any:
         axis.set(ylabel="um", title=name)
     axes[0, 0].legend()
     axes[-1, 0].set(xlabel="time, ms")
+    return figure
+
+
+def plot_map(mapped: Mapped, number: str) -> Any:
+    """A number by the place of the focus: a map of a plate, a curve over a line."""
+    labels = {
+        "captured": "captured",
+        "v_score": "v-score",
+        "field_error": "field error",
+        "peak_voltage_V": "peak voltage, V",
+        "spill_over": "modes beyond",
+        "felt_contrast_dB": "felt contrast, dB",
+    }
+    word("number", number, list(labels))
+    values = getattr(mapped, number)
+    if len(mapped.y_mm) == 1:
+        figure, axes = _figure(1, 1, (7.6, 4.0))
+        axes[0, 0].plot(mapped.x_mm, values[0])
+        axes[0, 0].set(ylabel=labels[number])
+    else:
+        figure, axes = _figure(1, 1, (7.6, 5.0))
+        drawn = axes[0, 0].pcolormesh(mapped.x_mm, mapped.y_mm, values, shading="nearest")
+        axes[0, 0].set(ylabel="y, mm", aspect="equal")
+        figure.colorbar(drawn, ax=axes[0, 0], label=labels[number])
+    axes[0, 0].set(xlabel="x of the focus, mm", title=f"{mapped.focus} on {mapped.device}")
+    return figure
+
+
+def plot_tolerance(tolerance: Tolerance) -> Any:
+    """The share of devices with at most this field error."""
+    figure, axes = _figure(1, 1, (7.6, 4.0))
+    for design in tolerance.numbers["designs"]:
+        errors = sorted(100 * draw["field_error"] for draw in design["draws"])
+        shares = [100 * (count + 1) / len(errors) for count in range(len(errors))]
+        axes[0, 0].step(errors, shares, where="post", label=f"{design['design']}, {design['peak_voltage_V']:.3g} V")
+    axes[0, 0].set(xlabel="field error, %", ylabel="devices, %", title=f"{tolerance.design.focus}: tolerance")
+    axes[0, 0].set_xlim(left=0)
+    axes[0, 0].legend()
+    return figure
+
+
+def plot_tradeoff(tradeoff: Tradeoff) -> Any:
+    """Peak voltage against time in motion by method, or against felt contrast."""
+    figure, axes = _figure(1, 1, (7.6, 4.4))
+    axis = axes[0, 0]
+    points = [point for point in tradeoff.points if "failure" not in point]
+    if any("method" in point for point in points):
+        for method in dict.fromkeys(point["method"] for point in points):
+            own = sorted(
+                (point["time_in_motion_ms"], point["peak_voltage_V"]) for point in points if point["method"] == method
+            )
+            axis.plot([time for time, _ in own], [voltage for _, voltage in own], "o-", label=method)
+        axis.axhline(tradeoff.numbers["lower_bound_voltage_V"], color="0.5", linestyle="--", label="lower bound")
+        axis.set(xlabel="time in motion before the focus, ms", yscale="log")
+        axis.legend()
+    else:
+        felt = [point for point in points if point["contrast_dB"] is not None]
+        axis.plot([point["contrast_dB"] for point in felt], [point["peak_voltage_V"] for point in felt], "o-")
+        axis.set(xlabel="felt contrast, dB")
+    axis.set(ylabel="peak voltage, V", title=f"{tradeoff.numbers['focus']} on {tradeoff.numbers['device']}")
+    return figure
+
+
+def plot_sensors(sensors: Sensors) -> Any:
+    """What one sensor tells by its place, and the places that were chosen."""
+    x, y = sensors.candidates_mm[:, 0], sensors.candidates_mm[:, 1]
+    bits = sensors.candidate_bits[: len(x)]
+    figure, axes = _figure(1, 1, (7.6, 4.4))
+    axis = axes[0, 0]
+    if y.min() == y.max():
+        axis.plot(x, bits)
+        axis.set(ylabel="one sensor, bits")
+        for rank, (place, _) in enumerate(sensors.places_mm, 1):
+            axis.axvline(place, color="0.5", linestyle=":")
+            axis.annotate(str(rank), (place, bits.max()))
+    else:
+        drawn = axis.scatter(x, y, c=bits, marker="s", s=12)
+        figure.colorbar(drawn, ax=axis, label="one sensor, bits")
+        axis.set(ylabel="y, mm", aspect="equal")
+        for rank, place in enumerate(sensors.places_mm, 1):
+            axis.annotate(str(rank), place, color="w", ha="center", va="center")
+    axis.set(xlabel="x, mm", title="Where to listen")
+    return figure
+
+
+def plot_passes(learnt: Learnt) -> Any:
+    """The estimated field error by pass."""
+    figure, axes = _figure(1, 1, (7.6, 4.0))
+    errors = [each["estimated_field_error_percent"] for each in learnt.passes]
+    axes[0, 0].plot(range(1, len(errors) + 1), errors, "o-")
+    axes[0, 0].set(xlabel="pass", ylabel="estimated field error, %", title=learnt.design.focus, xticks=range(1, len(errors) + 1))
+    axes[0, 0].set_ylim(bottom=0)
+    return figure
+
+
+def plot_drift(followed: Followed) -> Any:
+    """The change that all frequencies share over time, with gaps where it was not followed."""
+    figure, axes = _figure(1, 1, (7.6, 4.0))
+    changes = [
+        change if state == "following" else float("nan") for change, state in zip(followed.common_ppm, followed.states)
+    ]
+    axes[0, 0].plot(followed.times_s, changes, "o-" if len(changes) < 100 else "-")
+    axes[0, 0].set(xlabel="time, s", ylabel="change of all frequencies, ppm", title="Drift")
+    return figure
+
+
+def plot_responses(estimated: Estimated, reference: int) -> Any:
+    """The RMS over all points of the responses of a reference."""
+    import numpy as np
+
+    figure, axes = _figure(1, 1, (7.6, 4.0))
+    level = np.sqrt(np.nanmean(np.abs(estimated.responses(reference)) ** 2, axis=1))
+    axes[0, 0].semilogy(estimated.frequencies_Hz, level)
+    unit = "(m/s)/N" if estimated.hits else "(m/s)/V"
+    axes[0, 0].set(xlabel="frequency, Hz", ylabel=f"velocity, {unit}", title=estimated.references[reference])
     return figure

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Iterable, Optional, Union
 from . import _antinode
 from ._checks import within
 from ._designs import Folder
-from ._documents import Device, Source, Waveforms, device as _make_device, waveforms as _make_waveforms
+from ._documents import Device, Source, Waveforms, device_for, waveforms as _make_waveforms
 from ._progress import Progress, shown
 
 if TYPE_CHECKING:
@@ -81,7 +81,7 @@ class Performed:
 
 def perform(
     waveforms: Union[Source, Waveforms] = "three-fingers",
-    device: Union[Source, Device] = "glass-148x210",
+    device: Union[None, Source, Device] = None,
     *,
     sample_rate_Hz: float = 48000.0,
     latency_ms: Optional[float] = None,
@@ -96,7 +96,8 @@ def perform(
 
     Args:
         waveforms: :func:`antinode.waveforms`, or what that takes.
-        device: :func:`antinode.device`, or what that takes.
+        device: :func:`antinode.device`, or what that takes; None: the one that the waveforms name, else
+            ``glass-148x210``.
         sample_rate_Hz: of the voltages, 1000 to 2000000 Hz.
         latency_ms: voltages follow the tracks as live inputs, by filters with this latency, 0.1 to 100 ms; None: the
             whole event is known.
@@ -129,6 +130,5 @@ def perform(
         cache,
     )
     wanted = waveforms if isinstance(waveforms, Waveforms) else _make_waveforms(waveforms)
-    played_on = device if isinstance(device, Device) else _make_device(device)
     with shown(progress) as show:
-        return Performed(_antinode.Performed.make(wanted._core, played_on._core, settings, show))
+        return Performed(_antinode.Performed.make(wanted._core, device_for(wanted, device, "glass-148x210")._core, settings, show))

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <antinode_identification/Retuning.h>
+#include <antinode_structure/DeviceDescription.h>
+
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** A device before and after a drift. */
+struct RetunedDevice
+{
+    ModalModel before;
+    RetunedModel now;
+};
+
+/** A device as the responses of a few points say that it is now.
+    @param files  as `frf` and `measure` write them
+    @throws InputError  as readMeasurement, retune and solveDevice
+    [worker] Docs/Theory.md, section 8.7. */
+RetunedDevice retuneByFiles (const DeviceDescription&, const std::vector<std::string>& files, bool usesCache);
+
+/** The device file. [worker] Docs/FileFormats.md. */
+std::string retunedDeviceText (const RetunedModel&);
+} // namespace antinode
