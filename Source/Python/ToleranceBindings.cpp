@@ -30,9 +30,9 @@ struct ToleranceValue
     const std::string& focus() const { return design->made.design.description.name; }
 };
 
-using Tolerance = std::shared_ptr<ToleranceValue>;
+using Evaluated = std::shared_ptr<ToleranceValue>;
 
-Tolerance toleranceOf (const std::shared_ptr<DesignValue>& design, const ToleranceCommandOptions& options,
+Evaluated toleranceOf (const std::shared_ptr<DesignValue>& design, const ToleranceCommandOptions& options,
                        py::object progress)
 {
     Work work (std::move (progress));
@@ -89,7 +89,7 @@ void bindTolerance (py::module_& module)
     options.def_readwrite ("participation_percent", &ToleranceCommandOptions::participation);
     options.def_readwrite ("drift_percent", &ToleranceCommandOptions::drift);
 
-    py::class_<ToleranceValue, Tolerance> bound (module, "Tolerance");
+    py::class_<ToleranceValue, Evaluated> bound (module, "Tolerance");
     bound.def_static ("make", &toleranceOf);
     bound.def_property_readonly ("numbers", &numbersOf);
     bound.def_property_readonly ("v_scores", scores (&FocusScore::vScore));
