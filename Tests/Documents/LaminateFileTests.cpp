@@ -84,8 +84,9 @@ TEST_CASE ("Mistakes in layers say where and what is allowed", "[files]")
            == 0);
     CHECK (errorOfLaminate ("/layers/0/thickness_mm", 0).find ("my.json: /layers/0/thickness_mm: is 0") == 0);
     CHECK (errorOfLaminate ("/layers", nlohmann::json::array()).find ("my.json: /layers: ") == 0);
-    CHECK (errorOfLaminate ("/layers/1/material/loss_factor", -1).find ("my.json: /layers/1/material/loss_factor: is -1")
-           == 0);
+    CHECK (
+        errorOfLaminate ("/layers/1/material/loss_factor", -1).find ("my.json: /layers/1/material/loss_factor: is -1")
+        == 0);
     CHECK (errorOfLaminate ("/layers/1/material/table", nlohmann::json::array())
                .find ("my.json: /layers/1/material: needs one of 'shear_modulus_MPa'")
            == 0);

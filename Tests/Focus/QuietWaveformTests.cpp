@@ -17,9 +17,7 @@ using namespace antinode;
 
 namespace
 {
-constexpr Playback atInterface {
-    Reconstruction::bandLimited, 48000
-};
+constexpr Playback atInterface { Reconstruction::bandLimited, 48000 };
 constexpr Playback generator { Reconstruction::zeroOrderHold, 48000 };
 constexpr double bystander = -0.06; // m
 

@@ -23,9 +23,10 @@ std::pair<double, double> steadyMotion (double frequency)
     InputMotion motion (inputRate, { 40, 1000 }, stepThreshold, past, 1);
     const Eigen::RowVectorXf tone = Eigen::RowVectorXf::NullaryExpr (
         3000,
-        [&] (auto n) {
-            return static_cast<float> (1e-6
-                                       * std::sin (2 * std::numbers::pi * frequency * static_cast<double> (n) / inputRate));
+        [&] (auto n)
+        {
+            return static_cast<float> (
+                1e-6 * std::sin (2 * std::numbers::pi * frequency * static_cast<double> (n) / inputRate));
         });
 
     for (Eigen::Index n = past; n < tone.size(); ++n)

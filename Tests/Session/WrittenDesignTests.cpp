@@ -44,7 +44,8 @@ Eigen::MatrixXd rendered (const nlohmann::json& json)
     settings.duration = designLength / designRate;
     settings.probeShapes.resize (0, staple().modes());
     const auto design = readDesign (json, "design.json", staple());
-    return renderOffline (staple(), design.program, settings).voltages.leftCols (designLength) / staple().fullScaleVoltage;
+    return renderOffline (staple(), design.program, settings).voltages.leftCols (designLength)
+           / staple().fullScaleVoltage;
 }
 
 std::array<FocusEvent, 1> noteOn (int note)
@@ -150,7 +151,8 @@ TEST_CASE ("What cannot be played is said before it is loaded", "[session][writt
     CHECK_NOTHROW (fits (json, "staple", designRate));
     CHECK_NOTHROW (fits (json, "staple", 0));
     CHECK_THROWS_WITH (fits (json, "staple", 96000), Catch::Contains ("has samples of 48000 Hz"));
-    CHECK_THROWS_WITH (fits (json, "beam", designRate), Catch::Contains ("is for the device 'staple', and 'beam' is loaded"));
+    CHECK_THROWS_WITH (fits (json, "beam", designRate),
+                       Catch::Contains ("is for the device 'staple', and 'beam' is loaded"));
     json["samples"]["voltages_V"][7][2] = "much";
     CHECK_THROWS_WITH (fits (json, "staple", designRate), Catch::Contains ("/samples/voltages_V/7/2"));
     CHECK_NOTHROW (fits (writtenBy (AllocationMethod::exact), "staple", 96000));

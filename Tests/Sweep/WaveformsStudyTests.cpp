@@ -41,8 +41,8 @@ const std::string recorded =
 TEST_CASE ("A case of waveforms is what perform says of them", "[sweep][tracks]")
 {
     const TemporaryFolder folder;
-    const auto inputs =
-        inputsOfWaveforms (folder, recorded + R"(, "vary": [{"key": "waveforms.tracks.0.level_um", "values": [0.1, 0.2]}])");
+    const auto inputs = inputsOfWaveforms (
+        folder, recorded + R"(, "vary": [{"key": "waveforms.tracks.0.level_um", "values": [0.1, 0.2]}])");
     const CaseEvaluator evaluator (inputs, false);
     evaluator.check();
     const auto first = evaluator.evaluate (0), second = evaluator.evaluate (1);
