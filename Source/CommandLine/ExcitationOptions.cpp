@@ -128,6 +128,8 @@ ExcitationSheet excitationFor (const ModalModel& model, const ExcitationOptions&
     settings.levels = playedLevels (options, sheet.voltageLimits);
     chooseForModes (settings, model, options);
     sheet.excitation = makeExcitation (settings, sheet.voltageLimits);
+    // As files and audio devices hold it, so that a sheet in memory is the one that its file gives.
+    sheet.excitation.signal = sheet.excitation.signal.cast<float>().cast<double>();
     return sheet;
 }
 } // namespace antinode

@@ -14,7 +14,7 @@ using namespace antinode::test;
 
 namespace
 {
-constexpr double rate = 48000;
+constexpr double stateRate = 48000;
 constexpr double loudest = 1 + 1e-6; // of a ceramic: full scale is the device's limit
 
 juce::AudioProcessorParameter& findParameter (juce::AudioPluginInstance& instance, const juce::String& name)
@@ -66,9 +66,9 @@ TEST_CASE ("What a state plays is what it was kept from", "[hosted]")
     const auto first = hostedOffline (plugin), second = hostedOffline (plugin);
     findParameter (*first, "Focus x").setValue (0.27F);
     play (*first, plugin, 512, 512, -1);
-    first->prepareToPlay (rate, 512);
+    first->prepareToPlay (stateRate, 512);
     setState (*second, savedState (*first));
-    second->prepareToPlay (rate, 512);
+    second->prepareToPlay (stateRate, 512);
     const auto one = play (*first, plugin, 4096, 512, 0), other = play (*second, plugin, 4096, 512, 0);
     CHECK (one.topRows (8).cwiseAbs().maxCoeff() > 0.01);
     CHECK ((one - other).isZero (0));
@@ -84,7 +84,7 @@ TEST_CASE ("States are kept and set on another thread while blocks are played", 
     play (*other, plugin, 512, 512, -1);
     const auto first = savedState (*instance), second = savedState (*other);
     REQUIRE ((innerState (plugin.kind, first) != innerState (plugin.kind, second)));
-    instance->prepareToPlay (rate, 512);
+    instance->prepareToPlay (stateRate, 512);
     std::atomic<bool> isDone { false }, areFinite { true };
     std::thread audio (
         [&]
@@ -115,9 +115,9 @@ TEST_CASE ("Whatever a host automates in each block, voltages stay finite and wi
     const auto plugin = GENERATE (from_range (builtPlugins()));
     const auto isOffline = plugin.ceramics == 8;
     CAPTURE (pluginName (plugin));
-    const auto instance = hosted (plugin, rate, 1024);
+    const auto instance = hosted (plugin, stateRate, 1024);
     instance->setNonRealtime (isOffline);
-    instance->prepareToPlay (rate, 1024);
+    instance->prepareToPlay (stateRate, 1024);
     std::mt19937 random (23);
     const auto played = play (*instance, plugin, isOffline ? 16 * 1024 : 200 * 1024, 1024,
                               [&] (int start, juce::MidiBuffer& midi)
@@ -181,24 +181,24 @@ TEST_CASE ("Blocks before prepare, after release, and of no samples do no harm",
     CAPTURE (pluginName (plugin));
     const auto instance = hosted (plugin);
     CHECK (play (*instance, plugin, 512, 512, 0).allFinite());
-    instance->prepareToPlay (rate, 512);
+    instance->prepareToPlay (stateRate, 512);
     juce::AudioBuffer<float> empty (instance->getTotalNumOutputChannels(), 0);
     juce::MidiBuffer midi;
     instance->processBlock (empty, midi);
     CHECK (play (*instance, plugin, 512, 512, 0).allFinite());
     instance->releaseResources();
     CHECK (play (*instance, plugin, 512, 512, 0).allFinite());
-    instance->prepareToPlay (rate, 512);
+    instance->prepareToPlay (stateRate, 512);
     instance->reset();
     CHECK (play (*instance, plugin, 512, 512, 0).allFinite());
 }
 
 TEST_CASE ("A plug-in in a buffer of more channels than agreed plays in those that are its own", "[hosted]")
 {
-    const auto reference = demonstratorReference (rate, 1600);
+    const auto reference = demonstratorReference (stateRate, 1600);
     const auto plugin = GENERATE (BuiltPlugin { PluginKind::vst3, 8 }, BuiltPlugin { PluginKind::lv2, 8 });
     CAPTURE (pluginName (plugin));
-    const auto instance = hostedOffline (plugin, rate, 1600);
+    const auto instance = hostedOffline (plugin, stateRate, 1600);
     juce::AudioBuffer<float> buffer (80, 1600);
     buffer.clear();
     juce::MidiBuffer midi;

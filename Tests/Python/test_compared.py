@@ -73,9 +73,9 @@ def test_no_point_of_the_front_is_beaten(compared):
 
 
 def test_a_focus_with_felt_is_compared_by_its_weights(program, same_files, tmp_path):
-    felt = ["--set", "focus.felt.weight=1"]
+    felt = ["--set", "focus.allocation.method=free_waveform", "--set", "focus.felt.at=everywhere"]
     program("design", "--tradeoff", *felt, "--out", tmp_path / "wanted", "--quiet")
-    tradeoff = an.tradeoff(an.focus(changes={"felt.weight": 1}))
+    tradeoff = an.tradeoff(an.focus(method="free_waveform", changes={"felt.at": "everywhere"}))
     tradeoff.save(tmp_path / "made")
     same_files(tmp_path / "wanted", tmp_path / "made", tradeoff_files)
     weights = [point["weight"] for point in tradeoff.points]

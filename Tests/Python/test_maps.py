@@ -40,17 +40,19 @@ def test_a_map_of_a_plate_is_that_of_the_command_line(program, same_files, tmp_p
 def test_each_place_is_a_design_of_its_own(line):
     column = 10
     rendered = an.render(an.focus(x_mm=line.x_mm[column]))
-    assert line.peak_voltage_V[0, column] == pytest.approx(rendered.scores["peak_voltage_V"], rel=1e-6)
+    assert line.peak_voltage_V[0, column] == pytest.approx(rendered.scores["peak_voltage_V"], rel=1e-4)
     # The map's field is that of the closed form, the render's that of samples.
     assert line.v_score[0, column] == pytest.approx(rendered.scores["v_score"], abs=2e-3)
 
 
 def test_places_without_a_design_say_why():
-    mapped = an.map(focus=an.focus(method="exact", voltage_limit_V=20), places=30, felt=False)
-    assert mapped.errors
+    one = an.focus().to_dict()["targets"][0]
+    two = an.focus(changes={"targets": [one, {**one, "x_mm": one["x_mm"] + 50}]})
+    mapped = an.map("beam", two, places=30, felt=False)
+    assert mapped.errors and np.isfinite(mapped.peak_voltage_V).any()
     for (row, column), sentence in mapped.errors.items():
-        assert np.isnan(mapped.peak_voltage_V[row, column]) and "\n" not in sentence
-    assert np.nanmax(mapped.peak_voltage_V) <= mapped.voltage_limit_V
+        assert np.isnan(mapped.peak_voltage_V[row, column])
+        assert "outside the surface" in sentence and "\n" not in sentence
 
 
 def test_progress_and_interruption():
