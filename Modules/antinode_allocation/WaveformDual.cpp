@@ -1,21 +1,18 @@
 #include "WaveformDual.h"
 
-#include <antinode_base/Watch.h>
 #include <antinode_numerics/DenseKernels.h>
 
 namespace antinode
 {
 WaveformDual::WaveformDual (const BoundedWaveformProblem& problem)
-    : roots (Eigen::VectorXd::Ones (problem.weights.cols())), participation (problem.participation)
+    : roots (Eigen::VectorXd::Ones (problem.weights.cols())), participation (problem.participation),
+      spread (problem.spread)
 {
     if (problem.costs.size() > 0)
         roots = problem.costs.cwiseSqrt();
 
-    caps = problem.limits * roots.transpose();
-
-    if (problem.shares.size() > 0)
-        caps = caps.cwiseProduct (problem.shares);
-
+    whole = problem.limits * roots.transpose();
+    limit (1, problem.shares);
     weights = problem.weights * roots.cwiseInverse().asDiagonal();
     scale = (weights.rowwise().norm().array() * participation.rowwise().norm().array()).matrix();
 
@@ -25,13 +22,23 @@ WaveformDual::WaveformDual (const BoundedWaveformProblem& problem)
     participation = scale.asDiagonal() * participation;
     wanted = scale.cwiseProduct (problem.wanted);
     compliance = scale.cwiseAbs2().cwiseProduct (problem.compliance);
-    gram = Eigen::MatrixXd::Zero (weights.rows(), weights.rows());
-    addGram (gram, 1, weights);
 }
 
-Eigen::MatrixXd WaveformDual::computePulls (const Eigen::VectorXd& y) const
+void WaveformDual::limit (double share, const Eigen::MatrixXd& shares)
 {
-    const Eigen::MatrixXd gains = y.asDiagonal() * participation;
+    caps = share * whole;
+
+    if (shares.size() > 0)
+        caps = caps.cwiseProduct (shares);
+}
+
+Eigen::MatrixXd WaveformDual::computePulls (const WaveformMultipliers& y) const
+{
+    Eigen::MatrixXd gains = y.rows.asDiagonal() * participation;
+
+    if (hasOwnRows())
+        gains += spread.cwiseProduct (y.own);
+
     Eigen::MatrixXd pulls = Eigen::MatrixXd::Zero (gains.cols(), weights.cols());
     addTransposedLeft (pulls, 1, gains, weights);
     return pulls;
@@ -42,48 +49,61 @@ Eigen::MatrixXd WaveformDual::clipped (const Eigen::MatrixXd& pulls) const
     return pulls.cwiseMin (caps).cwiseMax (-caps);
 }
 
-Eigen::VectorXd WaveformDual::rowValues (const Eigen::MatrixXd& samples) const
+WaveformMultipliers WaveformDual::values (const Eigen::MatrixXd& samples) const
 {
     Eigen::MatrixXd seen = Eigen::MatrixXd::Zero (weights.rows(), samples.rows());
     addTransposedRight (seen, 1, weights, samples);
-    return seen.cwiseProduct (participation).rowwise().sum();
+    WaveformMultipliers values { seen.cwiseProduct (participation).rowwise().sum(), {} };
+
+    if (hasOwnRows())
+        values.own = seen.cwiseProduct (spread);
+
+    return values;
 }
 
-double WaveformDual::value (const Eigen::VectorXd& y, const Eigen::MatrixXd& pulls) const
+WaveformMultipliers WaveformDual::slope (const WaveformMultipliers& y, const Eigen::MatrixXd& pulls) const
+{
+    auto slope = values (clipped (pulls));
+    slope.rows = wanted - slope.rows - compliance.cwiseProduct (y.rows);
+
+    if (hasOwnRows())
+        slope.own = -slope.own - y.own;
+
+    return slope;
+}
+
+double WaveformDual::value (const WaveformMultipliers& y, const Eigen::MatrixXd& pulls) const
 {
     const auto played = clipped (pulls);
-    return wanted.dot (y) - played.cwiseProduct (pulls).sum() + 0.5 * played.squaredNorm()
-           - 0.5 * compliance.dot (y.cwiseAbs2());
+    return wanted.dot (y.rows) - played.cwiseProduct (pulls).sum() + 0.5 * played.squaredNorm()
+           - 0.5 * compliance.dot (y.rows.cwiseAbs2()) - 0.5 * y.own.squaredNorm();
 }
 
-double WaveformDual::objective (const Eigen::MatrixXd& samples) const
+double WaveformDual::softCost (const Eigen::MatrixXd& samples) const
 {
-    const auto values = rowValues (samples);
-    double soft = 0;
+    const auto seen = values (samples);
+    auto soft = seen.own.squaredNorm();
 
-    for (Eigen::Index k = 0; k < values.size(); ++k)
+    for (Eigen::Index k = 0; k < seen.rows.size(); ++k)
         if (compliance[k] > 0)
-            soft += values[k] * values[k] / compliance[k];
+            soft += seen.rows[k] * seen.rows[k] / compliance[k];
 
-    return 0.5 * (samples.squaredNorm() + soft);
+    return 0.5 * soft;
 }
 
-Eigen::MatrixXd WaveformDual::curvature (const Eigen::MatrixXd& pulls, FreeGrams& seen) const
+WaveformMultipliers WaveformDual::scaled (const WaveformMultipliers& ofProblem) const
 {
-    Eigen::MatrixXd sum = compliance.asDiagonal();
-    seen.follow (pulls, caps);
+    auto y = ofProblem;
+    y.rows = (scale.array() > 0).select (y.rows.cwiseQuotient (scale), 0.0);
 
-    for (Eigen::Index i = 0; i < pulls.rows(); ++i)
-    {
-        checkWatch();
-        const auto& part = seen.of (i);
-        const auto column = participation.col (i);
+    if (hasOwnRows() && y.own.size() == 0)
+        y.own = Eigen::MatrixXd::Zero (spread.rows(), spread.cols());
 
-        for (Eigen::Index k = 0; k < sum.cols(); ++k)
-            sum.col (k).tail (sum.rows() - k) +=
-                column[k] * column.tail (sum.rows() - k).cwiseProduct (part.col (k).tail (sum.rows() - k));
-    }
+    return y;
+}
 
-    return sum;
+WaveformMultipliers WaveformDual::unscaled (const WaveformMultipliers& y) const
+{
+    return { scale.cwiseProduct (y.rows), y.own };
 }
 } // namespace antinode

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "BoundedWaveform.h"
-#include "FreeGrams.h"
 
 namespace antinode
 {
@@ -12,31 +11,38 @@ class WaveformDual
 public:
     explicit WaveformDual (const BoundedWaveformProblem&);
 
+    /** Takes so much of the limits, and of that shares of single samples. @param shares  N_b x N_s; empty: all */
+    void limit (double share, const Eigen::MatrixXd& shares);
+
     /** A' y: what multipliers pull each sample to, N_b x N_s. */
-    Eigen::MatrixXd computePulls (const Eigen::VectorXd& y) const;
+    Eigen::MatrixXd computePulls (const WaveformMultipliers& y) const;
 
     Eigen::MatrixXd clipped (const Eigen::MatrixXd& pulls) const;
-    Eigen::VectorXd rowValues (const Eigen::MatrixXd& samples) const;
+
+    /** What the rows come to, and what each ceramic brings of each times its spread. */
+    WaveformMultipliers values (const Eigen::MatrixXd& samples) const;
+
+    /** What the dual still rises by, row by row: what the rows miss. */
+    WaveformMultipliers slope (const WaveformMultipliers& y, const Eigen::MatrixXd& pulls) const;
 
     /** Each sample's part of the dual is v f - v^2 / 2 with v = clip (f). */
-    double value (const Eigen::VectorXd& y, const Eigen::MatrixXd& pulls) const;
+    double value (const WaveformMultipliers& y, const Eigen::MatrixXd& pulls) const;
 
-    /** The minimised value, over samples. */
-    double objective (const Eigen::MatrixXd& samples) const;
+    /** What soft rows and own parts cost, over samples. */
+    double softCost (const Eigen::MatrixXd& samples) const;
 
-    /** The matrix of the Newton step: compliance and the rows as the samples within the limits see them. Lower
-        triangle. [worker] */
-    Eigen::MatrixXd curvature (const Eigen::MatrixXd& pulls, FreeGrams&) const;
+    /** Multipliers between those of the problem and those of scaled rows. */
+    WaveformMultipliers scaled (const WaveformMultipliers& ofProblem) const;
+    WaveformMultipliers unscaled (const WaveformMultipliers& y) const;
 
-    /** For the curvature: all samples are free. It refers to this. [worker] */
-    FreeGrams freeGrams() const { return { weights, gram, participation.cols() }; }
+    bool hasOwnRows() const { return spread.size() > 0; }
 
     Eigen::VectorXd roots; ///< N_s: of the costs. Samples here are so many times those of the problem.
     Eigen::MatrixXd caps;  ///< N_b x N_s: the limits of samples.
-    Eigen::MatrixXd weights, participation;
+    Eigen::MatrixXd weights, participation, spread;
     Eigen::VectorXd wanted, compliance, scale;
 
 private:
-    Eigen::MatrixXd gram;
+    Eigen::MatrixXd whole; ///< N_b x N_s: the limits as they are.
 };
 } // namespace antinode

@@ -94,7 +94,8 @@ inline constexpr std::array allocationMethods {
                            "exact terminal velocities of all controlled modes by freely chosen samples near the lowest "
                            "voltage that any waveform needs; other modes are guarded",
                        .waveforms = AllocatedWaveforms::samples,
-                       .asksForMinimumPeak = true }
+                       .asksForMinimumPeak = true,
+                       .takesRobustness = true }
 };
 
 /** The row of a method. [any] */

@@ -72,7 +72,7 @@ void addChoices (FocusDesign& design, const ModalModel& model)
     if (description.allocation.robust)
         design.choices.push_back (robustnessInWords (*description.allocation.robust));
 
-    if (description.allocation.robust && description.transients.growth.empty())
+    if (hasDrives && description.allocation.robust && description.transients.growth.empty())
         design.choices.emplace_back ("Each mode has a second drive, which rises by 12 e-folds before the focus.");
 }
 

@@ -84,13 +84,18 @@ void sayWhatIsFelt (FocusDesign& design, const LessFelt& felt)
                                       + std::to_string (felt.iterations) + " steps.");
 }
 
-/** Says what least voltage came to, and what is proven of it. */
-void sayHowNear (FocusDesign& design)
+/** Says what least voltage came to, and what is proven of it.
+    @param tolerant  the share of the limits that all as robust ones need; 0: not robust */
+void sayHowNear (FocusDesign& design, double tolerant)
 {
     const auto peak = design.certificate.peakRatio, bound = design.certificate.minimumPeakRatio;
     design.choices.push_back ("Least voltage: " + inWords (peakVoltage (design)) + " V, at most " + inWords (100 * peak)
                               + " % of each ceramic's limit, " + inWords (peak / bound) + " times the "
                               + inWords (100 * bound) + " % below which no samples do.");
+
+    if (tolerant > 0)
+        design.choices.push_back ("That is " + inWords (peak / tolerant) + " times the " + inWords (100 * tolerant)
+                                  + " % below which no free samples do whose expected error is as small.");
 }
 
 /** Allocates until the wanted velocities of complex modes and what the imaginary parts of their shapes add are the
@@ -193,6 +198,6 @@ void sampleProgram (FocusDesign& design, const ModalModel& model, DesignExtent e
         sayWhatIsFelt (design, *waveform.felt);
 
     if (description.allocation.method == AllocationMethod::leastVoltage)
-        sayHowNear (design);
+        sayHowNear (design, waveform.tolerantPeakRatio);
 }
 } // namespace antinode

@@ -87,7 +87,7 @@ struct AllocationChoice
         window; ///< s before the focus time in which the norm is taken and the limit is imposed; none: all.
     bool isUndisplaced =
         false; ///< At the focus the controlled modes are to be undisplaced as well; with exact rows, not robust.
-    std::optional<Robustness> robust;      ///< With the method exact only: what the design is made robust against.
+    std::optional<Robustness> robust;      ///< With exact or least voltage only: what the design is robust against.
     std::optional<double> timesBound = {}; ///< With least voltage only: the peak in multiples of what any waveform
                                            ///< needs, above 1; none: usualTimesBound.
 };

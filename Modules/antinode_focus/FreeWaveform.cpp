@@ -46,7 +46,7 @@ FreeWaveform freeWaveform (const ModalModel& model, const FocusDescription& desc
     if (! (certificate.gap <= largestGap))
         throwTooNear (largestLimitField (task), limits.maxCoeff(), 1);
 
-    FreeWaveform result { std::move (waveform.played), certificate, edgeTime, {} };
+    FreeWaveform result { std::move (waveform.played), certificate, edgeTime, waveform.tolerantBound, {} };
 
     if (description.felt && description.allocation.method == AllocationMethod::freeWaveform)
     {

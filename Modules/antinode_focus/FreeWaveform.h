@@ -19,6 +19,8 @@ struct FreeWaveform
     AllocationCertificate
         certificate;     ///< Its peak ratio is that of the samples, its objective 1/2 sum u^2 with the guards' part.
     double edgeTime = 0; ///< s: time constant of edges for the sake of a slew limit; 0: as short as samples allow.
+    double tolerantPeakRatio = 0; ///< Of robust ones: no free samples whose expected error is as small have a lower
+                                  ///< peak. A share of the limits.
     std::optional<LessFelt> felt; ///< Where less was to be felt elsewhere; the objective is that without it.
 };
 

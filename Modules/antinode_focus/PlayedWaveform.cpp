@@ -2,8 +2,6 @@
 
 #include "SmoothEdges.h"
 
-#include <antinode_numerics/KaiserSinc.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -25,8 +23,7 @@ SampledVoltages played (const BoundedWaveform& waveform, const PlayedProblem& pr
 Eigen::Index nearestFree (const SparseSamples& sparse, Eigen::Index played)
 {
     const auto focus = sparse.range.focus;
-    const auto place = static_cast<double> (played) / static_cast<double> (sparse.factor) - kaiserSincHalfWidth;
-    const auto nearest = static_cast<Eigen::Index> (std::llround (place));
+    const auto nearest = static_cast<Eigen::Index> (std::llround (sparse.placeOf (played)));
     return std::clamp<Eigen::Index> (nearest > focus ? 2 * focus - nearest : nearest, 0, focus);
 }
 
@@ -57,25 +54,33 @@ void lowerWhereHigh (Eigen::MatrixXd& shares, const PlayedProblem& problem, cons
     }
 }
 
+/** The least peak of free samples that are as tolerant; 0 where nobody asks, or samples have limits of their own.
+    @param proof  any multipliers */
+double provenTolerant (const PlayedProblem& problem, const WaveformMultipliers& proof, const PlayedWaveform& waveform)
+{
+    const auto asks = problem.isRobust && problem.all.shares.size() == 0;
+    return asks ? provenPeak (problem.all, proof, waveform.free.softCost) : 0;
+}
+
 /** As near to the bound as is asked for, between the free samples too, if the attempts lead there. */
-PlayedWaveform solveBetween (const PlayedProblem& problem, PlayedWaveform result)
+PlayedWaveform solveBetween (const PlayedProblem& problem, BoundedWaveformSolver& solver, PlayedWaveform result)
 {
     constexpr int attempts = 20;
     constexpr double rounding = 1e-9, firstRoom = 1.01, moreRoom = 0.003;
     const auto hard = problem.hard.wanted.size();
-    auto lowered = problem.all;
+    const auto first = result.free.multipliers;
+    auto shares = problem.all.shares;
 
-    if (lowered.shares.size() == 0)
-        lowered.shares = Eigen::MatrixXd::Ones (problem.all.limits.size(), problem.all.weights.cols());
+    if (shares.size() == 0)
+        shares.setOnes (problem.all.limits.size(), problem.all.weights.cols());
 
-    lowered.nearness = 0;
     double bound = 0;
 
     for (int attempt = 0; attempt < attempts && result.free.isMet; ++attempt)
     {
         // Of waveforms with lowered samples the multipliers prove no more than those of the first two.
         if (attempt < 2)
-            bound = std::max (bound, provenPeak (*problem.everySample, result.free.multipliers.head (hard)));
+            bound = std::max (bound, provenPeak (*problem.everySample, result.free.multipliers.rows.head (hard)));
 
         result.played = played (result.free, problem);
         result.peak = peakShare (result.played.values, problem.all.limits);
@@ -89,12 +94,11 @@ PlayedWaveform solveBetween (const PlayedProblem& problem, PlayedWaveform result
         if (result.isNear)
             break;
 
-        lowerWhereHigh (lowered.shares, problem, result.played.values, allowed, firstRoom + moreRoom * attempt);
-        lowered.limits = allowed * problem.all.limits;
-        lowered.start = result.free.multipliers;
-        result.free = solveBoundedWaveform (lowered);
+        lowerWhereHigh (shares, problem, result.played.values, allowed, firstRoom + moreRoom * attempt);
+        result.free = solver.solveWithin (allowed, shares, result.free.multipliers);
     }
 
+    result.tolerantBound = provenTolerant (problem, first, result);
     return result;
 }
 } // namespace
@@ -102,7 +106,8 @@ PlayedWaveform solveBetween (const PlayedProblem& problem, PlayedWaveform result
 PlayedWaveform solvePlayed (const PlayedProblem& problem)
 {
     PlayedWaveform result;
-    result.free = solveBoundedWaveform (problem.all);
+    BoundedWaveformSolver solver (problem.all);
+    result.free = solver.solve();
 
     if (! result.free.isMet)
         return result;
@@ -111,8 +116,10 @@ PlayedWaveform solvePlayed (const PlayedProblem& problem)
     result.isLimited = problem.all.shares.size() > 0
                        || peakShare (result.free.samples, problem.all.limits) >= touching * result.free.limitShare;
 
-    if (problem.sparse.factor > 1)
-        return solveBetween (problem, std::move (result));
+    if (! problem.sparse.ratio.isOne())
+        return solveBetween (problem, solver, std::move (result));
+
+    result.tolerantBound = provenTolerant (problem, result.free.multipliers, result);
 
     result.played = played (result.free, problem);
     result.peak = peakShare (result.played.values, problem.all.limits);

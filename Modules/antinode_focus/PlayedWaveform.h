@@ -20,6 +20,7 @@ struct PlayedProblem
     /** Time constant, in free samples, of the low-pass through which they are played; 0: none. Rows are those of the
         free ones. */
     double edge = 0;
+    bool isRobust = false; ///< What is proven of samples that are as tolerant is asked for.
 };
 
 /** Free samples, and what is played of them. */
@@ -27,9 +28,11 @@ struct PlayedWaveform
 {
     BoundedWaveform free;
     SampledVoltages played;
-    double peak = 0;        ///< Of what is played, as a share of the limits.
-    bool isLimited = false; ///< Whether limits shape it, those of single samples among them.
-    bool isNear = false;    ///< Whether it keeps the limits, and is as near to its bound as was asked for.
+    double peak = 0;          ///< Of what is played, as a share of the limits.
+    bool isLimited = false;   ///< Whether limits shape it, those of single samples among them.
+    bool isNear = false;      ///< Whether it keeps the limits, and is as near to its bound as was asked for.
+    double tolerantBound = 0; ///< Of robust problems: no free samples that are as tolerant have a lower peak. A share
+                              ///< of the limits.
 };
 
 /** Between free samples the waveform is higher than at them: their limits are lowered until all that is played keeps

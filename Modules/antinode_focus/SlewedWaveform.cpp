@@ -53,7 +53,7 @@ Eigen::MatrixXd slewShares (const SolvedWaveform& solved, const Eigen::VectorXd&
 {
     const auto slopes = slopesOf (solved.waveform.played);
     const auto& sparse = solved.problem.sparse;
-    const auto freeRate = sparse.playback.sampleRate / static_cast<double> (sparse.factor);
+    const auto freeRate = sparse.freeRate();
     const auto columns = solved.problem.all.weights.cols();
     Eigen::MatrixXd shares = Eigen::MatrixXd::Zero (slewLimits.size(), columns);
     const auto interval = (slopes.last - slopes.first) / static_cast<double> (slopes.values.cols() - 1);
@@ -140,7 +140,7 @@ std::pair<SolvedWaveform, double> solveWithinSlews (const WaveformTask& task)
         return { std::move (free), 0.0 };
 
     // Longer edges where shorter ones do not lead there.
-    const auto sample = static_cast<double> (free.problem.sparse.factor) / task.playback.sampleRate;
+    const auto sample = 1 / free.problem.sparse.freeRate();
     auto edge = std::max (slowestRise (free.waveform.played.values, slewLimits), sample);
 
     while (edge < mostOfAll * task.description.focusTime)

@@ -4,6 +4,7 @@
 #include "LimitError.h"
 #include "LimitWords.h"
 #include "SmoothEdges.h"
+#include "TolerantSamples.h"
 
 #include <antinode_base/NumberText.h>
 
@@ -42,36 +43,63 @@ BoundedWaveformProblem hardRows (const ModalModel& model, const std::vector<int>
     return problem;
 }
 
-/** The least energy of the hard rows alone, without limits: what the guards' weight is measured with. */
-double minimumEnergy (BoundedWaveformProblem problem)
+BoundedWaveform withoutLimits (BoundedWaveformProblem problem)
 {
     problem.limits.setConstant (std::numeric_limits<double>::infinity());
     problem.nearness = 0;
-    return 2 * solveBoundedWaveform (problem).objective;
+    return solveBoundedWaveform (problem);
 }
 
-BoundedWaveformProblem withGuards (const BoundedWaveformProblem& hard, const Eigen::MatrixXd& weights,
-                                   const Eigen::MatrixXd& participation, double weight)
+/** What a squared row costs where as much as all that is wanted costs the least energy of the hard rows alone, without
+    limits. */
+double energyPrice (const BoundedWaveformProblem& hard)
 {
-    const auto stiffness = weight * minimumEnergy (hard) / hard.wanted.squaredNorm();
+    return 2 * withoutLimits (hard).objective / hard.wanted.squaredNorm();
+}
 
-    if (! (stiffness > 0) || weights.rows() == 0)
+/** Soft rows of modes that want to be at rest. @param stiffness  what their squares cost, twice */
+BoundedWaveformProblem withGuards (const WaveformTask& task, const BoundedWaveformProblem& hard,
+                                   const SparseSamples& sparse, double stiffness)
+{
+    const auto count = static_cast<Eigen::Index> (task.guards.size());
+
+    if (! (stiffness > 0) || count == 0)
         return hard;
 
-    const auto rows = hard.wanted.size() + weights.rows();
-    BoundedWaveformProblem all;
-    all.weights.resize (rows, hard.weights.cols());
-    all.weights << hard.weights, weights;
-    all.participation.resize (rows, hard.participation.cols());
-    all.participation << hard.participation, participation;
-    all.wanted = Eigen::VectorXd::Zero (rows);
-    all.wanted.head (hard.wanted.size()) = hard.wanted;
-    all.compliance = Eigen::VectorXd::Zero (rows);
-    all.compliance.tail (weights.rows()).setConstant (1 / stiffness);
-    all.limits = hard.limits;
-    all.costs = hard.costs;
-    all.nearness = hard.nearness;
+    const auto rows = hard.wanted.size() + count;
+    auto all = hard;
+    all.weights.conservativeResize (rows, Eigen::NoChange);
+    all.weights.bottomRows (count) = velocityWeights (task.model, task.guards, sparse);
+    all.participation.conservativeResize (rows, Eigen::NoChange);
+    all.participation.bottomRows (count) = task.model.participation (task.guards, Eigen::all);
+    all.wanted.conservativeResize (rows);
+    all.wanted.tail (count).setZero();
+    all.compliance.conservativeResize (rows);
+    all.compliance.tail (count).setConstant (1 / stiffness);
     return all;
+}
+
+/** Guards, and what makes a waveform tolerant where that is asked for. @param price  as energyPrice says */
+BoundedWaveformProblem withSoftRows (const WaveformTask& task, const BoundedWaveformProblem& hard,
+                                     const SparseSamples& sparse, double price)
+{
+    const auto& choice = task.description.allocation;
+    const auto guarded = withGuards (task, hard, sparse, choice.guardWeight * price);
+
+    if (! choice.robust || ! (choice.robust->weight * price > 0))
+        return guarded;
+
+    auto modes = task.modes;
+
+    if (guarded.wanted.size() > hard.wanted.size())
+        modes.insert (modes.end(), task.guards.begin(), task.guards.end());
+
+    auto tolerant =
+        withTolerance (guarded, { task.model, modes, sparse }, choice.robust->spread, choice.robust->weight * price);
+    // Multipliers of the rows without these prove more of the hard ones, which limits near the bound begin with.
+    tolerant.start.rows = Eigen::VectorXd::Zero (tolerant.wanted.size());
+    tolerant.start.rows.head (guarded.wanted.size()) = withoutLimits (guarded).multipliers.rows;
+    return tolerant;
 }
 
 /** "edges of 0.4 ms" where a slew limit asks for them. */
@@ -110,31 +138,30 @@ void smoothRows (BoundedWaveformProblem& problem, double edge)
 }
 
 /** @param edgeTime  s: time constant of the low-pass through which free samples are played; 0: none */
-PlayedProblem makeProblem (const WaveformTask& task, Eigen::Index factor, double edgeTime)
+PlayedProblem makeProblem (const WaveformTask& task, SampleRatio ratio, double edgeTime)
 {
-    const auto& model = task.model;
     const auto rows = task.modes.size() + task.guards.size();
     const auto hardRowsOf = [&] (const SparseSamples& samples)
-    { return hardRows (model, task.modes, task.wanted, task.limits, samples); };
+    { return hardRows (task.model, task.modes, task.wanted, task.limits, samples); };
     PlayedProblem problem;
-    problem.sparse = sparseSamples (task.description, task.playback, rows, factor);
+    problem.sparse = sparseSamples (task.description, task.playback, rows, ratio);
     problem.hard = hardRowsOf (problem.sparse);
     problem.focusTime = task.description.focusTime;
+    problem.isRobust = task.description.allocation.robust.has_value();
 
     if (task.isNearItsBound())
         problem.hard.nearness = task.description.allocation.timesBound.value_or (usualTimesBound);
 
     const auto edge = edgeTime * task.playback.sampleRate;
-    problem.edge = edge / static_cast<double> (factor);
+    problem.edge = edge / ratio.value();
+    problem.all = withSoftRows (task, problem.hard, problem.sparse, energyPrice (problem.hard));
 
-    if (factor > 1)
+    if (! ratio.isOne())
     {
-        problem.everySample = hardRowsOf (sparseSamples (task.description, task.playback, rows, 1));
+        problem.everySample = hardRowsOf (sparseSamples (task.description, task.playback, rows, {}));
         smoothRows (*problem.everySample, edge);
     }
 
-    problem.all = withGuards (problem.hard, velocityWeights (model, task.guards, problem.sparse),
-                              model.participation (task.guards, Eigen::all), task.description.allocation.guardWeight);
     smoothRows (problem.hard, problem.edge);
     smoothRows (problem.all, problem.edge);
     return problem;
@@ -178,13 +205,19 @@ void throwTooNear (const std::string& field, double limit, double minimumPeakRat
 
 SolvedWaveform solveWithEdges (const WaveformTask& task, double edgeTime)
 {
-    auto factor = task.isNearItsBound() ? largestFactor (task.playback, highestFrequency (task)) : 1;
-    SolvedWaveform solved { makeProblem (task, factor, edgeTime), {} };
-    solved.waveform = solvePlayed (solved.problem);
+    const auto ratios =
+        task.isNearItsBound() ? sparseRatios (task.playback, highestFrequency (task)) : std::vector<SampleRatio> { {} };
+    SolvedWaveform solved;
 
     // What sparse samples cannot reach, denser ones may.
-    for (; ! solved.waveform.isNear && factor > 1; solved.waveform = solvePlayed (solved.problem))
-        solved.problem = makeProblem (task, --factor, edgeTime);
+    for (const auto ratio : ratios)
+    {
+        solved.problem = makeProblem (task, ratio, edgeTime);
+        solved.waveform = solvePlayed (solved.problem);
+
+        if (solved.waveform.isNear)
+            break;
+    }
 
     if (! solved.waveform.free.isMet)
         throwBeyondLimit (task, solved.problem.hard, edgeTime);

@@ -31,13 +31,23 @@ Eigen::MatrixXd interpolated (const Eigen::MatrixXd& signals, Eigen::Index facto
     Eigen::MatrixXd padded = Eigen::MatrixXd::Zero (signals.rows() + 4 * reach, signals.cols());
     padded.middleRows (2 * reach, signals.rows()) = signals;
     Eigen::MatrixXd result ((signals.rows() - 1 + 2 * reach) * factor + 1, signals.cols());
+    Eigen::VectorXd sum;
 
     for (Eigen::Index i = 0; i < signals.cols(); ++i)
     {
         checkWatch();
 
-        for (Eigen::Index n = 0; n < result.rows(); ++n)
-            result (n, i) = taps.col (n % factor).dot (padded.col (i).segment (n / factor + 1, 2 * reach));
+        for (Eigen::Index phase = 0; phase < factor; ++phase)
+        {
+            const auto count = (result.rows() - phase + factor - 1) / factor;
+            sum.setZero (count);
+
+            for (Eigen::Index tap = 0; tap < taps.rows(); ++tap)
+                if (taps (tap, phase) != 0)
+                    sum += taps (tap, phase) * padded.col (i).segment (tap + 1, count);
+
+            result.col (i) (Eigen::seqN (phase, count, factor)) = sum;
+        }
     }
 
     return result;

@@ -2,6 +2,7 @@
 
 #include <antinode_documents/FocusFile.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/LimitError.h>
 
 #include <nlohmann/json.hpp>
 
@@ -11,6 +12,9 @@ namespace antinode
 {
 namespace
 {
+/** Where more of a field than this is in modes beyond, a place guards all that are known of. */
+constexpr double mostSpillOver = 1.5 * allowedSpillOver;
+
 /** A request without its limits. */
 std::string textWithoutLimits (FocusDescription focus, Playback playback)
 {
@@ -70,14 +74,35 @@ FocusDesign PlaceDesigner::designSamples (const DesignRequest& request, const Fo
     return design;
 }
 
-/** The first place after limits moved says whether its guards still do; where not, the next one looks for others. */
+/** The first place after limits moved says whether its guards still do; where not, the next one looks for others. A
+   place that needs more than the first one has them for itself. */
 FocusDesign PlaceDesigner::designKeepingGuards (const FocusDescription& focus, Playback playback)
 {
     auto design = designGuarding (*guarded, wide->known, focus, playback);
+    const auto share = spillOverShare (*wide, design);
+    const auto mayGuardMore = guarded->modes() < wide->model.modes();
 
-    if (! std::exchange (areGuardsSure, true) && spillOverShare (*wide, design) > allowedSpillOver)
+    if (! std::exchange (areGuardsSure, true) && share > allowedSpillOver)
         guarded.reset();
 
+    if (share > mostSpillOver && mayGuardMore)
+        return withAllGuards (std::move (design), share, focus, playback);
+
     return design;
+}
+
+/** Guards all modes that are known of where that leaves less in them, and limits allow it. */
+FocusDesign PlaceDesigner::withAllGuards (FocusDesign design, double share, const FocusDescription& focus,
+                                          Playback playback) const
+{
+    try
+    {
+        auto more = designGuarding (wide->model, wide->known, focus, playback);
+        return spillOverShare (*wide, more) < share ? std::move (more) : std::move (design);
+    }
+    catch (const LimitError&)
+    {
+        return design;
+    }
 }
 } // namespace antinode

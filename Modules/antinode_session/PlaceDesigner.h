@@ -28,6 +28,7 @@ public:
 private:
     FocusDesign designSamples (const DesignRequest&, const FocusDescription&);
     FocusDesign designKeepingGuards (const FocusDescription&, Playback);
+    FocusDesign withAllGuards (FocusDesign, double share, const FocusDescription&, Playback) const;
 
     std::shared_ptr<const ModalModel> known; ///< What the wide model was made of.
     std::optional<WideModel> wide;

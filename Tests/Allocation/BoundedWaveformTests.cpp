@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include <random>
+#include <utility>
+#include <vector>
 
 using namespace antinode;
 
@@ -102,11 +104,113 @@ TEST_CASE ("Samples keep limits of their own, and multipliers nearby lead to the
         // The least there is: weak duality holds with limits of single samples too.
         CHECK (solution.objective == Approx (solution.bound).epsilon (1e-9));
 
-        problem.start = 0.8 * solution.multipliers;
+        problem.start = { 0.8 * solution.multipliers.rows, {} };
         const auto again = solveBoundedWaveform (problem);
         CHECK ((again.samples - solution.samples).cwiseAbs().maxCoeff()
                < 1e-8 * solution.samples.cwiseAbs().maxCoeff());
     }
+}
+
+namespace
+{
+/** A problem of which half of the rows and ceramics have a spread. */
+BoundedWaveformProblem spreadProblem (unsigned seed, double share)
+{
+    auto problem = randomProblem (5, 8, seed);
+    auto hard = problem;
+    hard.weights.conservativeResize (5, Eigen::NoChange);
+    hard.participation.conservativeResize (5, Eigen::NoChange);
+    hard.wanted.conservativeResize (5);
+    hard.compliance.conservativeResize (5);
+    problem.limits *= share * minimumWaveformPeak (hard, 1e-2).upper;
+    problem.spread = (3 * randomMatrix (13, 4, seed + 50)).cwiseMax (0.0);
+    return problem;
+}
+
+/** The same with a soft row for each of its spreads. */
+BoundedWaveformProblem withRowsForSpread (BoundedWaveformProblem problem)
+{
+    const auto spread = std::exchange (problem.spread, {});
+    const auto append = [] (auto& to, const auto& row)
+    {
+        to.conservativeResize (to.rows() + 1, to.cols());
+        to.bottomRows (1) = row;
+    };
+
+    for (Eigen::Index k = 0; k < spread.rows(); ++k)
+        for (Eigen::Index i = 0; i < spread.cols(); ++i)
+            if (spread (k, i) > 0)
+            {
+                append (problem.weights, Eigen::MatrixXd (spread (k, i) * problem.weights.row (k)));
+                append (problem.participation, Eigen::MatrixXd (Eigen::RowVectorXd::Unit (spread.cols(), i)));
+                append (problem.wanted, Eigen::MatrixXd::Zero (1, 1));
+                append (problem.compliance, Eigen::MatrixXd::Ones (1, 1));
+            }
+
+    return problem;
+}
+} // namespace
+
+TEST_CASE ("What each ceramic's part of a row costs is a soft row of that ceramic alone", "[allocation][spread]")
+{
+    for (unsigned seed = 0; seed < 10; ++seed)
+        for (const auto share : { 1.2, 2.0, 20.0 })
+        {
+            CAPTURE (seed, share);
+            const auto problem = spreadProblem (20 * seed, share);
+            const auto solution = solveBoundedWaveform (problem),
+                       expected = solveBoundedWaveform (withRowsForSpread (problem));
+            REQUIRE (solution.isMet);
+            CHECK ((solution.samples - expected.samples).cwiseAbs().maxCoeff()
+                   < 1e-8 * expected.samples.cwiseAbs().maxCoeff());
+            CHECK (solution.objective == Approx (expected.objective).epsilon (1e-9));
+            CHECK (solution.objective == Approx (solution.bound).epsilon (1e-9));
+            CHECK (solution.softCost == Approx (expected.softCost).epsilon (1e-7));
+        }
+}
+
+TEST_CASE ("Of samples that cost as little in soft rows, multipliers prove a least peak that none goes below",
+           "[allocation][spread]")
+{
+    for (unsigned seed = 0; seed < 10; ++seed)
+    {
+        std::vector<BoundedWaveformProblem> problems;
+        std::vector<BoundedWaveform> solutions;
+
+        for (const auto share : { 1.1, 1.3, 1.6, 2.5 })
+        {
+            problems.push_back (spreadProblem (20 * seed, share));
+            solutions.push_back (solveBoundedWaveform (problems.back()));
+        }
+
+        const auto& all = problems.back();
+
+        for (const auto& proof : solutions)
+            for (const auto& played : solutions)
+            {
+                CAPTURE (seed);
+                const auto least = provenPeak (all, proof.multipliers, played.softCost);
+                CHECK (least <= played.samples.cwiseAbs().maxCoeff() / all.limits[0] * (1 + 1e-12));
+            }
+
+        // Its own multipliers are near where limits bind.
+        const auto& tight = solutions.front();
+        CHECK (provenPeak (problems.front(), tight.multipliers, tight.softCost) > 0.8);
+    }
+}
+
+TEST_CASE ("A solver that is asked again for other limits finds what a new one finds", "[allocation][nearBound]")
+{
+    auto problem = spreadProblem (7, 3);
+    BoundedWaveformSolver solver (problem);
+    const auto first = solver.solve();
+    const Eigen::MatrixXd shares = 0.75 + 0.25 * randomMatrix (4, 300, 90).array();
+    const auto again = solver.solveWithin (0.8, shares, first.multipliers);
+    problem.limits *= 0.8;
+    problem.shares = shares;
+    const auto anew = solveBoundedWaveform (problem);
+    REQUIRE (again.isMet);
+    CHECK ((again.samples - anew.samples).cwiseAbs().maxCoeff() < 1e-8 * anew.samples.cwiseAbs().maxCoeff());
 }
 
 TEST_CASE ("Gram matrices of free samples are the same from step to step as anew", "[allocation]")

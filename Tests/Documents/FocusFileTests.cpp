@@ -152,7 +152,8 @@ TEST_CASE ("Errors for typical mistakes in focuses give their position and what 
     CHECK (errorWith ("allocation.guard_modes=some")
            == "my.json: /allocation/guard_modes: is the text 'some'; allowed: 'all'");
     CHECK (errorWith ("allocation.robust={}")
-           == "my.json: /allocation/robust: is given with a method other than 'exact'; allowed only with 'exact'");
+           == "my.json: /allocation/robust: is given with a method other than 'exact' or 'least_voltage'; allowed only "
+              "with 'exact' or 'least_voltage'");
     CHECK (errorWith ("allocation={\"method\": \"paper\", \"displacement\": \"zero\"}")
            == "my.json: /allocation/displacement: is 'zero' with a method without exact rows; allowed only with "
               "'exact', 'minimum_peak' and 'dictionary'");

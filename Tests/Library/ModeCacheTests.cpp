@@ -1,6 +1,7 @@
 #include "Support/DescribedDevices.h"
 #include "Support/ErrorText.h"
 #include "Support/GridModel.h"
+#include "Support/RunProgram.h"
 #include "Support/SameModel.h"
 #include "Support/SineBeam.h"
 #include "Support/TemporaryFolder.h"
@@ -26,6 +27,7 @@
 #include <unistd.h>
 
 using namespace antinode;
+using namespace antinode::test;
 using test::beam;
 using test::isSameToTheBit;
 using test::plate;
@@ -49,12 +51,6 @@ std::size_t filesIn (const fs::path& folder)
 {
     const fs::directory_iterator entries (folder);
     return static_cast<std::size_t> (std::distance (begin (entries), end (entries)));
-}
-
-std::string readContent (const fs::path& path)
-{
-    std::ifstream file (path, std::ios::binary);
-    return { std::istreambuf_iterator<char> (file), {} };
 }
 
 void writeFile (const fs::path& path, std::string_view bytes)

@@ -1,4 +1,5 @@
 #include "Support/ErrorText.h"
+#include "Support/RunProgram.h"
 #include "Support/TemporaryFolder.h"
 
 #include <antinode_text/OutputFolder.h>
@@ -17,16 +18,11 @@
 #include <unistd.h>
 
 using namespace antinode;
+using namespace antinode::test;
 namespace fs = std::filesystem;
 
 namespace
 {
-std::string readContent (const fs::path& path)
-{
-    std::ifstream file (path, std::ios::binary);
-    return { std::istreambuf_iterator<char> (file), {} };
-}
-
 std::set<std::string> namesIn (const fs::path& folder, bool hidden = false)
 {
     std::set<std::string> names;

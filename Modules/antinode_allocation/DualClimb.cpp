@@ -1,0 +1,208 @@
+#include "DualClimb.h"
+
+#include <antinode_base/Watch.h>
+#include <antinode_numerics/DenseKernels.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+constexpr auto rowTolerance = 1e-12; // aimed at
+constexpr auto maximumWaveformSteps = 40;
+
+/** The lower triangle. */
+Eigen::MatrixXd gramOf (const Eigen::MatrixXd& rows)
+{
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero (rows.rows(), rows.rows());
+    addGram (gram, 1, rows);
+    return gram;
+}
+
+double dot (const WaveformMultipliers& a, const WaveformMultipliers& b)
+{
+    return a.rows.dot (b.rows) + a.own.cwiseProduct (b.own).sum();
+}
+
+WaveformMultipliers sum (const WaveformMultipliers& a, double length, const WaveformMultipliers& b)
+{
+    return { a.rows + length * b.rows, a.own + length * b.own };
+}
+
+DualPoint pointAt (const WaveformDual& dual, WaveformMultipliers y)
+{
+    auto pulls = dual.computePulls (y);
+    auto slope = dual.slope (y, pulls);
+    return { std::move (y), std::move (slope), std::move (pulls) };
+}
+
+/** The length at which the dual, concave along a line, is highest: doubled while it rises, then bisected. */
+double bestLength (const WaveformDual& dual, const DualPoint& point, const WaveformMultipliers& step,
+                   const Eigen::MatrixXd& change)
+{
+    constexpr auto longest = 1024.0;
+    constexpr auto bisections = 12;
+    constexpr auto flat = 0.05; // of the slope at the start: as good as the highest
+    const auto slopeAt = [&] (double length)
+    {
+        const Eigen::MatrixXd pulls = point.pulls + length * change;
+        const auto y = sum (point.multipliers, length, step);
+        return dual.wanted.dot (step.rows) - dual.clipped (pulls).cwiseProduct (change).sum()
+               - dual.compliance.cwiseProduct (y.rows).dot (step.rows) - y.own.cwiseProduct (step.own).sum();
+    };
+    const auto enough = flat * dot (point.slope, step);
+    double low = 0, high = 1;
+    auto slope = slopeAt (high);
+
+    while (slope > enough && high < longest)
+    {
+        low = high;
+        high *= 2;
+        slope = slopeAt (high);
+    }
+
+    for (int i = 0; i < bisections && slope < -enough; ++i)
+    {
+        const auto middle = 0.5 * (low + high);
+        const auto between = slopeAt (middle);
+
+        if (between < -enough)
+            high = middle;
+        else if (between > enough)
+            low = middle;
+        else
+            return middle;
+    }
+
+    return slope < -enough ? 0.5 * (low + high) : high;
+}
+
+/** max |row error| / max |wanted| of the hard rows, as they were before they were scaled. */
+double worstHardRow (const WaveformDual& dual, const Eigen::VectorXd& slope)
+{
+    double worst = 0, largest = 0;
+
+    for (Eigen::Index k = 0; k < slope.size(); ++k)
+        if (dual.compliance[k] == 0 && dual.scale[k] > 0)
+        {
+            worst = std::max (worst, std::abs (slope[k]) / dual.scale[k]);
+            largest = std::max (largest, std::abs (dual.wanted[k]) / dual.scale[k]);
+        }
+
+    return largest > 0 ? worst / largest : worst;
+}
+} // namespace
+
+DualClimb::DualClimb (const WaveformDual& dualToClimb)
+    : dual (dualToClimb), gram (gramOf (dualToClimb.weights)),
+      seen (dualToClimb.weights, gram, dualToClimb.participation.cols())
+{
+    if (dual.hasOwnRows())
+        own.emplace (dual.spread, dual.participation);
+}
+
+/** Compliance and the rows as the samples within the limits see them. Lower triangle. */
+Eigen::MatrixXd DualClimb::curvature (const Eigen::MatrixXd& pulls)
+{
+    Eigen::MatrixXd sum = dual.compliance.asDiagonal();
+    seen.follow (pulls, dual.caps);
+    const auto left = own ? own->eliminate (seen) : std::vector<Eigen::MatrixXd> {};
+
+    for (Eigen::Index i = 0; i < pulls.rows(); ++i)
+    {
+        checkWatch();
+        const auto& part = own ? left[static_cast<std::size_t> (i)] : seen.of (i);
+        const auto column = dual.participation.col (i);
+
+        for (Eigen::Index k = 0; k < sum.cols(); ++k)
+            sum.col (k).tail (sum.rows() - k) +=
+                column[k] * column.tail (sum.rows() - k).cwiseProduct (part.col (k).tail (sum.rows() - k));
+    }
+
+    return sum;
+}
+
+/** The Newton step; the curvature is lifted until it can be factored and leads upwards. */
+WaveformMultipliers DualClimb::newtonStep (const DualPoint& point)
+{
+    const auto matrix = curvature (point.pulls);
+    const Eigen::VectorXd slope =
+        own ? Eigen::VectorXd (point.slope.rows - own->takenBySlope (point.slope.own)) : point.slope.rows;
+
+    for (auto lift = 1e-13;; lift *= 100)
+    {
+        Eigen::MatrixXd factor = matrix;
+        factor.diagonal().array() += lift;
+
+        if (! factorLower (factor))
+            continue;
+
+        WaveformMultipliers step { solveFactored (factor, slope), {} };
+
+        if (own)
+            step.own = own->steps (point.slope.own, step.rows);
+
+        if (step.rows.allFinite() && dot (step, point.slope) > 0)
+            return step;
+
+        if (lift > 1)
+            return point.slope;
+    }
+}
+
+WaveformMultipliers DualClimb::unlimited()
+{
+    const auto none = dual.scaled ({ Eigen::VectorXd::Zero (dual.wanted.size()), {} });
+    return newtonStep (pointAt (dual, none));
+}
+
+DualSummit DualClimb::from (const WaveformMultipliers& start)
+{
+    DualSummit summit;
+    summit.point = pointAt (dual, start);
+    auto& point = summit.point;
+    const auto look = [&]
+    {
+        summit.residual = worstHardRow (dual, point.slope.rows);
+        summit.peakBound = std::max (summit.peakBound, computePeakBound (dual, point.multipliers));
+    };
+    const auto isOpen = [&]
+    {
+        return summit.residual > rowTolerance
+               || std::sqrt (dot (point.slope, point.slope)) > rowTolerance * dual.wanted.norm();
+    };
+    look();
+
+    for (; isOpen() && summit.peakBound <= 1 && summit.iterations < maximumWaveformSteps; ++summit.iterations)
+    {
+        const auto step = newtonStep (point);
+        const auto length = bestLength (dual, point, step, dual.computePulls (step));
+        point = pointAt (dual, sum (point.multipliers, length, step));
+        look();
+    }
+
+    return summit;
+}
+
+double computePeakBound (const WaveformDual& dual, const WaveformMultipliers& y)
+{
+    auto hard = y;
+    hard.rows = (dual.compliance.array() == 0).select (y.rows, 0.0);
+    hard.own.setZero();
+    const auto price = dual.computePulls (hard).cwiseAbs().cwiseProduct (dual.caps).sum();
+    return price > 0 ? std::max (0.0, dual.wanted.dot (hard.rows) / price) : 0;
+}
+
+double computePeakBound (const WaveformDual& dual, const WaveformMultipliers& y, double softCost)
+{
+    // A soft row r of cost r^2 / (2 c) brings at most |y r| = |y| sqrt (c) |r| / sqrt (c), and all together the product
+    // of two lengths.
+    const auto soft = std::sqrt (dual.compliance.dot (y.rows.cwiseAbs2()) + y.own.squaredNorm());
+    const auto price = dual.computePulls (y).cwiseAbs().cwiseProduct (dual.caps).sum();
+    const auto gain = dual.wanted.dot (y.rows) - soft * std::sqrt (2 * softCost);
+    return price > 0 ? std::max (0.0, gain / price) : 0;
+}
+} // namespace antinode
