@@ -84,7 +84,7 @@ BoundedWaveformProblem withSoftRows (const WaveformTask& task, const BoundedWave
                                      const SparseSamples& sparse, double price)
 {
     const auto& choice = task.description.allocation;
-    const auto guarded = withGuards (task, hard, sparse, choice.guardWeight * price);
+    auto guarded = withGuards (task, hard, sparse, choice.guardWeight * price);
 
     if (! choice.robust || ! (choice.robust->weight * price > 0))
         return guarded;

@@ -14,6 +14,7 @@ RetunedDevice retuneByFiles (const DeviceDescription& device, const std::vector<
 {
     auto model = solveDevice (device, {}, usesCache);
     std::vector<MeasurementFile> files;
+    files.reserve (names.size());
 
     for (const auto& name : names)
         files.push_back (readMeasurement (name, CsvForm::byHeadings));
