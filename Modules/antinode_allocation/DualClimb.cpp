@@ -13,6 +13,7 @@ namespace
 {
 constexpr auto rowTolerance = 1e-12; // aimed at
 constexpr auto maximumWaveformSteps = 40;
+constexpr std::size_t fewHeld = 48; // columns that cost less than a matrix a ceramic
 
 /** The lower triangle. */
 Eigen::MatrixXd gramOf (const Eigen::MatrixXd& rows)
@@ -98,7 +99,7 @@ double worstHardRow (const WaveformDual& dual, const Eigen::VectorXd& slope)
 
 DualClimb::DualClimb (const WaveformDual& dualToClimb)
     : dual (dualToClimb), gram (gramOf (dualToClimb.weights)),
-      seen (dualToClimb.weights, gram, dualToClimb.participation.cols())
+      seen (dualToClimb.weights, gram, dualToClimb.participation.cols(), dualToClimb.hasOwnRows() ? 0 : fewHeld)
 {
     if (dual.hasOwnRows())
         own.emplace (dual.spread, dual.participation);
@@ -109,18 +110,17 @@ Eigen::MatrixXd DualClimb::curvature (const Eigen::MatrixXd& pulls)
 {
     Eigen::MatrixXd sum = dual.compliance.asDiagonal();
     seen.follow (pulls, dual.caps);
-    const auto left = own ? own->eliminate (seen) : std::vector<Eigen::MatrixXd> {};
+
+    if (! own)
+    {
+        seen.addWeighted (sum, dual.participation);
+        return sum;
+    }
+
+    const auto left = own->eliminate (seen);
 
     for (Eigen::Index i = 0; i < pulls.rows(); ++i)
-    {
-        checkWatch();
-        const auto& part = own ? left[static_cast<std::size_t> (i)] : seen.of (i);
-        const auto column = dual.participation.col (i);
-
-        for (Eigen::Index k = 0; k < sum.cols(); ++k)
-            sum.col (k).tail (sum.rows() - k) +=
-                column[k] * column.tail (sum.rows() - k).cwiseProduct (part.col (k).tail (sum.rows() - k));
-    }
+        addWeightedLower (sum, dual.participation.col (i), left[static_cast<std::size_t> (i)]);
 
     return sum;
 }

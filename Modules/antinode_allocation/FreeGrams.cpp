@@ -14,10 +14,38 @@ namespace antinode
 namespace
 {
 constexpr auto worthThreads = 1e8; // products: some 10 ms of one core
+
+void copyLower (Eigen::MatrixXd& to, const Eigen::MatrixXd& from)
+{
+    to.resizeLike (from);
+
+    for (Eigen::Index k = 0; k < from.cols(); ++k)
+        to.col (k).tail (from.rows() - k) = from.col (k).tail (from.rows() - k);
 }
 
-FreeGrams::FreeGrams (const Eigen::MatrixXd& weightsToUse, const Eigen::MatrixXd& wholeGram, Eigen::Index ceramics)
-    : weights (weightsToUse), whole (wholeGram), parts (static_cast<std::size_t> (ceramics))
+void clearLower (Eigen::MatrixXd& gram, Eigen::Index size)
+{
+    gram.resize (size, size);
+
+    for (Eigen::Index k = 0; k < size; ++k)
+        gram.col (k).tail (size - k).setZero();
+}
+} // namespace
+
+void addWeightedLower (Eigen::MatrixXd& to, const Eigen::Ref<const Eigen::VectorXd>& p, const Eigen::MatrixXd& matrix)
+{
+    checkWatch();
+
+    for (Eigen::Index k = 0; k < to.cols(); ++k)
+    {
+        const auto below = to.rows() - k;
+        to.col (k).tail (below) += p[k] * p.tail (below).cwiseProduct (matrix.col (k).tail (below));
+    }
+}
+
+FreeGrams::FreeGrams (const Eigen::MatrixXd& weightsToUse, const Eigen::MatrixXd& wholeGram, Eigen::Index ceramics,
+                      std::size_t mostHeld)
+    : weights (weightsToUse), whole (wholeGram), few (mostHeld), parts (static_cast<std::size_t> (ceramics))
 {
     for (auto& part : parts)
         part.isFree.assign (static_cast<std::size_t> (weights.cols()), 1);
@@ -26,7 +54,44 @@ FreeGrams::FreeGrams (const Eigen::MatrixXd& weightsToUse, const Eigen::MatrixXd
 const Eigen::MatrixXd& FreeGrams::of (Eigen::Index ceramic) const
 {
     const auto& part = parts[static_cast<std::size_t> (ceramic)];
-    return part.gram.size() > 0 ? part.gram : whole;
+    return part.isFew() ? whole : part.gram;
+}
+
+void FreeGrams::addWeighted (Eigen::MatrixXd& to, const Eigen::MatrixXd& participation) const
+{
+    addFew (to, participation);
+
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (! parts[i].isFew())
+            addWeightedLower (to, participation.col (static_cast<Eigen::Index> (i)), parts[i].gram);
+}
+
+/** The whole of those that hold few samples, less what these take from it. */
+void FreeGrams::addFew (Eigen::MatrixXd& to, const Eigen::MatrixXd& participation) const
+{
+    std::vector<Eigen::Index> ceramics;
+    Eigen::Index heldOfAll = 0;
+
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (parts[i].isFew())
+        {
+            ceramics.push_back (static_cast<Eigen::Index> (i));
+            heldOfAll += static_cast<Eigen::Index> (parts[i].held.size());
+        }
+
+    if (ceramics.empty())
+        return;
+
+    Eigen::MatrixXd shares = Eigen::MatrixXd::Zero (to.rows(), to.cols()), taken (to.rows(), heldOfAll);
+    addGram (shares, 1, participation (Eigen::all, ceramics));
+    to.triangularView<Eigen::Lower>() += shares.cwiseProduct (whole);
+    Eigen::Index next = 0;
+
+    for (const auto ceramic : ceramics)
+        for (const auto sample : parts[static_cast<std::size_t> (ceramic)].held)
+            taken.col (next++) = participation.col (ceramic).cwiseProduct (weights.col (sample));
+
+    addGram (to, -1, taken);
 }
 
 void FreeGrams::follow (const Eigen::MatrixXd& pulls, const Eigen::MatrixXd& caps)
@@ -43,7 +108,7 @@ void FreeGrams::followOne (Part& part, const Eigen::MatrixXd& pulls, const Eigen
                            Eigen::Index ceramic) const
 {
     checkWatch();
-    std::vector<Eigen::Index> freed, held, free, others;
+    std::vector<Eigen::Index> freed, held, free, atLimit;
 
     for (Eigen::Index n = 0; n < pulls.cols(); ++n)
     {
@@ -53,26 +118,32 @@ void FreeGrams::followOne (Part& part, const Eigen::MatrixXd& pulls, const Eigen
         if (isFree != (wasFree != 0))
             (isFree ? freed : held).push_back (n);
 
-        (isFree ? free : others).push_back (n);
+        (isFree ? free : atLimit).push_back (n);
         wasFree = isFree ? 1 : 0;
+    }
+
+    if (atLimit.size() <= few)
+    {
+        part.gram.resize (0, 0);
+        part.held = std::move (atLimit);
+        return;
     }
 
     if (freed.empty() && held.empty())
         return;
 
-    if (std::min (free.size(), others.size()) < freed.size() + held.size())
+    if (part.isFew() || std::min (free.size(), atLimit.size()) < freed.size() + held.size())
     {
-        const auto isFewer = free.size() < others.size();
-        part.gram = whole;
+        const auto isFewer = free.size() < atLimit.size();
 
         if (isFewer)
-            part.gram.setZero();
+            clearLower (part.gram, whole.rows());
+        else
+            copyLower (part.gram, whole);
 
         freed = isFewer ? std::move (free) : std::vector<Eigen::Index> {};
-        held = isFewer ? std::vector<Eigen::Index> {} : std::move (others);
+        held = isFewer ? std::vector<Eigen::Index> {} : std::move (atLimit);
     }
-    else if (part.gram.size() == 0)
-        part.gram = whole;
 
     addGram (part.gram, 1, weights (Eigen::all, freed));
     addGram (part.gram, -1, weights (Eigen::all, held));

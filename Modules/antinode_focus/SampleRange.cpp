@@ -55,7 +55,8 @@ Eigen::MatrixXd velocityWeights (const ModalModel& model, const std::vector<int>
     for (Eigen::Index m = 1; m <= range.mirrored; ++m)
         weights.col (range.focus - m) += weights.col (range.focus + m);
 
-    return weights.leftCols (range.count);
+    weights.conservativeResize (Eigen::NoChange, range.count);
+    return weights;
 }
 
 double mirrorLevel (const SampleRange& range, Eigen::Index behind)

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace antinode
@@ -80,14 +80,14 @@ std::vector<Complex> tapsFromEach (const ModalRecursion& recursion, Eigen::Index
 
 /** What a unit of force in each sample leaves in the state of a mode. Sample n is tap l of the step that ends at sample
     m = n + reach - l. */
-Eigen::RowVectorXcd modeResponses (const ModalRecursion& recursion, Eigen::Index mode, Complex turn,
-                                   Eigen::Index samples, Eigen::Index focus)
+Eigen::VectorXcd modeResponses (const ModalRecursion& recursion, Eigen::Index mode, Complex turn, Eigen::Index samples,
+                                Eigen::Index focus)
 {
     const auto reach = recursion.tapsReal.cols() - 1 - recursion.latency;
     const auto later = tapsFromEach (recursion, mode, turn);
     const auto taps = static_cast<Eigen::Index> (later.size());
     const auto back = std::exp (-turn);
-    Eigen::RowVectorXcd responses = Eigen::RowVectorXcd::Zero (samples);
+    Eigen::VectorXcd responses = Eigen::VectorXcd::Zero (samples);
     Complex whole = 0;
 
     for (Eigen::Index n = 0; n < std::min (samples, focus - reach + taps); ++n)
@@ -108,6 +108,35 @@ Eigen::RowVectorXcd modeResponses (const ModalRecursion& recursion, Eigen::Index
 
     return responses;
 }
+
+Complex weighted (const Eigen::VectorXcd& responses, const Eigen::MatrixXd::ConstColXpr& forces)
+{
+    return { responses.real().dot (forces), responses.imag().dot (forces) };
+}
+
+/** The states of all modes at the instant of a sample. */
+Eigen::VectorXcd statesAtSample (const ModalModel& model, const SampledVoltages& voltages, Eigen::Index focus)
+{
+    const auto recursion = modalRecursion (model, voltages.playback);
+    const auto poles = modalPoles (model);
+    const Eigen::MatrixXd &values = voltages.values, turned = values.transpose();
+    Eigen::MatrixXd forces = Eigen::MatrixXd::Zero (values.cols(), model.participation.rows()); // N_s x N_c
+    addTransposedRight (forces, 1, turned, model.participation);
+    Eigen::VectorXcd states (model.modes());
+
+    for (Eigen::Index k = 0; k < states.size(); ++k)
+    {
+        checkWatch();
+        const auto responses =
+            modeResponses (recursion, k, poles[k] / voltages.playback.sampleRate, values.cols(), focus);
+        states[k] = weighted (responses, std::as_const (forces).col (k));
+
+        if (model.hasComplexModes())
+            states[k] += Complex (0, 1) * weighted (responses, std::as_const (forces).col (states.size() + k));
+    }
+
+    return states;
+}
 } // namespace
 
 Eigen::MatrixXcd sampleResponses (const ModalModel& model, const std::vector<int>& modes, Playback playback,
@@ -116,12 +145,21 @@ Eigen::MatrixXcd sampleResponses (const ModalModel& model, const std::vector<int
     const auto recursion = modalRecursion (model, playback);
     const auto poles = modalPoles (model);
     Eigen::MatrixXcd responses (modes.size(), samples);
+    constexpr Eigen::Index together = 8; // rows that are written as whole cache lines
+    Eigen::MatrixXcd some (samples, together);
 
-    for (Eigen::Index k = 0; k < responses.rows(); ++k)
+    for (Eigen::Index first = 0; first < responses.rows(); first += together)
     {
         checkWatch();
-        const auto mode = modes[static_cast<std::size_t> (k)];
-        responses.row (k) = modeResponses (recursion, mode, poles[mode] / playback.sampleRate, samples, focus);
+        const auto count = std::min (together, responses.rows() - first);
+
+        for (Eigen::Index k = 0; k < count; ++k)
+        {
+            const auto mode = modes[static_cast<std::size_t> (first + k)];
+            some.col (k) = modeResponses (recursion, mode, poles[mode] / playback.sampleRate, samples, focus);
+        }
+
+        responses.middleRows (first, count) = some.leftCols (count).transpose();
     }
 
     return responses;
@@ -135,15 +173,9 @@ Eigen::VectorXd voltagesAt (const SampledVoltages& voltages, double time)
 Eigen::VectorXcd sampledStates (const ModalModel& model, const SampledVoltages& voltages, double time)
 {
     constexpr auto onSample = 1e-6;
-    std::vector<int> modes (static_cast<std::size_t> (model.modes()));
-    std::iota (modes.begin(), modes.end(), 0);
     const auto place = (time - voltages.firstTime) * voltages.playback.sampleRate;
     const auto below = std::floor (place + onSample);
-    const auto responses =
-        sampleResponses (model, modes, voltages.playback, voltages.values.cols(), static_cast<Eigen::Index> (below));
-    Eigen::MatrixXd forces = Eigen::MatrixXd::Zero (model.participation.rows(), voltages.values.cols());
-    addProduct (forces, 1, model.participation, voltages.values);
-    Eigen::VectorXcd states = responses.cwiseProduct (complexForces (model, forces)).rowwise().sum();
+    Eigen::VectorXcd states = statesAtSample (model, voltages, static_cast<Eigen::Index> (below));
 
     if (place - below > onSample)
     {

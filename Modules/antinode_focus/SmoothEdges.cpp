@@ -23,9 +23,18 @@ Eigen::MatrixXd withSmoothEdges (const Eigen::MatrixXd& samples, double timeCons
     return smooth;
 }
 
-Eigen::MatrixXd smoothEdgesAdjoint (const Eigen::MatrixXd& weights, double timeConstant)
+Eigen::MatrixXd smoothEdgesAdjoint (Eigen::MatrixXd weights, double timeConstant)
 {
-    return withSmoothEdges (weights.rowwise().reverse(), timeConstant).rowwise().reverse();
+    if (! (timeConstant > 0))
+        return weights;
+
+    const auto part = -std::expm1 (-1 / timeConstant);
+    weights *= part;
+
+    for (auto n = weights.cols() - 2; n >= 0; --n)
+        weights.col (n) += (1 - part) * weights.col (n + 1);
+
+    return weights;
 }
 
 SampledSlopes slopesOf (const SampledVoltages& voltages)

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace antinode
 {
@@ -134,7 +135,7 @@ std::string withEdges (double edgeTime)
 /** Rows for samples of which means are played. */
 void smoothRows (BoundedWaveformProblem& problem, double edge)
 {
-    problem.weights = smoothEdgesAdjoint (problem.weights, edge);
+    problem.weights = smoothEdgesAdjoint (std::move (problem.weights), edge);
 }
 
 /** @param edgeTime  s: time constant of the low-pass through which free samples are played; 0: none */

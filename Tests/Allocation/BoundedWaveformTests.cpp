@@ -235,3 +235,30 @@ TEST_CASE ("Gram matrices of free samples are the same from step to step as anew
         }
     }
 }
+
+TEST_CASE ("The curvature is the same whether few or many samples are at their limit", "[allocation]")
+{
+    const auto weights = randomMatrix (9, 200, 1), participation = randomMatrix (9, 3, 3);
+    const Eigen::MatrixXd whole = weights * weights.transpose();
+    const Eigen::MatrixXd caps = Eigen::Vector3d (0.9, 0.5, 0.95) * Eigen::RowVectorXd::Ones (200);
+    FreeGrams grams (weights, whole, 3, 20);
+    auto pulls = randomMatrix (3, 200, 2);
+
+    for (unsigned step = 0; step < 6; ++step)
+    {
+        pulls *= step % 2 == 0 ? 0.9 : 1.2;
+        grams.follow (pulls, caps);
+        Eigen::MatrixXd sum = Eigen::MatrixXd::Identity (9, 9), expected = sum;
+        grams.addWeighted (sum, participation);
+
+        for (Eigen::Index i = 0; i < 3; ++i)
+        {
+            const Eigen::VectorXd isFree = (pulls.row (i).array().abs() < caps (i, 0)).cast<double>();
+            const Eigen::MatrixXd seen = participation.col (i).asDiagonal() * weights;
+            expected += seen * isFree.asDiagonal() * seen.transpose();
+        }
+
+        const Eigen::MatrixXd difference = (sum - expected).triangularView<Eigen::Lower>();
+        CHECK (difference.cwiseAbs().maxCoeff() < 1e-12 * expected.cwiseAbs().maxCoeff());
+    }
+}
