@@ -86,13 +86,14 @@ double frequencyError (const BendingModes& modes, const BendingModes& reference)
     return ((modes.eigenvalues.array() / reference.eigenvalues.array()).sqrt() - 1).abs().maxCoeff();
 }
 
-/** Of sums over modes that are as close as their errors. */
+/** Of sums over modes that are as close as their errors. The last two only take part in sums: what they are close to
+    may not be known. */
 double participationError (const BendingModes& modes, const BendingModes& reference)
 {
     const auto largest = reference.participation.cwiseAbs().maxCoeff();
     double worst = 0;
 
-    for (Eigen::Index k = 0; k < modes.eigenvalues.size(); ++k)
+    for (Eigen::Index k = 0; k + 2 < modes.eigenvalues.size(); ++k)
     {
         const Eigen::ArrayXd isNear = ((reference.eigenvalues.array() / reference.eigenvalues[k]).sqrt() - 1)
                                           .abs()
@@ -290,8 +291,8 @@ OutlineScore turnedSquares (int cases, unsigned seed)
         square.moment << 1, 1, 0;
         problem.patches = { square };
         const auto resolution = resolutionFor (problem, 20, ModeAccuracy::usual);
-        const auto modes = timed (score, problem, 20, resolution);
-        const auto reference = bendingModes (problem, 20, smaller (resolution, 0.5));
+        const auto modes = timed (score, problem, 22, resolution);
+        const auto reference = bendingModes (problem, 22, smaller (resolution, 0.5));
         note (score.frequencyError, frequencyError (modes, reference));
         note (score.participationError, participationError (modes, reference));
     }
