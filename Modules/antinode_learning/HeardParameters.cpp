@@ -9,7 +9,7 @@ namespace antinode
 {
 namespace
 {
-constexpr double leastInformation = 0.01; // of the prior's, of a parameter
+constexpr double leastInformation = 0.1; // of the prior's, of a parameter
 
 /** The inner products of what each ceramic alone does to a mode, N_b x N_b, of all recordings, each of its length. */
 Eigen::MatrixXd sharesOfCeramics (const LearningPrior& prior, Eigen::Index k)
@@ -88,12 +88,23 @@ Eigen::Vector3d energies (const LearningPrior& prior, Eigen::Index k)
     return sums;
 }
 
+/** The same where participations are off as the prior says. Voltages that keep a mode at rest by what it is known to be
+    move it on the device: ceramics that cancel each other do not any more. */
+Eigen::Vector3d expectedEnergies (const LearningPrior& prior, Eigen::Index k, const Eigen::MatrixXd& products)
+{
+    const auto known = energies (prior, k);
+    const auto deviation = prior.deviations.participation[k];
+    const auto whole = known[0] + deviation * deviation * products.trace();
+    return known[0] > 0 ? Eigen::Vector3d (known * (whole / known[0])) : Eigen::Vector3d (whole, 0, 0);
+}
+
 std::vector<LearningParameter> parametersOf (const LearningPrior& prior, Eigen::Index k)
 {
     const auto square = [] (double value) { return value * value; };
     const auto& deviations = prior.deviations;
     const auto heard = audibility (prior, k);
-    const auto energy = energies (prior, k);
+    const auto products = sharesOfCeramics (prior, k);
+    const auto energy = expectedEnergies (prior, k, products);
     auto parameters = std::vector<LearningParameter> {};
 
     if (heard * energy[1] * square (deviations.frequencies[k]) > leastInformation)
@@ -104,7 +115,7 @@ std::vector<LearningParameter> parametersOf (const LearningPrior& prior, Eigen::
 
     if (heard * energy[0] * square (deviations.participation[k]) > leastInformation)
     {
-        const auto directions = participationParameters (prior, k, sharesOfCeramics (prior, k), heard);
+        const auto directions = participationParameters (prior, k, products, heard);
         parameters.insert (parameters.end(), directions.begin(), directions.end());
     }
 

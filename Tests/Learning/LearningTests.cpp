@@ -4,6 +4,7 @@
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/Detuning.h>
 #include <antinode_focus/FocusScore.h>
+#include <antinode_learning/LearnModes.h>
 #include <antinode_learning/LearningPasses.h>
 #include <antinode_learning/PlayedVoltages.h>
 #include <antinode_numerics/RandomNumbers.h>
@@ -120,6 +121,32 @@ LearntFocus learn (const Bench& bench, const PassPlayer& play)
                        sameSpread (bench.nominal.model.modes(), 0.005, 0.1, 0.05), play, threePasses());
 }
 } // namespace
+
+TEST_CASE ("A mode that the voltages keep at rest by what is known of it is learnt where it moves", "[learning]")
+{
+    const auto nominal = sineBeam (allModes, 5);
+    auto truth = nominal;
+    constexpr Eigen::Index mode = 2, first = 0, other = 3;
+    truth.participation (mode, first) *= 1.05;
+    Eigen::MatrixXd voltages = Eigen::MatrixXd::Zero (5, 2400);
+    const auto balance = nominal.participation (mode, first) / nominal.participation (mode, other);
+
+    for (Eigen::Index n = 0; n < 1200; ++n)
+    {
+        voltages (first, n) = 50 * std::sin (nominal.angularFrequencies[mode] * static_cast<double> (n) / rate);
+        voltages (other, n) = -balance * voltages (first, n);
+    }
+
+    const auto shapes = shapesAt (nominal, 0.012, 0);
+    const auto signals = played (truth, shapes, voltages);
+    const Eigen::VectorXd noise = 0.01 * signals.rowwise().norm() / std::sqrt (2400.0);
+    const auto learnt = learnModes (nominal, { { shapes, 0 } }, sameSpread (allModes, 0.005, 0.1, 0.05),
+                                    { { rate, voltages, signals, noise, 0, 0 } });
+    const auto moved = [&] (const ModalModel& model)
+    { return model.participation (mode, first) - balance * model.participation (mode, other); };
+    REQUIRE (std::abs (moved (nominal)) < 1e-12 * std::abs (nominal.participation (mode, first)));
+    CHECK (moved (learnt.model) == Approx (moved (truth)).epsilon (0.02));
+}
 
 TEST_CASE ("A mode under band-limited voltages moves as the plate model says, which steps through time", "[learning]")
 {
