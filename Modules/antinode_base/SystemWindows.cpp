@@ -7,10 +7,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <climits>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cwchar>
+#include <utility>
 
 #ifndef NOMINMAX
 #define NOMINMAX
@@ -36,7 +39,72 @@ std::optional<std::filesystem::path> userHome (const wchar_t* variable)
     const std::filesystem::path path (folder == nullptr ? L"" : folder);
     return path.is_absolute() ? std::optional (path) : std::nullopt;
 }
+
+/** Bytes of the UTF-8 character that begins with this one; 0 where none does. */
+std::size_t utf8Length (unsigned char first)
+{
+    if (first < 0x80)
+        return 1;
+
+    if (first < 0xC2 || first > 0xF4)
+        return 0;
+
+    return first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+}
 } // namespace
+
+/** What the linker takes for mbrtowc(): by it, g++'s library makes paths of text, and Microsoft's older C library knows
+    no UTF-8. A character beyond 16 bits comes in two calls: the state keeps its second half. [any] */
+extern "C" std::size_t __wrap_mbrtowc (wchar_t* to, const char* from, std::size_t count, std::mbstate_t* state)
+{
+    constexpr auto wrong = static_cast<std::size_t> (-1), unfinished = static_cast<std::size_t> (-2);
+    thread_local std::mbstate_t ownState {};
+    auto& secondHalf = state == nullptr ? ownState : *state;
+    wchar_t ignored = 0;
+    auto& unit = to == nullptr ? ignored : *to;
+
+    if (from == nullptr)
+        return 0;
+
+    if (count == 0)
+        return unfinished;
+
+    if (secondHalf != 0)
+    {
+        unit = static_cast<wchar_t> (std::exchange (secondHalf, 0));
+        return 1;
+    }
+
+    const auto first = static_cast<unsigned char> (*from);
+    const auto length = utf8Length (first);
+    auto character = length == 1 ? first : first & (0x7Fu >> length);
+    auto isValid = length > 0;
+
+    for (std::size_t i = 1; i < length && isValid; ++i)
+    {
+        if (i == count)
+            return unfinished;
+
+        isValid = (static_cast<unsigned> (from[i]) & 0xC0u) == 0x80;
+        character = (character << 6) | (static_cast<unsigned> (from[i]) & 0x3Fu);
+    }
+
+    if (! isValid)
+    {
+        errno = EILSEQ;
+        return wrong;
+    }
+
+    if (length < 4)
+    {
+        unit = static_cast<wchar_t> (character);
+        return character == 0 ? 0 : length;
+    }
+
+    unit = static_cast<wchar_t> (0xD7C0 + (character >> 10));
+    secondHalf = static_cast<std::mbstate_t> (0xDC00 | (character & 0x3FF));
+    return length - 1;
+}
 
 /** A folder cannot be opened: that is found here, for statusOf(). */
 int openForReading (const std::filesystem::path& path)

@@ -33,6 +33,14 @@ TEST_CASE ("Bytes of a file come as they are, line ends too", "[system]")
     closeFile (file);
 }
 
+TEST_CASE ("Text in UTF-8 is the name of a file, to a path and back", "[system]")
+{
+    const std::string name = "Gerät 日本 \U0001F3B5.json";
+    const std::filesystem::path path (name);
+    CHECK (path == std::filesystem::path (u8"Gerät 日本 \U0001F3B5.json"));
+    CHECK (path.string() == name);
+}
+
 TEST_CASE ("A folder says that it is one, a missing file that it is missing", "[system]")
 {
     const TemporaryFolder folder;
