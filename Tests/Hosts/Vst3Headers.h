@@ -27,4 +27,11 @@ namespace antinode::test
 {
 namespace Vst = Steinberg::Vst;
 using Steinberg::tresult;
+
+/** What a view is put into. */
+#ifdef _WIN32
+inline const auto* const platformType = Steinberg::kPlatformTypeHWND;
+#else
+inline const auto* const platformType = Steinberg::kPlatformTypeX11EmbedWindowID;
+#endif
 } // namespace antinode::test
