@@ -104,6 +104,24 @@ Eigen::VectorXd scaleOf (const Eigen::MatrixXd& gram)
 {
     return gram.diagonal().cwiseSqrt().cwiseInverse();
 }
+
+/** The largest magnitude in each column of the chosen columns of samples times shares, in pieces: a copy of all chosen
+    samples would cost more than the product. */
+Eigen::VectorXd peaksOf (const Eigen::MatrixXd& samples, const std::vector<int>& chosen, const Eigen::MatrixXd& shares)
+{
+    constexpr Eigen::Index samplesAtOnce = 256;
+    Eigen::VectorXd peaks = Eigen::VectorXd::Zero (shares.cols());
+
+    for (Eigen::Index first = 0; first < samples.rows(); first += samplesAtOnce)
+    {
+        const auto count = std::min (samplesAtOnce, samples.rows() - first);
+        Eigen::MatrixXd values = Eigen::MatrixXd::Zero (count, shares.cols());
+        addProduct (values, 1, samples.middleRows (first, count) (Eigen::all, chosen), shares);
+        peaks = peaks.cwiseMax (values.cwiseAbs().colwise().maxCoeff().transpose());
+    }
+
+    return peaks;
+}
 } // namespace
 
 struct PlacedDesigns::Trial
@@ -239,9 +257,7 @@ PlacedDesigns::Trial PlacedDesigns::allocated (FocusDesign design, Eigen::Index 
             throw NeedsSolver();
 
     const auto shares = sharesOf (design, designed);
-    Eigen::MatrixXd voltages = Eigen::MatrixXd::Zero (samples.rows(), shares.cols());
-    addProduct (voltages, 1, samples (Eigen::all, controlled), shares);
-    const Eigen::VectorXd peaks = voltages.cwiseAbs().colwise().maxCoeff().transpose();
+    const auto peaks = peaksOf (samples, controlled, shares);
     auto& certificate = design.certificate;
     certificate.peakVoltage = peaks.maxCoeff();
     certificate.peakRatio = peaks.cwiseQuotient (limits).maxCoeff();
