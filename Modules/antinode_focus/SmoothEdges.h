@@ -11,7 +11,8 @@ namespace antinode
     [any] Docs/Theory.md, section 4.9. */
 Eigen::MatrixXd withSmoothEdges (const Eigen::MatrixXd& samples, double timeConstant);
 
-/** The adjoint: what values for each smooth sample are for each free one. @param weights  any x N_s; those of the result where they are moved [any] */
+/** The adjoint: what values for each smooth sample are for each free one. @param weights  any x N_s; those of the
+ * result where they are moved [any] */
 Eigen::MatrixXd smoothEdgesAdjoint (Eigen::MatrixXd weights, double timeConstant);
 
 /** dU/dt of what band-limited samples stand for, V/s, from the rest before them to the rest behind. */

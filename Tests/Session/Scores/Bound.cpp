@@ -128,7 +128,8 @@ int main (int count, char** arguments)
         errors.push_back (outcome.error);
         beyond.push_back (outcome.beyondKnown);
         beyondWide.push_back (outcome.beyondWide);
-        std::fprintf (stderr, "%d: %.1f, %.1f mm, %.3g V, %.3f x, error %.3f %%, beyond %.3f %%, far beyond %.3f %%, %.0f ms\n",
+        std::fprintf (stderr,
+                      "%d: %.1f, %.1f mm, %.3g V, %.3f x, error %.3f %%, beyond %.3f %%, far beyond %.3f %%, %.0f ms\n",
                       i + 1, 1e3 * x, 1e3 * y, peakVoltage (design), outcome.peak, 100 * outcome.error,
                       100 * outcome.beyondKnown, 100 * outcome.beyondWide, 1e3 * cpu.back());
     }
