@@ -1,6 +1,7 @@
 #include "PreparedResponses.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/Watch.h>
 #include <antinode_numerics/Median.h>
 
 #include <algorithm>
@@ -49,6 +50,7 @@ void findMissing (PreparedResponses& data)
 {
     for (Eigen::Index c = 0; c < data.columns(); ++c)
     {
+        checkWatch();
         const auto values = responseColumn (data, c);
         std::vector<MissingValue> found;
 
@@ -86,6 +88,7 @@ void weighByVariances (PreparedResponses& data)
 
     for (Eigen::Index c = 0; c < data.columns(); ++c)
     {
+        checkWatch();
         found.clear();
 
         for (Eigen::Index f = 0; f < data.lines(); ++f)
