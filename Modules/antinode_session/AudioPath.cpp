@@ -21,11 +21,11 @@ void copyScaled (const double* from, Sample* to, int count, double gain)
 } // namespace
 
 AudioPath::AudioPath (std::shared_ptr<const ModalModel> model, double sampleRateToUse, PlayerSettings settings,
-                      const Eigen::MatrixXd& probeShapes, const GraphChoice& graph)
+                      const Eigen::MatrixXd& probeShapes, const GraphChoice& graph, Listening whoListens)
     : modes (std::move (model)), rate (sampleRateToUse),
       standard (graph.isOpen ? openGraph (modes, settings, probeShapes, graph.insert)
                              : standardGraph (modes, settings, probeShapes)),
-      toFullScale (1 / modes->fullScaleVoltage)
+      listening (std::move (whoListens)), toFullScale (1 / modes->fullScaleVoltage)
 {
     standard.graph.prepare ({ rate, graph.isOpen ? longestOpenPart : longestPart });
     designs = std::make_unique<DesignWorker> (standard.voiceNode().voices().handOver());
@@ -41,13 +41,19 @@ void AudioPath::process (const OutputBlock<Sample>& block, std::span<const Focus
                          const PlayControls& controls, LevelMeters& meters, ProbeTrace& trace)
 {
     standard.gainNode().setGain (controls.outputTrim);
-    standard.gainNode().setMutes (controls.mutes);
+    standard.gainNode().setMutes (controls.mutes | listening.idle);
     standard.limiterNode().setArmed (controls.isArmed);
     standard.limiterNode().setVoltageLimit (controls.voltageLimit);
     monitorGain = controls.monitorGain;
     standard.graph.processParts<double> (block.count, events,
                                          [&] (int offset, int count, Outputs outputs)
                                          {
+                                             // Before its samples are written over.
+                                             if (listening.tap != nullptr)
+                                                 listening.tap->write (
+                                                     outputs, block.sensor != nullptr ? block.sensor + offset : nullptr,
+                                                     count);
+
                                              write (block, offset, count, outputs);
                                              note (count, outputs, meters, trace);
                                          });

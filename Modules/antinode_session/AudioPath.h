@@ -4,6 +4,7 @@
 #include "LevelMeters.h"
 #include "PlaySettings.h"
 #include "ProbeTrace.h"
+#include "SensorTap.h"
 
 #include <antinode_graph/StandardGraph.h>
 
@@ -20,6 +21,7 @@ struct OutputBlock
     std::span<Sample* const> ceramics; ///< Channel k is ceramic k; those beyond the device's ceramics become silent.
     std::span<Sample* const> monitor;  ///< Probe velocities; may be empty.
     int count = 0;                     ///< Samples.
+    const Sample* sensor = nullptr; ///< What listens to the surface; none: not plugged in. May lie where ceramics do.
 };
 
 /** Whether the nodes of a path are fused or stand apart, and what stands between them. */
@@ -27,6 +29,13 @@ struct GraphChoice
 {
     bool isOpen = false;
     InsertNodes insert; ///< Of the open graph; none: nothing.
+};
+
+/** What a path tells whoever tracks its device. */
+struct Listening
+{
+    std::shared_ptr<SensorTap> tap; ///< None: nobody listens.
+    unsigned long long idle = 0;    ///< Bit i: ceramic i + 1 listens, and is never driven.
 };
 
 /** What plays one device at one sample rate: its graph, and the worker that designs its foci. Made by the session,
@@ -40,7 +49,7 @@ public:
         @throws InputError  when the device or the format cannot be played
         [worker] */
     AudioPath (std::shared_ptr<const ModalModel>, double sampleRate, PlayerSettings, const Eigen::MatrixXd& probeShapes,
-               const GraphChoice& = {});
+               const GraphChoice& = {}, Listening = {});
 
     DesignWorker& worker() { return *designs; }
     PlateNode& plate() { return standard.plateNode(); }
@@ -71,6 +80,7 @@ private:
     double rate;
     StandardGraph standard;
     std::unique_ptr<DesignWorker> designs;
+    Listening listening;
     double toFullScale, monitorGain = 1;
 };
 } // namespace antinode

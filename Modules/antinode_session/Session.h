@@ -77,6 +77,20 @@ public:
         [any but the audio thread] */
     void setAmplifiers (std::vector<double> volts) { requests->setAmplifiers (std::move (volts)); }
 
+    /** Tracks the drift of the device by a sensor, and designs the foci for it as it is. Another sensor makes another
+        path. A sensor that cannot be had becomes a status. [any but the audio thread] */
+    void setTracking (const TrackingSettings& settings) { requests->setTracking (settings); }
+    TrackingSettings tracking() const { return requests->tracking(); }
+
+    /** [any but the audio thread] */
+    std::shared_ptr<const TrackingStatus> trackingStatus() const { return requests->trackingStatus(); }
+
+    /** What is known of the drift; none: nothing. [any but the audio thread] */
+    std::shared_ptr<const KnownDrift> drift() const { return requests->drift(); }
+
+    /** Goes on from another drift. @param known  of this device; none: as the model [any but the audio thread] */
+    void setDrift (std::shared_ptr<const KnownDrift> known) { requests->setDrift (std::move (known)); }
+
     /** Designs the places of these notes before those of the others, in this order; by default that of middle C.
         [any but the audio thread] */
     void designFirst (std::vector<int> notes);

@@ -34,6 +34,43 @@ std::uint64_t readMutes (const JsonValue& value)
 
     return mutes;
 }
+nlohmann::ordered_json trackingToJson (const TrackingSettings& tracking)
+{
+    nlohmann::ordered_json json { { "sensor", wordFor (trackingSensorWords, tracking.sensor) } };
+
+    if (tracking.isCeramic())
+        json["ceramic"] = tracking.ceramic + 1;
+    else
+    {
+        json["x_mm"] = tracking.xMillimetres;
+        json["y_mm"] = tracking.yMillimetres;
+    }
+
+    if (tracking.isFrozen)
+        json["frozen"] = true;
+
+    return json;
+}
+
+TrackingSettings readTracking (const JsonValue& value)
+{
+    const auto json = value.object ({ "sensor", "ceramic", "x_mm", "y_mm", "frozen" });
+    TrackingSettings tracking;
+    tracking.sensor = json.required ("sensor").choice (trackingSensorWords);
+
+    if (tracking.isCeramic())
+        tracking.ceramic = json.required ("ceramic").integer (1, maximumMutes) - 1;
+    else
+    {
+        tracking.xMillimetres = json.required ("x_mm").number ({ -farthest, farthest });
+        tracking.yMillimetres = json.required ("y_mm").number ({ -farthest, farthest });
+    }
+
+    if (const auto frozen = json.optional ("frozen"))
+        tracking.isFrozen = frozen->boolean();
+
+    return tracking;
+}
 } // namespace
 
 /** Documents go in as they are: a written design has megabytes, and hosts ask often. */
@@ -59,6 +96,9 @@ std::string stateToText (const SessionState& state)
     if (state.isGraphOpen)
         text += R"(,"open_graph":true)";
 
+    if (state.tracking.isOn())
+        text += R"(,"tracking":)" + trackingToJson (state.tracking).dump();
+
     return text + "}";
 }
 
@@ -68,8 +108,9 @@ SessionState readState (std::string_view text)
     const JsonValue value (json, "state");
     value.requireSchema (schema);
     const auto state =
-        value.object ({ "schema", "device", "focus", "design", "parameters", "muted_ceramics", "open_graph" });
-    const auto openGraph = state.optional ("open_graph");
+        value.object ({ "schema", "device", "focus", "design", "parameters", "muted_ceramics", "open_graph",
+                        "tracking" });
+    const auto openGraph = state.optional ("open_graph"), tracking = state.optional ("tracking");
     const auto device = state.required ("device"), focus = state.required ("focus"),
                parameters = state.required ("parameters");
 
@@ -83,6 +124,7 @@ SessionState readState (std::string_view text)
 
     return { std::make_shared<const DeviceDocument> (readDeviceDocument (json["device"], "state: device")),
              std::make_shared<const FocusDocument> (std::move (read)), readParameters (parameters, json["parameters"]),
-             readMutes (state.required ("muted_ceramics")), openGraph && openGraph->boolean() };
+             readMutes (state.required ("muted_ceramics")), openGraph && openGraph->boolean(),
+             tracking ? readTracking (*tracking) : TrackingSettings() };
 }
 } // namespace antinode

@@ -8,6 +8,7 @@
 #include <antinode_focus/FocusMoments.h>
 #include <antinode_focus/WideDesign.h>
 #include <antinode_library/Library.h>
+#include <antinode_model/IdleCeramics.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +58,7 @@ void SessionWorker::run()
         // It is stopping.
     }
 
+    tracker.reset();
     entry->clear();
 }
 
@@ -65,15 +67,18 @@ void SessionWorker::step (const SessionRound& round)
 {
     takeAmplifiers (round);
     takeDocuments (round);
+    takeTracking (round);
     takeFingers();
     takeGraphChoice (round);
     entry->collect();
+    readTracker();
     const auto read = owner->settings (settings);
 
     if (model != nullptr && round.sampleRate > 0)
     {
-        const auto needsPath = isModelNew || rate != round.sampleRate || isGraphNew || needNewPath (read, settings);
-        const auto needsDesigns = needsPath || isFocusNew || read != settings;
+        const auto needsPath = isModelNew || rate != round.sampleRate || isGraphNew || isSensorNew
+                               || needNewPath (read, settings);
+        const auto needsDesigns = needsPath || isFocusNew || read != settings || hasDrifted();
         settings = read;
         rate = round.sampleRate;
 
@@ -124,6 +129,8 @@ void SessionWorker::solve (const DeviceDocument& document)
         solved = std::move (made);
         model = withAmplifiers (solved, amplifiers);
         isModelNew = true;
+        tracker.reset();
+        drift.reset();
         deviceError.clear();
     }
     catch (const Cancelled&)
@@ -154,25 +161,32 @@ void SessionWorker::takeAmplifiers (const SessionRound& round)
     }
 }
 
-/** Fingers change the modes, so what plays becomes another path. */
+/** Fingers change the modes, and a ceramic that listens drives nothing, so what plays becomes another path. */
 void SessionWorker::takeFingers()
 {
     const auto& wanted = focus->description.fingers;
 
-    if (model == loadedModelOf && wanted == fingers)
+    if (model == loadedModelOf && wanted == fingers && idleCeramics() == idle)
         return;
 
     isModelNew = isModelNew || wanted != fingers;
     loadedModelOf = played = designed = model;
     fingers = wanted;
+    idle = idleCeramics();
     fingerError.clear();
 
-    if (model == nullptr || fingers.empty())
+    if (model == nullptr)
+        return;
+
+    if (! idle.empty())
+        played = designed = std::make_shared<const ModalModel> (withoutDrive (*model, idle));
+
+    if (fingers.empty())
         return;
 
     try
     {
-        auto loaded = loadedByFingers ({ *model, model->modes(), {}, {} }, fingers);
+        auto loaded = loadedByFingers ({ *played, played->modes(), {}, {} }, fingers);
         played = std::make_shared<const ModalModel> (std::move (loaded.model));
         designed = std::make_shared<const ModalModel> (std::move (*loaded.designed));
     }
@@ -189,7 +203,8 @@ void SessionWorker::buildPath()
 
     try
     {
-        auto made = std::make_unique<AudioPath> (played, rate, toPlayerSettings (settings), probeShapes(), graph);
+        auto made = std::make_unique<AudioPath> (played, rate, toPlayerSettings (settings), probeShapes(), graph,
+                                                 listen());
         path = made.get();
         entry->probeTrace().prepare (std::max (1, static_cast<int> (rate / traceEntriesPerSecond)));
         entry->give (std::move (made));
@@ -201,7 +216,7 @@ void SessionWorker::buildPath()
         deviceError = failure.what();
     }
 
-    isModelNew = isGraphNew = false;
+    isModelNew = isGraphNew = isSensorNew = false;
 }
 
 void SessionWorker::takeGraphChoice (const SessionRound& round)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "AudioEntry.h"
+#include "DriftTracker.h"
 #include "SessionOwner.h"
 #include "SessionRequests.h"
 
@@ -32,8 +33,14 @@ private:
     void takeDocuments (const SessionRound&);
     void solve (const DeviceDocument&);
     void takeAmplifiers (const SessionRound&);
+    void takeTracking (const SessionRound&);
     void takeFingers();
     void buildPath();
+    Listening listen();
+    void readTracker();
+    bool hasDrifted() const;
+    std::shared_ptr<const ModalModel> asItIs (const std::shared_ptr<const ModalModel>&) const;
+    std::vector<int> idleCeramics() const;
     void takeGraphChoice (const SessionRound&);
     void requestDesigns (const std::vector<int>& firstNotes);
     std::function<WideModel()> widen() const;
@@ -51,14 +58,22 @@ private:
     std::shared_ptr<const FocusDocument> focus;
     std::shared_ptr<const ModalModel> solved, model;    ///< Without and with the amplifiers.
     std::shared_ptr<const ModalModel> played, designed; ///< Loaded by all fingers, and by those that designs know.
-    std::shared_ptr<const ModalModel> loadedModelOf;    ///< What these were made of.
+    std::shared_ptr<const ModalModel> loadedModelOf;    ///< What these were made of, with the next two lines.
     std::vector<Finger> fingers;
+    std::vector<int> idle; ///< Ceramics that listen.
+    TrackingSettings tracking;
+    std::unique_ptr<DriftTracker> tracker;
+    std::shared_ptr<const KnownDrift> drift;         ///< None: as the model.
+    std::shared_ptr<const TrackingStatus> seenStatus; ///< Of the tracker, that was published.
+    Eigen::VectorXd driftChanges, designedChanges; ///< N_m, of all frequencies: as it is, and as designs know it.
+    int redesigns = 0;
     std::vector<double> amplifiers; ///< V of a full-scale sample of each ceramic.
     PlaySettings settings;
     double rate = 0;           ///< Hz, of the path.
     AudioPath* path = nullptr; ///< The newest one, which `entry` owns; none where it could not be built.
     GraphChoice graph;
-    bool isSolving = false, isModelNew = false, isFocusNew = false, isGraphNew = false;
+    bool isSolving = false, isModelNew = false, isFocusNew = false, isGraphNew = false,
+         isSensorNew = false;
     std::string deviceError, fingerError;
 };
 } // namespace antinode

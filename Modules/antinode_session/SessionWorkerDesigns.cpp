@@ -5,6 +5,7 @@
 #include "WrittenDesign.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_model/IdleCeramics.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,11 @@ void SessionWorker::requestDesigns (const std::vector<int>& firstNotes)
         // A focus of another device may have probes outside this surface: the monitor stays where it was.
     }
 
-    path->worker().request ({ designed,
+    if (designedChanges.size() > 0 && driftChanges.size() > 0 && designedChanges != driftChanges)
+        ++redesigns;
+
+    designedChanges = driftChanges;
+    path->worker().request ({ asItIs (designed),
                               description,
                               notePlaces(),
                               firstNotes,
@@ -49,7 +54,16 @@ std::function<WideModel()> SessionWorker::widen() const
     if (! fingers.empty())
         return {};
 
-    return modesBeyond (device, model, rate);
+    return [beyond = modesBeyond (device, model, rate), isIdle = idle, known = drift]
+    {
+        auto wide = beyond();
+        wide.model = withoutDrive (std::move (wide.model), isIdle);
+
+        if (known != nullptr)
+            wide.model = retunedModel (wide.model, known->tracked.estimate, known->layout);
+
+        return wide;
+    };
 }
 
 std::vector<std::pair<double, double>> SessionWorker::notePlaces() const

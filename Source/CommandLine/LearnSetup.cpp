@@ -2,7 +2,7 @@
 
 #include "CommonOptions.h"
 #include "FocusOnDevice.h"
-#include "IdleCeramics.h"
+#include "IdleCeramicsOption.h"
 #include "LearnFiles.h"
 
 #include <antinode_base/InputError.h>
@@ -10,6 +10,7 @@
 #include <antinode_bench/SimulatedBenchPlayer.h>
 #include <antinode_focus/Detuning.h>
 #include <antinode_library/Library.h>
+#include <antinode_model/IdleCeramics.h>
 #include <antinode_model/ShapesAtPlaces.h>
 
 #include <memory>

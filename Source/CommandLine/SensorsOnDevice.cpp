@@ -1,12 +1,13 @@
 #include "SensorsOnDevice.h"
 
 #include "FocusOnDevice.h"
-#include "IdleCeramics.h"
+#include "IdleCeramicsOption.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_learning/LearningPasses.h>
 #include <antinode_learning/LowerRate.h>
 #include <antinode_library/Library.h>
+#include <antinode_model/IdleCeramics.h>
 #include <antinode_model/ShapesAtPlaces.h>
 #include <antinode_numerics/RandomNumbers.h>
 

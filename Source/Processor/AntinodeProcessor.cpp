@@ -14,6 +14,7 @@ juce::AudioProcessor::BusesProperties AntinodeProcessor::busesFor (int ceramics,
                              ? juce::AudioChannelSet::stereo()
                              : juce::AudioChannelSet::discreteChannels (BufferChannels::maximumMonitors);
     return BusesProperties()
+        .withInput ("Sensor", juce::AudioChannelSet::mono(), wrapper == wrapperType_Undefined)
         .withOutput ("Ceramics", wireSet (ceramics, wrapper), true)
         .withOutput ("Monitor", monitor, true);
 }
@@ -113,7 +114,8 @@ bool AntinodeProcessor::isBusesLayoutSupported (const BusesLayout& layout) const
     // By count: hosts name channels as they like, wires are distinguished by their numbers.
     const auto ceramics = layout.getMainOutputChannels();
     const auto monitor = layout.getNumChannels (false, 1);
-    return layout.inputBuses.isEmpty() && ceramics >= 1 && ceramics <= maximumCeramics
+    const auto sensors = layout.getNumChannels (true, 0);
+    return layout.inputBuses.size() == 1 && sensors <= 1 && ceramics >= 1 && ceramics <= maximumCeramics
            && monitor <= BufferChannels::maximumMonitors;
 }
 
@@ -135,7 +137,7 @@ void AntinodeProcessor::play (juce::AudioBuffer<Sample>& buffer, const juce::Mid
 {
     const juce::ScopedNoDenormals noDenormals;
     BufferChannels::Pointers<Sample> pointers;
-    const auto block = bufferChannels.makeBlock (buffer, pointers);
+    auto block = bufferChannels.makeBlock (buffer, pointers);
 
     // A host that hands over fewer channels than it asked for gets silence rather than the wrong ceramics.
     if (! block)
@@ -150,7 +152,10 @@ void AntinodeProcessor::play (juce::AudioBuffer<Sample>& buffer, const juce::Mid
     const auto events = triggers.read (midi, buffer.getNumSamples());
 
     if (isNonRealtime())
+    {
         player->waitUntilSettled (events);
+        block->sensor = nullptr; // A bounce does not depend on how quick its windows are.
+    }
 
     player->process (*block, events, now);
 }

@@ -20,12 +20,13 @@ SessionState demonstrator()
              std::make_shared<const FocusDocument> (readFocusDocument (focus, "focus 'demonstrator'")),
              {},
              0,
-             false };
+             false,
+             {} };
 }
 
 SessionState AntinodeProcessor::state() const
 {
-    return { device(), keptFocus(), controls->values(), mutes(), player->isGraphOpen() };
+    return { device(), keptFocus(), controls->values(), mutes(), player->isGraphOpen(), player->tracking() };
 }
 
 std::shared_ptr<const FocusDocument> AntinodeProcessor::keptFocus() const
@@ -55,6 +56,7 @@ void AntinodeProcessor::setState (const SessionState& wanted, bool isRestored)
     controls->setValues (values);
     mutedCeramics = wanted.mutes;
     player->setGraphOpen (wanted.isGraphOpen);
+    player->setTracking (wanted.tracking);
     player->load (isOtherDevice ? wanted.device : nullptr, isOtherFocus ? wanted.focus : nullptr);
 }
 

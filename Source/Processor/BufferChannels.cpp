@@ -10,6 +10,7 @@ void BufferChannels::lay (const juce::AudioProcessor& processor, juce::AudioProc
     ceramicOrder = wireOrder (layout, wrapper);
     firstMonitor = layout.size();
     monitors = processor.getChannelCountOfBus (false, 1);
+    hasSensor = processor.getTotalNumInputChannels() > 0;
 }
 
 template <typename Sample>
@@ -32,7 +33,8 @@ std::optional<OutputBlock<Sample>> BufferChannels::makeBlock (juce::AudioBuffer<
 
     return OutputBlock<Sample> { { pointers.ceramics.data(), ceramicOrder.size() },
                                  { pointers.monitor.data(), static_cast<std::size_t> (monitors) },
-                                 buffer.getNumSamples() };
+                                 buffer.getNumSamples(),
+                                 hasSensor ? buffer.getReadPointer (0) : nullptr };
 }
 
 template std::optional<OutputBlock<float>> BufferChannels::makeBlock (juce::AudioBuffer<float>&,

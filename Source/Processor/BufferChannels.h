@@ -10,7 +10,7 @@
 
 namespace antinode
 {
-/** The channels of ceramics and monitor in a host's buffer. */
+/** The channels of ceramics, monitor and sensor in a host's buffer. */
 class BufferChannels
 {
 public:
@@ -36,5 +36,6 @@ public:
 private:
     std::vector<int> ceramicOrder; ///< Buffer channel of ceramic k.
     int firstMonitor = 0, monitors = 0;
+    bool hasSensor = false; ///< In the buffer's first channel, where a ceramic is written later.
 };
 } // namespace antinode

@@ -1,4 +1,4 @@
-#include "IdleCeramics.h"
+#include "IdleCeramicsOption.h"
 
 #include <antinode_base/InputError.h>
 
@@ -10,13 +10,5 @@ void checkIdleCeramics (const std::vector<int>& idle, const ModalModel& model)
         if (ceramic < 1 || ceramic > model.actuators())
             throw InputError ("--idle-ceramic", "is " + std::to_string (ceramic) + "; allowed: 1 to "
                                                     + std::to_string (model.actuators()));
-}
-
-ModalModel withoutDrive (ModalModel model, const std::vector<int>& idle)
-{
-    for (const auto ceramic : idle)
-        model.participation.col (ceramic - 1).setZero();
-
-    return model;
 }
 } // namespace antinode

@@ -1,0 +1,276 @@
+#include "DriftTracker.h"
+
+#include "RecentFrames.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
+#include <antinode_base/Watch.h>
+#include <antinode_learning/DriftTrace.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+constexpr auto lookInterval = std::chrono::milliseconds (50); // between looks at the tap
+constexpr std::size_t longestTrace = 4000;                    // moments
+
+TrackedSensor sensorOf (const TrackingSettings& settings, const ModalModel& model)
+{
+    const auto isAmount =
+        settings.sensor == TrackingSensor::displacement || settings.sensor == TrackingSensor::ceramicCharge;
+    const auto quantity = isAmount ? SensorQuantity::amount : SensorQuantity::rate;
+
+    if (settings.isCeramic())
+    {
+        if (settings.ceramic < 0 || settings.ceramic >= model.actuators())
+            throw InputError ("tracking", "ceramic " + std::to_string (settings.ceramic + 1)
+                                              + " is not on the device; allowed: 1 to "
+                                              + std::to_string (model.actuators()));
+
+        // By reciprocity.
+        return { model.participation.col (settings.ceramic).transpose(), quantity, true };
+    }
+
+    return { shapesAt (model, settings.xMillimetres / milli, settings.yMillimetres / milli), quantity, false };
+}
+
+TrackingState stateOf (DriftState state, const TrackedDrift& drift)
+{
+    if (state == DriftState::following)
+        return TrackingState::following;
+
+    if (state == DriftState::lost)
+        return TrackingState::lost;
+
+    return drift.scale == 0 ? TrackingState::waiting : TrackingState::silent;
+}
+} // namespace
+
+/** What owner and thread share; the thread may go on after the owner. */
+struct DriftTracker::Work
+{
+    explicit Work (Setup given)
+        : setup (std::move (given)), isFrozen (setup.settings.isFrozen), isDriftNew (setup.known != nullptr),
+          drift (setup.known)
+    {
+    }
+
+    /** What the owner wants, to be taken by the thread. */
+    struct Wish
+    {
+        bool isStopping = false, isFrozen = false, isDriftNew = false;
+        std::shared_ptr<const KnownDrift> drift;
+    };
+
+    Wish awaitWish();
+    void publish (const TrackingStatus&, std::shared_ptr<const KnownDrift>);
+
+    const Setup setup;
+    mutable std::mutex mutex; ///< For all that follows.
+    std::condition_variable wake;
+    bool isStopping = false, isFrozen, isDriftNew;
+    std::shared_ptr<const KnownDrift> drift;
+    std::shared_ptr<const TrackingStatus> status = std::make_shared<const TrackingStatus>();
+};
+
+DriftTracker::Work::Wish DriftTracker::Work::awaitWish()
+{
+    std::unique_lock lock (mutex);
+    wake.wait_for (lock, lookInterval, [this] { return isStopping || isDriftNew; });
+    return { isStopping, isFrozen, std::exchange (isDriftNew, false), drift };
+}
+
+/** Not over what the owner wants meanwhile. */
+void DriftTracker::Work::publish (const TrackingStatus& now, std::shared_ptr<const KnownDrift> known)
+{
+    auto made = std::make_shared<const TrackingStatus> (now);
+    const std::lock_guard lock (mutex);
+    status = std::move (made);
+
+    if (! isDriftNew && known != nullptr)
+        drift = std::move (known);
+}
+
+/** The work of the thread. */
+class DriftTracker::Follower
+{
+public:
+    explicit Follower (Work& shared)
+        : work (shared), rate (shared.setup.tap->sampleRate()), nominal (trackedModes (*shared.setup.model, rate)),
+          sensor (sensorOf (shared.setup.settings, nominal)), layout (driftLayout (nominal, 1)),
+          settings (settingsFor (nominal)), recent (*shared.setup.tap, trackedLength (settings)),
+          tracked (startOfTracking (layout, settings.spread)),
+          step (static_cast<Eigen::Index> (std::ceil (trackedWindow * rate)))
+    {
+        present.trace = shared.setup.trace;
+        time = present.trace.empty() ? 0 : present.trace.back().time;
+    }
+
+    void run()
+    {
+        for (auto wish = work.awaitWish(); ! wish.isStopping; wish = work.awaitWish())
+        {
+            passed += recent.take (*work.setup.tap);
+
+            if (wish.isDriftNew)
+                goOnFrom (wish.drift);
+
+            if (wish.isFrozen)
+                say (TrackingState::frozen, {});
+            else if (recent.isFull() && passed >= step)
+                followWindow();
+            else if (present.state == TrackingState::off || present.state == TrackingState::frozen)
+                say (TrackingState::waiting, {});
+        }
+    }
+
+private:
+    static DriftSettings settingsFor (const ModalModel& model)
+    {
+        DriftSettings chosen;
+        chosen.memory = trackingMemory (model);
+        return chosen;
+    }
+
+    /** Another layout is another device. */
+    void goOnFrom (const std::shared_ptr<const KnownDrift>& known)
+    {
+        const auto fits = known != nullptr && known->layout.size() == layout.size();
+        tracked = fits ? known->tracked : startOfTracking (layout, settings.spread);
+        tracked.scale = 0; // An audio device that was opened again has another delay.
+        recent.forget();
+    }
+
+    void say (TrackingState state, std::string reason)
+    {
+        if (state == present.state && reason == present.reason)
+            return;
+
+        present.state = state;
+        present.reason = std::move (reason);
+        work.publish (present, nullptr);
+    }
+
+    void followWindow()
+    {
+        const auto elapsed = static_cast<double> (std::exchange (passed, 0)) / rate;
+        const auto begin = std::chrono::steady_clock::now();
+        auto before = tracked;
+        before.estimate = afterTime (std::move (before.estimate), layout, settings.spread, elapsed);
+        auto window =
+            trackWindow (nominal, sensor, before, { rate, recent.voltages(), recent.sensor(), {}, 0 }, settings);
+        tracked = std::move (window.drift);
+        time += elapsed;
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+        present.longestWindow = std::max (present.longestWindow, took.count());
+        note (window.followed);
+        work.publish (present, std::make_shared<const KnownDrift> (KnownDrift { layout, tracked }));
+    }
+
+    void note (const FollowedDrift& followed)
+    {
+        const auto moment = momentOf (followed, layout, time);
+        present.state = stateOf (followed.state, tracked);
+        present.reason = followed.reason;
+
+        if (followed.jump != 0)
+            present.reason =
+                "All frequencies have jumped by " + inWords (100 * followed.jump) + " % at " + inWords (time) + " s.";
+
+        present.changes = moment.frequencies;
+        present.deviations = moment.deviations;
+        present.delay = tracked.delay;
+        const auto weights = moment.deviations.array().max (1e-12).square().inverse();
+        present.trace.push_back (
+            { time, present.state, moment.common, std::sqrt (1 / weights.sum()), moment.unexplained });
+
+        if (present.trace.size() > longestTrace)
+            present.trace.erase (present.trace.begin());
+    }
+
+    Work& work;
+    double rate;
+    ModalModel nominal;
+    TrackedSensor sensor;
+    DriftLayout layout;
+    DriftSettings settings;
+    RecentFrames recent;
+    TrackedDrift tracked;
+    TrackingStatus present;
+    Eigen::Index step, passed = 0; // frames of a window, and since the last one
+    double time = 0;               // s
+};
+
+DriftTracker::DriftTracker (Setup setup)
+    : work (std::make_shared<Work> (std::move (setup))),
+      thread (
+          [kept = work]
+          {
+              const auto mayGoOn = [&kept]
+              {
+                  const std::lock_guard lock (kept->mutex);
+                  return ! kept->isStopping;
+              };
+
+              try
+              {
+                  const WatchScope scope (mayGoOn);
+                  Follower (*kept).run();
+              }
+              catch (const Cancelled&)
+              {
+                  // The owner has left.
+              }
+              catch (const std::exception& failure)
+              {
+                  TrackingStatus status;
+                  status.state = TrackingState::impossible;
+                  status.reason = failure.what();
+                  kept->publish (status, nullptr);
+              }
+          })
+{
+}
+
+DriftTracker::~DriftTracker()
+{
+    const std::lock_guard lock (work->mutex);
+    work->isStopping = true;
+    work->wake.notify_all();
+}
+
+void DriftTracker::setFrozen (bool shouldBeFrozen)
+{
+    const std::lock_guard lock (work->mutex);
+    work->isFrozen = shouldBeFrozen;
+}
+
+void DriftTracker::setKnown (std::shared_ptr<const KnownDrift> known)
+{
+    const std::lock_guard lock (work->mutex);
+    work->drift = std::move (known);
+    work->isDriftNew = true;
+    work->wake.notify_all();
+}
+
+std::shared_ptr<const KnownDrift> DriftTracker::known() const
+{
+    const std::lock_guard lock (work->mutex);
+    return work->drift;
+}
+
+std::shared_ptr<const TrackingStatus> DriftTracker::status() const
+{
+    const std::lock_guard lock (work->mutex);
+    return work->status;
+}
+} // namespace antinode

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+enum class TrackingState
+{
+    off,
+    waiting,   ///< Nothing was heard yet that says how the sensor hears.
+    following, ///< The newest window was explained, and taken in.
+    silent,    ///< Too little is played to hear anything.
+    lost,      ///< The newest window is not explained: nothing was learnt of it, and the reason is said.
+    frozen,
+    impossible ///< This device or sensor cannot be tracked, and the reason is said.
+};
+
+/** One window of a tracked drift. */
+struct TrackedMoment
+{
+    double time = 0; ///< s of playing since tracking began.
+    TrackingState state = TrackingState::silent;
+    double common = 0;      ///< Relative change of all frequencies from the model: the mean by what is known of each.
+    double deviation = 0;   ///< Of this, standard deviation.
+    double unexplained = 0; ///< RMS share of the signal.
+};
+
+/** What tracking says of a device at the moment, for displays. Immutable. */
+struct TrackingStatus
+{
+    TrackingState state = TrackingState::off;
+    std::string reason;               ///< A sentence where it is lost or impossible, or of a jump; else empty.
+    std::vector<TrackedMoment> trace; ///< The newest of them, the oldest first.
+    Eigen::VectorXd changes;          ///< Relative, of the frequency of each tracked mode.
+    Eigen::VectorXd deviations;       ///< Of these, standard deviations.
+    double delay = 0;                 ///< s, from the voltages to the sensor's signal.
+    double longestWindow = 0;         ///< s of processor time that a window took at most.
+    int redesigns = 0;                ///< Times that the foci were designed anew since tracking began.
+};
+} // namespace antinode
