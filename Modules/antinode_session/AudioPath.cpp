@@ -45,18 +45,17 @@ void AudioPath::process (const OutputBlock<Sample>& block, std::span<const Focus
     standard.limiterNode().setArmed (controls.isArmed);
     standard.limiterNode().setVoltageLimit (controls.voltageLimit);
     monitorGain = controls.monitorGain;
-    standard.graph.processParts<double> (block.count, events,
-                                         [&] (int offset, int count, Outputs outputs)
-                                         {
-                                             // Before its samples are written over.
-                                             if (listening.tap != nullptr)
-                                                 listening.tap->write (
-                                                     outputs, block.sensor != nullptr ? block.sensor + offset : nullptr,
-                                                     count);
+    standard.graph.processParts<double> (
+        block.count, events,
+        [&] (int offset, int count, Outputs outputs)
+        {
+            // Before its samples are written over.
+            if (listening.tap != nullptr)
+                listening.tap->write (outputs, block.sensor != nullptr ? block.sensor + offset : nullptr, count);
 
-                                             write (block, offset, count, outputs);
-                                             note (count, outputs, meters, trace);
-                                         });
+            write (block, offset, count, outputs);
+            note (count, outputs, meters, trace);
+        });
 }
 
 template <typename Sample>

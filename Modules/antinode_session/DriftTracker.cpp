@@ -20,8 +20,8 @@ namespace antinode
 {
 namespace
 {
-constexpr auto lookInterval = std::chrono::milliseconds (50); // between looks at the tap
-constexpr std::size_t longestTrace = 4000;                    // moments
+constexpr auto tapInterval = std::chrono::milliseconds (50); // between looks at the tap
+constexpr std::size_t longestTrace = 4000;                   // moments
 
 TrackedSensor sensorOf (const TrackingSettings& settings, const ModalModel& model)
 {
@@ -85,7 +85,7 @@ struct DriftTracker::Work
 DriftTracker::Work::Wish DriftTracker::Work::awaitWish()
 {
     std::unique_lock lock (mutex);
-    wake.wait_for (lock, lookInterval, [this] { return isStopping || isDriftNew; });
+    wake.wait_for (lock, tapInterval, [this] { return isStopping || isDriftNew; });
     return { isStopping, isFrozen, std::exchange (isDriftNew, false), drift };
 }
 
@@ -211,33 +211,32 @@ private:
 };
 
 DriftTracker::DriftTracker (Setup setup)
-    : work (std::make_shared<Work> (std::move (setup))),
-      thread (
-          [kept = work]
-          {
-              const auto mayGoOn = [&kept]
-              {
-                  const std::lock_guard lock (kept->mutex);
-                  return ! kept->isStopping;
-              };
+    : work (std::make_shared<Work> (std::move (setup))), thread (
+                                                             [kept = work]
+                                                             {
+                                                                 const auto mayGoOn = [&kept]
+                                                                 {
+                                                                     const std::lock_guard lock (kept->mutex);
+                                                                     return ! kept->isStopping;
+                                                                 };
 
-              try
-              {
-                  const WatchScope scope (mayGoOn);
-                  Follower (*kept).run();
-              }
-              catch (const Cancelled&)
-              {
-                  // The owner has left.
-              }
-              catch (const std::exception& failure)
-              {
-                  TrackingStatus status;
-                  status.state = TrackingState::impossible;
-                  status.reason = failure.what();
-                  kept->publish (status, nullptr);
-              }
-          })
+                                                                 try
+                                                                 {
+                                                                     const WatchScope scope (mayGoOn);
+                                                                     Follower (*kept).run();
+                                                                 }
+                                                                 catch (const Cancelled&)
+                                                                 {
+                                                                     // The owner has left.
+                                                                 }
+                                                                 catch (const std::exception& failure)
+                                                                 {
+                                                                     TrackingStatus status;
+                                                                     status.state = TrackingState::impossible;
+                                                                     status.reason = failure.what();
+                                                                     kept->publish (status, nullptr);
+                                                                 }
+                                                             })
 {
 }
 

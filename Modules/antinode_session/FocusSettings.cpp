@@ -11,7 +11,7 @@ namespace antinode
 {
 namespace
 {
-constexpr double milli = 1e-3;
+constexpr double thousandth = 1e-3;
 
 /** Hosts keep parameters as shares of their range: what comes back may differ in the last digits of a float. */
 bool isSame (float one, float other)
@@ -49,10 +49,10 @@ void applyTarget (FocusDescription& focus, const PlaySettings& settings, const P
     first.shape = settings.shape;
 
     if (! isSame (settings.widthMillimetres, loaded.widthMillimetres))
-        first.width = static_cast<double> (settings.widthMillimetres) * milli;
+        first.width = static_cast<double> (settings.widthMillimetres) * thousandth;
 
     if (! isSame (settings.peakVelocityMillimetresPerSecond, loaded.peakVelocityMillimetresPerSecond))
-        first.peakVelocity = static_cast<double> (settings.peakVelocityMillimetresPerSecond) * milli;
+        first.peakVelocity = static_cast<double> (settings.peakVelocityMillimetresPerSecond) * thousandth;
 
     for (std::size_t i = 1; i < focus.targets.size(); ++i)
     {
@@ -66,7 +66,7 @@ void moveInTime (FocusDescription& focus, double focusTime)
 {
     for (auto& target : focus.targets)
         if (target.time)
-            *target.time = std::max (*target.time + focusTime - focus.focusTime, milli);
+            *target.time = std::max (*target.time + focusTime - focus.focusTime, thousandth);
 
     focus.focusTime = focusTime;
 }
@@ -97,10 +97,10 @@ PlaySettings settingsFromFocus (const FocusDescription& focus, const Surface& su
     const auto [x, y] = percentFromPlace (surface, target.x, target.y);
     settings.xPercent = static_cast<float> (x);
     settings.yPercent = static_cast<float> (y);
-    settings.widthMillimetres = static_cast<float> (target.width / milli);
+    settings.widthMillimetres = static_cast<float> (target.width / thousandth);
     settings.shape = target.shape;
-    settings.peakVelocityMillimetresPerSecond = static_cast<float> (target.peakVelocity / milli);
-    settings.focusTimeMilliseconds = static_cast<float> (focus.focusTime / milli);
+    settings.peakVelocityMillimetresPerSecond = static_cast<float> (target.peakVelocity / thousandth);
+    settings.focusTimeMilliseconds = static_cast<float> (focus.focusTime / thousandth);
     settings.growth = -1;
     settings.brake = 0;
     settings.method = focus.allocation.method;
@@ -143,7 +143,7 @@ FocusDescription withSettings (const FocusDescription& document, const PlaySetti
     focus = withMethod (std::move (focus), settings.method);
 
     if (! isSame (settings.focusTimeMilliseconds, loaded.focusTimeMilliseconds))
-        moveInTime (focus, static_cast<double> (settings.focusTimeMilliseconds) * milli);
+        moveInTime (focus, static_cast<double> (settings.focusTimeMilliseconds) * thousandth);
 
     if (settings.growth >= 0)
         focus.transients.growth = { static_cast<double> (settings.growth) };

@@ -33,9 +33,8 @@ public:
         @param frames  (N_b + 1) x N: what was read before, of which the last columns are replaced: the voltages, V, and
        the sensor
         @param begin   column of the first one that is read
-        @return        how many were read; -1 where frames are missing before those that come next: what waited is thrown
-       away
-        [worker] */
+        @return        how many were read; -1 where frames are missing before those that come next: what waited is
+       thrown away [worker] */
     Eigen::Index read (Eigen::MatrixXd& frames, Eigen::Index begin);
 
 private:

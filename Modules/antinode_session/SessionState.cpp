@@ -107,9 +107,8 @@ SessionState readState (std::string_view text)
     const auto json = parseJson (text, "state");
     const JsonValue value (json, "state");
     value.requireSchema (schema);
-    const auto state =
-        value.object ({ "schema", "device", "focus", "design", "parameters", "muted_ceramics", "open_graph",
-                        "tracking" });
+    const auto state = value.object (
+        { "schema", "device", "focus", "design", "parameters", "muted_ceramics", "open_graph", "tracking" });
     const auto openGraph = state.optional ("open_graph"), tracking = state.optional ("tracking");
     const auto device = state.required ("device"), focus = state.required ("focus"),
                parameters = state.required ("parameters");
@@ -123,8 +122,10 @@ SessionState readState (std::string_view text)
         read.design = readDesignDocument (json["design"], "state: design");
 
     return { std::make_shared<const DeviceDocument> (readDeviceDocument (json["device"], "state: device")),
-             std::make_shared<const FocusDocument> (std::move (read)), readParameters (parameters, json["parameters"]),
-             readMutes (state.required ("muted_ceramics")), openGraph && openGraph->boolean(),
+             std::make_shared<const FocusDocument> (std::move (read)),
+             readParameters (parameters, json["parameters"]),
+             readMutes (state.required ("muted_ceramics")),
+             openGraph && openGraph->boolean(),
              tracking ? readTracking (*tracking) : TrackingSettings() };
 }
 } // namespace antinode

@@ -76,8 +76,8 @@ void SessionWorker::step (const SessionRound& round)
 
     if (model != nullptr && round.sampleRate > 0)
     {
-        const auto needsPath = isModelNew || rate != round.sampleRate || isGraphNew || isSensorNew
-                               || needNewPath (read, settings);
+        const auto needsPath =
+            isModelNew || rate != round.sampleRate || isGraphNew || isSensorNew || needNewPath (read, settings);
         const auto needsDesigns = needsPath || isFocusNew || read != settings || hasDrifted();
         settings = read;
         rate = round.sampleRate;
@@ -203,8 +203,8 @@ void SessionWorker::buildPath()
 
     try
     {
-        auto made = std::make_unique<AudioPath> (played, rate, toPlayerSettings (settings), probeShapes(), graph,
-                                                 listen());
+        auto made =
+            std::make_unique<AudioPath> (played, rate, toPlayerSettings (settings), probeShapes(), graph, listen());
         path = made.get();
         entry->probeTrace().prepare (std::max (1, static_cast<int> (rate / traceEntriesPerSecond)));
         entry->give (std::move (made));

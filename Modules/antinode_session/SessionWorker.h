@@ -63,17 +63,17 @@ private:
     std::vector<int> idle; ///< Ceramics that listen.
     TrackingSettings tracking;
     std::unique_ptr<DriftTracker> tracker;
-    std::shared_ptr<const KnownDrift> drift;         ///< None: as the model.
-    std::shared_ptr<const TrackingStatus> seenStatus; ///< Of the tracker, that was published.
-    Eigen::VectorXd driftChanges, designedChanges; ///< N_m, of all frequencies: as it is, and as designs know it.
+    std::shared_ptr<const KnownDrift> drift;          ///< None: as the model.
+    std::shared_ptr<const KnownDrift> seenDrift;      ///< That was published, as the next line.
+    std::shared_ptr<const TrackingStatus> seenStatus; ///< Of the tracker.
+    Eigen::VectorXd driftChanges, designedChanges;    ///< N_m, of all frequencies: as it is, and as designs know it.
     int redesigns = 0;
     std::vector<double> amplifiers; ///< V of a full-scale sample of each ceramic.
     PlaySettings settings;
     double rate = 0;           ///< Hz, of the path.
     AudioPath* path = nullptr; ///< The newest one, which `entry` owns; none where it could not be built.
     GraphChoice graph;
-    bool isSolving = false, isModelNew = false, isFocusNew = false, isGraphNew = false,
-         isSensorNew = false;
+    bool isSolving = false, isModelNew = false, isFocusNew = false, isGraphNew = false, isSensorNew = false;
     std::string deviceError, fingerError;
 };
 } // namespace antinode

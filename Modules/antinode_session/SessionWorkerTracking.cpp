@@ -74,10 +74,13 @@ void SessionWorker::readTracker()
         driftChanges = drift != nullptr ? frequencyChanges (drift->tracked.estimate, drift->layout, model->modes())
                                         : Eigen::VectorXd::Zero (model->modes()).eval();
 
-    if (status == seenStatus || (tracker == nullptr && seenStatus != nullptr && seenStatus->state == status->state))
+    const auto isOff = tracker == nullptr && seenStatus != nullptr && seenStatus->state == TrackingState::off;
+
+    if (drift == seenDrift && (status == seenStatus || isOff))
         return;
 
     seenStatus = status;
+    seenDrift = drift;
     auto now = *status;
     now.redesigns = redesigns;
     requests->publishTracking (std::make_shared<const TrackingStatus> (std::move (now)), drift);

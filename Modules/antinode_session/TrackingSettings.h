@@ -15,20 +15,20 @@ enum class TrackingSensor
 };
 
 /** What files and options call them. */
-inline constexpr WordList<TrackingSensor, 4> trackingSensorWords { { { "velocity", TrackingSensor::velocity },
-                                                                     { "displacement", TrackingSensor::displacement },
-                                                                     { "ceramic_current",
-                                                                       TrackingSensor::ceramicCurrent },
-                                                                     { "ceramic_charge",
-                                                                       TrackingSensor::ceramicCharge } } };
+inline constexpr WordList<TrackingSensor, 4> trackingSensorWords {
+    { { "velocity", TrackingSensor::velocity },
+      { "displacement", TrackingSensor::displacement },
+      { "ceramic_current", TrackingSensor::ceramicCurrent },
+      { "ceramic_charge", TrackingSensor::ceramicCharge } }
+};
 
 /** How the drift of the device is tracked while it plays. */
 struct TrackingSettings
 {
     TrackingSensor sensor = TrackingSensor::none;
     double xMillimetres = 0, yMillimetres = 0; ///< Of a sensor at a place.
-    int ceramic = 0;       ///< That is idle, counted from 0; it is not driven.
-    bool isFrozen = false; ///< Foci stay as they are, nothing is learnt.
+    int ceramic = 0;                           ///< That is idle, counted from 0; it is not driven.
+    bool isFrozen = false;                     ///< Foci stay as they are, nothing is learnt.
 
     bool isOn() const { return sensor != TrackingSensor::none; }
     bool isCeramic() const

@@ -18,8 +18,9 @@ namespace antinode
 {
 /** The plug-in: parameters, buses and state around a session. The standalone program has one too.
 
-    The input bus "Sensor" has one channel, or none: what listens to the surface. The main output bus "Ceramics" has 1 to 64 channels, channel k for ceramic k, 1.0 = the device's full scale; the bus
-   "Monitor" has the velocity at the probes, 1.0 = 1 m/s. */
+    The input bus "Sensor" has one channel, or none: what listens to the surface. The main output bus "Ceramics" has 1
+   to 64 channels, channel k for ceramic k, 1.0 = the device's full scale; the bus "Monitor" has the velocity at the
+   probes, 1.0 = 1 m/s. */
 class AntinodeProcessor : public juce::AudioProcessor, public juce::VST3ClientExtensions
 {
 public:

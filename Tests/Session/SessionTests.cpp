@@ -14,7 +14,7 @@ using namespace antinode;
 namespace
 {
 constexpr double rate = 48000;
-constexpr FocusEvent live { 0, FocusEventKind::trigger, 60, 1 };
+constexpr FocusEvent spotPlayed { 0, FocusEventKind::trigger, 60, 1 };
 
 /** Up to a minute: to solve the glass plate alone takes 8 s of the processor. */
 bool waitFor (const std::function<bool()>& condition)
@@ -35,13 +35,13 @@ TEST_CASE ("A parameter that moves makes a new design, by itself", "[session]")
 {
     test::PlayedSession played;
     played.prepare (rate);
-    const auto before = played.play (2400, { live });
+    const auto before = played.play (2400, { spotPlayed });
     played.play (4800);
     played.change ([] (PlaySettings& settings) { settings.peakVelocityMillimetresPerSecond = 20; });
     CHECK (waitFor ([&] { return played.session.snapshot()->focus.targets.front().peakVelocity == 0.02; }));
-    const FocusEvent events[] = { live };
+    const FocusEvent events[] = { spotPlayed };
     played.session.waitUntilSettled (events);
-    const auto after = played.play (2400, { live });
+    const auto after = played.play (2400, { spotPlayed });
     CHECK ((after.topRows (8) * 2 - before.topRows (8)).cwiseAbs().maxCoeff() < 1e-3 * before.cwiseAbs().maxCoeff());
 }
 
@@ -68,14 +68,14 @@ TEST_CASE ("Free waveforms are a method as any other: played as rendered, never 
     const auto rendered = renderOffline (*now->model, design.program, settings);
     const auto volts = [&] (const Eigen::MatrixXd& output) -> Eigen::MatrixXd
     { return now->model->fullScaleVoltage * output.topRows (8); };
-    const auto alone = volts (played.play (2400, { live }));
+    const auto alone = volts (played.play (2400, { spotPlayed }));
     CHECK ((alone - rendered.voltages.leftCols (2400)).cwiseAbs().maxCoeff()
            < 1e-6 * rendered.voltages.cwiseAbs().maxCoeff());
 
     // Two at once would need twice as much.
     PlayControls controls;
     controls.voltageLimit = 3;
-    const auto both = volts (played.play (2400, { live, live }, controls));
+    const auto both = volts (played.play (2400, { spotPlayed, spotPlayed }, controls));
     CHECK (both.cwiseAbs().maxCoeff() <= 3 * (1 + 1e-12));
     CHECK (both.cwiseAbs().maxCoeff() > 2.99);
 }
@@ -96,7 +96,7 @@ TEST_CASE ("Another device ramps the old voltages to 0 before its own begin", "[
 {
     test::PlayedSession played;
     played.prepare (rate);
-    played.play (600, { live });
+    played.play (600, { spotPlayed });
     played.session.load (std::make_shared<const DeviceDocument> (test::deviceNamed ("beam")),
                          std::make_shared<const FocusDocument> (test::focusNamed ("demonstrator")));
     played.session.waitUntilSettled();
@@ -110,9 +110,9 @@ TEST_CASE ("Another device ramps the old voltages to 0 before its own begin", "[
     CHECK (leaving.rightCols (300).topRows (8).isZero (0));
     CHECK (largestStep < 0.1);
     CHECK (played.session.snapshot()->model->actuators() == 6);
-    const std::array events { live };
+    const std::array events { spotPlayed };
     played.session.waitUntilSettled (events);
-    const auto next = played.play (2400, { live });
+    const auto next = played.play (2400, { spotPlayed });
     CHECK (next.middleRows (6, 2).isZero (0));
     CHECK (next.topRows (6).cwiseAbs().maxCoeff() > 0.001);
 }
@@ -121,14 +121,14 @@ TEST_CASE ("A device that cannot be solved leaves the old one playing, and says 
 {
     test::PlayedSession played;
     played.prepare (rate);
-    const auto before = played.play (2400, { live });
+    const auto before = played.play (2400, { spotPlayed });
     auto json = loadDocument (LibraryKind::device, "beam");
     json["ceramics"] = nlohmann::json::array();
     played.session.load (std::make_shared<const DeviceDocument> (readDeviceDocument (json, "beam")), nullptr);
     played.session.waitUntilSettled();
     CHECK (played.session.snapshot()->deviceError == "device 'beam': has no ceramics; nothing can be played");
     played.play (9600);
-    CHECK (played.play (2400, { live }).topRows (8).isApprox (before.topRows (8)));
+    CHECK (played.play (2400, { spotPlayed }).topRows (8).isApprox (before.topRows (8)));
 }
 
 TEST_CASE ("A touch is designed at its own place and fired, a place off the surface is not", "[session]")
@@ -153,7 +153,7 @@ TEST_CASE ("Fire plays the focus at its own place with the next block", "[sessio
 {
     test::PlayedSession played;
     played.prepare (rate);
-    const auto byNote = played.play (2400, { live });
+    const auto byNote = played.play (2400, { spotPlayed });
     played.play (9600);
     played.session.fire (1);
     CHECK (played.play (2400).topRows (8).isApprox (byNote.topRows (8)));
@@ -165,7 +165,7 @@ TEST_CASE ("No voltage is beyond the limit of the parameters, whatever overlaps"
     played.prepare (rate);
     PlayControls controls;
     controls.voltageLimit = 15;
-    const auto many = played.play (4800, std::vector<FocusEvent> (8, live), controls);
+    const auto many = played.play (4800, std::vector<FocusEvent> (8, spotPlayed), controls);
     CHECK (many.topRows (8).cwiseAbs().maxCoeff() == Approx (15.0 / 150));
     CHECK (played.session.meters().limitedSamples (0) + played.session.meters().limitedSamples (3) > 0);
 }
@@ -174,7 +174,7 @@ TEST_CASE ("Meters tell the peak in volts once", "[session]")
 {
     test::PlayedSession played;
     played.prepare (rate);
-    const auto voltages = played.play (2400, { live });
+    const auto voltages = played.play (2400, { spotPlayed });
     CHECK (played.session.meters().takePeak (2)
            == Approx (voltages.row (2).cwiseAbs().maxCoeff() * 150).epsilon (1e-5));
     CHECK (played.session.meters().takePeak (2) == 0);
@@ -185,13 +185,13 @@ TEST_CASE ("Opened, a session plays the same samples, and nodes of one's own sta
 {
     test::PlayedSession played;
     played.prepare (rate);
-    const auto fused = played.play (2400, { live });
+    const auto fused = played.play (2400, { spotPlayed });
     played.play (9600);
     played.session.setGraphOpen (true);
     CHECK (played.session.isGraphOpen());
-    played.session.waitUntilSettled (std::array { live });
+    played.session.waitUntilSettled (std::array { spotPlayed });
     played.play (960); // The fused path ramps out.
-    const auto opened = played.play (2400, { live });
+    const auto opened = played.play (2400, { spotPlayed });
     CHECK (fused.cwiseAbs().maxCoeff() > 0.01);
     CHECK ((opened - fused).cwiseAbs().maxCoeff() < 1e-12 * fused.cwiseAbs().maxCoeff());
 
@@ -206,14 +206,14 @@ TEST_CASE ("Opened, a session plays the same samples, and nodes of one's own sta
             gains->setGain (0.5);
             return graph.add (std::move (gains), last);
         });
-    played.session.waitUntilSettled (std::array { live });
+    played.session.waitUntilSettled (std::array { spotPlayed });
     played.play (960);
-    const auto halved = played.play (2400, { live });
+    const auto halved = played.play (2400, { spotPlayed });
     CHECK ((halved - fused / 2).cwiseAbs().maxCoeff() < 1e-12 * fused.cwiseAbs().maxCoeff());
     played.session.setGraphOpen (false);
-    played.session.waitUntilSettled (std::array { live });
+    played.session.waitUntilSettled (std::array { spotPlayed });
     played.play (960);
-    CHECK (played.play (2400, { live }) == fused);
+    CHECK (played.play (2400, { spotPlayed }) == fused);
 }
 
 TEST_CASE ("Sessions end in the middle of anything", "[session]")
@@ -228,7 +228,7 @@ TEST_CASE ("Sessions end in the middle of anything", "[session]")
         if (i % 3 == 0)
             played.session.fireAt (0.01, 0, 1);
 
-        played.play (64 * i, { live });
+        played.play (64 * i, { spotPlayed });
         played.change ([&] (PlaySettings& settings) { settings.xPercent = static_cast<float> (i); });
     }
 

@@ -1,0 +1,263 @@
+#include "PlayedSession.h"
+
+#include <antinode_engine/PlateModel.h>
+#include <antinode_focus/Detuning.h>
+#include <antinode_numerics/RandomNumbers.h>
+
+#include <catch2/catch.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <thread>
+
+using namespace antinode;
+
+namespace
+{
+constexpr double trackedRate = 48000;
+constexpr int listening = 7; // the last of eight ceramics
+
+/** The demonstrator's staple, off its model, while it is played: an idle ceramic's current comes back 3 ms later. */
+struct DriftingStaple
+{
+    explicit DriftingStaple (double drift)
+        : nominal (solveDevice (test::deviceNamed ("staple").description, {}, true)),
+          truth (detuned (nominal, { 5e-4, 0.02, 0.01, 0 }, 3))
+    {
+        move (drift);
+    }
+
+    void move (double drift)
+    {
+        truth.angularFrequencies *= 1 + drift;
+        const Eigen::MatrixXd heard = truth.participation.col (listening).transpose();
+        plate = std::make_unique<PlateModel> (truth, Playback { Reconstruction::bandLimited, trackedRate }, heard);
+    }
+
+    /** One block. @param volts  8 x N */
+    Eigen::RowVectorXd hear (const Eigen::MatrixXd& volts)
+    {
+        Eigen::MatrixXd signal (1, volts.cols());
+        plate->process (volts, signal);
+        return signal + noise * random.normal (volts.cols()).transpose();
+    }
+
+    ModalModel nominal, truth;
+    std::unique_ptr<PlateModel> plate;
+    RandomNumbers random { 5 };
+    double noise = 0;
+};
+
+/** A session, the device and the cable between them. */
+struct TrackedPlay
+{
+    static constexpr int block = 256, late = 144; // samples
+
+    explicit TrackedPlay (double drift) : device (drift)
+    {
+        played.prepare (trackedRate);
+        TrackingSettings tracking;
+        tracking.sensor = TrackingSensor::ceramicCurrent;
+        tracking.ceramic = listening;
+        played.session.setTracking (tracking);
+        played.session.waitUntilSettled (std::array { note });
+    }
+
+    /** Plays for some seconds, five foci in each, as quickly as windows are followed.
+        @param spoil  what becomes of the sensor's block */
+    void play (double seconds, const std::function<void (Eigen::RowVectorXd&)>& spoil = {})
+    {
+        for (int done = 0; done < static_cast<int> (seconds * trackedRate); done += block)
+        {
+            if (clock % 9600 < block)
+                events = { note };
+
+            clock += block;
+            playBlock (spoil);
+
+            if (clock % 12000 < block)
+                std::this_thread::sleep_for (std::chrono::milliseconds (60));
+        }
+    }
+
+    void playBlock (const std::function<void (Eigen::RowVectorXd&)>& spoil)
+    {
+        Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> channels (10, block);
+        std::vector<double*> pointers;
+        Eigen::RowVectorXd sensor = cable.leftCols (block);
+
+        if (spoil)
+            spoil (sensor);
+
+        for (Eigen::Index i = 0; i < channels.rows(); ++i)
+            pointers.push_back (&channels (i, 0));
+
+        // As in a host: the sensor comes in where the first ceramic goes out.
+        channels.row (0) = sensor;
+        played.session.process<double> (
+            { std::span (pointers).first (8), std::span (pointers).last (2), block, pointers[0] },
+            std::exchange (events, {}), {});
+        const Eigen::MatrixXd volts = device.nominal.fullScaleVoltage * channels.topRows (8);
+        largest = volts.cwiseAbs().rowwise().maxCoeff().cwiseMax (largest);
+        isFinite = isFinite && volts.allFinite();
+        const Eigen::RowVectorXd heard = scale * device.hear (volts);
+        Eigen::RowVectorXd next (cable.size());
+        next << cable.rightCols (cable.size() - block), heard;
+        cable = next;
+    }
+
+    TrackingStatus status() const { return *played.session.trackingStatus(); }
+
+    /** Waits for what windows that were played say. */
+    bool becomes (TrackingState state)
+    {
+        for (int i = 0; i < 60; ++i)
+        {
+            if (status().state == state)
+                return true;
+
+            play (0.25);
+        }
+
+        return false;
+    }
+
+    static constexpr FocusEvent note { 0, FocusEventKind::trigger, 60, 1 };
+
+    test::PlayedSession played;
+    DriftingStaple device;
+    double scale = -40; // the wires are swapped
+    Eigen::RowVectorXd cable = Eigen::RowVectorXd::Zero (late + block);
+    Eigen::VectorXd largest = Eigen::VectorXd::Zero (8);
+    bool isFinite = true;
+    std::vector<FocusEvent> events;
+    std::int64_t clock = 0;
+};
+} // namespace
+
+TEST_CASE ("While foci play, the drift is found and followed, and foci are designed for it", "[session][tracking]")
+{
+    TrackedPlay play (0.004);
+    REQUIRE (play.becomes (TrackingState::following));
+    play.play (3);
+    const auto status = play.status();
+    INFO (status.reason);
+    REQUIRE_FALSE (status.trace.empty());
+    CHECK (status.trace.back().common == Approx (0.004).margin (1e-3));
+    int known = 0;
+
+    for (Eigen::Index k = 0; k < status.changes.size(); ++k)
+        if (status.deviations[k] < 1e-4)
+        {
+            const auto truth = play.device.truth.angularFrequencies[k] / play.device.nominal.angularFrequencies[k] - 1;
+            CHECK (status.changes[k] == Approx (truth).margin (5 * status.deviations[k]));
+            ++known;
+        }
+
+    CHECK (known > 5);
+    CHECK (status.delay == Approx ((TrackedPlay::late + TrackedPlay::block) / trackedRate).margin (0.003));
+    CHECK (status.redesigns > 0);
+
+    // An idle ceramic is not driven.
+    CHECK (play.largest[listening] == 0);
+    CHECK (play.largest.head (listening).minCoeff() > 0);
+    CHECK ((play.largest.array() <= voltageLimits (play.device.nominal).array()).all());
+}
+
+TEST_CASE ("Frozen, nothing is learnt; reset, the model counts again; a drift is given back", "[session][tracking]")
+{
+    TrackedPlay play (0.004);
+    auto& session = play.played.session;
+    REQUIRE (play.becomes (TrackingState::following));
+    auto settings = session.tracking();
+    settings.isFrozen = true;
+    session.setTracking (settings);
+    REQUIRE (play.becomes (TrackingState::frozen));
+    const auto known = session.drift();
+    REQUIRE (known != nullptr);
+    const auto moments = play.status().trace.size();
+    play.device.move (0.01);
+    play.play (2);
+    CHECK (play.status().trace.size() == moments);
+    CHECK (session.drift() == known);
+    session.setDrift (nullptr);
+    play.play (0.5);
+    CHECK (session.drift() == nullptr);
+    session.setDrift (known);
+    play.play (0.5);
+    CHECK (session.drift() == known);
+}
+
+TEST_CASE ("A jump of one percent is recovered or declared", "[session][tracking]")
+{
+    TrackedPlay play (0.001);
+    REQUIRE (play.becomes (TrackingState::following));
+    play.play (2);
+    play.device.move (0.01);
+    const auto before = play.status().trace.size();
+    play.play (4);
+    const auto status = play.status();
+    REQUIRE (status.trace.size() > before);
+    CHECK (status.trace.back().common == Approx (0.011).margin (1e-3));
+}
+
+TEST_CASE ("Whatever the sensor says, outputs stay finite and within the limits, and the reason is said",
+           "[session][tracking]")
+{
+    TrackedPlay play (0.002);
+    REQUIRE (play.becomes (TrackingState::following));
+    const auto spoil = GENERATE (0, 1, 2, 3, 4);
+    RandomNumbers random (9);
+    const auto spoiled = [&] (Eigen::RowVectorXd& sensor)
+    {
+        switch (spoil)
+        {
+            case 0:
+                sensor.setZero();
+                break;
+            case 1:
+                sensor = (1e3 * sensor).cwiseMax (-1).cwiseMin (1);
+                break;
+            case 2:
+                sensor.setConstant (std::numeric_limits<double>::quiet_NaN());
+                break;
+            case 3:
+                sensor = 0.1 * random.normal (sensor.size()).transpose();
+                break;
+            default:
+                sensor[7] = std::numeric_limits<double>::infinity();
+        }
+    };
+    play.play (1.5, spoiled); // Windows from before are still on their way.
+    const auto known = play.played.session.drift();
+    play.play (2, spoiled);
+    const auto status = play.status();
+    CHECK (status.state == TrackingState::lost);
+    CHECK_FALSE (status.reason.empty());
+    CHECK (play.isFinite);
+    CHECK ((play.largest.array() <= voltageLimits (play.device.nominal).array()).all());
+    CHECK ((play.played.session.drift()->tracked.estimate.values == known->tracked.estimate.values));
+}
+
+TEST_CASE ("What cannot be tracked is said in a sentence", "[session][tracking]")
+{
+    test::PlayedSession played;
+    played.prepare (trackedRate);
+    TrackingSettings tracking;
+    tracking.sensor = TrackingSensor::ceramicCurrent;
+    tracking.ceramic = 8;
+    played.session.setTracking (tracking);
+
+    for (int i = 0; i < 400 && played.session.trackingStatus()->state != TrackingState::impossible; ++i)
+        std::this_thread::sleep_for (std::chrono::milliseconds (5));
+
+    CHECK (played.session.trackingStatus()->reason == "tracking: ceramic 9 is not on the device; allowed: 1 to 8");
+    played.session.setTracking ({});
+
+    for (int i = 0; i < 400 && played.session.trackingStatus()->state != TrackingState::off; ++i)
+        std::this_thread::sleep_for (std::chrono::milliseconds (5));
+
+    CHECK (played.session.trackingStatus()->state == TrackingState::off);
+}
