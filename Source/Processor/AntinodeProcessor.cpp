@@ -13,8 +13,9 @@ juce::AudioProcessor::BusesProperties AntinodeProcessor::busesFor (int ceramics,
     const auto monitor = wrapper == wrapperType_VST3
                              ? juce::AudioChannelSet::stereo()
                              : juce::AudioChannelSet::discreteChannels (BufferChannels::maximumMonitors);
+    // What is off at first is an optional port in LV2, and JUCE's wrapper reads those that are not connected, too.
     return BusesProperties()
-        .withInput ("Sensor", juce::AudioChannelSet::mono(), wrapper == wrapperType_Undefined)
+        .withInput ("Sensor", juce::AudioChannelSet::mono(), wrapper != wrapperType_VST3)
         .withOutput ("Ceramics", wireSet (ceramics, wrapper), true)
         .withOutput ("Monitor", monitor, true);
 }

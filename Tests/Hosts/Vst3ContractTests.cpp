@@ -68,7 +68,13 @@ TEST_CASE ("Buses have names, counts that fit their speakers, and no neighbours 
     RawVst3 plugin (ceramics);
     auto& component = *plugin.component;
     REQUIRE (component.getBusCount (Vst::kAudio, Vst::kOutput) == 2);
-    CHECK (component.getBusCount (Vst::kAudio, Vst::kInput) == 0);
+    REQUIRE (component.getBusCount (Vst::kAudio, Vst::kInput) == 1);
+    Vst::BusInfo sensor {};
+    REQUIRE (component.getBusInfo (Vst::kAudio, Vst::kInput, 0, sensor) == kResultTrue);
+    CHECK (wide (sensor.name) == u"Sensor");
+    CHECK (sensor.channelCount == 1);
+    CHECK (sensor.busType == Vst::kAux);
+    CHECK ((sensor.flags & Vst::BusInfo::kDefaultActive) == 0);
     CHECK (component.getBusCount (Vst::kEvent, Vst::kInput) == 1);
     CHECK (component.getBusCount (Vst::kEvent, Vst::kOutput) == 0);
     const char16_t* const names[] = { u"Ceramics", u"Monitor" };
