@@ -1,5 +1,7 @@
 #include "ApplyOptions.h"
 
+#include "TrackingOption.h"
+
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
@@ -80,6 +82,11 @@ StandaloneSettings withOptions (StandaloneSettings settings, const StandaloneOpt
         std::iota (audio.outputs.begin(), audio.outputs.end(), 0);
     }
 
+    if (options.sensorInput > 0)
+        audio.inputs = { options.sensorInput - 1 };
+    else if (audio.inputs.empty() && ! options.tracking.empty() && readTracking (options.tracking).isOn())
+        audio.inputs = { 0 };
+
     settings.touch.oscPort = options.oscPort.value_or (settings.touch.oscPort);
     settings.touch.tuioPort = options.tuioPort.value_or (settings.touch.tuioPort);
     settings.touch.address = options.touchAddress.value_or (settings.touch.address);
@@ -113,6 +120,9 @@ void loadDocuments (StandaloneHost& host, const StandaloneOptions& options)
 
     if (options.opensGraph)
         host.processor().session().setGraphOpen (true);
+
+    if (! options.tracking.empty())
+        host.processor().session().setTracking (readTracking (options.tracking));
 
     if (device != nullptr || focus != nullptr)
         host.processor().load (std::move (device), std::move (focus));

@@ -6,13 +6,14 @@
 
 namespace antinode
 {
-/** The settings with what the options say in place of what they keep: device, rate, ports. [any] */
+/** The settings with what the options say in place of what they keep: device, rate, inputs, ports.
+    @throws InputError  as readTracking [any] */
 StandaloneSettings withOptions (StandaloneSettings, const StandaloneOptions&);
 
 /** The file that the options mean. [any] */
 SettingsFile chooseSettingsFile (const StandaloneOptions&);
 
-/** Loads the focus and the instrument of the options, and opens the graph where they ask for it.
+/** Loads the focus and the instrument of the options, opens the graph and tracks where they ask for it.
     @throws InputError  where one cannot be read [message thread] */
 void loadDocuments (StandaloneHost&, const StandaloneOptions&);
 

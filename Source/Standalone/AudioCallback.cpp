@@ -108,14 +108,15 @@ void AudioCallback::noteInputs (const float* const* inputs, int inputCount)
         heard[static_cast<std::size_t> (inputNumbers[static_cast<std::size_t> (i)])] = inputs[i];
 }
 
-/** What the fingers feel, where the processor has inputs. */
+/** What fingers feel or the sensor hears, where the processor has inputs. */
 void AudioCallback::fillInputs (int offset, int count)
 {
     const auto fingers = std::min (processor.getTotalNumInputChannels(), FingerInputs::fingers);
 
     for (int k = 0; k < fingers; ++k)
     {
-        const auto input = inputOfFinger[static_cast<std::size_t> (k)].load();
+        const auto wanted = inputOfFinger[static_cast<std::size_t> (k)].load();
+        const auto input = wanted == FingerInputs::firstOpen ? firstInput.load() : wanted;
 
         if (input < 0 || input >= OutputRouting::maximumOutputs)
             continue;

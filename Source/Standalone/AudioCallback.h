@@ -29,10 +29,10 @@ class AudioCallback : public juce::AudioIODeviceCallback
 {
 public:
     /** All outlive this. @param processor  its outputs are the ceramics and, if it has one, the monitor; its inputs, if
-        it has some, are those of fingers [message thread] */
+        it has some, are those of fingers or of a sensor [message thread] */
     AudioCallback (juce::AudioProcessor& processor, OutputRouter&, MidiQueue&, PlayedLevels);
 
-    /** The input of the device that each finger feels; those that are not open are silent. [any] */
+    /** The input of the device that each finger feels, or the sensor; those that are not open are silent. [any] */
     void setInputs (const FingerInputs&);
 
     /** Notes that begin with startSchedule(). [message thread] before a device calls */

@@ -61,7 +61,8 @@ AudioPanel::AudioPanel (AudioHost& hostToUse) : host (hostToUse), inputView (hos
     addAndMakeVisible (failure);
     addAndMakeVisible (refresh);
     addAndMakeVisible (inputView);
-    input.setTooltip ("Shows level and spectrum of one input below. Nothing that comes in is played or kept.");
+    input.setTooltip ("What tracking listens to; its level and spectrum are below. Nothing that comes in is played or "
+                      "kept.");
     type.onChange = [this] { open ({ boxText (type), {}, 0, 0, {} }); };
     device.onChange = [this] { open ({ boxText (type), boxText (device), 0, 0, {} }); };
     rate.onChange = block.onChange = outputs.onChange = input.onChange = [this] { open (shownFormat()); };

@@ -35,4 +35,12 @@ FingerInputs readFingerInputs (const std::string& list)
             return read;
     }
 }
+
+FingerInputs sensorAlone()
+{
+    FingerInputs sensor;
+    sensor.inputs.fill (FingerInputs::none);
+    sensor.inputs.front() = FingerInputs::firstOpen;
+    return sensor;
+}
 } // namespace antinode

@@ -5,12 +5,13 @@
 
 namespace antinode
 {
-/** The input of the audio device that each finger of Antinode Touch feels, counted from 0. Several may feel one. */
+/** The input of the audio device that each finger of Antinode Touch feels, counted from 0. Several may feel one. Where
+    foci are played, the first finger stands for the sensor. */
 struct FingerInputs
 {
-    static constexpr int none = -1, fingers = 8;
+    static constexpr int none = -1, firstOpen = -2, fingers = 8;
 
-    std::array<int, fingers> inputs { 0, 1, 2, 3, 4, 5, 6, 7 }; ///< Of each finger; `none`: it feels nothing.
+    std::array<int, fingers> inputs { 0, 1, 2, 3, 4, 5, 6, 7 }; ///< Of each finger, or one of the two above.
 
     bool operator== (const FingerInputs&) const = default;
 };
@@ -18,4 +19,7 @@ struct FingerInputs
 /** From a list "1,2,5" that counts from 1, 0 for none, and leaves out the last fingers, which then have none.
     @throws InputError  where it is no such list [any] */
 FingerInputs readFingerInputs (const std::string& list);
+
+/** The sensor hears the first input that is open, fingers feel nothing. [any] */
+FingerInputs sensorAlone();
 } // namespace antinode

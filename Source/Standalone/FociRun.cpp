@@ -3,6 +3,8 @@
 #include <antinode_base/InputError.h>
 #include <antinode_session/DesignSentences.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <utility>
 
 namespace antinode
@@ -57,6 +59,27 @@ void FociRun::begin()
         complain (sentence);
 
     foci.callback().startSchedule();
+}
+
+/** Times are those of the schedule. */
+void FociRun::tick()
+{
+    const auto news = tracking.news (*foci.processor().session().trackingStatus());
+    const auto rate = foci.callback().sampleRate();
+
+    if (news.empty() || rate <= 0)
+        return;
+
+    const auto seconds = static_cast<double> (foci.callback().scheduleSamples()) / rate - armTime;
+    std::printf ("%.2f s: %s\n", std::max (0.0, seconds), news.c_str());
+    std::fflush (stdout);
+}
+
+/** As it was before the device was closed, which leaves nothing to hear. */
+std::string FociRun::outcomeText()
+{
+    const auto drift = tracking.summary();
+    return drift.empty() ? std::string() : "; " + drift;
 }
 
 std::string FociRun::playedText()

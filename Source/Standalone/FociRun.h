@@ -2,6 +2,7 @@
 
 #include "HeadlessRun.h"
 #include "StandaloneHost.h"
+#include "TrackingReport.h"
 
 #include <vector>
 
@@ -19,8 +20,11 @@ private:
     std::string waitingFor() const override;
     std::string designsText() const override;
     void begin() override;
+    void tick() override;
     std::string playedText() override;
+    std::string outcomeText() override;
 
     StandaloneHost& foci;
+    TrackingReport tracking;
 };
 } // namespace antinode

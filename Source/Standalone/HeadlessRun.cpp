@@ -60,6 +60,9 @@ void HeadlessRun::timerCallback()
     if (isTimerRunning() && ! hasBegun)
         beginWhenReady();
 
+    if (isTimerRunning() && hasBegun)
+        tick();
+
     const auto rate = host.callback().sampleRate(); // 0 where the device has gone
     const auto played = static_cast<double> (host.callback().samplesPlayed() - beginSamples);
     const auto isOver = hasBegun && duration > 0 && rate > 0 && played >= (armTime + duration) * rate;
@@ -131,7 +134,7 @@ std::string HeadlessRun::endText()
     std::snprintf (volts, sizeof volts, "%.1f", static_cast<double> (host.takePeakVolts()));
     return "ended: " + playedText() + ", at most " + volts + " V, " + counted (clamped, "clamped sample") + ", "
            + counted (outputs.badNumbers(), "block") + " with invalid samples, " + counted (xruns, "xrun")
-           + touchText();
+           + outcomeText() + touchText();
 }
 
 /** Nothing if no touch came in. */

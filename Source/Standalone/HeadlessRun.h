@@ -35,10 +35,12 @@ protected:
 private:
     /** Whether all is designed. @throws InputError  why nothing can play */
     virtual bool isReady() = 0;
-    virtual std::string waitingFor() const = 0;  ///< A line for the meantime.
-    virtual std::string designsText() const = 0; ///< What else there is to say when it starts.
-    virtual void begin() {}                      ///< When it starts.
-    virtual std::string playedText() = 0;        ///< What was played, for the end.
+    virtual std::string waitingFor() const = 0;      ///< A line for the meantime.
+    virtual std::string designsText() const = 0;     ///< What else there is to say when it starts.
+    virtual void begin() {}                          ///< When it starts.
+    virtual void tick() {}                           ///< Again and again while it plays.
+    virtual std::string playedText() = 0;            ///< What was played, for the end.
+    virtual std::string outcomeText() { return {}; } ///< What else there is to say when it ends.
 
     void timerCallback() override;
     void beginWhenReady();

@@ -18,6 +18,7 @@ StandaloneHost::StandaloneHost (SettingsFile fileToUse, bool keepsSettings)
         player.setState (*kept.state, true);
 
     begin (player, midiQueue);
+    callback().setInputs (sensorAlone());
 }
 
 StandaloneHost::~StandaloneHost()

@@ -2,6 +2,8 @@
 
 #include "OutputRouting.h"
 
+#include <antinode_audio/AudioChoice.h>
+
 namespace antinode
 {
 namespace
@@ -63,6 +65,21 @@ void addFingerOptions (CLI::App& app, StandaloneOptions& options)
     app.parse_complete_callback ([touch, &options] { options.playsTouch = touch->count() > 0; });
 }
 
+/** A sensor that listens while foci play. */
+void addTrackingOptions (CLI::App& app, StandaloneOptions& options)
+{
+    app.add_option ("--track", options.tracking,
+                    "Tracks the drift of the device while it plays, by velocity:X:Y or displacement:X:Y (mm), by "
+                    "ceramic_current:N or ceramic_charge:N of an idle ceramic (from 1), or by none")
+        ->type_name ("SENSOR")
+        ->excludes ("--touch");
+    app.add_option ("--sensor-input", options.sensorInput,
+                    "Input of the audio device to open for the sensor, from 1 (default: that of the settings, else 1 "
+                    "with --track)")
+        ->check (CLI::Range (1, maximumDeviceOutputs))
+        ->excludes ("--touch");
+}
+
 /** What only a program without windows is asked to do. */
 void addHeadlessOptions (CLI::App& app, StandaloneOptions& options)
 {
@@ -96,6 +113,7 @@ void addStandaloneOptions (CLI::App& app, StandaloneOptions& options)
     app.add_flag ("--open-graph", options.opensGraph,
                   "Plays by separate nodes: the same samples at a higher cost, kept with the settings");
     addFingerOptions (app, options);
+    addTrackingOptions (app, options);
     addTouchOptions (app, options);
     auto* const file = app.add_option ("--settings", options.settings, "Settings file; default: the user's settings");
     app.add_flag ("--no-settings", options.ignoresSettings, "Neither reads nor saves settings")->excludes (file);

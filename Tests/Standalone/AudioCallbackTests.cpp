@@ -21,6 +21,22 @@ PlayedLevels levelsOf (AntinodeProcessor& processor)
              [&processor] { return processor.parameters().arm().get(); } };
 }
 
+/** Keeps what comes in by the first channel. */
+struct ListeningProcessor : AntinodeProcessor
+{
+    using AntinodeProcessor::AntinodeProcessor;
+    using AntinodeProcessor::processBlock;
+
+    void processBlock (juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) override
+    {
+        const auto* const samples = buffer.getReadPointer (0);
+        heard.insert (heard.end(), samples, samples + buffer.getNumSamples());
+        AntinodeProcessor::processBlock (buffer, midi);
+    }
+
+    std::vector<float> heard;
+};
+
 /** The program's audio without a device. */
 struct CallbackRig
 {
@@ -200,4 +216,38 @@ TEST_CASE ("the first open input goes to its tap, whatever the outputs do")
     CHECK (rig.callback.input().clippedSamples() == 1);
     rig.callback.audioDeviceIOCallbackWithContext (nullptr, 0, outputs.data(), 1, 4, {});
     CHECK (rig.callback.input().take().empty());
+}
+
+TEST_CASE ("the first open input is what the sensor hears, whatever the blocks, and ceramics are none of it")
+{
+    ListeningProcessor processor { AntinodeProcessor::maximumCeramics, juce::AudioProcessor::wrapperType_Undefined };
+    OutputRouter router;
+    MidiQueue queue;
+    AudioCallback callback { processor, router, queue, levelsOf (processor) };
+    juce::BigInteger outputs, inputs;
+    outputs.setRange (0, 8, true);
+    inputs.setBit (5);
+    inputs.setBit (2);
+    callback.setInputs (sensorAlone());
+    callback.prepare (48000, 256, outputs, inputs);
+    std::vector<float> heard (3000), other (heard.size(), 0.75F);
+
+    for (std::size_t n = 0; n < heard.size(); ++n)
+        heard[n] = static_cast<float> (n % 97) / 97;
+
+    auto played = constant (8, 3000, 7);
+    std::vector<float*> channels;
+
+    for (auto& channel : played)
+        channels.push_back (channel.data());
+
+    const std::array<const float*, 2> sources { heard.data(), other.data() };
+    callback.audioDeviceIOCallbackWithContext (sources.data(), 2, channels.data(), 8, 3000, {});
+    CHECK (processor.heard == heard);
+    CHECK (std::all_of (played.begin(), played.end(), isSilent));
+
+    processor.heard.clear();
+    callback.prepare (48000, 256, outputs, {});
+    callback.audioDeviceIOCallbackWithContext (nullptr, 0, channels.data(), 8, 3000, {});
+    CHECK (isSilent (processor.heard));
 }

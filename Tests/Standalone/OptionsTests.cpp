@@ -1,5 +1,6 @@
 #include <Standalone/ApplyOptions.h>
 #include <Standalone/Standalone.h>
+#include <Standalone/TrackingOption.h>
 
 #include "Support/ErrorText.h"
 
@@ -37,6 +38,9 @@ TEST_CASE ("wrong usage of the standalone program ends with 2")
     CHECK (run ({ "--touch", "--latency-ms", "7" }) == 2);
     CHECK (run ({ "--touch", "glass-148x210", "--focus", "glass-two" }) == 2);
     CHECK (run ({ "--headless", "--touch", "--note", "60" }) == 2);
+    CHECK (run ({ "--headless", "--touch", "--track", "none" }) == 2);
+    CHECK (run ({ "--headless", "--touch", "--sensor-input", "1" }) == 2);
+    CHECK (run ({ "--headless", "--sensor-input", "0" }) == 2);
 }
 
 TEST_CASE ("what the standalone program cannot have ends with 1")
@@ -45,6 +49,7 @@ TEST_CASE ("what the standalone program cannot have ends with 1")
     CHECK (run ({ "--headless", "--no-settings", "--midi-file", "/no/such/file" }) == 1);
     CHECK (run ({ "--headless", "--no-settings", "--focus", "no such focus" }) == 1);
     CHECK (run ({ "--headless", "--no-settings", "--osc-port", "0", "--tuio-port", "0", "--type", "OSS" }) == 1);
+    CHECK (run ({ "--headless", "--no-settings", "--track", "ear" }) == 1);
     CHECK (run ({ "--headless", "--no-settings", "--touch", "no such device" }) == 1);
     CHECK (run ({ "--headless", "--no-settings", "--touch", "--finger", "x" }) == 1);
     CHECK (run ({ "--headless", "--no-settings", "--touch", "--inputs", "1,2," }) == 1);
@@ -92,6 +97,67 @@ TEST_CASE ("inputs of fingers are a list that counts from 1")
 
     for (const std::string wrong : { "", "x", "1,", ",1", "1;2", "-1", "129", "1,2,3,4,5,6,7,8,9", "1 ,2" })
         CHECK (errorText ([&] { readFingerInputs (wrong); }).find ("--inputs " + wrong + ": ") == 0);
+}
+
+TEST_CASE ("what tracks is a word with a place in mm, or with a ceramic that counts from 1")
+{
+    const auto place = readTracking ("velocity:-24.5:7");
+    CHECK (place.sensor == TrackingSensor::velocity);
+    CHECK (place.xMillimetres == -24.5);
+    CHECK (place.yMillimetres == 7);
+    CHECK (readTracking ("displacement:1e1:0").sensor == TrackingSensor::displacement);
+    CHECK (readTracking ("displacement:1e1:0").xMillimetres == 10);
+    const auto ceramic = readTracking ("ceramic_current:8");
+    CHECK (ceramic.sensor == TrackingSensor::ceramicCurrent);
+    CHECK (ceramic.ceramic == 7);
+    CHECK (readTracking ("ceramic_charge:64").sensor == TrackingSensor::ceramicCharge);
+    CHECK (readTracking ("ceramic_charge:64").ceramic == 63);
+    CHECK (readTracking ("none") == TrackingSettings());
+
+    for (const std::string wrong : { "",
+                                     ":",
+                                     "ear",
+                                     "none:1",
+                                     "velocity",
+                                     "velocity:",
+                                     "velocity:1",
+                                     "velocity:1:",
+                                     "velocity:1:2:3",
+                                     "velocity:1:x",
+                                     "velocity:nan:1",
+                                     "velocity:inf:1",
+                                     "velocity:1;2",
+                                     " velocity:1:2",
+                                     "ceramic_current",
+                                     "ceramic_current:0",
+                                     "ceramic_current:-1",
+                                     "ceramic_current:1.5",
+                                     "ceramic_current:1:2",
+                                     "ceramic_charge:65",
+                                     "ceramic_charge:1e99" })
+    {
+        const auto text = errorText ([&] { readTracking (wrong); });
+        CHECK (text.find ("--track " + wrong + ": ") == 0);
+        CHECK (text.find ("allowed: velocity:X:Y") != std::string::npos);
+    }
+}
+
+TEST_CASE ("who tracks opens the first input, unless another one is chosen or kept")
+{
+    StandaloneSettings settings;
+    StandaloneOptions options;
+    const auto inputs = [&] { return withOptions (settings, options).audio.inputs; };
+    CHECK (inputs().empty());
+    options.tracking = "none";
+    CHECK (inputs().empty());
+    options.tracking = "ceramic_current:8";
+    CHECK (inputs() == std::vector { 0 });
+    settings.audio.inputs = { 4 };
+    CHECK (inputs() == std::vector { 4 });
+    options.sensorInput = 3;
+    CHECK (inputs() == std::vector { 2 });
+    options.tracking.clear();
+    CHECK (inputs() == std::vector { 2 });
 }
 
 TEST_CASE ("options take the place of settings")

@@ -1,4 +1,5 @@
 #include <Standalone/StandaloneHost.h>
+#include <Standalone/TrackingOption.h>
 
 #include "Support/BlockingActions.h"
 #include "Support/LargestDevice.h"
@@ -8,6 +9,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
+#include <limits>
 #include <random>
 #include <thread>
 
@@ -126,6 +129,29 @@ TEST_CASE ("touches rest in what room the focus has, and come back after another
     // The same state again, as undo sets it, leaves them where they are.
     host.processor().setState (host.processor().state(), false);
     CHECK (host.processor().touches().size() == 2);
+}
+
+TEST_CASE ("a program that plays foci listens to the first open input")
+{
+    StandaloneHost host (SettingsFile ({}), false);
+    auto& session = host.processor().session();
+    juce::BigInteger inputs;
+    inputs.setBit (1);
+    session.setTracking (readTracking ("ceramic_current:8"));
+    host.callback().prepare (48000, 256, {}, inputs);
+    session.waitUntilSettled();
+
+    // What is no number is never explained: the tracker says so after a window.
+    const std::vector<float> broken (4800, std::numeric_limits<float>::quiet_NaN());
+    const std::array<const float*, 1> sources { broken.data() };
+
+    for (int i = 0; i < 200 && session.trackingStatus()->state != TrackingState::lost; ++i)
+    {
+        host.callback().audioDeviceIOCallbackWithContext (sources.data(), 1, nullptr, 0, 4800, {});
+        std::this_thread::sleep_for (std::chrono::milliseconds (20));
+    }
+
+    CHECK (session.trackingStatus()->state == TrackingState::lost);
 }
 
 TEST_CASE ("who quits while a device is solved or a focus designed does not wait")

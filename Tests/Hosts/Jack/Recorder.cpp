@@ -1,4 +1,4 @@
-#include <jack/jack.h>
+#include "Client.h"
 
 #include <algorithm>
 #include <atomic>
@@ -7,11 +7,9 @@
 #include <cstdio>
 #include <exception>
 #include <fstream>
-#include <memory>
 #include <semaphore>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
 /** Records ports of a JACK server. Usage: antinode_jack_recorder FILE SECONDS [FROM>TO]... PORT...
@@ -20,45 +18,29 @@
     channel after the other. It never waits without an end and says why it fails, which JACK's own recorder does not. */
 namespace
 {
-using namespace std::chrono_literals;
+using antinode::test::JackClient;
 
-constexpr auto longestWait = 20s;
 constexpr auto connectionMark = '>';
 
 /** A client of the running server with a port and a block of memory for each channel. */
 class Recorder
 {
 public:
-    Recorder (std::size_t channels, double seconds) : client (jack_client_open ("recorder", JackNoStartServer, nullptr))
+    Recorder (std::size_t channels, double seconds)
     {
-        if (client == nullptr)
-            throw std::runtime_error ("no connection to the JACK server");
-
-        length = static_cast<std::size_t> (std::lround (seconds * jack_get_sample_rate (client.get())));
+        length = static_cast<std::size_t> (std::lround (seconds * client.sampleRate()));
         recorded.assign (channels, std::vector<float> (length));
 
         for (std::size_t n = 0; n < channels; ++n)
-            ports.push_back (jack_port_register (client.get(), ("in_" + std::to_string (n + 1)).c_str(),
-                                                 JACK_DEFAULT_AUDIO_TYPE, JackPortIsInput, 0));
+            ports.push_back (client.addPort ("in_" + std::to_string (n + 1), JackPortIsInput));
 
-        jack_set_process_callback (client.get(), process, this);
-        jack_on_shutdown (client.get(), shutDown, this);
-
-        if (jack_activate (client.get()) != 0)
-            throw std::runtime_error ("the JACK server does not activate the recorder");
+        client.activate (process, shutDown, this);
     }
 
     Recorder (const Recorder&) = delete;
     Recorder& operator= (const Recorder&) = delete;
 
-    void connect (const std::string& from, const std::string& to)
-    {
-        waitFor (from);
-        waitFor (to);
-
-        if (const auto code = jack_connect (client.get(), from.c_str(), to.c_str()); code != 0)
-            throw std::runtime_error (from + " cannot be connected to " + to + ": " + std::to_string (code));
-    }
+    void connect (const std::string& from, const std::string& to) { client.connect (from, to); }
 
     std::string portName (std::size_t channel) const { return jack_port_name (ports[channel]); }
 
@@ -66,8 +48,9 @@ public:
     const std::vector<std::vector<float>>& record()
     {
         isRecording = true;
+        const auto lasting = std::chrono::seconds (length / static_cast<std::size_t> (client.sampleRate()));
 
-        if (! ended.try_acquire_for (longestWait + std::chrono::seconds (length / jack_get_sample_rate (client.get()))))
+        if (! ended.try_acquire_for (JackClient::longestWait + lasting))
             throw std::runtime_error ("recorded " + std::to_string (position) + " of " + std::to_string (length)
                                       + " samples; the server does not call any longer");
 
@@ -78,14 +61,6 @@ public:
     }
 
 private:
-    void waitFor (const std::string& name)
-    {
-        for (const auto end = std::chrono::steady_clock::now() + longestWait;
-             jack_port_by_name (client.get(), name.c_str()) == nullptr; std::this_thread::sleep_for (20ms))
-            if (std::chrono::steady_clock::now() > end)
-                throw std::runtime_error ("the port " + name + " does not appear");
-    }
-
     static int process (jack_nframes_t frames, void* context)
     {
         static_cast<Recorder*> (context)->take (frames);
@@ -113,18 +88,13 @@ private:
             ended.release();
     }
 
-    struct Close
-    {
-        void operator() (jack_client_t* opened) const { jack_client_close (opened); }
-    };
-
     std::vector<std::vector<float>> recorded;
     std::vector<jack_port_t*> ports;
     std::size_t length = 0;
     std::atomic<std::size_t> position { 0 };
     std::atomic<bool> isRecording { false };
     std::counting_semaphore<> ended { 0 };
-    std::unique_ptr<jack_client_t, Close> client;
+    JackClient client { "recorder" }; ///< Closed first.
 };
 
 void write (const std::string& path, const std::vector<std::vector<float>>& channels)

@@ -1,0 +1,79 @@
+#include "TrackingOption.h"
+
+#include "OutputRouting.h"
+
+#include <antinode_base/InputError.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+namespace antinode
+{
+namespace
+{
+[[noreturn]] void refuseTracking (const std::string& text, const std::string& wrong)
+{
+    throw InputError ("--track " + text, wrong
+                                             + "; allowed: velocity:X:Y or displacement:X:Y, in mm, ceramic_current:N "
+                                               "or ceramic_charge:N, from 1 to "
+                                             + std::to_string (OutputRouting::maximumCeramics) + ", or none");
+}
+
+/** Those behind a word, each after a colon. */
+std::vector<double> numbersBehind (const std::string& text, std::size_t word)
+{
+    std::vector<double> numbers;
+    const auto* const end = text.data() + text.size();
+
+    for (const auto* at = text.data() + word; at != end;)
+    {
+        auto& number = numbers.emplace_back();
+        const auto [behind, error] = std::from_chars (at + 1, end, number);
+
+        if (error != std::errc() || ! std::isfinite (number) || (behind != end && *behind != ':'))
+            refuseTracking (text, "has something that is no number");
+
+        at = behind;
+    }
+
+    return numbers;
+}
+} // namespace
+
+TrackingSettings readTracking (const std::string& text)
+{
+    TrackingSettings settings;
+
+    if (text == "none")
+        return settings;
+
+    const auto colon = static_cast<std::size_t> (std::find (text.begin(), text.end(), ':') - text.begin());
+    const auto* const sensor = std::find_if (trackingSensorWords.begin(), trackingSensorWords.end(),
+                                             [word = std::string_view (text).substr (0, colon)] (const auto& entry)
+                                             { return entry.first == word; });
+
+    if (sensor == trackingSensorWords.end())
+        refuseTracking (text, "is no sensor");
+
+    settings.sensor = sensor->second;
+    const auto numbers = numbersBehind (text, colon);
+
+    if (numbers.size() != (settings.isCeramic() ? 1 : 2))
+        refuseTracking (text, settings.isCeramic() ? "does not say one ceramic" : "does not say one place");
+
+    if (! settings.isCeramic())
+    {
+        settings.xMillimetres = numbers[0];
+        settings.yMillimetres = numbers[1];
+        return settings;
+    }
+
+    if (! (numbers[0] >= 1 && numbers[0] <= OutputRouting::maximumCeramics) || numbers[0] != std::floor (numbers[0]))
+        refuseTracking (text, "is no number of a ceramic");
+
+    settings.ceramic = static_cast<int> (numbers[0]) - 1;
+    return settings;
+}
+} // namespace antinode
