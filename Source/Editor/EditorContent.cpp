@@ -17,8 +17,9 @@ EditorContent::EditorContent (AntinodeProcessor& processorToShow)
       surfaceView (processor, past), section ("Section along x"), spectrum ("Modal spectrum"),
       felt ("Sensation level over the whole event"), voltages ("Voltages with their limits"),
       methods ("Peak voltage by several methods"), bank ("Peak voltage of the notes' places"),
-      probe (processor.session().probeTrace()), parameters (processor), meters (processor, past), status (processor),
-      browser (std::make_unique<PresetPanel> (presets)), tooltips (this, 600)
+      probe (processor.session().probeTrace()), drift (processor, past), parameters (processor),
+      meters (processor, past), status (processor), browser (std::make_unique<PresetPanel> (presets)),
+      tooltips (this, 600)
 {
     juce::LookAndFeel::setDefaultLookAndFeel (&fonts.get());
     setLookAndFeel (&look);
@@ -81,6 +82,7 @@ void EditorContent::refresh (double seconds)
     surfaceView.setFrame (time.frame());
     surfaceView.refresh();
     probe.refresh();
+    drift.refresh();
     meters.refresh (seconds);
     top.refresh (presets.loadedName (LibraryKind::device), presets.loadedName (LibraryKind::focus));
     status.refresh (picture.get(), ! designs->isDone());

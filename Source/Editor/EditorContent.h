@@ -1,6 +1,7 @@
 #pragma once
 
 #include "DesignView.h"
+#include "DriftPanel.h"
 #include "EditorLook.h"
 #include "History.h"
 #include "LocalTooltips.h"
@@ -50,6 +51,7 @@ public:
     PresetPanel& presetPanel() { return *browser; }
     ParameterPanel& parameterPanel() { return parameters; }
     MetersStrip& metersStrip() { return meters; }
+    DriftPanel& driftPanel() { return drift; }
     StatusLine& statusLine() { return status; }
     Timeline& timeline() { return time; }
 
@@ -57,7 +59,7 @@ public:
     void browse (std::optional<LibraryKind>);
 
     /** Shows one of the panels at the right: "Spectrum", "Felt", "Probe", "Voltages", "Methods", "Bank", "Scores",
-        "Controls". */
+        "Drift", "Controls". */
     void showPanel (const juce::String& name);
 
     void paint (juce::Graphics&) override;
@@ -103,6 +105,7 @@ private:
     Timeline time;
     ChartView section, spectrum, felt, voltages, methods, bank;
     ProbePanel probe;
+    DriftPanel drift;
     ScoresView scores;
     ParameterPanel parameters;
     juce::Viewport parameterView;

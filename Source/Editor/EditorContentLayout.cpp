@@ -23,6 +23,7 @@ void EditorContent::setLayout (Layout wanted)
         ofVoltages { "Voltages", "Voltage of each ceramic with its limits.", &voltages },
         ofMethods { "Methods", "What this focus needs by several methods, and what no waveform goes below.", &methods },
         ofBank { "Bank", "What the foci of the notes' places need, over the surface.", &bank },
+        ofDrift { "Drift", "The sensor that tracks the drift of the device, and what it says.", &drift },
         ofScores { "Scores", "Scores of the focus, warnings and choices.", &scores },
         ofControls { "Controls", "All parameters.", &parameterView };
     upper.setPanels ({});
@@ -31,11 +32,11 @@ void EditorContent::setLayout (Layout wanted)
     if (wanted == Layout::wide)
     {
         addAndMakeVisible (parameterView);
-        upper.setPanels ({ ofSpectrum, ofFelt, ofProbe });
+        upper.setPanels ({ ofSpectrum, ofFelt, ofProbe, ofDrift });
         lower.setPanels ({ ofVoltages, ofMethods, ofBank, ofScores });
     }
     else // There is no room for more tabs.
-        upper.setPanels ({ ofControls, ofSpectrum, ofFelt, ofVoltages, ofProbe, ofScores });
+        upper.setPanels ({ ofControls, ofSpectrum, ofFelt, ofVoltages, ofProbe, ofScores, ofDrift });
 
     lower.setVisible (wanted == Layout::wide);
 }

@@ -27,7 +27,7 @@ void keepChanges (SessionState& before, SessionState& after, const std::set<std:
 bool isSame (const SessionState& before, const SessionState& after)
 {
     return before.parameters == after.parameters && before.mutes == after.mutes && before.device == after.device
-           && before.focus == after.focus;
+           && before.focus == after.focus && before.tracking == after.tracking;
 }
 
 bool changeSameParameters (const SessionState& one, const SessionState& other)
@@ -36,7 +36,8 @@ bool changeSameParameters (const SessionState& one, const SessionState& other)
         one.parameters.size() == other.parameters.size()
         && std::equal (one.parameters.begin(), one.parameters.end(), other.parameters.begin(),
                        [] (const auto& left, const auto& right) { return left.first == right.first; });
-    return sameNames && one.mutes == other.mutes && one.device == other.device && one.focus == other.focus;
+    return sameNames && one.mutes == other.mutes && one.device == other.device && one.focus == other.focus
+           && one.tracking == other.tracking;
 }
 } // namespace
 
@@ -100,12 +101,33 @@ void History::add (SessionState before, const std::set<std::string>* moved)
         return;
     }
 
+    push ({ std::move (before), std::move (after), now });
+    mayJoin = true;
+}
+
+void History::push (Entry entry)
+{
+    entries.resize (position);
+
     if (entries.size() == maximumEntries)
         entries.erase (entries.begin());
 
-    entries.push_back ({ std::move (before), std::move (after), now });
+    entries.push_back (std::move (entry));
     position = entries.size();
-    mayJoin = true;
+}
+
+void History::resetDrift()
+{
+    auto known = processor.session().drift();
+
+    if (known == nullptr)
+        return;
+
+    auto state = processor.state();
+    state.parameters.clear();
+    push ({ state, state, juce::Time::getMillisecondCounter(), std::move (known) });
+    closeEntry();
+    processor.session().setDrift (nullptr);
 }
 
 void History::undo()
@@ -114,7 +136,11 @@ void History::undo()
         return;
 
     const auto& entry = entries[--position];
-    apply (entry.before, entry.after);
+
+    if (entry.drift != nullptr)
+        processor.session().setDrift (entry.drift);
+    else
+        apply (entry.before, entry.after);
 }
 
 void History::redo()
@@ -123,7 +149,11 @@ void History::redo()
         return;
 
     const auto& entry = entries[position++];
-    apply (entry.after, entry.before);
+
+    if (entry.drift != nullptr)
+        processor.session().setDrift (nullptr);
+    else
+        apply (entry.after, entry.before);
 }
 
 void History::apply (const SessionState& wanted, const SessionState& present)
@@ -142,6 +172,9 @@ void History::apply (const SessionState& wanted, const SessionState& present)
 
     if (wanted.mutes != present.mutes)
         state.mutes = wanted.mutes;
+
+    if (wanted.tracking != present.tracking)
+        state.tracking = wanted.tracking;
 
     const juce::ScopedValueSetter<bool> applying (isApplying, true);
     processor.setState (state, isOtherDevice);

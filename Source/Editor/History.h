@@ -21,6 +21,9 @@ public:
     /** Does something that is no gesture of a parameter, as one entry. */
     void record (const std::function<void()>& change);
 
+    /** Forgets the drift that is tracked, as one entry. */
+    void resetDrift();
+
     /** The next gesture makes an entry of its own, even if it follows the last one closely. */
     void closeEntry() { mayJoin = false; }
 
@@ -34,12 +37,14 @@ private:
     struct Entry
     {
         SessionState before, after;
-        juce::uint32 time = 0; ///< ms
+        juce::uint32 time = 0;                        ///< ms
+        std::shared_ptr<const KnownDrift> drift = {}; ///< That was forgotten; none: it was not.
     };
 
     void parameterValueChanged (int, float) override {}
     void parameterGestureChanged (int index, bool isStarting) override;
     void add (SessionState before, const std::set<std::string>* gestured);
+    void push (Entry);
     void apply (const SessionState& wanted, const SessionState& present);
 
     AntinodeProcessor& processor;

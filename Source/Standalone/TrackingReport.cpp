@@ -1,23 +1,12 @@
 #include "TrackingReport.h"
 
 #include <antinode_base/NumberText.h>
-#include <antinode_base/WordList.h>
+#include <antinode_session/TrackingWords.h>
 
 #include <utility>
 
 namespace antinode
 {
-namespace
-{
-constexpr WordList<TrackingState, 7> trackingStateWords { { { "off", TrackingState::off },
-                                                            { "waiting", TrackingState::waiting },
-                                                            { "following", TrackingState::following },
-                                                            { "silent", TrackingState::silent },
-                                                            { "lost", TrackingState::lost },
-                                                            { "frozen", TrackingState::frozen },
-                                                            { "impossible", TrackingState::impossible } } };
-} // namespace
-
 /** What is lost says another number with every window: only the first is news. */
 std::string TrackingReport::news (const TrackingStatus& now)
 {

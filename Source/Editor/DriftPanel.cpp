@@ -1,0 +1,228 @@
+#include "DriftPanel.h"
+
+#include "DriftChart.h"
+#include "EditorLook.h"
+#include "JuceText.h"
+
+#include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
+#include <antinode_session/TrackingWords.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+constexpr int driftMargin = 8, driftRow = 24, driftGap = 6, sentenceHeight = 40;
+
+/** Identifiers of a choice cannot be 0. */
+int identifierOf (TrackingSensor sensor)
+{
+    return static_cast<int> (sensor) + 1;
+}
+
+/** "Outside the surface; allowed: -75 to 75 mm", or nothing. */
+juce::String faultOf (const char* axis, double millimetres, double lowest, double highest)
+{
+    if (millimetres >= lowest * milli && millimetres <= highest * milli)
+        return {};
+
+    return fromUtf8 (std::string (axis) + " is outside the surface; allowed: " + inWords (lowest * milli) + " to "
+                     + inWords (highest * milli) + " mm");
+}
+} // namespace
+
+DriftPanel::DriftPanel (AntinodeProcessor& processorToTrack, History& historyToUse)
+    : processor (processorToTrack), history (historyToUse)
+{
+    setTitle ("Drift");
+    const std::pair<TrackingSensor, const char*> sensors[] {
+        { TrackingSensor::none, "No sensor" },
+        { TrackingSensor::velocity, "Velocity at a place" },
+        { TrackingSensor::displacement, "Displacement at a place" },
+        { TrackingSensor::ceramicCurrent, "Current of an idle ceramic" },
+        { TrackingSensor::ceramicCharge, "Charge of an idle ceramic" }
+    };
+
+    for (const auto& [kind, name] : sensors)
+        sensor.addItem (name, identifierOf (kind));
+
+    sensor.setTooltip ("What the sensor's input hears of the surface");
+    ceramic.setTooltip ("The ceramic that listens; it is not driven");
+    freeze.setTooltip ("Keeps the foci as they are; nothing is learnt");
+    reset.setTooltip ("Forgets the drift: foci are designed for the device as it is described. Undo brings it back");
+    sentence.setFont (EditorLook::font (EditorLook::smallTextHeight));
+    sentence.setJustificationType (juce::Justification::topLeft);
+    sensor.onChange = [this]
+    {
+        auto wanted = shown;
+        wanted.sensor = static_cast<TrackingSensor> (sensor.getSelectedId() - 1);
+        change (wanted);
+    };
+    ceramic.onChange = [this]
+    {
+        auto wanted = shown;
+        wanted.ceramic = std::max (0, ceramic.getSelectedId() - 1);
+        change (wanted);
+    };
+    freeze.onClick = [this]
+    {
+        auto wanted = shown;
+        wanted.isFrozen = freeze.getToggleState();
+        change (wanted);
+    };
+    reset.onClick = [this] { history.resetDrift(); };
+
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        placeNames[i].setText (i == 0 ? "x (mm)" : "y (mm)", juce::dontSendNotification);
+        placeNames[i].setFont (EditorLook::font (EditorLook::smallTextHeight));
+        places[i].setEditable (true);
+        places[i].setTitle (i == 0 ? "x of the sensor, mm" : "y of the sensor, mm");
+        places[i].onTextChange = [this] { takePlace(); };
+        addChildComponent (placeNames[i]);
+        addChildComponent (places[i]);
+    }
+
+    for (auto* const child : std::initializer_list<juce::Component*> { &sensor, &freeze, &reset, &sentence, &chart })
+        addAndMakeVisible (child);
+
+    addChildComponent (ceramic);
+    showSettings ({});
+    refresh();
+}
+
+void DriftPanel::change (const TrackingSettings& wanted)
+{
+    fault.clear();
+
+    if (wanted != shown)
+        history.record ([this, &wanted] { processor.session().setTracking (wanted); });
+
+    refresh();
+}
+
+/** A place outside is said and not taken. */
+void DriftPanel::takePlace()
+{
+    auto wanted = shown;
+    wanted.xMillimetres = places[0].getText().getDoubleValue();
+    wanted.yMillimetres = places[1].getText().getDoubleValue();
+
+    if (const auto model = processor.session().snapshot()->model; model != nullptr)
+    {
+        const auto& surface = model->surface;
+        auto found = faultOf ("x", wanted.xMillimetres, surface.xMinimum, surface.xMaximum);
+
+        if (found.isEmpty() && surface.kind != SurfaceKind::line)
+            found = faultOf ("y", wanted.yMillimetres, surface.yMinimum, surface.yMaximum);
+
+        if (found.isNotEmpty())
+        {
+            fault = found;
+            sentence.setText (fault, juce::dontSendNotification);
+            return;
+        }
+    }
+
+    change (wanted);
+}
+
+void DriftPanel::listCeramics (int count)
+{
+    if (ceramic.getNumItems() == count)
+        return;
+
+    ceramic.clear (juce::dontSendNotification);
+
+    for (int i = 1; i <= count; ++i)
+        ceramic.addItem ("Ceramic " + juce::String (i), i);
+
+    ceramic.setSelectedId (shown.ceramic + 1, juce::dontSendNotification);
+}
+
+void DriftPanel::showSettings (const TrackingSettings& now)
+{
+    shown = now;
+    sensor.setSelectedId (identifierOf (now.sensor), juce::dontSendNotification);
+    ceramic.setSelectedId (now.ceramic + 1, juce::dontSendNotification);
+    ceramic.setVisible (now.isCeramic());
+    freeze.setToggleState (now.isFrozen, juce::dontSendNotification);
+    freeze.setEnabled (now.isOn());
+    reset.setEnabled (now.isOn());
+    const double values[] { now.xMillimetres, now.yMillimetres };
+
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        places[i].setText (fromUtf8 (inWords (values[i])), juce::dontSendNotification);
+        places[i].setVisible (now.isOn() && ! now.isCeramic());
+        placeNames[i].setVisible (places[i].isVisible());
+    }
+
+    resized();
+}
+
+void DriftPanel::refresh()
+{
+    if (const auto model = processor.session().snapshot()->model; model != nullptr)
+        listCeramics (static_cast<int> (model->actuators()));
+
+    if (const auto now = processor.session().tracking(); now != shown)
+        showSettings (now);
+
+    auto newest = processor.session().trackingStatus();
+
+    if (newest != status)
+    {
+        status = std::move (newest);
+        auto drawn = status->trace.empty() ? nullptr : std::make_shared<const Chart> (driftChart (*status));
+        chart.setChart (std::move (drawn), "No window was heard yet.");
+    }
+
+    sentence.setText (fault.isNotEmpty() ? fault : fromUtf8 (trackingSentence (*status)), juce::dontSendNotification);
+    sentence.setTooltip (sentence.getText());
+}
+
+void DriftPanel::lookAndFeelChanged()
+{
+    const auto& palette = EditorLook::findPalette (*this);
+
+    for (auto& place : places)
+    {
+        place.setColour (juce::Label::backgroundColourId, palette.raised);
+        place.setColour (juce::Label::textColourId, palette.text);
+    }
+}
+
+void DriftPanel::resized()
+{
+    auto area = getLocalBounds().reduced (driftMargin, driftGap);
+    auto row = area.removeFromTop (driftRow);
+    reset.setBounds (row.removeFromRight (60));
+    row.removeFromRight (driftGap);
+    freeze.setBounds (row.removeFromRight (78));
+    row.removeFromRight (driftGap);
+    sensor.setBounds (row);
+    area.removeFromTop (driftGap);
+
+    if (shown.isOn())
+    {
+        row = area.removeFromTop (driftRow);
+        ceramic.setBounds (row.withWidth (std::min (row.getWidth(), 140)));
+
+        for (std::size_t i = 0; i < places.size(); ++i)
+        {
+            placeNames[i].setBounds (row.removeFromLeft (56));
+            places[i].setBounds (row.removeFromLeft (70));
+            row.removeFromLeft (driftMargin);
+        }
+
+        area.removeFromTop (driftGap);
+    }
+
+    sentence.setBounds (area.removeFromTop (sentenceHeight));
+    chart.setBounds (area);
+}
+} // namespace antinode

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "ChartView.h"
+#include "History.h"
+
+#include <array>
+#include <memory>
+
+namespace antinode
+{
+/** The sensor that tracks the drift of the device, what it says, and what becomes of it. [message thread] */
+class DriftPanel final : public juce::Component
+{
+public:
+    /** Both outlive this. */
+    DriftPanel (AntinodeProcessor&, History&);
+
+    /** Shows what has changed. */
+    void refresh();
+
+    /** What it says at the moment, for screen readers and tests. */
+    juce::String words() const { return sentence.getText(); }
+
+    juce::ComboBox& sensorChoice() { return sensor; }
+    juce::ComboBox& ceramicChoice() { return ceramic; }
+    juce::Label& place (int axis) { return places[static_cast<std::size_t> (axis)]; } ///< 0: x, 1: y; mm.
+    juce::Button& freezeButton() { return freeze; }
+    juce::Button& resetButton() { return reset; }
+
+    void resized() override;
+    void lookAndFeelChanged() override;
+
+private:
+    void change (const TrackingSettings&);
+    void takePlace();
+    void showSettings (const TrackingSettings&);
+    void listCeramics (int count);
+
+    AntinodeProcessor& processor;
+    History& history;
+    juce::ComboBox sensor, ceramic;
+    std::array<juce::Label, 2> placeNames, places;
+    juce::ToggleButton freeze { "Freeze" };
+    juce::TextButton reset { "Reset" };
+    juce::Label sentence;
+    ChartView chart { "Drift that all frequencies share" };
+    TrackingSettings shown;
+    std::shared_ptr<const TrackingStatus> status;
+    juce::String fault; ///< Of the place that was typed last.
+};
+} // namespace antinode
