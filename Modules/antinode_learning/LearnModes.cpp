@@ -19,6 +19,7 @@ constexpr double finestGain = 1e-5; // the same of the last one, where something
 constexpr double leastGain = 0.5;   // of the objective, in squares of deviations: less ends the last length
 constexpr double firstPhase = 0.5;  // rad: by how much the highest mode may be off at the end of the first length
 constexpr double lengthening = 2;
+constexpr double farthestValue = 8; // deviations: a mode that runs away explains by chance and does not come back
 
 /** Where an iteration ended. */
 struct Solution
@@ -104,12 +105,17 @@ public:
             auto share = 1.0;
 
             for (int halvings = 0; halvings < 4; ++halvings, share /= 2)
-                if (const auto reached = objective (solution.values + share * change, time); reached < best)
+            {
+                const Eigen::VectorXd next =
+                    (solution.values + share * change).cwiseMax (-farthestValue).cwiseMin (farthestValue);
+
+                if (const auto reached = objective (next, time); reached < best)
                 {
                     best = reached;
-                    solution.values += share * change;
+                    solution.values = next;
                     break;
                 }
+            }
 
             const auto gain = before - best;
             const auto isDone = gain < (isLast ? leastGain + finestGain * best : roughGain * best);

@@ -104,27 +104,59 @@ FocusDesign designedAgain (const LearntFocus& learnt, const FocusDescription& fo
 }
 
 constexpr double mostUnexplained = 0.3; // of the signals, RMS
+constexpr double farthest = 30;         // standard deviations that a frequency may be moved
+constexpr double wellPredicted = 0.5;   // of what the nominal model does not predict
+constexpr double misled = 3;            // of the same: such a model is not played by again
+constexpr double stuck = 3;             // of the noise is not explained: the fit may be in the wrong minimum
 
-bool isExplained (const LearntModes& learnt)
+/** How many of its standard deviations the frequency that was moved most was moved. */
+double farthestMove (const LearntModes& learnt, const ModalModel& nominal, const ModeSpread& deviations)
 {
-    return learnt.unexplained < mostUnexplained;
+    const auto moves = (learnt.model.angularFrequencies.array() / nominal.angularFrequencies.array()).log();
+    const auto expected = (deviations.frequencies.array().square() + deviations.drift * deviations.drift).sqrt();
+    return (moves.abs() / expected.max (1e-9)).maxCoeff();
 }
 
-/** Why what was learnt is not used; empty: it is. */
-std::string refusalOf (const LearntFocus& learnt)
+/** Why no design can be made of what was learnt; empty: one can. */
+std::string doubtOf (const LearntModes& learnt, const ModalModel& nominal, const ModeSpread& deviations)
 {
     constexpr double percent = 100;
-    const auto& last = learnt.passes.back();
 
-    if (! isExplained (learnt.learnt))
-        return "The model does not explain " + inWords (percent * learnt.learnt.unexplained)
+    if (! (learnt.unexplained < mostUnexplained))
+        return "The model does not explain " + inWords (percent * learnt.unexplained)
                + " % of the signals; allowed: below " + inWords (percent * mostUnexplained)
                + " %. Check sensors, channels and places.";
 
-    if (learnt.passes.size() > 1 && ! (last.surprise < last.nominalSurprise))
-        return "What was learnt predicted the last play no better than the device as it was known.";
+    if (const auto move = farthestMove (learnt, nominal, deviations); ! (move < farthest))
+        return "A frequency would be " + inWords (move)
+               + " standard deviations off the device as it was known; allowed: " + inWords (farthest)
+               + ". Check sensors, channels and places.";
 
     return {};
+}
+
+/** Why what was learnt is not used; empty: it is. */
+std::string refusalOf (const LearntFocus& learnt, const ModalModel& nominal, const ModeSpread& deviations)
+{
+    const auto& last = learnt.passes.back();
+
+    if (auto doubt = doubtOf (learnt.learnt, nominal, deviations); ! doubt.empty())
+        return doubt;
+
+    if (learnt.passes.size() > 1 && ! (last.surprise < wellPredicted * last.nominalSurprise))
+        return "What was learnt did not predict the last play much better than the device as it was known.";
+
+    return {};
+}
+
+/** The play that was predicted best by what it was designed with: its field is nearest to what was wanted. */
+std::size_t bestPredicted (const std::vector<LearningPass>& passes)
+{
+    const auto best =
+        std::min_element (passes.begin(), passes.end(),
+                          [] (const auto& one, const auto& other) { return one.surprise < other.surprise; });
+    const auto isMuchBetter = best->surprise < wellPredicted * passes.front().surprise;
+    return isMuchBetter ? static_cast<std::size_t> (best - passes.begin()) : 0;
 }
 
 /** A play of a device that is not known, learnt from again and again. */
@@ -162,6 +194,10 @@ public:
         {
             recordings.push_back (std::move (candidate));
             auto now = learnModes (nominal.model, sensors, own, recordings, recordings.size() > 1 ? &learnt : nullptr);
+
+            if (recordings.size() > 1 && now.residual > stuck)
+                if (auto again = learnModes (nominal.model, sensors, own, recordings); again.residual < now.residual)
+                    now = std::move (again);
 
             if (! best || now.residual < best->residual)
             {
@@ -209,8 +245,7 @@ LearntFocus learnFocus (const WideModel& nominal, const FocusDescription& focus,
     result.wide = nominal;
     PassLearner learner (nominal, sensors, deviations);
     result.learnt = learner.now();
-    const auto first = designWithin (nominal, focus, playbackOf (settings), DesignExtent::compared);
-    result.design = first;
+    result.design = designWithin (nominal, focus, playbackOf (settings), DesignExtent::compared);
     const auto voltagesNow = [&]
     { return playedVoltages (firstModes (result.wide.model, result.wide.known), result.design, settings); };
     auto voltages = voltagesNow();
@@ -224,7 +259,11 @@ LearntFocus learnFocus (const WideModel& nominal, const FocusDescription& focus,
         result.passes.push_back (std::move (pass));
         result.learnt = learner.now();
 
-        if (! isExplained (result.learnt))
+        const auto& heard = result.passes.back();
+        const auto isMisled =
+            i > 0 && heard.surprise > misled * heard.nominalSurprise && result.learnt.residual > stuck;
+
+        if (isMisled || ! doubtOf (result.learnt, nominal.model, deviations).empty())
             break;
 
         result.wide = wideWith (nominal, result.learnt.model);
@@ -244,11 +283,12 @@ LearntFocus learnFocus (const WideModel& nominal, const FocusDescription& focus,
     for (auto& pass : result.passes)
         pass.estimatedError = fieldError (nominal.model.surface, byModel (pass.voltages), wanted);
 
-    result.refusal = result.passes.empty() ? std::string() : refusalOf (result);
+    result.refusal = result.passes.empty() ? std::string() : refusalOf (result, nominal.model, deviations);
 
     if (! result.refusal.empty())
     {
-        result.design = first;
+        result.kept = bestPredicted (result.passes);
+        result.design = result.passes[result.kept].design;
         result.wide = nominal;
     }
 

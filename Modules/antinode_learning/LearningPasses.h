@@ -46,17 +46,19 @@ struct LearningPass
 struct LearntFocus
 {
     std::vector<LearningPass>
-        passes;          ///< As they were played: fewer than wanted where the first signals are not explained.
-    LearntModes learnt;  ///< From all recordings.
-    WideModel wide;      ///< The nominal one with what was learnt.
-    FocusDesign design;  ///< The one to play from now on.
-    std::string refusal; ///< Why nothing of what was learnt is used, a sentence: the design is then the first one;
-                         ///< empty: it is.
+        passes;           ///< As they were played: fewer than wanted where the first signals are not explained.
+    LearntModes learnt;   ///< From all recordings.
+    WideModel wide;       ///< The nominal one with what was learnt.
+    FocusDesign design;   ///< The one to play from now on.
+    std::string refusal;  ///< Why what was learnt is not used, a sentence: the design is then one that was played;
+                          ///< empty: it is.
+    std::size_t kept = 0; ///< The play whose design that is: the first one, or the one that was predicted best where
+                          ///< that was much better.
 };
 
 /** Plays a focus, learns, and designs it again. What was learnt is used only if it explains the signals, and if it
-    predicted the last play better than the nominal model: so a sensor that is unplugged, clipped or at another place
-    makes nothing worse.
+    predicted the last play much better than the nominal model: so a sensor that is unplugged, clipped or at another
+   place makes nothing worse. Plays end where what was learnt misleads.
     @param nominal  with modes beyond those that are designed for
     @throws LimitError, InputError, Cancelled  as designFocus and learnModes
     [worker] Docs/Theory.md, section 7.6. */

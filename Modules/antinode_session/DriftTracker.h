@@ -21,7 +21,7 @@ struct KnownDrift
 };
 
 /** Follows the drift of a device that plays, window by window, on a thread of its own. It reads what the audio thread
-   writes to a tap; whoever plays asks for what is known and designs anew. Docs/Decisions/0153. */
+   writes to a tap; whoever plays asks for what is known and designs again. Docs/Decisions/0153. */
 class DriftTracker
 {
 public:

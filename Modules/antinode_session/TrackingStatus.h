@@ -38,6 +38,6 @@ struct TrackingStatus
     Eigen::VectorXd deviations;       ///< Of these, standard deviations.
     double delay = 0;                 ///< s, from the voltages to the sensor's signal.
     double longestWindow = 0;         ///< s of processor time that a window took at most.
-    int redesigns = 0;                ///< Times that the foci were designed anew since tracking began.
+    int redesigns = 0;                ///< Times that the foci were designed again since tracking began.
 };
 } // namespace antinode

@@ -35,7 +35,7 @@ void print (const LearnOptions& options, const LearningSetup& setup, const Learn
                      100 * learnt.learnt.unexplained, learnt.learnt.residual);
 
     if (! learnt.refusal.empty())
-        std::printf ("  Nothing is changed. %s\n", learnt.refusal.c_str());
+        std::printf ("  %s%s\n", keptInWords (learnt).c_str(), learnt.refusal.c_str());
 
     std::printf ("Next voltages and what was learnt: %s/voltages.wav, report.html\n", options.folder.c_str());
 }

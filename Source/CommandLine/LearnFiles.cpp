@@ -114,11 +114,18 @@ Eigen::VectorXd noiseOfRecording (const Eigen::MatrixXd& signals, double signalT
            * (signals.rowwise().norm() / std::sqrt (static_cast<double> (signals.cols()))).cwiseMax (1e-30);
 }
 
+std::string keptInWords (const LearntFocus& learnt)
+{
+    return learnt.kept == 0 ? "Nothing is changed. "
+                            : "What was played in pass " + std::to_string (learnt.kept + 1) + " is kept. ";
+}
+
 nlohmann::ordered_json learntToJson (const LearntFocus& learnt)
 {
     nlohmann::ordered_json document { { "schema", "antinode.learnt/1" },
                                       { "is_accepted", learnt.refusal.empty() },
                                       { "refusal", learnt.refusal },
+                                      { "kept_play", learnt.kept + 1 },
                                       { "unexplained_percent", inPercent * learnt.learnt.unexplained },
                                       { "residual_of_noise", learnt.learnt.residual },
                                       { "trigger_sample", 0 } };

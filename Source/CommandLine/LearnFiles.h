@@ -22,6 +22,9 @@ PlayedRecording readPlayedRecording (const std::filesystem::path& folder, const 
 /** Each sensor's noise by its signal-to-noise ratio in dB: standard deviations of its samples. [any] */
 Eigen::VectorXd noiseOfRecording (const Eigen::MatrixXd& signals, double signalToNoise);
 
+/** What is played from now on where what was learnt is refused, before the reason: a sentence and a blank. [any] */
+std::string keptInWords (const LearntFocus&);
+
 /** summary.json of what was learnt. [any] Docs/FileFormats.md. */
 nlohmann::ordered_json learntToJson (const LearntFocus&);
 

@@ -176,7 +176,7 @@ ReportPage learningReport (const LearntFocus& learnt, const WideModel& nominal, 
     page.subtitle = nominal.model.name + ", " + std::to_string (learnt.passes.size()) + " plays";
 
     if (! learnt.refusal.empty())
-        page.warnings = { "Nothing is changed. " + learnt.refusal };
+        page.warnings = { keptInWords (learnt) + learnt.refusal };
 
     if (! learnt.passes.empty())
     {

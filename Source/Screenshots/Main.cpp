@@ -1,3 +1,4 @@
+#include "DriftScreenshot.h"
 #include "PlateScreenshot.h"
 #include "TouchScreenshot.h"
 
@@ -172,6 +173,7 @@ int main (int argumentCount, char* arguments[])
     for (const auto& screenshot : screenshots)
         takeEditor (screenshot, folder);
 
+    antinode::takeDrift (folder.getChildFile ("editor-drift.png"));
     antinode::takePlate (folder.getChildFile ("plate-plugin.png"));
     antinode::takeTouch (folder.getChildFile ("touch-plugin.png"));
     antinode::takeTouchStandalone (folder.getChildFile ("standalone-touch.png"));

@@ -181,12 +181,12 @@ class Learnt(Pictured):
 
     @property
     def is_accepted(self) -> bool:
-        """Whether what was learnt is used; else ``design`` is the first one, and ``refusal`` says why."""
+        """Whether what was learnt is used; else ``design`` is one that was played, and ``refusal`` says why."""
         return bool(self.numbers["is_accepted"])
 
     @property
     def refusal(self) -> str:
-        """Why nothing is changed, a sentence; empty where what was learnt is used."""
+        """Why what was learnt is not used, a sentence; empty where it is."""
         return str(self.numbers["refusal"])
 
     @property

@@ -159,7 +159,7 @@ int main (int count, char** arguments)
                 relative (truth.surface, fieldOf (idleTruth, learnt.passes.front().design.program, cubic), wanted);
             const auto end = relative (truth.surface, fieldOf (idleTruth, learnt.design.program, cubic), wanted);
             std::printf (" -> %.2f %%, residual %.2f, %.1f s%s\n", 100 * end, learnt.learnt.residual, spent,
-                         learnt.refusal.empty() ? "" : " refused");
+                         learnt.refusal.empty() ? "" : (" refused: " + learnt.refusal).c_str());
             std::fflush (stdout);
             seconds.push_back (spent);
             before.push_back (start);
