@@ -6,13 +6,15 @@
 namespace antinode
 {
 /** Each sample follows a free one by a low-pass of first order, from rest: so many free samples are its time constant.
-   A jump becomes an edge, and limits that the free samples keep are kept. @param samples  N_b x N_s @param timeConstant
-   0: the samples as they are
+   A jump becomes an edge, and limits that the free samples keep are kept.
+    @param samples       N_b x N_s
+    @param timeConstant  0: the samples as they are
     [any] Docs/Theory.md, section 4.9. */
 Eigen::MatrixXd withSmoothEdges (const Eigen::MatrixXd& samples, double timeConstant);
 
-/** The adjoint: what values for each smooth sample are for each free one. @param weights  any x N_s; those of the
- * result where they are moved [any] */
+/** The adjoint: what values for each smooth sample are for each free one.
+    @param weights  any x N_s; where it is moved, it is the result
+    [any] */
 Eigen::MatrixXd smoothEdgesAdjoint (Eigen::MatrixXd weights, double timeConstant);
 
 /** dU/dt of what band-limited samples stand for, V/s, from the rest before them to the rest behind. */

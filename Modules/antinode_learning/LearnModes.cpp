@@ -19,7 +19,8 @@ constexpr double finestGain = 1e-5; // the same of the last one, where something
 constexpr double leastGain = 0.5;   // of the objective, in squares of deviations: less ends the last length
 constexpr double firstPhase = 0.5;  // rad: by how much the highest mode may be off at the end of the first length
 constexpr double lengthening = 2;
-constexpr double farthestValue = 8; // deviations: a mode that runs away explains by chance and does not come back
+constexpr double farthestFrequency = 8; // deviations: a mode that runs away explains by chance and does not come back
+constexpr double farthestOther = 1e3;   // the same of damping and participation, which may be off by what distorts
 
 /** Where an iteration ended. */
 struct Solution
@@ -33,7 +34,14 @@ struct Solution
 class LearningProblem
 {
 public:
-    explicit LearningProblem (const LearningPrior& given) : prior (given), parameters (heardParameters (given)) {}
+    explicit LearningProblem (const LearningPrior& given)
+        : prior (given), parameters (heardParameters (given)),
+          farthest (Eigen::VectorXd::Constant (parameters.size(), farthestOther))
+    {
+        for (std::size_t p = 0; p < parameters.modal.size(); ++p)
+            if (parameters.modal[p].kind == ParameterKind::frequency)
+                farthest[static_cast<Eigen::Index> (p)] = farthestFrequency;
+    }
 
     Eigen::Index unknowns() const { return parameters.size(); }
     LearningState state (const Eigen::VectorXd& values) const { return stateAt (prior, parameters, values); }
@@ -107,7 +115,7 @@ public:
             for (int halvings = 0; halvings < 4; ++halvings, share /= 2)
             {
                 const Eigen::VectorXd next =
-                    (solution.values + share * change).cwiseMax (-farthestValue).cwiseMin (farthestValue);
+                    (solution.values + share * change).cwiseMax (-farthest).cwiseMin (farthest);
 
                 if (const auto reached = objective (next, time); reached < best)
                 {
@@ -145,6 +153,7 @@ private:
 
     const LearningPrior& prior;
     LearningParameters parameters;
+    Eigen::VectorXd farthest; ///< P, deviations.
 };
 
 /** s: until when no mode can be off by more than firstPhase after the voltages have ended or, where they do not end

@@ -40,7 +40,7 @@ public:
     {
         Eigen::MatrixXd signal (1, volts.cols());
         plate->process (volts, signal);
-        return 30 * signal + 1e-4 * random.normal (volts.cols()).transpose();
+        return 100 * signal + 1e-5 * random.normal (volts.cols()).transpose();
     }
 
 private:

@@ -6,11 +6,15 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <limits>
 #include <thread>
+#include <utility>
+#include <vector>
 
 using namespace antinode;
 
@@ -33,7 +37,9 @@ struct DriftingStaple
     {
         truth.angularFrequencies *= 1 + drift;
         const Eigen::MatrixXd heard = truth.participation.col (listening).transpose();
-        plate = std::make_unique<PlateModel> (truth, Playback { Reconstruction::bandLimited, trackedRate }, heard);
+        // What moves already rings out at its frequencies.
+        ringing = std::exchange (
+            plate, std::make_unique<PlateModel> (truth, Playback { Reconstruction::bandLimited, trackedRate }, heard));
     }
 
     /** One block. @param volts  8 x N */
@@ -41,11 +47,16 @@ struct DriftingStaple
     {
         Eigen::MatrixXd signal (1, volts.cols());
         plate->process (volts, signal);
-        return signal + noise * random.normal (volts.cols()).transpose();
+        Eigen::MatrixXd rings = Eigen::MatrixXd::Zero (1, volts.cols());
+
+        if (ringing != nullptr)
+            ringing->process (Eigen::MatrixXd::Zero (volts.rows(), volts.cols()), rings);
+
+        return signal + rings + noise * random.normal (volts.cols()).transpose();
     }
 
     ModalModel nominal, truth;
-    std::unique_ptr<PlateModel> plate;
+    std::unique_ptr<PlateModel> plate, ringing;
     RandomNumbers random { 5 };
     double noise = 0;
 };
@@ -239,6 +250,44 @@ TEST_CASE ("Whatever the sensor says, outputs stay finite and within the limits,
     CHECK (play.isFinite);
     CHECK ((play.largest.array() <= voltageLimits (play.device.nominal).array()).all());
     CHECK ((play.played.session.drift()->tracked.estimate.values == known->tracked.estimate.values));
+}
+
+// By hand, two minutes: Docs/Decisions/0153-tracking-in-the-session.md.
+TEST_CASE ("A drift of one percent an hour while foci play", "[.tracking-drift]")
+{
+    constexpr double perSecond = 0.01 / 3600, step = 3; // s
+    TrackedPlay play (0.001);
+    play.device.noise = 0.01 * 40 * 2e-5;
+    REQUIRE (play.becomes (TrackingState::following));
+    std::vector<double> errors;
+
+    for (int i = 0; i < 60; ++i)
+    {
+        play.play (step);
+        const auto status = play.status();
+        double worst = 0;
+        int known = 0;
+
+        for (Eigen::Index k = 0; k < status.changes.size(); ++k)
+            if (status.deviations[k] < 5e-5)
+            {
+                const auto truth =
+                    play.device.truth.angularFrequencies[k] / play.device.nominal.angularFrequencies[k] - 1;
+                errors.push_back (std::abs (status.changes[k] - truth));
+                worst = std::max (worst, errors.back());
+                ++known;
+            }
+
+        std::printf ("%4.0f s: %+.4f %%, %d modes known to 50 ppm, worst off by %.0f ppm, %d redesigns %s\n", step * i,
+                     100 * status.trace.back().common, known, 1e6 * worst, status.redesigns, status.reason.c_str());
+        play.device.move (perSecond * step);
+    }
+
+    std::sort (errors.begin(), errors.end());
+    REQUIRE (errors.size() > 100);
+    std::printf ("off by %.1f ppm in the median, %.1f ppm at 95 %%\n", 1e6 * errors[errors.size() / 2],
+                 1e6 * errors[errors.size() * 95 / 100]);
+    CHECK (errors[errors.size() / 2] < 5e-5);
 }
 
 TEST_CASE ("What cannot be tracked is said in a sentence", "[session][tracking]")
