@@ -54,7 +54,10 @@ public:
         padded.head (spectrum.size()) = static_cast<double> (finer) * spectrum;
         const auto products = tables.inverse (padded, finer * length);
         Eigen::Index best = 0;
-        products.head (finer * (lags - 1) + 1).cwiseAbs().maxCoeff (&best);
+        const auto searched = finer * (lags - 1) + 1;
+        products.head (searched).cwiseAbs().maxCoeff (&best);
+        best = earlierAlike (products.head (searched), best,
+                             static_cast<Eigen::Index> (std::llround (apart * rate * static_cast<double> (finer))));
         const auto near = [&] (Eigen::Index lag) { return products[(lag + products.size()) % products.size()]; };
         const auto delay = static_cast<double> (best) + extremeOf (near (best - 1), near (best), near (best + 1));
         const auto product = std::abs (products[best]);
@@ -66,6 +69,26 @@ public:
     }
 
 private:
+    static constexpr double apart = 0.05; // s: less is another period of the same mode
+
+    /** What is played again and again is heard one period later as well: of delays that explain alike the shortest. */
+    static Eigen::Index earlierAlike (const Eigen::VectorXd& products, Eigen::Index best, Eigen::Index distance)
+    {
+        constexpr double alike = 0.95;
+
+        while (best > distance)
+        {
+            Eigen::Index earlier = 0;
+
+            if (products.head (best - distance).cwiseAbs().maxCoeff (&earlier) < alike * std::abs (products[best]))
+                break;
+
+            best = earlier;
+        }
+
+        return best;
+    }
+
     /** Of what is compared at a delay, samples. */
     double energyOf (const Eigen::VectorXd& predicted, Eigen::Index delay) const
     {

@@ -144,7 +144,7 @@ private:
     /** Another layout is another device. */
     void goOnFrom (const std::shared_ptr<const KnownDrift>& known)
     {
-        const auto fits = known != nullptr && known->layout.size() == layout.size();
+        const auto fits = known != nullptr && known->layout.size() == layout.size() && known->isOf (nominal);
         tracked = fits ? known->tracked : startOfTracking (layout, settings.spread);
         tracked.scale = 0; // An audio device that was opened again has another delay.
         recent.forget();
@@ -173,7 +173,8 @@ private:
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
         present.longestWindow = std::max (present.longestWindow, took.count());
         note (window.followed);
-        work.publish (present, std::make_shared<const KnownDrift> (KnownDrift { layout, tracked }));
+        work.publish (present,
+                      std::make_shared<const KnownDrift> (KnownDrift { nominal.angularFrequencies, layout, tracked }));
     }
 
     void note (const FollowedDrift& followed)

@@ -28,7 +28,8 @@ void SessionWorker::takeTracking (const SessionRound& round)
     if (! round.isDriftNew)
         return;
 
-    drift = round.drift;
+    // An undo may bring one of another device.
+    drift = round.drift != nullptr && model != nullptr && round.drift->isOf (*model) ? round.drift : nullptr;
 
     if (tracker != nullptr)
         tracker->setKnown (drift);

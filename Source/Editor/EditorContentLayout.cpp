@@ -66,7 +66,7 @@ void EditorContent::resized()
 void EditorContent::layOutNarrow (juce::Rectangle<int> area)
 {
     setLayout (Layout::narrow);
-    upper.setBounds (area.removeFromRight (std::max (330, area.getWidth() * 2 / 5)));
+    upper.setBounds (area.removeFromRight (std::max (352, area.getWidth() * 2 / 5)));
     area.removeFromRight (gap);
     layOutSurface (area);
 }

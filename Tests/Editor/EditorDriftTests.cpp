@@ -65,6 +65,7 @@ TEST_CASE ("A drift that is reset comes back with undo", "[editor][tracking]")
     auto& panel = test.content().driftPanel();
     choose (panel.sensorChoice(), currentOfCeramic);
     KnownDrift known;
+    known.nominal = session.snapshot()->model->angularFrequencies;
     known.layout = driftLayout (*session.snapshot()->model, 1);
     known.tracked = startOfTracking (known.layout, {});
     session.setDrift (std::make_shared<const KnownDrift> (known));
