@@ -19,8 +19,9 @@ constexpr double finestGain = 1e-5; // the same of the last one, where something
 constexpr double leastGain = 0.5;   // of the objective, in squares of deviations: less ends the last length
 constexpr double firstPhase = 0.5;  // rad: by how much the highest mode may be off at the end of the first length
 constexpr double lengthening = 2;
-constexpr double farthestFrequency = 8; // deviations: a mode that runs away explains by chance and does not come back
-constexpr double farthestOther = 1e3;   // the same of damping and participation, which may be off by what distorts
+constexpr double farthestValue = 8;    // deviations: a mode that runs away explains by chance and does not come back
+constexpr double missed = 1.2;         // of the noise is not explained: another minimum may do better
+constexpr double farthestAtLast = 1e3; // the same of damping and participation, which take what ceramics distort
 
 /** Where an iteration ended. */
 struct Solution
@@ -36,11 +37,11 @@ class LearningProblem
 public:
     explicit LearningProblem (const LearningPrior& given)
         : prior (given), parameters (heardParameters (given)),
-          farthest (Eigen::VectorXd::Constant (parameters.size(), farthestOther))
+          farthest (Eigen::VectorXd::Constant (parameters.size(), farthestAtLast))
     {
         for (std::size_t p = 0; p < parameters.modal.size(); ++p)
             if (parameters.modal[p].kind == ParameterKind::frequency)
-                farthest[static_cast<Eigen::Index> (p)] = farthestFrequency;
+                farthest[static_cast<Eigen::Index> (p)] = farthestValue;
     }
 
     Eigen::Index unknowns() const { return parameters.size(); }
@@ -91,9 +92,11 @@ public:
     }
 
     /** The most probable values with records up to a time, from values nearby. The matrix of a step serves those after
-        it until one gains much, or too little: the minimum does not depend on it. */
-    Solution solve (Eigen::VectorXd values, double time, bool isLast) const
+        it until one gains much, or too little: the minimum does not depend on it.
+        @param furthest  deviations that no value leaves */
+    Solution solve (Eigen::VectorXd values, double time, bool isLast, double furthest) const
     {
+        const Eigen::VectorXd bounds = farthest.cwiseMin (furthest);
         constexpr double largeGain = 0.1; // of the objective
         Solution solution { std::move (values), {}, 0, 0 };
         auto linear = equations (solution.values, time, true);
@@ -114,8 +117,7 @@ public:
 
             for (int halvings = 0; halvings < 4; ++halvings, share /= 2)
             {
-                const Eigen::VectorXd next =
-                    (solution.values + share * change).cwiseMax (-farthest).cwiseMin (farthest);
+                const Eigen::VectorXd next = (solution.values + share * change).cwiseMax (-bounds).cwiseMin (bounds);
 
                 if (const auto reached = objective (next, time); reached < best)
                 {
@@ -153,7 +155,7 @@ private:
 
     const LearningPrior& prior;
     LearningParameters parameters;
-    Eigen::VectorXd farthest; ///< P, deviations.
+    Eigen::VectorXd farthest; ///< P, deviations, of records of the last length.
 };
 
 /** s: until when no mode can be off by more than firstPhase after the voltages have ended or, where they do not end
@@ -232,22 +234,32 @@ LearntModes learnModes (const ModalModel& model, const std::vector<Sensor>& sens
 {
     const auto prior = makePrior (model, sensors, deviations, recordings);
     const LearningProblem problem (prior);
-    Eigen::VectorXd values = Eigen::VectorXd::Zero (problem.unknowns());
     const auto longest = longestTime (recordings);
 
     if (before != nullptr)
-        values = valuesOf (prior, problem.all(), *before);
-    else
-    {
-        auto time = firstTime (prior, problem.all());
+        return learntFrom (prior, problem,
+                           problem.solve (valuesOf (prior, problem.all(), *before), longest, true, farthestAtLast));
 
-        while (time < longest)
-        {
-            values = problem.solve (std::move (values), time, false).values;
-            time *= lengthening;
-        }
+    // Which bounds lead to the right minimum differs from device to device: the next ones are tried where one is
+    // missed.
+    Solution best;
+
+    for (const auto furthest : { farthestValue, farthestAtLast, farthestValue / 2 })
+    {
+        Eigen::VectorXd values = Eigen::VectorXd::Zero (problem.unknowns());
+
+        for (auto time = firstTime (prior, problem.all()); time < longest; time *= lengthening)
+            values = problem.solve (std::move (values), time, false, furthest).values;
+
+        auto solution = problem.solve (std::move (values), longest, true, farthestAtLast);
+
+        if (best.values.size() == 0 || solution.residual < best.residual)
+            best = std::move (solution);
+
+        if (best.residual < missed)
+            break;
     }
 
-    return learntFrom (prior, problem, problem.solve (std::move (values), longest, true));
+    return learntFrom (prior, problem, best);
 }
 } // namespace antinode

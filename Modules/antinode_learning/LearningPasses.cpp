@@ -106,6 +106,7 @@ FocusDesign designedAgain (const LearntFocus& learnt, const FocusDescription& fo
 constexpr double mostUnexplained = 0.3; // of the signals, RMS
 constexpr double farthest = 30;         // standard deviations that a frequency may be moved
 constexpr double wellPredicted = 0.5;   // of what the nominal model does not predict
+constexpr double clearlyBetter = 0.8;   // of the first play's error
 constexpr double misled = 3;            // of the same: such a model is not played by again
 constexpr double stuck = 3;             // of the noise is not explained: the fit may be in the wrong minimum
 
@@ -135,6 +136,11 @@ std::string doubtOf (const LearntModes& learnt, const ModalModel& nominal, const
     return {};
 }
 
+bool isClearlyBetter (const std::vector<LearningPass>& passes, std::size_t pass)
+{
+    return passes[pass].estimatedError < clearlyBetter * passes.front().estimatedError;
+}
+
 /** Why what was learnt is not used; empty: it is. */
 std::string refusalOf (const LearntFocus& learnt, const ModalModel& nominal, const ModeSpread& deviations)
 {
@@ -146,6 +152,9 @@ std::string refusalOf (const LearntFocus& learnt, const ModalModel& nominal, con
     if (learnt.passes.size() > 1 && ! (last.surprise < wellPredicted * last.nominalSurprise))
         return "What was learnt did not predict the last play much better than the device as it was known.";
 
+    if (learnt.passes.size() > 1 && ! isClearlyBetter (learnt.passes, learnt.passes.size() - 1))
+        return "By what was learnt the last play was hardly better than the first.";
+
     return {};
 }
 
@@ -155,8 +164,10 @@ std::size_t bestPredicted (const std::vector<LearningPass>& passes)
     const auto best =
         std::min_element (passes.begin(), passes.end(),
                           [] (const auto& one, const auto& other) { return one.surprise < other.surprise; });
-    const auto isMuchBetter = best->surprise < wellPredicted * passes.front().surprise;
-    return isMuchBetter ? static_cast<std::size_t> (best - passes.begin()) : 0;
+    const auto index = static_cast<std::size_t> (best - passes.begin());
+    const auto isMuchBetter =
+        best->surprise < wellPredicted * passes.front().surprise && isClearlyBetter (passes, index);
+    return isMuchBetter ? index : 0;
 }
 
 /** A play of a device that is not known, learnt from again and again. */

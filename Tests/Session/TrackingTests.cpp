@@ -64,7 +64,7 @@ struct DriftingStaple
 /** A session, the device and the cable between them. */
 struct TrackedPlay
 {
-    static constexpr int block = 256, late = 144; // samples
+    static constexpr int block = 256, late = 144, windowSamples = 24576; // samples
 
     explicit TrackedPlay (double drift) : device (drift)
     {
@@ -88,9 +88,22 @@ struct TrackedPlay
             clock += block;
             playBlock (spoil);
 
-            if (clock % 12000 < block)
-                std::this_thread::sleep_for (std::chrono::milliseconds (60));
+            if (clock % windowSamples < block)
+                awaitWindow();
         }
+    }
+
+    /** On a busy computer windows take longer than what is played in them. */
+    void awaitWindow()
+    {
+        const auto isLearning = [this]
+        { return status().state != TrackingState::frozen && status().state != TrackingState::impossible; };
+        const auto longest = status().trace.empty() ? 20 : 200; // The first window is longer.
+
+        for (int i = 0; i < longest && isLearning() && status().trace.size() == seen; ++i)
+            std::this_thread::sleep_for (std::chrono::milliseconds (20));
+
+        seen = status().trace.size();
     }
 
     void playBlock (const std::function<void (Eigen::RowVectorXd&)>& spoil)
@@ -145,6 +158,7 @@ struct TrackedPlay
     bool isFinite = true;
     std::vector<FocusEvent> events;
     std::int64_t clock = 0;
+    std::size_t seen = 0; // windows
 };
 } // namespace
 
