@@ -247,9 +247,13 @@ LearntModes learnModes (const ModalModel& model, const std::vector<Sensor>& sens
     for (const auto furthest : { farthestValue, farthestAtLast, farthestValue / 2 })
     {
         Eigen::VectorXd values = Eigen::VectorXd::Zero (problem.unknowns());
+        auto time = firstTime (prior, problem.all());
 
-        for (auto time = firstTime (prior, problem.all()); time < longest; time *= lengthening)
+        while (time < longest)
+        {
             values = problem.solve (std::move (values), time, false, furthest).values;
+            time *= lengthening;
+        }
 
         auto solution = problem.solve (std::move (values), longest, true, farthestAtLast);
 

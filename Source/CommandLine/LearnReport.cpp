@@ -1,5 +1,7 @@
 #include "LearnReport.h"
 
+#include "LearnFiles.h"
+
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
 
