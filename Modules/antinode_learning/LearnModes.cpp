@@ -20,8 +20,8 @@ constexpr double leastGain = 0.5;   // of the objective, in squares of deviation
 constexpr double firstPhase = 0.5;  // rad: by how much the highest mode may be off at the end of the first length
 constexpr double lengthening = 2;
 constexpr double farthestValue = 8;    // deviations: a mode that runs away explains by chance and does not come back
-constexpr double missed = 1.2;         // of the noise is not explained: another minimum may do better
 constexpr double farthestAtLast = 1e3; // the same of damping and participation, which take what ceramics distort
+constexpr double missed = 1.2;         // of the noise is not explained: another minimum may do better
 
 /** Where an iteration ended. */
 struct Solution

@@ -106,8 +106,8 @@ FocusDesign designedAgain (const LearntFocus& learnt, const FocusDescription& fo
 constexpr double mostUnexplained = 0.3; // of the signals, RMS
 constexpr double farthest = 30;         // standard deviations that a frequency may be moved
 constexpr double wellPredicted = 0.5;   // of what the nominal model does not predict
-constexpr double clearlyBetter = 0.8;   // of the first play's error
 constexpr double misled = 3;            // of the same: such a model is not played by again
+constexpr double clearlyBetter = 0.8;   // of the first play's error
 constexpr double stuck = 3;             // of the noise is not explained: the fit may be in the wrong minimum
 
 /** How many of its standard deviations the frequency that was moved most was moved. */

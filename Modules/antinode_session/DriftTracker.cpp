@@ -164,6 +164,7 @@ private:
     {
         const auto elapsed = static_cast<double> (std::exchange (passed, 0)) / rate;
         const auto begin = std::chrono::steady_clock::now();
+        const auto wasFound = tracked.scale != 0; // Else it is no jump, but where the device was all the time.
         auto before = tracked;
         before.estimate = afterTime (std::move (before.estimate), layout, settings.spread, elapsed);
         auto window =
@@ -172,18 +173,18 @@ private:
         time += elapsed;
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
         present.longestWindow = std::max (present.longestWindow, took.count());
-        note (window.followed);
+        note (window.followed, wasFound);
         work.publish (present,
                       std::make_shared<const KnownDrift> (KnownDrift { nominal.angularFrequencies, layout, tracked }));
     }
 
-    void note (const FollowedDrift& followed)
+    void note (const FollowedDrift& followed, bool wasFound)
     {
         const auto moment = momentOf (followed, layout, time);
         present.state = stateOf (followed.state, tracked);
         present.reason = followed.reason;
 
-        if (followed.jump != 0)
+        if (followed.jump != 0 && wasFound)
             present.reason =
                 "All frequencies have jumped by " + inWords (100 * followed.jump) + " % at " + inWords (time) + " s.";
 
@@ -211,33 +212,35 @@ private:
     double time = 0;               // s
 };
 
-DriftTracker::DriftTracker (Setup setup)
-    : work (std::make_shared<Work> (std::move (setup))), thread (
-                                                             [kept = work]
-                                                             {
-                                                                 const auto mayGoOn = [&kept]
-                                                                 {
-                                                                     const std::lock_guard lock (kept->mutex);
-                                                                     return ! kept->isStopping;
-                                                                 };
+/** Until the owner leaves; what cannot be tracked is said. */
+void DriftTracker::follow (Work& work)
+{
+    const auto mayGoOn = [&work]
+    {
+        const std::lock_guard lock (work.mutex);
+        return ! work.isStopping;
+    };
 
-                                                                 try
-                                                                 {
-                                                                     const WatchScope scope (mayGoOn);
-                                                                     Follower (*kept).run();
-                                                                 }
-                                                                 catch (const Cancelled&)
-                                                                 {
-                                                                     // The owner has left.
-                                                                 }
-                                                                 catch (const std::exception& failure)
-                                                                 {
-                                                                     TrackingStatus status;
-                                                                     status.state = TrackingState::impossible;
-                                                                     status.reason = failure.what();
-                                                                     kept->publish (status, nullptr);
-                                                                 }
-                                                             })
+    try
+    {
+        const WatchScope scope (mayGoOn);
+        Follower (work).run();
+    }
+    catch (const Cancelled&)
+    {
+        // The owner has left.
+    }
+    catch (const std::exception& failure)
+    {
+        TrackingStatus status;
+        status.state = TrackingState::impossible;
+        status.reason = failure.what();
+        work.publish (status, nullptr);
+    }
+}
+
+DriftTracker::DriftTracker (Setup setup)
+    : work (std::make_shared<Work> (std::move (setup))), thread ([kept = work] { follow (*kept); })
 {
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "KnownDrift.h"
 #include "SensorTap.h"
 #include "TrackingSettings.h"
 #include "TrackingStatus.h"
 
 #include <antinode_base/BackgroundThread.h>
-#include <antinode_learning/TrackWindow.h>
 #include <antinode_model/ModalModel.h>
 
 #include <memory>
@@ -13,20 +13,6 @@
 
 namespace antinode
 {
-/** What is known of the drift of a device, with what it is known of. Immutable. */
-struct KnownDrift
-{
-    Eigen::VectorXd nominal; ///< rad/s, of the modes that are tracked, as they are without drift.
-    DriftLayout layout;
-    TrackedDrift tracked;
-
-    /** Whether it is that of a device. [any] */
-    bool isOf (const ModalModel& model) const
-    {
-        return nominal.size() <= model.modes() && model.angularFrequencies.head (nominal.size()) == nominal;
-    }
-};
-
 /** Follows the drift of a device that plays, window by window, on a thread of its own. It reads what the audio thread
    writes to a tap; whoever plays asks for what is known and designs again. Docs/Decisions/0153. */
 class DriftTracker
@@ -66,6 +52,8 @@ public:
 private:
     struct Work;
     class Follower;
+
+    static void follow (Work&);
 
     std::shared_ptr<Work> work;
     BackgroundThread thread;

@@ -27,7 +27,7 @@ void SensorTap::write (const double* const* volts, const Sample* sensor, int cou
 
     for (std::size_t n = 0; n < static_cast<std::size_t> (count); ++n)
     {
-        auto* const frame = frames.data() + ((begin + n) % length) * size;
+        auto* const frame = frames.data() + ((begin + n) & (length - 1)) * size;
 
         for (std::size_t i = 0; i + 1 < size; ++i)
             frame[i] = static_cast<float> (volts[i][n]);
@@ -40,23 +40,21 @@ void SensorTap::write (const double* const* volts, const Sample* sensor, int cou
 
 Eigen::Index SensorTap::read (Eigen::MatrixXd& into, Eigen::Index begin)
 {
-    // A gap that comes later is behind all that is read here: the ring is full until the last line.
-    const auto isTorn = hasGap.exchange (false, std::memory_order_acquire);
-    const auto end = written.load (std::memory_order_acquire);
     const auto first = taken.load (std::memory_order_relaxed);
-    auto count = static_cast<Eigen::Index> (end - first);
+    const auto end = written.load (std::memory_order_acquire);
 
-    if (isTorn)
+    // Asked after the end is known, so that no gap lies before it; what is thrown away reaches beyond each gap so far.
+    if (hasGap.exchange (false, std::memory_order_acquire))
     {
-        taken.store (end, std::memory_order_release);
+        taken.store (written.load (std::memory_order_acquire), std::memory_order_release);
         return -1;
     }
 
-    count = std::min (count, into.cols() - begin);
+    const auto count = std::min (static_cast<Eigen::Index> (end - first), into.cols() - begin);
 
     for (Eigen::Index n = 0; n < count; ++n)
     {
-        const auto frame = (first + static_cast<std::size_t> (n)) % length;
+        const auto frame = (first + static_cast<std::size_t> (n)) & (length - 1);
         into.col (begin + n) =
             Eigen::Map<const Eigen::VectorXf> (frames.data() + frame * static_cast<std::size_t> (frameSize), frameSize)
                 .cast<double>();

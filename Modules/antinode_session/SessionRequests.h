@@ -1,8 +1,9 @@
 #pragma once
 
 #include "AudioPath.h"
-#include "DriftTracker.h"
 #include "SessionSnapshot.h"
+#include "TrackingSettings.h"
+#include "TrackingStatus.h"
 
 #include <atomic>
 #include <chrono>
@@ -16,6 +17,8 @@
 
 namespace antinode
 {
+struct KnownDrift;
+
 /** A focus that is to be fired at another position: m, and its amplitude from 0 to 1. */
 struct SessionTouch
 {

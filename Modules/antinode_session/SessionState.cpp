@@ -34,6 +34,7 @@ std::uint64_t readMutes (const JsonValue& value)
 
     return mutes;
 }
+
 nlohmann::ordered_json trackingToJson (const TrackingSettings& tracking)
 {
     nlohmann::ordered_json json { { "sensor", wordFor (trackingSensorWords, tracking.sensor) } };

@@ -65,8 +65,9 @@ private:
     std::unique_ptr<DriftTracker> tracker;
     std::shared_ptr<const KnownDrift> drift;          ///< None: as the model.
     std::shared_ptr<const KnownDrift> seenDrift;      ///< That was published, as the next line.
-    std::shared_ptr<const TrackingStatus> seenStatus; ///< Of the tracker.
-    Eigen::VectorXd driftChanges, designedChanges;    ///< N_m, of all frequencies: as it is, and as designs know it.
+    std::shared_ptr<const TrackingStatus> seenStatus; ///< Of the tracker, or the next line.
+    const std::shared_ptr<const TrackingStatus> notTracked = std::make_shared<const TrackingStatus>();
+    Eigen::VectorXd driftChanges, designedChanges; ///< N_m, of all frequencies: as it is, and as designs know it.
     int redesigns = 0;
     std::vector<double> amplifiers; ///< V of a full-scale sample of each ceramic.
     PlaySettings settings;

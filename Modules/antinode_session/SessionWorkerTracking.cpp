@@ -66,20 +66,17 @@ Listening SessionWorker::listen()
 
 void SessionWorker::readTracker()
 {
-    const auto status = tracker != nullptr ? tracker->status() : std::make_shared<const TrackingStatus>();
+    const auto status = tracker != nullptr ? tracker->status() : notTracked;
+    const auto modes = model != nullptr ? model->modes() : 0;
 
     if (tracker != nullptr)
         drift = tracker->known();
 
-    if (model != nullptr)
-        driftChanges = drift != nullptr ? frequencyChanges (drift->tracked.estimate, drift->layout, model->modes())
-                                        : Eigen::VectorXd::Zero (model->modes()).eval();
-
-    const auto isOff = tracker == nullptr && seenStatus != nullptr && seenStatus->state == TrackingState::off;
-
-    if (drift == seenDrift && (status == seenStatus || isOff))
+    if (drift == seenDrift && status == seenStatus && driftChanges.size() == modes)
         return;
 
+    driftChanges = drift != nullptr ? frequencyChanges (drift->tracked.estimate, drift->layout, modes)
+                                    : Eigen::VectorXd::Zero (modes).eval();
     seenStatus = status;
     seenDrift = drift;
     auto now = *status;

@@ -23,7 +23,7 @@ int identifierOf (TrackingSensor sensor)
     return static_cast<int> (sensor) + 1;
 }
 
-/** "Outside the surface; allowed: -75 to 75 mm", or nothing. */
+/** "x is outside the surface; allowed: -75 to 75 mm", or nothing. */
 juce::String faultOf (const char* axis, double millimetres, double lowest, double highest)
 {
     if (millimetres >= lowest * milli && millimetres <= highest * milli)

@@ -1,5 +1,6 @@
 #include "ApplyOptions.h"
 
+#include "ColonNumbers.h"
 #include "TrackingOption.h"
 
 #include <antinode_base/InputError.h>
@@ -131,21 +132,12 @@ void loadDocuments (StandaloneHost& host, const StandaloneOptions& options)
 WantedFinger readFinger (const std::string& text)
 {
     constexpr double highest = 100; // um, as the parameter has it
-    std::vector<double> numbers;
-    const auto* at = text.data();
-    const auto* const end = at + text.size();
+    const auto read = colonNumbers (text);
 
-    for (auto isDone = false; ! isDone;)
-    {
-        auto& number = numbers.emplace_back();
-        const auto [behind, error] = std::from_chars (at, end, number);
-        isDone = behind == end;
+    if (! read || read->size() > 3)
+        throw InputError ("--finger " + text, "is no finger; allowed: X:Y or X:Y:UM, numbers in mm, mm and um");
 
-        if (error != std::errc() || ! std::isfinite (number) || (! isDone && *behind != ':') || numbers.size() > 3)
-            throw InputError ("--finger " + text, "is no finger; allowed: X:Y or X:Y:UM, numbers in mm, mm and um");
-
-        at = behind + 1;
-    }
+    const auto& numbers = *read;
 
     if (numbers.size() < 2)
         throw InputError ("--finger " + text, "has no y; allowed: X:Y or X:Y:UM, numbers in mm, mm and um");

@@ -1,11 +1,11 @@
 #include "TrackingOption.h"
 
+#include "ColonNumbers.h"
 #include "OutputRouting.h"
 
 #include <antinode_base/InputError.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <vector>
 
@@ -19,26 +19,6 @@ namespace
                                              + "; allowed: velocity:X:Y or displacement:X:Y, in mm, ceramic_current:N "
                                                "or ceramic_charge:N, from 1 to "
                                              + std::to_string (OutputRouting::maximumCeramics) + ", or none");
-}
-
-/** Those behind a word, each after a colon. */
-std::vector<double> numbersBehind (const std::string& text, std::size_t word)
-{
-    std::vector<double> numbers;
-    const auto* const end = text.data() + text.size();
-
-    for (const auto* at = text.data() + word; at != end;)
-    {
-        auto& number = numbers.emplace_back();
-        const auto [behind, error] = std::from_chars (at + 1, end, number);
-
-        if (error != std::errc() || ! std::isfinite (number) || (behind != end && *behind != ':'))
-            refuseTracking (text, "has something that is no number");
-
-        at = behind;
-    }
-
-    return numbers;
 }
 } // namespace
 
@@ -58,7 +38,13 @@ TrackingSettings readTracking (const std::string& text)
         refuseTracking (text, "is no sensor");
 
     settings.sensor = sensor->second;
-    const auto numbers = numbersBehind (text, colon);
+    const std::optional<std::vector<double>> behind =
+        colon < text.size() ? colonNumbers (std::string_view (text).substr (colon + 1)) : std::vector<double>();
+
+    if (! behind)
+        refuseTracking (text, "has something that is no number");
+
+    const auto& numbers = *behind;
 
     if (numbers.size() != (settings.isCeramic() ? 1 : 2))
         refuseTracking (text, settings.isCeramic() ? "does not say one ceramic" : "does not say one place");

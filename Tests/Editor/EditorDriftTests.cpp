@@ -1,5 +1,6 @@
 #include "EditorFixture.h"
 
+#include <antinode_session/KnownDrift.h>
 #include <antinode_session/TrackingWords.h>
 
 #include <Editor/DriftChart.h>

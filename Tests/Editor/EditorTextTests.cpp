@@ -32,7 +32,8 @@ void checkAllTexts (EditorFixture& test, int width, int height)
     INFO (width << " x " << height);
     test.snapshot (width, height);
 
-    for (const auto* const panel : { "Controls", "Spectrum", "Probe", "Voltages", "Methods", "Bank", "Scores" })
+    for (const auto* const panel :
+         { "Controls", "Spectrum", "Probe", "Voltages", "Methods", "Bank", "Scores", "Drift" })
     {
         test.content().showPanel (panel);
         forEachVisible (test.content(), checkText);

@@ -63,6 +63,15 @@ struct DriftingBeam
             }
         }
 
+        return hear (std::move (voltages), isCharge);
+    }
+
+    /** The answer to voltages, with noise of its own. */
+    PlayedRecording hear (Eigen::MatrixXd voltages, bool isCharge = false) const
+    {
+        constexpr auto rate = driftRate;
+        const auto samples = voltages.cols();
+        RandomNumbers random (1000 * seed + 8);
         auto plate = truth;
         plate.participation.col (idle).setZero();
         PlateModel model (plate, { Reconstruction::bandLimited, rate },

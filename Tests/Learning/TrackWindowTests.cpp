@@ -115,6 +115,26 @@ TEST_CASE ("A sensor of unknown delay, scale and sign is found, and the drift fo
     CHECK (drift.estimate.deviation (2) < 3e-5);
 }
 
+TEST_CASE ("What is played again and again is not taken for a delay of its period", "[learning][tracking]")
+{
+    constexpr Eigen::Index period = 4800, late = 241; // samples: .2 s, 10 ms
+    DriftingBeam beam (0.004, 0.001);
+    const auto once = beam.recordAll (0.05).voltages;
+    Eigen::MatrixXd voltages = Eigen::MatrixXd::Zero (once.rows(), static_cast<Eigen::Index> (length * driftRate));
+
+    for (Eigen::Index begin = 0; begin + once.cols() < voltages.cols(); begin += period)
+        voltages.middleCols (begin, once.cols()) = once;
+
+    auto recording = beam.hear (voltages);
+    const auto level = recording.signals.cwiseAbs().maxCoeff();
+    recording = throughInterface (std::move (recording), late, 0.2 / level);
+    const auto window = trackWindow (trackedModes (beam.nominal, driftRate), idleCeramic (beam), nothingKnown (beam),
+                                     recording, usual());
+    INFO (window.followed.reason);
+    REQUIRE (window.followed.state == DriftState::following);
+    CHECK (window.drift.delay == Approx (static_cast<double> (late) / driftRate).margin (2e-5));
+}
+
 TEST_CASE ("The charge of an idle ceramic tells what its current tells", "[learning][tracking]")
 {
     DriftingBeam beam (0.004, 0.001);
