@@ -122,7 +122,9 @@ TEST_CASE ("What is played again and again is not taken for a delay of its perio
     const auto once = beam.recordAll (0.05).voltages;
     Eigen::MatrixXd voltages = Eigen::MatrixXd::Zero (once.rows(), static_cast<Eigen::Index> (length * driftRate));
 
-    for (Eigen::Index begin = 0; begin + once.cols() < voltages.cols(); begin += period)
+    const auto phase = GENERATE (0, 1000, 2000, 3000, 4000);
+
+    for (Eigen::Index begin = phase; begin + once.cols() < voltages.cols(); begin += period)
         voltages.middleCols (begin, once.cols()) = once;
 
     auto recording = beam.hear (voltages);
