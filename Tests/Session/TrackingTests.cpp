@@ -127,7 +127,9 @@ struct TrackedPlay
         const Eigen::MatrixXd volts = device.nominal.fullScaleVoltage * channels.topRows (8);
         largest = volts.cwiseAbs().rowwise().maxCoeff().cwiseMax (largest);
         isFinite = isFinite && volts.allFinite();
-        const Eigen::RowVectorXd heard = scale * device.hear (volts);
+        const auto signal = device.hear (volts);
+        energy += signal.squaredNorm();
+        const Eigen::RowVectorXd heard = scale * signal;
         Eigen::RowVectorXd next (cable.size());
         next << cable.rightCols (cable.size() - block), heard;
         cable = next;
@@ -160,6 +162,7 @@ struct TrackedPlay
     std::vector<FocusEvent> events;
     std::int64_t clock = 0;
     std::size_t seen = 0; // windows
+    double energy = 0;    // of what was heard
 };
 } // namespace
 
@@ -272,7 +275,8 @@ TEST_CASE ("A drift of one percent an hour while foci play", "[.tracking-drift]"
 {
     constexpr double perSecond = 0.01 / 3600, step = 3; // s
     TrackedPlay play (0.001);
-    play.device.noise = 0.01 * 40 * 2e-5;
+    play.play (1);
+    play.device.noise = 0.01 * std::sqrt (play.energy / trackedRate); // 40 dB, from now on
     REQUIRE (play.becomes (TrackingState::following));
     std::vector<double> errors;
 
