@@ -106,6 +106,7 @@ FocusDesign designedAgain (const LearntFocus& learnt, const FocusDescription& fo
 constexpr double mostUnexplained = 0.3; // of the signals, RMS
 constexpr double farthest = 30;         // standard deviations that a frequency may be moved
 constexpr double wellPredicted = 0.5;   // of what the nominal model does not predict
+constexpr double surelyPredicted = 0.1; // of the same
 constexpr double misled = 3;            // of the same: such a model is not played by again
 constexpr double clearlyBetter = 0.8;   // of the first play's error
 constexpr double stuck = 3;             // of the noise is not explained: the fit may be in the wrong minimum
@@ -152,7 +153,10 @@ std::string refusalOf (const LearntFocus& learnt, const ModalModel& nominal, con
     if (learnt.passes.size() > 1 && ! (last.surprise < wellPredicted * last.nominalSurprise))
         return "What was learnt did not predict the last play much better than the device as it was known.";
 
-    if (learnt.passes.size() > 1 && ! isClearlyBetter (learnt.passes, learnt.passes.size() - 1))
+    // What predicts so well needs no other proof, whatever was left to gain.
+    const auto isSure = last.surprise < surelyPredicted * last.nominalSurprise;
+
+    if (learnt.passes.size() > 1 && ! isSure && ! isClearlyBetter (learnt.passes, learnt.passes.size() - 1))
         return "By what was learnt the last play was hardly better than the first.";
 
     return {};
