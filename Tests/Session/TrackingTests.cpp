@@ -226,9 +226,21 @@ TEST_CASE ("A jump of one percent is recovered or declared", "[session][tracking
     play.play (2);
     play.device.move (0.01);
     const auto before = play.status().trace.size();
+    // A window that the jump divides may be taken for another one: those behind it are whole.
+    const auto isRecovered = [&play]
+    {
+        const auto newest = play.status();
+        return newest.state == TrackingState::following && std::abs (newest.trace.back().common - 0.011) < 1e-3;
+    };
     play.play (4);
+
+    for (int i = 0; i < 8 && ! isRecovered(); ++i)
+        play.play (0.5);
+
     const auto status = play.status();
+    INFO (status.reason);
     REQUIRE (status.trace.size() > before);
+    CHECK (status.state == TrackingState::following);
     CHECK (status.trace.back().common == Approx (0.011).margin (1e-3));
 }
 
