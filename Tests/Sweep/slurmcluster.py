@@ -11,7 +11,7 @@ import sys
 import time
 
 os.environ["PATH"] += ":/usr/sbin:/sbin"
-PROGRAMS = ["munged", "slurmctld", "slurmd", "sbatch", "squeue", "sinfo"]
+PROGRAMS = ["munged", "slurmctld", "slurmd", "sbatch", "squeue", "sinfo", "scontrol"]
 NODES = ["node1", "node2"]
 PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36
 
@@ -166,16 +166,41 @@ class SlurmCluster:
         self.running[name].kill()
         self.running[name].wait()
 
+    def repair(self):
+        """What an administrator does after a power cut: the controller saves its jobs every few seconds only, so one that was killed gives the
+        numbers of tasks it has forgotten to others. A node that still has such a task refuses the other ("Duplicate jobid"), is taken out of
+        service and the other is held, for good without this."""
+        for node, state in self._listed("sinfo", "--Node", "--format=%N %T"):
+            if state.startswith("drain"):
+                self._administrate("update", f"NodeName={node}", "State=RESUME")
+        for job, *reason in self._listed("squeue", "--array", "--format=%i %r"):
+            if "held" in " ".join(reason):
+                self._administrate("release", job)
+
+    def _listed(self, *command):
+        said = subprocess.run([*command, "--noheader"], env=self.environment, capture_output=True, text=True)
+        return [line.split() for line in said.stdout.splitlines()] if said.returncode == 0 else []
+
+    def _administrate(self, *words):
+        subprocess.run(["scontrol", *words], env=self.environment, capture_output=True)
+
     def revive(self):
         """Starts every daemon that does not run."""
         for name, process in list(self.running.items()):
             if process.poll() is not None:
                 self.start(name)
 
+    def report(self):
+        """What Slurm says of its queue and nodes, the processes, and the ends of all logs: for the message of a test that fails."""
+        commands = [["squeue"], ["sinfo", "--Node", "--long"]]
+        said = [subprocess.run(command, env=self.environment, capture_output=True, text=True) for command in commands]
+        processes = [f"{each} {' '.join(command_line(each))}" for each in sorted(descendants())]
+        logs = [f"{file.name}:\n{file.read_text(errors='replace')[-3000:]}" for file in sorted(self.folder.glob("*.output"))]
+        return "\n".join([each.stdout + each.stderr for each in said] + processes + logs)
+
     def _wait_for_nodes(self):
         def idle():
-            said = subprocess.run(["sinfo", "--noheader", "--Node", "--format=%T"], env=self.environment, capture_output=True, text=True)
-            return said.stdout.split() == ["idle"] * len(NODES)
+            return self._listed("sinfo", "--Node", "--format=%T") == [["idle"]] * len(NODES)
 
         self._wait(idle, "the nodes")
 
