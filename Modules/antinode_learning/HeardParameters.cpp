@@ -1,5 +1,7 @@
 #include "HeardParameters.h"
 
+#include "DrivenModes.h"
+
 #include <antinode_numerics/DenseKernels.h>
 #include <antinode_numerics/ParallelFor.h>
 
@@ -19,25 +21,12 @@ Eigen::MatrixXd sharesOfCeramics (const LearningPrior& prior, Eigen::Index k)
 
     for (const auto& voltages : prior.voltages)
     {
-        std::vector<Eigen::VectorXd> motions;
-        Eigen::Index longest = 0;
-
-        for (Eigen::Index i = 0; i < ceramics; ++i)
-        {
-            motions.push_back (modeMotionUntilRest (prior.model.angularFrequencies[k], prior.model.dampingRatios[k],
-                                                    prior.model.participation (k, i) * voltages.of (i),
-                                                    voltages.sampleRate(), voltages.samples(), false)
-                                   .velocity);
-            longest = std::max (longest, motions.back().size());
-        }
-
-        Eigen::MatrixXd together = Eigen::MatrixXd::Zero (longest, ceramics);
-
-        for (Eigen::Index i = 0; i < ceramics; ++i)
-            together.col (i).head (motions[static_cast<std::size_t> (i)].size()) =
-                motions[static_cast<std::size_t> (i)];
-
-        addGram (products, 1, together.transpose());
+        const auto each = drivenByEachCeramic (prior.model, k, voltages, voltages.samples());
+        const auto parts = each.parts();
+        const auto logarithm = decayLogarithm (prior.model, k, voltages.sampleRate());
+        const auto decay = decayProducts (logarithm, logarithm, voltages.samples() - each.driven.rows());
+        products += parts.transpose() * decay * parts;
+        addGram (products, 1, each.driven.transpose());
     }
 
     return products.selfadjointView<Eigen::Lower>();
@@ -71,40 +60,56 @@ std::vector<LearningParameter> participationParameters (const LearningPrior& pri
     return parameters;
 }
 
-/** The sum of squares of a mode's motion, and of its change per relative change of its frequency and its damping. */
-Eigen::Vector3d energies (const LearningPrior& prior, Eigen::Index k)
+/** Sums of squares over a whole recording: N_m. */
+Eigen::VectorXd energiesOf (const Histories& histories, const Eigen::VectorXcd& logarithms, Eigen::Index samples)
 {
-    Eigen::Vector3d sums = Eigen::Vector3d::Zero();
+    Eigen::VectorXd energies = histories.driven.colwise().squaredNorm().transpose();
+
+    for (Eigen::Index k = 0; k < energies.size(); ++k)
+    {
+        const auto parts = histories.after[static_cast<std::size_t> (k)].parts();
+        energies[k] +=
+            parts.dot (decayProducts (logarithms[k], logarithms[k], samples - histories.driven.rows()) * parts);
+    }
+
+    return energies;
+}
+
+/** The sums of squares of all modes' motions, and of their changes per relative change of frequency and damping: 3 x
+    N_m. */
+Eigen::Matrix3Xd knownEnergies (const LearningPrior& prior)
+{
+    Eigen::Matrix3Xd sums = Eigen::Matrix3Xd::Zero (3, prior.model.modes());
 
     for (const auto& voltages : prior.voltages)
     {
-        const auto motion = modeMotionUntilRest (prior.model.angularFrequencies[k], prior.model.dampingRatios[k],
-                                                 voltages.force (prior.model.participation.row (k)),
-                                                 voltages.sampleRate(), voltages.samples(), true);
-        sums += Eigen::Vector3d { motion.velocity.squaredNorm(), motion.byFrequency.squaredNorm(),
-                                  motion.byDamping.squaredNorm() };
+        const auto motions = driveModes (prior.model, voltages, voltages.samples());
+        const auto logarithms = decayLogarithms (prior.model, voltages.sampleRate());
+        sums.row (0) += energiesOf (motions.velocity, logarithms, voltages.samples());
+        sums.row (1) += energiesOf (motions.byFrequency, logarithms, voltages.samples());
+        sums.row (2) += energiesOf (motions.byDamping, logarithms, voltages.samples());
     }
 
     return sums;
 }
 
-/** The same where participations are off as the prior says. Voltages that keep a mode at rest by what it is known to be
-    move it on the device: ceramics that cancel each other do not any more. */
-Eigen::Vector3d expectedEnergies (const LearningPrior& prior, Eigen::Index k, const Eigen::MatrixXd& products)
+/** The energies of a mode where participations are off as the prior says. Voltages that keep a mode at rest by what it
+    is known to be move it on the device: ceramics that cancel each other do not any more. */
+Eigen::Vector3d expectedEnergies (const LearningPrior& prior, Eigen::Index k, const Eigen::Vector3d& known,
+                                  const Eigen::MatrixXd& products)
 {
-    const auto known = energies (prior, k);
     const auto deviation = prior.deviations.participation[k];
     const auto whole = known[0] + deviation * deviation * products.trace();
     return known[0] > 0 ? Eigen::Vector3d (known * (whole / known[0])) : Eigen::Vector3d (whole, 0, 0);
 }
 
-std::vector<LearningParameter> parametersOf (const LearningPrior& prior, Eigen::Index k)
+std::vector<LearningParameter> parametersOf (const LearningPrior& prior, Eigen::Index k, const Eigen::Vector3d& known)
 {
     const auto square = [] (double value) { return value * value; };
     const auto& deviations = prior.deviations;
     const auto heard = audibility (prior, k);
     const auto products = sharesOfCeramics (prior, k);
-    const auto energy = expectedEnergies (prior, k, products);
+    const auto energy = expectedEnergies (prior, k, known, products);
     auto parameters = std::vector<LearningParameter> {};
 
     if (heard * energy[1] * square (deviations.frequencies[k]) > leastInformation)
@@ -136,8 +141,13 @@ std::vector<LearningParameter> parametersOf (const LearningPrior& prior, Eigen::
 LearningParameters heardParameters (const LearningPrior& prior)
 {
     std::vector<std::vector<LearningParameter>> ofModes (static_cast<std::size_t> (prior.model.modes()));
+    const auto known = knownEnergies (prior);
     parallelFor (ofModes.size(),
-                 [&] (std::size_t k) { ofModes[k] = parametersOf (prior, static_cast<Eigen::Index> (k)); });
+                 [&] (std::size_t index)
+                 {
+                     const auto k = static_cast<Eigen::Index> (index);
+                     ofModes[index] = parametersOf (prior, k, known.col (k));
+                 });
     LearningParameters parameters;
     parameters.recordings = static_cast<Eigen::Index> (prior.recordings.size());
 

@@ -200,10 +200,13 @@ LearntModes learntFrom (const LearningPrior& prior, const LearningProblem& probl
     const auto left = deviationsLeft (solution.factored);
     const auto ceramics = static_cast<double> (prior.model.actuators());
     const auto& deviations = prior.deviations;
-    LearntModes learnt { state.model,         prior.sensors,
+    LearntModes learnt { prior.model,         prior.sensors,
                          state.delays,        deviations.frequencies,
                          deviations.dampings, deviations.participation,
                          solution.residual,   solution.unexplained };
+    learnt.model.angularFrequencies = state.model.angularFrequencies;
+    learnt.model.dampingRatios = state.model.dampingRatios;
+    learnt.model.participation = state.model.participation;
 
     for (std::size_t m = 0; m < learnt.sensors.size(); ++m)
         learnt.sensors[m].shapes = state.sensors.row (static_cast<Eigen::Index> (m));

@@ -86,7 +86,10 @@ LearningPrior makePrior (const ModalModel& model, const std::vector<Sensor>& sen
                          const std::vector<PlayedRecording>& recordings)
 {
     requireUsable (model, sensors, deviations, recordings);
-    LearningPrior prior { model, sensors, deviations, recordings, {}, {} };
+    LearningPrior prior { model, sensors, deviations, recordings, {}, {}, {} };
+    prior.modes.angularFrequencies = model.angularFrequencies;
+    prior.modes.dampingRatios = model.dampingRatios;
+    prior.modes.participation = model.participation;
 
     for (const auto& recording : recordings)
     {
@@ -99,7 +102,7 @@ LearningPrior makePrior (const ModalModel& model, const std::vector<Sensor>& sen
 
 LearningState stateAt (const LearningPrior& prior, const LearningParameters& parameters, const Eigen::VectorXd& values)
 {
-    LearningState state { prior.model, {}, Eigen::VectorXd (parameters.recordings) };
+    LearningState state { prior.modes, {}, Eigen::VectorXd (parameters.recordings) };
     state.sensors.resize (static_cast<Eigen::Index> (prior.sensors.size()), prior.model.modes());
 
     for (std::size_t m = 0; m < prior.sensors.size(); ++m)

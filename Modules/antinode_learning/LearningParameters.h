@@ -41,7 +41,7 @@ struct LearningParameters
 /** A device, its sensors and delays, as values of the parameters say. */
 struct LearningState
 {
-    ModalModel model;
+    ModalModel model;        ///< Without the surface and its shapes.
     Eigen::MatrixXd sensors; ///< N x N_m
     Eigen::VectorXd delays;  ///< s, of each recording.
 };
@@ -53,6 +53,7 @@ struct LearningPrior
     const std::vector<Sensor>& sensors;
     const ModeSpread& deviations;
     const std::vector<PlayedRecording>& recordings;
+    ModalModel modes; ///< The model without the surface and its shapes, which every state would copy.
     std::vector<PlayedVoltages> voltages;                    ///< Of each recording.
     std::vector<std::unique_ptr<ShiftedSignals>> signals {}; ///< The same.
 };

@@ -1,11 +1,12 @@
 #include "PlayedVoltages.h"
 
+#include "MovingMode.h"
+
 #include <antinode_numerics/DenseKernels.h>
 #include <antinode_numerics/Fourier.h>
 #include <antinode_numerics/ParallelFor.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -14,37 +15,6 @@ namespace antinode
 {
 namespace
 {
-using Complex = std::complex<double>;
-
-/** Gauss and Legendre's places and weights on 0 to 1. */
-constexpr std::array<double, PlayedVoltages::places> gaussPlaces { 0.06943184420297371, 0.33000947820757187,
-                                                                   0.6699905217924281, 0.9305681557970263 };
-constexpr std::array<double, PlayedVoltages::places> gaussWeights { 0.17392742256872693, 0.32607257743127307,
-                                                                    0.32607257743127307, 0.17392742256872693 };
-
-/** How one sample interval takes a mode on: y becomes turn y + sum taps force. */
-struct Interval
-{
-    Complex pole, turn;
-    std::array<Complex, PlayedVoltages::places> taps, tapsByPole;
-};
-
-Interval makeInterval (double angularFrequency, double dampingRatio, double length)
-{
-    Interval interval;
-    interval.pole = angularFrequency * Complex { -dampingRatio, std::sqrt (1 - dampingRatio * dampingRatio) };
-    interval.turn = std::exp (interval.pole * length);
-
-    for (std::size_t g = 0; g < gaussPlaces.size(); ++g)
-    {
-        const auto left = length * (1 - gaussPlaces[g]);
-        interval.taps[g] = length * gaussWeights[g] * std::exp (interval.pole * left);
-        interval.tapsByPole[g] = left * interval.taps[g];
-    }
-
-    return interval;
-}
-
 constexpr Eigen::Index tail = 256; // samples until a sinc has gone below 1e-3 of a jump
 
 /** Samples until the last voltage. */
@@ -57,63 +27,6 @@ Eigen::Index lastPlayed (const Eigen::MatrixXd& voltages)
 
     return last;
 }
-
-/** A mode while it moves: the recursion of its pole, and of its change by the pole. */
-class MovingMode
-{
-public:
-    MovingMode (double angularFrequency, double dampingRatio, double sampleRate)
-        : interval (makeInterval (angularFrequency, dampingRatio, 1 / sampleRate)),
-          turnByPole (interval.turn / sampleRate), ratio (dampingRatio / std::sqrt (1 - dampingRatio * dampingRatio)),
-          poleByDamping (angularFrequency * Complex { -dampingRatio, -dampingRatio * ratio })
-    {
-    }
-
-    // q' = Re y - (a / b) Im y; the ratio depends on the damping ratio alone.
-    double velocity() const { return y.real() - ratio * y.imag(); }
-    double byFrequency() const { return changed (interval.pole); }
-    double byDamping() const { return changed (poleByDamping) - (ratio + ratio * ratio * ratio) * y.imag(); }
-    double energy() const { return std::norm (y); }
-
-    /** To the next sample. @param force  at the places between, nullptr: none */
-    template <bool withChanges>
-    void advance (const double* force)
-    {
-        Complex added = 0, addedByPole = 0;
-
-        if (force != nullptr)
-            for (std::size_t g = 0; g < gaussPlaces.size(); ++g)
-            {
-                added += interval.taps[g] * force[g];
-
-                if constexpr (withChanges)
-                    addedByPole += interval.tapsByPole[g] * force[g];
-            }
-
-        if constexpr (withChanges)
-            byPole = product (interval.turn, byPole) + product (turnByPole, y) + addedByPole;
-
-        y = product (interval.turn, y) + added;
-    }
-
-private:
-    /** Of finite numbers: without the questions that the operator asks. */
-    static Complex product (Complex a, Complex b)
-    {
-        return { a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real() };
-    }
-
-    double changed (Complex ofPole) const
-    {
-        const auto change = product (byPole, ofPole);
-        return change.real() - ratio * change.imag();
-    }
-
-    Interval interval;
-    Complex turnByPole;
-    double ratio;
-    Complex poleByDamping, y = 0, byPole = 0;
-};
 
 /** Samples of a motion until it ends. */
 template <bool withChanges>
@@ -180,8 +93,8 @@ PlayedVoltages::PlayedVoltages (const Eigen::MatrixXd& voltages, double sampleRa
 
         for (Eigen::Index g = 0; g < places; ++g)
         {
-            const auto turn =
-                2 * std::numbers::pi * gaussPlaces[static_cast<std::size_t> (g)] / static_cast<double> (length);
+            const auto turn = 2 * std::numbers::pi * MovingMode::gaussPlaces[static_cast<std::size_t> (g)]
+                              / static_cast<double> (length);
             const Eigen::VectorXcd turns = Eigen::VectorXcd::NullaryExpr (
                 spectrum.size(), [turn] (Eigen::Index k) { return std::polar (1.0, turn * static_cast<double> (k)); });
             const Eigen::VectorXd between = tables.inverse (spectrum.cwiseProduct (turns), length);

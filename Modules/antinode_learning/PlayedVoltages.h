@@ -11,7 +11,7 @@ namespace antinode
 class PlayedVoltages
 {
 public:
-    static constexpr Eigen::Index places = 4; ///< Between two samples.
+    static constexpr Eigen::Index places = 4; ///< Between two samples: MovingMode::gaussPlaces.
 
     /** @param voltages  N_b x N_s, V, before and after which there are none [worker] */
     PlayedVoltages (const Eigen::MatrixXd& voltages, double sampleRate);

@@ -1,5 +1,7 @@
 #include "RecordingEquations.h"
 
+#include "DrivenModes.h"
+
 #include <antinode_base/Watch.h>
 #include <antinode_numerics/DenseKernels.h>
 #include <antinode_numerics/ParallelFor.h>
@@ -16,145 +18,176 @@ const PlayedRecording& recordingOf (const LearningPrior& prior, Eigen::Index r)
     return prior.recordings[static_cast<std::size_t> (r)];
 }
 
-/** What sensors hear of all modes' velocities or changes: samples x N. */
-template <typename Part>
-Eigen::MatrixXd heardBy (const Eigen::MatrixXd& sensors, const std::vector<ModeMotion>& motions, Eigen::Index samples,
-                         const Part& part)
+/** What sensors hear of the velocities or changes of all modes: samples x N. */
+Eigen::MatrixXd heardBy (const Eigen::MatrixXd& sensors, const Histories& histories, const Eigen::VectorXcd& logarithms,
+                         Eigen::Index samples)
 {
+    const auto driven = histories.driven.rows();
     Eigen::MatrixXd heard = Eigen::MatrixXd::Zero (samples, sensors.rows());
+    addTransposedRight (heard.topRows (driven), 1, histories.driven, sensors);
 
-    for (std::size_t k = 0; k < motions.size(); ++k)
-    {
-        const Eigen::VectorXd& motion = part (motions[k]);
+    const auto parts = histories.parts();
+    Eigen::MatrixXd weights (4 * parts.cols(), sensors.rows());
 
-        for (Eigen::Index m = 0; m < sensors.rows(); ++m)
-            heard.col (m).head (motion.size()) += sensors (m, static_cast<Eigen::Index> (k)) * motion;
-    }
+    for (Eigen::Index k = 0; k < parts.cols(); ++k)
+        weights.middleRows<4> (4 * k) = parts.col (k) * sensors.col (k).transpose();
 
+    forEachDecayPart (logarithms, samples - driven,
+                      [&] (const DecayPart& part)
+                      {
+                          const Eigen::MatrixXd some = weights (part.columns, Eigen::all);
+                          addProduct (heard.middleRows (driven + part.first, part.basis.rows()), 1, part.basis, some);
+                      });
     return heard;
 }
 
-/** Every modal parameter's effect: a history in time, until it is at rest, and how much of it each sensor hears. */
+/** Every modal parameter's effect: a history in time, and how much of it each sensor hears. */
 struct Effects
 {
-    std::vector<Eigen::VectorXd> histories; ///< P
-    Eigen::MatrixXd weights;                ///< N x P
+    Histories histories;             ///< P
+    Eigen::MatrixXd weights;         ///< N x P
+    std::vector<Eigen::Index> modes; ///< P
 };
 
-/** The history of a parameter's effect. */
-Eigen::VectorXd history (const LearningPrior& prior, const LearningParameter& parameter, const LearningState& state,
-                         const PlayedVoltages& voltages, const ModeMotion& motion, Eigen::Index samples)
+/** The histories of parameters of participations, of which `indices` says the places among all. */
+void addParticipations (Effects& effects, const LearningPrior& prior, const LearningParameters& parameters,
+                        const LearningState& state, const PlayedVoltages& voltages, Eigen::Index samples)
 {
-    const auto k = parameter.mode;
+    std::vector<Eigen::Index> modes, indices;
 
-    switch (parameter.kind)
-    {
-        case ParameterKind::frequency:
-            return prior.deviations.frequencies[k] * motion.byFrequency;
+    for (std::size_t p = 0; p < parameters.modal.size(); ++p)
+        if (parameters.modal[p].kind == ParameterKind::participation)
+        {
+            modes.push_back (parameters.modal[p].mode);
+            indices.push_back (static_cast<Eigen::Index> (p));
+        }
 
-        case ParameterKind::damping:
-            return prior.deviations.dampings[k] * motion.byDamping;
+    Eigen::MatrixXd participations (std::ssize (modes), prior.model.actuators());
 
-        case ParameterKind::participation:
-            return modeMotionUntilRest (state.model.angularFrequencies[k], state.model.dampingRatios[k],
-                                        voltages.force (prior.deviations.participation[k]
-                                                        * prior.model.participation.row (k).cwiseProduct (
-                                                            parameter.ceramics.transpose())),
-                                        voltages.sampleRate(), samples, false)
-                .velocity;
+    for (std::size_t i = 0; i < modes.size(); ++i)
+        participations.row (static_cast<Eigen::Index> (i)) =
+            prior.deviations.participation[modes[i]]
+            * prior.model.participation.row (modes[i]).cwiseProduct (
+                parameters.modal[static_cast<std::size_t> (indices[i])].ceramics.transpose());
 
-        case ParameterKind::sensor:
-            break;
-    }
+    const auto some = drivenBy (state.model, modes, participations, voltages, samples);
+    effects.histories.driven (Eigen::all, indices) = some.driven;
 
-    return prior.sensors[static_cast<std::size_t> (parameter.sensor)].deviation * motion.velocity;
+    for (std::size_t i = 0; i < modes.size(); ++i)
+        effects.histories.after[static_cast<std::size_t> (indices[i])] = some.after[i];
 }
 
 Effects effectsOf (const LearningPrior& prior, const LearningParameters& parameters, const LearningState& state,
-                   const PlayedVoltages& voltages, const std::vector<ModeMotion>& motions, Eigen::Index samples)
+                   const PlayedVoltages& voltages, const DrivenModes& motions, Eigen::Index samples)
 {
-    Effects effects { std::vector<Eigen::VectorXd> (parameters.modal.size()),
-                      Eigen::MatrixXd (state.sensors.rows(), parameters.drift()) };
-    parallelFor (parameters.modal.size(),
-                 [&] (std::size_t index)
-                 {
-                     const auto p = static_cast<Eigen::Index> (index);
-                     const auto& parameter = parameters.modal[index];
-                     effects.histories[index] = history (prior, parameter, state, voltages,
-                                                         motions[static_cast<std::size_t> (parameter.mode)], samples);
+    const auto all = parameters.drift();
+    Effects effects { { Eigen::MatrixXd (motions.velocity.driven.rows(), all),
+                        std::vector<FreeDecay> (parameters.modal.size()) },
+                      Eigen::MatrixXd (state.sensors.rows(), all),
+                      {} };
+    const auto take = [&] (Eigen::Index p, double factor, const Histories& histories, Eigen::Index k)
+    {
+        const auto& after = histories.after[static_cast<std::size_t> (k)];
+        effects.histories.driven.col (p) = factor * histories.driven.col (k);
+        effects.histories.after[static_cast<std::size_t> (p)] = { factor * after.constant, factor * after.slope };
+    };
 
-                     if (parameter.kind == ParameterKind::sensor)
-                     {
-                         effects.weights.col (p).setZero();
-                         effects.weights (parameter.sensor, p) =
-                             prior.sensors[static_cast<std::size_t> (parameter.sensor)].shapes[parameter.mode];
-                     }
-                     else
-                         effects.weights.col (p) = state.sensors.col (parameter.mode);
-                 });
+    for (Eigen::Index p = 0; p < all; ++p)
+    {
+        const auto& parameter = parameters.modal[static_cast<std::size_t> (p)];
+        const auto k = parameter.mode;
+        const auto& sensor = prior.sensors[static_cast<std::size_t> (parameter.sensor)];
+        effects.modes.push_back (k);
+        effects.weights.col (p) = state.sensors.col (k);
+
+        if (parameter.kind == ParameterKind::frequency)
+            take (p, prior.deviations.frequencies[k], motions.byFrequency, k);
+        else if (parameter.kind == ParameterKind::damping)
+            take (p, prior.deviations.dampings[k], motions.byDamping, k);
+        else if (parameter.kind == ParameterKind::sensor)
+        {
+            take (p, sensor.deviation, motions.velocity, k);
+            effects.weights.col (p).setZero();
+            effects.weights (parameter.sensor, p) = sensor.shapes[k];
+        }
+    }
+
+    addParticipations (effects, prior, parameters, state, voltages, samples);
     return effects;
 }
 
-/** Inner products of histories with each other and with signals. */
-struct InnerProducts
+/** Inner products of histories with signals, samples x columns: P x columns. */
+Eigen::MatrixXd productsWith (const Effects& effects, const Eigen::VectorXcd& logarithms,
+                              const Eigen::MatrixXd& signals)
 {
-    Eigen::MatrixXd gram;    ///< P x P, the lower triangle; empty where it was not wanted.
-    Eigen::MatrixXd signals; ///< P x columns
-};
+    const auto& histories = effects.histories;
+    const auto driven = histories.driven.rows();
+    Eigen::MatrixXd products = Eigen::MatrixXd::Zero (histories.driven.cols(), signals.cols());
+    addTransposedLeft (products, 1, histories.driven, signals.topRows (driven));
 
-/** Histories die out, quick modes early: in each part of the record only those are multiplied that can still be heard.
-    @param audibility  P: information per square of a history */
-InnerProducts innerProducts (const std::vector<Eigen::VectorXd>& histories, const Eigen::VectorXd& audibility,
-                             const Eigen::MatrixXd& signals, bool withGram)
-{
-    constexpr Eigen::Index partLength = 512; // samples
-    constexpr double inaudible = 1e-4;       // information, of the prior's
-    const auto all = static_cast<Eigen::Index> (histories.size());
-    InnerProducts products { withGram ? Eigen::MatrixXd::Zero (all, all) : Eigen::MatrixXd (0, 0),
-                             Eigen::MatrixXd::Zero (all, signals.cols()) };
-    std::vector<Eigen::Index> heard;
-    Eigen::MatrixXd part (partLength, all);
+    Eigen::MatrixXd ofModes = Eigen::MatrixXd::Zero (4 * logarithms.size(), signals.cols());
+    forEachDecayPart (logarithms, signals.rows() - driven,
+                      [&] (const DecayPart& part)
+                      {
+                          Eigen::MatrixXd some = Eigen::MatrixXd::Zero (std::ssize (part.columns), signals.cols());
+                          addTransposedLeft (some, 1, part.basis,
+                                             signals.middleRows (driven + part.first, part.basis.rows()));
+                          ofModes (part.columns, Eigen::all) += some;
+                      });
+    const auto parts = histories.parts();
 
-    for (Eigen::Index first = 0; first < signals.rows(); first += partLength)
-    {
-        const auto length = std::min (partLength, signals.rows() - first);
-        heard.clear();
-
-        for (Eigen::Index p = 0; p < all; ++p)
-        {
-            const auto& history = histories[static_cast<std::size_t> (p)];
-            const auto left = std::min (length, history.size() - first);
-
-            if (left <= 0 || history.segment (first, left).squaredNorm() * audibility[p] <= inaudible)
-                continue;
-
-            auto column = part.col (std::ssize (heard));
-            column.head (left) = history.segment (first, left);
-            column.segment (left, length - left).setZero();
-            heard.push_back (p);
-        }
-
-        if (heard.empty())
-            continue;
-
-        const auto count = std::ssize (heard);
-        const auto block = part.topLeftCorner (length, count);
-        Eigen::MatrixXd some = Eigen::MatrixXd::Zero (count, signals.cols());
-        addTransposedLeft (some, 1, block, signals.middleRows (first, length));
-        products.signals (heard, Eigen::all) += some;
-
-        if (! withGram)
-            continue;
-
-        Eigen::MatrixXd gram = Eigen::MatrixXd::Zero (count, count);
-        addGram (gram, 1, block.transpose());
-
-        for (Eigen::Index q = 0; q < count; ++q)
-            for (Eigen::Index p = q; p < count; ++p)
-                products.gram (heard[static_cast<std::size_t> (p)], heard[static_cast<std::size_t> (q)]) += gram (p, q);
-    }
+    for (Eigen::Index p = 0; p < parts.cols(); ++p)
+        products.row (p) +=
+            parts.col (p).transpose() * ofModes.middleRows<4> (4 * effects.modes[static_cast<std::size_t> (p)]);
 
     return products;
+}
+
+/** Where the parameters of each mode begin, which follow each other, and the end. */
+std::vector<Eigen::Index> beginsOfModes (const std::vector<Eigen::Index>& modes)
+{
+    std::vector<Eigen::Index> begins;
+
+    for (std::size_t p = 0; p < modes.size(); ++p)
+        if (p == 0 || modes[p] != modes[p - 1])
+            begins.push_back (static_cast<Eigen::Index> (p));
+
+    begins.push_back (std::ssize (modes));
+    return begins;
+}
+
+/** What sensors tell of all pairs of parameters: inner products of histories, by how much all sensors together hear of
+    both.
+    @param weighted  the weights by the sensors' precision, N x P
+    @param gram      P x P in and out, of which the lower triangle is written */
+void takeGram (const Effects& effects, const Eigen::MatrixXd& weighted, const Eigen::VectorXcd& logarithms,
+               Eigen::Index samples, MatrixOut gram)
+{
+    const auto& histories = effects.histories;
+    const auto parts = histories.parts();
+    const auto rest = samples - histories.driven.rows();
+    const auto begins = beginsOfModes (effects.modes);
+    addGram (gram, 1, histories.driven.transpose());
+    parallelFor (begins.size() - 1,
+                 [&] (std::size_t i)
+                 {
+                     const auto row = begins[i], rows = begins[i + 1] - row;
+                     const auto mode = logarithms[effects.modes[static_cast<std::size_t> (row)]];
+
+                     for (std::size_t j = 0; j <= i; ++j)
+                     {
+                         const auto column = begins[j], columns = begins[j + 1] - column;
+                         const auto other = logarithms[effects.modes[static_cast<std::size_t> (column)]];
+                         const Eigen::Matrix4Xd right =
+                             decayProducts (mode, other, rest) * parts.middleCols (column, columns);
+                         auto block = gram.block (row, column, rows, columns);
+                         block += parts.middleCols (row, rows).transpose().lazyProduct (right);
+                         block.array() *= effects.weights.middleCols (row, rows)
+                                              .transpose()
+                                              .lazyProduct (weighted.middleCols (column, columns))
+                                              .array();
+                     }
+                 });
 }
 
 /** The change from sample to sample per second, by central differences. */
@@ -177,11 +210,11 @@ RecordingEquations recordingEquations (const LearningPrior& prior, const Learnin
     checkWatch();
     const auto& recording = recordingOf (prior, r);
     const auto& voltages = prior.voltages[static_cast<std::size_t> (r)];
-    const auto motions = modeMotions (state.model, voltages, samples, true);
+    const auto motions = driveModes (state.model, voltages, samples);
+    const auto logarithms = decayLogarithms (state.model, voltages.sampleRate());
     const auto effects = effectsOf (prior, parameters, state, voltages, motions, samples);
     const Eigen::VectorXd precision = recording.noise.cwiseAbs2().cwiseInverse();
-    const auto heard = heardBy (state.sensors, motions, samples,
-                                [] (const ModeMotion& motion) -> const Eigen::VectorXd& { return motion.velocity; });
+    const auto heard = heardBy (state.sensors, motions.velocity, logarithms, samples);
     const auto& signals = prior.signals[static_cast<std::size_t> (r)]->earlier (state.delays[r], samples);
     const Eigen::MatrixXd residual = signals - heard;
     const auto modal = parameters.drift();
@@ -189,9 +222,7 @@ RecordingEquations recordingEquations (const LearningPrior& prior, const Learnin
 
     // What all modes share reaches every sensor in its own form.
     const Eigen::MatrixXd byDrift =
-        prior.deviations.drift
-        * heardBy (state.sensors, motions, samples,
-                   [] (const ModeMotion& motion) -> const Eigen::VectorXd& { return motion.byFrequency; });
+        prior.deviations.drift * heardBy (state.sensors, motions.byFrequency, logarithms, samples);
     const Eigen::MatrixXd byDelay = -prior.deviations.delay * derivative (heard, recording.sampleRate);
     Eigen::MatrixXd against (samples, 3 * sensors);
     against << residual, byDrift, byDelay;
@@ -199,14 +230,9 @@ RecordingEquations recordingEquations (const LearningPrior& prior, const Learnin
     RecordingEquations equations;
     equations.right = Eigen::VectorXd::Zero (parameters.size());
     const Eigen::MatrixXd weighted = precision.asDiagonal() * effects.weights;
-    const Eigen::VectorXd audibility = weighted.cwiseProduct (effects.weights).colwise().sum().transpose();
-    const auto products = innerProducts (effects.histories, audibility, against, withMatrix);
-    const auto summed = [&] (Eigen::Index part) -> Eigen::VectorXd {
-        return products.signals.middleCols (part * sensors, sensors)
-            .cwiseProduct (weighted.transpose())
-            .rowwise()
-            .sum();
-    };
+    const auto products = productsWith (effects, logarithms, against);
+    const auto summed = [&] (Eigen::Index part) -> Eigen::VectorXd
+    { return products.middleCols (part * sensors, sensors).cwiseProduct (weighted.transpose()).rowwise().sum(); };
     const auto product = [&] (const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
     { return (a.cwiseProduct (b).colwise().sum() * precision).value(); };
     // The residual is that of signals that were shifted back: a longer delay moves them, not the prediction.
@@ -218,8 +244,7 @@ RecordingEquations recordingEquations (const LearningPrior& prior, const Learnin
     if (withMatrix)
     {
         equations.matrix = Eigen::MatrixXd::Zero (parameters.size(), parameters.size());
-        equations.matrix.topLeftCorner (modal, modal) =
-            products.gram.cwiseProduct (effects.weights.transpose() * weighted);
+        takeGram (effects, weighted, logarithms, samples, equations.matrix.topLeftCorner (modal, modal));
         equations.matrix.row (drift).head (modal) = summed (1).transpose();
         equations.matrix.row (delay).head (modal) = summed (2).transpose();
         equations.matrix (drift, drift) = product (byDrift, byDrift);
@@ -237,9 +262,9 @@ double recordingMisfit (const LearningPrior& prior, const LearningState& state, 
 {
     checkWatch();
     const auto& recording = recordingOf (prior, r);
-    const auto motions = modeMotions (state.model, prior.voltages[static_cast<std::size_t> (r)], samples, false);
-    const auto heard = heardBy (state.sensors, motions, samples,
-                                [] (const ModeMotion& motion) -> const Eigen::VectorXd& { return motion.velocity; });
+    const auto& voltages = prior.voltages[static_cast<std::size_t> (r)];
+    const auto heard = heardBy (state.sensors, modeHistories (state.model, voltages, samples),
+                                decayLogarithms (state.model, voltages.sampleRate()), samples);
     const auto& signals = prior.signals[static_cast<std::size_t> (r)]->earlier (state.delays[r], samples);
     return ((signals - heard).cwiseAbs2().colwise().sum() * recording.noise.cwiseAbs2().cwiseInverse()).value();
 }
