@@ -18,7 +18,8 @@ namespace antinode
 {
 namespace
 {
-constexpr double largestError = 20; // dB: beyond, a recording is not one of the pass
+constexpr double untilSilence = 2.2; // s: what ends before the model has rung out could not be designed
+constexpr double largestError = 20;  // dB: beyond, a recording is not one of the pass
 
 void requirePass (const RecordedPass& pass, std::size_t number, const ModalModel& known, std::size_t points,
                   double sampleRate)
@@ -78,16 +79,15 @@ double worstError (const TrackScores& scores)
     return worst;
 }
 
-/** What the model says of the voltages of a pass until it has rung out: an end before that could not be designed.
-    @return  points x N_s, m */
-Eigen::MatrixXd predicted (const ModalModel& known, const WaveformsDescription& description, const RecordedPass& pass)
+} // namespace
+
+Eigen::MatrixXd predictedDisplacements (const ModalModel& known, const WaveformsDescription& description,
+                                        const SampledVoltages& voltages, double ringing)
 {
-    constexpr double untilSilence = 2.2; // s
     const auto fingers = knownFingers (description);
     const auto loaded = fingers.empty() ? known : loadedModel (known, fingers);
-    return playTracks (loaded, description, pass.voltages, untilSilence).displacements;
+    return playTracks (loaded, description, voltages, ringing).displacements;
 }
-} // namespace
 
 TrackCorrection correctionFrom (const ModalModel& known, const WaveformsDescription& description,
                                 const TrackSettings& settings, const std::vector<RecordedPass>& passes)
@@ -113,7 +113,7 @@ TrackCorrection correctionFrom (const ModalModel& known, const WaveformsDescript
     correction.gain = std::pow (0.5, correction.errors.end() - best - 1);
     const auto& pass = passes[correction.best];
 
-    correction.shift.predicted = predicted (known, description, pass).transpose();
+    correction.shift.predicted = predictedDisplacements (known, description, pass.voltages, untilSilence).transpose();
     auto& missing = correction.shift.missing;
     missing = -pass.displacements.transpose();
     const auto trigger = std::min<Eigen::Index> (asPlayed (pass).trigger, missing.rows());

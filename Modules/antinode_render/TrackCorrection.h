@@ -36,6 +36,14 @@ struct TrackCorrection
 TrackCorrection correctionFrom (const ModalModel& known, const WaveformsDescription&, const TrackSettings&,
                                 const std::vector<RecordedPass>& passes);
 
+/** What a model says of voltages at the touched points, with the fingers that the description knows.
+    @param ringing  s after the last voltage
+    @return         points x N_s, m
+    @throws InputError, Cancelled  as playTracks
+    [worker] */
+Eigen::MatrixXd predictedDisplacements (const ModalModel& known, const WaveformsDescription&, const SampledVoltages&,
+                                        double ringing);
+
 /** Displacements of recorded velocities: integrated, without what lies below a quarter of the band's lower end.
     @param velocities  points x N_s, m/s @return  points x N_s, m [worker] */
 Eigen::MatrixXd displacementsOf (const Eigen::MatrixXd& velocities, double sampleRate, TrackBand);

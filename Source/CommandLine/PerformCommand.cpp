@@ -25,8 +25,9 @@ namespace
 struct PerformOptions
 {
     std::string waveforms = "three-fingers", device, folder = "antinode-out", thresholdFile, played;
-    double rate = 48000; // Hz
-    double latency = 0;  // ms
+    double rate = 48000;       // Hz
+    double latency = 0;        // ms
+    double longestLatency = 0; // ms, of recordings
     std::vector<std::string> assignments, passes;
     SensorOptions sensor;
     bool hasReport = true, hasDesign = false, usesCache = true, isQuiet = false;
@@ -82,6 +83,13 @@ PerformedWaveforms judgePlayed (const std::string& file, const ModalModel& known
     return judgeVoltages (known, judge, description, settings, judge.fullScaleVoltage * wave.samples, show);
 }
 
+std::vector<RecordedPass> readPasses (const PerformOptions& options, const ModalModel& known,
+                                      const WaveformsDescription& description)
+{
+    return withoutLatency (readRecordedPasses (options.passes, known, description.band, options.sensor), known,
+                           description, options.longestLatency / milli);
+}
+
 void perform (const PerformOptions& options)
 {
     checkAssignments (options.assignments);
@@ -99,8 +107,7 @@ void perform (const PerformOptions& options)
     const auto [known, judge] = trackModels (device, options.usesCache);
     const auto performed =
         options.played.empty()
-            ? performWaveforms (known, judge, description, settings, show,
-                                readRecordedPasses (options.passes, known, description.band, options.sensor))
+            ? performWaveforms (known, judge, description, settings, show, readPasses (options, known, description))
             : judgePlayed (options.played, known, judge, description, settings, show);
     const auto own = options.hasDesign ? std::optional (solveDevice (device, {}, options.usesCache)) : std::nullopt;
     writePerformed (options.folder, performed, { options.hasReport, own ? &*own : nullptr });
@@ -138,6 +145,13 @@ void addPerformCommand (CLI::App& app)
         "--correct", options->passes,
         "Folder of an earlier pass with recorded.csv or recorded.wav in it (repeatable, in order)");
     passes->allow_extra_args (false)->type_name ("FOLDER")->excludes (latency);
+    command
+        ->add_option ("--longest-latency-ms", options->longestLatency,
+                      "The longest latency of each recording that is looked for, ms; 0: it begins with its voltages")
+        ->check (CLI::Range (0.0, 200.0))
+        ->type_name ("FLOAT")
+        ->needs (passes)
+        ->capture_default_str();
     command
         ->add_option (
             "--played", options->played,

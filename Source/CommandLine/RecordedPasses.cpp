@@ -4,6 +4,7 @@
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_base/WholeFile.h>
+#include <antinode_learning/PassDelay.h>
 #include <antinode_text/CsvTable.h>
 #include <antinode_text/WaveReader.h>
 
@@ -128,6 +129,20 @@ std::vector<RecordedPass> readRecordedPasses (const std::vector<std::string>& fo
         pass.displacements = std::filesystem::exists (table) ? recordedTable (table, wave.sampleRate, band)
                                                              : recordedWave (sound, wave.sampleRate, band, sensor);
     }
+
+    return passes;
+}
+
+std::vector<RecordedPass> withoutLatency (std::vector<RecordedPass> passes, const ModalModel& known,
+                                          const WaveformsDescription& description, double longestLatency)
+{
+    if (longestLatency > 0)
+        for (auto& pass : passes)
+        {
+            const auto expected = predictedDisplacements (known, description, pass.voltages, 0);
+            pass.displacements =
+                alignedWith (pass.displacements, expected, pass.voltages.playback.sampleRate, longestLatency).signals;
+        }
 
     return passes;
 }

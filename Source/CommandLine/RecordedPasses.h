@@ -15,4 +15,12 @@ namespace antinode
     [worker] Docs/FileFormats.md. */
 std::vector<RecordedPass> readRecordedPasses (const std::vector<std::string>& folders, const ModalModel&, TrackBand,
                                               const SensorOptions&);
+
+/** The same passes without the latency of their recordings, each its own, found by what the model expects of the
+    voltages.
+    @param longestLatency  s, that is looked for; 0: as they are
+    @throws InputError  as alignedWith and predictedDisplacements
+    [worker] Docs/Theory.md, section 4.15. */
+std::vector<RecordedPass> withoutLatency (std::vector<RecordedPass>, const ModalModel& known,
+                                          const WaveformsDescription&, double longestLatency);
 } // namespace antinode

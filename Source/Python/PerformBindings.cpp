@@ -31,8 +31,9 @@ using Performed = std::shared_ptr<PerformedValue>;
 /** What of `antinode perform` is neither waveforms nor device. */
 struct PerformSettings
 {
-    double sampleRate = 0; ///< Hz
-    double latency = 0;    ///< ms
+    double sampleRate = 0;     ///< Hz
+    double latency = 0;        ///< ms
+    double longestLatency = 0; ///< ms, of recordings
     std::string thresholdFile;
     std::vector<std::string> passes;
     SensorOptions sensor;
@@ -51,7 +52,8 @@ PerformedWaveforms performOn (const WaveformsDescription& waveforms, const Devic
         progress ("Modes of the device", 0);
 
     const auto [known, judge] = trackModels (device, settings.usesCache);
-    const auto passes = readRecordedPasses (settings.passes, known, waveforms.band, settings.sensor);
+    const auto passes = withoutLatency (readRecordedPasses (settings.passes, known, waveforms.band, settings.sensor),
+                                        known, waveforms, settings.longestLatency / milli);
     return performWaveforms (known, judge, waveforms, tracks, progress, passes);
 }
 
@@ -89,15 +91,19 @@ void bindPerform (py::module_& module)
     py::class_<PerformSettings> (module, "PerformSettings")
         .def (py::init (
                   [] (double rate, double latency, std::string threshold, std::vector<std::string> passes,
-                      double sensitivity, double inputFullScale, bool cache)
+                      double longestLatency, double sensitivity, double inputFullScale, bool cache)
                   {
-                      return PerformSettings {
-                          rate, latency, std::move (threshold), std::move (passes), { sensitivity, inputFullScale },
-                          cache
-                      };
+                      return PerformSettings { rate,
+                                               latency,
+                                               longestLatency,
+                                               std::move (threshold),
+                                               std::move (passes),
+                                               { sensitivity, inputFullScale },
+                                               cache };
                   }),
               py::arg ("sample_rate_Hz"), py::arg ("latency_ms"), py::arg ("threshold"), py::arg ("passes"),
-              py::arg ("sensitivity_mm_s_per_V"), py::arg ("input_full_scale_V"), py::arg ("cache"));
+              py::arg ("longest_latency_ms"), py::arg ("sensitivity_mm_s_per_V"), py::arg ("input_full_scale_V"),
+              py::arg ("cache"));
 
     py::class_<PerformedValue, Performed> bound (module, "Performed");
     bound.def_static ("make", &perform);

@@ -40,6 +40,41 @@ def test_the_track_is_reached_and_the_silent_finger_hardly_moves():
     assert not performed.displacements_m.flags.writeable
 
 
+def test_a_pass_that_was_recorded_late_is_corrected_like_one_in_time(program, tmp_path):
+    first = an.perform(two_fingers(), "aluminium-200x120")
+    first.save(tmp_path / "pass", report=False)
+    an.waveforms(two_fingers()).save(tmp_path / "two.json")
+    # The real plate gives a tenth less; all is recorded 337 samples late.
+    recorded = 0.9e6 * first.displacements_m.T
+
+    def errors(late, **settings):
+        delayed = np.vstack([np.zeros((late, 2)), recorded])
+        times = np.arange(len(delayed)) / first.sample_rate_Hz
+        np.savetxt(
+            tmp_path / "pass" / "recorded.csv",
+            np.column_stack([times, delayed]),
+            delimiter=",",
+            header="time_s,displacement_um_1,displacement_um_2",
+            comments="",
+        )
+        next_pass = an.perform(two_fingers(), "aluminium-200x120", passes=[tmp_path / "pass"], **settings)
+        return next_pass, next_pass.scores["passes"]["errors_dB"][0]
+
+    in_time, error_in_time = errors(0)
+    _, error_late = errors(337)
+    aligned, error_aligned = errors(337, longest_latency_ms=20)
+    assert error_in_time == pytest.approx(-20, abs=0.2)
+    assert error_late > -6
+    assert error_aligned == pytest.approx(error_in_time, abs=0.1)
+    assert np.abs(aligned.voltages_V - in_time.voltages_V).max() < 1e-3 * np.abs(in_time.voltages_V).max()
+    program(
+        *("perform", tmp_path / "two.json", "--device", "aluminium-200x120", "--no-report", "--out", tmp_path / "next"),
+        *("--correct", tmp_path / "pass", "--longest-latency-ms", "20"),
+    )
+    aligned.save(tmp_path / "made", report=False)
+    assert (tmp_path / "next" / "voltages.wav").read_bytes() == (tmp_path / "made" / "voltages.wav").read_bytes()
+
+
 def test_levels_beyond_the_limits_say_what_share_is_within():
     with pytest.raises(an.LimitError) as error:
         an.perform(two_fingers(level_um=3000), "aluminium-200x120")
@@ -48,6 +83,6 @@ def test_levels_beyond_the_limits_say_what_share_is_within():
 
 
 def test_bad_settings_are_refused():
-    for wrong in ({"sample_rate_Hz": 1}, {"latency_ms": 1000}, {"passes": ["missing"]}, {"threshold": "missing.csv"}):
+    for wrong in ({"sample_rate_Hz": 1}, {"latency_ms": 1000}, {"passes": ["missing"]}, {"threshold": "missing.csv"}, {"longest_latency_ms": 300}):
         with pytest.raises(an.InputError):
             an.perform(two_fingers(), "aluminium-200x120", **wrong)

@@ -158,6 +158,7 @@ class PerformSettings:
         latency_ms: float,
         threshold: str,
         passes: Sequence[str],
+        longest_latency_ms: float,
         sensitivity_mm_s_per_V: float,
         input_full_scale_V: float,
         cache: bool,

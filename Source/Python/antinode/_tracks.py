@@ -87,6 +87,7 @@ def perform(
     latency_ms: Optional[float] = None,
     threshold: Optional[Folder] = None,
     passes: Iterable[Folder] = (),
+    longest_latency_ms: float = 0.0,
     sensitivity_mm_s_per_V: float = 0.0,
     input_full_scale_V: float = 1.0,
     cache: bool = True,
@@ -103,6 +104,7 @@ def perform(
             whole event is known.
         threshold: a CSV of Hz and um: what skin feels; None: the built-in table.
         passes: folders of earlier passes with what was recorded, in their order: the design corrects the best of them.
+        longest_latency_ms: of each recording, 0 to 200 ms: it is looked for; 0: recordings begin with their voltages.
         sensitivity_mm_s_per_V, input_full_scale_V: the scale of ``recorded.wav``.
         cache: False: the device is solved without the user's cache.
         progress: a function of what is being done and its share, 0 to 1; True: a bar of tqdm where it is installed.
@@ -119,12 +121,14 @@ def perform(
     """
     within("sample_rate_Hz", sample_rate_Hz, 1000, 2e6)
     within("latency_ms", latency_ms, 0.1, 100)
+    within("longest_latency_ms", longest_latency_ms, 0, 200)
     recorded = [os.fspath(folder) for folder in passes]
     settings = _antinode.PerformSettings(
         sample_rate_Hz,
         latency_ms or 0.0,
         os.fspath(threshold) if threshold else "",
         recorded,
+        longest_latency_ms,
         sensitivity_mm_s_per_V,
         input_full_scale_V,
         cache,

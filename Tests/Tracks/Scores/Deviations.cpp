@@ -1,6 +1,8 @@
 #include "ScoreTools.h"
 
 #include <antinode_fingers/LoadedModel.h>
+#include <antinode_learning/PassDelay.h>
+#include <antinode_numerics/Fourier.h>
 #include <antinode_numerics/KaiserSinc.h>
 #include <antinode_numerics/RandomNumbers.h>
 #include <antinode_numerics/SampleInterpolation.h>
@@ -12,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <utility>
 
 namespace antinode::scores
@@ -90,16 +93,65 @@ ModalModel differing (ModalModel model, int seed)
     return model;
 }
 
+/** As ceramics distort them: by so much of the largest voltage of each. */
+SampledVoltages distorted (SampledVoltages voltages, double cubic)
+{
+    for (Eigen::Index i = 0; i < voltages.values.rows(); ++i)
+        if (const auto largest = voltages.values.row (i).cwiseAbs().maxCoeff(); largest > 0)
+            voltages.values.row (i).array() *= 1 + cubic * (voltages.values.row (i).array() / largest).square();
+
+    return voltages;
+}
+
+/** Signals that come later, also by parts of a sample. */
+Eigen::MatrixXd later (const Eigen::MatrixXd& signals, double samples)
+{
+    constexpr double silence = 256; // samples, before the signal comes round again
+    const auto length = quickLength (static_cast<double> (signals.cols()) + samples + silence);
+    const auto turn = -2 * std::numbers::pi * samples / static_cast<double> (length);
+    Eigen::MatrixXd late (signals.rows(), signals.cols());
+
+    for (Eigen::Index p = 0; p < signals.rows(); ++p)
+    {
+        auto lines = forwardFourier (signals.row (p).transpose(), length);
+
+        for (Eigen::Index k = 0; k < lines.size(); ++k)
+            lines[k] *= std::polar (1.0, turn * static_cast<double> (k));
+
+        late.row (p) = inverseFourier (lines, length).head (signals.cols()).transpose();
+    }
+
+    return late;
+}
+
+Eigen::MatrixXd whiteNoise (const Eigen::MatrixXd& like, double deviation, RandomNumbers& random)
+{
+    return deviation * random.normal (like.size()).reshaped (like.rows(), like.cols());
+}
+
 /** Noise of a thousandth of the level, white to half of the rate. */
 RecordedPass recorded (const TrackDesign& design, const PlayedTracks& played, int seed)
 {
     constexpr double noise = 1e-3;
     RandomNumbers random (static_cast<std::uint64_t> (seed));
     RecordedPass pass { design.voltages, played.displacements };
-    pass.displacements +=
-        noise * design.description.tracks[0].level.value
-        * random.normal (pass.displacements.size()).reshaped (pass.displacements.rows(), pass.displacements.cols());
+    pass.displacements += whiteNoise (pass.displacements, noise * design.description.tracks[0].level.value, random);
     return pass;
+}
+
+/** As a bench records: white noise 40 dB below the loudest channel (RMS of the whole recording), and a latency of 2 to
+    20 ms that nobody says, which is looked for. */
+RecordedPass recordedByBench (const ModalModel& known, const TrackDesign& design, const PlayedTracks& played, int seed)
+{
+    constexpr double noise = 0.01, shortest = 0.002, longest = 0.02, lookedFor = 0.03;
+    RandomNumbers random (static_cast<std::uint64_t> (seed));
+    const auto latency = shortest + (longest - shortest) * random.uniform();
+    const auto& moved = played.displacements;
+    const auto loudest = moved.rowwise().norm().maxCoeff() / std::sqrt (static_cast<double> (moved.cols()));
+    const Eigen::MatrixXd signals =
+        later (moved, latency * played.sampleRate) + whiteNoise (moved, noise * loudest, random);
+    const auto expected = predictedDisplacements (known, design.description, design.voltages, 0);
+    return { design.voltages, alignedWith (signals, expected, played.sampleRate, lookedFor).signals };
 }
 } // namespace
 
@@ -136,8 +188,9 @@ void fingersTable (const Device& device, int layouts)
                  ignored.middle(), ignored.worst(), nominal.middle(), nominal.worst(), known.middle(), known.worst(),
                  measured.middle(), measured.worst());
 }
-void passesTable (const Device& device, int layouts)
+void passesTable (const Device& device, int layouts, bool isBench)
 {
+    const double cubic = isBench ? 0.01 : 0;
     constexpr int passes = 4;
     constexpr double recording = 1; // s after the last voltage
     const auto settings = usualSettings();
@@ -159,8 +212,10 @@ void passesTable (const Device& device, int layouts)
                 const auto shift =
                     pass > 0 ? correctionFrom (device.known, description, settings, records).shift : TrackShift {};
                 const auto design = designTracks (device.known, description, settings, {}, shift);
-                const auto played = playTracks (real, description, design.voltages, recording);
-                records.push_back (recorded (design, played, 100 * seed + pass));
+                const auto played = playTracks (real, description, distorted (design.voltages, cubic), recording);
+                const auto noiseSeed = 100 * seed + pass;
+                records.push_back (isBench ? recordedByBench (device.known, design, played, noiseSeed)
+                                           : recorded (design, played, noiseSeed));
                 suppressions.push_back (
                     worstBystander (scoreTracks (played, design.wanted, description.band), &TrackScores::suppression));
                 const auto best = correctionFrom (device.known, description, settings, records).best;

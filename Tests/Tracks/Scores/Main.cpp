@@ -1,7 +1,8 @@
 // The tables of Docs/Decisions/0073-a-waveform-per-finger.md: waveforms at seeded points of the embedded plates, judged
 // by a model of more modes than the design knows, in the time domain.
 //
-//     antinode_track_scores exact|limits|fingers|passes|moving|live|quick|live-music|moving-live [layouts [devices...]]
+//     antinode_track_scores exact|limits|fingers|passes|bench-passes|moving|live|quick|live-music|moving-live [layouts
+//     [devices...]]
 
 #include "ScoreTools.h"
 
@@ -139,7 +140,9 @@ int main (int count, char** arguments)
         else if (table == "fingers")
             fingersTable (device, layouts);
         else if (table == "passes")
-            passesTable (device, layouts);
+            passesTable (device, layouts, false);
+        else if (table == "bench-passes")
+            passesTable (device, layouts, true);
         else if (table == "moving")
             movingTable (device, layouts);
         else if (table == "quick")

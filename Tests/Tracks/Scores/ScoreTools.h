@@ -51,8 +51,10 @@ TrackScores judged (const ModalModel& judge, const TrackDesign&);
     nominal ones, with those that are there, and from responses that were measured with them. */
 void fingersTable (const Device&, int layouts);
 
-/** Bystanders after the first pass and after each of three corrections, of the pass that has recorded best so far. */
-void passesTable (const Device&, int layouts);
+/** Bystanders after the first pass and after each of three corrections, of the pass that has recorded best so far.
+    @param isBench  ceramics with 1 % of cubic distortion, latencies of 2 to 20 ms that nobody says, noise 40 dB below
+   the loudest recording; otherwise noise of .1 % of the level alone */
+void passesTable (const Device&, int layouts, bool isBench);
 
 /** The layout of this seed with its target on a straight way of 50 mm at 100 mm/s, at least 25 mm from the others; its
     signal, "AM" or "music", lasts as long. */
