@@ -150,13 +150,4 @@ double lateness (const Amplifier& amplifier, double frequency)
     const auto omega = fullTurn * frequency;
     return amplifier.delay + std::atan (omega * amplifier.timeConstant) / omega;
 }
-
-Hysteresis fitHysteresis (const Eigen::VectorXcd& high, const Eigen::VectorXcd& low, double highLevel, double lowLevel)
-{
-    requireResponse (high.size() == low.size() && low.squaredNorm() > 0 && highLevel > lowLevel && lowLevel > 0,
-                     "needs responses at two levels");
-    const auto ratio = low.dot (high) / low.squaredNorm();
-    const auto perLevel = 1 / (highLevel - lowLevel);
-    return { (std::abs (ratio) - 1) * perLevel, -std::arg (ratio) * perLevel };
-}
 } // namespace antinode

@@ -44,17 +44,4 @@ ModalModel throughAmplifiers (ModalModel, const std::vector<Amplifier>& amplifie
 
 /** By how much a ceramic's voltage comes late at a frequency in Hz, s: the delay and the low-pass together. [any] */
 double lateness (const Amplifier&, double frequency);
-
-/** Hysteresis of a ceramic as its first harmonic: what full level changes of the linear response to low ones. */
-struct Hysteresis
-{
-    double gain = 0;  ///< Relative change of the response.
-    double phase = 0; ///< rad: by how much it lags more.
-};
-
-/** From responses of the surface at the same lines at a high and a low level, weighted by their power; the change is
-   taken as proportional to the level.
-    @param levels  of both, of the full one: high above low above 0
-    [worker] */
-Hysteresis fitHysteresis (const Eigen::VectorXcd& high, const Eigen::VectorXcd& low, double highLevel, double lowLevel);
 } // namespace antinode

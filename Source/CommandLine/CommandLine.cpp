@@ -53,6 +53,7 @@ int runCommandLine (int argumentCount, const char* const* arguments)
     addMeasureCommand (app);
     addFrfCommand (app);
     addCalibrateCommand (app);
+    addHysteresisCommand (app);
     addRetuneCommand (app);
     addLearnCommand (app);
     addFollowCommand (app);

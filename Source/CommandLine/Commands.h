@@ -19,6 +19,7 @@ void addExciteCommand (CLI::App&);
 void addMeasureCommand (CLI::App&);
 void addFrfCommand (CLI::App&);
 void addCalibrateCommand (CLI::App&);
+void addHysteresisCommand (CLI::App&);
 void addRetuneCommand (CLI::App&);
 void addLearnCommand (CLI::App&);
 void addFollowCommand (CLI::App&);

@@ -89,12 +89,3 @@ TEST_CASE ("Amplifiers in front of ceramics scale participations by mode and low
                })
            == "amplifier: has a gain of 0 or less");
 }
-
-TEST_CASE ("A response that grows and lags with the level is hysteresis", "[amplifier]")
-{
-    const Eigen::VectorXcd low = Eigen::VectorXcd::Random (50);
-    const Eigen::VectorXcd high = low * std::polar (1.03, -0.015);
-    const auto found = fitHysteresis (high, low, 0.8, 0.2);
-    CHECK (found.gain == Approx (0.05));
-    CHECK (found.phase == Approx (0.025));
-}

@@ -27,9 +27,9 @@ constexpr int listening = 7; // the last of eight ceramics
 /** The demonstrator's staple, off its model, while it is played: an idle ceramic's current comes back 3 ms later. */
 struct DriftingStaple
 {
-    explicit DriftingStaple (double drift)
+    explicit DriftingStaple (double drift, double scatter = 5e-4)
         : nominal (solveDevice (test::deviceNamed ("staple").description, {}, true)),
-          truth (detuned (nominal, { 5e-4, 0.02, 0.01, 0 }, 3))
+          truth (detuned (nominal, { scatter, 0.02, 0.01, 0 }, 3))
     {
         move (drift);
     }
@@ -67,7 +67,7 @@ struct TrackedPlay
 {
     static constexpr int block = 256, late = 144, windowSamples = 24576; // samples
 
-    explicit TrackedPlay (double drift) : device (drift)
+    explicit TrackedPlay (double drift, double scatter = 5e-4) : device (drift, scatter)
     {
         played.prepare (trackedRate);
         TrackingSettings tracking;
@@ -286,7 +286,7 @@ TEST_CASE ("Whatever the sensor says, outputs stay finite and within the limits,
 TEST_CASE ("A drift of one percent an hour while foci play", "[.tracking-drift]")
 {
     constexpr double perSecond = 0.01 / 3600, step = 3; // s
-    TrackedPlay play (0.001);
+    TrackedPlay play (0.001, 0.001);
     play.play (1);
     play.device.noise = 0.01 * std::sqrt (play.energy / trackedRate); // 40 dB, from now on
     REQUIRE (play.becomes (TrackingState::following));

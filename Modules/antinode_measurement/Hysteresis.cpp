@@ -1,0 +1,44 @@
+#include "Hysteresis.h"
+
+#include <antinode_base/InputError.h>
+
+#include <complex>
+
+namespace antinode
+{
+namespace
+{
+void require (bool isRight, const std::string& what)
+{
+    if (! isRight)
+        throw InputError ("hysteresis", what);
+}
+} // namespace
+
+MeasuredHysteresis fitHysteresis (const Eigen::VectorXcd& high, const Eigen::VectorXcd& low, double highLevel,
+                                  double lowLevel)
+{
+    require (high.size() == low.size() && high.allFinite() && low.allFinite() && low.squaredNorm() > 0,
+             "needs finite responses of the same lines at two levels, not all 0");
+    require (highLevel > lowLevel && lowLevel > 0, "needs two levels, the higher one above the lower, both above 0");
+    const auto ratio = low.dot (high) / low.squaredNorm();
+    // ratio = (1 + change high) / (1 + change low)
+    const auto change = (ratio - 1.0) / (highLevel - ratio * lowLevel);
+    return { { change.real(), -change.imag() }, (high - ratio * low).norm() / high.norm() };
+}
+
+ModalModel withHysteresis (ModalModel model, const std::vector<Hysteresis>& hysteresis, const Eigen::VectorXd& levels)
+{
+    require (std::ssize (hysteresis) == model.actuators() && levels.size() == model.actuators(),
+             "is needed for each of the " + std::to_string (model.actuators()) + " ceramics");
+
+    for (Eigen::Index i = 0; i < model.actuators(); ++i)
+    {
+        const auto factor = 1 + hysteresis[static_cast<std::size_t> (i)].gain * levels[i];
+        require (factor > 0, "of ceramic " + std::to_string (i + 1) + " leaves nothing at this level");
+        model.participation.col (i) *= factor;
+    }
+
+    return model;
+}
+} // namespace antinode
