@@ -9,7 +9,9 @@ function (antinode_plugin target name ceramics uri code format entry editor is_s
     target_sources (${target} PRIVATE ${entry})
     # A Debian patch of JUCE ignores the URI above.
     target_compile_definitions (${target} PUBLIC ANTINODE_LV2_CERAMICS=${ceramics} JucePlugin_LV2URI="${uri}")
-    target_link_libraries (${target} PUBLIC ${editor} PRIVATE antinode_options)
+    target_link_libraries (${target} PUBLIC ${editor})
+    # Only ours is compiled with our warnings: JUCE 8 does not pass them, and its files are compiled for each plug-in.
+    set_source_files_properties (${entry} PROPERTIES COMPILE_OPTIONS "$<TARGET_PROPERTY:antinode_options,INTERFACE_COMPILE_OPTIONS>")
 endfunction()
 
 # antinode_plugins (TARGET NAME SLUG CODE ENTRY EDITOR ISSYNTH TAKESMIDI CATEGORIES...): a plug-in as VST3 and as LV2, which freezes its ports when it is

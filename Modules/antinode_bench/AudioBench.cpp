@@ -60,11 +60,15 @@ AudioBench::AudioBench (AudioChoice choice, BenchChannels channelsToUse, Eigen::
     : channels (std::move (channelsToUse)), openOutputs (usedOutputs (channels, ceramics)),
       openInputs (usedInputs (channels)), outputFullScale (fullScale), velocity (fullScaleVelocity)
 {
-    silenceAudioLibraries();
     choice.outputs = openOutputs;
     choice.inputs = openInputs;
     openAudio (manager, choice);
     manager.addAudioCallback (&player);
+}
+
+AudioBench::QuietLibraries::QuietLibraries()
+{
+    silenceAudioLibraries();
 }
 
 AudioBench::~AudioBench()

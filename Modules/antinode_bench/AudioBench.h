@@ -45,7 +45,14 @@ private:
     void waitFor (Take&);
     RunRecording toRecording (const Take&, Eigen::Index points) const;
 
+    /** Before the device manager, which opens ALSA from JUCE 8 on. */
+    struct QuietLibraries
+    {
+        QuietLibraries();
+    };
+
     juce::ScopedJuceInitialiser_GUI juce;
+    QuietLibraries quiet;
     juce::AudioDeviceManager manager;
     PlayAndRecord player;
     BenchChannels channels;

@@ -169,10 +169,11 @@ private:
     {
         bool hasValue = false;
         read (hasValue);
-        value.reset();
 
         if (hasValue)
-            read (value.emplace());
+            read (value ? *value : value.emplace());
+        else
+            value.reset();
     }
 
     template <typename Value>

@@ -10,7 +10,7 @@ namespace
 /** Frees JUCE's shared objects when the tests are over, so that a debug build tells real leaks only. */
 struct JuceSession : Catch::TestEventListenerBase
 {
-    using TestEventListenerBase::TestEventListenerBase;
+    using Catch::TestEventListenerBase::TestEventListenerBase;
 
     void testRunStarting (const Catch::TestRunInfo&) override { juce.emplace(); }
     void testRunEnded (const Catch::TestRunStats&) override { juce.reset(); }

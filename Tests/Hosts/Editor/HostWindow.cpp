@@ -18,7 +18,7 @@ namespace
    on with none, and X ends the program. */
 struct UsualNames : Catch::TestEventListenerBase
 {
-    using TestEventListenerBase::TestEventListenerBase;
+    using Catch::TestEventListenerBase::TestEventListenerBase;
 
     void testRunStarting (const Catch::TestRunInfo&) override
     {
