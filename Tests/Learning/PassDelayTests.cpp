@@ -46,8 +46,7 @@ TEST_CASE ("Signals that come late are moved to where they are expected", "[lear
 TEST_CASE ("A recording that is silent or has other channels is not aligned", "[learning]")
 {
     const auto signals = ringing (0, 1200);
-    CHECK (errorText ([&] { alignedWith (0 * signals, signals, rate, 0.03); }).find ("is silent")
-           != std::string::npos);
+    CHECK (errorText ([&] { alignedWith (0 * signals, signals, rate, 0.03); }).find ("is silent") != std::string::npos);
     CHECK (errorText ([&] { alignedWith (signals.topRows (1), signals, rate, 0.03); }).find ("channels")
            != std::string::npos);
 }
