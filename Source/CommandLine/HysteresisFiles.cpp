@@ -1,10 +1,11 @@
 #include "HysteresisFiles.h"
 
+#include "RetunedFiles.h"
+
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_library/Library.h>
-#include <antinode_responses/MeasurementReader.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <nlohmann/json.hpp>
@@ -19,16 +20,6 @@ namespace antinode
 namespace
 {
 constexpr double percent = 100, degrees = 180 / std::numbers::pi;
-
-FrequencyResponses readResponses (const std::vector<std::string>& names)
-{
-    std::vector<MeasurementFile> files;
-
-    for (const auto& name : names)
-        files.push_back (readMeasurement (name, CsvForm::byHeadings));
-
-    return mergedResponses (files, {}).responses;
-}
 
 void requireSame (const FrequencyResponses& low, const FrequencyResponses& high, const ModalModel& model)
 {
@@ -59,7 +50,7 @@ std::pair<Eigen::VectorXcd, Eigen::VectorXcd> inBoth (const Eigen::MatrixXcd& lo
 HysteresisMeasurement hysteresisByFiles (const DeviceDescription& device, const HysteresisFiles& files, bool usesCache)
 {
     HysteresisMeasurement measurement { solveDevice (device, {}, usesCache), {}, {} };
-    const auto low = readResponses (files.low), high = readResponses (files.high);
+    const auto low = responsesOfFiles (files.low), high = responsesOfFiles (files.high);
     requireSame (low, high, measurement.model);
     std::vector<Hysteresis> all;
     measurement.playedLevels.resize (measurement.model.actuators());

@@ -10,16 +10,21 @@
 
 namespace antinode
 {
-RetunedDevice retuneByFiles (const DeviceDescription& device, const std::vector<std::string>& names, bool usesCache)
+FrequencyResponses responsesOfFiles (const std::vector<std::string>& names)
 {
-    auto model = solveDevice (device, {}, usesCache);
     std::vector<MeasurementFile> files;
     files.reserve (names.size());
 
     for (const auto& name : names)
         files.push_back (readMeasurement (name, CsvForm::byHeadings));
 
-    auto retuned = retune (model, mergedResponses (files, {}).responses, {});
+    return mergedResponses (files, {}).responses;
+}
+
+RetunedDevice retuneByFiles (const DeviceDescription& device, const std::vector<std::string>& names, bool usesCache)
+{
+    auto model = solveDevice (device, {}, usesCache);
+    auto retuned = retune (model, responsesOfFiles (names), {});
     return { std::move (model), std::move (retuned) };
 }
 

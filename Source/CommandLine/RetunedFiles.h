@@ -15,6 +15,10 @@ struct RetunedDevice
     RetunedModel now;
 };
 
+/** The responses of all files together, as `frf` and `measure` write them. @throws InputError  as readMeasurement
+    [worker] Docs/FileFormats.md. */
+FrequencyResponses responsesOfFiles (const std::vector<std::string>& files);
+
 /** A device as the responses of a few points say that it is now.
     @param files  as `frf` and `measure` write them
     @throws InputError  as readMeasurement, retune and solveDevice
