@@ -38,6 +38,7 @@ void forEachForce (const PlayedVoltages& voltages, const Eigen::MatrixXd& partic
                          use (first + i, forces.col (i).data());
                  });
 }
+
 /** The velocity of one mode into one column. */
 void drive (Histories& histories, Eigen::Index column, MovingMode mode, const double* force)
 {

@@ -14,7 +14,7 @@ struct FreeDecay
 {
     std::complex<double> constant = 0, slope = 0;
 
-    /** As weights of the columns of DecayBasis. [any] */
+    /** As weights of the four columns that DecayPart has for the mode. [any] */
     Eigen::Vector4d parts() const { return { constant.real(), constant.imag(), slope.real(), slope.imag() }; }
 };
 

@@ -15,6 +15,7 @@ namespace antinode
 {
 namespace
 {
+static_assert (PlayedVoltages::places == MovingMode::places);
 constexpr Eigen::Index tail = 256; // samples until a sinc has gone below 1e-3 of a jump
 
 /** Samples until the last voltage. */
@@ -134,29 +135,18 @@ ModeMotion modeMotion (double angularFrequency, double dampingRatio, const Eigen
     return motion;
 }
 
-std::vector<ModeMotion> modeMotions (const ModalModel& model, const PlayedVoltages& voltages, Eigen::Index samples,
-                                     bool withChanges)
+Eigen::MatrixXd modeVelocities (const ModalModel& model, const PlayedVoltages& voltages, Eigen::Index samples)
 {
-    std::vector<ModeMotion> motions (static_cast<std::size_t> (model.modes()));
-    parallelFor (motions.size(),
+    Eigen::MatrixXd velocities = Eigen::MatrixXd::Zero (samples, model.modes());
+    parallelFor (static_cast<std::size_t> (model.modes()),
                  [&] (std::size_t mode)
                  {
                      const auto k = static_cast<Eigen::Index> (mode);
-                     motions[mode] = modeMotionUntilRest (model.angularFrequencies[k], model.dampingRatios[k],
-                                                          voltages.force (model.participation.row (k)),
-                                                          voltages.sampleRate(), samples, withChanges);
+                     const auto motion = modeMotionUntilRest (model.angularFrequencies[k], model.dampingRatios[k],
+                                                              voltages.force (model.participation.row (k)),
+                                                              voltages.sampleRate(), samples, false);
+                     velocities.col (k).head (motion.velocity.size()) = motion.velocity;
                  });
-    return motions;
-}
-
-Eigen::MatrixXd modeVelocities (const ModalModel& model, const PlayedVoltages& voltages, Eigen::Index samples)
-{
-    const auto motions = modeMotions (model, voltages, samples, false);
-    Eigen::MatrixXd velocities = Eigen::MatrixXd::Zero (samples, model.modes());
-
-    for (std::size_t k = 0; k < motions.size(); ++k)
-        velocities.col (static_cast<Eigen::Index> (k)).head (motions[k].velocity.size()) = motions[k].velocity;
-
     return velocities;
 }
 } // namespace antinode

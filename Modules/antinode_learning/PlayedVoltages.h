@@ -2,8 +2,6 @@
 
 #include <antinode_model/ModalModel.h>
 
-#include <vector>
-
 namespace antinode
 {
 /** Band-limited voltages at the places of Gauss and Legendre between their samples: what modes are integrated with.
@@ -60,9 +58,6 @@ ModeMotion modeMotionUntilRest (double angularFrequency, double dampingRatio, co
 /** The same with zeros after its end: as many samples as are wanted. [worker] */
 ModeMotion modeMotion (double angularFrequency, double dampingRatio, const Eigen::VectorXd& force, double sampleRate,
                        Eigen::Index samples, bool withChanges);
-
-/** The motions of all modes until each is at rest: N_m. [worker] */
-std::vector<ModeMotion> modeMotions (const ModalModel&, const PlayedVoltages&, Eigen::Index samples, bool withChanges);
 
 /** The velocities of all modes, N_s x N_m. [worker] */
 Eigen::MatrixXd modeVelocities (const ModalModel&, const PlayedVoltages&, Eigen::Index samples);

@@ -49,7 +49,7 @@ struct Effects
     std::vector<Eigen::Index> modes; ///< P
 };
 
-/** The histories of parameters of participations, of which `indices` says the places among all. */
+/** The histories of those parameters that are of participations. */
 void addParticipations (Effects& effects, const LearningPrior& prior, const LearningParameters& parameters,
                         const LearningState& state, const PlayedVoltages& voltages, Eigen::Index samples)
 {

@@ -58,7 +58,7 @@ struct FingerFilters
     @param description  its points, fingers and band; signals and levels are not used
     @throws InputError  for points as designTracks, and a latency or a rate that is not allowed
     @throws Cancelled   when a watch of this thread says no
-    [worker] Docs/Theory.md, section 4.15. */
+    [worker] Docs/Theory.md, section 4.16. */
 FingerFilters designFingerFilters (const ModalModel&, const WaveformsDescription&, const FilterSettings&,
                                    const ShowProgress& progress = {});
 } // namespace antinode

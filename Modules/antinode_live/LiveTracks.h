@@ -8,7 +8,7 @@ namespace antinode
     @throws InputError  as designFingerFilters and wantedAsPlayed, and for tracks that need more than 1 GiB
     @throws TrackLimitError  for levels beyond the limits
     @throws Cancelled   when a watch of this thread says no
-    [worker] Docs/Theory.md, section 4.15. */
+    [worker] Docs/Theory.md, section 4.16. */
 TrackDesign designLiveTracks (const ModalModel&, const WaveformsDescription&, const TrackSettings&,
                               const ShowProgress& progress = {});
 

@@ -24,7 +24,7 @@ public:
         @param tolerance    of the wanted motion, where the search may end before its last step
         @throws InputError  for points outside the surface, or more of them than ceramics
         @throws Cancelled   when a watch of this thread says no
-        [worker] Docs/Theory.md, section 4.15. */
+        [worker] Docs/Theory.md, section 4.16. */
     FingerFilters design (const WaveformsDescription&, double tolerance = usualTolerance) const;
 
     static constexpr double usualTolerance = 3e-3; ///< -50 dB

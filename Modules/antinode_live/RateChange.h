@@ -11,6 +11,6 @@ inline constexpr Eigen::Index rateChangeReach = 5;
    below -70 dB from three quarters on.
     @param factor  at least 1
     @return  2 rateChangeReach factor + 1 taps at the faster rate, for interpolation; over the factor, for decimation
-    [worker] Docs/Theory.md, section 4.15. */
+    [worker] Docs/Theory.md, section 4.16. */
 Eigen::VectorXf rateChangeTaps (Eigen::Index factor);
 } // namespace antinode

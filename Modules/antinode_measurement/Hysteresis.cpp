@@ -3,11 +3,14 @@
 #include <antinode_base/InputError.h>
 
 #include <complex>
+#include <string>
 
 namespace antinode
 {
 namespace
 {
+constexpr double mostChange = 1; // of the response, at full level
+
 void require (bool isRight, const std::string& what)
 {
     if (! isRight)
@@ -24,6 +27,9 @@ MeasuredHysteresis fitHysteresis (const Eigen::VectorXcd& high, const Eigen::Vec
     const auto ratio = low.dot (high) / low.squaredNorm();
     // ratio = (1 + change high) / (1 + change low)
     const auto change = (ratio - 1.0) / (highLevel - ratio * lowLevel);
+    require (std::abs (change) < mostChange, "would change the response by more than itself from nothing to the full "
+                                             "level; allowed: responses per volt, and the levels that they were "
+                                             "measured at");
     return { { change.real(), -change.imag() }, (high - ratio * low).norm() / high.norm() };
 }
 

@@ -23,7 +23,8 @@ struct MeasuredHysteresis
 
 /** From responses of the surface at the same lines and points at two levels, weighted by their power.
     @param highLevel, lowLevel  of the full one: high above low above 0
-    @throws InputError  where these or the sizes are not right, or the low response is 0 or not finite
+    @throws InputError  where these or the sizes are not right, the low response is 0 or not finite, or full level would
+                        change the response by more than itself
     [worker] Docs/Theory.md, section 7.9. */
 MeasuredHysteresis fitHysteresis (const Eigen::VectorXcd& high, const Eigen::VectorXcd& low, double highLevel,
                                   double lowLevel);

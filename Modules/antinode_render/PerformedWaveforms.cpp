@@ -255,9 +255,17 @@ nlohmann::ordered_json performedToJson (const PerformedWaveforms& performed)
         json["peak_bound_over_limit"] = design.limitUse.peakBound;
 
     if (const auto& correction = performed.correction)
+    {
+        auto latencies = correction->latencies;
+
+        for (auto& latency : latencies)
+            latency *= milli;
+
         json["passes"] = { { "errors_dB", correction->errors },
+                           { "latencies_ms", latencies },
                            { "best", correction->best + 1 },
                            { "corrected_share", correction->gain } };
+    }
 
     json["fingers"] = nlohmann::ordered_json::array();
 

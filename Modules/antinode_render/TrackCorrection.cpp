@@ -78,8 +78,14 @@ double worstError (const TrackScores& scores)
 
     return worst;
 }
-
 } // namespace
+
+void requirePasses (const std::vector<RecordedPass>& passes, const ModalModel& known,
+                    const WaveformsDescription& description, double sampleRate)
+{
+    for (std::size_t i = 0; i < passes.size(); ++i)
+        requirePass (passes[i], i + 1, known, touchedPoints (description).size(), sampleRate);
+}
 
 Eigen::MatrixXd predictedDisplacements (const ModalModel& known, const WaveformsDescription& description,
                                         const SampledVoltages& voltages, double ringing)
@@ -95,10 +101,11 @@ TrackCorrection correctionFrom (const ModalModel& known, const WaveformsDescript
     const auto wanted = wantedAsPlayed (known, description, settings);
     TrackCorrection correction;
 
+    requirePasses (passes, known, description, settings.sampleRate);
+
     for (const auto& pass : passes)
     {
-        requirePass (pass, correction.errors.size() + 1, known, touchedPoints (description).size(),
-                     settings.sampleRate);
+        correction.latencies.push_back (pass.latency);
         correction.errors.push_back (worstError (scoreTracks (asPlayed (pass), wanted, description.band)));
 
         if (! (correction.errors.back() < largestError))

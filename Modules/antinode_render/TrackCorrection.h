@@ -16,21 +16,29 @@ struct RecordedPass
 {
     SampledVoltages voltages;
     Eigen::MatrixXd
-        displacements; ///< points x N_s, m, those with tracks first: from the first voltage on, at its rate.
+        displacements;  ///< points x N_s, m, those with tracks first: from the first voltage on, at its rate.
+    double latency = 0; ///< s, that the recording came with and that was taken off.
 };
 
 /** What recorded passes say about the next one. */
 struct TrackCorrection
 {
-    std::vector<double> errors; ///< Of each pass, dB: of its worst finger, as TrackScores::suppression.
-    std::size_t best = 0;       ///< The pass with the least error, from which the next one begins.
-    double gain = 1;            ///< The share of its error that the next pass corrects: half for each later pass.
-    TrackShift shift;           ///< For designTracks.
+    std::vector<double> errors;    ///< Of each pass, dB: of its worst finger, as TrackScores::suppression.
+    std::vector<double> latencies; ///< Of each pass, s, as RecordedPass.
+    std::size_t best = 0;          ///< The pass with the least error, from which the next one begins.
+    double gain = 1;               ///< The share of its error that the next pass corrects: half for each later pass.
+    TrackShift shift;              ///< For designTracks.
 };
+
+/** @throws InputError  when a pass has another number of points or ceramics or another rate than a design for these
+                        waveforms, is shorter than its voltages, or is not finite
+    [any] */
+void requirePasses (const std::vector<RecordedPass>&, const ModalModel& known, const WaveformsDescription&,
+                    double sampleRate);
 
 /** Compares passes with what is wanted, and the best one with what the model says of its voltages.
     @param passes  in the order in which they were played, at least one
-    @throws InputError  when a pass has another number of points or ceramics or another rate, or is not finite
+    @throws InputError  as requirePasses, and when what was recorded is far from what is wanted
     @throws Cancelled   when a watch of this thread says no
     [worker] Docs/Theory.md, section 4.15. */
 TrackCorrection correctionFrom (const ModalModel& known, const WaveformsDescription&, const TrackSettings&,

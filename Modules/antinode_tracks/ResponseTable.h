@@ -20,7 +20,7 @@ public:
         @param length      of the transform, samples
         @param highest     Hz: lines beyond it are 0
         @throws InputError  when the modes are complex
-        [worker] Docs/Theory.md, section 4.15. */
+        [worker] Docs/Theory.md, section 4.16. */
     ResponseTable (const ModalModel&, Eigen::MatrixXd inputs, double sampleRate, Eigen::Index length, double highest);
 
     /** As pointResponses, to 1e-4 of the largest, on the thread that calls.

@@ -33,6 +33,12 @@ struct PerformOptions
     bool hasReport = true, hasDesign = false, usesCache = true, isQuiet = false;
 };
 
+/** Of a recording: nothing where none was looked for. */
+std::string latencyInWords (double latency)
+{
+    return latency > 0 ? ", came " + fixedText (latency * milli, 3) + " ms late" : std::string();
+}
+
 void printPerformed (const PerformOptions& options, const PerformedWaveforms& performed)
 {
     const auto& description = performed.design.description;
@@ -52,7 +58,8 @@ void printPerformed (const PerformOptions& options, const PerformedWaveforms& pe
     if (const auto& correction = performed.correction)
     {
         for (std::size_t i = 0; i < correction->errors.size(); ++i)
-            std::printf ("  recorded pass %zu: %.1f dB at the worst finger\n", i + 1, correction->errors[i]);
+            std::printf ("  recorded pass %zu: %.1f dB at the worst finger%s\n", i + 1, correction->errors[i],
+                         latencyInWords (correction->latencies[i]).c_str());
 
         std::printf ("  corrected: %g %% of the error of pass %zu\n", 100 * correction->gain, correction->best + 1);
     }
@@ -87,7 +94,7 @@ std::vector<RecordedPass> readPasses (const PerformOptions& options, const Modal
                                       const WaveformsDescription& description)
 {
     return withoutLatency (readRecordedPasses (options.passes, known, description.band, options.sensor), known,
-                           description, options.longestLatency / milli);
+                           description, options.rate, options.longestLatency / milli);
 }
 
 void perform (const PerformOptions& options)

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <string>
+#include <utility>
 
 namespace antinode
 {
@@ -134,15 +136,27 @@ std::vector<RecordedPass> readRecordedPasses (const std::vector<std::string>& fo
 }
 
 std::vector<RecordedPass> withoutLatency (std::vector<RecordedPass> passes, const ModalModel& known,
-                                          const WaveformsDescription& description, double longestLatency)
+                                          const WaveformsDescription& description, double sampleRate,
+                                          double longestLatency)
 {
-    if (longestLatency > 0)
-        for (auto& pass : passes)
-        {
-            const auto expected = predictedDisplacements (known, description, pass.voltages, 0);
-            pass.displacements =
-                alignedWith (pass.displacements, expected, pass.voltages.playback.sampleRate, longestLatency).signals;
-        }
+    if (! (longestLatency > 0))
+        return passes;
+
+    requirePasses (passes, known, description, sampleRate);
+
+    for (std::size_t i = 0; i < passes.size(); ++i)
+    {
+        auto& pass = passes[i];
+
+        if (pass.displacements.isZero (0) || pass.voltages.values.isZero (0))
+            throw InputError ("recorded pass " + std::to_string (i + 1),
+                              "is silent, so that no latency can be found; allowed: a pass that was played");
+
+        auto aligned = alignedWith (pass.displacements, predictedDisplacements (known, description, pass.voltages, 0),
+                                    sampleRate, longestLatency);
+        pass.displacements = std::move (aligned.signals);
+        pass.latency = aligned.delay;
+    }
 
     return passes;
 }

@@ -18,9 +18,10 @@ std::vector<RecordedPass> readRecordedPasses (const std::vector<std::string>& fo
 
 /** The same passes without the latency of their recordings, each its own, found by what the model expects of the
     voltages.
+    @param sampleRate      Hz, of the next design
     @param longestLatency  s, that is looked for; 0: as they are
-    @throws InputError  as alignedWith and predictedDisplacements
+    @throws InputError  as requirePasses and predictedDisplacements, and for a recording that is silent
     [worker] Docs/Theory.md, section 4.15. */
 std::vector<RecordedPass> withoutLatency (std::vector<RecordedPass>, const ModalModel& known,
-                                          const WaveformsDescription&, double longestLatency);
+                                          const WaveformsDescription&, double sampleRate, double longestLatency);
 } // namespace antinode

@@ -53,7 +53,7 @@ PerformedWaveforms performOn (const WaveformsDescription& waveforms, const Devic
 
     const auto [known, judge] = trackModels (device, settings.usesCache);
     const auto passes = withoutLatency (readRecordedPasses (settings.passes, known, waveforms.band, settings.sensor),
-                                        known, waveforms, settings.longestLatency / milli);
+                                        known, waveforms, settings.sampleRate, settings.longestLatency / milli);
     return performWaveforms (known, judge, waveforms, tracks, progress, passes);
 }
 

@@ -59,6 +59,9 @@ TEST_CASE ("Hysteresis that makes no sense is refused in a sentence", "[hysteres
            == "hysteresis: needs two levels, the higher one above the lower, both above 0");
     CHECK (errorText ([&] { fitHysteresis (responseAt (1), 0 * responseAt (1), 1, 0.5); }).find ("finite responses")
            != std::string::npos);
+    // Motion in place of motion per volt: twelve times at twelve times the level.
+    CHECK (errorText ([&] { fitHysteresis (12 * responseAt (0), responseAt (0), 0.6, 0.05); }).find ("per volt")
+           != std::string::npos);
     CHECK (errorText ([&] { withHysteresis (model, { {} }, Eigen::Vector2d (1, 1)); })
            == "hysteresis: is needed for each of the 2 ceramics");
     CHECK (errorText (

@@ -65,6 +65,7 @@ def test_a_pass_that_was_recorded_late_is_corrected_like_one_in_time(program, tm
     aligned, error_aligned = errors(337, longest_latency_ms=20)
     assert error_in_time == pytest.approx(-20, abs=0.2)
     assert error_late > -6
+    assert aligned.scores["passes"]["latencies_ms"][0] == pytest.approx(1000 * 337 / 48000, abs=0.01)
     assert error_aligned == pytest.approx(error_in_time, abs=0.1)
     assert np.abs(aligned.voltages_V - in_time.voltages_V).max() < 1e-3 * np.abs(in_time.voltages_V).max()
     program(
@@ -73,6 +74,25 @@ def test_a_pass_that_was_recorded_late_is_corrected_like_one_in_time(program, tm
     )
     aligned.save(tmp_path / "made", report=False)
     assert (tmp_path / "next" / "voltages.wav").read_bytes() == (tmp_path / "made" / "voltages.wav").read_bytes()
+
+
+def test_a_late_recording_of_another_pass_is_refused_with_its_number(tmp_path):
+    performed = an.perform(two_fingers(), "aluminium-200x120")
+    performed.save(tmp_path / "pass", report=False)
+
+    def refusal(columns, device="aluminium-200x120"):
+        times = np.arange(performed.displacements_m.shape[1]) / performed.sample_rate_Hz
+        names = ",".join(f"displacement_um_{i + 1}" for i in range(columns.shape[1]))
+        table = np.column_stack([times, columns[: len(times)]])
+        np.savetxt(tmp_path / "pass" / "recorded.csv", table, delimiter=",", header="time_s," + names, comments="")
+        with pytest.raises(an.InputError) as error:
+            an.perform(two_fingers(), device, passes=[tmp_path / "pass"], longest_latency_ms=20)
+        return str(error.value)
+
+    recorded = 1e6 * performed.displacements_m.T
+    assert "recorded pass 1: has 1 channels; allowed: 2" in refusal(recorded[:, :1])
+    assert "recorded pass 1: is silent" in refusal(0 * recorded)
+    assert "recorded pass 1: was played on 8 ceramics, the device has 32" in refusal(recorded, "glass-148x210")
 
 
 def test_levels_beyond_the_limits_say_what_share_is_within():
