@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
 #include <thread>
 
@@ -85,6 +86,10 @@ TEST_CASE ("Work on several threads does all once, hands on the first exception,
 
                                         if (i == 10)
                                             throw std::runtime_error ("ten");
+
+                                        // Or all is done before a thread that has to wait for a processor throws.
+                                        if (i > 10)
+                                            std::this_thread::sleep_for (std::chrono::microseconds (100));
                                     }),
                        "ten");
     CHECK (begun < 100000);
