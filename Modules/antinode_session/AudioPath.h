@@ -31,13 +31,6 @@ struct GraphChoice
     InsertNodes insert; ///< Of the open graph; none: nothing.
 };
 
-/** What a path tells whoever tracks its device. */
-struct Listening
-{
-    std::shared_ptr<SensorTap> tap; ///< None: nobody listens.
-    unsigned long long idle = 0;    ///< Bit i: ceramic i + 1 listens, and is never driven.
-};
-
 /** What plays one device at one sample rate: its graph, and the worker that designs its foci. Made by the session,
    played by the audio thread, freed by the session. */
 class AudioPath

@@ -69,6 +69,7 @@ struct DriftTracker::Work
     {
         bool isStopping = false, isFrozen = false, isDriftNew = false;
         std::shared_ptr<const KnownDrift> drift;
+        std::string hindrance;
     };
 
     Wish awaitWish();
@@ -79,6 +80,7 @@ struct DriftTracker::Work
     std::condition_variable wake;
     bool isStopping = false, isFrozen, isDriftNew;
     std::shared_ptr<const KnownDrift> drift;
+    std::string hindrance;
     std::shared_ptr<const TrackingStatus> status = std::make_shared<const TrackingStatus>();
 };
 
@@ -86,7 +88,7 @@ DriftTracker::Work::Wish DriftTracker::Work::awaitWish()
 {
     std::unique_lock lock (mutex);
     wake.wait_for (lock, tapInterval, [this] { return isStopping || isDriftNew; });
-    return { isStopping, isFrozen, std::exchange (isDriftNew, false), drift };
+    return { isStopping, isFrozen, std::exchange (isDriftNew, false), drift, hindrance };
 }
 
 /** Not over what the owner wants meanwhile. */
@@ -126,9 +128,12 @@ public:
 
             if (wish.isFrozen)
                 say (TrackingState::frozen, {});
+            else if (! wish.hindrance.empty())
+                pause (wish.hindrance);
             else if (recent.isFull() && passed >= step)
                 followWindow();
-            else if (present.state == TrackingState::off || present.state == TrackingState::frozen)
+            else if (present.state == TrackingState::off || present.state == TrackingState::frozen
+                     || present.state == TrackingState::paused)
                 say (TrackingState::waiting, {});
         }
     }
@@ -158,6 +163,13 @@ private:
         present.state = state;
         present.reason = std::move (reason);
         work.publish (present, nullptr);
+    }
+
+    /** What was heard meanwhile is of another surface. */
+    void pause (const std::string& reason)
+    {
+        recent.forget();
+        say (TrackingState::paused, reason);
     }
 
     void followWindow()
@@ -255,6 +267,12 @@ void DriftTracker::setFrozen (bool shouldBeFrozen)
 {
     const std::lock_guard lock (work->mutex);
     work->isFrozen = shouldBeFrozen;
+}
+
+void DriftTracker::setHindrance (const std::string& reason)
+{
+    const std::lock_guard lock (work->mutex);
+    work->hindrance = reason;
 }
 
 void DriftTracker::setKnown (std::shared_ptr<const KnownDrift> known)

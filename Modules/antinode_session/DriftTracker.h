@@ -9,6 +9,7 @@
 #include <antinode_model/ModalModel.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace antinode
@@ -38,6 +39,9 @@ public:
 
     /** Stops learning, and goes on. [any but the audio thread] */
     void setFrozen (bool);
+
+    /** Learns nothing while there is a reason. @param reason  a sentence; empty: none [any but the audio thread] */
+    void setHindrance (const std::string& reason);
 
     /** Goes on from another drift. @param known  none: the model, and the sensor is searched for [any but the audio
         thread] */

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace antinode
@@ -44,5 +45,12 @@ private:
     std::vector<float> frames;
     std::atomic<std::size_t> written { 0 }, taken { 0 };
     std::atomic<bool> hasGap { false };
+};
+
+/** What a path tells whoever tracks its device. */
+struct Listening
+{
+    std::shared_ptr<SensorTap> tap; ///< None: nobody listens.
+    unsigned long long idle = 0;    ///< Bit i: ceramic i + 1 listens, and is never driven.
 };
 } // namespace antinode

@@ -4,6 +4,7 @@
 #include "NoteBank.h"
 #include "SessionOwner.h"
 #include "SessionRequests.h"
+#include "TrackingRequests.h"
 
 #include <antinode_base/BackgroundThread.h>
 
@@ -79,17 +80,17 @@ public:
 
     /** Tracks the drift of the device by a sensor, and designs the foci for it as it is. Another sensor makes another
         path. A sensor that cannot be had becomes a status. [any but the audio thread] */
-    void setTracking (const TrackingSettings& settings) { requests->setTracking (settings); }
-    TrackingSettings tracking() const { return requests->tracking(); }
+    void setTracking (const TrackingSettings& settings) { trackingRequests->setSettings (settings); }
+    TrackingSettings tracking() const { return trackingRequests->settings(); }
 
     /** [any but the audio thread] */
-    std::shared_ptr<const TrackingStatus> trackingStatus() const { return requests->trackingStatus(); }
+    std::shared_ptr<const TrackingStatus> trackingStatus() const { return trackingRequests->status(); }
 
     /** What is known of the drift; none: nothing. [any but the audio thread] */
-    std::shared_ptr<const KnownDrift> drift() const { return requests->drift(); }
+    std::shared_ptr<const KnownDrift> drift() const { return trackingRequests->drift(); }
 
     /** Goes on from another drift. @param known  of this device; none: as the model [any but the audio thread] */
-    void setDrift (std::shared_ptr<const KnownDrift> known) { requests->setDrift (std::move (known)); }
+    void setDrift (std::shared_ptr<const KnownDrift> known) { trackingRequests->setDrift (std::move (known)); }
 
     /** Designs the places of these notes before those of the others, in this order; by default that of middle C.
         [any but the audio thread] */
@@ -133,6 +134,7 @@ public:
 private:
     std::shared_ptr<SessionOwner<PlaySettings>> owner;
     std::shared_ptr<SessionRequests> requests;
+    std::shared_ptr<TrackingRequests> trackingRequests = std::make_shared<TrackingRequests>();
     std::shared_ptr<AudioEntry> entry;
     BackgroundThread thread;
 };

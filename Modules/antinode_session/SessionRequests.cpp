@@ -57,45 +57,6 @@ void SessionRequests::setAmplifiers (std::vector<double> volts)
     asked.amplifiers = std::move (volts);
 }
 
-void SessionRequests::setTracking (const TrackingSettings& settings)
-{
-    const std::lock_guard lock (mutex);
-    asked.tracking = settings;
-}
-
-TrackingSettings SessionRequests::tracking() const
-{
-    const std::lock_guard lock (mutex);
-    return asked.tracking;
-}
-
-void SessionRequests::setDrift (std::shared_ptr<const KnownDrift> drift)
-{
-    const std::lock_guard lock (mutex);
-    asked.drift = std::move (drift);
-    asked.isDriftNew = true;
-}
-
-void SessionRequests::publishTracking (std::shared_ptr<const TrackingStatus> status,
-                                       std::shared_ptr<const KnownDrift> drift)
-{
-    const std::lock_guard lock (mutex);
-    trackingNow = std::move (status);
-    driftNow = std::move (drift);
-}
-
-std::shared_ptr<const TrackingStatus> SessionRequests::trackingStatus() const
-{
-    const std::lock_guard lock (mutex);
-    return trackingNow;
-}
-
-std::shared_ptr<const KnownDrift> SessionRequests::drift() const
-{
-    const std::lock_guard lock (mutex);
-    return driftNow;
-}
-
 bool SessionRequests::touch (const SessionTouch& touch)
 {
     const std::lock_guard lock (mutex);
@@ -162,8 +123,7 @@ std::optional<SessionRound> SessionRequests::next()
     asked.device = nullptr;
     asked.focus = nullptr;
     asked.touches.clear();
-    asked.isInsertionNew = asked.isOrderNew = asked.isDriftNew = false;
-    asked.drift = nullptr;
+    asked.isInsertionNew = asked.isOrderNew = false;
     return round;
 }
 

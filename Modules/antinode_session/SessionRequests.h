@@ -2,8 +2,6 @@
 
 #include "AudioPath.h"
 #include "SessionSnapshot.h"
-#include "TrackingSettings.h"
-#include "TrackingStatus.h"
 
 #include <atomic>
 #include <chrono>
@@ -17,7 +15,6 @@
 
 namespace antinode
 {
-struct KnownDrift;
 
 /** A focus that is to be fired at another position: m, and its amplitude from 0 to 1. */
 struct SessionTouch
@@ -37,9 +34,6 @@ struct SessionRound
     std::vector<int> firstNotes;    ///< Are designed before the others.
     std::vector<double> amplifiers; ///< V of a full-scale sample of each ceramic; 0 or missing: the device's.
     std::vector<SessionTouch> touches;
-    TrackingSettings tracking;
-    bool isDriftNew = false; ///< Whether it goes on from the next line; none: the model.
-    std::shared_ptr<const KnownDrift> drift;
     std::optional<std::vector<int>> awaited; ///< Places of the bank, if somebody waits for their designs.
 };
 
@@ -66,11 +60,6 @@ public:
     /** [any] */
     void setGraphOpen (bool shouldBeOpen) { wantsOpenGraph = shouldBeOpen; }
     bool isGraphOpen() const { return wantsOpenGraph; }
-
-    /** [any but the audio thread] */
-    void setTracking (const TrackingSettings&);
-    TrackingSettings tracking() const;
-    void setDrift (std::shared_ptr<const KnownDrift>);
 
     /** @return  whether it was taken: not where too many wait [any but the audio thread] */
     bool touch (const SessionTouch&);
@@ -107,13 +96,6 @@ public:
     DesignProgress progress() const;
     void setProgress (DesignProgress);
 
-    /** What is tracked so far. [session's thread] */
-    void publishTracking (std::shared_ptr<const TrackingStatus>, std::shared_ptr<const KnownDrift>);
-
-    /** [any but the audio thread] */
-    std::shared_ptr<const TrackingStatus> trackingStatus() const;
-    std::shared_ptr<const KnownDrift> drift() const;
-
     /** Samples from a trigger to its focus if foci are delayed onto notes, else 0. [any] */
     std::int64_t latencySamples() const { return latency; }
     void setLatencySamples (std::int64_t samples) { latency = samples; }
@@ -134,7 +116,5 @@ private:
     std::vector<int> settlePlaces;
     DesignProgress designs;
     std::shared_ptr<const SessionSnapshot> published;
-    std::shared_ptr<const TrackingStatus> trackingNow = std::make_shared<const TrackingStatus>();
-    std::shared_ptr<const KnownDrift> driftNow;
 };
 } // namespace antinode

@@ -31,9 +31,11 @@ bool needNewPath (const PlaySettings& one, const PlaySettings& other)
 }
 } // namespace
 
-SessionWorker::SessionWorker (std::shared_ptr<SessionRequests> requestsToServe, std::shared_ptr<AudioEntry> entryToUse,
+SessionWorker::SessionWorker (std::shared_ptr<SessionRequests> requestsToServe,
+                              std::shared_ptr<TrackingRequests> trackingToServe, std::shared_ptr<AudioEntry> entryToUse,
                               std::shared_ptr<Owner> ownerToAsk)
-    : requests (std::move (requestsToServe)), entry (std::move (entryToUse)), owner (std::move (ownerToAsk))
+    : requests (std::move (requestsToServe)), entry (std::move (entryToUse)), owner (std::move (ownerToAsk)),
+      tracking (std::move (trackingToServe))
 {
 }
 
@@ -58,7 +60,7 @@ void SessionWorker::run()
         // It is stopping.
     }
 
-    tracker.reset();
+    tracking.stop();
     entry->clear();
 }
 
@@ -67,17 +69,17 @@ void SessionWorker::step (const SessionRound& round)
 {
     takeAmplifiers (round);
     takeDocuments (round);
-    takeTracking (round);
+    tracking.take (model.get());
     takeFingers();
     takeGraphChoice (round);
     entry->collect();
-    readTracker();
+    tracking.read (model.get());
     const auto read = owner->settings (settings);
 
     if (model != nullptr && round.sampleRate > 0)
     {
-        const auto needsPath =
-            isModelNew || rate != round.sampleRate || isGraphNew || isSensorNew || needNewPath (read, settings);
+        const auto needsPath = isModelNew || rate != round.sampleRate || isGraphNew || tracking.isSensorNew()
+                               || needNewPath (read, settings);
         const auto needsDesigns = needsPath || isFocusNew || read != settings || hasDrifted();
         settings = read;
         rate = round.sampleRate;
@@ -129,8 +131,7 @@ void SessionWorker::solve (const DeviceDocument& document)
         solved = std::move (made);
         model = withAmplifiers (solved, amplifiers);
         isModelNew = true;
-        tracker.reset();
-        drift.reset();
+        tracking.forget();
         deviceError.clear();
     }
     catch (const Cancelled&)
@@ -166,13 +167,15 @@ void SessionWorker::takeFingers()
 {
     const auto& wanted = focus->description.fingers;
 
-    if (model == loadedModelOf && wanted == fingers && idleCeramics() == idle)
+    auto listening = tracking.idleCeramics (model.get());
+
+    if (model == loadedModelOf && wanted == fingers && listening == idle)
         return;
 
     isModelNew = isModelNew || wanted != fingers;
     loadedModelOf = played = designed = model;
     fingers = wanted;
-    idle = idleCeramics();
+    idle = std::move (listening);
     fingerError.clear();
 
     if (model == nullptr)
@@ -203,8 +206,9 @@ void SessionWorker::buildPath()
 
     try
     {
-        auto made =
-            std::make_unique<AudioPath> (played, rate, toPlayerSettings (settings), probeShapes(), graph, listen());
+        // Under fingers the modes are others: the tracker says what it cannot follow.
+        auto made = std::make_unique<AudioPath> (played, rate, toPlayerSettings (settings), probeShapes(), graph,
+                                                 tracking.listen (fingers.empty() ? model : played, rate));
         path = made.get();
         entry->probeTrace().prepare (std::max (1, static_cast<int> (rate / traceEntriesPerSecond)));
         entry->give (std::move (made));
@@ -216,7 +220,7 @@ void SessionWorker::buildPath()
         deviceError = failure.what();
     }
 
-    isModelNew = isGraphNew = isSensorNew = false;
+    isModelNew = isGraphNew = false;
 }
 
 void SessionWorker::takeGraphChoice (const SessionRound& round)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "AudioEntry.h"
-#include "DriftTracker.h"
+#include "DeviceTracking.h"
 #include "SessionOwner.h"
 #include "SessionRequests.h"
 
@@ -23,7 +23,8 @@ class SessionWorker
 public:
     using Owner = SessionOwner<PlaySettings>;
 
-    SessionWorker (std::shared_ptr<SessionRequests>, std::shared_ptr<AudioEntry>, std::shared_ptr<Owner>);
+    SessionWorker (std::shared_ptr<SessionRequests>, std::shared_ptr<TrackingRequests>, std::shared_ptr<AudioEntry>,
+                   std::shared_ptr<Owner>);
 
     /** Works until it is stopped; then no path is left. Nothing may be processing by then. [session's thread] */
     void run();
@@ -33,14 +34,9 @@ private:
     void takeDocuments (const SessionRound&);
     void solve (const DeviceDocument&);
     void takeAmplifiers (const SessionRound&);
-    void takeTracking (const SessionRound&);
     void takeFingers();
     void buildPath();
-    Listening listen();
-    void readTracker();
     bool hasDrifted() const;
-    std::shared_ptr<const ModalModel> asItIs (const std::shared_ptr<const ModalModel>&) const;
-    std::vector<int> idleCeramics() const;
     void takeGraphChoice (const SessionRound&);
     void requestDesigns (const std::vector<int>& firstNotes);
     std::function<WideModel()> widen() const;
@@ -61,20 +57,13 @@ private:
     std::shared_ptr<const ModalModel> loadedModelOf;    ///< What these were made of, with the next two lines.
     std::vector<Finger> fingers;
     std::vector<int> idle; ///< Ceramics that listen.
-    TrackingSettings tracking;
-    std::unique_ptr<DriftTracker> tracker;
-    std::shared_ptr<const KnownDrift> drift;          ///< None: as the model.
-    std::shared_ptr<const KnownDrift> seenDrift;      ///< That was published, as the next line.
-    std::shared_ptr<const TrackingStatus> seenStatus; ///< Of the tracker, or the next line.
-    const std::shared_ptr<const TrackingStatus> notTracked = std::make_shared<const TrackingStatus>();
-    Eigen::VectorXd driftChanges, designedChanges; ///< N_m, of all frequencies: as it is, and as designs know it.
-    int redesigns = 0;
+    DeviceTracking tracking;
     std::vector<double> amplifiers; ///< V of a full-scale sample of each ceramic.
     PlaySettings settings;
     double rate = 0;           ///< Hz, of the path.
     AudioPath* path = nullptr; ///< The newest one, which `entry` owns; none where it could not be built.
     GraphChoice graph;
-    bool isSolving = false, isModelNew = false, isFocusNew = false, isGraphNew = false, isSensorNew = false;
+    bool isSolving = false, isModelNew = false, isFocusNew = false, isGraphNew = false;
     std::string deviceError, fingerError;
 };
 } // namespace antinode

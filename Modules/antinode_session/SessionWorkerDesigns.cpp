@@ -29,11 +29,8 @@ void SessionWorker::requestDesigns (const std::vector<int>& firstNotes)
         // A focus of another device may have probes outside this surface: the monitor stays where it was.
     }
 
-    if (designedChanges.size() > 0 && driftChanges.size() > 0 && designedChanges != driftChanges)
-        ++redesigns;
-
-    designedChanges = driftChanges;
-    path->worker().request ({ asItIs (designed),
+    tracking.noteDesigned();
+    path->worker().request ({ fingers.empty() ? tracking.asItIs (designed) : designed,
                               description,
                               notePlaces(),
                               firstNotes,
@@ -54,7 +51,7 @@ std::function<WideModel()> SessionWorker::widen() const
     if (! fingers.empty())
         return {};
 
-    return [beyond = modesBeyond (device, model, rate), isIdle = idle, known = drift]
+    return [beyond = modesBeyond (device, model, rate), isIdle = idle, known = tracking.known()]
     {
         auto wide = beyond();
         wide.model = withoutDrive (std::move (wide.model), isIdle);
@@ -64,6 +61,12 @@ std::function<WideModel()> SessionWorker::widen() const
 
         return wide;
     };
+}
+
+/** Under fingers the drift is not known. */
+bool SessionWorker::hasDrifted() const
+{
+    return path != nullptr && fingers.empty() && tracking.needsDesigns (path->worker().progress().isDone());
 }
 
 std::vector<std::pair<double, double>> SessionWorker::notePlaces() const

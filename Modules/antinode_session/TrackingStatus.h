@@ -15,6 +15,7 @@ enum class TrackingState
     silent,    ///< Too little is played to hear anything.
     lost,      ///< The newest window is not explained: nothing was learnt of it, and the reason is said.
     frozen,
+    paused,    ///< What would be heard is of no use, and the reason is said.
     impossible ///< This device or sensor cannot be tracked, and the reason is said.
 };
 

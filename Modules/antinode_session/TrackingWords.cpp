@@ -36,6 +36,8 @@ std::string trackingSentence (const TrackingStatus& status)
             return withReason ("Lost:", status.reason);
         case TrackingState::frozen:
             return "Frozen: " + driftOf (status) + ".";
+        case TrackingState::paused:
+            return withReason ("Paused: " + driftOf (status) + ".", status.reason);
         case TrackingState::impossible:
             return withReason ("Not possible:", status.reason);
         case TrackingState::following:

@@ -1,0 +1,127 @@
+#include "DeviceTracking.h"
+
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+constexpr double smallestDrift = 5e-5; // of a frequency: designs that are off by less stay
+constexpr double largeDrift = 5e-4;    // designs that are off by more are not finished before
+
+TrackingSettings neverFrozen (TrackingSettings settings)
+{
+    settings.isFrozen = false;
+    return settings;
+}
+} // namespace
+
+DeviceTracking::DeviceTracking (std::shared_ptr<TrackingRequests> requestsToServe)
+    : requests (std::move (requestsToServe))
+{
+}
+
+void DeviceTracking::take (const ModalModel* model)
+{
+    const auto round = requests->take();
+    hasOtherSensor = hasOtherSensor || neverFrozen (settings) != neverFrozen (round.settings);
+    settings = round.settings;
+
+    if (tracker != nullptr)
+        tracker->setFrozen (settings.isFrozen);
+
+    if (! round.isDriftNew)
+        return;
+
+    // An undo may bring one of another device.
+    drift = round.drift != nullptr && model != nullptr && round.drift->isOf (*model) ? round.drift : nullptr;
+
+    if (tracker != nullptr)
+        tracker->setKnown (drift);
+}
+
+void DeviceTracking::forget()
+{
+    tracker.reset();
+    drift.reset();
+}
+
+std::vector<int> DeviceTracking::idleCeramics (const ModalModel* model) const
+{
+    const auto isThere = model != nullptr && settings.ceramic >= 0 && settings.ceramic < model->actuators();
+    return settings.isCeramic() && isThere ? std::vector { settings.ceramic + 1 } : std::vector<int>();
+}
+
+Listening DeviceTracking::listen (std::shared_ptr<const ModalModel> tracked, double sampleRate)
+{
+    tracker.reset();
+    hasOtherSensor = false;
+
+    if (! settings.isOn())
+    {
+        drift.reset();
+        return {};
+    }
+
+    Listening listening { std::make_shared<SensorTap> (tracked->actuators(), sampleRate) };
+
+    for (const auto ceramic : idleCeramics (tracked.get()))
+        listening.idle |= 1ULL << (ceramic - 1);
+
+    tracker = std::make_unique<DriftTracker> (
+        DriftTracker::Setup { std::move (tracked), settings, listening.tap, drift, requests->status()->trace });
+    tracker->setHindrance (hindrance);
+    return listening;
+}
+
+void DeviceTracking::setHindrance (const std::string& reason)
+{
+    if (std::exchange (hindrance, reason) != reason && tracker != nullptr)
+        tracker->setHindrance (reason);
+}
+
+void DeviceTracking::read (const ModalModel* model)
+{
+    const auto status = tracker != nullptr ? tracker->status() : notTracked;
+    const auto modes = model != nullptr ? model->modes() : 0;
+
+    if (tracker != nullptr)
+        drift = tracker->known();
+
+    if (drift == seenDrift && status == seenStatus && driftChanges.size() == modes)
+        return;
+
+    driftChanges = drift != nullptr ? frequencyChanges (drift->tracked.estimate, drift->layout, modes)
+                                    : Eigen::VectorXd::Zero (modes).eval();
+    seenStatus = status;
+    seenDrift = drift;
+    auto now = *status;
+    now.redesigns = redesigns;
+    requests->publish (std::make_shared<const TrackingStatus> (std::move (now)), drift);
+}
+
+bool DeviceTracking::needsDesigns (bool areMade) const
+{
+    if (designedChanges.size() != driftChanges.size() || driftChanges.size() == 0)
+        return false;
+
+    const auto largest = (driftChanges - designedChanges).cwiseAbs().maxCoeff();
+    return largest > largeDrift || (largest > smallestDrift && areMade);
+}
+
+void DeviceTracking::noteDesigned()
+{
+    if (designedChanges.size() > 0 && driftChanges.size() > 0 && designedChanges != driftChanges)
+        ++redesigns;
+
+    designedChanges = driftChanges;
+}
+
+std::shared_ptr<const ModalModel> DeviceTracking::asItIs (const std::shared_ptr<const ModalModel>& model) const
+{
+    if (drift == nullptr)
+        return model;
+
+    return std::make_shared<const ModalModel> (retunedModel (*model, drift->tracked.estimate, drift->layout));
+}
+} // namespace antinode

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "DriftTracker.h"
+#include "TrackingRequests.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** The drift of a session's device, as the session's thread uses it: who listens, what is known, and whether designs
+   are to be made again. All functions are of that thread. Docs/Decisions/0153-tracking-in-the-session.md */
+class DeviceTracking
+{
+public:
+    explicit DeviceTracking (std::shared_ptr<TrackingRequests>);
+
+    /** Takes what front ends ask for. @param model  of the device, without drift; none: it is not solved yet */
+    void take (const ModalModel* model);
+
+    /** Another device: what is known is of the one before. */
+    void forget();
+
+    /** Whether another sensor needs a path that listens, which is to be built now. */
+    bool isSensorNew() const { return hasOtherSensor; }
+
+    /** Ceramics that listen and are not driven, from 1. One that is not there is left to the tracker, which says so. */
+    std::vector<int> idleCeramics (const ModalModel*) const;
+
+    /** Ends what listens, and begins anew for a new path. @param tracked  without drift, with all ceramics */
+    Listening listen (std::shared_ptr<const ModalModel> tracked, double sampleRate);
+
+    /** Nothing is learnt while there is a reason, a sentence; what is known stays. */
+    void setHindrance (const std::string& reason);
+
+    /** Reads the tracker, and publishes what is new. */
+    void read (const ModalModel*);
+
+    /** Ends what listens. */
+    void stop() { tracker.reset(); }
+
+    /** Whether frequencies have moved since the designs were made; by more where these are still being made.
+        @param areMade  whether they are ready */
+    bool needsDesigns (bool areMade) const;
+
+    /** Designs are made for the device as it is now. */
+    void noteDesigned();
+
+    /** A model with the drift that is known. */
+    std::shared_ptr<const ModalModel> asItIs (const std::shared_ptr<const ModalModel>& model) const;
+
+    /** None: as the model. */
+    const std::shared_ptr<const KnownDrift>& known() const { return drift; }
+
+private:
+    std::shared_ptr<TrackingRequests> requests;
+    TrackingSettings settings;
+    std::string hindrance;
+    std::unique_ptr<DriftTracker> tracker;
+    std::shared_ptr<const KnownDrift> drift;
+    std::shared_ptr<const KnownDrift> seenDrift;      ///< That was published, as the next line.
+    std::shared_ptr<const TrackingStatus> seenStatus; ///< Of the tracker, or the next line.
+    const std::shared_ptr<const TrackingStatus> notTracked = std::make_shared<const TrackingStatus>();
+    Eigen::VectorXd driftChanges, designedChanges; ///< N_m, of all frequencies: as it is, and as designs know it.
+    int redesigns = 0;
+    bool hasOtherSensor = false;
+};
+} // namespace antinode
