@@ -6,9 +6,6 @@ namespace antinode
 {
 namespace
 {
-constexpr double smallestDrift = 5e-5; // of a frequency: designs that are off by less stay
-constexpr double largeDrift = 5e-4;    // designs that are off by more are not finished before
-
 TrackingSettings neverFrozen (TrackingSettings settings)
 {
     settings.isFrozen = false;
@@ -100,28 +97,15 @@ void DeviceTracking::read (const ModalModel* model)
     requests->publish (std::make_shared<const TrackingStatus> (std::move (now)), drift);
 }
 
-bool DeviceTracking::needsDesigns (bool areMade) const
-{
-    if (designedChanges.size() != driftChanges.size() || driftChanges.size() == 0)
-        return false;
-
-    const auto largest = (driftChanges - designedChanges).cwiseAbs().maxCoeff();
-    return largest > largeDrift || (largest > smallestDrift && areMade);
-}
-
 void DeviceTracking::noteDesigned()
 {
-    if (designedChanges.size() > 0 && driftChanges.size() > 0 && designedChanges != driftChanges)
-        ++redesigns;
-
-    designedChanges = driftChanges;
+    redesigns += designed.note (driftChanges) ? 1 : 0;
 }
 
-std::shared_ptr<const ModalModel> DeviceTracking::asItIs (const std::shared_ptr<const ModalModel>& model) const
+std::shared_ptr<const ModalModel> DeviceTracking::driven (const std::shared_ptr<const ModalModel>& model) const
 {
-    if (drift == nullptr)
-        return model;
-
-    return std::make_shared<const ModalModel> (retunedModel (*model, drift->tracked.estimate, drift->layout));
+    const auto now = device (model.get());
+    const auto isAsDescribed = now.drift == nullptr && now.idle.empty();
+    return isAsDescribed ? model : std::make_shared<const ModalModel> (now.asDriven (*model));
 }
 } // namespace antinode

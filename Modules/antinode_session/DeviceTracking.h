@@ -1,5 +1,6 @@
 #pragma once
 
+#include "DesignedDrift.h"
 #include "DriftTracker.h"
 #include "TrackingRequests.h"
 
@@ -44,16 +45,19 @@ public:
 
     /** Whether frequencies have moved since the designs were made; by more where these are still being made.
         @param areMade  whether they are ready */
-    bool needsDesigns (bool areMade) const;
+    bool needsDesigns (bool areMade) const { return designed.isOutdated (driftChanges, areMade); }
 
     /** Designs are made for the device as it is now. */
     void noteDesigned();
 
-    /** A model with the drift that is known. */
-    std::shared_ptr<const ModalModel> asItIs (const std::shared_ptr<const ModalModel>& model) const;
+    /** The device as it is now. */
+    TrackedDevice device (const ModalModel* model) const { return { drift, idleCeramics (model) }; }
 
-    /** None: as the model. */
-    const std::shared_ptr<const KnownDrift>& known() const { return drift; }
+    /** A model as designs are to know it now. @param model  as described */
+    std::shared_ptr<const ModalModel> driven (const std::shared_ptr<const ModalModel>& model) const;
+
+    /** Relative, of all frequencies of the model; N_m. */
+    const Eigen::VectorXd& changes() const { return driftChanges; }
 
 private:
     std::shared_ptr<TrackingRequests> requests;
@@ -64,7 +68,8 @@ private:
     std::shared_ptr<const KnownDrift> seenDrift;      ///< That was published, as the next line.
     std::shared_ptr<const TrackingStatus> seenStatus; ///< Of the tracker, or the next line.
     const std::shared_ptr<const TrackingStatus> notTracked = std::make_shared<const TrackingStatus>();
-    Eigen::VectorXd driftChanges, designedChanges; ///< N_m, of all frequencies: as it is, and as designs know it.
+    Eigen::VectorXd driftChanges; ///< N_m, of all frequencies.
+    DesignedDrift designed;
     int redesigns = 0;
     bool hasOtherSensor = false;
 };

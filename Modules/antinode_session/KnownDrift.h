@@ -2,6 +2,9 @@
 
 #include <antinode_learning/TrackWindow.h>
 
+#include <memory>
+#include <vector>
+
 namespace antinode
 {
 /** What is known of the drift of a device, with what it is known of. Immutable. */
@@ -16,5 +19,15 @@ struct KnownDrift
     {
         return nominal.size() <= model.modes() && model.angularFrequencies.head (nominal.size()) == nominal;
     }
+};
+
+/** What a device that is tracked differs in from its description. Immutable. */
+struct TrackedDevice
+{
+    std::shared_ptr<const KnownDrift> drift; ///< None: as described.
+    std::vector<int> idle;                   ///< Ceramics that listen and are not driven, from 1.
+
+    /** A model of it as designs know it. @param model  as described [worker] */
+    ModalModel asDriven (ModalModel model) const;
 };
 } // namespace antinode

@@ -5,7 +5,6 @@
 #include "WrittenDesign.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_model/IdleCeramics.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +29,7 @@ void SessionWorker::requestDesigns (const std::vector<int>& firstNotes)
     }
 
     tracking.noteDesigned();
-    path->worker().request ({ fingers.empty() ? tracking.asItIs (designed) : designed,
+    path->worker().request ({ fingers.empty() ? tracking.driven (designed) : designed,
                               description,
                               notePlaces(),
                               firstNotes,
@@ -51,14 +50,10 @@ std::function<WideModel()> SessionWorker::widen() const
     if (! fingers.empty())
         return {};
 
-    return [beyond = modesBeyond (device, model, rate), isIdle = idle, known = tracking.known()]
+    return [beyond = modesBeyond (device, model, rate), now = tracking.device (model.get())]
     {
         auto wide = beyond();
-        wide.model = withoutDrive (std::move (wide.model), isIdle);
-
-        if (known != nullptr)
-            wide.model = retunedModel (wide.model, known->tracked.estimate, known->layout);
-
+        wide.model = now.asDriven (std::move (wide.model));
         return wide;
     };
 }

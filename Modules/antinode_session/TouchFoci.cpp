@@ -28,6 +28,18 @@ std::vector<Finger> restingTogether (std::vector<Finger> fingers, const std::vec
     return fingers;
 }
 
+/** The modes beyond follow what all frequencies share. */
+std::function<WideModel()> beyond (const FociSurface& surface, const std::shared_ptr<const ModalModel>& model,
+                                   double rate)
+{
+    return [solve = modesBeyond (surface.device, model, rate), now = surface.tracked]
+    {
+        auto wide = solve();
+        wide.model = now.asDriven (std::move (wide.model));
+        return wide;
+    };
+}
+
 std::shared_ptr<const ModalModel> loadedBy (const std::shared_ptr<const ModalModel>& model,
                                             const std::vector<Finger>& fingers)
 {
@@ -106,7 +118,7 @@ void TouchFoci::update (TouchPath& path, const FociSurface& surface, const Watch
     const auto isDone = path.foci().progress().isDone();
     isWhole = isWhole || (isDone && designedFor);
 
-    if (designedFor == surface.fingers)
+    if (designedFor == surface.fingers && ! designedDrift.isOutdated (surface.drift, isDone))
         return;
 
     if (! surface.areResting)
@@ -130,7 +142,8 @@ void TouchFoci::update (TouchPath& path, const FociSurface& surface, const Watch
     }
     catch (const std::exception&)
     {
-        designedFor = surface.fingers; // The bank plays on, and nobody shall try it again and again.
+        designedFor = surface.fingers;
+        designedDrift.note (surface.drift); // The bank plays on, and nobody shall try it again and again.
         isLoadingRefused = true;
     }
 }
@@ -146,6 +159,7 @@ void TouchFoci::request (TouchPath& path, const FociSurface& surface, const std:
 
     const auto& description = served->description;
     const auto model = withAmplifiers (solved, surface.amplifiers);
+    const auto driven = std::make_shared<const ModalModel> (surface.tracked.asDriven (*model));
     const auto rate = path.sampleRate();
     auto written = writtenFor (*served, description);
     const auto& spot = description.targets.front();
@@ -153,15 +167,16 @@ void TouchFoci::request (TouchPath& path, const FociSurface& surface, const std:
                                      : spreadNotes (model->surface, { spot.x, spot.y });
     const auto all = restingTogether (description.fingers, fingers);
     const WatchScope scope (goesOn);
-    path.foci().request ({ loadedBy (model, all),
+    path.foci().request ({ loadedBy (driven, all),
                            description,
                            std::move (places),
                            { spotNote },
                            { Reconstruction::bandLimited, rate },
-                           all.empty() ? modesBeyond (surface.device, model, rate) : nullptr,
+                           all.empty() ? beyond (surface, model, rate) : nullptr,
                            written });
     meaning = written != nullptr ? NoteMeaning::spotOnly : NoteMeaning::spread;
     designedFor = fingers;
+    designedDrift.note (surface.drift);
     isLoadingRefused = false;
 }
 

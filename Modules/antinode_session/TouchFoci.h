@@ -1,5 +1,7 @@
 #pragma once
 
+#include "DesignedDrift.h"
+#include "KnownDrift.h"
 #include "TouchPath.h"
 
 #include <antinode_base/Watch.h>
@@ -30,6 +32,8 @@ struct FociSurface
     std::vector<double> amplifiers; ///< V, as withAmplifiers.
     std::vector<Finger> fingers;    ///< That rest on the surface and load it.
     bool areResting = false;        ///< Whether it is worth while to design for them.
+    TrackedDevice tracked;          ///< What the device differs in from its document.
+    Eigen::VectorXd drift;          ///< Of this, the relative changes of all frequencies.
 };
 
 /** The focus of a touch session, which notes play on top of the fingers' tracks: middle C at its own place, the others
@@ -76,6 +80,7 @@ private:
     std::shared_ptr<const ModalModel> solved;       ///< Without amplifiers.
     std::string error;                              ///< Why nothing could be asked for.
     std::optional<std::vector<Finger>> designedFor; ///< The session's, in the newest request; none: it was given up.
+    DesignedDrift designedDrift;                    ///< In the newest request.
     bool isWhole = false;                           ///< Whether every note has had its focus once.
     bool isLoadingRefused = false;                  ///< Whether `designedFor` could not be loaded.
 };

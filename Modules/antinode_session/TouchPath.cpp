@@ -4,6 +4,7 @@
 #include "NoteBank.h"
 #include "TouchDesigner.h"
 
+#include <antinode_graph/ChannelGainNode.h>
 #include <antinode_graph/OverlaidFociNode.h>
 #include <antinode_graph/SlewNode.h>
 
@@ -29,9 +30,10 @@ Eigen::VectorXd slewLimitsOf (const ModalModel& model)
 } // namespace
 
 TouchPath::TouchPath (std::shared_ptr<const ModalModel> model, int inputs, TrackBand band,
-                      const FilterSettings& settings, const SkinThreshold& threshold)
+                      const FilterSettings& settings, const SkinThreshold& threshold, Listening listeningTo)
     : modes (std::move (model)), rate (settings.sampleRate),
-      traceRate (rate / static_cast<double> (filterTiming (band, settings).factor)), fingers (inputs)
+      traceRate (rate / static_cast<double> (filterTiming (band, settings).factor)), fingers (inputs),
+      listening (std::move (listeningTo))
 {
     const auto limits = voltageLimits (*modes);
     input = graph.add (std::make_unique<InputNode> (fingers), NodeGraph::noSource);
@@ -44,6 +46,14 @@ TouchPath::TouchPath (std::shared_ptr<const ModalModel> model, int inputs, Track
 
     if (const auto slews = slewLimitsOf (*modes); slews.maxCoeff() > 0)
         last = graph.add (std::make_unique<SlewNode> (limits, slews), last);
+
+    // What no design drives stays silent whatever a design says.
+    if (listening.idle != 0)
+    {
+        auto muted = std::make_unique<ChannelGainNode> (static_cast<int> (modes->actuators()));
+        muted->setMutes (listening.idle);
+        last = graph.add (std::move (muted), last);
+    }
 
     limiter = graph.add (std::make_unique<LimiterNode> (limits), last);
     graph.setOutputs ({ limiter });
@@ -100,6 +110,11 @@ void TouchPath::process (const TouchBlock<Sample>& block, const TouchControls& c
     graph.processParts<double> (block.count, due,
                                 [&] (int offset, int count, Outputs outputs)
                                 {
+                                    // Before its samples are written over.
+                                    if (listening.tap != nullptr)
+                                        listening.tap->write (
+                                            outputs, block.sensor != nullptr ? block.sensor + offset : nullptr, count);
+
                                     write (block, offset, count, outputs);
                                     note (count, outputs, meters);
                                     noteMotions (fingerMeters);

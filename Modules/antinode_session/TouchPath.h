@@ -2,6 +2,7 @@
 
 #include "DesignWorker.h"
 #include "LevelMeters.h"
+#include "SensorTap.h"
 #include "TouchSettings.h"
 
 #include <antinode_engine/EventDelay.h>
@@ -27,6 +28,7 @@ struct TouchBlock
                                            ///< memory as the inputs. Those beyond the device's ceramics become silent.
     int count = 0;                         ///< Samples.
     std::span<const FocusEvent> events = {}; ///< In the order of their offsets; a note's place is its number.
+    const Sample* sensor = nullptr; ///< What listens to the surface; none: not plugged in. May lie where ceramics do.
 };
 
 /** One device at one sample rate under the inputs of fingers and notes: filters, foci, limiter, meters. Notes wait as
@@ -40,7 +42,7 @@ public:
         @throws InputError  when the device or the rate cannot be played
         [worker] */
     TouchPath (std::shared_ptr<const ModalModel>, int inputs, TrackBand, const FilterSettings& settings,
-               const SkinThreshold&);
+               const SkinThreshold&, Listening = {});
 
     double sampleRate() const { return rate; }
     int inputs() const { return fingers; }
@@ -82,6 +84,7 @@ private:
     std::shared_ptr<const ModalModel> modes;
     double rate, traceRate; ///< Hz, of the host and of the filters.
     int fingers;
+    Listening listening;
     NodeGraph graph;
     int input = 0, filters = 0, overlay = 0, limiter = 0;         ///< Indices of its nodes.
     std::array<std::int64_t, touchLatencies.size()> latencies {}; ///< Samples.

@@ -70,6 +70,11 @@ void TouchSession::setAmplifiers (std::vector<double> volts)
     worker->setAmplifiers (std::move (volts));
 }
 
+TrackingRequests& TouchSession::tracking()
+{
+    return worker->tracking();
+}
+
 std::shared_ptr<const TouchSnapshot> TouchSession::snapshot() const
 {
     return worker->snapshot();

@@ -5,6 +5,7 @@
 #include "TouchDesigner.h"
 #include "TouchFoci.h"
 #include "TouchPath.h"
+#include "TrackingRequests.h"
 
 #include <antinode_base/BackgroundThread.h>
 
@@ -88,6 +89,10 @@ public:
     /** What amplifiers limit, as withAmplifiers has it; a change of a limit ramps to 0 V and back. [any but the audio
         thread] */
     void setAmplifiers (std::vector<double> volts);
+
+    /** What tracks the drift of the device, and what is known: another sensor makes another path, and filters and foci
+        are designed for the device as it is. Docs/Decisions/0158-tracking-in-touch.md [any but the audio thread] */
+    TrackingRequests& tracking();
 
     /** [any but the audio thread] */
     std::shared_ptr<const TouchSnapshot> snapshot() const;

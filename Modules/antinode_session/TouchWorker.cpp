@@ -83,6 +83,7 @@ void TouchWorker::run()
         // It is stopping.
     }
 
+    tracked.stop();
     paths.clear();
 }
 
@@ -102,10 +103,14 @@ void TouchWorker::step()
         solve (solvedForTouch);
 
         if (present.model != before)
+        {
             playedDevice = present.device;
+            tracked.forget();
+        }
     }
 
     takeAmplifiers();
+    takeTracking();
     paths.collect();
 
     if (path != nullptr)
@@ -118,8 +123,11 @@ void TouchWorker::step()
         return;
 
     if (const auto isFormatNew = std::exchange (format, wanted) != wanted;
-        std::exchange (isModelNew, false) || isFormatNew)
+        std::exchange (isModelNew, false) || isFormatNew || tracked.isSensorNew())
         buildPath();
+
+    if (path != nullptr)
+        takeDrift();
 
     if (path != nullptr)
         serveFoci();
@@ -138,9 +146,12 @@ void TouchWorker::serveFoci()
     }
 
     const auto& places = areNotesAwaited ? settings : movement.rest();
-    const FociSurface surface { playedDevice, amplifiers,
+    const FociSurface surface { playedDevice,
+                                amplifiers,
                                 restingFingers (touchedBy (present.model->surface, places, format.inputs)),
-                                areNotesAwaited || movement.restedFor (FingerMovement::Clock::now()) >= focusRest };
+                                areNotesAwaited || movement.restedFor (FingerMovement::Clock::now()) >= focusRest,
+                                tracked.device (present.model.get()),
+                                tracked.changes() };
     foci.serve (*path, surface, std::exchange (isPathNew, false),
                 [this, areNotesAwaited] { return areNotesAwaited || owner->settings (settings) == settings; });
 }
@@ -177,11 +188,47 @@ void TouchWorker::takeAmplifiers()
     }
 }
 
+/** Fingers that load the surface make other modes of it. */
+void TouchWorker::takeTracking()
+{
+    tracked.take (present.model.get());
+
+    if (present.model != nullptr)
+    {
+        const auto focus = foci.focus();
+        const auto loads = restingFingers (touchedBy (present.model->surface, settings, format.inputs));
+        const auto areLoads = ! loads.empty() || (focus != nullptr && ! focus->description.fingers.empty());
+        tracked.setHindrance (areLoads ? "Fingers load the surface and change its modes." : "");
+    }
+
+    tracked.read (present.model.get());
+}
+
+/** New filters for a device that has drifted, while fingers rest: what plays is better for those that move. */
+void TouchWorker::takeDrift()
+{
+    const auto areMade = designedFor == settings && designer->design (settings.latency) != nullptr;
+
+    if (! tracked.needsDesigns (areMade) || movement.isAnyMoving (FingerMovement::Clock::now()))
+        return;
+
+    makeDesigner();
+    isRetuned = present.playedFingers == settings;
+    designedFor.reset();
+}
+
+void TouchWorker::makeDesigner()
+{
+    designer = std::make_unique<TouchDesigner> (tracked.driven (present.model), format.sampleRate, format.inputs);
+    tracked.noteDesigned();
+}
+
 void TouchWorker::buildPath()
 {
     path = nullptr; // Whatever played plays on until there is another one.
     designer = nullptr;
     designedFor.reset();
+    isRetuned = false;
     present.designs = {};
     present.formatError.clear();
 
@@ -189,8 +236,8 @@ void TouchWorker::buildPath()
     {
         auto made = std::make_unique<TouchPath> (present.model, format.inputs, TrackBand {},
                                                  TouchDesigner::filterSettings (format.sampleRate, settings.latency),
-                                                 threshold);
-        designer = std::make_unique<TouchDesigner> (present.model, format.sampleRate, format.inputs);
+                                                 threshold, tracked.listen (present.model, format.sampleRate));
+        makeDesigner();
         path = made.get();
         isPathNew = true;
         tail = std::log (1000) / decayRates (*present.model).minCoeff() + FilterSettings().length;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "DeviceRounds.h"
+#include "DeviceTracking.h"
 #include "FingerMovement.h"
 #include "PathExchange.h"
 #include "TouchFoci.h"
@@ -49,6 +50,7 @@ public:
     std::int64_t latencySamples (std::size_t latency) const;
     double tailSeconds() const { return tail; }
     double fullScaleVolts() const { return fullScale; }
+    TrackingRequests& tracking() const { return *trackingRequests; }
 
     /** Works until it is stopped; then no path is left. Nothing may be processing by then. [session's thread] */
     void run();
@@ -58,7 +60,10 @@ private:
     void step();
     void serveFoci();
     void takeAmplifiers();
+    void takeTracking();
+    void takeDrift();
     void buildPath();
+    void makeDesigner();
     bool isSettled() const;
     void design();
     bool playQuickly();
@@ -80,7 +85,10 @@ private:
     std::optional<TouchSettings> designedFor; ///< Also where that failed: nobody shall try it again and again.
     TouchFormat format;
     SkinThreshold threshold;
+    std::shared_ptr<TrackingRequests> trackingRequests = std::make_shared<TrackingRequests>();
+    DeviceTracking tracked { trackingRequests };
     std::unique_ptr<TouchDesigner> designer;
+    bool isRetuned = false; ///< Whether it is for a device that has drifted since the filters that play were made.
     FingerMovement movement;
     FingerMovement::Clock::duration quickTime = std::chrono::milliseconds (10); ///< That quick filters last took.
     TouchFoci foci;

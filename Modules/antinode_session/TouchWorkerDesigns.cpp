@@ -24,7 +24,8 @@ bool TouchWorker::isSettled() const
     return path == nullptr || designedFor == settings;
 }
 
-/** Filters for what the parameters say, unless there are some, and plays them. */
+/** Filters for what the parameters say, unless there are some, and plays them. Those of these places that play for the
+   device before it drifted are better than quick ones. */
 void TouchWorker::design()
 {
     designer->setFingers (settings);
@@ -35,18 +36,20 @@ void TouchWorker::design()
     {
         if (designer->design (settings.latency) == nullptr)
         {
-            if (playQuickly() || ! areFingersResting())
+            if ((! isRetuned && playQuickly()) || ! areFingersResting())
                 throw Cancelled();
 
             makeDesign();
         }
 
         play (std::make_unique<const FilterBank> (designer->design (settings.latency)->bank), settings);
+        isRetuned = false;
     }
     catch (const Cancelled&)
     {
         checkWatch();
         designedFor.reset();
+        isRetuned = isRetuned && owner->settings (settings) == settings;
     }
     catch (const std::exception& failure)
     {
