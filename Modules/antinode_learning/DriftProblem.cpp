@@ -123,7 +123,9 @@ DriftProblem::Prediction DriftProblem::predict (const Eigen::VectorXd& values, b
 {
     checkWatch();
     const auto modes = driftedModel (nominal, order, values);
-    Prediction prediction { others, std::vector<ModeMotion> (followed.size()) };
+    Prediction prediction { others, std::vector<ModeMotion> (followed.size()),
+                            RingingBefore (modes, voltages.sampleRate(),
+                                           static_cast<double> (first) / voltages.sampleRate(), signals.rows()) };
     parallelFor (followed.size(),
                  [&] (std::size_t j) { prediction.motions[j] = motionOf (modes, followed[j], withChanges); });
 
@@ -142,6 +144,14 @@ DriftProblem::Prediction DriftProblem::predict (const Eigen::VectorXd& values, b
     }
 
     return prediction;
+}
+
+Eigen::MatrixXd DriftProblem::residualOf (const Prediction& prediction) const
+{
+    Eigen::MatrixXd residual = signals - prediction.signals;
+    prediction.ringing.takeOutOf (residual);
+
+    return residual;
 }
 
 DriftProblem::Equations DriftProblem::equations (const Eigen::VectorXd& values) const
@@ -174,7 +184,8 @@ DriftProblem::Equations DriftProblem::equations (const Eigen::VectorXd& values) 
     const auto all = static_cast<Eigen::Index> (result.parameters.size());
     result.matrix = Eigen::MatrixXd::Zero (all, all);
     result.right = Eigen::VectorXd::Zero (all);
-    result.misfit = (signals - prediction.signals).squaredNorm();
+    const auto residual = residualOf (prediction);
+    result.misfit = residual.squaredNorm();
 
     for (Eigen::Index m = 0; m < order.sensors; ++m)
     {
@@ -197,14 +208,15 @@ DriftProblem::Equations DriftProblem::equations (const Eigen::VectorXd& values) 
         if (hasDelay)
             changes.rightCols (1) = -signalSlopes.col (m);
 
+        prediction.ringing.takeOutOf (changes);
+
         Eigen::VectorXi at = Eigen::VectorXi::LinSpaced (changes.cols(), 0, static_cast<int> (changes.cols()) - 1);
         at.tail (perSensor).array() += static_cast<int> (m * perSensor);
         Eigen::MatrixXd gram = Eigen::MatrixXd::Zero (changes.cols(), changes.cols());
         addGram (gram, 1, changes.transpose());
         gram.triangularView<Eigen::StrictlyUpper>() = gram.transpose();
-        const Eigen::VectorXd residual = signals.col (m) - prediction.signals.col (m);
         result.matrix (at, at) += gram;
-        result.right (at) += changes.transpose() * residual;
+        result.right (at) += changes.transpose() * residual.col (m);
     }
 
     return result;
@@ -212,7 +224,7 @@ DriftProblem::Equations DriftProblem::equations (const Eigen::VectorXd& values) 
 
 double DriftProblem::misfit (const Eigen::VectorXd& values) const
 {
-    return (signals - predict (values, false).signals).squaredNorm();
+    return residualOf (predict (values, false)).squaredNorm();
 }
 
 double DriftProblem::heardEnergy (const Eigen::VectorXd& values) const
@@ -222,7 +234,7 @@ double DriftProblem::heardEnergy (const Eigen::VectorXd& values) const
 
 double DriftProblem::residualNoise (const Eigen::VectorXd& values) const
 {
-    const Eigen::MatrixXd residual = signals - predict (values, false).signals;
+    const auto residual = residualOf (predict (values, false));
     double largest = 1;
 
     for (Eigen::Index m = 0; m < residual.cols(); ++m)

@@ -2,6 +2,7 @@
 
 #include "DriftEstimate.h"
 #include "PlayedVoltages.h"
+#include "RingingBefore.h"
 
 #include <vector>
 
@@ -29,6 +30,7 @@ public:
     void choose (const DriftEstimate&);
 
     Equations equations (const Eigen::VectorXd& values) const;
+    /** Motions from before the recording explain what they can. */
     double misfit (const Eigen::VectorXd& values) const;
 
     /** How many noises the residual stands for: its sum of squares over the noise's, times how much narrower than white
@@ -45,9 +47,11 @@ private:
     {
         Eigen::MatrixXd signals;         ///< N_s x N, over the noise
         std::vector<ModeMotion> motions; ///< Of the modes that are followed, from the recording's beginning.
+        RingingBefore ringing;
     };
 
     Prediction predict (const Eigen::VectorXd& values, bool withChanges) const;
+    Eigen::MatrixXd residualOf (const Prediction&) const;
     ModeMotion motionOf (const ModalModel& modes, Eigen::Index k, bool withChanges) const;
     auto compared (const Eigen::VectorXd& history) const { return history.segment (first, signals.rows()); }
 

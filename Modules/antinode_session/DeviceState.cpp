@@ -1,5 +1,7 @@
 #include "DeviceState.h"
 
+#include "TrackingState.h"
+
 #include <antinode_text/JsonReader.h>
 #include <antinode_text/JsonText.h>
 
@@ -32,12 +34,15 @@ std::string deviceStateToText (const DeviceState& state, const char* schema)
 {
     auto text = R"({"schema":")" + std::string (schema) + R"(","device":)" + state.device->text;
 
-    // Without a focus such a state loads in versions that do not know of it.
+    // Without a focus or a sensor such a state loads in versions that do not know of it.
     if (state.focus != nullptr)
         text += R"(,"focus":)" + state.focus->text;
 
     if (state.focus != nullptr && state.focus->design != nullptr)
         text += R"(,"design":)" + state.focus->design->text;
+
+    if (state.tracking.isOn())
+        text += R"(,"tracking":)" + trackingToText (state.tracking);
 
     return text + R"(,"parameters":)" + nlohmann::ordered_json (state.parameters).dump() + "}";
 }
@@ -48,7 +53,7 @@ DeviceState readDeviceState (std::string_view text, const char* schema)
     const JsonValue value (json, "state");
     value.requireSchema (schema);
     const auto state = std::string_view (schema) == touchSchema
-                           ? value.object ({ "schema", "device", "focus", "design", "parameters" })
+                           ? value.object ({ "schema", "device", "focus", "design", "tracking", "parameters" })
                            : value.object ({ "schema", "device", "parameters" });
     const auto device = state.required ("device"), parameters = state.required ("parameters");
 
@@ -60,7 +65,8 @@ DeviceState readDeviceState (std::string_view text, const char* schema)
 
     DeviceState read { std::make_shared<const DeviceDocument> (readDeviceDocument (json["device"], "state: device")),
                        {},
-                       readKeptFocus (state, json) };
+                       readKeptFocus (state, json),
+                       state.has ("tracking") ? trackingFromJson (state.required ("tracking")) : TrackingSettings() };
 
     for (const auto& [key, ignored] : json["parameters"].items())
         read.parameters[key] = parameters.required (key).number ({ -farthestValue, farthestValue });

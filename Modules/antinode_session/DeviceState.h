@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Documents.h"
+#include "TrackingSettings.h"
 
 #include <map>
 #include <memory>
@@ -15,6 +16,7 @@ struct DeviceState
     std::shared_ptr<const DeviceDocument> device;
     std::map<std::string, double> parameters;        ///< By their identifiers, in the units of their texts.
     std::shared_ptr<const FocusDocument> focus = {}; ///< Of Antinode Touch only; none: notes play nothing.
+    TrackingSettings tracking = {};                  ///< Of Antinode Touch only.
 };
 
 inline constexpr auto plateSchema = "antinode.plate/1"; ///< Of Antinode Plate.

@@ -1,5 +1,7 @@
 #include "SessionState.h"
 
+#include "TrackingState.h"
+
 #include <antinode_text/JsonReader.h>
 #include <antinode_text/JsonText.h>
 
@@ -34,44 +36,6 @@ std::uint64_t readMutes (const JsonValue& value)
 
     return mutes;
 }
-
-nlohmann::ordered_json trackingToJson (const TrackingSettings& tracking)
-{
-    nlohmann::ordered_json json { { "sensor", wordFor (trackingSensorWords, tracking.sensor) } };
-
-    if (tracking.isCeramic())
-        json["ceramic"] = tracking.ceramic + 1;
-    else
-    {
-        json["x_mm"] = tracking.xMillimetres;
-        json["y_mm"] = tracking.yMillimetres;
-    }
-
-    if (tracking.isFrozen)
-        json["frozen"] = true;
-
-    return json;
-}
-
-TrackingSettings readTracking (const JsonValue& value)
-{
-    const auto json = value.object ({ "sensor", "ceramic", "x_mm", "y_mm", "frozen" });
-    TrackingSettings tracking;
-    tracking.sensor = json.required ("sensor").choice (trackingSensorWords);
-
-    if (tracking.isCeramic())
-        tracking.ceramic = json.required ("ceramic").integer (1, maximumMutes) - 1;
-    else
-    {
-        tracking.xMillimetres = json.required ("x_mm").number ({ -farthest, farthest });
-        tracking.yMillimetres = json.required ("y_mm").number ({ -farthest, farthest });
-    }
-
-    if (const auto frozen = json.optional ("frozen"))
-        tracking.isFrozen = frozen->boolean();
-
-    return tracking;
-}
 } // namespace
 
 /** Documents go in as they are: a written design has megabytes, and hosts ask often. */
@@ -98,7 +62,7 @@ std::string stateToText (const SessionState& state)
         text += R"(,"open_graph":true)";
 
     if (state.tracking.isOn())
-        text += R"(,"tracking":)" + trackingToJson (state.tracking).dump();
+        text += R"(,"tracking":)" + trackingToText (state.tracking);
 
     return text + "}";
 }
@@ -127,6 +91,6 @@ SessionState readState (std::string_view text)
              readParameters (parameters, json["parameters"]),
              readMutes (state.required ("muted_ceramics")),
              openGraph && openGraph->boolean(),
-             tracking ? readTracking (*tracking) : TrackingSettings() };
+             tracking ? trackingFromJson (*tracking) : TrackingSettings() };
 }
 } // namespace antinode

@@ -5,8 +5,8 @@ namespace antinode
 std::function<juce::AudioProcessorEditor*(PlateProcessor&)> PlateProcessor::makeEditor;
 
 PlateProcessor::PlateProcessor (int ceramics, WrapperType wrapper)
-    : DeviceEffect ({ "Voltages", ceramics, maximumCeramics }, { "Probes", maximumProbes, maximumProbes }, wrapper,
-                    plateSchema, "staple")
+    : DeviceEffect ({ "Voltages", ceramics, maximumCeramics }, { "Probes", maximumProbes, maximumProbes },
+                    SensorBus::none, wrapper, plateSchema, "staple")
 {
     controls = std::make_unique<PlateParameters> (
         *this, [this] { return surface != nullptr ? surface->snapshot()->model : nullptr; });
@@ -51,16 +51,14 @@ void PlateProcessor::playSurface (const SurfaceBlock<Sample>& block, bool isBypa
     surface->process (block, now);
 }
 
-void PlateProcessor::playChannels (std::span<const float* const> in, std::span<float* const> out, int count,
-                                   bool isBypassed)
+void PlateProcessor::playChannels (const EffectBlock<float>& block)
 {
-    playSurface<float> ({ in, out, count }, isBypassed);
+    playSurface<float> ({ block.in, block.out, block.count }, block.isBypassed);
 }
 
-void PlateProcessor::playChannels (std::span<const double* const> in, std::span<double* const> out, int count,
-                                   bool isBypassed)
+void PlateProcessor::playChannels (const EffectBlock<double>& block)
 {
-    playSurface<double> ({ in, out, count }, isBypassed);
+    playSurface<double> ({ block.in, block.out, block.count }, block.isBypassed);
 }
 
 /** As in AntinodeProcessor: a host is told of a step as soon as the session has looked. */

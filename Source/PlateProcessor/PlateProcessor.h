@@ -54,8 +54,8 @@ private:
     StepReports& stepReports() override { return controls->stepReports(); }
     std::int64_t latencyToReport() const override { return surface->latencySamples(); }
     juce::String ownWarning() override;
-    void playChannels (std::span<const float* const>, std::span<float* const>, int count, bool isBypassed) override;
-    void playChannels (std::span<const double* const>, std::span<double* const>, int count, bool isBypassed) override;
+    void playChannels (const EffectBlock<float>&) override;
+    void playChannels (const EffectBlock<double>&) override;
     template <typename Sample>
     void playSurface (const SurfaceBlock<Sample>&, bool isBypassed);
     SurfaceSettings readSettings();

@@ -13,12 +13,23 @@
 
 namespace antinode
 {
-DeviceEffect::DeviceEffect (const EffectBus& input, const EffectBus& output, WrapperType wrapperToUse,
+juce::AudioProcessor::BusesProperties DeviceEffect::buses (const EffectBus& input, const EffectBus& output,
+                                                           SensorBus sensor, WrapperType wrapper)
+{
+    auto made = BusesProperties()
+                    .withInput (input.name, wireSet (input.channels, wrapper), true)
+                    .withOutput (output.name, wireSet (output.channels, wrapper), true);
+
+    // What is off at first is an optional port in LV2, and JUCE's wrapper reads those that are not connected, too.
+    return sensor == SensorBus::one
+               ? made.withInput ("Sensor", juce::AudioChannelSet::mono(), wrapper != wrapperType_VST3)
+               : made;
+}
+
+DeviceEffect::DeviceEffect (const EffectBus& input, const EffectBus& output, SensorBus sensor, WrapperType wrapperToUse,
                             const char* schemaOfStates, const std::string& first)
-    : AudioProcessor (BusesProperties()
-                          .withInput (input.name, wireSet (input.channels, wrapperToUse), true)
-                          .withOutput (output.name, wireSet (output.channels, wrapperToUse), true)),
-      inputBus (input), outputBus (output), wrapper (wrapperToUse), schema (schemaOfStates),
+    : AudioProcessor (buses (input, output, sensor, wrapperToUse)), inputBus (input), outputBus (output),
+      sensorBus (sensor), wrapper (wrapperToUse), schema (schemaOfStates),
       loadedDevice (std::make_shared<const DeviceDocument> (
           readDeviceDocument (loadDocument (LibraryKind::device, first), "device '" + first + "'")))
 {
@@ -49,7 +60,7 @@ std::shared_ptr<const DeviceDocument> DeviceEffect::device() const
 
 DeviceState DeviceEffect::state() const
 {
-    return { device(), values(), keptFocus() };
+    return { device(), values(), keptFocus(), keptTracking() };
 }
 
 void DeviceEffect::setState (const DeviceState& wanted)
@@ -57,6 +68,7 @@ void DeviceEffect::setState (const DeviceState& wanted)
     const auto isOtherDevice = wanted.device->text != device()->text;
     setValues (wanted.parameters, *wanted.device);
     takeFocus (wanted.focus);
+    takeTracking (wanted.tracking);
 
     if (isOtherDevice)
         load (wanted.device);
@@ -105,13 +117,16 @@ bool DeviceEffect::isBusesLayoutSupported (const BusesLayout& layout) const
 {
     // By count: hosts name channels as they like, wires are told apart by their numbers.
     const auto in = layout.getMainInputChannels(), out = layout.getMainOutputChannels();
-    return in >= 1 && in <= inputBus.most && out >= 1 && out <= outputBus.most;
+    const auto sensors = sensorBus == SensorBus::one ? 1 : 0;
+    return layout.inputBuses.size() <= 1 + sensors && layout.getNumChannels (true, 1) <= sensors && in >= 1
+           && in <= inputBus.most && out >= 1 && out <= outputBus.most;
 }
 
 void DeviceEffect::orderWires()
 {
     inputOrder = wireOrder (getBus (true, 0)->getCurrentLayout(), wrapper);
     outputOrder = wireOrder (getBus (false, 0)->getCurrentLayout(), wrapper);
+    sensorChannel = getChannelCountOfBus (true, 1) > 0 ? getChannelIndexInProcessBlockBuffer (true, 1, 0) : -1;
 }
 
 void DeviceEffect::prepareToPlay (double sampleRate, int)
@@ -126,7 +141,8 @@ template <typename Sample>
 void DeviceEffect::play (juce::AudioBuffer<Sample>& buffer, const juce::MidiBuffer& midi, bool isBypassed)
 {
     const juce::ScopedNoDenormals noDenormals;
-    const auto wires = static_cast<int> (std::max (inputOrder.size(), outputOrder.size()));
+    const auto wires =
+        std::max (static_cast<int> (std::max (inputOrder.size(), outputOrder.size())), sensorChannel + 1);
 
     // A host that hands over fewer channels than it asked for gets silence rather than the wrong ceramics.
     if (buffer.getNumChannels() < wires)
@@ -145,8 +161,11 @@ void DeviceEffect::play (juce::AudioBuffer<Sample>& buffer, const juce::MidiBuff
         out[k] = buffer.getWritePointer (outputOrder[k]);
 
     takeNotes (midi, buffer.getNumSamples());
-    playChannels (std::span<const Sample* const> (in.data(), inputOrder.size()),
-                  std::span<Sample* const> (out.data(), outputOrder.size()), buffer.getNumSamples(), isBypassed);
+    playChannels (EffectBlock<Sample> { { in.data(), inputOrder.size() },
+                                        { out.data(), outputOrder.size() },
+                                        buffer.getNumSamples(),
+                                        isBypassed,
+                                        sensorChannel >= 0 ? buffer.getReadPointer (sensorChannel) : nullptr });
 
     for (auto i = static_cast<int> (outputOrder.size()); i < buffer.getNumChannels(); ++i)
         buffer.clear (i, 0, buffer.getNumSamples());

@@ -16,9 +16,20 @@
 
 namespace antinode
 {
+/** A block of an effect. */
+template <typename Sample>
+struct EffectBlock
+{
+    std::span<const Sample* const> in; ///< Channel k of the input bus.
+    std::span<Sample* const> out;
+    int count = 0; ///< Samples.
+    bool isBypassed = false;
+    const Sample* sensor = nullptr; ///< Where the effect has a bus for one and the host uses it.
+};
+
 /** What all effects on a device are to a host: one input bus and one output bus whose channels have fixed wires, a
-   device that is loaded and kept in the state, parameters whose texts are in its mm, a latency that may change. What
-   becomes of samples is left to those who derive from it. */
+   bus for a sensor where there is one, a device that is loaded and kept in the state, parameters whose texts are in its
+   mm, a latency that may change. What becomes of samples is left to those who derive from it. */
 class DeviceEffect : public juce::AudioProcessor
 {
 public:
@@ -79,10 +90,17 @@ protected:
         int most = 1;
     };
 
+    /** Whether an effect has a bus for a sensor. */
+    enum class SensorBus
+    {
+        none,
+        one
+    };
+
     static constexpr int mostChannels = 64;
 
     /** @param schema  of its states @param first  name of the embedded device that it starts with [message thread] */
-    DeviceEffect (const EffectBus& input, const EffectBus& output, WrapperType, const char* schema,
+    DeviceEffect (const EffectBus& input, const EffectBus& output, SensorBus, WrapperType, const char* schema,
                   const std::string& first);
 
     /** From now on the host is told of changes; to be called when all is made. [message thread] */
@@ -106,22 +124,25 @@ private:
     virtual std::shared_ptr<const FocusDocument> keptFocus() const { return nullptr; } ///< Of effects that have one.
     virtual void takeFocus (const std::shared_ptr<const FocusDocument>&) {}
     virtual void takeNotes (const juce::MidiBuffer&, int) {} ///< Of the block whose channels come next.
-    virtual void playChannels (std::span<const float* const> in, std::span<float* const> out, int count,
-                               bool isBypassed) = 0;
-    virtual void playChannels (std::span<const double* const> in, std::span<double* const> out, int count,
-                               bool isBypassed) = 0;
+    virtual void playChannels (const EffectBlock<float>&) = 0;
+    virtual void playChannels (const EffectBlock<double>&) = 0;
+    virtual TrackingSettings keptTracking() const { return {}; } ///< Of effects that have a sensor.
+    virtual void takeTracking (const TrackingSettings&) {}
 
     template <typename Sample>
     void play (juce::AudioBuffer<Sample>&, const juce::MidiBuffer&, bool isBypassed);
     void orderWires();
+    static BusesProperties buses (const EffectBus& input, const EffectBus& output, SensorBus, WrapperType);
     void reportLatency();
     void reportChanges();
 
     EffectBus inputBus, outputBus;
+    SensorBus sensorBus;
     WrapperType wrapper;
     const char* schema;
     ChangeMessages changes { [this] { reportChanges(); } };
     std::vector<int> inputOrder, outputOrder;         ///< Buffer channel of channel k.
+    int sensorChannel = -1;                           ///< Of the buffer; below 0: the host does not use the bus.
     juce::CriticalSection latencyReports;             ///< One at a time.
     std::shared_ptr<const ModalModel> describedModel; ///< What the host knows the parameters' texts of.
 

@@ -32,8 +32,8 @@ std::function<juce::AudioProcessorEditor*(TouchProcessor&)> TouchProcessor::make
 
 /** It starts with a plate that is solved quickly: fingers rest on plates. */
 TouchProcessor::TouchProcessor (int ceramics, WrapperType wrapper)
-    : DeviceEffect ({ "Fingers", maximumFingers, maximumFingers }, { "Ceramics", ceramics, maximumCeramics }, wrapper,
-                    touchSchema, "aluminium-200x120")
+    : DeviceEffect ({ "Fingers", maximumFingers, maximumFingers }, { "Ceramics", ceramics, maximumCeramics },
+                    SensorBus::one, wrapper, touchSchema, "aluminium-200x120")
 {
     controls = std::make_unique<TouchParameters> (*this, [this]
                                                   { return player != nullptr ? player->snapshot()->model : nullptr; });
@@ -164,28 +164,27 @@ juce::String TouchProcessor::ownWarning()
 }
 
 template <typename Sample>
-void TouchProcessor::playFingers (TouchBlock<Sample> block, bool isBypassed)
+void TouchProcessor::playFingers (const EffectBlock<Sample>& block)
 {
-    block.events = notes;
+    // A bounce does not depend on how quick the tracker's windows are.
+    const auto* const sensor = isNonRealtime() ? nullptr : block.sensor;
 
     if (isNonRealtime())
         player->waitUntilSettled (notes);
 
     auto now = controls->controls();
-    now.isArmed = now.isArmed && ! isBypassed;
-    player->process (block, now);
+    now.isArmed = now.isArmed && ! block.isBypassed;
+    player->process<Sample> ({ block.in, block.out, block.count, notes, sensor }, now);
 }
 
-void TouchProcessor::playChannels (std::span<const float* const> in, std::span<float* const> out, int count,
-                                   bool isBypassed)
+void TouchProcessor::playChannels (const EffectBlock<float>& block)
 {
-    playFingers<float> ({ in, out, count }, isBypassed);
+    playFingers (block);
 }
 
-void TouchProcessor::playChannels (std::span<const double* const> in, std::span<double* const> out, int count,
-                                   bool isBypassed)
+void TouchProcessor::playChannels (const EffectBlock<double>& block)
 {
-    playFingers<double> ({ in, out, count }, isBypassed);
+    playFingers (block);
 }
 
 /** As in AntinodeProcessor: a host is told of a step, and of another latency, as soon as the session has looked. */

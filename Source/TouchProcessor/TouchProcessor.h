@@ -19,8 +19,9 @@ namespace antinode
 /** Antinode Touch: a waveform for each finger in, voltages out.
 
     The input bus "Fingers" has 1 to 8 channels, channel k for finger k; the output bus "Ceramics" has 1 to 64, channel
-   k for ceramic k, 1.0 = the device's full scale. Before filters are designed, and unprepared, all voltages are 0. A
-   device that has to be armed is disarmed when it is loaded or comes back. */
+   k for ceramic k, 1.0 = the device's full scale; the input bus
+   "Sensor" has one channel, or none: what listens to the surface. Before filters are designed, and unprepared, all
+   voltages are 0. A device that has to be armed is disarmed when it is loaded or comes back. */
 class TouchProcessor : public DeviceEffect
 {
 public:
@@ -69,11 +70,13 @@ private:
     juce::String ownWarning() override;
     std::shared_ptr<const FocusDocument> keptFocus() const override { return focus(); }
     void takeFocus (const std::shared_ptr<const FocusDocument>&) override;
+    TrackingSettings keptTracking() const override { return player->tracking().settings(); }
+    void takeTracking (const TrackingSettings& wanted) override { player->tracking().setSettings (wanted); }
     void takeNotes (const juce::MidiBuffer&, int count) override;
-    void playChannels (std::span<const float* const>, std::span<float* const>, int count, bool isBypassed) override;
-    void playChannels (std::span<const double* const>, std::span<double* const>, int count, bool isBypassed) override;
+    void playChannels (const EffectBlock<float>&) override;
+    void playChannels (const EffectBlock<double>&) override;
     template <typename Sample>
-    void playFingers (TouchBlock<Sample>, bool isBypassed);
+    void playFingers (const EffectBlock<Sample>&);
     TouchSettings readSettings();
     void openPorts (const std::map<std::string, double>& values);
     void setPortWarning (const juce::String&);

@@ -18,13 +18,20 @@ inline Eigen::MatrixXd withRest (const Eigen::MatrixXd& inputs)
     return longer;
 }
 
-/** What a device with half as many modes again does at the fingers under voltages, from sample to sample: no filter, no
-    transform, and more modes than the filters know. */
-inline TrackScores judged (TouchProcessor& processor, const Eigen::MatrixXd& played, const Eigen::MatrixXd& inputs)
+/** The processor's device with half as many modes again as the filters know. */
+inline ModalModel judgeOf (TouchProcessor& processor)
 {
     const auto model = processor.session().snapshot()->model;
     const auto modes = 3 * (model->modes() - model->actuators()) / 2;
-    const auto judge = solveDeviceWithStaticShare (processor.device()->description, static_cast<int> (modes), true);
+    return solveDeviceWithStaticShare (processor.device()->description, static_cast<int> (modes), true);
+}
+
+/** What a device does at the fingers under voltages, from sample to sample: no filter, no transform.
+    @param judge  has more modes than the filters know */
+inline TrackScores judgedBy (const ModalModel& judge, TouchProcessor& processor, const Eigen::MatrixXd& played,
+                             const Eigen::MatrixXd& inputs)
+{
+    const auto model = processor.session().snapshot()->model;
     const auto settings = processor.parameters().settings();
     const auto description = touchedBy (model->surface, settings, processor.inputs());
     const auto latency = static_cast<double> (processor.getLatencySamples()) / judgedRate;
@@ -39,5 +46,11 @@ inline TrackScores judged (TouchProcessor& processor, const Eigen::MatrixXd& pla
         wanted.col (k) = levels[static_cast<std::size_t> (k)] * inputs.row (k).transpose();
 
     return scoreTracks (playTracks (judge, description, voltages, 0.3), wanted, description.band);
+}
+
+/** The same by judgeOf(). */
+inline TrackScores judged (TouchProcessor& processor, const Eigen::MatrixXd& played, const Eigen::MatrixXd& inputs)
+{
+    return judgedBy (judgeOf (processor), processor, played, inputs);
 }
 } // namespace antinode::test

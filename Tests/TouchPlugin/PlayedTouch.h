@@ -35,6 +35,16 @@ inline std::map<std::string, double> threeFingers()
              { "finger3_x", 55 }, { "finger3_y", 20 }, { "finger3_state", 1 } };
 }
 
+/** The channels of fingers and ceramics, without a sensor. */
+inline juce::AudioProcessor::BusesLayout touchLayout (int fingers, int ceramics)
+{
+    juce::AudioProcessor::BusesLayout layout;
+    layout.inputBuses.add (juce::AudioChannelSet::discreteChannels (fingers));
+    layout.inputBuses.add (juce::AudioChannelSet::disabled());
+    layout.outputBuses.add (juce::AudioChannelSet::discreteChannels (ceramics));
+    return layout;
+}
+
 /** A processor as an offline host has it: its filters designed, never a silent first block. */
 inline std::unique_ptr<TouchProcessor> offlineTouch (int ceramics, double sampleRate, int block,
                                                      const std::map<std::string, double>& parameters = threeFingers())

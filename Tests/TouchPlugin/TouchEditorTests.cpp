@@ -136,8 +136,7 @@ TEST_CASE ("The touch editor says what is wrong, and what goes on, in its status
     content.loadDevice ("aluminium-200x120");
     refreshUntil (content, [&] { return content.status().contains ("8 ceramics"); });
     processor->parameters().setValues ({ { "finger1_level", 100 } });
-    REQUIRE (processor->setBusesLayout (
-        { { juce::AudioChannelSet::discreteChannels (2) }, { juce::AudioChannelSet::discreteChannels (8) } }));
+    REQUIRE (processor->setBusesLayout (touchLayout (2, 8)));
     refreshUntil (content, [&] { return content.status().startsWith ("Loud: noise at these levels needs "); });
     processor->parameters().arm() = false;
     content.refresh (0);

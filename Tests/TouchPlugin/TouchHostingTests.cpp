@@ -15,14 +15,6 @@ namespace
 constexpr double rate = judgedRate;
 constexpr int ceramics = 12, length = 14400;
 
-juce::AudioProcessor::BusesLayout layoutOf (int fingers, int outputs)
-{
-    juce::AudioProcessor::BusesLayout layout;
-    layout.inputBuses.add (juce::AudioChannelSet::discreteChannels (fingers));
-    layout.outputBuses.add (juce::AudioChannelSet::discreteChannels (outputs));
-    return layout;
-}
-
 juce::MemoryBlock stateOf (TouchProcessor& processor)
 {
     juce::MemoryBlock state;
@@ -35,7 +27,7 @@ TEST_CASE ("A finger without an input is silent", "[touch-plugin]")
 {
     auto parameters = threeFingers();
     const auto processor = offlineTouch (ceramics, rate, 256, parameters);
-    REQUIRE (processor->setBusesLayout (layoutOf (2, ceramics)));
+    REQUIRE (processor->setBusesLayout (touchLayout (2, ceramics)));
     parameters["finger3_state"] = 2;
     processor->parameters().setValues (parameters);
     processor->prepareToPlay (rate, 256);
@@ -49,13 +41,13 @@ TEST_CASE ("A finger without an input is silent", "[touch-plugin]")
 TEST_CASE ("Layouts of 1 to 8 fingers and 1 to 64 ceramics are taken, others not", "[touch-plugin]")
 {
     TouchProcessor processor (32, juce::AudioProcessor::wrapperType_Undefined);
-    CHECK (processor.isBusesLayoutSupported (layoutOf (1, 1)));
-    CHECK (processor.isBusesLayoutSupported (layoutOf (8, 64)));
-    CHECK (processor.isBusesLayoutSupported (layoutOf (2, 2)));
-    CHECK_FALSE (processor.isBusesLayoutSupported (layoutOf (0, 8)));
-    CHECK_FALSE (processor.isBusesLayoutSupported (layoutOf (9, 8)));
-    CHECK_FALSE (processor.isBusesLayoutSupported (layoutOf (1, 0)));
-    CHECK_FALSE (processor.isBusesLayoutSupported (layoutOf (8, 65)));
+    CHECK (processor.isBusesLayoutSupported (touchLayout (1, 1)));
+    CHECK (processor.isBusesLayoutSupported (touchLayout (8, 64)));
+    CHECK (processor.isBusesLayoutSupported (touchLayout (2, 2)));
+    CHECK_FALSE (processor.isBusesLayoutSupported (touchLayout (0, 8)));
+    CHECK_FALSE (processor.isBusesLayoutSupported (touchLayout (9, 8)));
+    CHECK_FALSE (processor.isBusesLayoutSupported (touchLayout (1, 0)));
+    CHECK_FALSE (processor.isBusesLayoutSupported (touchLayout (8, 65)));
 }
 
 TEST_CASE ("Another latency is reported, and its filters give the same voltages as if they had been first",

@@ -82,8 +82,7 @@ std::unique_ptr<TouchProcessor> measuredTouch (int count, int latency = 0)
     }
 
     processor->parameters().setValues (parameters);
-    REQUIRE (processor->setBusesLayout (
-        { { juce::AudioChannelSet::discreteChannels (count) }, { juce::AudioChannelSet::discreteChannels (32) } }));
+    REQUIRE (processor->setBusesLayout (touchLayout (count, 32)));
     processor->prepareToPlay (rate, block);
     processor->session().waitUntilSettled();
     return processor;
