@@ -78,19 +78,9 @@ public:
         [any but the audio thread] */
     void setAmplifiers (std::vector<double> volts) { requests->setAmplifiers (std::move (volts)); }
 
-    /** Tracks the drift of the device by a sensor, and designs the foci for it as it is. Another sensor makes another
-        path. A sensor that cannot be had becomes a status. [any but the audio thread] */
-    void setTracking (const TrackingSettings& settings) { trackingRequests->setSettings (settings); }
-    TrackingSettings tracking() const { return trackingRequests->settings(); }
-
-    /** [any but the audio thread] */
-    std::shared_ptr<const TrackingStatus> trackingStatus() const { return trackingRequests->status(); }
-
-    /** What is known of the drift; none: nothing. [any but the audio thread] */
-    std::shared_ptr<const KnownDrift> drift() const { return trackingRequests->drift(); }
-
-    /** Goes on from another drift. @param known  of this device; none: as the model [any but the audio thread] */
-    void setDrift (std::shared_ptr<const KnownDrift> known) { trackingRequests->setDrift (std::move (known)); }
+    /** What tracks the drift of the device, and what is known: foci are designed for the device as it is. Another
+       sensor makes another path; one that cannot be had becomes a status. [any but the audio thread] */
+    TrackingRequests& tracking() const { return *trackingRequests; }
 
     /** Designs the places of these notes before those of the others, in this order; by default that of middle C.
         [any but the audio thread] */

@@ -70,7 +70,7 @@ void TouchSession::setAmplifiers (std::vector<double> volts)
     worker->setAmplifiers (std::move (volts));
 }
 
-TrackingRequests& TouchSession::tracking()
+TrackingRequests& TouchSession::tracking() const
 {
     return worker->tracking();
 }

@@ -92,7 +92,7 @@ public:
 
     /** What tracks the drift of the device, and what is known: another sensor makes another path, and filters and foci
         are designed for the device as it is. Docs/Decisions/0158-tracking-in-touch.md [any but the audio thread] */
-    TrackingRequests& tracking();
+    TrackingRequests& tracking() const;
 
     /** [any but the audio thread] */
     std::shared_ptr<const TouchSnapshot> snapshot() const;

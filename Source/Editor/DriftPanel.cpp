@@ -34,8 +34,7 @@ juce::String faultOf (const char* axis, double millimetres, double lowest, doubl
 }
 } // namespace
 
-DriftPanel::DriftPanel (AntinodeProcessor& processorToTrack, History& historyToUse)
-    : processor (processorToTrack), history (historyToUse)
+DriftPanel::DriftPanel (DriftPanelSource sourceToShow) : source (std::move (sourceToShow))
 {
     setTitle ("Drift");
     const std::pair<TrackingSensor, const char*> sensors[] {
@@ -73,7 +72,7 @@ DriftPanel::DriftPanel (AntinodeProcessor& processorToTrack, History& historyToU
         wanted.isFrozen = freeze.getToggleState();
         change (wanted);
     };
-    reset.onClick = [this] { history.resetDrift(); };
+    reset.onClick = [this] { resetOrUndo(); };
 
     for (std::size_t i = 0; i < places.size(); ++i)
     {
@@ -99,9 +98,17 @@ void DriftPanel::change (const TrackingSettings& wanted)
     fault.clear();
 
     if (wanted != shown)
-        history.record ([this, &wanted] { processor.session().setTracking (wanted); });
+        source.change (wanted);
 
     refresh();
+}
+
+/** Where nothing else has an undo, the button is one until a drift is known again. */
+void DriftPanel::resetOrUndo()
+{
+    const auto isUndo = std::exchange (isReset, ! isReset && source.undoReset != nullptr);
+    (isUndo ? source.undoReset : source.reset)();
+    reset.setButtonText (isReset ? "Undo" : "Reset");
 }
 
 /** A place outside is said and not taken. */
@@ -111,7 +118,7 @@ void DriftPanel::takePlace()
     wanted.xMillimetres = places[0].getText().getDoubleValue();
     wanted.yMillimetres = places[1].getText().getDoubleValue();
 
-    if (const auto model = processor.session().snapshot()->model; model != nullptr)
+    if (const auto model = source.model(); model != nullptr)
     {
         const auto& surface = model->surface;
         auto found = faultOf ("x", wanted.xMillimetres, surface.xMinimum, surface.xMaximum);
@@ -166,13 +173,13 @@ void DriftPanel::showSettings (const TrackingSettings& now)
 
 void DriftPanel::refresh()
 {
-    if (const auto model = processor.session().snapshot()->model; model != nullptr)
+    if (const auto model = source.model(); model != nullptr)
         listCeramics (static_cast<int> (model->actuators()));
 
-    if (const auto now = processor.session().tracking(); now != shown)
+    if (const auto now = source.tracking.settings(); now != shown)
         showSettings (now);
 
-    auto newest = processor.session().trackingStatus();
+    auto newest = source.tracking.status();
 
     if (newest != status)
     {

@@ -1,19 +1,33 @@
 #pragma once
 
 #include "ChartView.h"
-#include "History.h"
+
+#include <antinode_model/ModalModel.h>
+#include <antinode_session/TrackingRequests.h>
+
+#include <juce_gui_basics/juce_gui_basics.h>
 
 #include <array>
+#include <functional>
 #include <memory>
 
 namespace antinode
 {
+/** What a drift panel shows and changes, of whatever tracks. */
+struct DriftPanelSource
+{
+    TrackingRequests& tracking;                               ///< Outlives the panel.
+    std::function<std::shared_ptr<const ModalModel>()> model; ///< None: it is not solved yet.
+    std::function<void (const TrackingSettings&)> change;
+    std::function<void()> reset;     ///< Forgets the drift.
+    std::function<void()> undoReset; ///< None: who has the panel has an undo of its own.
+};
+
 /** The sensor that tracks the drift of the device, what it says, and what becomes of it. [message thread] */
 class DriftPanel final : public juce::Component
 {
 public:
-    /** Both outlive this. */
-    DriftPanel (AntinodeProcessor&, History&);
+    explicit DriftPanel (DriftPanelSource);
 
     /** Shows what has changed. */
     void refresh();
@@ -36,8 +50,10 @@ private:
     void showSettings (const TrackingSettings&);
     void listCeramics (int count);
 
-    AntinodeProcessor& processor;
-    History& history;
+    void resetOrUndo();
+
+    DriftPanelSource source;
+    bool isReset = false; ///< Whether the button brings back what it forgot.
     juce::ComboBox sensor, ceramic;
     std::array<juce::Label, 2> placeNames, places;
     juce::ToggleButton freeze { "Freeze" };

@@ -17,9 +17,15 @@ EditorContent::EditorContent (AntinodeProcessor& processorToShow)
       surfaceView (processor, past), section ("Section along x"), spectrum ("Modal spectrum"),
       felt ("Sensation level over the whole event"), voltages ("Voltages with their limits"),
       methods ("Peak voltage by several methods"), bank ("Peak voltage of the notes' places"),
-      probe (processor.session().probeTrace()), drift (processor, past), parameters (processor),
-      meters (processor, past), status (processor), browser (std::make_unique<PresetPanel> (presets)),
-      tooltips (this, 600)
+      probe (processor.session().probeTrace()),
+      drift ({ processor.session().tracking(),
+               [this] { return processor.session().snapshot()->model; },
+               [this] (const auto& wanted)
+               { past.record ([this, &wanted] { processor.session().tracking().setSettings (wanted); }); },
+               [this] { past.resetDrift(); },
+               {} }),
+      parameters (processor), meters (processor, past), status (processor),
+      browser (std::make_unique<PresetPanel> (presets)), tooltips (this, 600)
 {
     juce::LookAndFeel::setDefaultLookAndFeel (&fonts.get());
     setLookAndFeel (&look);

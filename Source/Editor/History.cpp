@@ -118,7 +118,7 @@ void History::push (Entry entry)
 
 void History::resetDrift()
 {
-    auto known = processor.session().drift();
+    auto known = processor.session().tracking().drift();
 
     if (known == nullptr)
         return;
@@ -127,7 +127,7 @@ void History::resetDrift()
     state.parameters.clear();
     push ({ state, state, juce::Time::getMillisecondCounter(), std::move (known) });
     closeEntry();
-    processor.session().setDrift (nullptr);
+    processor.session().tracking().setDrift (nullptr);
 }
 
 void History::undo()
@@ -138,7 +138,7 @@ void History::undo()
     const auto& entry = entries[--position];
 
     if (entry.drift != nullptr)
-        processor.session().setDrift (entry.drift);
+        processor.session().tracking().setDrift (entry.drift);
     else
         apply (entry.before, entry.after);
 }
@@ -151,7 +151,7 @@ void History::redo()
     const auto& entry = entries[position++];
 
     if (entry.drift != nullptr)
-        processor.session().setDrift (nullptr);
+        processor.session().tracking().setDrift (nullptr);
     else
         apply (entry.after, entry.before);
 }

@@ -26,7 +26,7 @@ SessionState demonstrator()
 
 SessionState AntinodeProcessor::state() const
 {
-    return { device(), keptFocus(), controls->values(), mutes(), player->isGraphOpen(), player->tracking() };
+    return { device(), keptFocus(), controls->values(), mutes(), player->isGraphOpen(), player->tracking().settings() };
 }
 
 std::shared_ptr<const FocusDocument> AntinodeProcessor::keptFocus() const
@@ -56,7 +56,7 @@ void AntinodeProcessor::setState (const SessionState& wanted, bool isRestored)
     controls->setValues (values);
     mutedCeramics = wanted.mutes;
     player->setGraphOpen (wanted.isGraphOpen);
-    player->setTracking (wanted.tracking);
+    player->tracking().setSettings (wanted.tracking);
     player->load (isOtherDevice ? wanted.device : nullptr, isOtherFocus ? wanted.focus : nullptr);
 }
 

@@ -99,7 +99,7 @@ void takeDrift (const juce::File& file)
     TrackingSettings tracking;
     tracking.sensor = TrackingSensor::ceramicCurrent;
     tracking.ceramic = listening;
-    processor.session().setTracking (tracking);
+    processor.session().tracking().setSettings (tracking);
     processor.session().waitUntilSettled();
     playTracked (processor);
     auto& content = editor.content();

@@ -123,7 +123,7 @@ void loadDocuments (StandaloneHost& host, const StandaloneOptions& options)
         host.processor().session().setGraphOpen (true);
 
     if (! options.tracking.empty())
-        host.processor().session().setTracking (readTracking (options.tracking));
+        host.processor().session().tracking().setSettings (readTracking (options.tracking));
 
     if (device != nullptr || focus != nullptr)
         host.processor().load (std::move (device), std::move (focus));
@@ -154,6 +154,32 @@ WantedFinger readFinger (const std::string& text)
     return finger;
 }
 
+/** Which inputs fingers feel and the sensor has, and what it is. */
+void takeInputs (TouchHost& host, const StandaloneOptions& options)
+{
+    auto inputs = host.settings().inputs;
+
+    if (! options.inputs.empty())
+        inputs.inputs = readFingerInputs (options.inputs).inputs;
+
+    if (options.sensorInput > 0)
+        inputs.sensor = options.sensorInput - 1;
+
+    if (! options.tracking.empty())
+    {
+        const auto wanted = readTracking (options.tracking);
+
+        if (wanted.isOn() && inputs.sensor == FingerInputs::none)
+            throw InputError ("--track",
+                              "needs --sensor-input with --touch: the input that the sensor is plugged into");
+
+        host.processor().session().tracking().setSettings (wanted);
+    }
+
+    if (inputs != host.settings().inputs)
+        host.setInputs (inputs);
+}
+
 void loadFingers (TouchHost& host, const StandaloneOptions& options)
 {
     if (options.fingers.size() > mostFingers)
@@ -167,8 +193,7 @@ void loadFingers (TouchHost& host, const StandaloneOptions& options)
         host.processor().load (std::make_shared<const DeviceDocument> (
             readDeviceDocument (loadDocument (LibraryKind::device, name), documentSource (LibraryKind::device, name))));
 
-    if (! options.inputs.empty())
-        host.setInputs (readFingerInputs (options.inputs));
+    takeInputs (host, options);
 
     if (options.touchLatency > 0)
         for (std::size_t i = 0; i < touchLatencies.size(); ++i)

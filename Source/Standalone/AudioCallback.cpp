@@ -35,7 +35,8 @@ AudioCallback::AudioCallback (juce::AudioProcessor& processorToPlay, OutputRoute
 
 void AudioCallback::setInputs (const FingerInputs& wanted)
 {
-    std::copy (wanted.inputs.begin(), wanted.inputs.end(), inputOfFinger.begin());
+    std::copy (wanted.inputs.begin(), wanted.inputs.end(), inputOfChannel.begin());
+    inputOfChannel.back() = wanted.sensor;
 }
 
 void AudioCallback::audioDeviceAboutToStart (juce::AudioIODevice* device)
@@ -111,11 +112,11 @@ void AudioCallback::noteInputs (const float* const* inputs, int inputCount)
 /** What fingers feel or the sensor hears, where the processor has inputs. */
 void AudioCallback::fillInputs (int offset, int count)
 {
-    const auto fingers = std::min (processor.getTotalNumInputChannels(), FingerInputs::fingers);
+    const auto channels = std::min (processor.getTotalNumInputChannels(), static_cast<int> (inputOfChannel.size()));
 
-    for (int k = 0; k < fingers; ++k)
+    for (int k = 0; k < channels; ++k)
     {
-        const auto wanted = inputOfFinger[static_cast<std::size_t> (k)].load();
+        const auto wanted = inputOfChannel[static_cast<std::size_t> (k)].load();
         const auto input = wanted == FingerInputs::firstOpen ? firstInput.load() : wanted;
 
         if (input < 0 || input >= OutputRouting::maximumOutputs)

@@ -86,8 +86,8 @@ private:
     std::atomic<std::int64_t> schedulePosition { -1 }, played { 0 };
     std::atomic<double> rate { 0 };
     std::atomic<int> firstInput { -1 };
-    std::array<std::atomic<int>, FingerInputs::fingers> inputOfFinger;
-    juce::CriticalSection errors; ///< For the next line.
+    std::array<std::atomic<int>, FingerInputs::fingers + 1> inputOfChannel; ///< Of fingers, then of their sensor.
+    juce::CriticalSection errors;                                           ///< For the next line.
     juce::String lastError;
 
     juce::AudioBuffer<float>

@@ -12,6 +12,7 @@ struct FingerInputs
     static constexpr int none = -1, firstOpen = -2, fingers = 8;
 
     std::array<int, fingers> inputs { 0, 1, 2, 3, 4, 5, 6, 7 }; ///< Of each finger, or one of the two above.
+    int sensor = none;                                          ///< Of what tracks the device.
 
     bool operator== (const FingerInputs&) const = default;
 };

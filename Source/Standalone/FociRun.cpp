@@ -64,7 +64,7 @@ void FociRun::begin()
 /** Times are those of the schedule. */
 void FociRun::tick()
 {
-    const auto news = tracking.news (*foci.processor().session().trackingStatus());
+    const auto news = tracking.news (*foci.processor().session().tracking().status());
     const auto rate = foci.callback().sampleRate();
 
     if (news.empty() || rate <= 0)

@@ -12,30 +12,48 @@ namespace
 {
 constexpr int fingerNameWidth = 70, inputChoiceWidth = 120, inputMeterMilliseconds = 50;
 constexpr int noFingerInput = OutputRouting::maximumOutputs + 1; // identifiers of a choice cannot be 0
+
+int& inputOf (FingerInputs& inputs, std::size_t row)
+{
+    return row < inputs.inputs.size() ? inputs.inputs[row] : inputs.sensor;
+}
 } // namespace
 
 InputsPanel::InputsPanel (TouchHost& hostToUse) : host (hostToUse)
 {
     for (std::size_t k = 0; k < choices.size(); ++k)
     {
-        names[k].setText ("Finger " + juce::String (k + 1), juce::dontSendNotification);
+        const auto isSensor = k == sensor;
+        names[k].setText (isSensor ? juce::String ("Sensor") : "Finger " + juce::String (k + 1),
+                          juce::dontSendNotification);
         names[k].setFont (EditorLook::font (EditorLook::smallTextHeight));
-        choices[k].setTooltip ("Input of the audio device that finger " + juce::String (k + 1) + " feels");
+        choices[k].setTooltip (isSensor ? juce::String ("Input of the audio device that tracking listens to")
+                                        : "Input of the audio device that finger " + juce::String (k + 1) + " feels");
         choices[k].onChange = [this, k]
         {
             auto inputs = host.settings().inputs;
             const auto chosen = choices[k].getSelectedId();
-            inputs.inputs[k] = chosen == noFingerInput ? FingerInputs::none : chosen - 1;
+            inputOf (inputs, k) = chosen == noFingerInput ? FingerInputs::none : chosen - 1;
             host.setInputs (inputs);
         };
-        levels[k].setTooltip ("Peak of the input, from 60 dB below full scale");
 
-        for (auto* const child : std::initializer_list<juce::Component*> { &names[k], &choices[k], &levels[k] })
+        for (auto* const child : std::initializer_list<juce::Component*> { &names[k], &choices[k] })
             addAndMakeVisible (child);
     }
 
+    for (auto& level : levels)
+    {
+        level.setTooltip ("Peak of the input, from 60 dB below full scale");
+        addAndMakeVisible (level);
+    }
+
     straight.setTooltip ("Gives every finger the input of its number");
-    straight.onClick = [this] { host.setInputs ({}); };
+    straight.onClick = [this]
+    {
+        FingerInputs inputs;
+        inputs.sensor = host.settings().inputs.sensor;
+        host.setInputs (inputs);
+    };
     addAndMakeVisible (straight);
     update();
     startTimer (inputMeterMilliseconds);
@@ -43,11 +61,11 @@ InputsPanel::InputsPanel (TouchHost& hostToUse) : host (hostToUse)
 
 void InputsPanel::update()
 {
-    const auto& wanted = host.settings().inputs.inputs;
+    auto wanted = host.settings().inputs;
     auto* const device = host.devices().getCurrentAudioDevice();
     const auto open = device != nullptr ? device->getActiveInputChannels().getHighestBit() + 1 : 0;
-    const auto inputs =
-        std::min (std::max (open, *std::max_element (wanted.begin(), wanted.end()) + 1), OutputRouting::maximumOutputs);
+    const auto highest = std::max (wanted.sensor, *std::max_element (wanted.inputs.begin(), wanted.inputs.end()));
+    const auto inputs = std::min (std::max (open, highest + 1), OutputRouting::maximumOutputs);
 
     for (std::size_t k = 0; k < choices.size(); ++k)
     {
@@ -60,7 +78,7 @@ void InputsPanel::update()
                 choices[k].addItem (juce::String (i + 1) + (i < open ? "" : ", not open"), i + 1);
         }
 
-        choices[k].setSelectedId (wanted[k] == FingerInputs::none ? noFingerInput : wanted[k] + 1,
+        choices[k].setSelectedId (inputOf (wanted, k) == FingerInputs::none ? noFingerInput : inputOf (wanted, k) + 1,
                                   juce::dontSendNotification);
     }
 
@@ -84,7 +102,9 @@ void InputsPanel::resized()
         names[k].setBounds (row.removeFromLeft (fingerNameWidth));
         choices[k].setBounds (row.removeFromLeft (inputChoiceWidth));
         row.removeFromLeft (panelMargin);
-        levels[k].setBounds (row);
+
+        if (k != sensor)
+            levels[k].setBounds (row);
     }
 
     straight.setBounds (area.removeFromTop (panelRowHeight).reduced (0, 2).removeFromRight (90));

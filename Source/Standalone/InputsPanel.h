@@ -10,7 +10,7 @@
 
 namespace antinode
 {
-/** The input of the audio device that each finger feels, and its level. */
+/** The input of the audio device that each finger feels, and its level; and that of the sensor. */
 class InputsPanel final : public juce::Component, private juce::Timer
 {
 public:
@@ -26,8 +26,10 @@ private:
     void timerCallback() override;
 
     TouchHost& host;
-    std::array<juce::Label, FingerInputs::fingers> names;
-    std::array<juce::ComboBox, FingerInputs::fingers> choices;
+    static constexpr std::size_t sensor = FingerInputs::fingers; ///< Its row is behind those of fingers.
+
+    std::array<juce::Label, sensor + 1> names;
+    std::array<juce::ComboBox, sensor + 1> choices;
     std::array<LevelBar, FingerInputs::fingers> levels;
     juce::TextButton straight { "One to one" };
     std::pair<int, int> shownInputs { -1, -1 }; ///< That are listed, and the open ones of them.

@@ -65,19 +65,17 @@ void addFingerOptions (CLI::App& app, StandaloneOptions& options)
     app.parse_complete_callback ([touch, &options] { options.playsTouch = touch->count() > 0; });
 }
 
-/** A sensor that listens while foci play. */
+/** A sensor that listens while foci or tracks play. */
 void addTrackingOptions (CLI::App& app, StandaloneOptions& options)
 {
     app.add_option ("--track", options.tracking,
                     "Tracks the drift of the device while it plays, by velocity:X:Y or displacement:X:Y (mm), by "
                     "ceramic_current:N or ceramic_charge:N of an idle ceramic (from 1), or by none")
-        ->type_name ("SENSOR")
-        ->excludes ("--touch");
+        ->type_name ("SENSOR");
     app.add_option ("--sensor-input", options.sensorInput,
-                    "Input of the audio device to open for the sensor, from 1 (default: that of the settings, else 1 "
-                    "with --track)")
-        ->check (CLI::Range (1, maximumDeviceOutputs))
-        ->excludes ("--touch");
+                    "Input of the audio device for the sensor, from 1 (default: that of the settings; without --touch "
+                    "else 1 with --track)")
+        ->check (CLI::Range (1, maximumDeviceOutputs));
 }
 
 /** What only a program without windows is asked to do. */

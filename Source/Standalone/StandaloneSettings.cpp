@@ -124,6 +124,9 @@ Json fingersToJson (const StandaloneSettings& settings)
 
     Json json { { "inputs", inputs } };
 
+    if (settings.inputs.sensor != FingerInputs::none)
+        json["sensor_input"] = toJsonNumber (settings.inputs.sensor);
+
     if (settings.touchState)
         json["state"] = Json::parse (deviceStateToText (*settings.touchState, touchSchema));
 
@@ -132,12 +135,15 @@ Json fingersToJson (const StandaloneSettings& settings)
 
 void readFingers (const JsonValue& value, const Json& json, StandaloneSettings& settings)
 {
-    const auto fingers = value.object ({ "inputs", "state" });
+    const auto fingers = value.object ({ "inputs", "sensor_input", "state" });
     const auto inputs =
         fingers.required ("inputs").items (settings.inputs.inputs.size(), settings.inputs.inputs.size());
 
     for (std::size_t k = 0; k < inputs.size(); ++k)
         settings.inputs.inputs[k] = inputs[k].integer (0, OutputRouting::maximumOutputs) - 1;
+
+    if (const auto sensor = fingers.optional ("sensor_input"))
+        settings.inputs.sensor = sensor->integer (1, OutputRouting::maximumOutputs) - 1;
 
     if (fingers.has ("state"))
         settings.touchState = readDeviceState (json["state"].dump(), touchSchema);

@@ -36,8 +36,11 @@ double percentOf (double value, double least, double most, const char* axis, std
 TouchHost::TouchHost (SettingsFile fileToUse, bool keepsSettings) : AudioHost (std::move (fileToUse), keepsSettings)
 {
     if (kept.touchState)
-        player.setState (
-            { kept.touchState->device, withoutPorts (kept.touchState->parameters), kept.touchState->focus });
+    {
+        auto state = *kept.touchState;
+        state.parameters = withoutPorts (std::move (state.parameters));
+        player.setState (state);
+    }
 
     begin (player, midiQueue);
     callback().setInputs (kept.inputs);

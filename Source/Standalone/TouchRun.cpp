@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace antinode
 {
@@ -40,6 +41,24 @@ std::string TouchRun::designsText() const
            + counted (std::ssize (openedAudio (touch.devices()).inputs), "input") + ", "
            + std::to_string (count (FingerPresence::silent)) + " silent, "
            + inWords (milli * touchLatencies[settings.latency]) + " ms of latency";
+}
+
+void TouchRun::tick()
+{
+    const auto news = tracking.news (*touch.processor().session().tracking().status());
+    const auto rate = touch.callback().sampleRate();
+
+    if (news.empty() || rate <= 0)
+        return;
+
+    std::printf ("%.2f s: %s\n", static_cast<double> (touch.callback().samplesPlayed() - begun) / rate, news.c_str());
+    std::fflush (stdout);
+}
+
+std::string TouchRun::outcomeText()
+{
+    const auto drift = tracking.summary();
+    return drift.empty() ? std::string() : "; " + drift;
 }
 
 std::string TouchRun::playedText()

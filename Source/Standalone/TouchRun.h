@@ -2,6 +2,7 @@
 
 #include "HeadlessRun.h"
 #include "TouchHost.h"
+#include "TrackingReport.h"
 
 namespace antinode
 {
@@ -19,8 +20,13 @@ private:
     bool isReady() override;
     std::string waitingFor() const override;
     std::string designsText() const override;
+    void begin() override { begun = touch.callback().samplesPlayed(); }
+    void tick() override;
     std::string playedText() override;
+    std::string outcomeText() override;
 
     TouchHost& touch;
+    TrackingReport tracking;
+    std::int64_t begun = 0; ///< Samples that the program had played when it began.
 };
 } // namespace antinode

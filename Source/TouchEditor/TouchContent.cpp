@@ -22,7 +22,7 @@ constexpr double waveformShown = 0.06; // s, beside each finger
 TouchContent::TouchContent (TouchProcessor& processorToShow)
     : processor (processorToShow), device ([this] (auto chosen) { processor.load (std::move (chosen)); }),
       focus (processor), touchesButton (processor), surfaceView (processor), fingerPanel (processor.parameters()),
-      tooltips (this, 600)
+      drift (driftSource()), tooltips (this, 600)
 {
     juce::LookAndFeel::setDefaultLookAndFeel (&fonts.get());
     setLookAndFeel (&look);
@@ -32,12 +32,20 @@ TouchContent::TouchContent (TouchProcessor& processorToShow)
     theme.setTitle ("Light or dark");
     theme.setTooltip ("Light or dark");
     theme.onClick = [this] { setDark (! isDark()); };
+    driftChoice.setClickingTogglesState (true);
+    driftChoice.setTooltip ("The sensor that tracks the drift of the device, and what it says");
+    driftChoice.onClick = [this]
+    {
+        drift.setVisible (driftChoice.getToggleState());
+        motions.setVisible (! drift.isVisible());
+    };
     surfaceView.onSelect = [this] (std::size_t finger) { fingerPanel.select (finger); };
 
     for (juce::Component* const child : std::initializer_list<juce::Component*> {
-             &device, &focus, &touchesButton, &theme, &surfaceView, &fingerPanel, &motions, &voltages })
+             &device, &focus, &touchesButton, &driftChoice, &theme, &surfaceView, &fingerPanel, &motions, &voltages })
         addAndMakeVisible (child);
 
+    addChildComponent (drift);
     processor.session().setComparing (true);
     setDark (true);
     setSize (minimumWidth, minimumHeight);
@@ -63,7 +71,7 @@ void TouchContent::setDark (bool isDark)
 void TouchContent::lookAndFeelChanged()
 {
     for (juce::TextButton* const button :
-         std::initializer_list<juce::TextButton*> { &device, &focus, &touchesButton, &theme })
+         std::initializer_list<juce::TextButton*> { &device, &focus, &touchesButton, &driftChoice, &theme })
     {
         button->setColour (juce::TextButton::buttonColourId, look.palette().raised);
         button->setColour (juce::TextButton::textColourOffId, look.palette().text);
@@ -79,9 +87,23 @@ void TouchContent::refresh (double seconds)
     fingerPanel.refresh();
     focus.refresh();
     touchesButton.refresh();
+    drift.refresh();
     showFingers (seconds);
     showVoltages (seconds);
     showStatus();
+}
+
+DriftPanelSource TouchContent::driftSource()
+{
+    auto& tracking = processor.session().tracking();
+    return { tracking, [this] { return processor.session().snapshot()->model; },
+             [&tracking] (const auto& wanted) { tracking.setSettings (wanted); },
+             [this, &tracking]
+             {
+                 forgotten = tracking.drift();
+                 tracking.setDrift (nullptr);
+             },
+             [this, &tracking] { tracking.setDrift (forgotten); } };
 }
 
 void TouchContent::takeSnapshot()
@@ -228,13 +250,16 @@ void TouchContent::resized()
     focus.setBounds (top.removeFromLeft (190));
     theme.setBounds (top.removeFromRight (34));
     top.removeFromRight (touchGap);
-    touchesButton.setBounds (top.removeFromRight (260));
+    driftChoice.setBounds (top.removeFromRight (60));
+    top.removeFromRight (touchGap);
+    touchesButton.setBounds (top.removeFromRight (std::min (260, top.getWidth() - touchGap)));
     area = area.reduced (touchGap);
     auto right = area.removeFromRight (panelWidth);
     area.removeFromRight (touchGap);
     fingerPanel.setBounds (right.removeFromTop (FingerPanel::height()));
     right.removeFromTop (voltsHeight + touchGap);
     motions.setBounds (right);
+    drift.setBounds (right);
     voltages.setBounds (area.removeFromBottom (std::min (130, area.getHeight() / 4)));
     area.removeFromBottom (touchGap);
     surfaceView.setBounds (area);

@@ -6,6 +6,7 @@
 #include "TouchesButton.h"
 
 #include <Editor/DeviceButton.h>
+#include <Editor/DriftPanel.h>
 #include <Editor/EditorLook.h>
 #include <Editor/LocalTooltips.h>
 #include <PlateEditor/LevelRows.h>
@@ -50,6 +51,10 @@ public:
     /** Loads a focus that notes play, as loadDevice does. */
     void loadFocus (const std::string& nameOrFile) { focus.loadDocument (nameOrFile); }
 
+    /** The sensor that tracks the drift; shown in place of the motions while its button is on. */
+    DriftPanel& driftPanel() { return drift; }
+    juce::Button& driftButton() { return driftChoice; }
+
     juce::String status() const { return statusText; }
 
     /** What noise at the fingers' levels costs, by latency. */
@@ -61,6 +66,7 @@ public:
 
 private:
     void takeSnapshot();
+    DriftPanelSource driftSource();
     void showFingers (double seconds);
     AskedMotion askedOf (const FingerMeters&, std::size_t finger, double level) const;
     void showVoltages (double seconds);
@@ -75,10 +81,12 @@ private:
     DeviceButton device;
     FocusButton focus;
     TouchesButton touchesButton;
-    juce::TextButton theme;
+    juce::TextButton driftChoice { "Drift" }, theme;
     TouchSurface surfaceView;
     FingerPanel fingerPanel;
     LevelRows motions { "Asked for at the fingers, 40 to 1000 Hz", juce::String::fromUTF8 ("\xC2\xB5m"), 2 };
+    DriftPanel drift;
+    std::shared_ptr<const KnownDrift> forgotten; ///< By the panel's button.
     LevelRows voltages { "Voltages", "V", 1 };
     LocalTooltips tooltips;
     std::shared_ptr<const TouchSnapshot> snapshot;

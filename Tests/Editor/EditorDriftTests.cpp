@@ -30,18 +30,18 @@ TEST_CASE ("A sensor is chosen in the panel, kept in the state, and undone", "[e
     CHECK (panel.words() == "No sensor is chosen.");
     choose (panel.sensorChoice(), currentOfCeramic);
     choose (panel.ceramicChoice(), 8);
-    CHECK (session.tracking().sensor == TrackingSensor::ceramicCurrent);
-    CHECK (session.tracking().ceramic == 7);
-    CHECK (readState (test.stateText()).tracking == session.tracking());
+    CHECK (session.tracking().settings().sensor == TrackingSensor::ceramicCurrent);
+    CHECK (session.tracking().settings().ceramic == 7);
+    CHECK (readState (test.stateText()).tracking == session.tracking().settings());
     panel.freezeButton().setToggleState (true, juce::sendNotificationSync);
-    CHECK (session.tracking().isFrozen);
+    CHECK (session.tracking().settings().isFrozen);
     history.undo();
-    CHECK_FALSE (session.tracking().isFrozen);
+    CHECK_FALSE (session.tracking().settings().isFrozen);
     history.undo();
     history.undo();
-    CHECK_FALSE (session.tracking().isOn());
+    CHECK_FALSE (session.tracking().settings().isOn());
     history.redo();
-    CHECK (session.tracking().sensor == TrackingSensor::ceramicCurrent);
+    CHECK (session.tracking().settings().sensor == TrackingSensor::ceramicCurrent);
     test.waitUntil ([&] { return panel.sensorChoice().getSelectedId() == currentOfCeramic; });
 }
 
@@ -52,10 +52,10 @@ TEST_CASE ("A sensor outside the surface is said, and not taken", "[editor][trac
     auto& panel = test.content().driftPanel();
     choose (panel.sensorChoice(), velocityAtPlace);
     panel.place (0).setText ("24", juce::sendNotificationSync);
-    CHECK (test.processor.session().tracking().xMillimetres == 24);
+    CHECK (test.processor.session().tracking().settings().xMillimetres == 24);
     panel.place (0).setText ("90", juce::sendNotificationSync);
     CHECK (panel.words() == "x is outside the surface; allowed: -75 to 75 mm");
-    CHECK (test.processor.session().tracking().xMillimetres == 24);
+    CHECK (test.processor.session().tracking().settings().xMillimetres == 24);
 }
 
 TEST_CASE ("A drift that is reset comes back with undo", "[editor][tracking]")
@@ -69,14 +69,14 @@ TEST_CASE ("A drift that is reset comes back with undo", "[editor][tracking]")
     known.nominal = session.snapshot()->model->angularFrequencies;
     known.layout = driftLayout (*session.snapshot()->model, 1);
     known.tracked = startOfTracking (known.layout, {});
-    session.setDrift (std::make_shared<const KnownDrift> (known));
-    test.waitUntil ([&] { return session.drift() != nullptr; });
+    session.tracking().setDrift (std::make_shared<const KnownDrift> (known));
+    test.waitUntil ([&] { return session.tracking().drift() != nullptr; });
     panel.resetButton().onClick();
-    test.waitUntil ([&] { return session.drift() == nullptr; });
+    test.waitUntil ([&] { return session.tracking().drift() == nullptr; });
     test.content().history().undo();
-    test.waitUntil ([&] { return session.drift() != nullptr; });
+    test.waitUntil ([&] { return session.tracking().drift() != nullptr; });
     test.content().history().redo();
-    test.waitUntil ([&] { return session.drift() == nullptr; });
+    test.waitUntil ([&] { return session.tracking().drift() == nullptr; });
 }
 
 TEST_CASE ("A drift in words and as a chart", "[editor][tracking]")

@@ -73,7 +73,7 @@ struct TrackedPlay
         TrackingSettings tracking;
         tracking.sensor = TrackingSensor::ceramicCurrent;
         tracking.ceramic = listening;
-        played.session.setTracking (tracking);
+        played.session.tracking().setSettings (tracking);
         played.session.waitUntilSettled (std::array { note });
     }
 
@@ -135,7 +135,7 @@ struct TrackedPlay
         cable = next;
     }
 
-    TrackingStatus status() const { return *played.session.trackingStatus(); }
+    TrackingStatus status() const { return *played.session.tracking().status(); }
 
     /** Waits for what windows that were played say. */
     bool becomes (TrackingState state)
@@ -200,23 +200,23 @@ TEST_CASE ("Frozen, nothing is learnt; reset, the model counts again; a drift is
     TrackedPlay play (0.004);
     auto& session = play.played.session;
     REQUIRE (play.becomes (TrackingState::following));
-    auto settings = session.tracking();
+    auto settings = session.tracking().settings();
     settings.isFrozen = true;
-    session.setTracking (settings);
+    session.tracking().setSettings (settings);
     REQUIRE (play.becomes (TrackingState::frozen));
-    const auto known = session.drift();
+    const auto known = session.tracking().drift();
     REQUIRE (known != nullptr);
     const auto moments = play.status().trace.size();
     play.device.move (0.01);
     play.play (2);
     CHECK (play.status().trace.size() == moments);
-    CHECK (session.drift() == known);
-    session.setDrift (nullptr);
+    CHECK (session.tracking().drift() == known);
+    session.tracking().setDrift (nullptr);
     play.play (0.5);
-    CHECK (session.drift() == nullptr);
-    session.setDrift (known);
+    CHECK (session.tracking().drift() == nullptr);
+    session.tracking().setDrift (known);
     play.play (0.5);
-    CHECK (session.drift() == known);
+    CHECK (session.tracking().drift() == known);
 }
 
 TEST_CASE ("A jump of one percent is recovered or declared", "[session][tracking]")
@@ -272,14 +272,14 @@ TEST_CASE ("Whatever the sensor says, outputs stay finite and within the limits,
         }
     };
     play.play (1.5, spoiled); // Windows from before are still on their way.
-    const auto known = play.played.session.drift();
+    const auto known = play.played.session.tracking().drift();
     play.play (2, spoiled);
     const auto status = play.status();
     CHECK (status.state == TrackingState::lost);
     CHECK_FALSE (status.reason.empty());
     CHECK (play.isFinite);
     CHECK ((play.largest.array() <= voltageLimits (play.device.nominal).array()).all());
-    CHECK ((play.played.session.drift()->tracked.estimate.values == known->tracked.estimate.values));
+    CHECK ((play.played.session.tracking().drift()->tracked.estimate.values == known->tracked.estimate.values));
 }
 
 // By hand, two minutes: Docs/Decisions/0153-tracking-in-the-session.md.
@@ -328,16 +328,16 @@ TEST_CASE ("What cannot be tracked is said in a sentence", "[session][tracking]"
     TrackingSettings tracking;
     tracking.sensor = TrackingSensor::ceramicCurrent;
     tracking.ceramic = 8;
-    played.session.setTracking (tracking);
+    played.session.tracking().setSettings (tracking);
 
-    for (int i = 0; i < 400 && played.session.trackingStatus()->state != TrackingState::impossible; ++i)
+    for (int i = 0; i < 400 && played.session.tracking().status()->state != TrackingState::impossible; ++i)
         std::this_thread::sleep_for (std::chrono::milliseconds (5));
 
-    CHECK (played.session.trackingStatus()->reason == "tracking: ceramic 9 is not on the device; allowed: 1 to 8");
-    played.session.setTracking ({});
+    CHECK (played.session.tracking().status()->reason == "tracking: ceramic 9 is not on the device; allowed: 1 to 8");
+    played.session.tracking().setSettings ({});
 
-    for (int i = 0; i < 400 && played.session.trackingStatus()->state != TrackingState::off; ++i)
+    for (int i = 0; i < 400 && played.session.tracking().status()->state != TrackingState::off; ++i)
         std::this_thread::sleep_for (std::chrono::milliseconds (5));
 
-    CHECK (played.session.trackingStatus()->state == TrackingState::off);
+    CHECK (played.session.tracking().status()->state == TrackingState::off);
 }

@@ -137,7 +137,7 @@ TEST_CASE ("a program that plays foci listens to the first open input")
     auto& session = host.processor().session();
     juce::BigInteger inputs;
     inputs.setBit (1);
-    session.setTracking (readTracking ("ceramic_current:8"));
+    session.tracking().setSettings (readTracking ("ceramic_current:8"));
     host.callback().prepare (48000, 256, {}, inputs);
     session.waitUntilSettled();
 
@@ -145,13 +145,13 @@ TEST_CASE ("a program that plays foci listens to the first open input")
     const std::vector<float> broken (4800, std::numeric_limits<float>::quiet_NaN());
     const std::array<const float*, 1> sources { broken.data() };
 
-    for (int i = 0; i < 200 && session.trackingStatus()->state != TrackingState::lost; ++i)
+    for (int i = 0; i < 200 && session.tracking().status()->state != TrackingState::lost; ++i)
     {
         host.callback().audioDeviceIOCallbackWithContext (sources.data(), 1, nullptr, 0, 4800, {});
         std::this_thread::sleep_for (std::chrono::milliseconds (20));
     }
 
-    CHECK (session.trackingStatus()->state == TrackingState::lost);
+    CHECK (session.tracking().status()->state == TrackingState::lost);
 }
 
 TEST_CASE ("who quits while a device is solved or a focus designed does not wait")

@@ -1,5 +1,6 @@
 #include <Standalone/MainComponent.h>
 #include <Standalone/TouchHost.h>
+#include <Standalone/TrackingOption.h>
 
 #include "Support/TemporaryFolder.h"
 
@@ -140,7 +141,8 @@ TEST_CASE ("what the touch program keeps comes back disarmed, beside what the fo
     }
     {
         TouchRig rig ({ { 0.1, 0.06, 0 } }, SettingsFile (path), true);
-        rig.host.setInputs ({ { 1, 0, 2, 3, 4, 5, 6, FingerInputs::none } });
+        rig.host.setInputs ({ { 1, 0, 2, 3, 4, 5, 6, FingerInputs::none }, 11 });
+        rig.host.processor().session().tracking().setSettings (readTracking ("ceramic_charge:2"));
         rig.host.setTouch ({ 0, 0, "127.0.0.1" });
     }
     {
@@ -149,6 +151,8 @@ TEST_CASE ("what the touch program keeps comes back disarmed, beside what the fo
         CHECK_FALSE (host.arm().get());
         CHECK (host.settings().inputs.inputs[0] == 1);
         CHECK (host.settings().inputs.inputs[7] == FingerInputs::none);
+        CHECK (host.settings().inputs.sensor == 11);
+        CHECK (host.processor().session().tracking().settings() == readTracking ("ceramic_charge:2"));
         CHECK (host.processor().parameters().settings().fingers[0].presence == FingerPresence::silent);
     }
     const StandaloneHost foci (SettingsFile (path), true);

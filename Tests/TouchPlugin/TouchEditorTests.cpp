@@ -143,6 +143,30 @@ TEST_CASE ("The touch editor says what is wrong, and what goes on, in its status
     CHECK (content.status() == "Disarmed: all voltages are 0 V.");
 }
 
+TEST_CASE ("The touch editor shows what tracks the device, and takes a reset back", "[touch-plugin][editor][tracking]")
+{
+    const auto processor = offlineTouch (8, 48000, 480);
+    auto& tracking = processor->session().tracking();
+    TouchEditor editor (*processor);
+    auto& content = editor.content();
+    auto& panel = content.driftPanel();
+    CHECK_FALSE (panel.isVisible());
+    content.driftButton().setToggleState (true, juce::sendNotificationSync);
+    content.driftButton().onClick();
+    CHECK (panel.isVisible());
+    refreshUntil (content, [&] { return panel.ceramicChoice().getNumItems() == 8; });
+    panel.sensorChoice().setSelectedId (static_cast<int> (TrackingSensor::ceramicCurrent) + 1,
+                                        juce::sendNotificationSync);
+    panel.ceramicChoice().setSelectedId (3, juce::sendNotificationSync);
+    CHECK (tracking.settings().sensor == TrackingSensor::ceramicCurrent);
+    CHECK (tracking.settings().ceramic == 2);
+    refreshUntil (content, [&] { return panel.words().startsWith ("Waiting: "); });
+    panel.resetButton().onClick();
+    CHECK (panel.resetButton().getButtonText() == "Undo");
+    panel.resetButton().onClick();
+    CHECK (panel.resetButton().getButtonText() == "Reset");
+}
+
 TEST_CASE ("Closing Antinode Touch or its editor does not wait for what is computed",
            "[touch-plugin][editor][blocking]")
 {
