@@ -107,4 +107,6 @@ if (TARGET antinode_python)
     set (python_documents ${CMAKE_INSTALL_DATADIR}/doc/python3-antinode)
     install (FILES ${resources}/Debian/copyright DESTINATION ${python_documents} COMPONENT python)
     install (FILES ${CMAKE_BINARY_DIR}/compressed/changelog.Debian.gz DESTINATION ${python_documents} COMPONENT python)
+    install (FILES ${resources}/Debian/python-lintian-overrides
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides RENAME python3-antinode COMPONENT python)
 endif()

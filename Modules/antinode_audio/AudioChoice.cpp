@@ -35,14 +35,17 @@ std::string firstType (juce::AudioDeviceManager& manager)
     const auto types = deviceTypes (manager);
 
     if (types.empty())
-        throw InputError ("audio", "is not available: this program was built without ALSA and JACK");
+        throw InputError ("audio", "is not available: this program was built without types of audio devices");
 
     const auto found = std::find_if (types.begin(), types.end(),
                                      [&manager] (const auto& type) { return ! outputDevices (manager, type).empty(); });
 
     if (found == types.end())
-        throw InputError ("audio",
-                          "has no outputs on this computer with " + joined (types) + "; JACK needs a running server");
+    {
+        const auto hasJack = std::find (types.begin(), types.end(), "JACK") != types.end();
+        throw InputError ("audio", "has no outputs on this computer with " + joined (types)
+                                       + (hasJack ? "; JACK needs a running server" : ""));
+    }
 
     return *found;
 }

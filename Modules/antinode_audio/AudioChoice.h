@@ -10,7 +10,7 @@ namespace antinode
 /** The audio device and its settings. Empty or 0 leaves the choice to the device. */
 struct AudioChoice
 {
-    std::string type;            ///< "ALSA" or "JACK"
+    std::string type;            ///< One of the types of the system, such as "ALSA".
     std::string device;          ///< Name within the type, as listed.
     double sampleRate = 0;       ///< Hz
     int blockSize = 0;           ///< Samples.

@@ -1,5 +1,6 @@
 #include "AudioBenchOptions.h"
 
+#include <antinode_audio/AudioTypes.h>
 #include <antinode_base/InputError.h>
 
 namespace antinode
@@ -7,7 +8,7 @@ namespace antinode
 void addAudioBenchOptions (CLI::App& command, AudioBenchOptions& options)
 {
     constexpr int longestBlock = 1 << 16, maximumChannels = maximumDeviceOutputs;
-    command.add_option ("--backend", options.audio.type, "Type of the audio device: ALSA or JACK");
+    command.add_option ("--backend", options.audio.type, deviceTypeHelp());
     command.add_option ("--audio-device", options.audio.device,
                         "Audio device, a name from antinode-standalone --list-devices");
     command.add_option ("--block", options.audio.blockSize, "Block size, samples")

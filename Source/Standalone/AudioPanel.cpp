@@ -3,6 +3,7 @@
 #include "PanelSizes.h"
 
 #include <Editor/EditorLook.h>
+#include <antinode_audio/AudioTypes.h>
 #include <antinode_base/InputError.h>
 
 #include <algorithm>
@@ -54,7 +55,7 @@ AudioPanel::AudioPanel (AudioHost& hostToUse) : host (hostToUse), inputView (hos
     names.back().setVisible (host.playsFoci());
     input.setVisible (host.playsFoci());
 
-    type.setTooltip ("ALSA opens the interface itself; JACK uses a running server, including that of PipeWire.");
+    type.setTooltip (deviceTypeDifference());
     refresh.setTooltip ("Searches for devices that were plugged in since the start");
     failure.setFont (EditorLook::font (EditorLook::smallTextHeight));
     failure.setJustificationType (juce::Justification::topLeft);

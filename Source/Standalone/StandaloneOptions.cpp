@@ -3,6 +3,7 @@
 #include "OutputRouting.h"
 
 #include <antinode_audio/AudioChoice.h>
+#include <antinode_audio/AudioTypes.h>
 
 namespace antinode
 {
@@ -15,7 +16,7 @@ constexpr double longestDuration = 1e6; // s
 void addAudioOptions (CLI::App& app, StandaloneOptions& options)
 {
     app.add_flag ("--list-devices", options.listsDevices, "Lists the audio devices and exits");
-    app.add_option ("--type", options.type, "Type of the audio device: ALSA or JACK");
+    app.add_option ("--type", options.type, deviceTypeHelp());
     app.add_option ("--device", options.device, "Audio device, a name from --list-devices");
     app.add_option ("--rate", options.rate, "Sample rate, Hz")->check (CLI::Range (lowestRate, highestRate));
     app.add_option ("--block", options.block, "Block size, samples")->check (CLI::Range (1, longestBlock));

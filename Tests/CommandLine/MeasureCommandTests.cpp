@@ -1,6 +1,7 @@
 #include "Support/ClosedFormResponse.h"
 #include "Support/RunProgram.h"
 
+#include <antinode_audio/AudioTypes.h>
 #include <antinode_documents/ExcitationFile.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_measurement/SimulatedBench.h>
@@ -218,4 +219,24 @@ TEST_CASE ("measure --checklist says what to connect and to expect, and neither 
     REQUIRE (text.find (hoped) != std::string::npos);
     CHECK (std::stod (text.substr (text.find (hoped) + hoped.size()))
            == Approx (std::stod (run.output.substr (run.output.find (said) + said.size()))).epsilon (0.1));
+}
+
+TEST_CASE ("Help names the types of audio devices that this system has", "[command line]")
+{
+    // JUCE makes the types without asking for devices.
+    juce::AudioDeviceManager manager;
+    juce::OwnedArray<juce::AudioIODeviceType> made;
+    manager.createAudioDeviceTypes (made);
+    std::vector<std::string> names;
+
+    for (const auto* const type : made)
+        names.push_back (type->getTypeName().toStdString());
+
+    CHECK (names == systemDeviceTypes());
+
+    for (const auto& name : names)
+        CHECK (deviceTypeHelp().find (name) != std::string::npos);
+
+    for (const auto* const command : { "calibrate", "learn", "measure" })
+        CHECK (runProgram ({ command, "--help" }).output.find (deviceTypeHelp()) != std::string::npos);
 }

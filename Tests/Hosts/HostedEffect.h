@@ -32,10 +32,31 @@ struct BuiltEffect
     int ceramics = 8;
 };
 
+/** Of those, the ones that are built for this system: LV2 is not for Windows. */
+inline std::vector<BuiltEffect> builtOf (std::vector<BuiltEffect> effects)
+{
+#ifdef _WIN32
+    std::erase_if (effects, [] (const BuiltEffect& effect) { return effect.isLv2; });
+#endif
+    return effects;
+}
+
 inline std::vector<BuiltEffect> builtEffects()
 {
-    return { { false, 2 }, { false, 8 }, { false, 29 }, { false, 64 },
-             { true, 8 },  { true, 16 }, { true, 32 },  { true, 64 } };
+    return builtOf ({ { false, 2 },
+                      { false, 8 },
+                      { false, 29 },
+                      { false, 64 },
+                      { true, 8 },
+                      { true, 16 },
+                      { true, 32 },
+                      { true, 64 } });
+}
+
+/** As VST3 and as LV2. */
+inline std::vector<BuiltEffect> builtEffects (int ceramics)
+{
+    return builtOf ({ { false, ceramics }, { true, ceramics } });
 }
 
 /** An effect in a host of JUCE's, which has prepared it. */

@@ -135,11 +135,17 @@ RawVst3::~RawVst3()
     component->release();
 }
 
+Steinberg::tresult RawVst3::arrange (Vst::SpeakerArrangement main, Vst::SpeakerArrangement monitor)
+{
+    Vst::SpeakerArrangement sensor = Vst::SpeakerArr::kMono, outputs[] = { main, monitor };
+    return processor->setBusArrangements (&sensor, 1, outputs, 2);
+}
+
 bool RawVst3::setLayout (int ceramics, int monitors)
 {
     Vst::SpeakerArrangement wanted[] = { lowestSpeakers (ceramics),
                                          monitors == 1 ? Vst::SpeakerArr::kMono : Vst::SpeakerArr::kStereo };
-    const auto isSet = processor->setBusArrangements (nullptr, 0, wanted, 2) == Steinberg::kResultTrue;
+    const auto isSet = arrange (wanted[0], wanted[1]) == Steinberg::kResultTrue;
     active[1] = monitors > 0;
     component->activateBus (Vst::kAudio, Vst::kOutput, 0, true);
     component->activateBus (Vst::kAudio, Vst::kOutput, 1, active[1]);

@@ -50,6 +50,9 @@ public:
         @return  whether the plug-in says that it has them now */
     bool setLayout (int ceramics, int monitors);
 
+    /** Asks for the speakers of all buses, as VST3 wants it: of one input for the sensor, and of both outputs. */
+    Steinberg::tresult arrange (Vst::SpeakerArrangement main, Vst::SpeakerArrangement monitor);
+
     void activate (const Processing&);
     void deactivate();
 

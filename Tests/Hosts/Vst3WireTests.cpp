@@ -39,7 +39,14 @@ TEST_CASE ("Wire k of a VST3 carries ceramic k for every number of channels that
     {
         const auto monitors = ceramics % 3;
         CAPTURE (ceramics, monitors);
-        REQUIRE (plugin.setLayout (ceramics, monitors));
+        // JUCE 8 refuses speakers that it has no names for: the 62nd and the 63rd, where the 64th does not make them
+        // Ambisonics. A host that keeps the layout of so many has their wires all the same.
+        const auto isRefused = JUCE_MAJOR_VERSION >= 8 && (ceramics == 62 || ceramics == 63);
+        REQUIRE (plugin.setLayout (ceramics, monitors) != isRefused);
+
+        if (isRefused)
+            continue;
+
         plugin.activate ({ rate, block, true, ceramics % 2 == 0 });
         const auto played = plugin.play (wireLength, block, noteAt);
         plugin.deactivate();
@@ -50,7 +57,7 @@ TEST_CASE ("Wire k of a VST3 carries ceramic k for every number of channels that
 
 TEST_CASE ("A host that keeps the VST3's layout gets ceramic k on wire k", "[vst3]")
 {
-    const auto ceramics = GENERATE (1, 2, 8, 16, 19, 20, 21, 25, 32, 48, 63, 64);
+    const auto ceramics = GENERATE (1, 2, 8, 16, 19, 20, 21, 25, 32, 48, 62, 63, 64);
     const auto reference = combReference (rate, wireLength);
     RawVst3 plugin (ceramics);
     CHECK (plugin.channels (0) == ceramics);
@@ -99,13 +106,11 @@ TEST_CASE ("A host that keeps controller and component apart gets the same", "[v
 TEST_CASE ("Layouts that cannot be are refused, and the next best one is taken", "[vst3]")
 {
     RawVst3 plugin (16);
-    Vst::SpeakerArrangement none[] = { Vst::SpeakerArr::kEmpty, Vst::SpeakerArr::kStereo };
-    CHECK (plugin.processor->setBusArrangements (nullptr, 0, none, 2) != Steinberg::kResultTrue);
+    CHECK (plugin.arrange (Vst::SpeakerArr::kEmpty, Vst::SpeakerArr::kStereo) != Steinberg::kResultTrue);
     CHECK (plugin.channels (0) == 16);
-    Vst::SpeakerArrangement wide[] = { 0xFF, 0xF };
-    CHECK (plugin.processor->setBusArrangements (nullptr, 0, wide, 2) != Steinberg::kResultTrue);
+    CHECK (plugin.arrange (0xFF, 0xF) != Steinberg::kResultTrue);
     CHECK (plugin.channels (0) == 8);
-    // JUCE's answer to too many buses is 0, which means yes: so what counts is what it has then.
+    // JUCE 7's answer to too many buses is 0, which means yes: so what counts is what it has then.
     Vst::SpeakerArrangement three[] = { 0xFF, 0x3, 0x3 };
     plugin.processor->setBusArrangements (nullptr, 0, three, 3);
     plugin.processor->setBusArrangements (three, 2, three, 2);

@@ -45,7 +45,7 @@ if (PYTHON)
         list (APPEND expected lib/python3/dist-packages/antinode/${module})
     endforeach()
     list (APPEND expected share/doc/python3-antinode/changelog.Debian.gz share/doc/python3-antinode/copyright
-        ${PYTHON})
+        share/lintian/overrides/python3-antinode ${PYTHON})
 endif()
 
 file (GLOB_RECURSE installed RELATIVE ${FOLDER} ${FOLDER}/*)

@@ -41,6 +41,21 @@ TEST_CASE ("wrong usage of the standalone program ends with 2")
     CHECK (run ({ "--headless", "--sensor-input", "0" }) == 2);
 }
 
+TEST_CASE ("the help of the standalone program names the types of audio devices of this system")
+{
+    CLI::App app;
+    StandaloneOptions options;
+    addStandaloneOptions (app, options);
+    juce::AudioDeviceManager manager;
+    juce::OwnedArray<juce::AudioIODeviceType> made;
+    manager.createAudioDeviceTypes (made);
+    REQUIRE (made.size() > 0);
+
+    for (const auto* const type : made)
+        CHECK (app.get_option ("--type")->get_description().find (type->getTypeName().toStdString())
+               != std::string::npos);
+}
+
 TEST_CASE ("what the standalone program cannot have ends with 1")
 {
     CHECK (run ({ "--headless", "--no-settings", "--note", "x" }) == 1);

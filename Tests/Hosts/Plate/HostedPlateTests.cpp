@@ -41,7 +41,7 @@ TEST_CASE ("Wire k of a hosted plate is ceramic k, and its outputs are the probe
 
 TEST_CASE ("A hosted plate keeps its device and its probes, and a broken state changes nothing", "[hosted][plate]")
 {
-    const auto plugin = GENERATE (BuiltEffect { false, 8 }, BuiltEffect { true, 8 });
+    const auto plugin = GENERATE (from_range (builtEffects (8)));
     CAPTURE (plugin.isLv2);
     auto first = hosted (plugin), second = hosted (plugin);
     const auto voltages = sines (8, length);
@@ -68,7 +68,7 @@ TEST_CASE ("A hosted plate keeps its device and its probes, and a broken state c
 
 TEST_CASE ("Ten hosted plates move beside each other", "[hosted][plate]")
 {
-    const auto plugin = GENERATE (BuiltEffect { false, 16 }, BuiltEffect { true, 16 });
+    const auto plugin = GENERATE (from_range (builtEffects (16)));
     CAPTURE (plugin.isLv2);
     std::vector<HostedEffect> all;
 
