@@ -103,7 +103,8 @@ struct HostedEffect
         for (int start = 0; start < inputs.cols(); start += block)
         {
             const auto count = std::min (block, static_cast<int> (inputs.cols()) - start);
-            juce::AudioBuffer<float> buffer (static_cast<int> (std::max (in.size(), out.size())), count);
+            juce::AudioBuffer<float> buffer (
+                std::max (instance->getTotalNumInputChannels(), instance->getTotalNumOutputChannels()), count);
             buffer.clear();
 
             for (std::size_t k = 0; k < in.size(); ++k)

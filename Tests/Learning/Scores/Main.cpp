@@ -1,6 +1,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/Detuning.h>
+#include <antinode_identification/Retuning.h>
 #include <antinode_learning/LearningPasses.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_library/Library.h>
@@ -10,14 +11,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <numbers>
+#include <numeric>
 #include <string>
 
 // The table of learning from plays, some minutes by hand: Docs/Decisions/0110-learning-from-plays.md.
-// Environment: KNOWS_DELAY=1 (else it is looked for up to 30 ms), CUBIC, BEYOND.
-// Usage: antinode_learning_scores DEVICE FOCUS SCATTER_PERCENT SENSORS IDLE PASSES TRIALS [FIRST_SEED]
+// Environment: KNOWS_DELAY=1 (else it is looked for up to 30 ms), CUBIC, BEYOND, RETUNE=1: after one measurement and
+// retune. Usage: antinode_learning_scores DEVICE FOCUS SCATTER_PERCENT SENSORS IDLE PASSES TRIALS [FIRST_SEED]
 using namespace antinode;
 
 namespace
@@ -54,6 +58,67 @@ Eigen::VectorXd fieldOf (const ModalModel& truth, const VoltageProgram& program,
     return truth.shapes * velocities.col (render.focusSample + plate.latencySamples());
 }
 
+/** One measurement at points: responses of all ceramics with noise 40 dB below each channel's RMS. */
+FrequencyResponses measured (const ModalModel& truth, const Eigen::MatrixX2d& points, const Eigen::MatrixXd& shapes,
+                             RandomNumbers& random)
+{
+    constexpr double step = 2, highest = 24000, noise = 0.01; // Hz, Hz, share
+    constexpr auto lines = static_cast<Eigen::Index> (highest / step);
+    FrequencyResponses responses;
+    responses.frequencies = step * Eigen::VectorXd::LinSpaced (lines, 1, static_cast<double> (lines));
+    responses.points = points;
+    Eigen::MatrixXcd factors (lines, truth.modes());
+
+    for (Eigen::Index k = 0; k < truth.modes(); ++k)
+        for (Eigen::Index n = 0; n < lines; ++n)
+        {
+            const auto omega = 2 * std::numbers::pi * responses.frequencies[n], own = truth.angularFrequencies[k];
+            factors (n, k) =
+                std::complex<double> (0, omega)
+                / std::complex<double> (own * own - omega * omega, 2 * truth.dampingRatios[k] * own * omega);
+        }
+
+    for (Eigen::Index i = 0; i < truth.actuators(); ++i)
+    {
+        responses.references.push_back ({ truth.ceramics[static_cast<std::size_t> (i)].name, {} });
+        Eigen::MatrixXcd values =
+            factors * (truth.participation.col (i).asDiagonal() * shapes.transpose()).cast<std::complex<double>>();
+
+        for (Eigen::Index p = 0; p < values.cols(); ++p)
+        {
+            const auto deviation = noise * values.col (p).norm() / std::sqrt (2.0 * static_cast<double> (lines));
+            values.col (p).real() += deviation * random.normal (lines);
+            values.col (p).imag() += deviation * random.normal (lines);
+        }
+
+        responses.values.push_back (std::move (values));
+    }
+
+    return responses;
+}
+
+/** The learner's model after one measurement, and what is known of it then. */
+void retuneOnce (WideModel& nominal, ModeSpread& deviations, const FrequencyResponses& responses)
+{
+    constexpr double ofFound = 5e-4;
+    const auto before = nominal.model.angularFrequencies;
+    const auto retuned = retune (nominal.model, responses, {});
+    const auto found = std::count (retuned.found.begin(), retuned.found.end(), true);
+    std::printf ("retuned: %td of %td modes found, %.1f dB\n", found, nominal.model.modes(),
+                 retuned.reconstructionError);
+    nominal.model = retuned.model;
+
+    // What was found is said in the order of before.
+    const Eigen::VectorXd moved = before.array() * (1 + retuned.frequencyChanges.array());
+    std::vector<Eigen::Index> order (static_cast<std::size_t> (moved.size()));
+    std::iota (order.begin(), order.end(), 0);
+    std::sort (order.begin(), order.end(), [&] (auto one, auto other) { return moved[one] < moved[other]; });
+
+    for (Eigen::Index k = 0; k < deviations.frequencies.size(); ++k)
+        if (retuned.found[static_cast<std::size_t> (order[static_cast<std::size_t> (k)])])
+            deviations.frequencies[k] = ofFound;
+}
+
 double relative (const Surface& surface, const Eigen::VectorXd& a, const Eigen::VectorXd& b)
 {
     return std::sqrt (surface.areas.dot ((a - b).cwiseAbs2()) / surface.areas.dot (b.cwiseAbs2()));
@@ -74,13 +139,13 @@ int main (int count, char** arguments)
     const bool knowsDelay = std::getenv ("KNOWS_DELAY") != nullptr;
     const double beyond = std::getenv ("BEYOND") ? std::atof (std::getenv ("BEYOND")) : 3.5;
     const auto device = loadDevice (deviceName, {});
-    const auto known = solveDevice (device, {}, true);
-    Case of { solveWide (device, known, 2.5 * known.frequencyHz (known.modes() - 1), true),
+    const auto designed = solveDevice (device, {}, true);
+    Case of { solveWide (device, designed, 2.5 * designed.frequencyHz (designed.modes() - 1), true),
               {},
               loadFocus (focusName, {}) };
-    of.finer = solveWide (device, known, beyond * known.frequencyHz (known.modes() - 1), true).model;
-    std::printf ("%td modes known, %td in the learner's model, %td played\n", known.modes(), of.nominal.model.modes(),
-                 of.finer.modes());
+    of.finer = solveWide (device, designed, beyond * designed.frequencyHz (designed.modes() - 1), true).model;
+    std::printf ("%td modes known, %td in the learner's model, %td played\n", designed.modes(),
+                 of.nominal.model.modes(), of.finer.modes());
     const auto deviations = sameSpread (of.nominal.model.modes(), scatter, 0.1, 0.05);
     std::vector<double> before, after, seconds;
     int worse = 0, rejected = 0;
@@ -92,23 +157,32 @@ int main (int count, char** arguments)
         RandomNumbers random (static_cast<std::uint64_t> (seed) + 1000);
         std::vector<Sensor> sensors;
         Eigen::MatrixXd heard (sensorCount + idle, truth.modes());
+        Eigen::MatrixX2d points (sensorCount, 2);
+        auto nominal = of.nominal;
+        auto known = deviations;
 
         for (int m = 0; m < sensorCount; ++m)
         {
             const auto& surface = of.nominal.model.surface;
             const auto x = surface.xMinimum + (0.05 + 0.9 * random.uniform()) * (surface.xMaximum - surface.xMinimum);
             const auto y = surface.yMinimum + (0.05 + 0.9 * random.uniform()) * (surface.yMaximum - surface.yMinimum);
-            sensors.push_back ({ shapesAt (of.nominal.model, x, y), 0 });
+            points.row (m) << x, y;
             heard.row (m) = shapesAt (truth, x, y);
         }
 
-        auto idleModel = of.nominal;
+        if (std::getenv ("RETUNE"))
+            retuneOnce (nominal, known, measured (truth, points, heard.topRows (sensorCount), random));
+
+        for (int m = 0; m < sensorCount; ++m)
+            sensors.push_back ({ shapesAt (nominal.model, points (m, 0), points (m, 1)), 0 });
+
+        auto idleModel = nominal;
         auto idleTruth = truth;
 
         if (idle > 0)
         {
             const auto last = truth.actuators() - 1;
-            sensors.push_back ({ of.nominal.model.participation.col (last).transpose(), 0.05 });
+            sensors.push_back ({ nominal.model.participation.col (last).transpose(), 0.05 });
             heard.row (sensorCount) = truth.participation.col (last).transpose();
             // An idle ceramic is given no voltage.
             idleModel.model.participation.col (last).setZero();
@@ -143,7 +217,7 @@ int main (int count, char** arguments)
             LearningSettings settings;
             settings.passes = passes;
             const auto begun = std::clock();
-            const auto learnt = learnFocus (idleModel, of.focus, sensors, deviations, play, settings);
+            const auto learnt = learnFocus (idleModel, of.focus, sensors, known, play, settings);
             const auto spent = static_cast<double> (std::clock() - begun) / CLOCKS_PER_SEC - played;
             const auto exact = designWithin ({ idleTruth, of.nominal.known, {} }, of.focus,
                                              { Reconstruction::bandLimited, 96000 }, DesignExtent::compared);
