@@ -6,20 +6,28 @@
 
 namespace antinode
 {
-/** What designs know of a drift: the relative changes of all frequencies that they were made for. [session's thread] */
+/** Relative changes of all frequencies, and their standard deviations: N_m each. */
+struct FrequencyShift
+{
+    Eigen::VectorXd changes, deviations;
+};
+
+/** What designs know of a drift: the changes of all frequencies that they were made for. [session's thread] */
 class DesignedDrift
 {
 public:
-    /** Whether frequencies have moved by more than designs bear; by more where these are still being made. */
-    bool isOutdated (const Eigen::VectorXd& changes, bool areMade) const
+    /** Whether frequencies have moved by more than designs bear, and by more than is uncertain of them; by more where
+        these are still being made. */
+    bool isOutdated (const FrequencyShift& now, bool areMade) const
     {
         constexpr double smallest = 5e-5; // of a frequency: designs that are off by less stay
         constexpr double large = 5e-4;    // designs that are off by more are not finished before
 
-        if (known.size() != changes.size() || changes.size() == 0)
+        if (known.size() != now.changes.size() || known.size() == 0)
             return false;
 
-        const auto most = (changes - known).cwiseAbs().maxCoeff();
+        const Eigen::ArrayXd moved = (now.changes - known).array().abs();
+        const auto most = (moved > now.deviations.array()).select (moved, 0).maxCoeff();
         return most > large || (most > smallest && areMade);
     }
 

@@ -1,5 +1,6 @@
 #include "DeviceTracking.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace antinode
@@ -10,6 +11,24 @@ TrackingSettings neverFrozen (TrackingSettings settings)
 {
     settings.isFrozen = false;
     return settings;
+}
+
+/** Modes that are not tracked follow the others but for what each has of its own. */
+FrequencyShift shiftBy (const std::shared_ptr<const KnownDrift>& drift, Eigen::Index modes)
+{
+    FrequencyShift shift { Eigen::VectorXd::Zero (modes), Eigen::VectorXd::Zero (modes) };
+
+    if (drift == nullptr)
+        return shift;
+
+    const auto& [nominal, layout, tracked] = *drift;
+    shift.changes = frequencyChanges (tracked.estimate, layout, modes);
+    shift.deviations.setConstant (DriftSpread().frequency);
+
+    for (Eigen::Index k = 0; k < std::min (modes, layout.modes); ++k)
+        shift.deviations[k] = tracked.estimate.deviation (layout.frequency (k));
+
+    return shift;
 }
 } // namespace
 
@@ -85,11 +104,10 @@ void DeviceTracking::read (const ModalModel* model)
     if (tracker != nullptr)
         drift = tracker->known();
 
-    if (drift == seenDrift && status == seenStatus && driftChanges.size() == modes)
+    if (drift == seenDrift && status == seenStatus && shifted.changes.size() == modes)
         return;
 
-    driftChanges = drift != nullptr ? frequencyChanges (drift->tracked.estimate, drift->layout, modes)
-                                    : Eigen::VectorXd::Zero (modes).eval();
+    shifted = shiftBy (drift, modes);
     seenStatus = status;
     seenDrift = drift;
     auto now = *status;
@@ -99,7 +117,7 @@ void DeviceTracking::read (const ModalModel* model)
 
 void DeviceTracking::noteDesigned()
 {
-    redesigns += designed.note (driftChanges) ? 1 : 0;
+    redesigns += designed.note (shifted.changes) ? 1 : 0;
 }
 
 std::shared_ptr<const ModalModel> DeviceTracking::driven (const std::shared_ptr<const ModalModel>& model) const

@@ -45,7 +45,7 @@ public:
 
     /** Whether frequencies have moved since the designs were made; by more where these are still being made.
         @param areMade  whether they are ready */
-    bool needsDesigns (bool areMade) const { return designed.isOutdated (driftChanges, areMade); }
+    bool needsDesigns (bool areMade) const { return designed.isOutdated (shifted, areMade); }
 
     /** Designs are made for the device as it is now. */
     void noteDesigned();
@@ -56,8 +56,8 @@ public:
     /** A model as designs are to know it now. @param model  as described */
     std::shared_ptr<const ModalModel> driven (const std::shared_ptr<const ModalModel>& model) const;
 
-    /** Relative, of all frequencies of the model; N_m. */
-    const Eigen::VectorXd& changes() const { return driftChanges; }
+    /** Of all frequencies of the model. */
+    const FrequencyShift& shift() const { return shifted; }
 
 private:
     std::shared_ptr<TrackingRequests> requests;
@@ -68,7 +68,7 @@ private:
     std::shared_ptr<const KnownDrift> seenDrift;      ///< That was published, as the next line.
     std::shared_ptr<const TrackingStatus> seenStatus; ///< Of the tracker, or the next line.
     const std::shared_ptr<const TrackingStatus> notTracked = std::make_shared<const TrackingStatus>();
-    Eigen::VectorXd driftChanges; ///< N_m, of all frequencies.
+    FrequencyShift shifted;
     DesignedDrift designed;
     int redesigns = 0;
     bool hasOtherSensor = false;

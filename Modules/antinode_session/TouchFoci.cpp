@@ -118,7 +118,7 @@ void TouchFoci::update (TouchPath& path, const FociSurface& surface, const Watch
     const auto isDone = path.foci().progress().isDone();
     isWhole = isWhole || (isDone && designedFor);
 
-    if (designedFor == surface.fingers && ! designedDrift.isOutdated (surface.drift, isDone))
+    if (designedFor == surface.fingers && ! designedDrift.isOutdated (surface.shift, isDone))
         return;
 
     if (! surface.areResting)
@@ -143,7 +143,7 @@ void TouchFoci::update (TouchPath& path, const FociSurface& surface, const Watch
     catch (const std::exception&)
     {
         designedFor = surface.fingers;
-        designedDrift.note (surface.drift); // The bank plays on, and nobody shall try it again and again.
+        designedDrift.note (surface.shift.changes); // The bank plays on, and nobody shall try it again and again.
         isLoadingRefused = true;
     }
 }
@@ -176,7 +176,7 @@ void TouchFoci::request (TouchPath& path, const FociSurface& surface, const std:
                            written });
     meaning = written != nullptr ? NoteMeaning::spotOnly : NoteMeaning::spread;
     designedFor = fingers;
-    designedDrift.note (surface.drift);
+    designedDrift.note (surface.shift.changes);
     isLoadingRefused = false;
 }
 

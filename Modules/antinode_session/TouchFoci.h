@@ -33,7 +33,7 @@ struct FociSurface
     std::vector<Finger> fingers;    ///< That rest on the surface and load it.
     bool areResting = false;        ///< Whether it is worth while to design for them.
     TrackedDevice tracked;          ///< What the device differs in from its document.
-    Eigen::VectorXd drift;          ///< Of this, the relative changes of all frequencies.
+    FrequencyShift shift;           ///< Of this, all frequencies'.
 };
 
 /** The focus of a touch session, which notes play on top of the fingers' tracks: middle C at its own place, the others

@@ -64,7 +64,7 @@ void TouchWorker::serveFoci()
                                 restingFingers (touchedBy (present.model->surface, places, format.inputs)),
                                 areNotesAwaited || movement.restedFor (FingerMovement::Clock::now()) >= focusRest,
                                 tracked.device (present.model.get()),
-                                tracked.changes() };
+                                tracked.shift() };
     foci.serve (*path, surface, std::exchange (isPathNew, false),
                 [this, areNotesAwaited] { return areNotesAwaited || owner->settings (settings) == settings; });
 }
