@@ -31,7 +31,7 @@ public:
     /** Ceramics that listen and are not driven, from 1. One that is not there is left to the tracker, which says so. */
     std::vector<int> idleCeramics (const ModalModel*) const;
 
-    /** Ends what listens, and begins anew for a new path. @param tracked  without drift, with all ceramics */
+    /** Ends what listens, and listens to a new path. @param tracked  without drift, with all ceramics */
     Listening listen (std::shared_ptr<const ModalModel> tracked, double sampleRate);
 
     /** Nothing is learnt while there is a reason, a sentence; what is known stays. */
