@@ -87,7 +87,7 @@ PassPlayer audioPasses (const LearnOptions& options, const LearningSetup& setup)
 
     const std::shared_ptr<Bench> bench = openAudioBench (options.audio, setup.nominal.model, options.rate);
     auto play = playPasses (*bench, wanted, playSettings (options));
-    return [&options, &setup, bench, play = std::move (play)] (const Eigen::MatrixXd& voltages, int pass)
+    return [&options, bench, play = std::move (play)] (const Eigen::MatrixXd& voltages, int pass)
     {
         auto recording = play (voltages, pass);
         const auto idle = std::ssize (options.idleCeramics);
