@@ -17,7 +17,7 @@ DesignTolerance evenErrors()
     for (int i = 1; i <= 100; ++i)
     {
         errors.push_back (i / 100.0);
-        design.tolerance.draws.push_back ({ 1, errors.back(), 1 });
+        design.tolerance.draws.push_back ({ { 1, errors.back() }, 1 });
     }
 
     design.tolerance.fieldError = computePercentiles (errors);
