@@ -150,7 +150,6 @@ Eigen::MatrixXd DriftProblem::residualOf (const Prediction& prediction) const
 {
     Eigen::MatrixXd residual = signals - prediction.signals;
     prediction.ringing.takeOutOf (residual);
-
     return residual;
 }
 
@@ -209,7 +208,6 @@ DriftProblem::Equations DriftProblem::equations (const Eigen::VectorXd& values) 
             changes.rightCols (1) = -signalSlopes.col (m);
 
         prediction.ringing.takeOutOf (changes);
-
         Eigen::VectorXi at = Eigen::VectorXi::LinSpaced (changes.cols(), 0, static_cast<int> (changes.cols()) - 1);
         at.tail (perSensor).array() += static_cast<int> (m * perSensor);
         Eigen::MatrixXd gram = Eigen::MatrixXd::Zero (changes.cols(), changes.cols());

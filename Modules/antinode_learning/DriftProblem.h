@@ -30,6 +30,7 @@ public:
     void choose (const DriftEstimate&);
 
     Equations equations (const Eigen::VectorXd& values) const;
+
     /** Motions from before the recording explain what they can. */
     double misfit (const Eigen::VectorXd& values) const;
 

@@ -119,11 +119,4 @@ void DeviceTracking::noteDesigned()
 {
     redesigns += designed.note (shifted.changes) ? 1 : 0;
 }
-
-std::shared_ptr<const ModalModel> DeviceTracking::driven (const std::shared_ptr<const ModalModel>& model) const
-{
-    const auto now = device (model.get());
-    const auto isAsDescribed = now.drift == nullptr && now.idle.empty();
-    return isAsDescribed ? model : std::make_shared<const ModalModel> (now.asDriven (*model));
-}
 } // namespace antinode

@@ -54,7 +54,10 @@ public:
     TrackedDevice device (const ModalModel* model) const { return { drift, idleCeramics (model) }; }
 
     /** A model as designs are to know it now. @param model  as described */
-    std::shared_ptr<const ModalModel> driven (const std::shared_ptr<const ModalModel>& model) const;
+    std::shared_ptr<const ModalModel> driven (const std::shared_ptr<const ModalModel>& model) const
+    {
+        return device (model.get()).asDriven (model);
+    }
 
     /** Of all frequencies of the model. */
     const FrequencyShift& shift() const { return shifted; }

@@ -13,4 +13,10 @@ ModalModel TrackedDevice::asDriven (ModalModel model) const
 
     return withoutDrive (std::move (model), idle);
 }
+
+std::shared_ptr<const ModalModel> TrackedDevice::asDriven (const std::shared_ptr<const ModalModel>& model) const
+{
+    const auto isAsDescribed = drift == nullptr && idle.empty();
+    return isAsDescribed ? model : std::make_shared<const ModalModel> (asDriven (*model));
+}
 } // namespace antinode

@@ -29,5 +29,8 @@ struct TrackedDevice
 
     /** A model of it as designs know it. @param model  as described [worker] */
     ModalModel asDriven (ModalModel model) const;
+
+    /** The same; the model itself where nothing differs. [worker] */
+    std::shared_ptr<const ModalModel> asDriven (const std::shared_ptr<const ModalModel>& model) const;
 };
 } // namespace antinode

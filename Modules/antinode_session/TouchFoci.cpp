@@ -159,7 +159,6 @@ void TouchFoci::request (TouchPath& path, const FociSurface& surface, const std:
 
     const auto& description = served->description;
     const auto model = withAmplifiers (solved, surface.amplifiers);
-    const auto driven = std::make_shared<const ModalModel> (surface.tracked.asDriven (*model));
     const auto rate = path.sampleRate();
     auto written = writtenFor (*served, description);
     const auto& spot = description.targets.front();
@@ -167,7 +166,7 @@ void TouchFoci::request (TouchPath& path, const FociSurface& surface, const std:
                                      : spreadNotes (model->surface, { spot.x, spot.y });
     const auto all = restingTogether (description.fingers, fingers);
     const WatchScope scope (goesOn);
-    path.foci().request ({ loadedBy (driven, all),
+    path.foci().request ({ loadedBy (surface.tracked.asDriven (model), all),
                            description,
                            std::move (places),
                            { spotNote },

@@ -36,7 +36,9 @@ void TouchWorker::design()
     {
         if (designer->design (settings.latency) == nullptr)
         {
-            if ((! isRetuned && playQuickly()) || ! areFingersResting())
+            const auto arePlayed = isRetuned && present.playedFingers == settings;
+
+            if ((! arePlayed && playQuickly()) || ! areFingersResting())
                 throw Cancelled();
 
             makeDesign();
@@ -49,7 +51,6 @@ void TouchWorker::design()
     {
         checkWatch();
         designedFor.reset();
-        isRetuned = isRetuned && owner->settings (settings) == settings;
     }
     catch (const std::exception& failure)
     {

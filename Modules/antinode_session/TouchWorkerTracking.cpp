@@ -19,7 +19,7 @@ void TouchWorker::takeTracking()
 {
     tracked.take (present.model.get());
 
-    if (present.model != nullptr)
+    if (present.model != nullptr && trackingRequests->settings().isOn())
     {
         const auto focus = foci.focus();
         const auto loads = restingFingers (touchedBy (present.model->surface, settings, format.inputs));
@@ -39,7 +39,7 @@ void TouchWorker::takeDrift()
         return;
 
     makeDesigner();
-    isRetuned = present.playedFingers == settings;
+    isRetuned = true;
     designedFor.reset();
 }
 

@@ -72,7 +72,13 @@ DriftPanel::DriftPanel (DriftPanelSource sourceToShow) : source (std::move (sour
         wanted.isFrozen = freeze.getToggleState();
         change (wanted);
     };
-    reset.onClick = [this] { resetOrUndo(); };
+    reset.onClick = [this] { forget(); };
+    undo.setTooltip ("Brings back the drift that Reset has forgotten");
+    undo.onClick = [this]
+    {
+        source.tracking.setDrift (std::exchange (forgotten, nullptr));
+        undo.setVisible (false);
+    };
 
     for (std::size_t i = 0; i < places.size(); ++i)
     {
@@ -89,6 +95,7 @@ DriftPanel::DriftPanel (DriftPanelSource sourceToShow) : source (std::move (sour
         addAndMakeVisible (child);
 
     addChildComponent (ceramic);
+    addChildComponent (undo);
     showSettings ({});
     refresh();
 }
@@ -103,12 +110,18 @@ void DriftPanel::change (const TrackingSettings& wanted)
     refresh();
 }
 
-/** Where nothing else has an undo, the button is one until a drift is known again. */
-void DriftPanel::resetOrUndo()
+/** What is known is kept for Undo, unless who has the panel does so. */
+void DriftPanel::forget()
 {
-    const auto isUndo = std::exchange (isReset, ! isReset && source.undoReset != nullptr);
-    (isUndo ? source.undoReset : source.reset)();
-    reset.setButtonText (isReset ? "Undo" : "Reset");
+    if (source.reset)
+        return source.reset();
+
+    if (auto known = source.tracking.drift(); known != nullptr)
+    {
+        forgotten = std::move (known);
+        source.tracking.setDrift (nullptr);
+        undo.setVisible (true);
+    }
 }
 
 /** A place outside is said and not taken. */
@@ -217,6 +230,7 @@ void DriftPanel::resized()
     if (shown.isOn())
     {
         row = area.removeFromTop (driftRow);
+        undo.setBounds (row.withLeft (row.getRight() - 50));
         ceramic.setBounds (row.withWidth (std::min (row.getWidth(), 140)));
 
         for (std::size_t i = 0; i < places.size(); ++i)

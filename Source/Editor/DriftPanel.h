@@ -19,8 +19,7 @@ struct DriftPanelSource
     TrackingRequests& tracking;                               ///< Outlives the panel.
     std::function<std::shared_ptr<const ModalModel>()> model; ///< None: it is not solved yet.
     std::function<void (const TrackingSettings&)> change;
-    std::function<void()> reset;     ///< Forgets the drift.
-    std::function<void()> undoReset; ///< None: who has the panel has an undo of its own.
+    std::function<void()> reset; ///< Forgets the drift, and can be undone; none: the panel does both.
 };
 
 /** The sensor that tracks the drift of the device, what it says, and what becomes of it. [message thread] */
@@ -40,6 +39,7 @@ public:
     juce::Label& place (int axis) { return places[static_cast<std::size_t> (axis)]; } ///< 0: x, 1: y; mm.
     juce::Button& freezeButton() { return freeze; }
     juce::Button& resetButton() { return reset; }
+    juce::Button& undoButton() { return undo; }
 
     void resized() override;
     void lookAndFeelChanged() override;
@@ -50,14 +50,14 @@ private:
     void showSettings (const TrackingSettings&);
     void listCeramics (int count);
 
-    void resetOrUndo();
+    void forget();
 
     DriftPanelSource source;
-    bool isReset = false; ///< Whether the button brings back what it forgot.
+    std::shared_ptr<const KnownDrift> forgotten; ///< What Undo brings back.
     juce::ComboBox sensor, ceramic;
     std::array<juce::Label, 2> placeNames, places;
     juce::ToggleButton freeze { "Freeze" };
-    juce::TextButton reset { "Reset" };
+    juce::TextButton reset { "Reset" }, undo { "Undo" };
     juce::Label sentence;
     ChartView chart { "Drift that all frequencies share" };
     TrackingSettings shown;

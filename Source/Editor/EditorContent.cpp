@@ -18,12 +18,10 @@ EditorContent::EditorContent (AntinodeProcessor& processorToShow)
       felt ("Sensation level over the whole event"), voltages ("Voltages with their limits"),
       methods ("Peak voltage by several methods"), bank ("Peak voltage of the notes' places"),
       probe (processor.session().probeTrace()),
-      drift ({ processor.session().tracking(),
-               [this] { return processor.session().snapshot()->model; },
+      drift ({ processor.session().tracking(), [this] { return processor.session().snapshot()->model; },
                [this] (const auto& wanted)
                { past.record ([this, &wanted] { processor.session().tracking().setSettings (wanted); }); },
-               [this] { past.resetDrift(); },
-               {} }),
+               [this] { past.resetDrift(); } }),
       parameters (processor), meters (processor, past), status (processor),
       browser (std::make_unique<PresetPanel> (presets)), tooltips (this, 600)
 {

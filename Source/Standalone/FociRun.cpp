@@ -3,8 +3,6 @@
 #include <antinode_base/InputError.h>
 #include <antinode_session/DesignSentences.h>
 
-#include <algorithm>
-#include <cstdio>
 #include <utility>
 
 namespace antinode
@@ -64,22 +62,15 @@ void FociRun::begin()
 /** Times are those of the schedule. */
 void FociRun::tick()
 {
-    const auto news = tracking.news (*foci.processor().session().tracking().status());
-    const auto rate = foci.callback().sampleRate();
-
-    if (news.empty() || rate <= 0)
-        return;
-
-    const auto seconds = static_cast<double> (foci.callback().scheduleSamples()) / rate - armTime;
-    std::printf ("%.2f s: %s\n", std::max (0.0, seconds), news.c_str());
-    std::fflush (stdout);
+    if (const auto rate = foci.callback().sampleRate(); rate > 0)
+        tracking.print (*foci.processor().session().tracking().status(),
+                        static_cast<double> (foci.callback().scheduleSamples()) / rate - armTime);
 }
 
 /** As it was before the device was closed, which leaves nothing to hear. */
 std::string FociRun::outcomeText()
 {
-    const auto drift = tracking.summary();
-    return drift.empty() ? std::string() : "; " + drift;
+    return tracking.ending();
 }
 
 std::string FociRun::playedText()

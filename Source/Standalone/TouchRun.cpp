@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace antinode
 {
@@ -45,20 +44,14 @@ std::string TouchRun::designsText() const
 
 void TouchRun::tick()
 {
-    const auto news = tracking.news (*touch.processor().session().tracking().status());
-    const auto rate = touch.callback().sampleRate();
-
-    if (news.empty() || rate <= 0)
-        return;
-
-    std::printf ("%.2f s: %s\n", static_cast<double> (touch.callback().samplesPlayed() - begun) / rate, news.c_str());
-    std::fflush (stdout);
+    if (const auto rate = touch.callback().sampleRate(); rate > 0)
+        tracking.print (*touch.processor().session().tracking().status(),
+                        static_cast<double> (touch.callback().samplesPlayed() - begun) / rate);
 }
 
 std::string TouchRun::outcomeText()
 {
-    const auto drift = tracking.summary();
-    return drift.empty() ? std::string() : "; " + drift;
+    return tracking.ending();
 }
 
 std::string TouchRun::playedText()

@@ -3,6 +3,8 @@
 #include <antinode_base/NumberText.h>
 #include <antinode_session/TrackingWords.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <utility>
 
 namespace antinode
@@ -24,6 +26,21 @@ std::string TrackingReport::news (const TrackingStatus& now)
         return "tracking off";
 
     return summary() + (reason.empty() ? std::string() : ": " + reason);
+}
+
+void TrackingReport::print (const TrackingStatus& now, double seconds)
+{
+    if (const auto what = news (now); ! what.empty())
+    {
+        std::printf ("%.2f s: %s\n", std::max (0.0, seconds), what.c_str());
+        std::fflush (stdout);
+    }
+}
+
+std::string TrackingReport::ending() const
+{
+    const auto drifted = summary();
+    return drifted.empty() ? std::string() : "; " + drifted;
 }
 
 std::string TrackingReport::summary() const

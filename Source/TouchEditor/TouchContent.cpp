@@ -96,14 +96,10 @@ void TouchContent::refresh (double seconds)
 DriftPanelSource TouchContent::driftSource()
 {
     auto& tracking = processor.session().tracking();
-    return { tracking, [this] { return processor.session().snapshot()->model; },
+    return { tracking,
+             [this] { return processor.session().snapshot()->model; },
              [&tracking] (const auto& wanted) { tracking.setSettings (wanted); },
-             [this, &tracking]
-             {
-                 forgotten = tracking.drift();
-                 tracking.setDrift (nullptr);
-             },
-             [this, &tracking] { tracking.setDrift (forgotten); } };
+             {} };
 }
 
 void TouchContent::takeSnapshot()

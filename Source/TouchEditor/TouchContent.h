@@ -86,7 +86,6 @@ private:
     FingerPanel fingerPanel;
     LevelRows motions { "Asked for at the fingers, 40 to 1000 Hz", juce::String::fromUTF8 ("\xC2\xB5m"), 2 };
     DriftPanel drift;
-    std::shared_ptr<const KnownDrift> forgotten; ///< By the panel's button.
     LevelRows voltages { "Voltages", "V", 1 };
     LocalTooltips tooltips;
     std::shared_ptr<const TouchSnapshot> snapshot;

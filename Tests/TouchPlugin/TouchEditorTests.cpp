@@ -143,7 +143,7 @@ TEST_CASE ("The touch editor says what is wrong, and what goes on, in its status
     CHECK (content.status() == "Disarmed: all voltages are 0 V.");
 }
 
-TEST_CASE ("The touch editor shows what tracks the device, and takes a reset back", "[touch-plugin][editor][tracking]")
+TEST_CASE ("The touch editor shows what tracks the device, and undoes a reset", "[touch-plugin][editor][tracking]")
 {
     const auto processor = offlineTouch (8, 48000, 480);
     auto& tracking = processor->session().tracking();
@@ -161,10 +161,21 @@ TEST_CASE ("The touch editor shows what tracks the device, and takes a reset bac
     CHECK (tracking.settings().sensor == TrackingSensor::ceramicCurrent);
     CHECK (tracking.settings().ceramic == 2);
     refreshUntil (content, [&] { return panel.words().startsWith ("Waiting: "); });
+    KnownDrift drift;
+    const auto model = processor->session().snapshot()->model;
+    const auto tracked = trackedModes (*model, 48000);
+    drift.nominal = tracked.angularFrequencies;
+    drift.layout = driftLayout (tracked, 1);
+    drift.tracked = startOfTracking (drift.layout, {});
+    const auto known = std::make_shared<const KnownDrift> (drift);
+    tracking.setDrift (known);
+    refreshUntil (content, [&] { return tracking.drift() == known; });
     panel.resetButton().onClick();
-    CHECK (panel.resetButton().getButtonText() == "Undo");
-    panel.resetButton().onClick();
-    CHECK (panel.resetButton().getButtonText() == "Reset");
+    CHECK (panel.undoButton().isVisible());
+    refreshUntil (content, [&] { return tracking.drift() == nullptr; });
+    panel.undoButton().onClick();
+    CHECK_FALSE (panel.undoButton().isVisible());
+    refreshUntil (content, [&] { return tracking.drift() == known; });
 }
 
 TEST_CASE ("Closing Antinode Touch or its editor does not wait for what is computed",
