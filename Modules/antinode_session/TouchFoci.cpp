@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace antinode
@@ -165,13 +166,14 @@ void TouchFoci::request (TouchPath& path, const FociSurface& surface, const std:
     auto places = written != nullptr ? std::vector<std::pair<double, double>>()
                                      : spreadNotes (model->surface, { spot.x, spot.y });
     const auto all = restingTogether (description.fingers, fingers);
+    auto widen = all.empty() ? beyond (surface, model, rate) : std::function<WideModel()>();
     const WatchScope scope (goesOn);
     path.foci().request ({ loadedBy (surface.tracked.asDriven (model), all),
                            description,
                            std::move (places),
                            { spotNote },
                            { Reconstruction::bandLimited, rate },
-                           all.empty() ? beyond (surface, model, rate) : nullptr,
+                           std::move (widen),
                            written });
     meaning = written != nullptr ? NoteMeaning::spotOnly : NoteMeaning::spread;
     designedFor = fingers;
