@@ -1,8 +1,8 @@
 #include "Retuning.h"
 
-#include "Assignment.h"
-#include "Comparison.h"
 #include "FrequencyDrift.h"
+#include "KnownModeFit.h"
+#include "KnownPoles.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_model/ShapesAtPlaces.h>
@@ -14,83 +14,9 @@ namespace antinode
 {
 namespace
 {
-constexpr double minimumRetunedAssurance = 0.7;
+using Indices = std::vector<Eigen::Index>;
 
-/** The signature of each mode at all points and references, one mode per column: products of shape and participation.
- */
-Eigen::MatrixXd signatures (const Eigen::MatrixXd& shapes, const Eigen::MatrixXd& participation)
-{
-    Eigen::MatrixXd result (shapes.rows() * participation.cols(), shapes.cols());
-
-    for (Eigen::Index k = 0; k < shapes.cols(); ++k)
-        result.col (k) = (shapes.col (k) * participation.row (k)).reshaped();
-
-    return result;
-}
-
-/** Which known mode each identified one is, -1 where none, when all frequencies have drifted by about one factor. */
-std::vector<Eigen::Index> findPartners (const IdentifiedModes& found, const ModalModel& model,
-                                        const Eigen::MatrixXd& assurance, double drift, double differencePenalty)
-{
-    Eigen::MatrixXd scores = assurance;
-
-    for (Eigen::Index k = 0; k < scores.rows(); ++k)
-        for (Eigen::Index l = 0; l < scores.cols(); ++l)
-            scores (k, l) -=
-                differencePenalty
-                * std::abs (std::log (found.angularFrequencies[k] / (drift * model.angularFrequencies[l])));
-
-    auto partners = assign (scores);
-
-    for (Eigen::Index k = 0; k < scores.rows(); ++k)
-        if (auto& l = partners[static_cast<std::size_t> (k)]; l >= 0 && assurance (k, l) < minimumRetunedAssurance)
-            l = -1;
-
-    return partners;
-}
-
-double medianDrift (const IdentifiedModes& found, const ModalModel& model, const std::vector<Eigen::Index>& partners)
-{
-    std::vector<double> drifts;
-
-    for (std::size_t k = 0; k < partners.size(); ++k)
-        if (partners[k] >= 0)
-            drifts.push_back (found.angularFrequencies[static_cast<Eigen::Index> (k)]
-                              / model.angularFrequencies[partners[k]]);
-
-    if (drifts.empty())
-        throw InputError ("frequency responses", "contain no mode of device '" + model.name + "'");
-
-    const auto middle = drifts.begin() + static_cast<std::ptrdiff_t> (drifts.size() / 2);
-    std::nth_element (drifts.begin(), middle, drifts.end());
-    return *middle;
-}
-
-/** By what each reference's known share of the signatures is to be multiplied, least squares over the modes, each in
-    its own measure. */
-Eigen::VectorXd participationScales (const Eigen::MatrixXd& found, const Eigen::MatrixXd& known,
-                                     const std::vector<Eigen::Index>& partners, Eigen::Index references)
-{
-    const auto points = known.rows() / references;
-    Eigen::VectorXd between = Eigen::VectorXd::Zero (references), squares = between;
-
-    for (std::size_t k = 0; k < partners.size(); ++k)
-    {
-        if (partners[k] < 0)
-            continue;
-
-        const auto weight = 1 / known.col (partners[k]).squaredNorm();
-
-        for (Eigen::Index i = 0; i < references; ++i)
-        {
-            const auto ofKnown = known.col (partners[k]).segment (i * points, points);
-            between[i] += weight * ofKnown.dot (found.col (static_cast<Eigen::Index> (k)).segment (i * points, points));
-            squares[i] += weight * ofKnown.squaredNorm();
-        }
-    }
-
-    return (squares.array() > 1e-12).select (between.cwiseQuotient (squares.cwiseMax (1e-300)), 1);
-}
+constexpr double reachOutside = 0.1; ///< Relative: modes so far outside the band may have drifted into it.
 
 void check (const ModalModel& model, const FrequencyResponses& responses)
 {
@@ -103,42 +29,107 @@ void check (const ModalModel& model, const FrequencyResponses& responses)
                                                      + " references; allowed: the " + std::to_string (model.actuators())
                                                      + " ceramics of device '" + model.name + "'");
 }
-} // namespace
 
-RetunedModel retune (const ModalModel& model, const FrequencyResponses& responses, const IdentificationOptions& options)
+/** The modes that the measured band can say anything of. */
+Indices modesNear (const ModalModel& model, const PreparedResponses& data)
 {
-    requireRealModes (model, "updates of modes by new measurements");
-    check (model, responses);
-    const auto shapes = shapesAtPlaces (model, responses.points);
-    auto found = identify (responses, options);
-    found.shapes = found.shapes.array().isFinite().select (found.shapes, 0);
-    const auto ofFound = signatures (found.shapes, found.participation);
-    const auto ofKnown = signatures (shapes, model.participation);
-    const auto assurance = modalAssurance (ofFound, ofKnown, {});
-    // First any drift, then only what differs from the common one.
-    const auto drift = medianDrift (found, model, findPartners (found, model, assurance, 1, 2));
-    const auto partners = findPartners (found, model, assurance, drift, 10);
-    ModeUpdate update { Eigen::VectorXd::Zero (model.modes()), Eigen::VectorXd::Zero (model.modes()),
-                        std::vector<bool> (static_cast<std::size_t> (model.modes())) };
+    const auto lowest = data.omega[0] * (1 - reachOutside), highest = data.omega[data.lines() - 1] * (1 + reachOutside);
+    Indices result;
 
-    for (std::size_t k = 0; k < partners.size(); ++k)
-        if (const auto l = partners[k]; l >= 0)
-        {
-            update.isKnown[static_cast<std::size_t> (l)] = true;
-            update.angularFrequencies[l] = found.angularFrequencies[static_cast<Eigen::Index> (k)];
-            update.dampingRatios[l] = found.dampingRatios[static_cast<Eigen::Index> (k)];
-        }
+    for (Eigen::Index k = 0; k < model.modes(); ++k)
+        if (const auto omega = model.angularFrequencies[k]; omega > lowest && omega < highest)
+            result.push_back (k);
+
+    if (result.empty())
+        throw InputError ("frequency responses", "contain no mode of device '" + model.name + "'");
+
+    return result;
+}
+
+KnownModePrior priorOf (const KnownModes& known, const KnownSpread& spread, double drift)
+{
+    // Where the model has a node, a device has about this much of what the mode's other ceramics have.
+    constexpr double leastOfOthers = 0.2;
+    const Eigen::VectorXd others = leastOfOthers * known.participation.rowwise().norm()
+                                   / std::sqrt (static_cast<double> (known.participation.cols()));
+    Eigen::MatrixXd spreads (known.participation.rows(), known.participation.cols());
+
+    for (Eigen::Index i = 0; i < spreads.cols(); ++i)
+        spreads.col (i) =
+            spread.participation * (known.participation.col (i).cwiseAbs2() + others.cwiseAbs2()).cwiseSqrt();
+
+    return { drift * known.angularFrequencies,
+             Eigen::VectorXd::Constant (known.modes(), spread.frequency),
+             known.dampingRatios,
+             spread.damping,
+             known.participation,
+             spreads };
+}
+
+/** What was fitted of some modes, put into the whole device. */
+RetunedModel retuned (const ModalModel& model, const Indices& modes, const KnownModeFit& fit, const KnownPoles& poles,
+                      const KnownSpread& spread)
+{
+    constexpr double seen = 0.5; // of what was not known before
+    const auto all = model.modes();
+    ModeUpdate update { Eigen::VectorXd::Zero (all), Eigen::VectorXd::Zero (all),
+                        std::vector<bool> (static_cast<std::size_t> (all)) };
+    RetunedModel result;
+    result.before = spread;
+    result.frequencyDeviations.setConstant (all, spread.frequency);
+    result.dampingDeviations.setConstant (all, spread.damping);
+    result.participationDeviations.setConstant (all, spread.participation);
+    auto participation = model.participation;
+    participation *= fit.participationScales.asDiagonal();
+
+    for (std::size_t n = 0; n < modes.size(); ++n)
+    {
+        const auto k = modes[n], of = static_cast<Eigen::Index> (n);
+
+        if (poles.gains[of] <= 0 || fit.frequencyDeviations[of] > seen * spread.frequency)
+            continue;
+
+        update.isKnown[static_cast<std::size_t> (k)] = true;
+        update.angularFrequencies[k] = fit.modes.angularFrequencies[of];
+        update.dampingRatios[k] = fit.modes.dampingRatios[of];
+        participation.row (k) = fit.modes.participation.row (of);
+        result.frequencyDeviations[k] = fit.frequencyDeviations[of];
+        result.dampingDeviations[k] = fit.dampingDeviations[of];
+        result.participationDeviations[k] = fit.participationDeviations[of];
+    }
+
+    if (std::none_of (update.isKnown.begin(), update.isKnown.end(), [] (bool isKnown) { return isKnown; }))
+        throw InputError ("frequency responses", "contain no mode of device '" + model.name + "'");
 
     auto changed = updated (model, update);
-    RetunedModel result;
+    changed.participation = participation;
     result.found = update.isKnown;
     result.frequencyChanges = (changed.angularFrequencies.array() / model.angularFrequencies.array() - 1).matrix();
     result.dampingChanges = (changed.dampingRatios.array() / model.dampingRatios.array() - 1).matrix();
-    result.participationScales = participationScales (ofFound, ofKnown, partners, model.actuators());
-    changed.participation *= result.participationScales.asDiagonal();
+    result.participationScales = fit.participationScales;
     result.model = ascending (std::move (changed));
-    result.delay = found.delay;
-    result.reconstructionError = found.reconstructionError;
+    result.pointErrors = fit.pointErrors;
+    result.delay = fit.delay;
+    result.reconstructionError = fit.reconstructionError;
     return result;
+}
+} // namespace
+
+RetunedModel retune (const ModalModel& model, const FrequencyResponses& responses, const KnownSpread& spread)
+{
+    requireRealModes (model, "updates of modes by new measurements");
+    validate (responses);
+    check (model, responses);
+    const auto shapes = shapesAtPlaces (model, responses.points);
+    auto data = prepare (responses, 0, 1e12);
+    const auto modes = modesNear (model, data);
+    const KnownModes known { model.angularFrequencies (modes), model.dampingRatios (modes), shapes (Eigen::all, modes),
+                             model.participation (modes, Eigen::all) };
+    const auto poles = findKnownPoles (data, known, spread, {});
+    auto start = known;
+    start.angularFrequencies = poles.angularFrequencies;
+    start.dampingRatios = poles.dampingRatios;
+    const auto fit = fitKnownModes (data, start, priorOf (known, spread, poles.drift), poles.delay, false);
+    return retuned (model, modes, fit, poles, spread);
 }
 } // namespace antinode

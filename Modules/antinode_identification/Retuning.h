@@ -1,28 +1,35 @@
 #pragma once
 
-#include "Identification.h"
+#include "FrequencyResponses.h"
+#include "KnownModes.h"
 
 #include <antinode_model/ModalModel.h>
 
 namespace antinode
 {
-/** A known device after a drift, and what has changed. N_m modes, N_b ceramics. */
+/** A known device after a drift, and what has changed, in the order of the modes before. N_m modes, N_b ceramics. */
 struct RetunedModel
 {
-    ModalModel model;                 ///< Frequencies, dampings and participation updated; shapes as they were.
+    ModalModel model;                 ///< Frequencies, dampings and participation updated; shapes as they were; its
+                                      ///< modes in ascending order of their new frequencies.
     std::vector<bool> found;          ///< N_m: whether the mode was seen; others moved with their neighbours.
     Eigen::VectorXd frequencyChanges; ///< N_m: relative.
     Eigen::VectorXd dampingChanges;   ///< N_m: relative.
+    KnownSpread before;               ///< Standard deviations that were assumed.
+    Eigen::VectorXd frequencyDeviations, dampingDeviations,
+        participationDeviations; ///< N_m: standard deviations that are left, relative.
     Eigen::VectorXd
         participationScales;        ///< N_b: by which each ceramic's participation was multiplied; 1 where not seen.
+    Eigen::VectorXd pointErrors;    ///< N_p: what is left of each point's responses, RMS over RMS.
     double delay = 0;               ///< s
     double reconstructionError = 0; ///< dB, of the few responses.
 };
 
-/** Updates frequencies, damping and participation of a known device from the responses of a few points.
+/** Updates frequencies, damping and participation of a known device from the responses of a few points: the most
+    probable ones, given what is measured and how far devices differ from their model.
     @param model      as it was known; its ceramics are the references, in their order
     @param responses  at points on the model's surface, driven by voltages
     @throws InputError  when references or points do not fit the model, or none of its modes is found
     [worker] Docs/Theory.md, section 8.7. */
-RetunedModel retune (const ModalModel& model, const FrequencyResponses& responses, const IdentificationOptions&);
+RetunedModel retune (const ModalModel& model, const FrequencyResponses& responses, const KnownSpread&);
 } // namespace antinode

@@ -3,6 +3,7 @@
 #include "RetunedFiles.h"
 
 #include <antinode_library/Inputs.h>
+#include <antinode_numerics/Median.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <cstdio>
@@ -16,8 +17,22 @@ struct RetuneOptions
 {
     std::string device, outputFile;
     std::vector<std::string> files;
+    RetuneDeviations deviations;
     bool usesCache = true;
 };
+
+/** Points that fit the device much worse than the others: elsewhere, turned over, or loose. */
+void warnOfPoints (const Eigen::VectorXd& errors)
+{
+    constexpr double poor = 0.3, worseThanOthers = 3;
+    const auto usual = median ({ errors.begin(), errors.end() });
+
+    for (Eigen::Index p = 0; p < errors.size(); ++p)
+        if (errors[p] > poor && errors[p] > worseThanOthers * usual)
+            std::printf ("  warning: point %td: %.0f %% of its responses are not explained; is it where the file says, "
+                         "and its sign right?\n",
+                         p + 1, 100 * errors[p]);
+}
 
 void print (const ModalModel& before, const RetunedModel& retuned)
 {
@@ -28,7 +43,7 @@ void print (const ModalModel& before, const RetunedModel& retuned)
 
     for (Eigen::Index k = 0; k < retuned.model.modes(); ++k)
         std::printf ("%5td %14.3f %14.3f %12.1f %12.2f%s\n", k + 1, before.frequencyHz (k),
-                     retuned.model.frequencyHz (k), million * retuned.frequencyChanges[k],
+                     before.frequencyHz (k) * (1 + retuned.frequencyChanges[k]), million * retuned.frequencyChanges[k],
                      percent * retuned.dampingChanges[k],
                      retuned.found[static_cast<std::size_t> (k)] ? "" : "  not found, shifted with its neighbours");
 
@@ -38,11 +53,24 @@ void print (const ModalModel& before, const RetunedModel& retuned)
                      percent * retuned.participationScales[i]);
 }
 
+void addDeviationOptions (CLI::App& command, RetuneDeviations& deviations)
+{
+    const auto add = [&] (const char* name, double& value, const char* text)
+    { command.add_option (name, value, text)->check (CLI::Range (0.01, 50.0))->capture_default_str(); };
+    add ("--frequency-percent", deviations.frequency, "Standard deviation of each frequency from the device, %");
+    add ("--drift-percent", deviations.drift, "Standard deviation of the factor that all frequencies share, %");
+    add ("--damping-percent", deviations.damping, "Standard deviation of each damping ratio, %");
+    add ("--participation-percent", deviations.participation,
+         "Standard deviation of each participation, beside a factor of each ceramic, %");
+}
+
 void retuneDevice (const RetuneOptions& options)
 {
-    const auto retuned = retuneByFiles (loadDevice (options.device, {}), options.files, options.usesCache);
+    const auto retuned =
+        retuneByFiles (loadDevice (options.device, {}), options.files, options.deviations, options.usesCache);
     writeWholeFile (options.outputFile, retunedDeviceText (retuned.now));
     print (retuned.before, retuned.now);
+    warnOfPoints (retuned.now.pointErrors);
 }
 } // namespace
 
@@ -55,6 +83,7 @@ void addRetuneCommand (CLI::App& app)
     command->add_option ("files", options->files, "Frequency responses of a few points, as written by frf and measure")
         ->required();
     command->add_option ("--out", options->outputFile, "Device file to write")->required()->type_name ("DEVICE.json");
+    addDeviationOptions (*command, options->deviations);
     addCacheFlag (*command, options->usesCache);
     command->callback ([options] { retuneDevice (*options); });
 }

@@ -21,10 +21,14 @@ FrequencyResponses responsesOfFiles (const std::vector<std::string>& names)
     return mergedResponses (files, {}).responses;
 }
 
-RetunedDevice retuneByFiles (const DeviceDescription& device, const std::vector<std::string>& names, bool usesCache)
+RetunedDevice retuneByFiles (const DeviceDescription& device, const std::vector<std::string>& names,
+                             const RetuneDeviations& deviations, bool usesCache)
 {
+    constexpr double percent = 0.01;
+    const KnownSpread spread { percent * deviations.frequency, percent * deviations.damping,
+                               percent * deviations.participation, percent * deviations.drift };
     auto model = solveDevice (device, {}, usesCache);
-    auto retuned = retune (model, responsesOfFiles (names), {});
+    auto retuned = retune (model, responsesOfFiles (names), spread);
     return { std::move (model), std::move (retuned) };
 }
 

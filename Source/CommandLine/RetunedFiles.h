@@ -19,11 +19,21 @@ struct RetunedDevice
     [worker] Docs/FileFormats.md. */
 FrequencyResponses responsesOfFiles (const std::vector<std::string>& files);
 
+/** Standard deviations of a device from its model, as options say them. */
+struct RetuneDeviations
+{
+    double frequency = 2;     ///< %, of each frequency.
+    double drift = 3;         ///< %, of what all frequencies share.
+    double damping = 30;      ///< %
+    double participation = 5; ///< %
+};
+
 /** A device as the responses of a few points say that it is now.
     @param files  as `frf` and `measure` write them
     @throws InputError  as readMeasurement, retune and solveDevice
     [worker] Docs/Theory.md, section 8.7. */
-RetunedDevice retuneByFiles (const DeviceDescription&, const std::vector<std::string>& files, bool usesCache);
+RetunedDevice retuneByFiles (const DeviceDescription&, const std::vector<std::string>& files, const RetuneDeviations&,
+                             bool usesCache);
 
 /** The device file. [worker] Docs/FileFormats.md. */
 std::string retunedDeviceText (const RetunedModel&);

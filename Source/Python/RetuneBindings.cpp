@@ -16,10 +16,15 @@ namespace py = pybind11;
 
 using Retuned = std::shared_ptr<RetunedDevice>;
 
-Retuned retuneDevice (const DeviceValue& device, const std::vector<std::string>& files, bool usesCache)
+Retuned retuneDevice (const DeviceValue& device, const std::vector<std::string>& files,
+                      const RetuneDeviations& deviations, bool usesCache)
 {
     return Work (py::none())
-        .run ([&] { return std::make_shared<RetunedDevice> (retuneByFiles (device.description, files, usesCache)); });
+        .run (
+            [&] {
+                return std::make_shared<RetunedDevice> (
+                    retuneByFiles (device.description, files, deviations, usesCache));
+            });
 }
 
 void bindChanges (py::class_<RetunedDevice, Retuned>& bound)
@@ -30,6 +35,9 @@ void bindChanges (py::class_<RetunedDevice, Retuned>& bound)
     bound.def_property_readonly (
         "damping_changes",
         viewProperty<RetunedDevice> ([] (const RetunedDevice& value) { return &value.now.dampingChanges; }));
+    bound.def_property_readonly (
+        "frequency_deviations",
+        viewProperty<RetunedDevice> ([] (const RetunedDevice& value) { return &value.now.frequencyDeviations; }));
     bound.def_property_readonly (
         "participation_scales",
         viewProperty<RetunedDevice> ([] (const RetunedDevice& value) { return &value.now.participationScales; }));
@@ -42,6 +50,12 @@ void bindChanges (py::class_<RetunedDevice, Retuned>& bound)
 
 void bindRetune (py::module_& module)
 {
+    py::class_<RetuneDeviations> deviations (module, "RetuneDeviations");
+    deviations.def (py::init<>());
+    deviations.def_readwrite ("frequency_percent", &RetuneDeviations::frequency);
+    deviations.def_readwrite ("drift_percent", &RetuneDeviations::drift);
+    deviations.def_readwrite ("damping_percent", &RetuneDeviations::damping);
+    deviations.def_readwrite ("participation_percent", &RetuneDeviations::participation);
     py::class_<RetunedDevice, Retuned> bound (module, "Retuned");
     bound.def_static ("make", &retuneDevice);
     bound.def_property_readonly ("device", [] (const RetunedDevice& value) { return retunedDeviceText (value.now); });

@@ -1,10 +1,7 @@
-#include "Support/MeasuredStructure.h"
+#include "Support/ModelOfStructure.h"
 
-#include <antinode_base/InputError.h>
 #include <antinode_identification/Comparison.h>
 #include <antinode_identification/Identification.h>
-#include <antinode_identification/IdentifiedModel.h>
-#include <antinode_identification/Retuning.h>
 
 #include <catch2/catch.hpp>
 
@@ -16,54 +13,7 @@ namespace
 /** A beam of eight modes as a model of a device. */
 KnownStructure eightModes()
 {
-    auto beam = knownBeam (11, 40, 4);
-    beam.frequencies = beam.frequencies.head (8).eval();
-    beam.dampingRatios = beam.dampingRatios.head (8).eval();
-    beam.shapes = beam.shapes.leftCols (8).eval();
-    beam.participation = beam.participation.topRows (8).eval();
-    return beam;
-}
-
-ModalModel makeModel (const KnownStructure& structure)
-{
-    IdentifiedModes modes;
-    modes.points = structure.points;
-    modes.angularFrequencies = 2 * std::numbers::pi * structure.frequencies;
-    modes.dampingRatios = structure.dampingRatios;
-    modes.shapes = structure.shapes;
-    modes.participation = structure.participation;
-    modes.deviations.angularFrequencies = Eigen::VectorXd::Zero (structure.frequencies.size());
-
-    for (Eigen::Index i = 0; i < structure.participation.cols(); ++i)
-        modes.references.push_back ({ "C" + std::to_string (i + 1), {} });
-
-    MappedSurface surface;
-    surface.name = "beam";
-    surface.masses = structure.masses;
-    return toModalModel (modes, surface);
-}
-
-/** The same structure, warmer: softer, damped differently, one ceramic weaker. */
-KnownStructure drifted (KnownStructure structure)
-{
-    for (Eigen::Index k = 0; k < structure.frequencies.size(); ++k)
-    {
-        structure.frequencies[k] *= 0.97 - 0.001 * static_cast<double> (k % 3);
-        structure.dampingRatios[k] *= 1.3;
-    }
-
-    structure.participation.col (2) *= 0.8;
-    return structure;
-}
-
-/** Every so many points only. */
-KnownStructure thinned (KnownStructure structure, Eigen::Index step)
-{
-    const auto points = Eigen::seq (1, structure.points.rows() - 1, step);
-    structure.points = structure.points (points, Eigen::all).eval();
-    structure.shapes = structure.shapes (points, Eigen::all).eval();
-    structure.masses = structure.masses (points).eval();
-    return structure;
+    return lowestModes (knownBeam (11, 40, 4), 8);
 }
 
 FrequencyResponses measured (const KnownStructure& structure)
@@ -114,45 +64,6 @@ TEST_CASE ("Identified and computed modes are paired by shape, not by number", "
     CHECK ((moved.angularFrequencies / (2 * std::numbers::pi) - structure.frequencies (kept)).cwiseAbs().maxCoeff()
            < 0.1);
     CHECK ((moved.dampingRatios - structure.dampingRatios (kept)).cwiseAbs().maxCoeff() < 1e-4);
-}
-
-TEST_CASE ("Three points find a device again after a drift", "[identification]")
-{
-    const auto before = eightModes();
-    const auto after = drifted (before);
-    const auto retuned = retune (makeModel (before), measured (thinned (after, 15)), {});
-    CHECK (std::count (retuned.found.begin(), retuned.found.end(), true) == 8);
-    const Eigen::VectorXd frequencies = retuned.model.angularFrequencies / (2 * std::numbers::pi);
-    CHECK ((frequencies - after.frequencies).cwiseQuotient (after.frequencies).cwiseAbs().maxCoeff() < 20e-6);
-    CHECK ((retuned.model.dampingRatios.cwiseQuotient (after.dampingRatios).array() - 1).abs().maxCoeff() < 1e-2);
-    CHECK (retuned.participationScales[2] == Approx (0.8).epsilon (5e-3));
-    CHECK (retuned.participationScales[0] == Approx (1).epsilon (5e-3));
-    CHECK (retuned.frequencyChanges[0] == Approx (-0.03).margin (1e-4));
-}
-
-TEST_CASE ("Responses that do not fit a device do not retune it", "[identification]")
-{
-    const auto model = makeModel (eightModes());
-    auto responses = measured (thinned (eightModes(), 15));
-
-    SECTION ("another number of ceramics")
-    {
-        responses.references.pop_back();
-        responses.values.pop_back();
-        CHECK_THROWS_WITH (retune (model, responses, {}), Catch::Contains ("4 ceramics"));
-    }
-
-    SECTION ("hammer")
-    {
-        responses.drive = DriveQuantity::force;
-        CHECK_THROWS_WITH (retune (model, responses, {}), Catch::Contains ("per force"));
-    }
-
-    SECTION ("points elsewhere")
-    {
-        responses.points.col (0).array() += 1;
-        CHECK_THROWS_WITH (retune (model, responses, {}), Catch::Contains ("outside the surface"));
-    }
 }
 
 TEST_CASE ("An identified device has its points' shares of the surface as weights", "[identification]")

@@ -374,6 +374,11 @@ class Retuned:
         return self._core.damping_changes
 
     @property
+    def frequency_deviations(self) -> Floats:
+        """N_m: standard deviations that are left, relative. A view."""
+        return self._core.frequency_deviations
+
+    @property
     def participation_scales(self) -> Floats:
         """N_b: by what each ceramic's participation was multiplied; 1 where it was not seen. A view."""
         return self._core.participation_scales
@@ -402,12 +407,23 @@ class Retuned:
         self._core.save(os.fspath(file))
 
 
-def retune(device: Union[Source, Device], *files: Folder, cache: bool = True) -> Retuned:
+def retune(
+    device: Union[Source, Device],
+    *files: Folder,
+    frequency_percent: float = 2,
+    drift_percent: float = 3,
+    damping_percent: float = 30,
+    participation_percent: float = 5,
+    cache: bool = True,
+) -> Retuned:
     """Updates a drifted device from the responses of a few points, as ``antinode retune``.
 
     Args:
         device: as it was before: :func:`antinode.device`, or what that takes.
         *files: responses of a few points, as :func:`antinode.frf` and :func:`antinode.measure` write them.
+        frequency_percent, damping_percent, participation_percent: how far each mode may be off the device: standard
+            deviations, 0.01 to 50 %.
+        drift_percent: the same of the factor that all frequencies share.
         cache: False: the device is solved without the user's cache.
 
     Returns:
@@ -421,4 +437,14 @@ def retune(device: Union[Source, Device], *files: Folder, cache: bool = True) ->
     """
     if not files:
         raise InputError("files: are none; allowed: at least one file of responses")
-    return Retuned(_antinode.Retuned.make(device_of(device)._core, [os.fspath(file) for file in files], cache))
+    within("frequency_percent", frequency_percent, 0.01, 50)
+    within("drift_percent", drift_percent, 0.01, 50)
+    within("damping_percent", damping_percent, 0.01, 50)
+    within("participation_percent", participation_percent, 0.01, 50)
+    deviations = _antinode.RetuneDeviations()
+    deviations.frequency_percent = frequency_percent
+    deviations.drift_percent = drift_percent
+    deviations.damping_percent = damping_percent
+    deviations.participation_percent = participation_percent
+    names = [os.fspath(file) for file in files]
+    return Retuned(_antinode.Retuned.make(device_of(device)._core, names, deviations, cache))

@@ -98,25 +98,24 @@ FrequencyResponses measured (const ModalModel& truth, const Eigen::MatrixX2d& po
 }
 
 /** The learner's model after one measurement, and what is known of it then. */
-void retuneOnce (WideModel& nominal, ModeSpread& deviations, const FrequencyResponses& responses)
+void retuneOnce (WideModel& nominal, ModeSpread& deviations, const FrequencyResponses& responses,
+                 const KnownSpread& spread)
 {
-    constexpr double ofFound = 5e-4;
-    const auto before = nominal.model.angularFrequencies;
-    const auto retuned = retune (nominal.model, responses, {});
+    constexpr double least = 5e-5; // Errors of a model are not noise.
+    const auto begun = std::clock();
+    const auto retuned = retune (nominal.model, responses, spread);
     const auto found = std::count (retuned.found.begin(), retuned.found.end(), true);
-    std::printf ("retuned: %td of %td modes found, %.1f dB\n", found, nominal.model.modes(),
-                 retuned.reconstructionError);
-    nominal.model = retuned.model;
-
+    std::printf ("retuned: %td of %td modes found, %.1f dB, %.1f s\n", found, nominal.model.modes(),
+                 retuned.reconstructionError, static_cast<double> (std::clock() - begun) / CLOCKS_PER_SEC);
     // What was found is said in the order of before.
-    const Eigen::VectorXd moved = before.array() * (1 + retuned.frequencyChanges.array());
+    const Eigen::VectorXd moved = nominal.model.angularFrequencies.array() * (1 + retuned.frequencyChanges.array());
     std::vector<Eigen::Index> order (static_cast<std::size_t> (moved.size()));
     std::iota (order.begin(), order.end(), 0);
     std::sort (order.begin(), order.end(), [&] (auto one, auto other) { return moved[one] < moved[other]; });
-
-    for (Eigen::Index k = 0; k < deviations.frequencies.size(); ++k)
-        if (retuned.found[static_cast<std::size_t> (order[static_cast<std::size_t> (k)])])
-            deviations.frequencies[k] = ofFound;
+    nominal.model = retuned.model;
+    deviations.frequencies = retuned.frequencyDeviations (order).cwiseMax (least);
+    deviations.dampings = retuned.dampingDeviations (order).cwiseMax (100 * least);
+    deviations.participation = retuned.participationDeviations (order).cwiseMax (20 * least);
 }
 
 double relative (const Surface& surface, const Eigen::VectorXd& a, const Eigen::VectorXd& b)
@@ -171,7 +170,8 @@ int main (int count, char** arguments)
         }
 
         if (std::getenv ("RETUNE"))
-            retuneOnce (nominal, known, measured (truth, points, heard.topRows (sensorCount), random));
+            retuneOnce (nominal, known, measured (truth, points, heard.topRows (sensorCount), random),
+                        { scatter, 0.1, 0.05, 0.003 });
 
         for (int m = 0; m < sensorCount; ++m)
             sensors.push_back ({ shapesAt (nominal.model, points (m, 0), points (m, 1)), 0 });

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "KnownModeFit.h"
+#include "KnownModeState.h"
+
+#include <optional>
+
+namespace antinode
+{
+/** Gauss and Newton's equations of the log posterior density. Unknowns: frequencies in half widths, relative changes of
+    damping ratios, the delay; and strengths, participation over angular frequency, of each ceramic. */
+struct KnownModeEquations
+{
+    Eigen::MatrixXd poles;                  ///< (2 N_m + 1) square, lower triangle: strengths eliminated.
+    Eigen::VectorXd gradient;               ///< 2 N_m + 1: of the log posterior, strengths eliminated.
+    std::vector<Eigen::MatrixXd> factors;   ///< N_b of N_m x N_m: the lower factor of each ceramic's strengths.
+    std::vector<Eigen::MatrixXd> couplings; ///< N_b of N_m x (2 N_m + 2): of these with poles and gradient, whitened.
+    double delayUnit = 1;                   ///< s
+};
+
+/** [worker] Docs/Theory.md, section 8.7. */
+KnownModeEquations knownModeEquations (const KnownModeState&, const KnownModes&, const KnownModePrior&,
+                                       bool delayIsKnown);
+
+/** A step of the unknowns, and what it would gain of log posterior. */
+struct KnownModeStep
+{
+    Eigen::VectorXd poles;     ///< 2 N_m
+    Eigen::MatrixXd strengths; ///< N_m x N_b
+    double delay = 0, gain = 0;
+};
+
+/** @param damping  relative, on the diagonal @return  nothing where the equations are singular [worker] */
+std::optional<KnownModeStep> solve (const KnownModeEquations&, double damping);
+
+/** Standard deviations of the unknowns: those of strengths with poles as they are. [worker] */
+struct KnownModeDeviations
+{
+    Eigen::VectorXd poles;     ///< 2 N_m
+    Eigen::MatrixXd strengths; ///< N_m x N_b
+};
+
+KnownModeDeviations deviationsOf (const KnownModeEquations&);
+} // namespace antinode

@@ -1,0 +1,194 @@
+#include "KnownPoles.h"
+
+#include "NormalModes.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/Watch.h>
+#include <antinode_numerics/Median.h>
+
+#include <array>
+#include <cmath>
+#include <complex>
+
+namespace antinode
+{
+namespace
+{
+using Complex = std::complex<double>;
+
+constexpr double reachOfSearch = 3.5; ///< Standard deviations.
+constexpr double leastGain = 8;       ///< Of log likelihood: what chance gives one of some hundred places.
+constexpr std::array dampingFactors { 0.55, 0.75, 1.0, 1.35, 1.8 };
+
+/** What is known of one mode's pole before it is looked for. */
+struct PolePrior
+{
+    double centre = 0;    ///< rad/s
+    double frequency = 0; ///< Relative standard deviations.
+    double dampingRatio = 0, damping = 0;
+};
+
+/** A pole that explains what lines say of a mode. */
+struct FoundPole
+{
+    double angularFrequency = 0, dampingRatio = 0;
+    double score = 0, gain = 0; ///< Of log posterior, and of log likelihood.
+    Complex amplitude;
+};
+
+/** What lines near a mode say of it. */
+struct NearLines
+{
+    Eigen::VectorXd omega, precisions;
+    Eigen::VectorXcd values;
+};
+
+NearLines linesNear (const ModalReceptances& seen, Eigen::Index mode, const PolePrior& prior)
+{
+    const auto reach = reachOfSearch * prior.frequency + 4 * prior.dampingRatio;
+    std::vector<Eigen::Index> lines;
+
+    for (Eigen::Index n = 0; n < seen.omega.size(); ++n)
+        if (seen.precisions (n, mode) > 0 && std::abs (seen.omega[n] / prior.centre - 1) < reach)
+            lines.push_back (n);
+
+    return { seen.omega (lines), seen.precisions (lines, mode), seen.values (lines, mode) };
+}
+
+/** How well one pole explains lines. The amplitude has any phase, a delay, and a length near 1. */
+FoundPole tried (const NearLines& lines, double resonance, double damping, const PolePrior& prior)
+{
+    constexpr double amplitudeSpread = 0.2;
+    Complex between;
+    double square = 0;
+
+    for (Eigen::Index n = 0; n < lines.omega.size(); ++n)
+    {
+        const auto omega = lines.omega[n];
+        const auto g =
+            Complex (0, omega) / Complex ((resonance - omega) * (resonance + omega), 2 * damping * resonance * omega);
+        between += lines.precisions[n] * std::conj (g) * lines.values[n];
+        square += lines.precisions[n] * std::norm (g);
+    }
+
+    FoundPole result { resonance, damping, 0, 0, {} };
+
+    if (square <= 0)
+        return result;
+
+    result.amplitude = between / square;
+    const auto away = std::abs (result.amplitude) - 1, shift = (resonance / prior.centre - 1) / prior.frequency,
+               widening = std::log (damping / prior.dampingRatio) / prior.damping;
+    result.gain = std::norm (between) / square / 2;
+    result.score = result.gain - away * away / (2 / square + 2 * amplitudeSpread * amplitudeSpread) - shift * shift / 2
+                   - widening * widening / 2;
+    return result;
+}
+
+FoundPole mostProbable (const NearLines& lines, const PolePrior& prior)
+{
+    FoundPole best { prior.centre, prior.dampingRatio, -1e300, 0, {} };
+    const auto step = std::min (prior.dampingRatio, prior.frequency) / 2;
+    const auto steps = static_cast<long> (std::ceil (reachOfSearch * prior.frequency / step));
+
+    for (auto n = -steps; n <= steps; ++n)
+        for (const auto factor : dampingFactors)
+            if (const auto pole = tried (lines, prior.centre * (1 + static_cast<double> (n) * step),
+                                         prior.dampingRatio * factor, prior);
+                pole.score > best.score)
+                best = pole;
+
+    return best;
+}
+
+/** All modes once, separated with these spreads. */
+std::vector<FoundPole> searched (const PreparedResponses& data, const KnownModes& about, const Eigen::VectorXd& spreads,
+                                 double dampingSpread)
+{
+    const auto seen = separateModes (data, about, spreads);
+    std::vector<FoundPole> result;
+    result.reserve (static_cast<std::size_t> (about.modes()));
+
+    for (Eigen::Index k = 0; k < about.modes(); ++k)
+    {
+        checkWatch();
+        const PolePrior prior { about.angularFrequencies[k], spreads[k], about.dampingRatios[k], dampingSpread };
+        result.push_back (mostProbable (linesNear (seen, k, prior), prior));
+    }
+
+    return result;
+}
+
+double medianDrift (const std::vector<FoundPole>& poles, const KnownModes& known)
+{
+    std::vector<double> drifts;
+
+    for (std::size_t k = 0; k < poles.size(); ++k)
+        if (poles[k].gain > leastGain)
+            drifts.push_back (poles[k].angularFrequency / known.angularFrequencies[static_cast<Eigen::Index> (k)]);
+
+    if (drifts.empty())
+        throw InputError ("frequency responses", "contain no mode of the device");
+
+    return median (drifts);
+}
+
+/** The delay that makes the amplitudes of all modes real and positive. */
+double commonDelay (const std::vector<FoundPole>& poles)
+{
+    std::vector<Eigen::Index> seen;
+
+    for (std::size_t k = 0; k < poles.size(); ++k)
+        if (poles[k].gain > leastGain)
+            seen.push_back (static_cast<Eigen::Index> (k));
+
+    Eigen::VectorXd omega (static_cast<Eigen::Index> (seen.size()));
+    Eigen::MatrixXcd amplitudes (omega.size(), 1);
+
+    for (Eigen::Index n = 0; n < omega.size(); ++n)
+    {
+        const auto& pole = poles[static_cast<std::size_t> (seen[static_cast<std::size_t> (n)])];
+        omega[n] = pole.angularFrequency;
+        amplitudes (n, 0) = pole.amplitude;
+    }
+
+    return estimateDelay (omega, amplitudes, Eigen::VectorXd::Ones (1));
+}
+} // namespace
+
+KnownPoles findKnownPoles (const PreparedResponses& data, const KnownModes& known, const KnownSpread& spread,
+                           std::optional<double> delay)
+{
+    constexpr double found = 0.25; // of a spread: what is left of it where a mode was found
+    auto about = known;
+    Eigen::VectorXd spreads = Eigen::VectorXd::Constant (known.modes(), std::hypot (spread.frequency, spread.drift));
+    auto poles = searched (data, about, spreads, spread.damping);
+    const auto drift = medianDrift (poles, known);
+    about.angularFrequencies = drift * known.angularFrequencies;
+    spreads.setConstant (spread.frequency);
+    poles = searched (data, about, spreads, spread.damping);
+
+    for (Eigen::Index k = 0; k < known.modes(); ++k)
+        if (const auto& pole = poles[static_cast<std::size_t> (k)]; pole.gain > leastGain)
+        {
+            about.angularFrequencies[k] = pole.angularFrequency;
+            about.dampingRatios[k] = pole.dampingRatio;
+            spreads[k] = found * spread.frequency;
+        }
+
+    poles = searched (data, about, spreads, spread.damping);
+    KnownPoles result { about.angularFrequencies, about.dampingRatios, Eigen::VectorXd::Zero (known.modes()), drift,
+                        0 };
+
+    for (Eigen::Index k = 0; k < known.modes(); ++k)
+        if (const auto& pole = poles[static_cast<std::size_t> (k)]; pole.gain > leastGain)
+        {
+            result.angularFrequencies[k] = pole.angularFrequency;
+            result.dampingRatios[k] = pole.dampingRatio;
+            result.gains[k] = pole.gain;
+        }
+
+    result.delay = delay.value_or (commonDelay (poles));
+    return result;
+}
+} // namespace antinode
