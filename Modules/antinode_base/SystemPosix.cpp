@@ -10,9 +10,13 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 
 #include <arpa/inet.h>
 #include <fcntl.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <poll.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -84,6 +88,15 @@ std::string computerName()
     constexpr std::size_t longest = 256;
     std::array<char, longest> name {};
     return gethostname (name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+void keepFreedMemory()
+{
+#ifdef __GLIBC__
+    constexpr int largestFromHeap = 1 << 30; // bytes
+    mallopt (M_MMAP_THRESHOLD, largestFromHeap);
+    mallopt (M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+#endif
 }
 
 int ownUser()

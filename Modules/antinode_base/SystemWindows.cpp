@@ -177,6 +177,8 @@ std::string computerName()
     return GetComputerNameExA (ComputerNameDnsHostname, name.data(), &length) != 0 ? name.data() : "";
 }
 
+void keepFreedMemory() {}
+
 int ownUser()
 {
     return 0;

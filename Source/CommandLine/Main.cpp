@@ -8,6 +8,7 @@
 
 int main (int argumentCount, char** arguments)
 {
+    antinode::keepFreedMemory();
     // Fonts and pictures share objects of JUCE that are freed with it.
     const juce::ScopedJuceInitialiser_GUI juce;
     antinode::catchInterruptions();

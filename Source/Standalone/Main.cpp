@@ -5,6 +5,7 @@
 
 int main (int argumentCount, char** arguments)
 {
+    antinode::keepFreedMemory();
     auto texts = antinode::programArguments (argumentCount, arguments);
     const auto pointers = antinode::argumentPointers (texts);
     return antinode::runStandalone (static_cast<int> (pointers.size()), pointers.data());

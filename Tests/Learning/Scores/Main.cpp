@@ -1,6 +1,8 @@
 #include <antinode_base/InputError.h>
+#include <antinode_base/Processes.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/Detuning.h>
+#include <antinode_identification/FrequencyDrift.h>
 #include <antinode_identification/Retuning.h>
 #include <antinode_learning/LearningPasses.h>
 #include <antinode_library/Inputs.h>
@@ -126,15 +128,17 @@ double relative (const Surface& surface, const Eigen::VectorXd& a, const Eigen::
 
 int main (int count, char** arguments)
 {
-    if (count < 8)
+    if (count < 8 || std::atoi (arguments[6]) < 1)
         return 2;
 
+    keepFreedMemory();
     const std::string deviceName = arguments[1], focusName = arguments[2];
     const double scatter = std::atof (arguments[3]) / 100;
     const int sensorCount = std::atoi (arguments[4]), idle = std::atoi (arguments[5]),
               passes = std::atoi (arguments[6]), trials = std::atoi (arguments[7]),
               first = count > 8 ? std::atoi (arguments[8]) : 1;
     const double cubic = std::getenv ("CUBIC") ? std::atof (std::getenv ("CUBIC")) : 0.01;
+    const bool retunes = std::getenv ("RETUNE") != nullptr;
     const bool knowsDelay = std::getenv ("KNOWS_DELAY") != nullptr;
     const double beyond = std::getenv ("BEYOND") ? std::atof (std::getenv ("BEYOND")) : 3.5;
     const auto device = loadDevice (deviceName, {});
@@ -151,8 +155,13 @@ int main (int count, char** arguments)
 
     for (int seed = first; seed < first + trials; ++seed)
     {
-        const auto truth = detuned (of.finer, { scatter, scatter > 1e-6 ? 0.1 : 0, scatter > 1e-6 ? 0.05 : 0, 0 },
-                                    static_cast<std::uint64_t> (seed));
+        auto truth = detuned (of.finer, { scatter, scatter > 1e-6 ? 0.1 : 0, scatter > 1e-6 ? 0.05 : 0, 0 },
+                              static_cast<std::uint64_t> (seed));
+
+        // As retune orders what it finds: else the exact design would be one for other modes.
+        if (retunes)
+            truth = ascending (std::move (truth));
+
         RandomNumbers random (static_cast<std::uint64_t> (seed) + 1000);
         std::vector<Sensor> sensors;
         Eigen::MatrixXd heard (sensorCount + idle, truth.modes());
@@ -169,7 +178,7 @@ int main (int count, char** arguments)
             heard.row (m) = shapesAt (truth, x, y);
         }
 
-        if (std::getenv ("RETUNE"))
+        if (retunes)
             retuneOnce (nominal, known, measured (truth, points, heard.topRows (sensorCount), random),
                         { scatter, 0.1, 0.05, 0.003 });
 
