@@ -119,15 +119,6 @@ void addPolePrior (KnownModeEquations& equations, const KnownModes& modes, const
     }
 }
 
-void keepDelay (KnownModeEquations& equations)
-{
-    const auto last = equations.poles.rows() - 1;
-    equations.poles.row (last).setZero();
-    equations.poles.col (last).setZero();
-    equations.poles (last, last) = 1;
-    equations.gradient[last] = 0;
-}
-
 /** Products of the function velocity with itself and with what poles change: the same for all ceramics. */
 struct VelocityProducts
 {
@@ -186,7 +177,7 @@ void eliminate (KnownModeEquations& equations, const KnownModeState& state, cons
 } // namespace
 
 KnownModeEquations knownModeEquations (const KnownModeState& state, const KnownModes& modes,
-                                       const KnownModePrior& prior, bool delayIsKnown)
+                                       const KnownModePrior& prior)
 {
     KnownModeEquations equations;
     equations.delayUnit = 1 / modes.angularFrequencies.maxCoeff();
@@ -201,9 +192,6 @@ KnownModeEquations knownModeEquations (const KnownModeState& state, const KnownM
         checkWatch();
         eliminate (equations, state, products, modes, prior, strengths, i);
     }
-
-    if (delayIsKnown)
-        keepDelay (equations);
 
     return equations;
 }

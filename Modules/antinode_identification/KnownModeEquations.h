@@ -19,8 +19,7 @@ struct KnownModeEquations
 };
 
 /** [worker] Docs/Theory.md, section 8.7. */
-KnownModeEquations knownModeEquations (const KnownModeState&, const KnownModes&, const KnownModePrior&,
-                                       bool delayIsKnown);
+KnownModeEquations knownModeEquations (const KnownModeState&, const KnownModes&, const KnownModePrior&);
 
 /** A step of the unknowns, and what it would gain of log posterior. */
 struct KnownModeStep

@@ -64,9 +64,8 @@ struct Search
 class Searcher
 {
 public:
-    Searcher (PreparedResponses& dataToUse, KnownModePrior priorToUse, bool delayIsKnownToUse, double delay)
-        : data (dataToUse), prior (std::move (priorToUse)), delayIsKnown (delayIsKnownToUse),
-          moments (lineMoments (data, delay))
+    Searcher (PreparedResponses& dataToUse, KnownModePrior priorToUse, double delay)
+        : data (dataToUse), prior (std::move (priorToUse)), moments (lineMoments (data, delay))
     {
     }
 
@@ -119,7 +118,7 @@ public:
     /** The equations where the search is. */
     KnownModeEquations equationsAt (const Search& place) const
     {
-        return knownModeEquations (place.state, place.modes, prior, delayIsKnown);
+        return knownModeEquations (place.state, place.modes, prior);
     }
 
     /** Weights from what is left; participations are as before, times a factor of each ceramic. @return  the factors */
@@ -136,15 +135,13 @@ public:
 private:
     PreparedResponses& data;
     KnownModePrior prior;
-    bool delayIsKnown;
     LineMoments moments;
 };
 } // namespace
 
-KnownModeFit fitKnownModes (PreparedResponses& data, const KnownModes& start, const KnownModePrior& prior, double delay,
-                            bool delayIsKnown)
+KnownModeFit fitKnownModes (PreparedResponses& data, const KnownModes& start, const KnownModePrior& prior, double delay)
 {
-    Searcher searcher (data, prior, delayIsKnown, delay);
+    Searcher searcher (data, prior, delay);
     auto best = searcher.at (start, delay);
     KnownModeFit result;
     result.iterations = searcher.run (best);

@@ -32,10 +32,9 @@ struct KnownModeFit
     Marquardt's method on the posterior density, with a factor of each ceramic from a first pass. Participations are
    eliminated in each step, ceramic by ceramic; modes outside the band are powers of frequency, free at each point and
    reference.
-    @param start         poles near to the most probable ones, participations, and shapes
-    @param delayIsKnown  the delay is then not changed
+    @param start  poles near to the most probable ones, participations, and shapes
+    @param delay  s, near to the most probable one
     @throws Cancelled  as checkWatch()
     [worker] Docs/Theory.md, section 8.7. */
-KnownModeFit fitKnownModes (PreparedResponses&, const KnownModes& start, const KnownModePrior&, double delay,
-                            bool delayIsKnown);
+KnownModeFit fitKnownModes (PreparedResponses&, const KnownModes& start, const KnownModePrior&, double delay);
 } // namespace antinode

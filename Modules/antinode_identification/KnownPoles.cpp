@@ -1,11 +1,10 @@
 #include "KnownPoles.h"
 
-#include "NormalModes.h"
-
 #include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>
 #include <antinode_numerics/Median.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -103,9 +102,9 @@ FoundPole mostProbable (const NearLines& lines, const PolePrior& prior)
 
 /** All modes once, separated with these spreads. */
 std::vector<FoundPole> searched (const PreparedResponses& data, const KnownModes& about, const Eigen::VectorXd& spreads,
-                                 double dampingSpread)
+                                 double dampingSpread, double delay)
 {
-    const auto seen = separateModes (data, about, spreads);
+    const auto seen = separateModes (data, about, spreads, delay);
     std::vector<FoundPole> result;
     result.reserve (static_cast<std::size_t> (about.modes()));
 
@@ -133,40 +132,69 @@ double medianDrift (const std::vector<FoundPole>& poles, const KnownModes& known
     return median (drifts);
 }
 
-/** The delay that makes the amplitudes of all modes real and positive. */
+/** The delay that makes the amplitudes of all modes positive: signs of shapes and participations are known. */
 double commonDelay (const std::vector<FoundPole>& poles)
 {
-    std::vector<Eigen::Index> seen;
+    std::vector<const FoundPole*> seen;
+    double highest = 0; // rad/s
 
-    for (std::size_t k = 0; k < poles.size(); ++k)
-        if (poles[k].gain > leastGain)
-            seen.push_back (static_cast<Eigen::Index> (k));
+    for (const auto& pole : poles)
+        if (pole.gain > leastGain)
+        {
+            seen.push_back (&pole);
+            highest = std::max (highest, pole.angularFrequency);
+        }
 
-    Eigen::VectorXd omega (static_cast<Eigen::Index> (seen.size()));
-    Eigen::MatrixXcd amplitudes (omega.size(), 1);
+    if (seen.empty())
+        return 0;
 
-    for (Eigen::Index n = 0; n < omega.size(); ++n)
+    const auto score = [&] (double delay)
     {
-        const auto& pole = poles[static_cast<std::size_t> (seen[static_cast<std::size_t> (n)])];
-        omega[n] = pole.angularFrequency;
-        amplitudes (n, 0) = pole.amplitude;
-    }
+        double sum = 0;
 
-    return estimateDelay (omega, amplitudes, Eigen::VectorXd::Ones (1));
+        for (const auto* pole : seen)
+            sum += (pole->amplitude * std::polar (1.0, pole->angularFrequency * delay)).real()
+                   / std::max (std::abs (pole->amplitude), 1e-300);
+
+        return sum / static_cast<double> (seen.size());
+    };
+
+    // Among many delays a few modes agree on a wrong one by chance: a long one must be better than a short one.
+    constexpr double longest = 3e-3, longDelay = 2e-4;
+    const auto price = std::min (0.4, 2 / std::sqrt (static_cast<double> (seen.size())));
+    const auto priced = [&] (double delay)
+    { return score (delay) - price * std::abs (delay) / (std::abs (delay) + longDelay); };
+    const auto step = 0.25 / highest;
+    double best = 0, bestScore = priced (0);
+
+    for (auto n = static_cast<long> (-longest / step); n <= static_cast<long> (longest / step); ++n)
+        if (const auto delay = static_cast<double> (n) * step; priced (delay) > bestScore)
+            bestScore = priced (best = delay);
+
+    auto width = step;
+
+    for (int halving = 0; halving < 20; ++halving, width /= 2)
+        for (const auto delay : { best - width, best + width })
+            if (score (delay) > score (best))
+                best = delay;
+
+    return best;
 }
 } // namespace
 
-KnownPoles findKnownPoles (const PreparedResponses& data, const KnownModes& known, const KnownSpread& spread,
-                           std::optional<double> delay)
+KnownPoles findKnownPoles (const PreparedResponses& data, const KnownModes& known, const KnownSpread& spread)
 {
     constexpr double found = 0.25; // of a spread: what is left of it where a mode was found
     auto about = known;
     Eigen::VectorXd spreads = Eigen::VectorXd::Constant (known.modes(), std::hypot (spread.frequency, spread.drift));
-    auto poles = searched (data, about, spreads, spread.damping);
+    // Each search finds what is left of the delay: taken out, it bends resonances no more.
+    auto poles = searched (data, about, spreads, spread.damping, 0);
     const auto drift = medianDrift (poles, known);
+    auto delay = commonDelay (poles);
     about.angularFrequencies = drift * known.angularFrequencies;
     spreads.setConstant (spread.frequency);
-    poles = searched (data, about, spreads, spread.damping);
+    poles = searched (data, about, spreads, spread.damping, delay);
+    delay += commonDelay (poles);
 
     for (Eigen::Index k = 0; k < known.modes(); ++k)
         if (const auto& pole = poles[static_cast<std::size_t> (k)]; pole.gain > leastGain)
@@ -176,7 +204,7 @@ KnownPoles findKnownPoles (const PreparedResponses& data, const KnownModes& know
             spreads[k] = found * spread.frequency;
         }
 
-    poles = searched (data, about, spreads, spread.damping);
+    poles = searched (data, about, spreads, spread.damping, delay);
     KnownPoles result { about.angularFrequencies, about.dampingRatios, Eigen::VectorXd::Zero (known.modes()), drift,
                         0 };
 
@@ -188,7 +216,7 @@ KnownPoles findKnownPoles (const PreparedResponses& data, const KnownModes& know
             result.gains[k] = pole.gain;
         }
 
-    result.delay = delay.value_or (commonDelay (poles));
+    result.delay = delay + commonDelay (poles);
     return result;
 }
 } // namespace antinode

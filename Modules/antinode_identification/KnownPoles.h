@@ -2,8 +2,6 @@
 
 #include "ModalFilter.h"
 
-#include <optional>
-
 namespace antinode
 {
 /** Where known modes are found in a measurement. N_m modes. */
@@ -17,9 +15,7 @@ struct KnownPoles
 
 /** The most probable pole of each mode from what lines say of it alone, at any phase and with an amplitude near 1:
    first with any common drift, then relative to it, then more precisely about what was found.
-    @param delay  where it is known, s
     @throws InputError  when none of the modes is seen
     [worker] Docs/Theory.md, section 8.7. */
-KnownPoles findKnownPoles (const PreparedResponses&, const KnownModes&, const KnownSpread&,
-                           std::optional<double> delay);
+KnownPoles findKnownPoles (const PreparedResponses&, const KnownModes&, const KnownSpread&);
 } // namespace antinode

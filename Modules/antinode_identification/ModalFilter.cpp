@@ -60,7 +60,7 @@ Eigen::MatrixXd signatures (const PreparedResponses& data, const KnownModes& mod
 
 /** @param weighted  signatures, as above */
 Projections project (const PreparedResponses& data, const std::vector<Eigen::Index>& lines,
-                     const Eigen::MatrixXd& weighted)
+                     const Eigen::MatrixXd& weighted, double delay)
 {
     const auto count = static_cast<Eigen::Index> (lines.size());
     Projections result { Eigen::MatrixXd (count, weighted.rows()), Eigen::MatrixXd (count, weighted.rows()),
@@ -74,7 +74,7 @@ Projections project (const PreparedResponses& data, const std::vector<Eigen::Ind
         // A line differs from the mean of its neighbours by noise, and by little else where lines are fine.
         const auto line = lines[static_cast<std::size_t> (n)];
         const auto first = std::clamp<Eigen::Index> (line - 1, 0, data.lines() - 3);
-        auto block = dataBlock (data, first, Eigen::VectorXcd::Ones (3));
+        auto block = dataBlock (data, first, advances (data, first, 3, delay));
         block.real *= roots.asDiagonal();
         block.imaginary *= roots.asDiagonal();
         result.real.row (n) = block.real.row (line - first) * transposed;
@@ -106,11 +106,12 @@ std::pair<Eigen::Index, Eigen::Index> nearModes (const KnownModes& modes, const 
 }
 } // namespace
 
-ModalReceptances separateModes (const PreparedResponses& data, const KnownModes& modes, const Eigen::VectorXd& spreads)
+ModalReceptances separateModes (const PreparedResponses& data, const KnownModes& modes, const Eigen::VectorXd& spreads,
+                                double delay)
 {
     const auto lines = chosenLines (data, modes.dampingRatios.minCoeff());
     const auto weighted = signatures (data, modes);
-    const auto given = project (data, lines, weighted);
+    const auto given = project (data, lines, weighted, delay);
     const auto active = static_cast<double> ((data.columnWeights.array() > 0).count());
     Eigen::MatrixXd gram = Eigen::MatrixXd::Zero (modes.modes(), modes.modes());
     addGram (gram, 1, weighted);

@@ -18,7 +18,9 @@ struct ModalReceptances
     least squares with the size that each mode may have at a line, over all places that its frequency may be at. So
     modes closer than their widths are told from each other, and no phase need be known.
     @param spreads  N_m: standard deviation of each frequency, relative
+    @param delay    s, is taken out of the responses: what is left of it must turn no line against its neighbours
     @throws Cancelled  as checkWatch()
     [worker] Docs/Theory.md, section 8.7. */
-ModalReceptances separateModes (const PreparedResponses&, const KnownModes&, const Eigen::VectorXd& spreads);
+ModalReceptances separateModes (const PreparedResponses&, const KnownModes&, const Eigen::VectorXd& spreads,
+                                double delay);
 } // namespace antinode

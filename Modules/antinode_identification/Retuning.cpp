@@ -125,11 +125,11 @@ RetunedModel retune (const ModalModel& model, const FrequencyResponses& response
     const auto modes = modesNear (model, data);
     const KnownModes known { model.angularFrequencies (modes), model.dampingRatios (modes), shapes (Eigen::all, modes),
                              model.participation (modes, Eigen::all) };
-    const auto poles = findKnownPoles (data, known, spread, {});
+    const auto poles = findKnownPoles (data, known, spread);
     auto start = known;
     start.angularFrequencies = poles.angularFrequencies;
     start.dampingRatios = poles.dampingRatios;
-    const auto fit = fitKnownModes (data, start, priorOf (known, spread, poles.drift), poles.delay, false);
+    const auto fit = fitKnownModes (data, start, priorOf (known, spread, poles.drift), poles.delay);
     return retuned (model, modes, fit, poles, spread);
 }
 } // namespace antinode
