@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace antinode
 {
@@ -44,6 +45,19 @@ Indices modesNear (const ModalModel& model, const PreparedResponses& data)
         throw InputError ("frequency responses", "contain no mode of device '" + model.name + "'");
 
     return result;
+}
+
+/** Hz: above it the device may have modes that the model does not, which known ones would be taken for. */
+double highestLine (const ModalModel& model)
+{
+    const auto last = model.modes() - 1, several = std::min<Eigen::Index> (5, last);
+
+    if (several < 1)
+        return 1e12;
+
+    const auto spacing =
+        (model.angularFrequencies[last] - model.angularFrequencies[last - several]) / static_cast<double> (several);
+    return (model.angularFrequencies[last] + spacing / 2) / (2 * std::numbers::pi);
 }
 
 KnownModePrior priorOf (const KnownModes& known, const KnownSpread& spread, double drift)
@@ -121,7 +135,7 @@ RetunedModel retune (const ModalModel& model, const FrequencyResponses& response
     validate (responses);
     check (model, responses);
     const auto shapes = shapesAtPlaces (model, responses.points);
-    auto data = prepare (responses, 0, 1e12);
+    auto data = prepare (responses, 0, highestLine (model));
     const auto modes = modesNear (model, data);
     const KnownModes known { model.angularFrequencies (modes), model.dampingRatios (modes), shapes (Eigen::all, modes),
                              model.participation (modes, Eigen::all) };
