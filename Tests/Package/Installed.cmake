@@ -1,4 +1,5 @@
-# Installs into a fresh folder and checks what is there. Usage: cmake -DBINARY=... -DFOLDER=... -DSTANDALONE=... -DPYTHON=... -P Installed.cmake
+# Installs into a fresh folder and checks what is there. Usage: cmake -DBINARY=... -DFOLDER=... -DSTANDALONE=... -DPYTHON=... -DCLASSES=...
+# -P Installed.cmake
 file (REMOVE_RECURSE ${FOLDER})
 execute_process (COMMAND ${CMAKE_COMMAND} --install ${BINARY} --prefix ${FOLDER} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 
@@ -18,6 +19,11 @@ set (expected
     share/lintian/overrides/antinode
     share/man/man1/antinode.1.gz
     share/zsh/vendor-completions/_antinode)
+if (CLASSES)
+    foreach (plugin Antinode "Antinode Plate" "Antinode Touch")
+        list (APPEND expected "lib/vst3/${plugin}.vst3/Contents/Resources/moduleinfo.json")
+    endforeach()
+endif()
 foreach (ceramics 8 16 32 64)
     foreach (plugin "Antinode ${ceramics}" "Antinode Plate ${ceramics}" "Antinode Touch ${ceramics}")
         set (bundle "lib/lv2/${plugin}.lv2")
