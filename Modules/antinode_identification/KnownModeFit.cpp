@@ -124,7 +124,7 @@ public:
     /** Weights from what is left; participations are as before, times a factor of each ceramic. @return  the factors */
     Eigen::VectorXd learnFromFirst (Search& best)
     {
-        const auto scales = scalesOf (best.modes.participation, prior.participation);
+        auto scales = scalesOf (best.modes.participation, prior.participation);
         prior.participation *= scales.asDiagonal();
         weighByErrors (data, fitErrors (data, best.state.basis, best.state.coefficients, best.delay));
         moments = lineMoments (data, best.delay);
