@@ -11,7 +11,7 @@ using tests::CircularEdge;
 
 namespace
 {
-EdgeSupport supportOf (const CircularEdge& edge)
+EdgeSupport supportOfCircle (const CircularEdge& edge)
 {
     EdgeSupport support;
     support.holdsDisplacement = edge.translation >= tests::rigid;
@@ -37,7 +37,7 @@ BendingProblem problemOf (const RoundPlate& plate, const Eigen::Vector2d& centre
     if (plate.hole > 0)
         paths.push_back (circlePath (centre, plate.hole, 1));
 
-    return unitPlate (plate.poissonRatio, paths, { supportOf (plate.outer), supportOf (plate.inner) });
+    return unitPlate (plate.poissonRatio, paths, { supportOfCircle (plate.outer), supportOfCircle (plate.inner) });
 }
 
 tests::CircularPlate exactPlate (const RoundPlate& plate)
