@@ -1,5 +1,7 @@
 #include "KnownPoles.h"
 
+#include "DelaySearch.h"
+
 #include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>
 #include <antinode_numerics/Median.h>
@@ -91,11 +93,15 @@ FoundPole mostProbable (const NearLines& lines, const PolePrior& prior)
     const auto steps = static_cast<long> (std::ceil (reachOfSearch * prior.frequency / step));
 
     for (auto n = -steps; n <= steps; ++n)
+    {
+        checkWatch();
+
         for (const auto factor : dampingFactors)
             if (const auto pole = tried (lines, prior.centre * (1 + static_cast<double> (n) * step),
                                          prior.dampingRatio * factor, prior);
                 pole.score > best.score)
                 best = pole;
+    }
 
     return best;
 }
@@ -159,26 +165,8 @@ double commonDelay (const std::vector<FoundPole>& poles)
         return sum / static_cast<double> (seen.size());
     };
 
-    // Among many delays a few modes agree on a wrong one by chance: a long one must be better than a short one.
-    constexpr double longest = 3e-3, longDelay = 2e-4;
-    const auto price = std::min (0.4, 2 / std::sqrt (static_cast<double> (seen.size())));
-    const auto priced = [&] (double delay)
-    { return score (delay) - price * std::abs (delay) / (std::abs (delay) + longDelay); };
-    const auto step = 0.25 / highest;
-    double best = 0, bestScore = priced (0);
-
-    for (auto n = static_cast<long> (-longest / step); n <= static_cast<long> (longest / step); ++n)
-        if (const auto delay = static_cast<double> (n) * step; priced (delay) > bestScore)
-            bestScore = priced (best = delay);
-
-    auto width = step;
-
-    for (int halving = 0; halving < 20; ++halving, width /= 2)
-        for (const auto delay : { best - width, best + width })
-            if (score (delay) > score (best))
-                best = delay;
-
-    return best;
+    // Of many modes fewer agree by chance.
+    return searchDelay (score, highest, std::min (0.4, 2 / std::sqrt (static_cast<double> (seen.size()))));
 }
 } // namespace
 

@@ -1,5 +1,7 @@
 #include "NormalModes.h"
 
+#include "DelaySearch.h"
+
 #include <antinode_numerics/Decompositions.h>
 
 #include <cmath>
@@ -93,26 +95,8 @@ double estimateDelay (const Eigen::VectorXd& angularFrequencies, const Eigen::Ma
         return sum;
     };
 
-    // No measurement is late by more than some milliseconds. Among many delays a few modes agree on a wrong one by
-    // chance: a long one must be clearly better than a short one.
-    constexpr double longest = 3e-3, price = 0.4, longDelay = 2e-4;
-    const auto step = 0.25 / angularFrequencies.maxCoeff();
+    constexpr double price = 0.4;
     const auto highest = squares.cwiseAbs().cwiseQuotient (energies.cwiseMax (1e-300)).sum();
-    const auto priced = [&] (double delay)
-    { return score (delay) - price * highest * std::abs (delay) / (std::abs (delay) + longDelay); };
-    double best = 0, bestScore = priced (0);
-
-    for (auto n = static_cast<long> (-longest / step); n <= static_cast<long> (longest / step); ++n)
-        if (const auto delay = static_cast<double> (n) * step; priced (delay) > bestScore)
-            bestScore = priced (best = delay);
-
-    auto width = step;
-
-    for (int halving = 0; halving < 20; ++halving, width /= 2)
-        for (const auto delay : { best - width, best + width })
-            if (score (delay) > score (best))
-                best = delay;
-
-    return best;
+    return searchDelay (score, angularFrequencies.maxCoeff(), price * highest);
 }
 } // namespace antinode
