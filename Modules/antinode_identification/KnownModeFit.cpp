@@ -4,11 +4,9 @@
 #include "KnownModeEquations.h"
 
 #include <antinode_base/Watch.h>
-#include <antinode_numerics/DenseKernels.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace antinode
 {
@@ -81,14 +79,13 @@ public:
         return { std::move (modes), delay, std::move (state), cost };
     }
 
-    /** Goes on until nothing is gained. @return  the number of steps */
-    int run (Search& best)
+    /** Goes on until nothing is gained. @return  the equations there */
+    KnownModeEquations run (Search& best)
     {
-        auto equations = equationsAt (best);
+        auto equations = knownModeEquations (best.state, best.modes, prior);
         double damping = 1e-4;
-        int steps = 0;
 
-        for (; steps < maximumSteps; ++steps)
+        for (int steps = 0; steps < maximumSteps; ++steps)
         {
             const auto step = solve (equations, damping);
 
@@ -109,16 +106,10 @@ public:
 
             damping /= 10;
             best = std::move (next);
-            equations = equationsAt (best);
+            equations = knownModeEquations (best.state, best.modes, prior);
         }
 
-        return steps;
-    }
-
-    /** The equations where the search is. */
-    KnownModeEquations equationsAt (const Search& place) const
-    {
-        return knownModeEquations (place.state, place.modes, prior);
+        return equations;
     }
 
     /** Weights from what is left; participations are as before, times a factor of each ceramic. @return  the factors */
@@ -144,10 +135,9 @@ KnownModeFit fitKnownModes (PreparedResponses& data, const KnownModes& start, co
     Searcher searcher (data, prior, delay);
     auto best = searcher.at (start, delay);
     KnownModeFit result;
-    result.iterations = searcher.run (best);
+    searcher.run (best);
     result.participationScales = searcher.learnFromFirst (best);
-    result.iterations += searcher.run (best);
-    const auto deviations = deviationsOf (searcher.equationsAt (best));
+    const auto deviations = deviationsOf (searcher.run (best));
     const auto modes = best.modes.modes();
     result.frequencyDeviations = deviations.poles.head (modes).cwiseProduct (best.modes.dampingRatios);
     result.dampingDeviations = deviations.poles.segment (modes, modes);

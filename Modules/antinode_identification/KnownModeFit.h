@@ -25,7 +25,6 @@ struct KnownModeFit
     Eigen::VectorXd participationScales;                    ///< N_b: of each ceramic, against what was known.
     Eigen::VectorXd pointErrors;    ///< N_p: what is left of each point's responses, RMS over RMS.
     double reconstructionError = 0; ///< dB, of the responses.
-    int iterations = 0;
 };
 
 /** All poles and participations and the common delay at once, with shapes as they are known, by Levenberg and

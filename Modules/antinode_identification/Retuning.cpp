@@ -31,14 +31,15 @@ void check (const ModalModel& model, const FrequencyResponses& responses)
                                                      + " ceramics of device '" + model.name + "'");
 }
 
-/** The modes that the measured band can say anything of. */
+/** The modes that the measured band can say anything of; those that no ceramic drives are not heard. */
 Indices modesNear (const ModalModel& model, const PreparedResponses& data)
 {
     const auto lowest = data.omega[0] * (1 - reachOutside), highest = data.omega[data.lines() - 1] * (1 + reachOutside);
     Indices result;
 
     for (Eigen::Index k = 0; k < model.modes(); ++k)
-        if (const auto omega = model.angularFrequencies[k]; omega > lowest && omega < highest)
+        if (const auto omega = model.angularFrequencies[k];
+            omega > lowest && omega < highest && model.participation.row (k).squaredNorm() > 0)
             result.push_back (k);
 
     if (result.empty())
@@ -89,7 +90,6 @@ RetunedModel retuned (const ModalModel& model, const Indices& modes, const Known
     ModeUpdate update { Eigen::VectorXd::Zero (all), Eigen::VectorXd::Zero (all),
                         std::vector<bool> (static_cast<std::size_t> (all)) };
     RetunedModel result;
-    result.before = spread;
     result.frequencyDeviations.setConstant (all, spread.frequency);
     result.dampingDeviations.setConstant (all, spread.damping);
     result.participationDeviations.setConstant (all, spread.participation);

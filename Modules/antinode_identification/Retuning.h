@@ -15,7 +15,6 @@ struct RetunedModel
     std::vector<bool> found;          ///< N_m: whether the mode was seen; others moved with their neighbours.
     Eigen::VectorXd frequencyChanges; ///< N_m: relative.
     Eigen::VectorXd dampingChanges;   ///< N_m: relative.
-    KnownSpread before;               ///< Standard deviations that were assumed.
     Eigen::VectorXd frequencyDeviations, dampingDeviations,
         participationDeviations; ///< N_m: standard deviations that are left, relative.
     Eigen::VectorXd

@@ -155,6 +155,19 @@ TEST_CASE ("A mode that no point sees moves with its neighbours and stays as unc
     CHECK (retuned.frequencyDeviations[3] < 1e-4);
 }
 
+TEST_CASE ("A mode that no ceramic drives does not disturb the others", "[identification]")
+{
+    auto before = beamBefore();
+    before.participation.row (2).setZero();
+    const auto model = makeModel (before);
+    const auto after = warmer (before);
+    const auto retuned = retune (model, responsesOf (atFewPoints (after, 15), 7000), {});
+    CHECK_FALSE (retuned.found[2]);
+    CHECK (std::count (retuned.found.begin(), retuned.found.end(), true) == 7);
+    CHECK (retuned.frequencyDeviations.allFinite());
+    CHECK (frequenciesOf (retuned, model)[3] == Approx (after.frequencies[3]).epsilon (2e-5));
+}
+
 TEST_CASE ("Noise retunes nothing", "[identification]")
 {
     const auto model = makeModel (beamBefore());
