@@ -21,10 +21,18 @@ struct RetuneOptions
     bool usesCache = true;
 };
 
-/** Points that fit the device much worse than the others: elsewhere, turned over, or loose. */
-void warnOfPoints (const Eigen::VectorXd& errors)
+/** Of responses that are not the device's, and of points that fit it much worse than the others: elsewhere, turned
+   over, or loose. */
+void warnOfMisfit (const RetunedModel& retuned)
 {
-    constexpr double poor = 0.3, worseThanOthers = 3;
+    constexpr double poor = 0.3, worseThanOthers = 3, half = -6; // dB, half the amplitude
+    const auto& errors = retuned.pointErrors;
+
+    if (retuned.reconstructionError > half)
+        std::printf (
+            "  warning: more than half of what was measured is not explained; are device, points, and order and "
+            "signs of the ceramics right?\n");
+
     const auto usual = median ({ errors.begin(), errors.end() });
 
     for (Eigen::Index p = 0; p < errors.size(); ++p)
@@ -70,7 +78,7 @@ void retuneDevice (const RetuneOptions& options)
         retuneByFiles (loadDevice (options.device, {}), options.files, options.deviations, options.usesCache);
     writeWholeFile (options.outputFile, retunedDeviceText (retuned.now));
     print (retuned.before, retuned.now);
-    warnOfPoints (retuned.now.pointErrors);
+    warnOfMisfit (retuned.now);
 }
 } // namespace
 

@@ -170,6 +170,7 @@ def test_finite_elements_are_imported_as_the_command_does(program, tmp_path):
         lambda: an.frf("missing.wav", trigger_percent=0),
         lambda: an.retune("beam"),
         lambda: an.retune("beam", "missing.uff"),
+        lambda: an.retune("beam", "missing.uff", drift_percent=0),
         lambda: an.import_device(),
         lambda: an.import_device("missing.frd"),
         lambda: an.import_device(data / "plate_patch.frd", units="inch"),
