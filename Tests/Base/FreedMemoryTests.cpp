@@ -31,6 +31,6 @@ TEST_CASE ("A program gets the pages of a large block once", "[base]")
     constexpr std::size_t bytes = 200'000'000;
     keepFreedMemory();
     pagesOfBlock (bytes);
-    CHECK (pagesOfBlock (bytes) < 100);
+    CHECK (pagesOfBlock (bytes) < 10); // Fewer than huge pages would be.
 }
 #endif
