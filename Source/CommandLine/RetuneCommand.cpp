@@ -25,12 +25,12 @@ struct RetuneOptions
    over, or loose. */
 void warnOfMisfit (const RetunedModel& retuned)
 {
-    constexpr double poor = 0.3, worseThanOthers = 3, half = -6; // dB, half the amplitude
+    constexpr double poor = 0.3, worseThanOthers = 3, quarter = -12; // dB
     const auto& errors = retuned.pointErrors;
 
-    if (retuned.reconstructionError > half)
+    if (retuned.reconstructionError > quarter)
         std::printf (
-            "  warning: more than half of what was measured is not explained; are device, points, and order and "
+            "  warning: more than a quarter of what was measured is not explained; are device, points, and order and "
             "signs of the ceramics right?\n");
 
     const auto usual = median ({ errors.begin(), errors.end() });
