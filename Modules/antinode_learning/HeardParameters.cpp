@@ -54,8 +54,8 @@ std::vector<LearningParameter> participationParameters (const LearningPrior& pri
     std::vector<LearningParameter> parameters;
 
     for (auto v = eigen.values.size() - 1; v >= 0; --v)
-        if (heard * deviation * deviation * eigen.values[v] > leastInformation)
-            parameters.push_back ({ ParameterKind::participation, k, 0, eigen.vectors.col (v) });
+        if (const auto told = heard * deviation * deviation * eigen.values[v]; told > leastInformation)
+            parameters.push_back ({ ParameterKind::participation, k, 0, eigen.vectors.col (v), told });
 
     return parameters;
 }
@@ -112,11 +112,11 @@ std::vector<LearningParameter> parametersOf (const LearningPrior& prior, Eigen::
     const auto energy = expectedEnergies (prior, k, known, products);
     auto parameters = std::vector<LearningParameter> {};
 
-    if (heard * energy[1] * square (deviations.frequencies[k]) > leastInformation)
-        parameters.push_back ({ ParameterKind::frequency, k, 0, {} });
+    if (const auto told = heard * energy[1] * square (deviations.frequencies[k]); told > leastInformation)
+        parameters.push_back ({ ParameterKind::frequency, k, 0, {}, told });
 
-    if (heard * energy[2] * square (deviations.dampings[k]) > leastInformation)
-        parameters.push_back ({ ParameterKind::damping, k, 0, {} });
+    if (const auto told = heard * energy[2] * square (deviations.dampings[k]); told > leastInformation)
+        parameters.push_back ({ ParameterKind::damping, k, 0, {}, told });
 
     if (heard * energy[0] * square (deviations.participation[k]) > leastInformation)
     {
@@ -130,8 +130,8 @@ std::vector<LearningParameter> parametersOf (const LearningPrior& prior, Eigen::
         const auto ratio =
             sensor.deviation * sensor.shapes[k] / prior.recordings.front().noise[static_cast<Eigen::Index> (m)];
 
-        if (square (ratio) * energy[0] > leastInformation)
-            parameters.push_back ({ ParameterKind::sensor, k, static_cast<Eigen::Index> (m), {} });
+        if (const auto told = square (ratio) * energy[0]; told > leastInformation)
+            parameters.push_back ({ ParameterKind::sensor, k, static_cast<Eigen::Index> (m), {}, told });
     }
 
     return parameters;

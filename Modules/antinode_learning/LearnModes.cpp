@@ -1,162 +1,23 @@
 #include "LearnModes.h"
 
-#include "HeardParameters.h"
-#include "RecordingEquations.h"
+#include "LearningProblem.h"
 
 #include <antinode_numerics/DenseKernels.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace antinode
 {
 namespace
 {
-constexpr int mostSteps = 12;       // of each length of the records
-constexpr double roughGain = 1e-2;  // of the objective, relative: less ends a length that is not the last
-constexpr double finestGain = 1e-5; // the same of the last one, where something stays unexplained
-constexpr double leastGain = 0.5;   // of the objective, in squares of deviations: less ends the last length
-constexpr double firstPhase = 0.5;  // rad: by how much the highest mode may be off at the end of the first length
+constexpr double roughGain = 1e-2; // of the objective, relative: less ends a length that is not the last
+constexpr double firstPhase = 0.5; // rad: by how much the highest mode may be off at the end of the first length
 constexpr double lengthening = 2;
-constexpr double farthestValue = 8;    // deviations: a mode that runs away explains by chance and does not come back
-constexpr double farthestAtLast = 1e3; // the same of damping and participation, which take what ceramics distort
-constexpr double missed = 1.2;         // of the noise is not explained: another minimum may do better
-
-/** Where an iteration ended. */
-struct Solution
-{
-    Eigen::VectorXd values;
-    Eigen::MatrixXd factored;             ///< P x P: the matrix of a step close to the end, as factorLower leaves it.
-    double residual = 0, unexplained = 0; ///< As in LearntModes, of records of the last length.
-};
-
-/** The problem with records of one length. */
-class LearningProblem
-{
-public:
-    explicit LearningProblem (const LearningPrior& given)
-        : prior (given), parameters (heardParameters (given)),
-          farthest (Eigen::VectorXd::Constant (parameters.size(), farthestAtLast))
-    {
-        for (std::size_t p = 0; p < parameters.modal.size(); ++p)
-            if (parameters.modal[p].kind == ParameterKind::frequency)
-                farthest[static_cast<Eigen::Index> (p)] = farthestValue;
-    }
-
-    Eigen::Index unknowns() const { return parameters.size(); }
-    LearningState state (const Eigen::VectorXd& values) const { return stateAt (prior, parameters, values); }
-
-    /** Samples of a recording up to a time. */
-    static Eigen::Index samplesOf (const PlayedRecording& recording, double time)
-    {
-        const auto wanted = static_cast<Eigen::Index> (std::ceil (time * recording.sampleRate));
-        return std::clamp<Eigen::Index> (wanted, 1, comparableSamples (recording));
-    }
-
-    double objective (const Eigen::VectorXd& values, double time) const
-    {
-        const auto now = state (values);
-        auto sum = values.squaredNorm();
-
-        for (Eigen::Index r = 0; r < parameters.recordings; ++r)
-            sum += recordingMisfit (prior, now, r, samplesOf (recording (r), time));
-
-        return sum;
-    }
-
-    /** @param withMatrix  without it there is none of the recordings', nor of the prior's */
-    RecordingEquations equations (const Eigen::VectorXd& values, double time, bool withMatrix) const
-    {
-        const auto now = state (values);
-        RecordingEquations sum { Eigen::MatrixXd (0, 0), -values };
-
-        if (withMatrix)
-            sum.matrix = Eigen::MatrixXd::Identity (unknowns(), unknowns());
-
-        for (Eigen::Index r = 0; r < parameters.recordings; ++r)
-        {
-            const auto one =
-                recordingEquations (prior, parameters, now, r, samplesOf (recording (r), time), withMatrix);
-
-            if (withMatrix)
-                sum.matrix += one.matrix;
-
-            sum.right += one.right;
-            sum.misfit += one.misfit;
-            sum.signal += one.signal;
-            sum.samples += one.samples;
-        }
-
-        return sum;
-    }
-
-    /** The most probable values with records up to a time, from values nearby. The matrix of a step serves those after
-        it until one gains much, or too little: the minimum does not depend on it.
-        @param furthest  deviations that no value leaves */
-    Solution solve (Eigen::VectorXd values, double time, bool isLast, double furthest) const
-    {
-        const Eigen::VectorXd bounds = farthest.cwiseMin (furthest);
-        constexpr double largeGain = 0.1; // of the objective
-        Solution solution { std::move (values), {}, 0, 0 };
-        auto linear = equations (solution.values, time, true);
-        auto best = linear.misfit + solution.values.squaredNorm();
-        auto isFresh = true;
-
-        for (int i = 0; i < mostSteps; ++i)
-        {
-            if (isFresh)
-            {
-                solution.factored = std::move (linear.matrix);
-                factorLower (solution.factored);
-            }
-
-            const Eigen::VectorXd change = solveFactored (solution.factored, linear.right);
-            const auto before = best;
-            auto share = 1.0;
-
-            for (int halvings = 0; halvings < 4; ++halvings, share /= 2)
-            {
-                const Eigen::VectorXd next = (solution.values + share * change).cwiseMax (-bounds).cwiseMin (bounds);
-
-                if (const auto reached = objective (next, time); reached < best)
-                {
-                    best = reached;
-                    solution.values = next;
-                    break;
-                }
-            }
-
-            const auto gain = before - best;
-            const auto isDone = gain < (isLast ? leastGain + finestGain * best : roughGain * best);
-
-            // A matrix of elsewhere may be why.
-            if (isDone && (isFresh || gain > 0))
-                break;
-
-            isFresh = gain > largeGain * before || share < 1 || isDone;
-            linear = equations (solution.values, time, isFresh);
-        }
-
-        if (isLast)
-        {
-            const auto end = equations (solution.values, time, false);
-            solution.residual = std::sqrt (end.misfit / end.samples);
-            solution.unexplained = std::sqrt (end.misfit / end.signal);
-        }
-
-        return solution;
-    }
-
-    const LearningParameters& all() const { return parameters; }
-
-private:
-    const PlayedRecording& recording (Eigen::Index r) const { return prior.recordings[static_cast<std::size_t> (r)]; }
-
-    const LearningPrior& prior;
-    LearningParameters parameters;
-    Eigen::VectorXd farthest; ///< P, deviations, of records of the last length.
-};
+constexpr double missed = 1.2; // of the noise is not explained: another minimum may do better
+constexpr double allValues = std::numeric_limits<double>::infinity(); // no bound but the problem's own
 
 /** s: until when no mode can be off by more than firstPhase after the voltages have ended or, where they do not end
     before, from the loudest moment on. */
@@ -186,15 +47,25 @@ double longestTime (const std::vector<PlayedRecording>& recordings)
     return longest;
 }
 
-/** What is left of a parameter's deviation, of all: the diagonal of the inverse of the matrix. */
+/** What is left of a parameter's deviation, of all: the roots of the diagonal of the inverse of the matrix. The inverse
+    of the factor is lower too, so that each block of columns begins at its own rows. */
 Eigen::VectorXd deviationsLeft (const Eigen::MatrixXd& factored)
 {
-    Eigen::MatrixXd inverse = Eigen::MatrixXd::Identity (factored.rows(), factored.cols());
-    solveLower (factored, inverse);
-    return inverse.colwise().norm().transpose();
+    constexpr Eigen::Index width = 256; // columns at a time
+    Eigen::VectorXd left (factored.rows());
+
+    for (Eigen::Index first = 0; first < factored.rows(); first += width)
+    {
+        const auto rows = factored.rows() - first, columns = std::min (width, rows);
+        Eigen::MatrixXd inverse = Eigen::MatrixXd::Identity (rows, columns);
+        solveLower (factored.bottomRightCorner (rows, rows), inverse);
+        left.segment (first, columns) = inverse.colwise().norm();
+    }
+
+    return left;
 }
 
-LearntModes learntFrom (const LearningPrior& prior, const LearningProblem& problem, const Solution& solution)
+LearntModes learntFrom (const LearningPrior& prior, const LearningProblem& problem, const LearningSolution& solution)
 {
     const auto state = problem.state (solution.values);
     const auto left = deviationsLeft (solution.factored);
@@ -211,9 +82,9 @@ LearntModes learntFrom (const LearningPrior& prior, const LearningProblem& probl
     for (std::size_t m = 0; m < learnt.sensors.size(); ++m)
         learnt.sensors[m].shapes = state.sensors.row (static_cast<Eigen::Index> (m));
 
-    for (std::size_t p = 0; p < problem.all().modal.size(); ++p)
+    for (std::size_t p = 0; p < problem.all().parameters.modal.size(); ++p)
     {
-        const auto& parameter = problem.all().modal[p];
+        const auto& parameter = problem.all().parameters.modal[p];
         const auto share = left[static_cast<Eigen::Index> (p)];
         const auto k = parameter.mode;
 
@@ -240,25 +111,26 @@ LearntModes learnModes (const ModalModel& model, const std::vector<Sensor>& sens
     const auto longest = longestTime (recordings);
 
     if (before != nullptr)
-        return learntFrom (prior, problem,
-                           problem.solve (valuesOf (prior, problem.all(), *before), longest, true, farthestAtLast));
+    {
+        auto values = valuesOf (prior, problem.all().parameters, *before);
+        values =
+            problem.solve (problem.clearlyHeard(), std::move (values), longest, LearningProblem::finestGain, allValues)
+                .values;
+        return learntFrom (prior, problem, problem.finish (std::move (values), longest));
+    }
 
     // Which bounds lead to the right minimum differs from device to device: the next ones are tried where one is
     // missed.
-    Solution best;
+    LearningSolution best;
 
-    for (const auto furthest : { farthestValue, farthestAtLast, farthestValue / 2 })
+    for (const auto furthest : { 8.0, allValues, 4.0 })
     {
-        Eigen::VectorXd values = Eigen::VectorXd::Zero (problem.unknowns());
-        auto time = firstTime (prior, problem.all());
+        Eigen::VectorXd values = Eigen::VectorXd::Zero (problem.all().parameters.size());
 
-        while (time < longest)
-        {
-            values = problem.solve (std::move (values), time, false, furthest).values;
-            time *= lengthening;
-        }
+        for (auto time = firstTime (prior, problem.all().parameters); time < longest; time *= lengthening)
+            values = problem.solve (problem.clearlyHeard(), std::move (values), time, roughGain, furthest).values;
 
-        auto solution = problem.solve (std::move (values), longest, true, farthestAtLast);
+        auto solution = problem.finish (std::move (values), longest);
 
         if (best.values.size() == 0 || solution.residual < best.residual)
             best = std::move (solution);

@@ -71,8 +71,8 @@ double surprise (const ModalModel& model, const std::vector<Sensor>& sensors, co
     none.recordings = 1;
     const auto state = stateAt (prior, none, Eigen::VectorXd::Zero (none.size()));
     const auto samples = comparableSamples (one.front());
-    return std::sqrt (recordingMisfit (prior, state, 0, samples)
-                      / static_cast<double> (recording.signals.rows() * samples));
+    const auto misfit = recordingMisfit (prior, state, 0, samples);
+    return std::sqrt (misfit.residual / misfit.samples);
 }
 
 /** The field at the focus that voltages make, by a model. */

@@ -37,22 +37,18 @@ Eigen::MatrixXd heardBy (const Eigen::MatrixXd& sensors, const Histories& histor
     return heard;
 }
 
-/** The change from sample to sample per second, by central differences. */
-Eigen::MatrixXd derivative (const Eigen::MatrixXd& signals, double sampleRate)
+/** @param precision  N, of each sensor: 1 over the square of the noise */
+RecordingMisfit misfitOf (const Eigen::MatrixXd& residual, const Eigen::MatrixXd& signals,
+                          const Eigen::VectorXd& precision)
 {
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero (signals.rows(), signals.cols());
-    const auto inner = signals.rows() - 2;
-
-    if (inner > 0)
-        result.middleRows (1, inner) = (signals.bottomRows (inner) - signals.topRows (inner)) * (sampleRate / 2);
-
-    return result;
+    const auto weighed = [&precision] (const Eigen::MatrixXd& values)
+    { return (values.cwiseAbs2().colwise().sum() * precision).value(); };
+    return { weighed (residual), weighed (signals), static_cast<double> (residual.size()) };
 }
 } // namespace
 
 RecordingEquations recordingEquations (const LearningPrior& prior, const LearningParameters& parameters,
-                                       const LearningState& state, Eigen::Index r, Eigen::Index samples,
-                                       bool withMatrix)
+                                       const LearningState& state, Eigen::Index r, Eigen::Index samples)
 {
     checkWatch();
     const auto& recording = recordingOf (prior, r);
@@ -62,7 +58,8 @@ RecordingEquations recordingEquations (const LearningPrior& prior, const Learnin
     const auto effects = parameterEffects (prior, parameters, state, voltages, motions, samples);
     const Eigen::VectorXd precision = recording.noise.cwiseAbs2().cwiseInverse();
     const auto heard = heardBy (state.sensors, motions.velocity, logarithms, samples);
-    const auto& signals = prior.signals[static_cast<std::size_t> (r)]->earlier (state.delays[r], samples);
+    auto& recorded = *prior.signals[static_cast<std::size_t> (r)];
+    const auto& signals = recorded.earlier (state.delays[r], samples);
     const Eigen::MatrixXd residual = signals - heard;
     const auto modal = parameters.drift();
     const auto sensors = state.sensors.rows();
@@ -70,14 +67,10 @@ RecordingEquations recordingEquations (const LearningPrior& prior, const Learnin
     // What all modes share reaches every sensor in its own form.
     const Eigen::MatrixXd byDrift =
         prior.deviations.drift * heardBy (state.sensors, motions.byFrequency, logarithms, samples);
-    const Eigen::MatrixXd byDelay = -prior.deviations.delay * derivative (heard, recording.sampleRate);
-    Eigen::MatrixXd against (samples, (withMatrix ? 3 : 1) * sensors);
-    against.leftCols (sensors) = residual;
-
-    if (withMatrix)
-        against.rightCols (2 * sensors) << byDrift, byDelay;
-
-    RecordingEquations equations;
+    const Eigen::MatrixXd byDelay = -prior.deviations.delay * recorded.slopesEarlier (state.delays[r], samples);
+    Eigen::MatrixXd against (samples, 3 * sensors);
+    against << residual, byDrift, byDelay;
+    RecordingEquations equations { Eigen::MatrixXd::Zero (parameters.size(), parameters.size()), {}, {} };
     equations.right = Eigen::VectorXd::Zero (parameters.size());
     const Eigen::MatrixXd weighted = precision.asDiagonal() * effects.weights;
     const auto products = productsWith (effects, logarithms, against);
@@ -91,24 +84,19 @@ RecordingEquations recordingEquations (const LearningPrior& prior, const Learnin
     equations.right[drift] = product (byDrift, residual);
     equations.right[delay] = product (byDelay, residual);
 
-    if (withMatrix)
-    {
-        equations.matrix = Eigen::MatrixXd::Zero (parameters.size(), parameters.size());
-        takeGram (effects, weighted, logarithms, samples, equations.matrix.topLeftCorner (modal, modal));
-        equations.matrix.row (drift).head (modal) = summed (1).transpose();
-        equations.matrix.row (delay).head (modal) = summed (2).transpose();
-        equations.matrix (drift, drift) = product (byDrift, byDrift);
-        equations.matrix (delay, delay) = product (byDelay, byDelay);
-        equations.matrix (delay, drift) = product (byDelay, byDrift);
-    }
-
-    equations.misfit = product (residual, residual);
-    equations.signal = product (signals, signals);
-    equations.samples = static_cast<double> (residual.size());
+    auto& matrix = equations.matrix;
+    takeGram (effects, weighted, logarithms, samples, matrix.topLeftCorner (modal, modal));
+    matrix.row (drift).head (modal) = summed (1).transpose();
+    matrix.row (delay).head (modal) = summed (2).transpose();
+    matrix (drift, drift) = product (byDrift, byDrift);
+    matrix (delay, delay) = product (byDelay, byDelay);
+    matrix (delay, drift) = product (byDelay, byDrift);
+    equations.misfit = misfitOf (residual, signals, precision);
     return equations;
 }
 
-double recordingMisfit (const LearningPrior& prior, const LearningState& state, Eigen::Index r, Eigen::Index samples)
+RecordingMisfit recordingMisfit (const LearningPrior& prior, const LearningState& state, Eigen::Index r,
+                                 Eigen::Index samples)
 {
     checkWatch();
     const auto& recording = recordingOf (prior, r);
@@ -116,6 +104,6 @@ double recordingMisfit (const LearningPrior& prior, const LearningState& state, 
     const auto heard = heardBy (state.sensors, modeHistories (state.model, voltages, samples),
                                 decayLogarithms (state.model, voltages.sampleRate()), samples);
     const auto& signals = prior.signals[static_cast<std::size_t> (r)]->earlier (state.delays[r], samples);
-    return ((signals - heard).cwiseAbs2().colwise().sum() * recording.noise.cwiseAbs2().cwiseInverse()).value();
+    return misfitOf (signals - heard, signals, recording.noise.cwiseAbs2().cwiseInverse());
 }
 } // namespace antinode

@@ -25,16 +25,38 @@ const Eigen::MatrixXd& ShiftedSignals::earlier (double delay, Eigen::Index sampl
     if (delay == shiftedBy && samples == shifted.rows())
         return shifted;
 
-    const auto turn = 2 * std::numbers::pi * delay * rate / static_cast<double> (length);
-    const Eigen::VectorXcd turns = Eigen::VectorXcd::NullaryExpr (
-        length / 2 + 1, [turn] (Eigen::Index k) { return std::polar (1.0, turn * static_cast<double> (k)); });
-    shifted.resize (samples, spectra.cols());
+    shifted = filtered (turnsOf (delay), samples);
     shiftedBy = delay;
-
-    for (Eigen::Index m = 0; m < shifted.cols(); ++m)
-        shifted.col (m) = tables.inverse (spectra.col (m).cwiseProduct (turns), length).head (samples);
-
     return shifted;
+}
+
+Eigen::MatrixXd ShiftedSignals::slopesEarlier (double delay, Eigen::Index samples)
+{
+    const auto step = 2 * std::numbers::pi * rate / static_cast<double> (length); // rad/s from line to line
+    Eigen::VectorXcd factors = turnsOf (delay);
+
+    for (Eigen::Index k = 0; k < factors.size(); ++k)
+        factors[k] *= std::complex<double> (0, step * static_cast<double> (k));
+
+    factors[factors.size() - 1] = 0; // of the Nyquist frequency samples know no slope
+    return filtered (factors, samples);
+}
+
+Eigen::VectorXcd ShiftedSignals::turnsOf (double delay) const
+{
+    const auto turn = 2 * std::numbers::pi * delay * rate / static_cast<double> (length);
+    return Eigen::VectorXcd::NullaryExpr (length / 2 + 1, [turn] (Eigen::Index k)
+                                          { return std::polar (1.0, turn * static_cast<double> (k)); });
+}
+
+Eigen::MatrixXd ShiftedSignals::filtered (const Eigen::VectorXcd& factors, Eigen::Index samples)
+{
+    Eigen::MatrixXd signals (samples, spectra.cols());
+
+    for (Eigen::Index m = 0; m < signals.cols(); ++m)
+        signals.col (m) = tables.inverse (spectra.col (m).cwiseProduct (factors), length).head (samples);
+
+    return signals;
 }
 
 Eigen::MatrixXd signalsEarlier (const PlayedRecording& recording, double delay, Eigen::Index samples)

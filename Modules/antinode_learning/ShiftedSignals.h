@@ -20,7 +20,16 @@ public:
         [worker] */
     const Eigen::MatrixXd& earlier (double delay, Eigen::Index samples);
 
+    /** By how much `earlier` changes per second of the delay: samples x N. [worker] */
+    Eigen::MatrixXd slopesEarlier (double delay, Eigen::Index samples);
+
 private:
+    /** The signals whose spectra are the kept ones, each line times a factor: samples x N. */
+    Eigen::MatrixXd filtered (const Eigen::VectorXcd& factors, Eigen::Index samples);
+
+    /** What a delay that is taken out does to each line. */
+    Eigen::VectorXcd turnsOf (double delay) const;
+
     double rate, shiftedBy = -1; ///< The delay of `shifted`, s.
     Eigen::Index length;
     Eigen::MatrixXcd spectra; ///< Lines x N

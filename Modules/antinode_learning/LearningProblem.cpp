@@ -1,0 +1,150 @@
+#include "LearningProblem.h"
+
+#include "HeardParameters.h"
+
+#include <antinode_numerics/DenseKernels.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+constexpr int mostSteps = 12;            // of each length of the records
+constexpr double gainOfEach = 0.01;      // of the objective for each unknown, in squares of deviations: less ends any
+constexpr double smallestShare = 0.125;  // of a step
+constexpr double clearlyTold = 10;       // of the prior's information
+constexpr double farthestFrequency = 8;  // deviations: a mode that runs away explains by chance and does not come back
+constexpr double farthestOfOthers = 1e3; // the same of damping and participation, which take what ceramics distort
+
+/** Those of modes that recordings tell more of than a bound, the drift and the delays. */
+Unknowns unknownsAbove (double information, const LearningParameters& all)
+{
+    Unknowns unknowns { { {}, all.recordings }, {} };
+
+    for (Eigen::Index p = 0; p < all.drift(); ++p)
+        if (const auto& parameter = all.modal[static_cast<std::size_t> (p)]; parameter.information > information)
+        {
+            unknowns.parameters.modal.push_back (parameter);
+            unknowns.places.push_back (p);
+        }
+
+    for (auto p = all.drift(); p < all.size(); ++p)
+        unknowns.places.push_back (p);
+
+    return unknowns;
+}
+
+/** Samples of a recording up to a time. */
+Eigen::Index samplesOf (const PlayedRecording& recording, double time)
+{
+    const auto wanted = static_cast<Eigen::Index> (std::ceil (time * recording.sampleRate));
+    return std::clamp<Eigen::Index> (wanted, 1, comparableSamples (recording));
+}
+} // namespace
+
+LearningProblem::LearningProblem (const LearningPrior& given)
+    : prior (given), every (unknownsAbove (0, heardParameters (given))),
+      clear (unknownsAbove (clearlyTold, every.parameters)),
+      farthest (Eigen::VectorXd::Constant (every.parameters.size(), farthestOfOthers))
+{
+    for (Eigen::Index p = 0; p < every.parameters.drift(); ++p)
+        if (every.parameters.modal[static_cast<std::size_t> (p)].kind == ParameterKind::frequency)
+            farthest[p] = farthestFrequency;
+}
+
+LearningState LearningProblem::state (const Eigen::VectorXd& values) const
+{
+    return stateAt (prior, every.parameters, values);
+}
+
+LearningSolution LearningProblem::solve (const Unknowns& unknowns, Eigen::VectorXd values, double time, double enough,
+                                         double furthest) const
+{
+    const Eigen::VectorXd bounds = farthest.cwiseMin (furthest);
+    const auto least = gainOfEach * static_cast<double> (unknowns.parameters.size());
+    LearningSolution solution { std::move (values), {}, 0, 0 };
+    auto gain = std::numeric_limits<double>::infinity(), objective = 0.0;
+
+    for (int i = 0; i < mostSteps && gain >= least + enough * objective; ++i)
+    {
+        auto linear = equations (unknowns, solution.values, time);
+        const auto before = linear.misfit.residual + solution.values.squaredNorm();
+        objective = before;
+        solution.factored = std::move (linear.matrix);
+        factorLower (solution.factored);
+        Eigen::VectorXd change = Eigen::VectorXd::Zero (solution.values.size());
+        change (unknowns.places) = solveFactored (solution.factored, linear.right);
+
+        for (auto share = 1.0; share >= smallestShare && ! (objective < before); share /= 2)
+        {
+            const Eigen::VectorXd next = (solution.values + share * change).cwiseMax (-bounds).cwiseMin (bounds);
+            const auto reached = misfit (state (next), time).residual + next.squaredNorm();
+
+            if (reached < before)
+            {
+                objective = reached;
+                solution.values = next;
+            }
+        }
+
+        gain = before - objective;
+    }
+
+    return solution;
+}
+
+LearningSolution LearningProblem::finish (Eigen::VectorXd values, double time) const
+{
+    auto solution = solve (every, std::move (values), time, finestGain, farthestOfOthers);
+    const auto end = misfit (state (solution.values), time);
+    solution.residual = std::sqrt (end.residual / end.samples);
+    solution.unexplained = std::sqrt (end.residual / end.signal);
+    return solution;
+}
+
+RecordingMisfit LearningProblem::misfit (const LearningState& now, double time) const
+{
+    RecordingMisfit sum;
+
+    for (Eigen::Index r = 0; r < every.parameters.recordings; ++r)
+        sum += recordingMisfit (prior, now, r, samplesOf (recording (r), time));
+
+    return sum;
+}
+
+/** Of some unknowns, with what is known of them before. */
+RecordingEquations LearningProblem::equations (const Unknowns& unknowns, const Eigen::VectorXd& values,
+                                               double time) const
+{
+    const auto now = state (values);
+    RecordingEquations sum;
+
+    for (Eigen::Index r = 0; r < every.parameters.recordings; ++r)
+    {
+        auto one = recordingEquations (prior, unknowns.parameters, now, r, samplesOf (recording (r), time));
+
+        if (r == 0)
+        {
+            sum = std::move (one);
+            continue;
+        }
+
+        sum.matrix += one.matrix;
+        sum.right += one.right;
+        sum.misfit += one.misfit;
+    }
+
+    sum.matrix.diagonal().array() += 1;
+    sum.right -= values (unknowns.places);
+    return sum;
+}
+
+const PlayedRecording& LearningProblem::recording (Eigen::Index r) const
+{
+    return prior.recordings[static_cast<std::size_t> (r)];
+}
+} // namespace antinode

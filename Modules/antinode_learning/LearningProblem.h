@@ -1,0 +1,66 @@
+#pragma once
+
+#include "RecordingEquations.h"
+
+#include <vector>
+
+namespace antinode
+{
+/** Parameters that are looked for, among all. */
+struct Unknowns
+{
+    LearningParameters parameters;
+    std::vector<Eigen::Index> places; ///< Theirs in the values of all parameters.
+};
+
+/** Where an iteration ended. */
+struct LearningSolution
+{
+    Eigen::VectorXd values;               ///< P, of all parameters, in standard deviations.
+    Eigen::MatrixXd factored;             ///< The matrix of the last step, as factorLower leaves it.
+    double residual = 0, unexplained = 0; ///< As in LearntModes, of whole records; by finish.
+};
+
+/** What recordings say of all that they hear, the records up to a time. One thread at a time.
+    Docs/Theory.md, section 7.6. */
+class LearningProblem
+{
+public:
+    static constexpr double finestGain = 1e-5; ///< Of the objective, relative: less ends whole records.
+
+    /** @param prior  is kept by reference [worker] */
+    explicit LearningProblem (const LearningPrior& prior);
+
+    /** Every parameter that is heard. [any] */
+    const Unknowns& all() const { return every; }
+
+    /** Those that are heard clearly, two fifths of them on a plate with hundreds of modes: the others move what is
+        heard by less than a few times the noise. [any] */
+    const Unknowns& clearlyHeard() const { return clear; }
+
+    /** The device at values of all parameters. [any] */
+    LearningState state (const Eigen::VectorXd& values) const;
+
+    /** The most probable values of some unknowns, from values nearby; the others stay as they are.
+        @param time      s, of each record
+        @param enough    a gain of the objective, relative, that ends it
+        @param furthest  deviations that no value leaves
+        @throws Cancelled  where the thread's watch says so
+        [worker] */
+    LearningSolution solve (const Unknowns&, Eigen::VectorXd values, double time, double enough, double furthest) const;
+
+    /** The same of all unknowns, to the end, and how well they explain the records.
+        @param values  close to the solution
+        [worker] */
+    LearningSolution finish (Eigen::VectorXd values, double time) const;
+
+private:
+    RecordingMisfit misfit (const LearningState&, double time) const;
+    RecordingEquations equations (const Unknowns&, const Eigen::VectorXd& values, double time) const;
+    const PlayedRecording& recording (Eigen::Index r) const;
+
+    const LearningPrior& prior;
+    Unknowns every, clear;
+    Eigen::VectorXd farthest; ///< P, deviations that no value leaves.
+};
+} // namespace antinode

@@ -1,0 +1,98 @@
+#include "Support/SineBeam.h"
+
+#include <antinode_learning/HeardParameters.h>
+#include <antinode_learning/LearningProblem.h>
+#include <antinode_learning/RecordingEquations.h>
+#include <antinode_numerics/RandomNumbers.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace antinode;
+
+namespace
+{
+constexpr double recordedRate = 24000; // Hz
+constexpr Eigen::Index drivenFor = 60, recordedFor = 900;
+
+/** Noise on two ceramics, then silence; two sensors, of which one is itself uncertain, hear something of the kind. */
+PlayedRecording noisePlayed (const ModalModel& model)
+{
+    RandomNumbers random (5);
+    PlayedRecording recording {
+        recordedRate, Eigen::MatrixXd::Zero (model.actuators(), recordedFor), {}, {}, 4.3e-4, 0
+    };
+
+    for (Eigen::Index i = 0; i < model.actuators(); ++i)
+        recording.voltages.row (i).head (drivenFor) = 20 * random.normal (drivenFor).transpose();
+
+    auto other = model;
+    other.angularFrequencies *= 1.002;
+    const auto velocities = modeVelocities (other, { recording.voltages, recordedRate }, recordedFor);
+    recording.signals = Eigen::MatrixXd::Zero (2, recordedFor);
+    recording.signals.row (0).tail (recordedFor - 10) =
+        (velocities * shapesAt (model, 0.03, 0).transpose()).head (recordedFor - 10).transpose();
+    recording.signals.row (1).tail (recordedFor - 10) =
+        (velocities * shapesAt (model, -0.05, 0).transpose()).head (recordedFor - 10).transpose();
+    recording.noise = 0.01 * recording.signals.rowwise().norm() / std::sqrt (static_cast<double> (recordedFor));
+    return recording;
+}
+} // namespace
+
+TEST_CASE ("The right sides of a recording's equations are the slopes of its misfit, by delay as well", "[learning]")
+{
+    const auto model = test::sineBeam (5, 3);
+    const auto recording = noisePlayed (model);
+    const std::vector<PlayedRecording> recordings { recording };
+    const std::vector<Sensor> sensors { { shapesAt (model, 0.03, 0), 0 }, { shapesAt (model, -0.05, 0), 0.05 } };
+    auto deviations = sameSpread (model.modes(), 0.005, 0.1, 0.05);
+    deviations.drift = 0.002;
+    deviations.delay = 1e-5;
+    const auto prior = makePrior (model, sensors, deviations, recordings);
+    const auto parameters = heardParameters (prior);
+    RandomNumbers random (8);
+    const Eigen::VectorXd values = 0.3 * random.normal (parameters.size());
+    constexpr Eigen::Index samples = 500;
+    const auto misfit = [&] (const Eigen::VectorXd& at)
+    { return recordingMisfit (prior, stateAt (prior, parameters, at), 0, samples).residual; };
+    const auto equations = recordingEquations (prior, parameters, stateAt (prior, parameters, values), 0, samples);
+
+    REQUIRE (parameters.drift() > 20);
+    CHECK (equations.misfit.residual == Approx (misfit (values)));
+    CHECK (equations.misfit.samples == 2 * samples);
+
+    for (Eigen::Index p = 0; p < parameters.size(); ++p)
+    {
+        constexpr double step = 1e-4;
+        const Eigen::VectorXd change = step * Eigen::VectorXd::Unit (parameters.size(), p);
+        const auto slope = (misfit (values + change) - misfit (values - change)) / (2 * step);
+        INFO ("parameter " << p << " of " << parameters.size());
+        CHECK (-2 * equations.right[p] == Approx (slope).epsilon (1e-4).margin (1e-6 * equations.right.norm()));
+    }
+}
+
+TEST_CASE ("Parameters that are clearly heard are those of which recordings tell most", "[learning]")
+{
+    const auto model = test::sineBeam (5, 3);
+    const std::vector<PlayedRecording> recordings { noisePlayed (model) };
+    const std::vector<Sensor> sensors { { shapesAt (model, 0.03, 0), 0 }, { shapesAt (model, -0.05, 0), 0.05 } };
+    const auto deviations = sameSpread (model.modes(), 1e-4, 0.01, 1e-3);
+    const auto prior = makePrior (model, sensors, deviations, recordings);
+    const LearningProblem problem (prior);
+    const auto& all = problem.all();
+    const auto& clear = problem.clearlyHeard();
+
+    REQUIRE (clear.parameters.modal.size() > 1);
+    REQUIRE (clear.parameters.modal.size() < all.parameters.modal.size());
+    // The drift and the delay are always among them.
+    CHECK (std::ssize (clear.places) == clear.parameters.size());
+    CHECK (clear.places.back() == all.parameters.delay (0));
+
+    for (std::size_t p = 0, next = 0; p < all.parameters.modal.size(); ++p)
+    {
+        const auto isClear = clear.places[next] == static_cast<Eigen::Index> (p);
+        CHECK ((all.parameters.modal[p].information > 10) == isClear);
+        next += isClear ? 1 : 0;
+    }
+}
