@@ -1,10 +1,10 @@
 #include "LearningPasses.h"
 
+#include "LearningVerdict.h"
 #include "LikelyDelays.h"
 #include "RecordingEquations.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
 #include <antinode_engine/OfflineRender.h>
 
 #include <algorithm>
@@ -103,77 +103,6 @@ FocusDesign designedAgain (const LearntFocus& learnt, const FocusDescription& fo
     }
 }
 
-constexpr double mostUnexplained = 0.3; // of the signals, RMS
-constexpr double farthest = 30;         // standard deviations that a frequency may be moved
-constexpr double wellPredicted = 0.5;   // of what the nominal model does not predict
-constexpr double surelyPredicted = 0.1; // of the same
-constexpr double misled = 3;            // of the same: such a model is not played by again
-constexpr double clearlyBetter = 0.8;   // of the first play's error
-constexpr double stuck = 3;             // of the noise is not explained: the fit may be in the wrong minimum
-
-/** How many of its standard deviations the frequency that was moved most was moved. */
-double farthestMove (const LearntModes& learnt, const ModalModel& nominal, const ModeSpread& deviations)
-{
-    const auto moves = (learnt.model.angularFrequencies.array() / nominal.angularFrequencies.array()).log();
-    const auto expected = (deviations.frequencies.array().square() + deviations.drift * deviations.drift).sqrt();
-    return (moves.abs() / expected.max (1e-9)).maxCoeff();
-}
-
-/** Why no design can be made of what was learnt; empty: one can. */
-std::string doubtOf (const LearntModes& learnt, const ModalModel& nominal, const ModeSpread& deviations)
-{
-    constexpr double percent = 100;
-
-    if (! (learnt.unexplained < mostUnexplained))
-        return "The model does not explain " + inWords (percent * learnt.unexplained)
-               + " % of the signals; allowed: below " + inWords (percent * mostUnexplained)
-               + " %. Check sensors, channels and places.";
-
-    if (const auto move = farthestMove (learnt, nominal, deviations); ! (move < farthest))
-        return "A frequency would be " + inWords (move)
-               + " standard deviations off the device as it was known; allowed: " + inWords (farthest)
-               + ". Check sensors, channels and places.";
-
-    return {};
-}
-
-bool isClearlyBetter (const std::vector<LearningPass>& passes, std::size_t pass)
-{
-    return passes[pass].estimatedError < clearlyBetter * passes.front().estimatedError;
-}
-
-/** Why what was learnt is not used; empty: it is. */
-std::string refusalOf (const LearntFocus& learnt, const ModalModel& nominal, const ModeSpread& deviations)
-{
-    const auto& last = learnt.passes.back();
-
-    if (auto doubt = doubtOf (learnt.learnt, nominal, deviations); ! doubt.empty())
-        return doubt;
-
-    if (learnt.passes.size() > 1 && ! (last.surprise < wellPredicted * last.nominalSurprise))
-        return "What was learnt did not predict the last play much better than the device as it was known.";
-
-    // What predicts so well needs no other proof, whatever was left to gain.
-    const auto isSure = last.surprise < surelyPredicted * last.nominalSurprise;
-
-    if (learnt.passes.size() > 1 && ! isSure && ! isClearlyBetter (learnt.passes, learnt.passes.size() - 1))
-        return "By what was learnt the last play was hardly better than the first.";
-
-    return {};
-}
-
-/** The play that was predicted best by what it was designed with: its field is nearest to what was wanted. */
-std::size_t bestPredicted (const std::vector<LearningPass>& passes)
-{
-    const auto best =
-        std::min_element (passes.begin(), passes.end(),
-                          [] (const auto& one, const auto& other) { return one.surprise < other.surprise; });
-    const auto index = static_cast<std::size_t> (best - passes.begin());
-    const auto isMuchBetter =
-        best->surprise < wellPredicted * passes.front().surprise && isClearlyBetter (passes, index);
-    return isMuchBetter ? index : 0;
-}
-
 /** A play of a device that is not known, learnt from again and again. */
 class PassLearner
 {
@@ -210,7 +139,7 @@ public:
             recordings.push_back (std::move (candidate));
             auto now = learnModes (nominal.model, sensors, own, recordings, recordings.size() > 1 ? &learnt : nullptr);
 
-            if (recordings.size() > 1 && now.residual > stuck)
+            if (recordings.size() > 1 && isStuck (now))
                 if (auto again = learnModes (nominal.model, sensors, own, recordings); again.residual < now.residual)
                     now = std::move (again);
 
@@ -274,11 +203,8 @@ LearntFocus learnFocus (const WideModel& nominal, const FocusDescription& focus,
         result.passes.push_back (std::move (pass));
         result.learnt = learner.now();
 
-        const auto& heard = result.passes.back();
-        const auto isMisled =
-            i > 0 && heard.surprise > misled * heard.nominalSurprise && result.learnt.residual > stuck;
-
-        if (isMisled || ! doubtOf (result.learnt, nominal.model, deviations).empty())
+        if ((i > 0 && isMisled (result.passes.back(), result.learnt))
+            || ! doubtOf (result.learnt, nominal.model, deviations).empty())
             break;
 
         result.wide = wideWith (nominal, result.learnt.model);

@@ -1,0 +1,102 @@
+#include "LearningVerdict.h"
+
+#include <antinode_base/NumberText.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+constexpr double mostUnexplained = 0.3; // of the signals, RMS
+constexpr double farthest = 30;         // standard deviations that a frequency may be moved
+constexpr double wellPredicted = 0.5;   // of what the nominal model does not predict
+constexpr double surelyPredicted = 0.1; // of the same
+constexpr double misled = 3;            // of the same: such a model is not played by again
+constexpr double nearNoise = 2;         // of the noise, RMS: below it, powers beyond the noise are compared
+constexpr double leastBeyond = 0.1;     // of the noise's power: less is nothing to learn from
+constexpr double stuck = 3;             // of the noise is not explained
+constexpr double clearlyBetter = 0.8;   // of the first play's error
+
+/** How many of its standard deviations the frequency that was moved most was moved. */
+double farthestMove (const LearntModes& learnt, const ModalModel& nominal, const ModeSpread& deviations)
+{
+    const auto moves = (learnt.model.angularFrequencies.array() / nominal.angularFrequencies.array()).log();
+    const auto expected = (deviations.frequencies.array().square() + deviations.drift * deviations.drift).sqrt();
+    return (moves.abs() / expected.max (1e-9)).maxCoeff();
+}
+
+bool isClearlyBetter (const std::vector<LearningPass>& passes, std::size_t pass)
+{
+    return passes[pass].estimatedError < clearlyBetter * passes.front().estimatedError;
+}
+
+/** Whether what was learnt before a play predicts it much better than the nominal model. Where both come near the
+    noise, which nothing predicts, powers beyond it are compared. */
+bool isWellPredicted (const LearningPass& pass)
+{
+    const auto beyond = [] (double surprise) { return surprise * surprise - 1; };
+    const auto isNear = pass.nominalSurprise < nearNoise && beyond (pass.nominalSurprise) > leastBeyond;
+    return pass.surprise < wellPredicted * pass.nominalSurprise
+           || (isNear && beyond (pass.surprise) < wellPredicted * beyond (pass.nominalSurprise));
+}
+} // namespace
+
+std::string doubtOf (const LearntModes& learnt, const ModalModel& nominal, const ModeSpread& deviations)
+{
+    constexpr double percent = 100;
+
+    if (! (learnt.unexplained < mostUnexplained))
+        return "The model does not explain " + inWords (percent * learnt.unexplained)
+               + " % of the signals; allowed: below " + inWords (percent * mostUnexplained)
+               + " %. Check sensors, channels and places.";
+
+    if (const auto move = farthestMove (learnt, nominal, deviations); ! (move < farthest))
+        return "A frequency would be " + inWords (move)
+               + " standard deviations off the device as it was known; allowed: " + inWords (farthest)
+               + ". Check sensors, channels and places.";
+
+    return {};
+}
+
+std::string refusalOf (const LearntFocus& learnt, const ModalModel& nominal, const ModeSpread& deviations)
+{
+    const auto& last = learnt.passes.back();
+
+    if (auto doubt = doubtOf (learnt.learnt, nominal, deviations); ! doubt.empty())
+        return doubt;
+
+    if (learnt.passes.size() > 1 && ! isWellPredicted (last))
+        return "What was learnt did not predict the last play much better than the device as it was known.";
+
+    // What predicts so well needs no other proof, whatever was left to gain.
+    const auto isSure = last.surprise < surelyPredicted * last.nominalSurprise;
+
+    if (learnt.passes.size() > 1 && ! isSure && ! isClearlyBetter (learnt.passes, learnt.passes.size() - 1))
+        return "By what was learnt the last play was hardly better than the first.";
+
+    return {};
+}
+
+bool isStuck (const LearntModes& learnt)
+{
+    return learnt.residual > stuck;
+}
+
+bool isMisled (const LearningPass& pass, const LearntModes& learnt)
+{
+    return pass.surprise > misled * pass.nominalSurprise && isStuck (learnt);
+}
+
+std::size_t bestPredicted (const std::vector<LearningPass>& passes)
+{
+    const auto best =
+        std::min_element (passes.begin(), passes.end(),
+                          [] (const auto& one, const auto& other) { return one.surprise < other.surprise; });
+    const auto index = static_cast<std::size_t> (best - passes.begin());
+    const auto isMuchBetter =
+        best->surprise < wellPredicted * passes.front().surprise && isClearlyBetter (passes, index);
+    return isMuchBetter ? index : 0;
+}
+} // namespace antinode

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "LearningPasses.h"
+
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** Why no design can be made of what was learnt, a sentence; empty: one can. [any] Docs/Theory.md, section 7.6. */
+std::string doubtOf (const LearntModes& learnt, const ModalModel& nominal, const ModeSpread& deviations);
+
+/** Why what was learnt is not used after all plays, a sentence; empty: it is. [any] */
+std::string refusalOf (const LearntFocus&, const ModalModel& nominal, const ModeSpread& deviations);
+
+/** Whether so much stays unexplained that the fit may be in the wrong minimum. [any] */
+bool isStuck (const LearntModes&);
+
+/** Whether a play was not explained by what misled its design, so that no more is played. [any] */
+bool isMisled (const LearningPass&, const LearntModes& learnt);
+
+/** The play that was predicted best by what it was designed with: its field is nearest to what was wanted. The first
+    one, where none was predicted much better. [any] */
+std::size_t bestPredicted (const std::vector<LearningPass>&);
+} // namespace antinode
