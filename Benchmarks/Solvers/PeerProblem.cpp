@@ -1,5 +1,7 @@
 #include "PeerProblem.h"
 
+#include <antinode_allocation/Whitening.h>
+
 namespace antinode::bench
 {
 PeerProblem::PeerProblem (const AllocationProblem& problem) : whitened (whiten (problem))

@@ -5,6 +5,7 @@
 #include "AllocationInput.h"
 #include "LimitedAllocation.h"
 #include "RowSystem.h"
+#include "Whitening.h"
 
 #include <antinode_base/InputError.h>
 

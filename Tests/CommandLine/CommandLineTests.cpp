@@ -11,17 +11,10 @@
 #include <tuple>
 
 using namespace antinode;
+using test::linesIn;
 using test::ProgramArguments;
 using test::readContent;
 using test::runProgram;
-
-namespace
-{
-std::ptrdiff_t linesIn (const std::string& text)
-{
-    return std::count (text.begin(), text.end(), '\n');
-}
-} // namespace
 
 TEST_CASE ("Help ends with 0, wrong usage with 2, bad input with 1 and one line", "[command line]")
 {
@@ -178,23 +171,6 @@ TEST_CASE ("Any key can be overridden with --set, --quiet says nothing, formats 
     CHECK (summary.at ("probes").at (0).at ("velocity_at_focus_mm_s") == Approx (40).epsilon (0.1));
 }
 
-TEST_CASE ("modes as JSON has the keys of the contract", "[command line]")
-{
-    const auto run = runProgram ({ "modes", "staple", "--json", "--count", "6" });
-    REQUIRE (run.exitCode == 0);
-    const auto json = nlohmann::json::parse (run.output);
-    CHECK (json.at ("device") == "staple");
-    CHECK (json.at ("kind") == "staple");
-    CHECK (json.at ("rigid_body_modes") == 0);
-    CHECK (json.at ("unknowns") > 0);
-    CHECK (json.at ("time_ms") > 0);
-    REQUIRE (json.at ("modes").size() == 6);
-    CHECK (json.at ("modes").at (0).at ("frequency_Hz") == Approx (399).epsilon (0.002));
-    CHECK (json.at ("modes").at (0).at ("participation_per_V").size() == 8);
-    CHECK (json.at ("modes").at (0).contains ("error_estimate_relative"));
-    CHECK (json.at ("modes").at (0).at ("damping_ratio") == Approx (1.0 / 380));
-}
-
 TEST_CASE ("devices lists what is embedded, and what it shows can be used as a file", "[command line]")
 {
     const auto list = runProgram ({ "devices" });
@@ -271,100 +247,4 @@ TEST_CASE ("A focus plays on the device that it names; several must name one", "
     CHECK (mixed.errors
            == "antinode: focus 'phone-thumb': is for the device 'phone', and focus 'demonstrator' for 'staple'; "
               "allowed: one device for all, or --device\n");
-}
-
-TEST_CASE ("Solved modes are kept for the next run, without a cache they are not", "[command line]")
-{
-    const TemporaryFolder folder;
-    const auto cached = folder.path() / "cache" / "antinode" / "modes";
-    const auto run = [&] (const ProgramArguments& arguments)
-    { return test::waitForProgram (test::startProgram (arguments, folder.path())); };
-
-    REQUIRE (run ({ "modes", "beam", "--no-cache" }) == 0);
-    CHECK_FALSE (std::filesystem::exists (cached));
-    const auto solved = readContent (folder.path() / "stdout");
-    REQUIRE (run ({ "modes", "beam" }) == 0);
-    CHECK_FALSE (std::filesystem::is_empty (cached));
-    CHECK (readContent (folder.path() / "stdout") == solved);
-    REQUIRE (run ({ "modes", "beam" }) == 0);
-    CHECK (readContent (folder.path() / "stdout") == solved);
-}
-
-TEST_CASE ("modes writes files beside what it prints", "[command line]")
-{
-    const TemporaryFolder folder;
-    const auto csv = folder.path() / "modes.csv", uff = folder.path() / "modes.uff";
-    const auto run = runProgram ({ "modes", "staple", "--count", "5", "--json", "--csv", csv, "--uff", uff });
-    REQUIRE (run.exitCode == 0);
-    CHECK (nlohmann::json::parse (run.output)["modes"].size() == 5);
-    CHECK (linesIn (readContent (csv)) == 6);
-    CHECK (readContent (uff).starts_with ("    -1\n   151\n"));
-
-    const auto refused = runProgram ({ "modes", "staple", "--uff", folder.path() });
-    CHECK (refused.exitCode == 1);
-    CHECK (refused.output.empty());
-    CHECK (linesIn (refused.errors) == 1);
-}
-
-TEST_CASE ("modes --report writes a page beside the table, or says in a line why not", "[command line]")
-{
-    const TemporaryFolder folder;
-    const auto run = runProgram ({ "modes", "staple", "--count", "5", "--report", folder.path() / "modes" });
-    REQUIRE (run.exitCode == 0);
-    CHECK (linesIn (run.output) == 7);
-    const auto page = readContent (folder.path() / "modes" / "report.html");
-    CHECK_THAT (page, Catch::Contains ("staple: modes") && Catch::Contains ("The lowest 5 of 5 modes"));
-    const auto refused = runProgram ({ "modes", "staple", "--report", "/dev/null" });
-    CHECK (refused.exitCode == 1);
-    CHECK (linesIn (refused.errors) == 1);
-    CHECK (refused.output.empty());
-}
-
-TEST_CASE ("place writes a device that can be solved, with as many ceramics as asked for", "[command line]")
-{
-    const TemporaryFolder folder;
-    const auto file = folder.path() / "placed.json";
-    const auto run = runProgram (
-        { "place", "aluminium-200x120", "--count", "5", "--size-mm", "20x15", "--modes", "12", "--out", file });
-    REQUIRE (run.exitCode == 0);
-    const auto device = nlohmann::json::parse (readContent (file));
-    REQUIRE (device["ceramics"].size() == 5);
-    CHECK (device["ceramics"][4]["name"] == "C5");
-    CHECK (device["ceramics"][0]["size_x_mm"] == 20);
-    CHECK (device["ceramics"][0]["size_y_mm"] == 15);
-    CHECK (device["ceramics"][0]["material"] == "NCE51");
-    CHECK (runProgram ({ "modes", file, "--count", "5", "--no-cache" }).exitCode == 0);
-
-    const auto beam = folder.path() / "beam.json";
-    CHECK (
-        runProgram ({ "place", "beam", "--count", "3", "--modes", "8", "--frozen", "--quiet", "--out", beam }).exitCode
-        == 0);
-    CHECK (runProgram ({ "modes", beam, "--count", "5", "--no-cache" }).exitCode == 0);
-}
-
-TEST_CASE ("place refuses impossible options in one line that names the option", "[command line]")
-{
-    const TemporaryFolder folder;
-    const auto file = folder.path() / "placed.json";
-
-    for (const auto& arguments : std::vector<ProgramArguments> { { "--size-mm", "20x" },
-                                                                 { "--size-mm", "-3" },
-                                                                 { "--size-mm", "300" },
-                                                                 { "--step-mm", "0" },
-                                                                 { "--step-mm", "0.0001" },
-                                                                 { "--size-mm", "90", "--count", "9" },
-                                                                 { "--size-mm", "1e-9" } })
-    {
-        ProgramArguments all { "place", "phone-bare", "--out", file };
-        all.insert (all.end(), arguments.begin(), arguments.end());
-        const auto run = runProgram (all);
-        CAPTURE (arguments.front().text, arguments[1].text, run.errors);
-        CHECK_THAT (run.errors, Catch::StartsWith ("antinode: --"));
-        CHECK (run.exitCode == 1);
-        CHECK (linesIn (run.errors) == 1);
-        CHECK_FALSE (std::filesystem::exists (file));
-    }
-
-    CHECK (runProgram ({ "place", "phone-bare", "--count", "0" }).exitCode == 2);
-    CHECK (runProgram ({ "place", "phone-bare", "--count", "65" }).exitCode == 2);
 }

@@ -11,12 +11,12 @@ using namespace antinode::test;
 
 namespace
 {
-constexpr Playback bandLimited { Reconstruction::bandLimited, playerRate };
+constexpr Playback atPlayerRate { Reconstruction::bandLimited, playerRate };
 
 std::unique_ptr<const FocusBank> bankOf (const VoltageProgram& program, int place = 60)
 {
     auto bank = std::make_unique<FocusBank>();
-    bank->foci[static_cast<std::size_t> (place)] = std::make_shared<const PlayableFocus> (program, bandLimited);
+    bank->foci[static_cast<std::size_t> (place)] = std::make_shared<const PlayableFocus> (program, atPlayerRate);
     return bank;
 }
 
@@ -79,7 +79,7 @@ TEST_CASE ("A voice of samples fades, and its focus falls on the note", "[engine
     settings.focusOnNote = true;
     const auto program = sampledProgram (9, 0.01, 10);
     auto bank = std::make_unique<FocusBank> (*bankOf (program));
-    bank->foci[1] = std::make_shared<const PlayableFocus> (shortProgram (500, 0.015, 1), bandLimited);
+    bank->foci[1] = std::make_shared<const PlayableFocus> (shortProgram (500, 0.015, 1), atPlayerRate);
     FocusPlayer player (playerCeramics, playerRate, settings);
     player.handOver().give (std::move (bank));
     const auto result = played (player, { triggerAt (10, 60), releaseAt (400, 60) }, 1000, { 50 });
@@ -138,20 +138,20 @@ TEST_CASE ("Samples are refused where they were made for another rate, or are no
     CHECK_THROWS_WITH (PlayableFocus (program, { Reconstruction::bandLimited, 44100 }),
                        Catch::Contains ("was designed for 48000 Hz, band_limited; design it again for 44100 Hz"));
     program.samples->values (3, 5) = std::nan ("");
-    CHECK_THROWS_AS (PlayableFocus (program, bandLimited), InputError);
+    CHECK_THROWS_AS (PlayableFocus (program, atPlayerRate), InputError);
 }
 
 TEST_CASE ("The memory of a bank of samples is known and bounded", "[engine][sampled]")
 {
     // 8 ceramics, 480 samples to the focus and 32 behind it, 4 bytes each.
-    const PlayableFocus small (sampledProgram (1, 0.01, 10), bandLimited);
+    const PlayableFocus small (sampledProgram (1, 0.01, 10), atPlayerRate);
     CHECK (small.sampleBytes() == 8 * 512 * 4);
     CHECK_NOTHROW (requireRoomInBank (small, FocusBank::places));
-    const PlayableFocus large (sampledProgram (1, 1.5, 10), bandLimited);
+    const PlayableFocus large (sampledProgram (1, 1.5, 10), atPlayerRate);
     CHECK_NOTHROW (requireRoomInBank (large, 100));
     CHECK_THROWS_WITH (requireRoomInBank (large, 145),
                        Catch::Contains ("needs 319 MiB for the samples of 145 places; allowed: 256 MiB"));
-    CHECK (PlayableFocus (shortProgram (500, 0.01, 1), bandLimited).sampleBytes() == 0);
+    CHECK (PlayableFocus (shortProgram (500, 0.01, 1), atPlayerRate).sampleBytes() == 0);
 }
 
 TEST_CASE ("Playing samples allocates nothing, while banks change", "[engine][sampled]")

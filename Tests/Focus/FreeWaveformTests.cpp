@@ -18,7 +18,7 @@ using namespace antinode;
 
 namespace
 {
-constexpr Playback bandLimited { Reconstruction::bandLimited, 96000 };
+constexpr Playback at96kHz { Reconstruction::bandLimited, 96000 };
 constexpr Playback held { Reconstruction::zeroOrderHold, 96000 };
 
 FocusDescription freeFocus (double limit)
@@ -35,7 +35,7 @@ FocusDescription freeFocus (double limit)
 /** What any waveform needs, of the focus above: the design without a limit knows it. */
 double lowerBoundVolts (const ModalModel& model)
 {
-    return designFocus (model, freeFocus (150), bandLimited).lowerBoundVoltage;
+    return designFocus (model, freeFocus (150), at96kHz).lowerBoundVoltage;
 }
 
 Render played (const ModalModel& model, const FocusDesign& design, Playback playback)
@@ -52,7 +52,7 @@ Eigen::MatrixXd playedWithNoteOff (const std::shared_ptr<const PlayableFocus>& f
 {
     PlayerSettings settings;
     settings.noteOff = NoteOffBehaviour::brake;
-    FocusPlayer player (8, bandLimited.sampleRate, settings);
+    FocusPlayer player (8, at96kHz.sampleRate, settings);
     auto bank = std::make_unique<FocusBank>();
     bank->foci[60] = focus;
     player.handOver().give (std::move (bank));
@@ -71,7 +71,7 @@ Eigen::MatrixXd playedWithNoteOff (const std::shared_ptr<const PlayableFocus>& f
 /** How large the motion is at a sample, kinetic and elastic: the root of the sum of v_k^2 + (b_k q_k)^2. */
 double motionAt (const ModalModel& model, const Eigen::MatrixXd& voltages, std::int64_t sample)
 {
-    PlateModel plate (model, bandLimited, Eigen::MatrixXd (0, model.modes()));
+    PlateModel plate (model, at96kHz, Eigen::MatrixXd (0, model.modes()));
     Eigen::MatrixXd shown = Eigen::MatrixXd::Zero (voltages.rows(), sample + plate.latencySamples() + 1);
     const auto count = std::min (shown.cols(), voltages.cols());
     shown.leftCols (count) = voltages.leftCols (count);
@@ -88,7 +88,7 @@ TEST_CASE ("A free waveform at its limit brings every controlled mode to its vel
     const auto model = test::sineBeam (20, 8);
     const auto limit = 1.1 * lowerBoundVolts (model);
 
-    for (const auto playback : { bandLimited, held })
+    for (const auto playback : { at96kHz, held })
     {
         const auto design = designFocus (model, freeFocus (limit), playback);
         const auto render = played (model, design, playback);
@@ -112,11 +112,11 @@ TEST_CASE ("No free waveform goes below the bound of all waveforms, and one come
 {
     const auto model = test::sineBeam (20, 8);
     const auto bound = lowerBoundVolts (model);
-    CHECK_NOTHROW (designFocus (model, freeFocus (1.02 * bound), bandLimited));
+    CHECK_NOTHROW (designFocus (model, freeFocus (1.02 * bound), at96kHz));
 
     try
     {
-        designFocus (model, freeFocus (0.9 * bound), bandLimited);
+        designFocus (model, freeFocus (0.9 * bound), at96kHz);
         FAIL ("was not refused");
     }
     catch (const LimitError& error)
@@ -153,7 +153,7 @@ TEST_CASE ("Bounded samples of one mode: a bang-bang voltage at the least peak, 
 TEST_CASE ("A free waveform between its samples: voltages and states are those of the playback", "[freeWaveform]")
 {
     const auto model = test::sineBeam (6, 2);
-    SampledVoltages impulse { bandLimited, 0, Eigen::MatrixXd::Zero (2, 40) };
+    SampledVoltages impulse { at96kHz, 0, Eigen::MatrixXd::Zero (2, 40) };
     impulse.values (0, 20) = 3;
     CHECK (voltagesAt (impulse, 20 / 96000.0)[0] == Approx (3));
     CHECK (std::abs (voltagesAt (impulse, 21 / 96000.0)[0]) < 1e-12);
@@ -174,7 +174,7 @@ TEST_CASE ("A free waveform between its samples: voltages and states are those o
 TEST_CASE ("A free waveform is refused at another rate", "[freeWaveform]")
 {
     const auto model = test::sineBeam (20, 8);
-    const auto design = designFocus (model, freeFocus (150), bandLimited);
+    const auto design = designFocus (model, freeFocus (150), at96kHz);
     CHECK_THROWS_WITH (played (model, design, { Reconstruction::bandLimited, 48000 }),
                        Catch::Contains ("was designed for 96000 Hz, band_limited; design it again for 48000 Hz"));
     CHECK_THROWS_WITH (played (model, design, held), Catch::Contains ("zero_order_hold"));
@@ -185,8 +185,8 @@ TEST_CASE ("A free waveform is refused at another rate", "[freeWaveform]")
 TEST_CASE ("A design to be played has the samples of the complete one", "[freeWaveform]")
 {
     const auto model = test::sineBeam (20, 8);
-    const auto complete = designFocus (model, freeFocus (150), bandLimited);
-    const auto playable = designFocus (model, freeFocus (150), bandLimited, DesignExtent::playable);
+    const auto complete = designFocus (model, freeFocus (150), at96kHz);
+    const auto playable = designFocus (model, freeFocus (150), at96kHz, DesignExtent::playable);
     CHECK (playable.program.samples->values == complete.program.samples->values);
 }
 
@@ -196,11 +196,11 @@ TEST_CASE ("A late brake stops the plate after samples as after oscillations", "
     model.dampingRatios = 40 * model.angularFrequencies.cwiseInverse();
     auto focus = freeFocus (150);
     focus.transients.brakeDuration = 0.02;
-    const auto design = designFocus (model, focus, bandLimited);
-    const auto playable = std::make_shared<const PlayableFocus> (design.program, bandLimited);
+    const auto design = designFocus (model, focus, at96kHz);
+    const auto playable = std::make_shared<const PlayableFocus> (design.program, at96kHz);
     REQUIRE (playable->brake);
     const auto start = playable->brake->startSample();
-    const auto rest = start + std::llround (0.022 * bandLimited.sampleRate);
+    const auto rest = start + std::llround (0.022 * at96kHz.sampleRate);
     const auto leftAfter = [&] (std::int64_t delay)
     {
         const auto voltages = playedWithNoteOff (playable, start + delay, rest + delay);

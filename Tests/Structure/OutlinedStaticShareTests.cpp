@@ -13,7 +13,7 @@ using namespace antinode::examples;
 
 namespace
 {
-constexpr double plateRadius = 0.1, discRadius = 0.02;
+constexpr double outlinedRadius = 0.1, discRadius = 0.02;
 
 CeramicDescription discAt (double x, double y, double radius)
 {
@@ -27,7 +27,7 @@ OutlinedPlate circle (EdgeCondition condition, const std::vector<CeramicDescript
     OutlinedPlate plate;
     plate.common = plainCommon (1e-3);
     plate.common.ceramics = ceramics;
-    plate.outline.paths = { circlePath ({ 0, 0 }, plateRadius, 0) };
+    plate.outline.paths = { circlePath ({ 0, 0 }, outlinedRadius, 0) };
     plate.edges = { { condition } };
     return plate;
 }
@@ -52,7 +52,7 @@ Eigen::MatrixX2d randomPlaces (int count)
 
     for (auto place : places.rowwise())
     {
-        const auto radius = 0.999 * plateRadius * std::sqrt (share (random)),
+        const auto radius = 0.999 * outlinedRadius * std::sqrt (share (random)),
                    angle = 2 * std::numbers::pi * share (random);
         place << radius * std::cos (angle), radius * std::sin (angle);
     }
@@ -69,7 +69,7 @@ TEST_CASE ("A disc bends a simply supported circle statically as its closed form
 
     // w' is 2 c r on the disc, 2 b r + d / r beside it; slope and radial moment go on at its edge, whose jump is the
     // moment per volt, and the moment ends at the plate's edge.
-    const auto ratio = outer.d12 / outer.d11, a = discRadius, b = plateRadius;
+    const auto ratio = outer.d12 / outer.d11, a = discRadius, b = outlinedRadius;
     Eigen::Matrix3d system;
     system << 2 * a, -2 * a, -1 / a,                                                                  //
         2 * (inner.d11 + inner.d12), -2 * (outer.d11 + outer.d12), outer.d11 * (1 - ratio) / (a * a), //

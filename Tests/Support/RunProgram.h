@@ -2,6 +2,7 @@
 
 #include "TemporaryFolder.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -38,6 +39,11 @@ inline std::string readContent (const std::filesystem::path& path)
 {
     std::ifstream stream (path, std::ios::binary);
     return { std::istreambuf_iterator<char> (stream), {} };
+}
+
+inline std::ptrdiff_t linesIn (const std::string& text)
+{
+    return std::count (text.begin(), text.end(), '\n');
 }
 } // namespace antinode::test
 
