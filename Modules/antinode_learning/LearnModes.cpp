@@ -127,8 +127,13 @@ LearntModes learnModes (const ModalModel& model, const std::vector<Sensor>& sens
     {
         Eigen::VectorXd values = Eigen::VectorXd::Zero (problem.all().parameters.size());
 
-        for (auto time = firstTime (prior, problem.all().parameters); time < longest; time *= lengthening)
+        auto time = firstTime (prior, problem.all().parameters);
+
+        while (time < longest)
+        {
             values = problem.solve (problem.clearlyHeard(), std::move (values), time, roughGain, furthest).values;
+            time *= lengthening;
+        }
 
         auto solution = problem.finish (std::move (values), longest);
 
