@@ -4,8 +4,8 @@
 
 namespace antinode
 {
-/** The parameters that recordings say anything of: what would change the signals by less than a tenth of their noise,
-   if it were one standard deviation off, is left as it is.
+/** The parameters that recordings say anything of: those of which they have at least a tenth of the prior's
+   information. The others are left as they are.
     @throws Cancelled  as checkWatch()
     [worker] Docs/Theory.md, section 7.6. */
 LearningParameters heardParameters (const LearningPrior&);

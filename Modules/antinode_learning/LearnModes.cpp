@@ -17,7 +17,7 @@ constexpr double roughGain = 1e-2; // of the objective, relative: less ends a le
 constexpr double firstPhase = 0.5; // rad: by how much the highest mode may be off at the end of the first length
 constexpr double lengthening = 2;
 constexpr double missed = 1.2; // of the noise is not explained: another minimum may do better
-constexpr double allValues = std::numeric_limits<double>::infinity(); // no bound but the problem's own
+constexpr double unbounded = std::numeric_limits<double>::infinity(); // no bound but the problem's own
 
 /** s: until when no mode can be off by more than firstPhase after the voltages have ended or, where they do not end
     before, from the loudest moment on. */
@@ -114,7 +114,7 @@ LearntModes learnModes (const ModalModel& model, const std::vector<Sensor>& sens
     {
         auto values = valuesOf (prior, problem.all().parameters, *before);
         values =
-            problem.solve (problem.clearlyHeard(), std::move (values), longest, LearningProblem::finestGain, allValues)
+            problem.solve (problem.clearlyHeard(), std::move (values), longest, LearningProblem::finestGain, unbounded)
                 .values;
         return learntFrom (prior, problem, problem.finish (std::move (values), longest));
     }
@@ -123,7 +123,7 @@ LearntModes learnModes (const ModalModel& model, const std::vector<Sensor>& sens
     // missed.
     LearningSolution best;
 
-    for (const auto furthest : { 8.0, allValues, 4.0 })
+    for (const auto furthest : { 8.0, unbounded, 4.0 })
     {
         Eigen::VectorXd values = Eigen::VectorXd::Zero (problem.all().parameters.size());
 

@@ -25,7 +25,7 @@ struct LearningParameter
     Eigen::Index sensor = 0;  ///< Of a sensor's parameter.
     Eigen::VectorXd ceramics; ///< N_b, of participation: how much it changes that of each ceramic, relative to it;
                               ///< orthonormal to the others of its mode.
-    double information = 0; ///< What all recordings tell of it, of what is known before, where nothing else is unknown.
+    double information = 0;   ///< Of the recordings, divided by that of the prior, where nothing else is unknown.
 };
 
 /** All unknowns: those of modes, then the common drift, then the delay of each recording. */

@@ -13,8 +13,9 @@ namespace antinode
 {
 namespace
 {
-constexpr int mostSteps = 12;            // of each length of the records
-constexpr double gainOfEach = 0.01;      // of the objective for each unknown, in squares of deviations: less ends any
+constexpr int mostSteps = 12; // of each length of the records
+constexpr double gainOfEach =
+    0.01; // of the objective for each unknown, in squares of deviations: a step that gains less is the last
 constexpr double smallestShare = 0.125;  // of a step
 constexpr double clearlyTold = 10;       // of the prior's information
 constexpr double farthestFrequency = 8;  // deviations: a mode that runs away explains by chance and does not come back
@@ -64,24 +65,26 @@ LearningState LearningProblem::state (const Eigen::VectorXd& values) const
 LearningSolution LearningProblem::solve (const Unknowns& unknowns, Eigen::VectorXd values, double time, double enough,
                                          double furthest) const
 {
-    const Eigen::VectorXd bounds = farthest.cwiseMin (furthest);
+    const Eigen::VectorXd bounds = farthest (unknowns.places).cwiseMin (furthest);
     const auto least = gainOfEach * static_cast<double> (unknowns.parameters.size());
     LearningSolution solution { std::move (values), {}, 0, 0 };
     auto gain = std::numeric_limits<double>::infinity(), objective = 0.0;
 
     for (int i = 0; i < mostSteps && gain >= least + enough * objective; ++i)
     {
+        solution.factored.resize (0, 0); // before another one of its size is made
         auto linear = equations (unknowns, solution.values, time);
         const auto before = linear.misfit.residual + solution.values.squaredNorm();
         objective = before;
         solution.factored = std::move (linear.matrix);
         factorLower (solution.factored);
-        Eigen::VectorXd change = Eigen::VectorXd::Zero (solution.values.size());
-        change (unknowns.places) = solveFactored (solution.factored, linear.right);
+        const Eigen::VectorXd from = solution.values (unknowns.places);
+        const Eigen::VectorXd change = solveFactored (solution.factored, linear.right);
 
         for (auto share = 1.0; share >= smallestShare && ! (objective < before); share /= 2)
         {
-            const Eigen::VectorXd next = (solution.values + share * change).cwiseMax (-bounds).cwiseMin (bounds);
+            auto next = solution.values;
+            next (unknowns.places) = (from + share * change).cwiseMax (-bounds).cwiseMin (bounds);
             const auto reached = misfit (state (next), time).residual + next.squaredNorm();
 
             if (reached < before)

@@ -26,7 +26,8 @@ struct LearningSolution
 class LearningProblem
 {
 public:
-    static constexpr double finestGain = 1e-5; ///< Of the objective, relative: less ends whole records.
+    static constexpr double finestGain =
+        1e-5; ///< Of the objective, relative: a step that gains less is the last of whole records.
 
     /** @param prior  is kept by reference [worker] */
     explicit LearningProblem (const LearningPrior& prior);
@@ -34,8 +35,8 @@ public:
     /** Every parameter that is heard. [any] */
     const Unknowns& all() const { return every; }
 
-    /** Those that are heard clearly, two fifths of them on a plate with hundreds of modes: the others move what is
-        heard by less than a few times the noise. [any] */
+    /** Those of which the recordings have more than ten times the information that was there before, two fifths of
+        them on a plate with hundreds of modes. [any] */
     const Unknowns& clearlyHeard() const { return clear; }
 
     /** The device at values of all parameters. [any] */
@@ -43,7 +44,7 @@ public:
 
     /** The most probable values of some unknowns, from values nearby; the others stay as they are.
         @param time      s, of each record
-        @param enough    a gain of the objective, relative, that ends it
+        @param enough    of the objective: a step that gains less than this share and .01 for each unknown is the last
         @param furthest  deviations that no value leaves
         @throws Cancelled  where the thread's watch says so
         [worker] */

@@ -11,10 +11,11 @@ namespace
 {
 constexpr double mostUnexplained = 0.3; // of the signals, RMS
 constexpr double farthest = 30;         // standard deviations that a frequency may be moved
-constexpr double wellPredicted = 0.5;   // of what the nominal model does not predict
+constexpr double wellPredicted = 0.5;   // of what the nominal model does not predict, beyond the noise, RMS
+constexpr double wellNearNoise = 0.5;   // of its power, where there is little of it
 constexpr double surelyPredicted = 0.1; // of the same
 constexpr double misled = 3;            // of the same: such a model is not played by again
-constexpr double nearNoise = 2;         // of the noise, RMS: below it, powers beyond the noise are compared
+constexpr double nearNoise = 2;         // of the noise, RMS
 constexpr double leastBeyond = 0.1;     // of the noise's power: less is nothing to learn from
 constexpr double stuck = 3;             // of the noise is not explained
 constexpr double clearlyBetter = 0.8;   // of the first play's error
@@ -32,14 +33,16 @@ bool isClearlyBetter (const std::vector<LearningPass>& passes, std::size_t pass)
     return passes[pass].estimatedError < clearlyBetter * passes.front().estimatedError;
 }
 
-/** Whether what was learnt before a play predicts it much better than the nominal model. Where both come near the
-    noise, which nothing predicts, powers beyond it are compared. */
-bool isWellPredicted (const LearningPass& pass)
+/** Whether what was learnt before a play predicts it much better than the nominal model, in powers beyond the noise,
+    which nothing predicts.
+    @param residual  of the noise that was said, what the fit leaves: less where the noise is smaller than that */
+bool isWellPredicted (const LearningPass& pass, double residual)
 {
-    const auto beyond = [] (double surprise) { return surprise * surprise - 1; };
-    const auto isNear = pass.nominalSurprise < nearNoise && beyond (pass.nominalSurprise) > leastBeyond;
-    return pass.surprise < wellPredicted * pass.nominalSurprise
-           || (isNear && beyond (pass.surprise) < wellPredicted * beyond (pass.nominalSurprise));
+    const auto noise = std::min (1.0, residual * residual);
+    const auto learnt = pass.surprise * pass.surprise - noise;
+    const auto nominal = pass.nominalSurprise * pass.nominalSurprise - noise;
+    const auto share = pass.nominalSurprise < nearNoise ? wellNearNoise : wellPredicted * wellPredicted;
+    return nominal > leastBeyond * noise && learnt < share * nominal;
 }
 } // namespace
 
@@ -67,7 +70,7 @@ std::string refusalOf (const LearntFocus& learnt, const ModalModel& nominal, con
     if (auto doubt = doubtOf (learnt.learnt, nominal, deviations); ! doubt.empty())
         return doubt;
 
-    if (learnt.passes.size() > 1 && ! isWellPredicted (last))
+    if (learnt.passes.size() > 1 && ! isWellPredicted (last, learnt.learnt.residual))
         return "What was learnt did not predict the last play much better than the device as it was known.";
 
     // What predicts so well needs no other proof, whatever was left to gain.

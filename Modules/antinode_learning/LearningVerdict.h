@@ -16,7 +16,8 @@ std::string refusalOf (const LearntFocus&, const ModalModel& nominal, const Mode
 /** Whether so much stays unexplained that the fit may be in the wrong minimum. [any] */
 bool isStuck (const LearntModes&);
 
-/** Whether a play was not explained by what misled its design, so that no more is played. [any] */
+/** Whether a play was predicted three times worse than by the nominal model, and is not explained by what was learnt
+   from it either: no more is played then. [any] */
 bool isMisled (const LearningPass&, const LearntModes& learnt);
 
 /** The play that was predicted best by what it was designed with: its field is nearest to what was wanted. The first

@@ -67,7 +67,10 @@ RecordingEquations recordingEquations (const LearningPrior& prior, const Learnin
     // What all modes share reaches every sensor in its own form.
     const Eigen::MatrixXd byDrift =
         prior.deviations.drift * heardBy (state.sensors, motions.byFrequency, logarithms, samples);
-    const Eigen::MatrixXd byDelay = -prior.deviations.delay * recorded.slopesEarlier (state.delays[r], samples);
+    // A longer delay moves the signals, not the prediction. The matrix has the slopes of the latter, which have no
+    // noise.
+    const Eigen::MatrixXd byDelay = -prior.deviations.delay * slopesOf (heard.transpose(), recording.sampleRate);
+    const Eigen::MatrixXd signalsByDelay = -prior.deviations.delay * recorded.slopesEarlier (state.delays[r], samples);
     Eigen::MatrixXd against (samples, 3 * sensors);
     against << residual, byDrift, byDelay;
     RecordingEquations equations { Eigen::MatrixXd::Zero (parameters.size(), parameters.size()), {}, {} };
@@ -78,11 +81,10 @@ RecordingEquations recordingEquations (const LearningPrior& prior, const Learnin
     { return products.middleCols (part * sensors, sensors).cwiseProduct (weighted.transpose()).rowwise().sum(); };
     const auto product = [&] (const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
     { return (a.cwiseProduct (b).colwise().sum() * precision).value(); };
-    // The residual is that of signals that were shifted back: a longer delay moves them, not the prediction.
     const auto drift = parameters.drift(), delay = parameters.delay (r);
     equations.right.head (modal) = summed (0);
     equations.right[drift] = product (byDrift, residual);
-    equations.right[delay] = product (byDelay, residual);
+    equations.right[delay] = product (signalsByDelay, residual);
 
     auto& matrix = equations.matrix;
     takeGram (effects, weighted, logarithms, samples, matrix.topLeftCorner (modal, modal));

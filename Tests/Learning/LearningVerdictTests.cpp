@@ -1,0 +1,59 @@
+#include "Support/SineBeam.h"
+
+#include <antinode_learning/LearningVerdict.h>
+
+#include <catch2/catch.hpp>
+
+using namespace antinode;
+
+namespace
+{
+/** Two plays of a beam: how the last one was predicted, RMS of the noise, and what the fit left. */
+LearntFocus twoPlays (const ModalModel& model, double surprise, double nominalSurprise, double residual = 1)
+{
+    LearntFocus focus;
+    focus.learnt.model = model;
+    focus.learnt.residual = residual;
+    focus.learnt.unexplained = 0.01;
+    focus.passes.resize (2);
+    focus.passes.front().estimatedError = 0.1;
+    focus.passes.back().estimatedError = 0.01;
+    focus.passes.back().surprise = surprise;
+    focus.passes.back().nominalSurprise = nominalSurprise;
+    return focus;
+}
+} // namespace
+
+TEST_CASE ("What was learnt has to leave a quarter of the power beyond the noise, half of it near the noise",
+           "[learning]")
+{
+    const auto model = test::sineBeam (4, 2);
+    const auto spread = sameSpread (model.modes(), 0.01, 0.1, 0.05);
+    const auto isUsed = [&] (double surprise, double nominal, double residual = 1)
+    { return refusalOf (twoPlays (model, surprise, nominal, residual), model, spread).empty(); };
+
+    CHECK (isUsed (25, 60));
+    CHECK_FALSE (isUsed (45, 60));
+    CHECK (isUsed (1.2, 2.1));
+    CHECK_FALSE (isUsed (1.5, 2.1));
+    CHECK (isUsed (1.1, 1.3));
+    CHECK_FALSE (isUsed (1.25, 1.3));
+    // Below .1 of the noise's power there is nothing to learn.
+    CHECK_FALSE (isUsed (1, 1.04));
+    // There is less noise than was said: the fit leaves half of it.
+    CHECK_FALSE (isUsed (1.1, 1.3, 0.5));
+    CHECK (isUsed (0.6, 1.3, 0.5));
+}
+
+TEST_CASE ("Plays end where one was predicted three times worse and is not explained afterwards", "[learning]")
+{
+    const auto model = test::sineBeam (4, 2);
+    const auto isMisledBy = [&] (double surprise, double nominal, double residual)
+    {
+        const auto focus = twoPlays (model, surprise, nominal, residual);
+        return isMisled (focus.passes.back(), focus.learnt);
+    };
+    CHECK (isMisledBy (40, 10, 4));
+    CHECK_FALSE (isMisledBy (40, 10, 1.1));
+    CHECK_FALSE (isMisledBy (20, 10, 4));
+}
