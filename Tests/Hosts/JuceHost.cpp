@@ -13,11 +13,15 @@
 #include <stdexcept>
 #include <thread>
 
-namespace juce
-{
 // Of juce_events, for those who run no loop of its own; no header has it.
+#if JUCE_MAJOR_VERSION < 8
+namespace juce
+#else
+namespace juce::detail
+#endif
+{
 bool dispatchNextMessageOnSystemQueue (bool returnIfNoPendingMessages);
-} // namespace juce
+}
 
 namespace antinode::test
 {
@@ -190,11 +194,20 @@ void waitForSteps (juce::AudioPluginInstance& instance, const BuiltPlugin& plugi
 
         play (instance, plugin, 64, 64, -1);
 
-        if (! juce::dispatchNextMessageOnSystemQueue (true))
+        if (! answerNextMessage())
             std::this_thread::sleep_for (std::chrono::milliseconds (1));
     }
 
     play (instance, plugin, 64, 64, -1);
+}
+
+bool answerNextMessage()
+{
+    using namespace juce;
+#if JUCE_MAJOR_VERSION >= 8
+    using namespace juce::detail;
+#endif
+    return dispatchNextMessageOnSystemQueue (true);
 }
 
 void runInBackground (const std::function<void()>& work)
@@ -208,7 +221,7 @@ void runInBackground (const std::function<void()>& work)
         });
 
     while (! isDone)
-        if (! juce::dispatchNextMessageOnSystemQueue (true))
+        if (! answerNextMessage())
             std::this_thread::sleep_for (std::chrono::milliseconds (1));
 
     background.join();

@@ -12,11 +12,6 @@
 
 using namespace antinode::test;
 
-namespace juce
-{
-bool dispatchNextMessageOnSystemQueue (bool returnIfNoPendingMessages); // No header has it.
-}
-
 namespace
 {
 using Clock = std::chrono::steady_clock;
@@ -31,7 +26,7 @@ void answerMessages (std::chrono::milliseconds time)
     const auto end = Clock::now() + time;
 
     while (Clock::now() < end)
-        if (! juce::dispatchNextMessageOnSystemQueue (true))
+        if (! answerNextMessage())
             std::this_thread::sleep_for (std::chrono::milliseconds (1));
 }
 

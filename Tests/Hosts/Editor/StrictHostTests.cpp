@@ -13,11 +13,6 @@
 
 using namespace antinode::test;
 
-namespace juce
-{
-bool dispatchNextMessageOnSystemQueue (bool returnIfNoPendingMessages); // No header has it.
-}
-
 namespace
 {
 using Clock = std::chrono::steady_clock;
@@ -192,7 +187,7 @@ private:
 
         do
         {
-            if (! juce::dispatchNextMessageOnSystemQueue (true))
+            if (! answerNextMessage())
                 std::this_thread::sleep_for (std::chrono::milliseconds (1));
         } while (Clock::now() < end);
     }
