@@ -137,8 +137,11 @@ TEST_CASE ("Whatever a host automates in each block, voltages stay finite and wi
 
 TEST_CASE ("Parameters have names, texts both ways, and the numbers of values that they say", "[hosted]")
 {
-    const auto instance = hosted ({ PluginKind::vst3, 8 });
+    const BuiltPlugin plugin { PluginKind::vst3, 8 };
+    const auto instance = hosted (plugin);
     REQUIRE (instance->getParameters().size() > 15);
+    // Places are in percent until the device is solved, then in millimetres.
+    waitForSteps (*instance, plugin);
 
     for (auto* const parameter : instance->getParameters())
     {
