@@ -6,6 +6,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_engine/OfflineRender.h>
+#include <antinode_numerics/Median.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +41,18 @@ Eigen::MatrixXd predictedWhilePlayed (const ModalModel& model, const std::vector
         signals.col (static_cast<Eigen::Index> (m)) = velocities * sensors[m].shapes.transpose();
 
     return signals;
+}
+
+/** What sensors hear until the voltages have ended, of what a model predicts of it: RMS, the median of the sensors. */
+double loudnessOf (const ModalModel& model, const std::vector<Sensor>& sensors, const PlayedRecording& recording)
+{
+    const auto predicted = predictedWhilePlayed (model, sensors, recording);
+    const auto latest = (recording.delay + recording.delaySpan) * recording.sampleRate;
+    const auto samples =
+        std::min (recording.signals.cols(), predicted.rows() + static_cast<Eigen::Index> (std::ceil (latest)));
+    const Eigen::VectorXd heard = recording.signals.leftCols (samples).rowwise().norm();
+    const Eigen::VectorXd ratios = heard.array() / predicted.colwise().norm().transpose().array().max (1e-300);
+    return median ({ ratios.begin(), ratios.end() });
 }
 
 /** The same recording for each delay that it may have, the most likely one first; alone where the delay is known. */
@@ -124,6 +137,7 @@ public:
         auto own = deviations;
         LearningPass pass;
         pass.voltages = recording.voltages;
+        pass.loudness = loudnessOf (nominal.model, sensors, recording);
         pass.surprise = surprise (learnt.model, learnt.sensors, deviations, recording);
         pass.nominalSurprise = surprise (nominal.model, sensors, deviations, recording);
 
@@ -204,7 +218,7 @@ LearntFocus learnFocus (const WideModel& nominal, const FocusDescription& focus,
         result.learnt = learner.now();
 
         if ((i > 0 && isMisled (result.passes.back(), result.learnt))
-            || ! doubtOf (result.learnt, nominal.model, deviations).empty())
+            || ! doubtOf (result.passes.back(), result.learnt, nominal.model, deviations).empty())
             break;
 
         result.wide = wideWith (nominal, result.learnt.model);

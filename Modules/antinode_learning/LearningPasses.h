@@ -37,9 +37,11 @@ struct LearningPass
     Eigen::MatrixXd voltages;   ///< N_b x N_s, V
     double surprise = 0;        ///< RMS of what the model it was designed by did not predict, of the noise.
     double nominalSurprise = 0; ///< The same of the nominal model.
-    double delay = 0;           ///< s, of the recording, as it was known or found.
-    double estimatedError = 0;  ///< Of its field at the focus against that of the last design, by what is
-                                ///< known in the end: RMS, of the latter's.
+    double loudness = 1; ///< What sensors hear while voltages are played, of what the nominal model predicts: RMS,
+                         ///< the median of the sensors.
+    double delay = 0;    ///< s, of the recording, as it was known or found.
+    double estimatedError = 0; ///< Of its field at the focus against that of the last design, by what is
+                               ///< known in the end: RMS, of the latter's.
 };
 
 /** A focus after some plays. */

@@ -13,8 +13,9 @@ constexpr double mostUnexplained = 0.3; // of the signals, RMS
 constexpr double farthest = 30;         // standard deviations that a frequency may be moved
 constexpr double wellPredicted = 0.5;   // of what the nominal model does not predict, beyond the noise, RMS
 constexpr double wellNearNoise = 0.5;   // of its power, where there is little of it
-constexpr double surelyPredicted = 0.1; // of the same
+constexpr double surelyPredicted = 0.1; // of what the nominal model does not predict, RMS
 constexpr double misled = 3;            // of the same: such a model is not played by again
+constexpr double farFromPredicted = 10; // times louder or less loud: no device differs so much from its model
 constexpr double nearNoise = 2;         // of the noise, RMS
 constexpr double leastBeyond = 0.1;     // of the noise's power: less is nothing to learn from
 constexpr double stuck = 3;             // of the noise is not explained
@@ -46,7 +47,8 @@ bool isWellPredicted (const LearningPass& pass, double residual)
 }
 } // namespace
 
-std::string doubtOf (const LearntModes& learnt, const ModalModel& nominal, const ModeSpread& deviations)
+std::string doubtOf (const LearningPass& pass, const LearntModes& learnt, const ModalModel& nominal,
+                     const ModeSpread& deviations)
 {
     constexpr double percent = 100;
 
@@ -54,6 +56,12 @@ std::string doubtOf (const LearntModes& learnt, const ModalModel& nominal, const
         return "The model does not explain " + inWords (percent * learnt.unexplained)
                + " % of the signals; allowed: below " + inWords (percent * mostUnexplained)
                + " %. Check sensors, channels and places.";
+
+    // A sensor that is dead is explained by ceramics that do nothing.
+    if (! (pass.loudness > 1 / farFromPredicted && pass.loudness < farFromPredicted))
+        return "Sensors hear " + inWords (percent * pass.loudness)
+               + " % of what the device as it was known predicts; allowed: " + inWords (percent / farFromPredicted)
+               + " to " + inWords (percent * farFromPredicted) + " %. Check sensors, channels and units.";
 
     if (const auto move = farthestMove (learnt, nominal, deviations); ! (move < farthest))
         return "A frequency would be " + inWords (move)
@@ -67,7 +75,7 @@ std::string refusalOf (const LearntFocus& learnt, const ModalModel& nominal, con
 {
     const auto& last = learnt.passes.back();
 
-    if (auto doubt = doubtOf (learnt.learnt, nominal, deviations); ! doubt.empty())
+    if (auto doubt = doubtOf (last, learnt.learnt, nominal, deviations); ! doubt.empty())
         return doubt;
 
     if (learnt.passes.size() > 1 && ! isWellPredicted (last, learnt.learnt.residual))

@@ -7,8 +7,11 @@
 
 namespace antinode
 {
-/** Why no design can be made of what was learnt, a sentence; empty: one can. [any] Docs/Theory.md, section 7.6. */
-std::string doubtOf (const LearntModes& learnt, const ModalModel& nominal, const ModeSpread& deviations);
+/** Why no design can be made of what was learnt, a sentence; empty: one can.
+    @param pass  the last one
+    [any] Docs/Theory.md, section 7.6. */
+std::string doubtOf (const LearningPass& pass, const LearntModes& learnt, const ModalModel& nominal,
+                     const ModeSpread& deviations);
 
 /** Why what was learnt is not used after all plays, a sentence; empty: it is. [any] */
 std::string refusalOf (const LearntFocus&, const ModalModel& nominal, const ModeSpread& deviations);

@@ -100,6 +100,7 @@ TEST_CASE ("learn changes nothing where sensors are dead, and says what recordin
 
     recordPass (pass, 1e-6);
     run = runProgram (recorded);
+    INFO (run.output);
     CHECK (run.exitCode == 0);
     CHECK (run.output.find ("Nothing is changed. The model does not explain") != std::string::npos);
     CHECK (readContent (folder.path() / "pass2" / "voltages.wav") == readContent (pass / "voltages.wav"));

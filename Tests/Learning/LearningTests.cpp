@@ -326,6 +326,7 @@ TEST_CASE ("Sensors that are swapped, silent or clipped are refused, and the fir
     };
     CHECK (isRefused ([] (PlayedRecording& r) { r.signals.row (0).swap (r.signals.row (2)); }));
     CHECK (isRefused ([] (PlayedRecording& r) { r.signals.setZero(); }));
+    CHECK (isRefused ([] (PlayedRecording& r) { r.signals *= 1e-6, r.noise *= 1e-6; }));
     CHECK (isRefused (
         [] (PlayedRecording& r)
         {

@@ -45,6 +45,27 @@ TEST_CASE ("What was learnt has to leave a quarter of the power beyond the noise
     CHECK (isUsed (0.6, 1.3, 0.5));
 }
 
+TEST_CASE ("Sensors that are ten times louder or less loud than predicted are refused, however well explained",
+           "[learning]")
+{
+    const auto model = test::sineBeam (4, 2);
+    const auto spread = sameSpread (model.modes(), 0.01, 0.1, 0.05);
+
+    for (const auto loudness : { 1e-6, 0.09, 11.0, 1e6 })
+    {
+        auto focus = twoPlays (model, 1, 60);
+        focus.passes.back().loudness = loudness;
+        CHECK_THAT (refusalOf (focus, model, spread), Catch::Contains ("Check sensors, channels and units."));
+    }
+
+    for (const auto loudness : { 0.2, 1.0, 5.0 })
+    {
+        auto focus = twoPlays (model, 1, 60);
+        focus.passes.back().loudness = loudness;
+        CHECK (refusalOf (focus, model, spread).empty());
+    }
+}
+
 TEST_CASE ("Plays end where one was predicted three times worse and is not explained afterwards", "[learning]")
 {
     const auto model = test::sineBeam (4, 2);
