@@ -5,6 +5,7 @@
 #include <antinode_numerics/DenseKernels.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -18,6 +19,8 @@ constexpr double firstPhase = 0.5; // rad: by how much the highest mode may be o
 constexpr double lengthening = 2;
 constexpr double missed = 1.2; // of the noise is not explained: another minimum may do better
 constexpr double unbounded = std::numeric_limits<double>::infinity(); // no bound but the problem's own
+
+constexpr std::array boundsToTry { 8.0, unbounded, 4.0 }; // deviations that no value leaves while the record grows
 
 /** s: until when no mode can be off by more than firstPhase after the voltages have ended or, where they do not end
     before, from the loudest moment on. */
@@ -123,10 +126,9 @@ LearntModes learnModes (const ModalModel& model, const std::vector<Sensor>& sens
     // missed.
     LearningSolution best;
 
-    for (const auto furthest : { 8.0, unbounded, 4.0 })
+    for (const auto furthest : boundsToTry)
     {
         Eigen::VectorXd values = Eigen::VectorXd::Zero (problem.all().parameters.size());
-
         auto time = firstTime (prior, problem.all().parameters);
 
         while (time < longest)

@@ -26,8 +26,8 @@ struct LearningSolution
 class LearningProblem
 {
 public:
-    static constexpr double finestGain =
-        1e-5; ///< Of the objective, relative: a step that gains less is the last of whole records.
+    /** Of the objective: a step that gains less than this share is the last of whole records. */
+    static constexpr double finestGain = 1e-5;
 
     /** @param prior  is kept by reference [worker] */
     explicit LearningProblem (const LearningPrior& prior);

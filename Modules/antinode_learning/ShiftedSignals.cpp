@@ -9,6 +9,17 @@ namespace antinode
 namespace
 {
 constexpr Eigen::Index edge = 128; // samples beside the end of a signal that is shifted by a part of a sample
+
+/** The lines of a signal to those of its slope, of signals of a length. */
+void takeSlope (Eigen::VectorXcd& lines, double sampleRate, Eigen::Index length)
+{
+    const auto step = 2 * std::numbers::pi * sampleRate / static_cast<double> (length); // rad/s from line to line
+
+    for (Eigen::Index k = 0; k < lines.size(); ++k)
+        lines[k] *= std::complex<double> (0, step * static_cast<double> (k));
+
+    lines[lines.size() - 1] = 0; // of the Nyquist frequency samples know no slope
+}
 } // namespace
 
 ShiftedSignals::ShiftedSignals (const PlayedRecording& recording)
@@ -32,13 +43,8 @@ const Eigen::MatrixXd& ShiftedSignals::earlier (double delay, Eigen::Index sampl
 
 Eigen::MatrixXd ShiftedSignals::slopesEarlier (double delay, Eigen::Index samples)
 {
-    const auto step = 2 * std::numbers::pi * rate / static_cast<double> (length); // rad/s from line to line
     Eigen::VectorXcd factors = turnsOf (delay);
-
-    for (Eigen::Index k = 0; k < factors.size(); ++k)
-        factors[k] *= std::complex<double> (0, step * static_cast<double> (k));
-
-    factors[factors.size() - 1] = 0; // of the Nyquist frequency samples know no slope
+    takeSlope (factors, rate, length);
     return filtered (factors, samples);
 }
 
@@ -68,18 +74,13 @@ Eigen::MatrixXd slopesOf (const Eigen::MatrixXd& rows, double sampleRate)
 {
     constexpr double silence = 256; // samples, before the signal comes round again
     const auto length = quickLength (static_cast<double> (rows.cols()) + silence);
-    const auto turn = 2 * std::numbers::pi * sampleRate / static_cast<double> (length);
     Eigen::MatrixXd slopes (rows.cols(), rows.rows());
     FourierTables tables;
 
     for (Eigen::Index i = 0; i < rows.rows(); ++i)
     {
         auto spectrum = tables.forward (rows.row (i).transpose(), length);
-
-        for (Eigen::Index k = 0; k < spectrum.size(); ++k)
-            spectrum[k] *= std::complex<double> (0, turn * static_cast<double> (k));
-
-        spectrum[spectrum.size() - 1] = 0; // of the Nyquist frequency samples know no slope
+        takeSlope (spectrum, sampleRate, length);
         slopes.col (i) = tables.inverse (spectrum, length).head (rows.cols());
     }
 
