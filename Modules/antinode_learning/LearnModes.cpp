@@ -148,4 +148,16 @@ LearntModes learnModes (const ModalModel& model, const std::vector<Sensor>& sens
 
     return learntFrom (prior, problem, best);
 }
+
+double misfitOfBeginning (const ModalModel& model, const std::vector<Sensor>& sensors, const ModeSpread& deviations,
+                          const PlayedRecording& recording)
+{
+    const std::vector<PlayedRecording> one { recording };
+    const auto prior = makePrior (model, sensors, deviations, one);
+    const LearningProblem problem (prior);
+    const auto time = firstTime (prior, problem.all().parameters);
+    const Eigen::VectorXd nominal = Eigen::VectorXd::Zero (problem.all().parameters.size());
+    const auto solution = problem.solve (problem.clearlyHeard(), nominal, time, roughGain, boundsToTry.front());
+    return problem.distance (solution.values, time);
+}
 } // namespace antinode

@@ -31,4 +31,10 @@ struct LearntModes
     [worker] Docs/Theory.md, section 7.6. */
 LearntModes learnModes (const ModalModel&, const std::vector<Sensor>&, const ModeSpread&,
                         const std::vector<PlayedRecording>& recordings, const LearntModes* before = nullptr);
+
+/** How far the most probable device is from the beginning of a recording, in which no mode can be half a turn wrong:
+    RMS of what it leaves and of its deviations, of the noise. Of several delays, the right one leaves least.
+    @throws  as learnModes
+    [worker] Docs/Theory.md, section 7.6. */
+double misfitOfBeginning (const ModalModel&, const std::vector<Sensor>&, const ModeSpread&, const PlayedRecording&);
 } // namespace antinode

@@ -55,6 +55,14 @@ double loudnessOf (const ModalModel& model, const std::vector<Sensor>& sensors, 
     return median ({ ratios.begin(), ratios.end() });
 }
 
+/** A device that answers as devices do in the mean whose frequencies are off by so many deviations: their phases part,
+    as if modes were damped more. */
+ModalModel inTheMean (ModalModel model, const Eigen::VectorXd& frequencyDeviations)
+{
+    model.dampingRatios += frequencyDeviations;
+    return model;
+}
+
 /** The same recording for each delay that it may have, the most likely one first; alone where the delay is known. */
 std::vector<PlayedRecording> withLikelyDelays (const ModalModel& model, const std::vector<Sensor>& sensors,
                                                const PlayedRecording& recording, std::size_t most)
@@ -131,7 +139,6 @@ public:
         @return  what it was before: surprises and the delay */
     LearningPass hear (const PlayedRecording& recording)
     {
-        constexpr std::size_t mostDelays = 4;  // of the first play, of which nothing is known
         constexpr double wellExplained = 0.05; // of the signals: no other delay is tried
         requireUsable (nominal.model, sensors, deviations, { recording });
         auto own = deviations;
@@ -147,8 +154,7 @@ public:
         std::optional<LearntModes> best;
         PlayedRecording chosen;
 
-        for (auto& candidate :
-             withLikelyDelays (learnt.model, learnt.sensors, recording, recordings.empty() ? mostDelays : 1))
+        for (auto& candidate : withDelaysToTry (recording, own))
         {
             recordings.push_back (std::move (candidate));
             auto now = learnModes (nominal.model, sensors, own, recordings, recordings.size() > 1 ? &learnt : nullptr);
@@ -178,6 +184,35 @@ public:
     const LearntModes& now() const { return learnt; }
 
 private:
+    /** The recording by the delays that it may have: of the first play, of which nothing is known, several, the one
+        first by which its beginning is explained best. */
+    std::vector<PlayedRecording> withDelaysToTry (const PlayedRecording& recording, const ModeSpread& own) const
+    {
+        constexpr std::size_t mostLikely = 24, mostTried = 4;
+        const auto mean = inTheMean (learnt.model, learnt.frequencyDeviations);
+        auto candidates = withLikelyDelays (mean, learnt.sensors, recording, recordings.empty() ? mostLikely : 1);
+
+        if (candidates.size() < 2)
+            return candidates;
+
+        std::vector<std::pair<double, PlayedRecording>> ranked;
+
+        for (auto& candidate : candidates)
+        {
+            const auto misfit = misfitOfBeginning (nominal.model, sensors, own, candidate);
+            ranked.emplace_back (misfit, std::move (candidate));
+        }
+
+        std::sort (ranked.begin(), ranked.end(), [] (const auto& a, const auto& b) { return a.first < b.first; });
+        candidates.clear();
+
+        for (auto& [misfit, candidate] : ranked)
+            if (candidates.size() < mostTried)
+                candidates.push_back (std::move (candidate));
+
+        return candidates;
+    }
+
     static constexpr double foundDelay = 100e-6; // s: deviation of a delay that was found by a model that is off
 
     const WideModel& nominal;

@@ -109,6 +109,12 @@ LearningSolution LearningProblem::finish (Eigen::VectorXd values, double time) c
     return solution;
 }
 
+double LearningProblem::distance (const Eigen::VectorXd& values, double time) const
+{
+    const auto end = misfit (state (values), time);
+    return std::sqrt ((end.residual + values.squaredNorm()) / end.samples);
+}
+
 RecordingMisfit LearningProblem::misfit (const LearningState& now, double time) const
 {
     RecordingMisfit sum;

@@ -55,6 +55,9 @@ public:
         [worker] */
     LearningSolution finish (Eigen::VectorXd values, double time) const;
 
+    /** What values leave of the records up to a time, and their own deviations: RMS, of the noise. [worker] */
+    double distance (const Eigen::VectorXd& values, double time) const;
+
 private:
     RecordingMisfit misfit (const LearningState&, double time) const;
     RecordingEquations equations (const Unknowns&, const Eigen::VectorXd& values, double time) const;

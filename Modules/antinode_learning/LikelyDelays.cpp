@@ -10,7 +10,7 @@ namespace antinode
 {
 namespace
 {
-constexpr double leastShare = 0.5; // of the largest correlation
+constexpr double leastShare = 0.25; // of the largest correlation
 
 /** By lags from 0 on, in samples: all sensors together, by their noise. */
 Eigen::VectorXd correlation (const PlayedRecording& recording, const Eigen::MatrixXd& predicted)

@@ -68,17 +68,24 @@ struct Bench
         return result;
     }
 
+    /** Those of a model at the sensors: sensors x modes. */
+    Eigen::MatrixXd shapes (const ModalModel& model) const
+    {
+        Eigen::MatrixXd rows (static_cast<Eigen::Index> (places.size()), model.modes());
+
+        for (Eigen::Index m = 0; m < rows.rows(); ++m)
+            rows.row (m) = shapesAt (model, places[static_cast<std::size_t> (m)], 0);
+
+        return rows;
+    }
+
     PlayedRecording operator() (const Eigen::MatrixXd& voltages, int pass) const
     {
-        Eigen::MatrixXd shapes (static_cast<Eigen::Index> (places.size()), truth.modes());
-
-        for (Eigen::Index m = 0; m < shapes.rows(); ++m)
-            shapes.row (m) = shapesAt (truth, places[static_cast<std::size_t> (m)], 0);
-
         const auto isKnown = delaySpan == 0;
         const auto late = static_cast<Eigen::Index> (delay * benchRate) + (isKnown ? 0 : 61 * pass);
-        Eigen::MatrixXd signals = Eigen::MatrixXd::Zero (shapes.rows(), voltages.cols());
-        signals.rightCols (signals.cols() - late) = played (truth, shapes, voltages).leftCols (signals.cols() - late);
+        const auto heard = played (truth, shapes (truth), voltages);
+        Eigen::MatrixXd signals = Eigen::MatrixXd::Zero (heard.rows(), heard.cols());
+        signals.rightCols (signals.cols() - late) = heard.leftCols (signals.cols() - late);
         RandomNumbers random (static_cast<std::uint64_t> (100 + pass));
         const Eigen::VectorXd deviations =
             noise * signals.rowwise().norm() / std::sqrt (static_cast<double> (signals.cols()));
