@@ -150,9 +150,9 @@ LearntModes learnModes (const ModalModel& model, const std::vector<Sensor>& sens
 }
 
 double misfitOfBeginning (const ModalModel& model, const std::vector<Sensor>& sensors, const ModeSpread& deviations,
-                          const PlayedRecording& recording)
+                          PlayedRecording recording)
 {
-    const std::vector<PlayedRecording> one { recording };
+    const std::vector<PlayedRecording> one { std::move (recording) };
     const auto prior = makePrior (model, sensors, deviations, one);
     const LearningProblem problem (prior);
     const auto time = firstTime (prior, problem.all().parameters);

@@ -36,5 +36,5 @@ LearntModes learnModes (const ModalModel&, const std::vector<Sensor>&, const Mod
     RMS of what it leaves and of its deviations, of the noise. Of several delays, the right one leaves least.
     @throws  as learnModes
     [worker] Docs/Theory.md, section 7.6. */
-double misfitOfBeginning (const ModalModel&, const std::vector<Sensor>&, const ModeSpread&, const PlayedRecording&);
+double misfitOfBeginning (const ModalModel&, const std::vector<Sensor>&, const ModeSpread&, PlayedRecording);
 } // namespace antinode

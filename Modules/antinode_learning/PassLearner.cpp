@@ -1,0 +1,173 @@
+#include "PassLearner.h"
+
+#include "LearningVerdict.h"
+#include "LikelyDelays.h"
+#include "RecordingEquations.h"
+
+#include <antinode_numerics/Median.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+constexpr std::size_t mostLikely = 24; // delays of the first play, of which nothing is known: by the beginning
+constexpr std::size_t mostTried = 4;   // of them on the whole record
+constexpr double wellExplained = 0.05; // of the signals: no other delay is tried
+constexpr double foundDelay = 100e-6;  // s: deviation of a delay that was found by a model that is off
+
+/** What sensors would hear without delay until the voltages end: samples x N. Later phases of a model that is off are
+    no help to find a delay. */
+Eigen::MatrixXd predictedWhilePlayed (const ModalModel& model, const std::vector<Sensor>& sensors,
+                                      const PlayedRecording& recording)
+{
+    const PlayedVoltages voltages (recording.voltages, recording.sampleRate);
+    const auto velocities = modeVelocities (model, voltages, voltages.drivenSamples());
+    Eigen::MatrixXd signals (velocities.rows(), std::ssize (sensors));
+
+    for (std::size_t m = 0; m < sensors.size(); ++m)
+        signals.col (static_cast<Eigen::Index> (m)) = velocities * sensors[m].shapes.transpose();
+
+    return signals;
+}
+
+/** What sensors hear until the voltages have ended, of what a model predicts of it: RMS, the median of the sensors. */
+double loudnessOf (const ModalModel& model, const std::vector<Sensor>& sensors, const PlayedRecording& recording)
+{
+    const auto predicted = predictedWhilePlayed (model, sensors, recording);
+    const auto latest = (recording.delay + recording.delaySpan) * recording.sampleRate;
+    const auto samples =
+        std::min (recording.signals.cols(), predicted.rows() + static_cast<Eigen::Index> (std::ceil (latest)));
+    const Eigen::VectorXd heard = recording.signals.leftCols (samples).rowwise().norm();
+    const Eigen::VectorXd ratios = heard.array() / predicted.colwise().norm().transpose().array().max (1e-300);
+    return median ({ ratios.begin(), ratios.end() });
+}
+
+/** A device that answers as devices do in the mean whose frequencies are off by so many deviations: their phases part,
+    as if modes were damped more. */
+ModalModel inTheMean (ModalModel model, const Eigen::VectorXd& frequencyDeviations)
+{
+    model.dampingRatios += frequencyDeviations;
+    return model;
+}
+
+/** s: at most so many delays that a recording may have, the most likely one first; its own where that is known. */
+std::vector<double> delaysBy (const ModalModel& model, const std::vector<Sensor>& sensors,
+                              const PlayedRecording& recording, std::size_t most)
+{
+    if (! (recording.delaySpan > 0))
+        return { recording.delay };
+
+    return likelyDelays (recording, predictedWhilePlayed (model, sensors, recording), most);
+}
+
+PlayedRecording withDelay (PlayedRecording recording, double delay)
+{
+    recording.delay = delay;
+    recording.delaySpan = 0;
+    return recording;
+}
+
+/** RMS of what a model does not predict of a recording, of the noise; by the most likely delay for this model. */
+double surprise (const ModalModel& model, const std::vector<Sensor>& sensors, const ModeSpread& deviations,
+                 const PlayedRecording& recording)
+{
+    const std::vector<PlayedRecording> one { withDelay (recording, delaysBy (model, sensors, recording, 1).front()) };
+    const auto prior = makePrior (model, sensors, deviations, one);
+    LearningParameters none;
+    none.recordings = 1;
+    const auto state = stateAt (prior, none, Eigen::VectorXd::Zero (none.size()));
+    const auto samples = comparableSamples (one.front());
+    const auto misfit = recordingMisfit (prior, state, 0, samples);
+    return std::sqrt (misfit.residual / misfit.samples);
+}
+} // namespace
+
+PassLearner::PassLearner (const WideModel& model, const std::vector<Sensor>& listening, const ModeSpread& spread)
+    : nominal (model), sensors (listening),
+      deviations (spread), learnt { model.model,          listening, {}, spread.frequencies, spread.dampings,
+                                    spread.participation, 0,         0 }
+{
+}
+
+LearningPass PassLearner::hear (const PlayedRecording& recording)
+{
+    requireUsable (nominal.model, sensors, deviations, { recording });
+    auto own = deviations;
+    LearningPass pass;
+    pass.voltages = recording.voltages;
+    pass.loudness = loudnessOf (nominal.model, sensors, recording);
+    pass.surprise = surprise (learnt.model, learnt.sensors, deviations, recording);
+    pass.nominalSurprise = surprise (nominal.model, sensors, deviations, recording);
+
+    if (recording.delaySpan > 0)
+        own.delay = std::max (own.delay, foundDelay);
+
+    std::optional<LearntModes> best;
+    auto chosen = recording.delay;
+
+    for (const auto delay : delaysToTry (recording, own))
+    {
+        recordings.push_back (withDelay (recording, delay));
+
+        if (auto now = learntWith (own); ! best || now.residual < best->residual)
+        {
+            best = std::move (now);
+            chosen = delay;
+        }
+
+        recordings.pop_back();
+
+        if (best->unexplained < wellExplained)
+            break;
+    }
+
+    recordings.push_back (withDelay (recording, chosen));
+    learnt = std::move (*best);
+    pass.delay = learnt.delays[learnt.delays.size() - 1];
+    return pass;
+}
+
+/** The device by all recordings; from its beginning again where the way from what was known gets stuck. */
+LearntModes PassLearner::learntWith (const ModeSpread& own) const
+{
+    const auto isFirst = recordings.size() == 1;
+    auto now = learnModes (nominal.model, sensors, own, recordings, isFirst ? nullptr : &learnt);
+
+    if (! isFirst && isStuck (now))
+        if (auto again = learnModes (nominal.model, sensors, own, recordings); again.residual < now.residual)
+            return again;
+
+    return now;
+}
+
+/** s: the delays that a recording may have: of the first play several, first the one by which its beginning is
+    explained best. */
+std::vector<double> PassLearner::delaysToTry (const PlayedRecording& recording, const ModeSpread& own) const
+{
+    const auto mean = inTheMean (learnt.model, learnt.frequencyDeviations);
+    auto delays = delaysBy (mean, learnt.sensors, recording, recordings.empty() ? mostLikely : 1);
+
+    if (delays.size() == 1)
+        return delays;
+
+    std::vector<std::pair<double, double>> ranked; // misfit, delay
+    ranked.reserve (delays.size());
+
+    for (const auto delay : delays)
+        ranked.emplace_back (misfitOfBeginning (nominal.model, sensors, own, withDelay (recording, delay)), delay);
+
+    std::sort (ranked.begin(), ranked.end());
+    delays.clear();
+
+    for (const auto& [misfit, delay] : ranked)
+        if (delays.size() < mostTried)
+            delays.push_back (delay);
+
+    return delays;
+}
+} // namespace antinode
