@@ -31,7 +31,7 @@ public:
 
     void waitUntil (const std::function<bool()>& isReached)
     {
-        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds (20);
+        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds (60);
 
         do
         {
