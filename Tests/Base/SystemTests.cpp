@@ -52,7 +52,7 @@ TEST_CASE ("A folder says that it is one, a missing file that it is missing", "[
     CHECK (errno == ENOENT);
 }
 
-TEST_CASE ("This process runs; a number that no process has does not", "[system]")
+TEST_CASE ("This process runs, a number that no process has does not", "[system]")
 {
     constexpr auto beyondAll = 2'000'000'003;
     CHECK (ownProcess() > 0);

@@ -233,7 +233,7 @@ TEST_CASE ("A design that was written plays the same voltages again, without its
     CHECK (runProgram ({ "render", "demonstrator", "--design", design }).exitCode == 2);
 }
 
-TEST_CASE ("A focus plays on the device that it names; several must name one", "[command line]")
+TEST_CASE ("A focus plays on the device that it names, and several must name one", "[command line]")
 {
     const TemporaryFolder folder;
     const auto named = runProgram ({ "design", "--set", "focus.device=beam", "--out", folder.path() });

@@ -167,7 +167,7 @@ TEST_CASE ("Errors for typical mistakes in focuses give their position and what 
            == 0);
 }
 
-TEST_CASE ("Fingers of a focus are read and written; what is not given is that of their kind", "[files][fingers]")
+TEST_CASE ("Fingers of a focus are read and written, and what is not given is that of their kind", "[files][fingers]")
 {
     auto document = goodFocus();
     document["fingers"] = nlohmann::json::parse (R"([ { "x_mm": 12, "kind": "firm" },
@@ -196,7 +196,7 @@ TEST_CASE ("Fingers of a focus are read and written; what is not given is that o
            == "my.json: /fingers/0/mass_g: is -1; allowed: 0 to 10");
 }
 
-TEST_CASE ("Where less is to be felt is read and written; only free waveforms without a brake can", "[files][felt]")
+TEST_CASE ("Where less is to be felt is read and written, with free waveforms without a brake only", "[files][felt]")
 {
     const std::string focus = R"({ "schema": "antinode.focus/1", "focus_time_ms": 25,
         "targets": [{ "shape": "sinc", "x_mm": 1, "width_mm": 25, "peak_velocity_mm_s": 40 }],

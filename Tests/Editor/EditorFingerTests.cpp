@@ -64,7 +64,7 @@ TEST_CASE ("A finger is rested, dragged and lifted on the surface, each one step
     CHECK_FALSE (test.content().history().canUndo());
 }
 
-TEST_CASE ("A finger changes the field and what is felt; parameters stay")
+TEST_CASE ("A finger changes the field and what is felt, but no parameter")
 {
     EditorFixture test;
     test.processor.parameters().find ("peak_velocity")->setValueNotifyingHost (0.3f);

@@ -110,7 +110,7 @@ TEST_CASE ("A plate whose modes come in pairs of one frequency, under two finger
     CHECK (worstDifference (bare, { builtInFinger ("light", 0.05, 0.05), builtInFinger ("light", 0.1, 0.1) }) < 1e-9);
 }
 
-TEST_CASE ("No finger changes nothing; fingers that cannot be are refused in a sentence", "[fingers]")
+TEST_CASE ("No finger changes nothing, and fingers that cannot be are refused in a sentence", "[fingers]")
 {
     const auto bare = test::sineBeam (6, 2);
     CHECK (loadedModel (bare, {}).shapes == bare.shapes);

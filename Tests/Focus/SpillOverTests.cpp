@@ -69,7 +69,7 @@ TEST_CASE ("A wide model has the known modes to the bit and the others of the se
     CHECK_THROWS_AS (withModesBeyond (known, test::sineBeam (30, 7)), InputError);
 }
 
-TEST_CASE ("Spill-over is what the plate model plays in modes beyond; guards bring it below 0.1 %", "[spillOver]")
+TEST_CASE ("Spill-over is what the plate model plays in modes beyond, and guards bring it below 0.1 %", "[spillOver]")
 {
     const auto wide = wideBeam();
 

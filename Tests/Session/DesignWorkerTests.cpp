@@ -225,7 +225,7 @@ TEST_CASE ("A place that cannot be designed stays silent and says why", "[graph]
     CHECK (firstChannel (player, 2, 500).cwiseAbs().maxCoeff() > 0);
 }
 
-TEST_CASE ("A bank of free waveforms is designed and played; each place has the samples of its own design",
+TEST_CASE ("A bank of free waveforms is designed and played, and each place has the samples of its own design",
            "[graph][sampled]")
 {
     FocusPlayer player (ceramics, rate, {});

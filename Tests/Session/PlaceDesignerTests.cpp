@@ -34,7 +34,7 @@ DesignRequest requestOf (const std::shared_ptr<const ModalModel>& model)
 }
 } // namespace
 
-TEST_CASE ("A voltage limit that moves leaves the guards of a bank, and is kept; a new focus time looks for others",
+TEST_CASE ("A voltage limit that moves leaves the guards of a bank and is kept, a new focus time looks for others",
            "[graph][sampled]")
 {
     const auto model = std::make_shared<const ModalModel> (test::SinePlate().model (24));

@@ -195,7 +195,8 @@ TEST_CASE ("While foci play, the drift is found and followed, and foci are desig
     CHECK ((play.largest.array() <= voltageLimits (play.device.nominal).array()).all());
 }
 
-TEST_CASE ("Frozen, nothing is learnt; reset, the model counts again; a drift is given back", "[session][tracking]")
+TEST_CASE ("Frozen, nothing is learnt, and reset, the model counts again until a drift is given back",
+           "[session][tracking]")
 {
     TrackedPlay play (0.004);
     auto& session = play.played.session;

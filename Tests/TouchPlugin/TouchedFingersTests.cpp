@@ -124,7 +124,7 @@ TEST_CASE ("A kind of finger that touches are is what the surface then bears", "
     CHECK (processor->parameters().settings().fingers[0].load == FingerLoad::none);
 }
 
-TEST_CASE ("Packets of OSC put fingers down; what is no place is counted and changes nothing", "[touch]")
+TEST_CASE ("Packets of OSC put fingers down, and what is no place is counted and changes nothing", "[touch]")
 {
     const auto processor = offlineTouch (8, 48000, 256, {});
     auto& network = processor->network();
