@@ -157,7 +157,15 @@ double misfitOfBeginning (const ModalModel& model, const std::vector<Sensor>& se
     const LearningProblem problem (prior);
     const auto time = firstTime (prior, problem.all().parameters);
     const Eigen::VectorXd nominal = Eigen::VectorXd::Zero (problem.all().parameters.size());
-    const auto solution = problem.solve (problem.clearlyHeard(), nominal, time, roughGain, boundsToTry.front());
-    return problem.distance (solution.values, time);
+    auto least = std::numeric_limits<double>::infinity();
+
+    for (const auto furthest : { boundsToTry[0], boundsToTry[1] })
+        if (! (least < missed))
+        {
+            const auto solution = problem.solve (problem.clearlyHeard(), nominal, time, roughGain, furthest);
+            least = std::min (least, problem.distance (solution.values, time));
+        }
+
+    return least;
 }
 } // namespace antinode

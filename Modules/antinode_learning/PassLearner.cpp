@@ -17,7 +17,7 @@ namespace
 {
 constexpr std::size_t mostLikely = 24; // delays of the first play, of which nothing is known: by the beginning
 constexpr std::size_t mostTried = 4;   // of them on the whole record
-constexpr double surelyRight = 2;      // of the noise is left of the beginning: no other delay is compared
+constexpr double surelyRight = 1.5;    // of the noise is left of the beginning: no other delay is compared
 constexpr double wellExplained = 0.05; // of the signals: no other delay is tried
 constexpr double foundDelay = 100e-6;  // s: deviation of a delay that was found by a model that is off
 
