@@ -39,6 +39,22 @@ std::u16string parameterText (RawVst3& plugin, Vst::ParamID parameter, double va
     REQUIRE (plugin.controller->getParamStringByValue (parameter, value, text) == kResultTrue);
     return wide (text);
 }
+
+/** Places are in percent until the device is solved, then in millimetres. */
+void waitForDevice (RawVst3& plugin)
+{
+    const auto parameters = plugin.parameters();
+    const auto place = std::find_if (parameters.begin(), parameters.end(),
+                                     [] (const auto& info) { return wide (info.title) == u"Focus x"; });
+    REQUIRE (place != parameters.end());
+
+    for (const auto end = std::chrono::steady_clock::now() + std::chrono::seconds (60);
+         parameterText (plugin, place->id, 0).find (u'%') != std::u16string::npos;)
+    {
+        REQUIRE (std::chrono::steady_clock::now() < end);
+        std::this_thread::sleep_for (std::chrono::milliseconds (1));
+    }
+}
 } // namespace
 
 TEST_CASE ("The factory names one instrument and its controller", "[vst3]")
@@ -196,6 +212,7 @@ TEST_CASE ("Parameters come back from texts, from plain values and from their se
 {
     RawVst3 plugin;
     auto& controller = *plugin.controller;
+    waitForDevice (plugin);
 
     for (const auto& info : plugin.parameters())
     {
