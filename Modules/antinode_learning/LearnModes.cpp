@@ -149,23 +149,18 @@ LearntModes learnModes (const ModalModel& model, const std::vector<Sensor>& sens
     return learntFrom (prior, problem, best);
 }
 
-double misfitOfBeginning (const ModalModel& model, const std::vector<Sensor>& sensors, const ModeSpread& deviations,
-                          PlayedRecording recording)
+std::array<double, 2> misfitsOfBeginning (const ModalModel& model, const std::vector<Sensor>& sensors,
+                                          const ModeSpread& deviations, PlayedRecording recording)
 {
     const std::vector<PlayedRecording> one { std::move (recording) };
     const auto prior = makePrior (model, sensors, deviations, one);
     const LearningProblem problem (prior);
     const auto time = firstTime (prior, problem.all().parameters);
     const Eigen::VectorXd nominal = Eigen::VectorXd::Zero (problem.all().parameters.size());
-    auto least = std::numeric_limits<double>::infinity();
-
-    for (const auto furthest : { boundsToTry[0], boundsToTry[1] })
-        if (! (least < missed))
-        {
-            const auto solution = problem.solve (problem.clearlyHeard(), nominal, time, roughGain, furthest);
-            least = std::min (least, problem.distance (solution.values, time));
-        }
-
-    return least;
+    const auto misfit = [&] (double furthest) {
+        return problem.distance (problem.solve (problem.clearlyHeard(), nominal, time, roughGain, furthest).values,
+                                 time);
+    };
+    return { misfit (boundsToTry[0]), misfit (boundsToTry[1]) };
 }
 } // namespace antinode

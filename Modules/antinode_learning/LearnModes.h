@@ -5,6 +5,7 @@
 
 #include <antinode_model/ModalModel.h>
 
+#include <array>
 #include <vector>
 
 namespace antinode
@@ -34,7 +35,9 @@ LearntModes learnModes (const ModalModel&, const std::vector<Sensor>&, const Mod
 
 /** How far the most probable device is from the beginning of a recording, in which no mode can be half a turn wrong:
     RMS of what it leaves and of its deviations, of the noise. Of several delays, the right one leaves least.
+    @return  with all values bound by some deviations, and with frequencies alone
     @throws  as learnModes
     [worker] Docs/Theory.md, section 7.6. */
-double misfitOfBeginning (const ModalModel&, const std::vector<Sensor>&, const ModeSpread&, PlayedRecording);
+std::array<double, 2> misfitsOfBeginning (const ModalModel&, const std::vector<Sensor>&, const ModeSpread&,
+                                          PlayedRecording);
 } // namespace antinode

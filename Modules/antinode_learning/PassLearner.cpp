@@ -7,6 +7,7 @@
 #include <antinode_numerics/Median.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -146,8 +147,8 @@ LearntModes PassLearner::learntWith (const ModeSpread& own) const
     return now;
 }
 
-/** s: the delays that a recording may have: of the first play several, first the one by which its beginning is
-    explained best. */
+/** s: the delays that a recording may have: of the first play several, first those by which its beginning is explained
+    best, by the one bound and by the other in turn. */
 std::vector<double> PassLearner::delaysToTry (const PlayedRecording& recording, const ModeSpread& own) const
 {
     const auto mean = inTheMean (learnt.model, learnt.frequencyDeviations);
@@ -156,24 +157,30 @@ std::vector<double> PassLearner::delaysToTry (const PlayedRecording& recording, 
     if (delays.size() == 1)
         return delays;
 
-    std::vector<std::pair<double, double>> ranked; // misfit, delay
-    ranked.reserve (delays.size());
+    std::array<std::vector<std::pair<double, double>>, 2> ranked; // misfit, delay
 
     for (const auto delay : delays)
     {
-        ranked.emplace_back (misfitOfBeginning (nominal.model, sensors, own, withDelay (recording, delay)), delay);
+        const auto misfits = misfitsOfBeginning (nominal.model, sensors, own, withDelay (recording, delay));
 
-        if (ranked.back().first < surelyRight)
-            break;
+        for (std::size_t bound = 0; bound < ranked.size(); ++bound)
+            ranked[bound].emplace_back (misfits[bound], delay);
+
+        if (std::min (misfits[0], misfits[1]) < surelyRight)
+            return { delay };
     }
 
-    std::sort (ranked.begin(), ranked.end());
-    delays.clear();
+    std::vector<double> best;
 
-    for (const auto& [misfit, delay] : ranked)
-        if (delays.size() < mostTried)
-            delays.push_back (delay);
+    for (auto& each : ranked)
+        std::sort (each.begin(), each.end());
 
-    return delays;
+    for (std::size_t i = 0; i < delays.size() && best.size() < mostTried; ++i)
+        for (const auto& each : ranked)
+            if (std::find (best.begin(), best.end(), each[i].second) == best.end())
+                best.push_back (each[i].second);
+
+    best.resize (std::min (best.size(), mostTried));
+    return best;
 }
 } // namespace antinode
