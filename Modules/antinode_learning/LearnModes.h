@@ -33,9 +33,9 @@ struct LearntModes
 LearntModes learnModes (const ModalModel&, const std::vector<Sensor>&, const ModeSpread&,
                         const std::vector<PlayedRecording>& recordings, const LearntModes* before = nullptr);
 
-/** How far the most probable device is from the beginning of a recording, in which no mode can be half a turn wrong:
-    RMS of what it leaves and of its deviations, of the noise. Of several delays, the right one leaves least.
-    @return  with all values bound by some deviations, and with frequencies alone
+/** How well some device explains the beginning of a recording, in which no mode can be half a turn wrong: the RMS of
+   the residual and of the deviations, in units of the noise. Of several delays, the right one leaves least.
+    @return  with all parameters bounded, and with the frequencies alone bounded
     @throws  as learnModes
     [worker] Docs/Theory.md, section 7.6. */
 std::array<double, 2> misfitsOfBeginning (const ModalModel&, const std::vector<Sensor>&, const ModeSpread&,

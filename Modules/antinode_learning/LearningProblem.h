@@ -55,7 +55,7 @@ public:
         [worker] */
     LearningSolution finish (Eigen::VectorXd values, double time) const;
 
-    /** What values leave of the records up to a time, and their own deviations: RMS, of the noise. [worker] */
+    /** The RMS of the residual up to a time and of the values themselves, in units of the noise. [worker] */
     double distance (const Eigen::VectorXd& values, double time) const;
 
 private:

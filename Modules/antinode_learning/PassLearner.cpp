@@ -16,10 +16,10 @@ namespace antinode
 {
 namespace
 {
-constexpr std::size_t mostLikely = 24; // delays of the first play, of which nothing is known: by the beginning
-constexpr std::size_t mostTried = 4;   // of them on the whole record
-constexpr double surelyRight = 1.5;    // of the noise is left of the beginning: no other delay is compared
-constexpr double wellExplained = 0.05; // of the signals: no other delay is tried
+constexpr std::size_t mostLikely = 24; // delays of the first play that are compared by the beginning of the record
+constexpr std::size_t mostTried = 4;   // of them that are tried on the whole record
+constexpr double surelyRight = 1.5;    // times the noise: a delay that leaves less of the beginning is the right one
+constexpr double wellExplained = 0.05; // of the signals, RMS: a delay that leaves less of the record is the right one
 constexpr double foundDelay = 100e-6;  // s: deviation of a delay that was found by a model that is off
 
 /** What sensors would hear without delay until the voltages end: samples x N. Later phases of a model that is off are
@@ -49,9 +49,10 @@ double loudnessOf (const ModalModel& model, const std::vector<Sensor>& sensors, 
     return median ({ ratios.begin(), ratios.end() });
 }
 
-/** A device that answers as devices do in the mean whose frequencies are off by so many deviations: their phases part,
-    as if modes were damped more. */
-ModalModel inTheMean (ModalModel model, const Eigen::VectorXd& frequencyDeviations)
+/** The model whose response is the mean response of devices with scattered frequencies: their phases drift apart, which
+    acts like more damping.
+    @param frequencyDeviations  N_m, relative */
+ModalModel meanModel (ModalModel model, const Eigen::VectorXd& frequencyDeviations)
 {
     model.dampingRatios += frequencyDeviations;
     return model;
@@ -104,7 +105,8 @@ LearningPass PassLearner::hear (const PlayedRecording& recording)
     pass.voltages = recording.voltages;
     pass.loudness = loudnessOf (nominal.model, sensors, recording);
     pass.surprise = surprise (learnt.model, learnt.sensors, deviations, recording);
-    pass.nominalSurprise = surprise (nominal.model, sensors, deviations, recording);
+    pass.nominalSurprise =
+        recordings.empty() ? pass.surprise : surprise (nominal.model, sensors, deviations, recording);
 
     if (recording.delaySpan > 0)
         own.delay = std::max (own.delay, foundDelay);
@@ -147,11 +149,11 @@ LearntModes PassLearner::learntWith (const ModeSpread& own) const
     return now;
 }
 
-/** s: the delays that a recording may have: of the first play several, first those by which its beginning is explained
-    best, by the one bound and by the other in turn. */
+/** s: the delays to try for a recording: one, or several for the first play. The delays that explain its beginning best
+    come first, those of the two bounds in turn. */
 std::vector<double> PassLearner::delaysToTry (const PlayedRecording& recording, const ModeSpread& own) const
 {
-    const auto mean = inTheMean (learnt.model, learnt.frequencyDeviations);
+    const auto mean = meanModel (learnt.model, learnt.frequencyDeviations);
     auto delays = delaysBy (mean, learnt.sensors, recording, recordings.empty() ? mostLikely : 1);
 
     if (delays.size() == 1)

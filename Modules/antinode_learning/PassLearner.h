@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** A play of a device that is not known, learnt from again and again. One thread at a time. */
+/** Learns a device from one play after the other, with all plays so far. One thread at a time. */
 class PassLearner
 {
 public:
