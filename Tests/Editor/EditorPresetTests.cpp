@@ -79,7 +79,8 @@ TEST_CASE ("What was saved under another name is what is loaded from then on, wi
         test.settle();
         auto isShown = false;
         forEachVisible (test.content(),
-                        [&] (juce::Component& shown) { isShown = isShown || shown.getTitle() == title; });
+                        [&isShown, title = title] (juce::Component& shown) // clang 14 captures no binding
+                        { isShown = isShown || shown.getTitle() == title; });
         CHECK (isShown);
     }
 

@@ -53,7 +53,7 @@ public:
 };
 
 /** The points of one parameter in a block. */
-class ValueQueue : public HostObject<Vst::IParamValueQueue>
+class ValueQueue final : public HostObject<Vst::IParamValueQueue>
 {
 public:
     explicit ValueQueue (Vst::ParamID identifier) : parameter (identifier) {}
@@ -135,7 +135,7 @@ public:
 };
 
 /** Stands between a component and its controller, as hosts do that keep the two apart: only messages come through. */
-class ConnectionProxy : public HostObject<Vst::IConnectionPoint>
+class ConnectionProxy final : public HostObject<Vst::IConnectionPoint>
 {
 public:
     explicit ConnectionProxy (Vst::IConnectionPoint* to) : destination (to) {}
