@@ -18,6 +18,9 @@ double along (double minimum, double maximum, double margin, int index, int coun
 
 std::vector<std::pair<double, double>> bankPlaces (const Surface& surface, int count, double margin)
 {
+    if (count < 1)
+        return {};
+
     const auto width = surface.xMaximum - surface.xMinimum, height = surface.yMaximum - surface.yMinimum;
     const auto isLine = surface.kind == SurfaceKind::line || ! (height > 0);
     const auto columns =

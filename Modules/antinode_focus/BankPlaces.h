@@ -11,7 +11,7 @@ namespace antinode
 {
 /** Places for the foci of a bank: along the centre line of a beam's surface from left to right, or row by row from the
    lower left corner over a plate, in a grid whose fields are about as high as wide.
-    @param count   1 or more
+    @param count   less than 1: none
     @param margin  m, kept from every edge; at most a third of the side is
     @return        x, y in m
     [any] */

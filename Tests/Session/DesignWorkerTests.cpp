@@ -328,6 +328,7 @@ TEST_CASE ("The places of a bank on a line and on a plate", "[graph]")
     CHECK (line[0].first == Approx (-0.08));
     CHECK (line[2].first == Approx (0).margin (1e-12));
     CHECK (line[4].first == Approx (0.08));
+    CHECK (bankPlaces (surface, 0, 0.02).empty());
 
     surface.kind = SurfaceKind::plate;
     surface.yMaximum = 0.1;
@@ -339,4 +340,5 @@ TEST_CASE ("The places of a bank on a line and on a plate", "[graph]")
     CHECK (grid[15].second == Approx (0.01));
     CHECK (grid[127].first == Approx (0.09));
     CHECK (grid[127].second == Approx (0.09));
+    CHECK (bankPlaces (surface, 0, 0.01).empty());
 }
