@@ -150,7 +150,7 @@ LearntModes learnModes (const ModalModel& model, const std::vector<Sensor>& sens
 }
 
 std::array<double, 2> misfitsOfBeginning (const ModalModel& model, const std::vector<Sensor>& sensors,
-                                          const ModeSpread& deviations, PlayedRecording recording)
+                                          const ModeSpread& deviations, PlayedRecording recording, double enough)
 {
     const std::vector<PlayedRecording> one { std::move (recording) };
     const auto prior = makePrior (model, sensors, deviations, one);
@@ -161,6 +161,7 @@ std::array<double, 2> misfitsOfBeginning (const ModalModel& model, const std::ve
         return problem.distance (problem.solve (problem.clearlyHeard(), nominal, time, roughGain, furthest).values,
                                  time);
     };
-    return { misfit (boundsToTry[0]), misfit (boundsToTry[1]) };
+    const auto first = misfit (boundsToTry[0]);
+    return { first, first < enough ? std::numeric_limits<double>::infinity() : misfit (boundsToTry[1]) };
 }
 } // namespace antinode

@@ -35,9 +35,10 @@ LearntModes learnModes (const ModalModel&, const std::vector<Sensor>&, const Mod
 
 /** How well some device explains the beginning of a recording, in which no mode can be half a turn wrong: the RMS of
    the residual and of the deviations, in units of the noise. Of several delays, the right one leaves least.
-    @return  with all parameters bounded, and with the frequencies alone bounded
+    @param enough  in units of the noise: where the first bound leaves less, the second one is not tried
+    @return  with all parameters bounded, and with the frequencies alone bounded: infinite where it was not tried
     @throws  as learnModes
     [worker] Docs/Theory.md, section 7.6. */
 std::array<double, 2> misfitsOfBeginning (const ModalModel&, const std::vector<Sensor>&, const ModeSpread&,
-                                          PlayedRecording);
+                                          PlayedRecording, double enough);
 } // namespace antinode

@@ -163,7 +163,8 @@ std::vector<double> PassLearner::delaysToTry (const PlayedRecording& recording, 
 
     for (const auto delay : delays)
     {
-        const auto misfits = misfitsOfBeginning (nominal.model, sensors, own, withDelay (recording, delay));
+        const auto misfits =
+            misfitsOfBeginning (nominal.model, sensors, own, withDelay (recording, delay), surelyRight);
 
         for (std::size_t bound = 0; bound < ranked.size(); ++bound)
             ranked[bound].emplace_back (misfits[bound], delay);
