@@ -126,7 +126,7 @@ LimitUses sampleUses (const ModalModel& model, const AllocationChoice& choice, c
                   samples.firstTime + static_cast<double> (samples.values.cols() - 1) / samples.playback.sampleRate);
     LimitUses uses { voltageUse (model, choice, program, largest), {} };
 
-    if (const auto slewLimits = allSlewLimits (model); slewLimits.maxCoeff() > 0)
+    if (const auto slewLimits = antinode::slewLimits (model); slewLimits.maxCoeff() > 0)
     {
         const auto slopes = slopesOf (samples);
         LargestShare steepest;
@@ -178,7 +178,7 @@ LimitUses limitUses (const ModalModel& model, const AllocationChoice& choice, co
         return { voltageUse (model, choice, program, {}), {} };
 
     LimitUses uses { voltageUse (model, choice, program, largestShare (voltages, program.voltageLimits, false)), {} };
-    const auto slewLimits = allSlewLimits (model);
+    const auto slewLimits = antinode::slewLimits (model);
 
     if (slewLimits.maxCoeff() > 0)
         uses.slew = slewUse (model, program, largestShare (voltages, slewLimits, true));

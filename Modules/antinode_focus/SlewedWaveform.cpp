@@ -131,7 +131,7 @@ std::optional<SolvedWaveform> solvedWithinSlews (const WaveformTask& task, const
 std::pair<SolvedWaveform, double> solveWithinSlews (const WaveformTask& task)
 {
     constexpr double longer = 1.6, mostOfAll = 0.5; // of the time before the focus
-    const auto slewLimits = allSlewLimits (task.model);
+    const auto slewLimits = antinode::slewLimits (task.model);
     auto free = solveWithEdges (task, 0);
     free.waveform.played = withSlowEnd (free.waveform.played, slewLimits, task.description.focusTime);
     const auto use = slewOf (task, free.waveform.played);

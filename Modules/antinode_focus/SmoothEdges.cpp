@@ -76,14 +76,4 @@ SampledVoltages withSlowEnd (const SampledVoltages& voltages, const Eigen::Vecto
 
     return result;
 }
-
-Eigen::VectorXd allSlewLimits (const ModalModel& model)
-{
-    Eigen::VectorXd limits (model.actuators());
-
-    for (Eigen::Index i = 0; i < limits.size(); ++i)
-        limits[i] = model.ceramics[static_cast<std::size_t> (i)].slewLimit;
-
-    return limits;
-}
 } // namespace antinode

@@ -31,7 +31,4 @@ SampledSlopes slopesOf (const SampledVoltages&);
     @param slewLimits  N_b, V/s; 0: none
     [any] */
 SampledVoltages withSlowEnd (const SampledVoltages&, const Eigen::VectorXd& slewLimits, double focusTime);
-
-/** The slew limits of all ceramics: N_b, V/s; 0: none. [any] */
-Eigen::VectorXd allSlewLimits (const ModalModel&);
 } // namespace antinode

@@ -2,19 +2,22 @@
 
 #include "Node.h"
 
+#include <antinode_engine/SlewLimiter.h>
+
 #include <Eigen/Core>
+
+#include <optional>
 
 namespace antinode
 {
-/** Voltages that no amplifier could follow follow as quickly as it can. It stands before the limiter, which has the
-   last word, and goes hardly beyond a limit, so that it does not take longer to come back. */
+/** Keeps slew rates, before a limiter. */
 class SlewNode : public Node
 {
 public:
     /** @param limits  N_b, V
         @param slews   N_b, V/s; 0: none
         [worker] */
-    SlewNode (const Eigen::VectorXd& limits, Eigen::VectorXd slews);
+    SlewNode (Eigen::VectorXd limits, Eigen::VectorXd slews);
 
     std::string name() const override { return "Slew rates"; }
     int inputs() const override { return static_cast<int> (limits.size()); }
@@ -22,14 +25,10 @@ public:
     void prepare (const NodeFormat&) override;
     void process (const NodeBlock<float>&) override;
     void process (const NodeBlock<double>&) override;
-    void reset() override { last.setZero(); }
+    void reset() override;
 
 private:
-    template <typename Sample>
-    void follow (const NodeBlock<Sample>&);
-
     Eigen::VectorXd limits, slews;
-    Eigen::VectorXd steps; ///< V from sample to sample.
-    Eigen::VectorXd last;  ///< V
+    std::optional<SlewLimiter> limiter; ///< None before prepare().
 };
 } // namespace antinode

@@ -63,6 +63,12 @@ Eigen::VectorXd voltageLimits (const ModalModel& model)
                                          { return voltageLimit (model, static_cast<std::size_t> (i)); });
 }
 
+Eigen::VectorXd slewLimits (const ModalModel& model)
+{
+    return Eigen::VectorXd::NullaryExpr (model.actuators(), [&] (Eigen::Index i)
+                                         { return model.ceramics[static_cast<std::size_t> (i)].slewLimit; });
+}
+
 Eigen::VectorXd decayRates (const ModalModel& model)
 {
     return model.dampingRatios.cwiseProduct (model.angularFrequencies);

@@ -51,6 +51,9 @@ double voltageLimit (const ModalModel&, std::size_t ceramic);
 /** The same of every ceramic: N_b, V. [any] */
 Eigen::VectorXd voltageLimits (const ModalModel&);
 
+/** How quickly the voltage of every ceramic may change: N_b, V/s; 0: as quickly as it likes. [any] */
+Eigen::VectorXd slewLimits (const ModalModel&);
+
 /** The decay rate a = xi omega of every mode, 1/s. [any] */
 Eigen::VectorXd decayRates (const ModalModel&);
 

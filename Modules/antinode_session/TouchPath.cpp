@@ -17,16 +17,6 @@ namespace antinode
 namespace
 {
 constexpr int longestTouchPart = 64; // samples: few enough that all ceramics' stay in the cache
-
-Eigen::VectorXd slewLimitsOf (const ModalModel& model)
-{
-    Eigen::VectorXd slews (model.actuators());
-
-    for (std::size_t i = 0; i < model.ceramics.size(); ++i)
-        slews[static_cast<Eigen::Index> (i)] = model.ceramics[i].slewLimit;
-
-    return slews;
-}
 } // namespace
 
 TouchPath::TouchPath (std::shared_ptr<const ModalModel> model, int inputs, TrackBand band,
@@ -44,7 +34,7 @@ TouchPath::TouchPath (std::shared_ptr<const ModalModel> model, int inputs, Track
                          filters);
     auto last = overlay;
 
-    if (const auto slews = slewLimitsOf (*modes); slews.maxCoeff() > 0)
+    if (const auto slews = slewLimits (*modes); slews.maxCoeff() > 0)
         last = graph.add (std::make_unique<SlewNode> (limits, slews), last);
 
     // What no design drives stays silent whatever a design says.

@@ -99,16 +99,6 @@ double steepest (const Eigen::VectorXd& slews, double sampleRate, const Eigen::M
 
     return times;
 }
-
-Eigen::VectorXd slewLimits (const ModalModel& model)
-{
-    Eigen::VectorXd slews (model.actuators());
-
-    for (std::size_t i = 0; i < model.ceramics.size(); ++i)
-        slews[static_cast<Eigen::Index> (i)] = model.ceramics[i].slewLimit;
-
-    return slews;
-}
 } // namespace
 
 double smallestResponse (const PointResponses& nodes, const MovingPoints& moving, TrackBand band)
