@@ -50,6 +50,16 @@ double fromMilliseconds (double milliseconds)
     return milliseconds / 1000;
 }
 
+double fromMicroseconds (double microseconds)
+{
+    return microseconds / 1e6;
+}
+
+double fromDegrees (double degrees)
+{
+    return degrees * std::numbers::pi / 180;
+}
+
 double fromVoltsPerMicrosecond (double voltsPerMicrosecond)
 {
     return voltsPerMicrosecond * 1e6;
@@ -93,6 +103,16 @@ double toMillimetres (double metres)
 double toMilliseconds (double seconds)
 {
     return inverted (fromMilliseconds, seconds, seconds * 1000);
+}
+
+double toMicroseconds (double seconds)
+{
+    return inverted (fromMicroseconds, seconds, seconds * 1e6);
+}
+
+double toDegrees (double radians)
+{
+    return inverted (fromDegrees, radians, radians * 180 / std::numbers::pi);
 }
 
 double toVoltsPerMicrosecond (double voltsPerSecond)

@@ -8,6 +8,12 @@ double fromMillimetres (double millimetres);
 /** ms to s, correctly rounded. [any] */
 double fromMilliseconds (double milliseconds);
 
+/** us to s, correctly rounded. [any] */
+double fromMicroseconds (double microseconds);
+
+/** Degrees to rad. [any] */
+double fromDegrees (double degrees);
+
 /** V/us to V/s. [any] */
 double fromVoltsPerMicrosecond (double voltsPerMicrosecond);
 
@@ -35,6 +41,12 @@ double toMillimetres (double metres);
 
 /** The same for ms. [any] */
 double toMilliseconds (double seconds);
+
+/** The same for us. [any] */
+double toMicroseconds (double seconds);
+
+/** The same for degrees; a third of all angles have no exact number. [any] */
+double toDegrees (double radians);
 
 /** The same for V/us. [any] */
 double toVoltsPerMicrosecond (double voltsPerSecond);

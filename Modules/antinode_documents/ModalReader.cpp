@@ -137,10 +137,24 @@ void readModes (const JsonObject& device, const std::vector<Eigen::Index>& order
         readMode (modes[static_cast<std::size_t> (k)], order, k, model);
 }
 
+InputLag readLag (const JsonValue& value)
+{
+    constexpr NumberRange delayMicrosecond { 0, 1e4 }, timeConstantMicrosecond { 0, 1e4 }, degrees { -45, 45 };
+    const auto object = value.object ({ "delay_us", "time_constant_us", "angle_deg" });
+    const auto read = [&] (const char* key, NumberRange range)
+    {
+        const auto number = object.optional (key);
+        return number ? number->number (range) : 0.0;
+    };
+    return { fromMicroseconds (read ("delay_us", delayMicrosecond)),
+             fromMicroseconds (read ("time_constant_us", timeConstantMicrosecond)),
+             fromDegrees (read ("angle_deg", degrees)) };
+}
+
 Ceramic readCeramic (const JsonValue& value, const VoltageLimits& limits)
 {
     const auto object = value.object ({ "name", "x_mm", "y_mm", "size_x_mm", "size_y_mm", "voltage_limit_V",
-                                        "slew_limit_V_per_us", "capacitance_nF", "loss_factor", "outline" });
+                                        "slew_limit_V_per_us", "capacitance_nF", "loss_factor", "lag", "outline" });
     const auto x = object.required ("x_mm").number (ranges::positionMillimetre);
     const auto y = object.required ("y_mm").number (ranges::positionMillimetre);
     const auto name = object.optional ("name");
@@ -160,6 +174,10 @@ Ceramic readCeramic (const JsonValue& value, const VoltageLimits& limits)
         ownSlew ? fromVoltsPerMicrosecond (ownSlew->number (ranges::slewVoltsPerMicrosecond)) : limits.slew;
     ceramic.capacitance = capacitance ? fromNanofarads (capacitance->number (ranges::capacitanceNanofarad)) : 0.0;
     ceramic.lossFactor = loss ? loss->number (ranges::lossFactor) : usualLossFactor;
+
+    if (const auto lag = object.optional ("lag"))
+        ceramic.lag = readLag (*lag);
+
     ceramic.area = (ceramic.xMaximum - ceramic.xMinimum) * (ceramic.yMaximum - ceramic.yMinimum);
 
     if (const auto outline = object.optional ("outline"))

@@ -89,6 +89,11 @@ Json ceramicsToJson (const ModalModel& model)
             item["loss_factor"] = ceramic.lossFactor;
         }
 
+        if (ceramic.lag != InputLag {})
+            item["lag"] = { { "delay_us", toMicroseconds (ceramic.lag.delay) },
+                            { "time_constant_us", toMicroseconds (ceramic.lag.timeConstant) },
+                            { "angle_deg", toDegrees (ceramic.lag.angle) } };
+
         if (! ceramic.outline.paths.empty())
             item["outline"] = outlineToJson (ceramic.outline);
 

@@ -4,7 +4,7 @@ namespace antinode
 {
 namespace
 {
-/** Gains, limiter and plate behind what gives voltages. */
+/** Gains, limiter, plate and lags behind what gives voltages. */
 void addOutputs (StandardGraph& standard, int voltages, const std::shared_ptr<const ModalModel>& model,
                  const Eigen::MatrixXd& probeShapes, const InsertNodes& insert)
 {
@@ -16,6 +16,10 @@ void addOutputs (StandardGraph& standard, int voltages, const std::shared_ptr<co
     insert (graph, GraphPlace::afterLimiter, standard.limiter);
     standard.plate = graph.add (std::make_unique<PlateNode> (model, probeShapes), standard.limiter);
     graph.setOutputs ({ standard.limiter, standard.plate });
+    standard.lags = addLagOutputs (graph, model, standard.limiter);
+
+    if (standard.lags)
+        graph.setOutputs ({ standard.limiter, standard.plate, standard.lags.limiter });
 }
 
 int insertNothing (NodeGraph&, GraphPlace, int last)

@@ -2,6 +2,7 @@
 
 #include "AllocationNode.h"
 #include "ChannelGainNode.h"
+#include "LagOutputs.h"
 #include "LimiterNode.h"
 #include "NodeGraph.h"
 #include "PlateNode.h"
@@ -13,11 +14,13 @@
 
 namespace antinode
 {
-/** The graph that everything plays: player, channel gains, limiter, plate. Opened, forces and allocation stand in
-    the player's place. */
+/** The graph that everything plays: player, channel gains, limiter, plate, and what undoes lags of ceramics. Opened,
+   forces and allocation stand in the player's place. */
 struct StandardGraph
 {
-    NodeGraph graph; ///< Outputs: the voltages of all ceramics, then the velocity at each probe.
+    NodeGraph graph; ///< Outputs: the voltages that ceramics act on, then the velocity at each probe, then, where there
+                     ///< are lags, the voltages that are asked for.
+    LagOutputs lags; ///< Behind the limiter.
     int player = 0, gains = 0, limiter = 0, plate = 0; ///< Indices of its nodes; player: where the path begins.
 
     /** The voices of either graph. */

@@ -8,7 +8,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int cacheFormat = 3; // To be raised when an entry is written in another way.
+constexpr int cacheFormat = 4; // To be raised when an entry is written in another way.
 }
 
 std::optional<std::string> modeCacheKey (const DeviceDescription& device, std::optional<int> modeCount,

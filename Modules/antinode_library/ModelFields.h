@@ -9,12 +9,18 @@ namespace antinode
 {
 /** All fields of a modal model, in the order of their declaration, to be written or read. A field that is missing here
    does not compile. @throws InputError  as FieldReader [worker] */
+void fields (auto& stream, Struct<InputLag> auto& lag)
+{
+    auto& [delay, timeConstant, angle] = lag;
+    stream (delay, timeConstant, angle);
+}
+
 void fields (auto& stream, Struct<Ceramic> auto& ceramic)
 {
     auto& [name, xMinimum, xMaximum, yMinimum, yMaximum, voltageLimit, slewLimit, capacitance, lossFactor, area,
-           currentLimit, amplifierVoltage, outline] = ceramic;
+           currentLimit, amplifierVoltage, lag, outline] = ceramic;
     stream (name, xMinimum, xMaximum, yMinimum, yMaximum, voltageLimit, slewLimit, capacitance, lossFactor, area,
-            currentLimit, amplifierVoltage, outline);
+            currentLimit, amplifierVoltage, lag, outline);
 }
 
 void fields (auto& stream, Struct<GridAxis> auto& axis)

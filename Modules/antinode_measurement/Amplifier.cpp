@@ -128,18 +128,26 @@ ModalModel throughAmplifiers (ModalModel model, const std::vector<Amplifier>& am
     requireResponse (std::ssize (amplifiers) == model.actuators(),
                      "is needed for each of the " + std::to_string (model.actuators()) + " ceramics");
 
+    auto first = amplifiers.front().delay;
+
+    for (const auto& amplifier : amplifiers)
+        first = std::min (first, amplifier.delay);
+
     for (Eigen::Index i = 0; i < model.actuators(); ++i)
     {
         const auto& amplifier = amplifiers[static_cast<std::size_t> (i)];
         auto& ceramic = model.ceramics[static_cast<std::size_t> (i)];
         requireResponse (amplifier.gain > 0, "has a gain of 0 or less");
-
-        for (Eigen::Index k = 0; k < model.modes(); ++k)
-            model.participation (k, i) *= std::abs (responseOf (amplifier, model.frequencyHz (k)));
+        requireResponse (ceramic.lag.delay == 0 && ceramic.lag.timeConstant == 0,
+                         "stands in front of '" + ceramic.name
+                             + "' already; allowed: the device as it was before it was calibrated");
+        model.participation.col (i) *= amplifier.gain;
 
         // What is asked for comes out larger.
         ceramic.voltageLimit /= std::max (1.0, amplifier.gain);
         ceramic.slewLimit /= std::max (1.0, amplifier.gain);
+        ceramic.lag.delay = amplifier.delay - first;
+        ceramic.lag.timeConstant = amplifier.timeConstant;
     }
 
     return model;

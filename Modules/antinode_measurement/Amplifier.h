@@ -34,11 +34,11 @@ struct MeasuredAmplifier
     [worker] Docs/Theory.md, section 7.9. */
 MeasuredAmplifier fitAmplifier (const Eigen::VectorXd& frequencies, const Eigen::VectorXcd& response);
 
-/** A device with the amplifiers in front of it: participations by what each gives at the frequency of each mode, so
-    that designs ask for the voltages that come out right, and limits so that no ceramic gets more than its own. The
-   phase of the low-pass and the delay are left out: see lateness().
+/** A device with the amplifiers in front of it: participations by their gains, so that designs ask for the voltages
+   that come out right, and limits so that no ceramic gets more than its own. The low-pass and the delay after the
+   amplifier that is first become the lag of the ceramic, which is undone before the outputs.
     @param amplifiers  N_b
-    @throws InputError  where there are not as many, or one has a gain of 0 or less
+    @throws InputError  where there are not as many, one has a gain of 0 or less, or the device has amplifiers already
     [worker] */
 ModalModel throughAmplifiers (ModalModel, const std::vector<Amplifier>& amplifiers);
 

@@ -2,7 +2,9 @@
 
 #include <antinode_base/InputError.h>
 
+#include <cmath>
 #include <complex>
+#include <numbers>
 #include <string>
 
 namespace antinode
@@ -10,6 +12,7 @@ namespace antinode
 namespace
 {
 constexpr double mostChange = 1; // of the response, at full level
+constexpr double mostAngle = std::numbers::pi / 4;
 
 void require (bool isRight, const std::string& what)
 {
@@ -40,9 +43,18 @@ ModalModel withHysteresis (ModalModel model, const std::vector<Hysteresis>& hyst
 
     for (Eigen::Index i = 0; i < model.actuators(); ++i)
     {
-        const auto factor = 1 + hysteresis[static_cast<std::size_t> (i)].gain * levels[i];
+        const auto place = static_cast<std::size_t> (i);
+        const auto factor = 1 + hysteresis[place].gain * levels[i];
         require (factor > 0, "of ceramic " + std::to_string (i + 1) + " leaves nothing at this level");
-        model.participation.col (i) *= factor;
+        const auto lagging = hysteresis[place].phase * levels[i];
+        auto& angle = model.ceramics[place].lag.angle;
+        require (angle == 0, "of ceramic " + std::to_string (i + 1)
+                                 + " is in this device already; allowed: the device as it answers at low voltages");
+        angle = std::atan2 (lagging, factor);
+        require (std::abs (angle) < mostAngle, "of ceramic " + std::to_string (i + 1) + " lags by "
+                                                   + std::to_string (std::lround (angle * 180 / std::numbers::pi))
+                                                   + " degrees; allowed: -45 to 45 degrees");
+        model.participation.col (i) *= std::hypot (factor, lagging);
     }
 
     return model;

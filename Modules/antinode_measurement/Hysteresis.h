@@ -30,9 +30,11 @@ MeasuredHysteresis fitHysteresis (const Eigen::VectorXcd& high, const Eigen::Vec
                                   double lowLevel);
 
 /** A device as it answers where ceramics are played at these levels: participations by their gains there, so that
-    designs ask for voltages that come out right. Limits are those of voltages and stay; the lag is left out.
+    designs ask for voltages that come out right. Limits are those of voltages and stay; what lags becomes the angle of
+   the ceramic's lag.
     @param hysteresis, levels  N_b; levels of the full one, 0 to 1
-    @throws InputError  where sizes do not agree, or a gain leaves nothing
+    @throws InputError  where sizes do not agree, a gain leaves nothing, an angle is beyond 45 degrees, or the
+                        device has one already
     [worker] */
 ModalModel withHysteresis (ModalModel, const std::vector<Hysteresis>& hysteresis, const Eigen::VectorXd& levels);
 } // namespace antinode

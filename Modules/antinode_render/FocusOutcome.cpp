@@ -1,5 +1,7 @@
 #include "FocusOutcome.h"
 
+#include "LagOutcome.h"
+
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_focus/EventPeak.h>
@@ -202,6 +204,10 @@ std::string outcomeToText (const RenderedFocus& focus, const FocusOutcome& outco
 
     text += row ("peak voltage", inWords (focus.design.program.voltageLimits.maxCoeff()) + " V at most",
                  inWords (focus.render.voltages.cwiseAbs().maxCoeff()) + " V");
+
+    if (focus.undone)
+        text += row ("lags of ceramics", "", lagsInWords (*focus.undone));
+
     return text + "  " + outcome.limit + "\n";
 }
 } // namespace antinode

@@ -1,5 +1,6 @@
 #include "PerformedWaveforms.h"
 
+#include "LagOutcome.h"
 #include "TrackAlignment.h"
 
 #include <antinode_base/InputError.h>
@@ -143,6 +144,12 @@ PerformedWaveforms performDesigned (const ModalModel& judge, TrackDesign design,
     performed.design = std::move (design);
     play (performed, judge);
     score (performed, threshold);
+    const auto& voltages = performed.design.voltages;
+
+    if (needsLagFilters (performed.judge))
+        performed.undone = withLagsUndone (performed.judge, voltages.values, voltageLimits (performed.judge),
+                                           voltages.playback.sampleRate);
+
     return performed;
 }
 
@@ -208,6 +215,11 @@ PerformedWaveforms judgeVoltages (const ModalModel& known, const ModalModel& jud
     return performed;
 }
 
+const Eigen::MatrixXd& outputVoltages (const PerformedWaveforms& performed)
+{
+    return performed.undone ? performed.undone->voltages : performed.design.voltages.values;
+}
+
 std::string fingerName (const WaveformsDescription& description, std::size_t point)
 {
     const auto name = touchedPoints (description)[point].name;
@@ -238,7 +250,8 @@ nlohmann::ordered_json performedToJson (const PerformedWaveforms& performed)
                                   { "waveforms", design.description.name },
                                   { "device", performed.judge.name },
                                   { "sample_rate_Hz", design.voltages.playback.sampleRate },
-                                  { "trigger_sample", performed.played.trigger },
+                                  { "trigger_sample",
+                                    performed.played.trigger + (performed.undone ? performed.undone->lateness : 0) },
                                   { "modes", performed.judge.modes() },
                                   { "peak_voltage_V", design.peaks.maxCoeff() },
                                   { "unlimited_peak_over_limit", design.limitUse.unlimitedPeak } };
@@ -247,6 +260,9 @@ nlohmann::ordered_json performedToJson (const PerformedWaveforms& performed)
         json["likeness"] = *performed.likeness;
     else
         json.update ({ { "design_error", design.error }, { "iterations", design.iterations } });
+
+    if (performed.undone)
+        json["lag"] = lagJson (*performed.undone);
 
     if (design.latency > 0)
         json["latency_ms"] = design.latency * milli;

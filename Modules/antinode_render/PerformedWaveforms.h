@@ -5,6 +5,7 @@
 #include "TrackCorrection.h"
 #include "TrackScores.h"
 
+#include <antinode_engine/LagFilters.h>
 #include <antinode_tracks/TrackDesign.h>
 
 #include <nlohmann/json_fwd.hpp>
@@ -24,6 +25,7 @@ struct PerformedWaveforms
     TrackScores scores;
     FeltOutcome felt;                          ///< Its targets are the touched points, those with tracks first.
     std::optional<TrackCorrection> correction; ///< Where recorded passes were given.
+    std::optional<UndoneLags> undone; ///< What is asked for so that ceramics get the designed voltages, where they lag.
     std::optional<double> likeness; ///< Of voltages from elsewhere: how alike reached and wanted motions are, -1 to 1.
 };
 
@@ -53,6 +55,10 @@ PerformedWaveforms performDesigned (const ModalModel& judge, TrackDesign, const 
 PerformedWaveforms judgeVoltages (const ModalModel& known, const ModalModel& judge, const WaveformsDescription&,
                                   const TrackSettings&, const Eigen::MatrixXd& voltages,
                                   const ShowProgress& progress = {});
+
+/** What files and outputs get, N_b x N_s, V: the designed voltages, or what is asked for so that ceramics get them.
+   [any] */
+const Eigen::MatrixXd& outputVoltages (const PerformedWaveforms&);
 
 /** A touched point by its own name, or as a file numbers it. @param point  index in touchedPoints [any] */
 std::string fingerName (const WaveformsDescription&, std::size_t point);

@@ -179,6 +179,10 @@ RenderedFocus renderFocus (WideModel wide, FocusDesign design, const RenderOptio
     result.design = std::move (design);
     result.residual = residualMotion (result);
 
+    if (needsLagFilters (result.model))
+        result.undone = withLagsUndone (result.model, result.render.voltages, result.design.program.voltageLimits,
+                                        result.render.sampleRate);
+
     if (options.repetitions && canLift)
         result.power = FocusPower { "fingers may lift off; it is told for fingers that stay on the surface", {}, {} };
     else if (options.repetitions)
@@ -189,6 +193,11 @@ RenderedFocus renderFocus (WideModel wide, FocusDesign design, const RenderOptio
                                    bystandersOf (result.design.description));
 
     return result;
+}
+
+const Eigen::MatrixXd& outputVoltages (const RenderedFocus& focus)
+{
+    return focus.undone ? focus.undone->voltages : focus.render.voltages;
 }
 
 RenderedFocus renderFocus (ModalModel model, FocusDesign design, const RenderOptions& options,

@@ -3,6 +3,7 @@
 #include "FeltOutcome.h"
 #include "FocusPower.h"
 
+#include <antinode_engine/LagFilters.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_fingers/OneSidedContact.h>
 #include <antinode_focus/FieldPeak.h>
@@ -60,6 +61,8 @@ struct RenderedFocus
     std::string obstacle; ///< Why it was not played with modes far enough beyond; empty where it was.
     FocusDesign design;
     Render render;
+    std::optional<UndoneLags> undone; ///< What is asked for so that ceramics get the voltages of the render, where they
+                                      ///< lag.
     std::vector<std::pair<double, double>> probes; ///< x, y, m
     Eigen::VectorXd reachedField;                  ///< N_p: the velocity at the focus sample, m/s.
     FocusScore score;                              ///< Against the wanted field.
@@ -81,6 +84,10 @@ RenderedFocus renderFocus (WideModel, FocusDesign, const RenderOptions&,
 /** The same with the modes of a model alone: those that the design knows. */
 RenderedFocus renderFocus (ModalModel, FocusDesign, const RenderOptions&,
                            const std::function<void (double)>& progress = {});
+
+/** What files and outputs get, N_b x N_s, V: the voltages of the render, or what is asked for so that ceramics get
+   them. [any] */
+const Eigen::MatrixXd& outputVoltages (const RenderedFocus&);
 
 /** The largest spill-over of all foci, 0 where there are no modes beyond. [any] */
 double spillOverShare (const RenderedFocus&);

@@ -1,6 +1,7 @@
 #include "Summary.h"
 
 #include "FingerMotion.h"
+#include "LagOutcome.h"
 
 #include <antinode_base/Prefixes.h>
 #include <antinode_documents/FocusWords.h>
@@ -172,6 +173,10 @@ nlohmann::ordered_json summaryToJson (const RenderedFocus& focus, const FocusOut
         summary["shortest_period_ms"] = *design.shortestPeriod * 1000;
 
     summary["limited_samples"] = focus.render.limitedSamples;
+
+    if (focus.undone)
+        summary["lag"] = lagJson (*focus.undone);
+
     summary["allocation"] = wordFor (allocationMethodWords, design.description.allocation.method);
     summary["solver"] = { { "status", wordFor (allocationStatusWords, certificate.status) },
                           { "iterations", certificate.iterations },

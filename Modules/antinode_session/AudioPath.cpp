@@ -28,6 +28,7 @@ AudioPath::AudioPath (std::shared_ptr<const ModalModel> model, double sampleRate
       listening (std::move (whoListens)), toFullScale (1 / modes->fullScaleVoltage)
 {
     standard.graph.prepare ({ rate, graph.isOpen ? longestOpenPart : longestPart });
+    outputLimiter = standard.lags.limiterIn (standard.graph);
     designs = std::make_unique<DesignWorker> (standard.voiceNode().voices().handOver());
 }
 
@@ -42,8 +43,14 @@ void AudioPath::process (const OutputBlock<Sample>& block, std::span<const Focus
 {
     standard.gainNode().setGain (controls.outputTrim);
     standard.gainNode().setMutes (controls.mutes | listening.idle);
-    standard.limiterNode().setArmed (controls.isArmed);
-    standard.limiterNode().setVoltageLimit (controls.voltageLimit);
+
+    for (auto* const limiter : { &standard.limiterNode(), outputLimiter })
+        if (limiter != nullptr)
+        {
+            limiter->setArmed (controls.isArmed);
+            limiter->setVoltageLimit (controls.voltageLimit);
+        }
+
     monitorGain = controls.monitorGain;
     standard.graph.processParts<double> (
         block.count, events,
@@ -58,14 +65,25 @@ void AudioPath::process (const OutputBlock<Sample>& block, std::span<const Focus
         });
 }
 
+std::int64_t AudioPath::lateSamples()
+{
+    return standard.lags.lateSamples (standard.graph);
+}
+
+AudioPath::Outputs AudioPath::askedFor (Outputs outputs) const
+{
+    return standard.lags ? outputs + modes->actuators() + probes : outputs;
+}
+
 template <typename Sample>
 void AudioPath::write (const OutputBlock<Sample>& block, int offset, int count, Outputs outputs) const
 {
     const auto ceramics = static_cast<std::size_t> (modes->actuators());
+    const auto* const asked = askedFor (outputs);
 
     for (std::size_t i = 0; i < block.ceramics.size(); ++i)
         if (i < ceramics)
-            copyScaled (outputs[i], block.ceramics[i] + offset, count, toFullScale);
+            copyScaled (asked[i], block.ceramics[i] + offset, count, toFullScale);
         else
             std::fill_n (block.ceramics[i] + offset, count, Sample (0));
 
@@ -79,12 +97,15 @@ void AudioPath::write (const OutputBlock<Sample>& block, int offset, int count, 
 void AudioPath::note (int count, Outputs outputs, LevelMeters& meters, ProbeTrace& trace)
 {
     const auto& limiter = standard.limiterNode().limiter();
+    const auto* const asked = askedFor (outputs);
     const auto ceramics = static_cast<std::size_t> (modes->actuators());
 
     for (std::size_t i = 0; i < std::min<std::size_t> (ceramics, LevelMeters::ceramics); ++i)
     {
-        meters.notePeak (static_cast<int> (i), static_cast<float> (absolutePeak (outputs[i], count)));
-        meters.noteLimited (static_cast<int> (i), limiter.limitedSamples()[i]);
+        meters.notePeak (static_cast<int> (i), static_cast<float> (absolutePeak (asked[i], count)));
+        meters.noteLimited (static_cast<int> (i),
+                            limiter.limitedSamples()[i]
+                                + (outputLimiter != nullptr ? outputLimiter->limiter().limitedSamples()[i] : 0));
     }
 
     for (std::size_t i = 0; i < probes; ++i)

@@ -49,6 +49,9 @@ public:
     const ModalModel& model() const { return *modes; }
     double sampleRate() const { return rate; }
 
+    /** By how much all that is designed happens later, because lags of ceramics are undone, samples. [worker] */
+    std::int64_t lateSamples();
+
     /** Back to rest. [audio thread] */
     void reset() { standard.graph.reset(); }
 
@@ -63,8 +66,10 @@ public:
     bool isSilentAfter (std::int64_t samples) const;
 
 private:
-    using Outputs = const double* const*; ///< Of the graph: the ceramics, then the probes.
+    using Outputs =
+        const double* const*; ///< Of the graph: the ceramics, the probes, then what is asked for where anything lags.
 
+    Outputs askedFor (Outputs) const;
     template <typename Sample>
     void write (const OutputBlock<Sample>&, int offset, int count, Outputs) const;
     void note (int count, Outputs, LevelMeters&, ProbeTrace&);
@@ -74,6 +79,7 @@ private:
     StandardGraph standard;
     std::unique_ptr<DesignWorker> designs;
     Listening listening;
+    LimiterNode* outputLimiter = nullptr; ///< Of the graph, behind the filters of lags; none: nothing lags.
     double toFullScale, monitorGain = 1;
 };
 } // namespace antinode

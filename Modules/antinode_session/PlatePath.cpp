@@ -2,6 +2,7 @@
 
 #include "BlockPeak.h"
 
+#include <antinode_graph/LagNode.h>
 #include <antinode_graph/PlateModelNode.h>
 #include <antinode_graph/PlateNode.h>
 
@@ -37,7 +38,9 @@ PlatePath::PlatePath (std::shared_ptr<const ModalModel> model, double sampleRate
     const auto ceramics = static_cast<int> (modes->actuators());
     input = graph.add (std::make_unique<InputNode> (ceramics), NodeGraph::noSource);
     limiter = graph.add (std::make_unique<LimiterNode> (voltageLimits (*modes)), input);
-    plate = graph.add (surfaceNode (modes, probeShapes, kind), limiter);
+    acting = needsLagFilters (*modes) ? graph.add (std::make_unique<LagNode> (modes, LagDirection::apply), limiter)
+                                      : limiter;
+    plate = graph.add (surfaceNode (modes, probeShapes, kind), acting);
     graph.setOutputs ({ limiter, plate });
     graph.prepare ({ rate, stride });
 }

@@ -56,7 +56,10 @@ public:
 
     SurfaceNode& surface() { return static_cast<SurfaceNode&> (graph.node (plate)); }
     double sampleRate() const { return rate; }
-    std::int64_t latencySamples() { return surface().latencySamples(); }
+    std::int64_t latencySamples()
+    {
+        return surface().latencySamples() + (acting == limiter ? 0 : graph.node (acting).latencySamples());
+    }
 
     /** Where windows of the motion are taken from; outlives the path. [any] */
     std::shared_ptr<MotionCapture> motion() const { return capture; }
@@ -89,7 +92,8 @@ private:
     double rate;
     int stride; ///< Samples from one captured frame to the next.
     NodeGraph graph;
-    int input = 0, limiter = 0, plate = 0; ///< Indices of its nodes.
+    int input = 0, limiter = 0, acting = 0,
+        plate = 0; ///< Indices of its nodes; acting: what gives the ceramics' voltages.
     std::shared_ptr<MotionCapture> capture;
     std::vector<double> velocities; ///< Of the modes.
     PlanarBuffer<double> heard;     ///< At the probes, with the ramp.

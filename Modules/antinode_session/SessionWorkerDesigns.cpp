@@ -15,7 +15,7 @@ void SessionWorker::requestDesigns (const std::vector<int>& firstNotes)
 {
     const auto description = withSettings (focus->description, settings, model->surface);
     auto asWritten = written();
-    requests->setLatencySamples (estimateLatency (focus->description, settings, rate));
+    requests->setLatencySamples (estimateLatency (focus->description, settings, rate) + path->lateSamples());
     entry->setPlaysSpotOnly (settings.noteLayout == NoteLayout::spot || asWritten != nullptr);
     isFocusNew = false;
 

@@ -47,7 +47,14 @@ TouchPath::TouchPath (std::shared_ptr<const ModalModel> model, int inputs, Track
 
     limiter = graph.add (std::make_unique<LimiterNode> (limits), last);
     graph.setOutputs ({ limiter });
+    const auto lags = addLagOutputs (graph, modes, limiter);
+
+    if (lags)
+        graph.setOutputs ({ limiter, lags.limiter });
+
+    outputLimiter = lags.limiterIn (graph);
     graph.prepare ({ rate, longestTouchPart });
+    late = lags.lateSamples (graph);
 
     for (std::size_t i = 0; i < latencies.size(); ++i)
         latencies[i] = filterTiming (band, TouchDesigner::filterSettings (rate, i)).latencySamples();
@@ -95,7 +102,11 @@ void TouchPath::process (const TouchBlock<Sample>& block, const TouchControls& c
     noteInputs (block, fingerMeters);
     fingerMeters.traceRate.store (traceRate, std::memory_order_relaxed);
     static_cast<InputNode&> (graph.node (input)).give (block.inputs, 1);
-    limiterNode().setArmed (controls.isArmed && ! isLeaving);
+
+    for (auto* const node : { &limiterNode(), outputLimiter })
+        if (node != nullptr)
+            node->setArmed (controls.isArmed && ! isLeaving);
+
     const auto due = delay.process (placed (block.events, controls), block.count, latencies[controls.latency]);
     graph.processParts<double> (block.count, due,
                                 [&] (int offset, int count, Outputs outputs)
@@ -144,25 +155,35 @@ void TouchPath::noteMotions (FingerMeters& meters)
             meters.traces[j].push (displacement);
 }
 
+TouchPath::Outputs TouchPath::askedFor (Outputs outputs) const
+{
+    return outputLimiter != nullptr ? outputs + modes->actuators() : outputs;
+}
+
 template <typename Sample>
 void TouchPath::write (const TouchBlock<Sample>& block, int offset, int count, Outputs outputs) const
 {
+    const auto* const asked = askedFor (outputs);
+
     for (std::size_t i = 0; i < block.ceramics.size(); ++i)
         if (i < modes->ceramics.size())
             for (int n = 0; n < count; ++n)
-                block.ceramics[i][offset + n] = static_cast<Sample> (outputs[i][n] / modes->fullScaleVoltage);
+                block.ceramics[i][offset + n] = static_cast<Sample> (asked[i][n] / modes->fullScaleVoltage);
         else
             std::fill_n (block.ceramics[i] + offset, count, Sample (0));
 }
 
 void TouchPath::note (int count, Outputs outputs, LevelMeters& meters)
 {
+    const auto* const asked = askedFor (outputs);
     const auto& limited = limiterNode().limiter().limitedSamples();
 
     for (int i = 0; i < std::min (static_cast<int> (modes->actuators()), LevelMeters::ceramics); ++i)
     {
-        meters.notePeak (i, static_cast<float> (absolutePeak (outputs[i], count)));
-        meters.noteLimited (i, limited[static_cast<std::size_t> (i)]);
+        const auto place = static_cast<std::size_t> (i);
+        meters.notePeak (i, static_cast<float> (absolutePeak (asked[i], count)));
+        meters.noteLimited (i, limited[place]
+                                   + (outputLimiter != nullptr ? outputLimiter->limiter().limitedSamples()[place] : 0));
     }
 }
 

@@ -8,6 +8,7 @@
 #include <antinode_engine/EventDelay.h>
 #include <antinode_graph/FilterNode.h>
 #include <antinode_graph/InputNode.h>
+#include <antinode_graph/LagOutputs.h>
 #include <antinode_graph/LimiterNode.h>
 #include <antinode_graph/NodeGraph.h>
 #include <antinode_model/ModalModel.h>
@@ -62,6 +63,9 @@ public:
     template <typename Sample>
     void process (const TouchBlock<Sample>&, const TouchControls&, bool isLeaving, LevelMeters&, FingerMeters&);
 
+    /** By how much all comes later than its latency, because lags of ceramics are undone, samples. [worker] */
+    std::int64_t lateSamples() const { return late; }
+
     /** Whether a ramp to silence that began so many samples ago has ended. [audio thread] */
     bool isSilentAfter (std::int64_t samples) const;
 
@@ -69,7 +73,9 @@ public:
     void reset();
 
 private:
-    using Outputs = const double* const*; ///< Of the graph: the voltages behind the limiter.
+    using Outputs = const double* const*; ///< Of the graph: the voltages behind the limiter, then what is asked for.
+
+    Outputs askedFor (Outputs) const;
 
     FilterNode& filterNode() { return static_cast<FilterNode&> (graph.node (filters)); }
     LimiterNode& limiterNode() { return static_cast<LimiterNode&> (graph.node (limiter)); }
@@ -86,7 +92,9 @@ private:
     int fingers;
     Listening listening;
     NodeGraph graph;
-    int input = 0, filters = 0, overlay = 0, limiter = 0;         ///< Indices of its nodes.
+    int input = 0, filters = 0, overlay = 0, limiter = 0; ///< Indices of its nodes.
+    std::int64_t late = 0;                                ///< Samples, because lags are undone.
+    LimiterNode* outputLimiter = nullptr; ///< Of the graph, behind the filters of lags; none: nothing lags.
     std::array<std::int64_t, touchLatencies.size()> latencies {}; ///< Samples.
     std::array<FocusEvent, EventDelay::mostPerBlock> placedNotes {};
     EventDelay delay;

@@ -52,7 +52,7 @@ std::int64_t TouchWorker::latencySamples (std::size_t latency) const
 
     try
     {
-        return filterTiming ({}, TouchDesigner::filterSettings (rate, latency)).latencySamples();
+        return filterTiming ({}, TouchDesigner::filterSettings (rate, latency)).latencySamples() + late;
     }
     catch (const InputError&)
     {
@@ -185,6 +185,7 @@ void TouchWorker::buildPath()
         path = made.get();
         isPathNew = true;
         tail = std::log (1000) / decayRates (*present.model).minCoeff() + FilterSettings().length;
+        late = made->lateSamples();
         paths.give (std::move (made));
     }
     catch (const std::exception& failure)

@@ -99,5 +99,6 @@ private:
     LevelMeters levels;
     FingerMeters fingerLevels;
     std::atomic<double> preparedRate { 0 }, tail { 1 }, fullScale { 0 };
+    std::atomic<std::int64_t> late { 0 }; ///< Samples by which outputs come later where lags of ceramics are undone.
 };
 } // namespace antinode

@@ -98,11 +98,10 @@ ReportPage calibrationReport (const ModalModel& model, const AmplifierMeasuremen
     ReportSection section;
     section.heading = "Amplifiers";
     section.paragraphs = {
-        "Gain and low-pass are inverted by device.json: designs for it ask for voltages that come out right at the "
-        "frequency of each mode, within the "
-        "limits of the ceramics. Not inverted: the phase of the low-pass and the delay, which shift the focus in time "
-        "by what all amplifiers share, and "
-        "blur it by what they differ in; hysteresis of the ceramics, which monitors of amplifiers do not show."
+        "device.json inverts the gains: designs for it ask for voltages that come out right, within the limits of the "
+        "ceramics. Its ceramics keep low-pass and delay as their lag: filters before the outputs undo it, and all "
+        "happens a little later. Not inverted: hysteresis of the ceramics, which monitors of amplifiers do not show; "
+        "antinode hysteresis does it."
     };
     section.figures.push_back (
         { "Volts at the ceramic over volts that were asked for.", {}, gainChart (model, measurement) });
@@ -125,7 +124,7 @@ ReportPage calibrationReport (const ModalModel& model, const AmplifierMeasuremen
     ReportPage page;
     page.title = "Amplifiers of " + model.name;
     page.scores = { { "Differ in time by", fixedText (latenessRange (measurement) * micro, 2) + " us",
-                      "At the highest line; not inverted." } };
+                      "At the highest line; undone before the outputs." } };
     page.sections = { std::move (section) };
     page.links = { { "calibration.json", "calibration.json" }, { "device.json", "device.json" } };
     page.footer = "Antinode " ANTINODE_VERSION ".";

@@ -54,7 +54,12 @@ ModalModel makeDevice (IdentifiedModes modes, const IdentifyOptions& options, co
         options.fullScaleVoltage.value_or (computed ? computed->fullScaleVoltage : options.voltageLimit);
 
     if (computed && computed->ceramics.size() == modes.references.size())
+    {
         surface.ceramics = computed->ceramics;
+
+        for (auto& ceramic : surface.ceramics)
+            ceramic.lag = {}; // What was measured has them in its phases.
+    }
 
     auto model = toModalModel (modes, surface);
 

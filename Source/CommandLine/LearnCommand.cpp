@@ -6,6 +6,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_library/Inputs.h>
+#include <antinode_render/LagOutcome.h>
 #include <antinode_responses/PointsFile.h>
 
 #include <cstdio>
@@ -21,7 +22,8 @@ Eigen::MatrixX2d sensorPlaces (const LearnOptions& options)
     return options.pointsFile.empty() ? Eigen::MatrixX2d (0, 2) : readPointsFile (options.pointsFile);
 }
 
-void print (const LearnOptions& options, const LearningSetup& setup, const LearntFocus& learnt)
+void print (const LearnOptions& options, const LearningSetup& setup, const LearntFocus& learnt,
+            const LearningSettings& settings)
 {
     std::printf ("%s on %s\n", setup.focus.name.c_str(), setup.nominal.model.name.c_str());
     std::printf ("  %-6s %22s %34s\n", "pass", "field error (estimated)", "not predicted, of the noise (nominal)");
@@ -36,6 +38,9 @@ void print (const LearnOptions& options, const LearningSetup& setup, const Learn
 
     if (! learnt.refusal.empty())
         std::printf ("  %s%s\n", keptInWords (learnt).c_str(), learnt.refusal.c_str());
+
+    if (needsLagFilters (setup.nominal.model))
+        std::printf ("  lags of ceramics: %s\n", lagsInWords (learntOutputs (learnt, settings)).c_str());
 
     std::printf ("Next voltages and what was learnt: %s/voltages.wav, report.html\n", options.folder.c_str());
 }
@@ -60,7 +65,7 @@ void learn (const LearnOptions& options)
     writeLearnt (options.folder, learnt, setup.nominal, setup.deviations, settings);
 
     if (! options.isQuiet)
-        print (options, setup, learnt);
+        print (options, setup, learnt, settings);
 }
 
 void addPlayOptions (CLI::App& command, LearnOptions& options)

@@ -8,6 +8,7 @@
 #include <antinode_base/WholeFile.h>
 #include <antinode_documents/DesignFile.h>
 #include <antinode_documents/DeviceFile.h>
+#include <antinode_render/LagOutcome.h>
 #include <antinode_text/CsvTable.h>
 #include <antinode_text/OutputFolder.h>
 #include <antinode_text/WaveFile.h>
@@ -103,15 +104,24 @@ PlayedRecording readPlayedRecording (const std::filesystem::path& folder, const 
                                                                   + ", one per sensor");
 
     const auto samples = std::min (wave.samples.cols(), signals.cols());
-    return {
-        wave.sampleRate, model.fullScaleVoltage * wave.samples.leftCols (samples), signals.leftCols (samples), {}, 0
-    };
+    return { wave.sampleRate,
+             withLags (model, model.fullScaleVoltage * wave.samples, wave.sampleRate).leftCols (samples),
+             signals.leftCols (samples),
+             {},
+             0 };
 }
 
 Eigen::VectorXd noiseOfRecording (const Eigen::MatrixXd& signals, double signalToNoise)
 {
     return std::pow (10.0, -signalToNoise / 20)
            * (signals.rowwise().norm() / std::sqrt (static_cast<double> (signals.cols()))).cwiseMax (1e-30);
+}
+
+UndoneLags learntOutputs (const LearntFocus& learnt, const LearningSettings& settings)
+{
+    const auto known = firstModes (learnt.wide.model, learnt.wide.known);
+    return withLagsUndone (known, playedVoltages (known, learnt.design, settings), learnt.design.program.voltageLimits,
+                           settings.sampleRate);
 }
 
 std::string keptInWords (const LearntFocus& learnt)
@@ -150,13 +160,18 @@ void writeLearnt (const std::filesystem::path& path, const LearntFocus& learnt, 
                   const ModeSpread& before, const LearningSettings& settings)
 {
     const auto known = firstModes (learnt.wide.model, learnt.wide.known);
+    const auto outputs = learntOutputs (learnt, settings);
+    auto summary = learntToJson (learnt);
+
+    if (needsLagFilters (known))
+        summary["lag"] = lagJson (outputs);
+
     OutputFolder folder (path);
-    folder.write ("voltages.wav", encodeWave (playedVoltages (known, learnt.design, settings), known.fullScaleVoltage,
-                                              settings.sampleRate));
+    folder.write ("voltages.wav", encodeWave (outputs.voltages, known.fullScaleVoltage, settings.sampleRate));
     folder.write ("design.json", designToJson (learnt.design, known).dump (2) + "\n");
     folder.write ("device.json", learntDeviceText (learnt));
     folder.write ("learnt.csv", learntTable (learnt, nominal, before));
-    folder.write ("summary.json", learntToJson (learnt).dump (2) + "\n");
+    folder.write ("summary.json", summary.dump (2) + "\n");
     folder.write ("report.html", renderReport (learningReport (learnt, nominal, before)));
     folder.commit();
 }

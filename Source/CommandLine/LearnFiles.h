@@ -2,6 +2,7 @@
 
 #include "SensorOptions.h"
 
+#include <antinode_engine/LagFilters.h>
 #include <antinode_learning/LearningPasses.h>
 
 #include <nlohmann/json_fwd.hpp>
@@ -13,11 +14,14 @@ namespace antinode
 {
 /** What was recorded while a pass was played: voltages.wav and recorded.wav or recorded.csv of its folder.
     @param sensors  how many channels or columns must be there
-    @return         without noise and delay
+    @return         without noise and delay; voltages are those that ceramics acted on
     @throws InputError  for what is missing, cannot be read or does not fit
     [worker] Docs/FileFormats.md. */
 PlayedRecording readPlayedRecording (const std::filesystem::path& folder, const ModalModel&, Eigen::Index sensors,
                                      const SensorOptions&);
+
+/** What is to be played from now on, with lags of ceramics undone. @throws InputError  as lagFilters [worker] */
+UndoneLags learntOutputs (const LearntFocus&, const LearningSettings&);
 
 /** Each sensor's noise by its signal-to-noise ratio in dB: standard deviations of its samples. [any] */
 Eigen::VectorXd noiseOfRecording (const Eigen::MatrixXd& signals, double signalToNoise);

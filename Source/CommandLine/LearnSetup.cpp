@@ -8,7 +8,9 @@
 #include <antinode_base/InputError.h>
 #include <antinode_bench/PlayPasses.h>
 #include <antinode_bench/SimulatedBenchPlayer.h>
+#include <antinode_engine/LagFilters.h>
 #include <antinode_focus/Detuning.h>
+#include <antinode_focus/DriveAllocation.h>
 #include <antinode_library/Library.h>
 #include <antinode_model/IdleCeramics.h>
 #include <antinode_model/ShapesAtPlaces.h>
@@ -108,6 +110,22 @@ PlayedRecording withNoiseAndLatency (PlayedRecording recording, const LearnOptio
     return recording;
 }
 
+PassPlayer undoingLags (PassPlayer play, const LearningSetup& setup, double sampleRate)
+{
+    const auto& device = setup.nominal.model;
+
+    if (! needsLagFilters (device))
+        return play;
+
+    const auto limits = voltageLimits (device, setup.focus.allocation);
+    return [play = std::move (play), &device, limits, sampleRate] (const Eigen::MatrixXd& voltages, int pass)
+    {
+        auto recording = play (withLagsUndone (device, voltages, limits, sampleRate).voltages, pass);
+        recording.voltages = withLags (device, recording.voltages, sampleRate);
+        return recording;
+    };
+}
+
 LearningSetup learningSetup (const DeviceDescription& device, FocusDescription focus, Eigen::MatrixX2d places,
                              const LearnOptions& options)
 {
@@ -134,7 +152,7 @@ LearningSetup learningSetup (const DeviceDescription& device, FocusDescription f
 PassPlayer passesOf (const LearnOptions& options, const LearningSetup& setup)
 {
     if (options.isPlayed)
-        return audioPasses (options, setup);
+        return undoingLags (audioPasses (options, setup), setup, options.rate);
 
     if (! options.isSimulated)
         return recordedPasses (options, setup);

@@ -53,6 +53,11 @@ PlayedRecording withNoiseAndLatency (PlayedRecording, const LearnOptions&);
     [message thread] */
 PassPlayer passesOf (const LearnOptions&, const LearningSetup&);
 
+/** Plays what is asked for so that ceramics get the voltages that are given, as far as limits allow; the recording has
+   the voltages that they acted on. It lives as long as the setup.
+    @throws InputError  as lagFilters [any] */
+PassPlayer undoingLags (PassPlayer, const LearningSetup&, double sampleRate);
+
 /** How often and how long is played. [any] */
 LearningSettings learningSettings (const LearnOptions&);
 } // namespace antinode

@@ -7,10 +7,12 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
+#include <antinode_engine/LagFilters.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_library/Library.h>
 #include <antinode_library/SkinThresholds.h>
 #include <antinode_library/TrackModels.h>
+#include <antinode_render/LagOutcome.h>
 #include <antinode_render/PerformedWaveforms.h>
 #include <antinode_text/WaveReader.h>
 
@@ -73,6 +75,9 @@ void printPerformed (const PerformOptions& options, const PerformedWaveforms& pe
 
     std::printf ("  voltages: %s\n", trackVoltsInWords (performed).c_str());
 
+    if (performed.undone && performed.undone->lateness > 0)
+        std::printf ("  lags of ceramics: %s\n", lagsInWords (*performed.undone).c_str());
+
     for (const auto& warning : performed.design.warnings)
         std::printf ("  warning: %s\n", warning.c_str());
 
@@ -87,7 +92,14 @@ PerformedWaveforms judgePlayed (const std::string& file, const ModalModel& known
 {
     const auto wave = readWaveFile (file);
     settings.sampleRate = wave.sampleRate;
-    return judgeVoltages (known, judge, description, settings, judge.fullScaleVoltage * wave.samples, show);
+    const Eigen::MatrixXd asked = judge.fullScaleVoltage * wave.samples;
+    auto performed =
+        judgeVoltages (known, judge, description, settings, withLags (judge, asked, wave.sampleRate), show);
+
+    if (needsLagFilters (judge))
+        performed.undone = UndoneLags { asked }; // The samples of the file stay.
+
+    return performed;
 }
 
 std::vector<RecordedPass> readPasses (const PerformOptions& options, const ModalModel& known,

@@ -29,7 +29,7 @@ void writePerformed (const std::filesystem::path& path, const PerformedWaveforms
                      const PerformedExtras& extras)
 {
     OutputFolder folder (path);
-    folder.write ("voltages.wav", encodeWave (performed.design.voltages.values, performed.judge.fullScaleVoltage,
+    folder.write ("voltages.wav", encodeWave (outputVoltages (performed), performed.judge.fullScaleVoltage,
                                               performed.played.sampleRate));
     writeFingers (folder, performed);
 

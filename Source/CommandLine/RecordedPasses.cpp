@@ -4,6 +4,7 @@
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_base/WholeFile.h>
+#include <antinode_engine/LagFilters.h>
 #include <antinode_learning/PassDelay.h>
 #include <antinode_text/CsvTable.h>
 #include <antinode_text/WaveReader.h>
@@ -120,7 +121,7 @@ std::vector<RecordedPass> readRecordedPasses (const std::vector<std::string>& fo
         auto& pass = passes.emplace_back();
         pass.voltages = { { Reconstruction::bandLimited, wave.sampleRate },
                           -trigger / wave.sampleRate,
-                          model.fullScaleVoltage * wave.samples };
+                          withLags (model, model.fullScaleVoltage * wave.samples, wave.sampleRate) };
         const auto table = folder / "recorded.csv", sound = folder / "recorded.wav";
 
         if (! std::filesystem::exists (table) && ! std::filesystem::exists (sound))

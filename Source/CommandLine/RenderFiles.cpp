@@ -36,7 +36,7 @@ void writeVoltagesCsv (OutputFolder& folder, const RenderedFocus& focus)
     for (std::size_t i = 0; i < focus.model.ceramics.size(); ++i)
         columns.push_back (numbered ("voltage_V_%zu", i + 1));
 
-    folder.write ("voltages.csv", encodeCsv (focus.render.voltages, columns, focus.render.sampleRate, 0));
+    folder.write ("voltages.csv", encodeCsv (outputVoltages (focus), columns, focus.render.sampleRate, 0));
 }
 
 /** One file per ceramic, and a sheet: a .tfw holds only the shape, the rest is set on the generator by hand. */
@@ -47,7 +47,7 @@ void writeVoltagesTfw (OutputFolder& folder, const RenderedFocus& focus)
     for (std::size_t i = 0; i < focus.model.ceramics.size(); ++i)
     {
         const auto file =
-            encodeTfw (focus.render.voltages.row (static_cast<Eigen::Index> (i)).transpose(), focus.render.sampleRate);
+            encodeTfw (outputVoltages (focus).row (static_cast<Eigen::Index> (i)).transpose(), focus.render.sampleRate);
         const auto name = numbered ("voltages-%02zu.tfw", i + 1);
         folder.write (name, file.bytes);
         std::array<char, 256> numbers {};
@@ -70,10 +70,12 @@ void writeVoltagesMatlab (OutputFolder& folder, const RenderedFocus& focus)
         probes.row (static_cast<Eigen::Index> (i)) << focus.probes[i].first * milli, focus.probes[i].second * milli;
 
     const auto on = pointsOn (focus.model.surface);
+    const auto late = focus.undone ? static_cast<double> (focus.undone->lateness) : 0.0;
     folder.write ("voltages.mat",
-                  encodeMatlabFile ({ { "voltages_V", render.voltages.transpose(), {} },
+                  encodeMatlabFile ({ { "voltages_V", outputVoltages (focus).transpose(), {} },
                                       { "sample_rate_Hz", number (render.sampleRate), {} },
                                       { "focus_sample", number (static_cast<double> (render.focusSample) + 1), {} },
+                                      { "voltages_late_samples", number (late), {} },
                                       { "probes_mm", probes, {} },
                                       { "velocity_mm_s", (render.probeVelocities * milli).transpose(), {} },
                                       { "points_mm", focus.model.surface.points (on, Eigen::all) * milli, {} },
@@ -113,7 +115,7 @@ void writeSamples (OutputFolder& folder, const RenderedFocus& focus, const std::
     else if (format == "tfw")
         writeVoltagesTfw (folder, focus);
     else
-        folder.write ("voltages.wav", encodeWave (focus.render.voltages, focus.model.fullScaleVoltage, rate));
+        folder.write ("voltages.wav", encodeWave (outputVoltages (focus), focus.model.fullScaleVoltage, rate));
 
     if (! focus.probes.empty())
         folder.write ("probe.wav", encodeWave (focus.render.probeVelocities, probeFullScale, rate));

@@ -10,6 +10,7 @@
 #include <CommandLine/FollowOnDevice.h>
 #include <CommandLine/LearnFiles.h>
 #include <antinode_base/InputError.h>
+#include <antinode_engine/LagFilters.h>
 
 #include <nlohmann/json.hpp>
 
@@ -30,7 +31,7 @@ constexpr double inPpm = 1e6, inPercent = 100;
 using Followed = std::shared_ptr<FollowedDevice>;
 
 /** Recorded signals, as arrays. @throws InputError  where they do not fit the device */
-PlayedRecording fitting (const PlayedRecording& recording, const ModalModel& model, Eigen::Index sensors)
+PlayedRecording fitting (PlayedRecording recording, const ModalModel& model, Eigen::Index sensors)
 {
     const auto check = [] (const char* name, Eigen::Index rows, Eigen::Index wanted, const char* each)
     {
@@ -40,6 +41,7 @@ PlayedRecording fitting (const PlayedRecording& recording, const ModalModel& mod
     };
     check ("voltages_V", recording.voltages.rows(), model.actuators(), "ceramic");
     check ("signals", recording.signals.rows(), sensors, "sensor");
+    recording.voltages = withLags (model, recording.voltages, recording.sampleRate);
     return recording;
 }
 

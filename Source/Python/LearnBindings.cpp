@@ -62,7 +62,9 @@ Learnt learnFrom (const FocusValue& focus, const DeviceValue& device, LearnOptio
             auto setup = learningSetup (device.description, focus.description, places, options);
             const auto settings = learningSettings (options);
             auto learnt = learnFocus (setup.nominal, setup.focus, setup.sensors, setup.deviations,
-                                      play ? playerOf (*play, options) : passesOf (options, setup), settings, tell);
+                                      play ? undoingLags (playerOf (*play, options), setup, options.rate)
+                                           : passesOf (options, setup),
+                                      settings, tell);
             return std::make_shared<LearntValue> (LearntValue { std::move (setup), settings, std::move (learnt) });
         });
 }
@@ -79,8 +81,7 @@ std::shared_ptr<DesignValue> learntDesign (const LearntValue& value)
 
 Eigen::MatrixXd nextVoltages (const LearntValue& value)
 {
-    const auto& wide = value.learnt.wide;
-    return playedVoltages (firstModes (wide.model, wide.known), value.learnt.design, value.settings);
+    return learntOutputs (value.learnt, value.settings).voltages;
 }
 
 /** Of numbers of all modes those of the device's own; there are none before the first play. */

@@ -117,6 +117,9 @@ void bindPerform (py::module_& module)
     bound.def_property_readonly ("voltages_V",
                                  viewProperty<PerformedValue> ([] (const PerformedValue& value)
                                                                { return &value.performed.design.voltages.values; }));
+    bound.def_property_readonly (
+        "output_voltages_V",
+        viewProperty<PerformedValue> ([] (const PerformedValue& value) { return &outputVoltages (value.performed); }));
     bound.def_property_readonly ("displacements_m",
                                  viewProperty<PerformedValue> ([] (const PerformedValue& value)
                                                                { return &value.performed.played.displacements; }));

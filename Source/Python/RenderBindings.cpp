@@ -119,6 +119,9 @@ void bindArrays (py::class_<RenderValue, Rendered>& bound)
     bound.def_property_readonly ("voltages_V", viewProperty<RenderValue> ([] (const RenderValue& value)
                                                                           { return &value.focus.render.voltages; }));
     bound.def_property_readonly (
+        "output_voltages_V",
+        viewProperty<RenderValue> ([] (const RenderValue& value) { return &outputVoltages (value.focus); }));
+    bound.def_property_readonly (
         "probe_velocities_m_s",
         viewProperty<RenderValue> ([] (const RenderValue& value) { return &value.focus.render.probeVelocities; }));
     bound.def_property_readonly (

@@ -1,5 +1,6 @@
 #include "Support/RunProgram.h"
 
+#include <antinode_documents/DeviceFile.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_measurement/SimulatedBench.h>
 #include <antinode_text/JsonText.h>
@@ -45,11 +46,33 @@ DeviceDescription driftedBeam()
         "beam", { "device.material={\"youngs_modulus_GPa\": 69.3, \"poisson_ratio\": 0.33, \"density_kg_m3\": 2700}" });
 }
 
+/** By how many samples a ceramic of the beam is late where ceramics lag. */
+Eigen::Index samplesLate (std::size_t ceramic)
+{
+    return static_cast<Eigen::Index> (ceramic % 4);
+}
+
+/** What ceramics act on where they are late: whole samples, so that no filter is needed. */
+Eigen::MatrixXd comeLate (const Eigen::MatrixXd& asked)
+{
+    Eigen::MatrixXd late = Eigen::MatrixXd::Zero (asked.rows(), asked.cols());
+
+    for (Eigen::Index i = 0; i < asked.rows(); ++i)
+        if (const auto count = asked.cols() - samplesLate (static_cast<std::size_t> (i)); count > 0)
+            late.row (i).tail (count) = asked.row (i).head (count);
+
+    return late;
+}
+
 /** What the three sensors record of a pass on it. */
-void recordPass (const std::filesystem::path& pass, double signalScale)
+void recordPass (const std::filesystem::path& pass, double signalScale, bool isLate = false)
 {
     const auto truth = solveStructure (driftedBeam());
-    const auto wave = readWaveFile (pass / "voltages.wav");
+    auto wave = readWaveFile (pass / "voltages.wav");
+
+    if (isLate)
+        wave.samples = comeLate (wave.samples);
+
     Eigen::MatrixXd shapes (3, truth.modes());
     shapes << shapesAt (truth, -0.061, 0), shapesAt (truth, 0.033, 0), shapesAt (truth, 0.07, 0);
     SimulatedBenchSettings bench;
@@ -85,6 +108,44 @@ TEST_CASE ("learn finds the frequencies of a drifted beam from one play of a foc
     // The controlled ones, which were .5 % off: a tenth of that where the focus has little of a mode.
     for (Eigen::Index k = 0; k < 6; ++k)
         CHECK (learnt.frequencyHz (k) == Approx (right.frequencyHz (k)).epsilon (5e-4));
+}
+
+TEST_CASE ("learn knows when ceramics act that lag behind each other", "[command line][lag]")
+{
+    const TemporaryFolder folder;
+    writeSensors (folder.path());
+    auto lagging = solveStructure (loadDevice ("beam", {}));
+
+    for (std::size_t i = 0; i < lagging.ceramics.size(); ++i)
+        lagging.ceramics[i].lag.delay = static_cast<double> (samplesLate (i)) / rate;
+
+    const auto device = folder.path() / "lagging.json";
+    writeWholeFile (device, modalDeviceToJson (lagging, "").dump());
+    const auto learn = [&] (const std::string& out, const ProgramArguments& more)
+    {
+        auto arguments = learnArguments (folder.path(), out, more);
+        arguments[3] = device.string();
+        const auto run = runProgram (arguments);
+        INFO (run.errors);
+        REQUIRE (run.exitCode == 0);
+        return run.output;
+    };
+    learn ("pass1", {});
+    recordPass (folder.path() / "pass1", 1, true);
+    const auto said = learn ("pass2", { "--latency-ms", "3.1", "--recorded", (folder.path() / "pass1").string() });
+    INFO (said);
+    CHECK (said.find ("lags of ceramics: undone to") != std::string::npos);
+    const auto learnt = solveStructure (loadDevice ((folder.path() / "pass2" / "device.json").string(), {}));
+    const auto right = solveStructure (driftedBeam());
+
+    // They were .5 % off.
+    for (Eigen::Index k = 0; k < 6; ++k)
+        CHECK (learnt.frequencyHz (k) == Approx (right.frequencyHz (k)).epsilon (1e-3));
+
+    CHECK (learnt.ceramics[1].lag.delay == Approx (lagging.ceramics[1].lag.delay));
+    const auto summary = nlohmann::json::parse (readContent (folder.path() / "pass2" / "summary.json"));
+    CHECK (summary["residual_of_noise"].get<double>() < 1.2);
+    CHECK (summary["lag"]["late_samples"].get<int>() >= 3);
 }
 
 TEST_CASE ("learn changes nothing where sensors are dead, and says what recordings lack", "[command line]")

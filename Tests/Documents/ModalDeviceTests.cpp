@@ -290,3 +290,16 @@ TEST_CASE ("Imaginary parts are given for every mode and quantity or for none", 
     CHECK_THAT (errorAfter ([] (auto& d) { d["modes"][0]["shape_imaginary"].erase (0); }),
                 Catch::Contains ("shape_imaginary"));
 }
+
+TEST_CASE ("What ceramics do later than they are asked for is kept by a file")
+{
+    auto model = irregularModel (SurfaceKind::plate);
+    model.ceramics[1].lag = { 12.3e-6, 31.8e-6, 0.05 };
+    const auto lag = modalFileReadBack (model).ceramics[1].lag;
+    CHECK (lag.delay == model.ceramics[1].lag.delay);
+    CHECK (lag.timeConstant == model.ceramics[1].lag.timeConstant);
+    CHECK (lag.angle == Approx (0.05).epsilon (1e-15));
+    CHECK (modalFileReadBack (model).ceramics[0].lag == InputLag {});
+    CHECK (errorOfModalFile (R"(ceramics.0.lag={"delay_us": 20000})")
+           == "my.json: /ceramics/0/lag/delay_us: is 20000; allowed: 0 to 10000");
+}

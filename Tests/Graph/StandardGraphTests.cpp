@@ -1,5 +1,6 @@
 #include <Support/SineBeam.h>
 
+#include <antinode_engine/LagFilters.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_graph/LimiterNode.h>
@@ -37,14 +38,16 @@ struct Example
 template <typename Sample>
 Eigen::MatrixXd played (const Example& example, double rate, int block, Eigen::Index length, double amplitude = 1)
 {
+    const auto outputs = needsLagFilters (*example.model) ? 2 * ceramics + 1 : ceramics + 1;
     auto standard = standardGraph (example.model, {}, example.probe);
     standard.graph.prepare ({ rate, block });
     auto bank = std::make_unique<FocusBank>();
     bank->foci[0] =
         std::make_shared<const PlayableFocus> (example.design.program, Playback { Reconstruction::bandLimited, rate });
     standard.playerNode().player().handOver().give (std::move (bank));
-    Eigen::MatrixXd result (ceramics + 1, length);
-    std::vector<std::vector<Sample>> buffers (ceramics + 1, std::vector<Sample> (static_cast<std::size_t> (block)));
+    Eigen::MatrixXd result (outputs, length);
+    std::vector<std::vector<Sample>> buffers (static_cast<std::size_t> (outputs),
+                                              std::vector<Sample> (static_cast<std::size_t> (block)));
     std::vector<Sample*> channels;
 
     for (auto& buffer : buffers)
@@ -57,7 +60,7 @@ Eigen::MatrixXd played (const Example& example, double rate, int block, Eigen::I
         const auto count = static_cast<int> (std::min<Eigen::Index> (block, length - start));
         standard.graph.process (channels.data(), count, std::span (&event, start == 0 ? 1U : 0U));
 
-        for (Eigen::Index i = 0; i <= ceramics; ++i)
+        for (Eigen::Index i = 0; i < outputs; ++i)
             for (int n = 0; n < count; ++n)
                 result (i, start + n) =
                     static_cast<double> (buffers[static_cast<std::size_t> (i)][static_cast<std::size_t> (n)]);
@@ -113,6 +116,23 @@ TEST_CASE ("No voltage of the graph exceeds its ceramic's limit", "[graph]")
     const auto result = played<float> (example, 48000, 64, 1200, 1e4);
     CHECK (result.topRows (ceramics).cwiseAbs().maxCoeff() <= 150);
     CHECK (result.allFinite());
+}
+
+TEST_CASE ("Where ceramics lag, what is asked for is what files get, whatever the blocks", "[graph][lag]")
+{
+    Example example (48000);
+    auto model = *example.model;
+
+    for (std::size_t i = 0; i < ceramics; ++i)
+        model.ceramics[i].lag = { 3e-6 * static_cast<double> (i * i), 1e-5 * static_cast<double> (i), 0.01 };
+
+    example.model = std::make_shared<const ModalModel> (model);
+    const auto result = played<double> (example, 48000, 256, 1500);
+    const auto asked = withLagsUndone (model, result.topRows (ceramics), voltageLimits (model), 48000);
+    CHECK ((result.bottomRows (ceramics) - asked.voltages.leftCols (1500)).cwiseAbs().maxCoeff()
+           < 1e-12 * asked.voltages.cwiseAbs().maxCoeff());
+    CHECK (played<double> (example, 48000, 7, 1500) == result);
+    CHECK (played<float> (example, 48000, 64, 1500, 1e4).cwiseAbs().maxCoeff() <= 150);
 }
 
 TEST_CASE ("Disarmed is silent: a ramp down, and none up until it is armed", "[graph]")

@@ -66,7 +66,7 @@ TEST_CASE ("An amplifier without a low-pass has none", "[amplifier]")
     CHECK (found.amplifier.delay == Approx (2e-5));
 }
 
-TEST_CASE ("Amplifiers in front of ceramics scale participations by mode and lower limits", "[amplifier]")
+TEST_CASE ("Amplifiers in front of ceramics scale participations, lower limits and lag", "[amplifier]")
 {
     const auto model = sineBeam (4, 2);
     const Amplifier amplifier { 1.25, 1 / (2 * pi * model.frequencyHz (3)), 1e-5 };
@@ -74,11 +74,18 @@ TEST_CASE ("Amplifiers in front of ceramics scale participations by mode and low
 
     for (Eigen::Index k = 0; k < 4; ++k)
     {
-        CHECK (with.participation (k, 0)
-               == Approx (model.participation (k, 0) * std::abs (responseOf (amplifier, model.frequencyHz (k)))));
+        CHECK (with.participation (k, 0) == Approx (1.25 * model.participation (k, 0)));
         CHECK (with.participation (k, 1) == model.participation (k, 1));
     }
 
+    CHECK (with.ceramics[0].lag == InputLag { amplifier.delay, amplifier.timeConstant, 0 });
+    CHECK (with.ceramics[1].lag == InputLag {});
+    CHECK (errorText (
+               [&] {
+                   throughAmplifiers (with, { amplifier, {} });
+               })
+           == "amplifier: stands in front of '" + with.ceramics[0].name
+                  + "' already; allowed: the device as it was before it was calibrated");
     CHECK (with.ceramics[0].voltageLimit == Approx (model.ceramics[0].voltageLimit / 1.25));
     CHECK (with.ceramics[1].voltageLimit == model.ceramics[1].voltageLimit);
     CHECK (errorText ([&] { throughAmplifiers (model, { amplifier }); })

@@ -38,17 +38,29 @@ TEST_CASE ("What is not a factor of the response is told as misfit", "[hysteresi
     CHECK (fitHysteresis (high, responseAt (0.2), 0.8, 0.2).misfit > 0.01);
 }
 
-TEST_CASE ("A device with hysteresis answers by its gain at the level", "[hysteresis]")
+TEST_CASE ("A device with hysteresis answers by its gain at the level, and lags", "[hysteresis]")
 {
     const auto model = test::sineBeam (4, 2);
     const auto with = withHysteresis (model, { { 0.1, 0.03 }, { -0.2, 0 } }, Eigen::Vector2d (0.5, 1));
 
     for (Eigen::Index k = 0; k < model.modes(); ++k)
     {
-        CHECK (with.participation (k, 0) == Approx (1.05 * model.participation (k, 0)));
+        CHECK (with.participation (k, 0) == Approx (std::abs (Complex (1.05, 0.015)) * model.participation (k, 0)));
         CHECK (with.participation (k, 1) == Approx (0.8 * model.participation (k, 1)));
     }
 
+    CHECK (with.ceramics[0].lag.angle == Approx (std::atan2 (0.015, 1.05)));
+    CHECK (with.ceramics[1].lag == InputLag {});
+    CHECK (errorText (
+               [&] {
+                   withHysteresis (with, { { 0.1, 0.03 }, {} }, Eigen::Vector2d (0.5, 1));
+               })
+           == "hysteresis: of ceramic 1 is in this device already; allowed: the device as it answers at low voltages");
+    CHECK (errorText (
+               [&] {
+                   withHysteresis (model, { { 0, 2 }, {} }, Eigen::Vector2d (1, 1));
+               })
+           == "hysteresis: of ceramic 1 lags by 63 degrees; allowed: -45 to 45 degrees");
     CHECK (with.ceramics[0].voltageLimit == model.ceramics[0].voltageLimit);
 }
 

@@ -1,5 +1,7 @@
 #include "PlayedPlate.h"
 
+#include <Support/LaggingDevice.h>
+
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_render/RenderedFocus.h>
 #include <antinode_text/WaveFile.h>
@@ -73,6 +75,29 @@ TEST_CASE ("Rendered voltages through Antinode Plate are the rendered probe, wit
            < 1e-6 * peak);
     // Band-limited voltages move the surface a little before their first sample.
     CHECK (played.row (2).head (latency).cwiseAbs().maxCoeff() < 1e-5 * peak);
+}
+
+TEST_CASE ("What a lagging device is asked for moves its surface as designed, later by the latency", "[plate][lag]")
+{
+    const auto model = withOwnLags (solveDevice (plateDevice ("staple")->description, {}, true));
+    const auto focus = readFocusDocument (loadDocument (LibraryKind::focus, "demonstrator"), "demonstrator");
+    RenderOptions options;
+    options.playback = { Reconstruction::bandLimited, rate };
+    options.probes = { placeFromPercent (model.surface, 62.5, 50) };
+    const auto rendered = renderFocus (model, designFocus (model, focus.description, options.playback), options);
+    REQUIRE (rendered.undone);
+    const auto processor = offlinePlate (8, rate, 512);
+    processor->load (std::make_shared<const DeviceDocument> (documentOf (model)));
+    processor->session().waitUntilSettled();
+    processor->prepareToPlay (rate, 512);
+    processor->parameters().probeX (2) = 62.5F;
+    const auto late = processor->getLatencySamples() + rendered.undone->lateness;
+    CHECK (processor->getLatencySamples() > latency);
+    const auto played = moved<float> (*processor, outputVoltages (rendered) / model.fullScaleVoltage, 512);
+    const auto& wanted = rendered.render.probeVelocities;
+    const auto length = std::min (wanted.cols(), played.cols() - late);
+    CHECK ((played.row (2).segment (late, length) - wanted.leftCols (length)).cwiseAbs().maxCoeff()
+           < 2e-3 * wanted.cwiseAbs().maxCoeff());
 }
 
 TEST_CASE ("The quick surface has no latency and is near the rendered one", "[plate]")

@@ -1,5 +1,7 @@
 """Waveforms at fingers: the files of the command line, byte by byte."""
 
+import json
+
 import numpy as np
 import pytest
 
@@ -74,6 +76,39 @@ def test_a_pass_that_was_recorded_late_is_corrected_like_one_in_time(program, tm
     )
     aligned.save(tmp_path / "made", report=False)
     assert (tmp_path / "next" / "voltages.wav").read_bytes() == (tmp_path / "made" / "voltages.wav").read_bytes()
+
+
+def test_lags_of_amplifiers_are_undone_and_known_where_a_pass_is_corrected(program, tmp_path):
+    program(
+        *("calibrate", "--device", "aluminium-200x120", "--simulate", "--simulated-bandwidth-khz", "5"),
+        *("--rate", "48000", "--resolution-hz", "50", "--out", tmp_path / "calibrated"),
+    )
+    calibrated = json.loads((tmp_path / "calibrated" / "device.json").read_text())
+    plain = {**calibrated, "ceramics": [{k: v for k, v in each.items() if k != "lag"} for each in calibrated["ceramics"]]}
+
+    def corrected(device):
+        first = an.perform(two_fingers(), device)
+        lag = first.scores.get("lag", {"late_samples": 0, "misfit_percent": 0, "limited_samples": []})
+        assert lag["misfit_percent"] < 0.1 and not any(lag["limited_samples"])
+        assert first.scores["trigger_sample"] == first.trigger_sample + lag["late_samples"]
+        first.save(tmp_path / "pass", report=False)
+        # The real plate gives a tenth less; it moves later by what filters and amplifiers take.
+        recorded = np.vstack([np.zeros((lag["late_samples"], 2)), 0.9e6 * first.displacements_m.T])
+        np.savetxt(
+            tmp_path / "pass" / "recorded.csv",
+            np.column_stack([np.arange(len(recorded)) / first.sample_rate_Hz, recorded]),
+            delimiter=",",
+            header="time_s,displacement_um_1,displacement_um_2",
+            comments="",
+        )
+        next_pass = an.perform(two_fingers(), device, passes=[tmp_path / "pass"])
+        assert next_pass.scores["passes"]["errors_dB"][0] == pytest.approx(-20, abs=0.2)
+        return lag["late_samples"], next_pass.voltages_V
+
+    late, with_lags = corrected(calibrated)
+    none_late, without = corrected(plain)
+    assert late > 20 and none_late == 0
+    assert np.abs(with_lags - without).max() < 0.002 * np.abs(without).max()
 
 
 def test_a_late_recording_of_another_pass_is_refused_with_its_number(tmp_path):

@@ -29,10 +29,14 @@ struct PlayedSession
     PlayedSession() : PlayedSession ("staple", "demonstrator") {}
 
     PlayedSession (const std::string& device, const std::string& focus)
-        : settings (
-            settingsFromFocus (focusNamed (focus).description, deviceExtent (deviceNamed (device).description), {})),
+        : PlayedSession (deviceNamed (device), focusNamed (focus))
+    {
+    }
+
+    PlayedSession (const DeviceDocument& device, const FocusDocument& focus)
+        : settings (settingsFromFocus (focus.description, deviceExtent (device.description), {})),
           session (
-              deviceNamed (device), focusNamed (focus), [this] { return read(); }, [] {})
+              device, focus, [this] { return read(); }, [] {})
     {
     }
 

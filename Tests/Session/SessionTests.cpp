@@ -1,6 +1,10 @@
 #include "PlayedSession.h"
 
+#include <Support/LaggingDevice.h>
+
+#include <antinode_engine/LagFilters.h>
 #include <antinode_engine/OfflineRender.h>
+#include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/SpillOver.h>
 
 #include <catch2/catch.hpp>
@@ -78,6 +82,35 @@ TEST_CASE ("Free waveforms are a method as any other: played as rendered, never 
     const auto both = volts (played.play (2400, { spotPlayed, spotPlayed }, controls));
     CHECK (both.cwiseAbs().maxCoeff() <= 3 * (1 + 1e-12));
     CHECK (both.cwiseAbs().maxCoeff() > 2.99);
+}
+
+TEST_CASE ("Where ceramics lag, outputs are what files get, and come later by what the latency counts",
+           "[session][lag]")
+{
+    const auto lagging = test::withOwnLags (solveDevice (test::deviceNamed ("staple").description, {}, true));
+    test::PlayedSession played (test::documentOf (lagging), test::focusNamed ("demonstrator"));
+    played.change ([] (PlaySettings& settings) { settings.focusOnNote = true; });
+    played.prepare (rate);
+    const auto now = played.session.snapshot();
+    const auto design = designFocus (*now->model, now->focus, now->playback);
+    const auto rendered = renderOffline (*now->model, design.program,
+                                         { now->playback, 0.05, 512, Eigen::MatrixXd (0, now->model->modes()) });
+    const auto asked = withLagsUndone (*now->model, rendered.voltages, design.program.voltageLimits, rate);
+    const Eigen::MatrixXd outputs = now->model->fullScaleVoltage * played.play (2400, { spotPlayed }).topRows (8);
+    CHECK ((outputs - asked.voltages.leftCols (2400)).cwiseAbs().maxCoeff()
+           < 1e-6 * asked.voltages.cwiseAbs().maxCoeff());
+    CHECK (asked.lateness > 0);
+    CHECK (played.session.latencySamples() == rendered.focusSample + asked.lateness);
+
+    PlayControls controls;
+    controls.isArmed = false;
+    played.play (2400, { spotPlayed }, controls);
+    CHECK (played.play (480, {}, controls).topRows (8).isZero (0));
+    controls = {};
+    controls.voltageLimit = 1;
+    CHECK (
+        (now->model->fullScaleVoltage * played.play (2400, { spotPlayed }, controls).topRows (8)).cwiseAbs().maxCoeff()
+        <= 1 + 1e-12);
 }
 
 TEST_CASE ("Notes that are wanted first play before the bank is designed", "[session]")

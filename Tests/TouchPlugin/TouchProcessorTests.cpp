@@ -1,5 +1,8 @@
 #include "JudgedTouch.h"
 
+#include <Support/LaggingDevice.h>
+#include <antinode_engine/LagFilters.h>
+
 #include <catch2/catch.hpp>
 
 #include <chrono>
@@ -43,6 +46,29 @@ TEST_CASE ("A track at one finger leaves the others at rest, whoever of them cou
     CHECK (scores.normalisedError (0) < 1e-4);
     CHECK (scores.suppression (1) < -40);
     CHECK (scores.suppression (2) < -40);
+}
+
+TEST_CASE ("Where ceramics lag, filters before the outputs undo it, and the latency counts them", "[touch-plugin][lag]")
+{
+    const auto model = solveDevice (touchDevice ("aluminium-200x120")->description, {}, true);
+    const auto lagging = withOwnLags (model);
+    const auto inputs = withRest (fingerTones (2, length, rate));
+    const auto played = [&] (const ModalModel& device, int& latency)
+    {
+        const auto processor = offlineTouch (ceramics, rate, 512);
+        processor->load (std::make_shared<const DeviceDocument> (documentOf (device)));
+        processor->session().waitUntilSettled();
+        processor->prepareToPlay (rate, 512);
+        latency = processor->getLatencySamples();
+        return Eigen::MatrixXd (voltagesOf (*processor, inputs, 512).topRows (device.actuators())
+                                * device.fullScaleVoltage);
+    };
+    auto plain = 0, late = 0;
+    const auto wanted = played (model, plain), outputs = played (lagging, late);
+    const auto asked = withLagsUndone (lagging, wanted, voltageLimits (lagging), rate);
+    CHECK ((outputs - asked.voltages.leftCols (outputs.cols())).cwiseAbs().maxCoeff()
+           < 1e-4 * asked.voltages.cwiseAbs().maxCoeff());
+    CHECK (late - plain == asked.lateness);
 }
 
 TEST_CASE ("Fingers that rest on the plate are in its filters", "[touch-plugin]")

@@ -172,8 +172,13 @@ class Rendered(Pictured):
 
     @property
     def voltages_V(self) -> Floats:
-        """N_b x N_s: the voltages after the limiter, V. A view."""
+        """N_b x N_s: the voltages that ceramics act on, after the limiter, V. A view."""
         return self._core.voltages_V
+
+    @property
+    def output_voltages_V(self) -> Floats:
+        """N_b x N_s: the voltages to play, V: the same, with lags of ceramics undone where the device has any. A view."""
+        return self._core.output_voltages_V
 
     @property
     def probes_mm(self) -> Floats:

@@ -44,8 +44,13 @@ class Performed:
 
     @property
     def voltages_V(self) -> Floats:
-        """N_b x N_s, V. A view."""
+        """N_b x N_s: the voltages that ceramics act on, V. A view."""
         return self._core.voltages_V
+
+    @property
+    def output_voltages_V(self) -> Floats:
+        """N_b x N_s: the voltages to play, V: the same, with lags of ceramics undone where the device has any. A view."""
+        return self._core.output_voltages_V
 
     @property
     def displacements_m(self) -> Floats:
