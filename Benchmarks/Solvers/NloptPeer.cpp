@@ -1,5 +1,6 @@
 #include "NloptPeer.h"
 
+#include <antinode_allocation/RowSystem.h>
 #include <nlopt.h>
 
 #include <ctime>
