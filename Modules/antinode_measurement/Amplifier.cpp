@@ -1,6 +1,7 @@
 #include "Amplifier.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
 
 #include <Eigen/Cholesky>
 
@@ -13,6 +14,7 @@ namespace antinode
 namespace
 {
 constexpr double fullTurn = 2 * std::numbers::pi;
+constexpr double longestLag = 0.01; // s, of a device's file
 
 void requireResponse (bool isRight, const std::string& what)
 {
@@ -138,6 +140,9 @@ ModalModel throughAmplifiers (ModalModel model, const std::vector<Amplifier>& am
         const auto& amplifier = amplifiers[static_cast<std::size_t> (i)];
         auto& ceramic = model.ceramics[static_cast<std::size_t> (i)];
         requireResponse (amplifier.gain > 0, "has a gain of 0 or less");
+        requireResponse (amplifier.delay - first <= longestLag && amplifier.timeConstant <= longestLag,
+                         "of '" + ceramic.name + "' is late by more than devices can say; allowed: up to "
+                             + inWords (longestLag * 1e3) + " ms after the first one, and as long a time constant");
         requireResponse (ceramic.lag.delay == 0 && ceramic.lag.timeConstant == 0,
                          "stands in front of '" + ceramic.name
                              + "' already; allowed: the device as it was before it was calibrated");

@@ -94,9 +94,9 @@ void writeHysteresis (const std::filesystem::path& path, const HysteresisMeasure
     }
 
     OutputFolder folder (path);
-    folder.write ("device.json",
-                  modalDeviceToJson (measurement.model, "With the gain of its ceramics at the played level").dump (2)
-                      + "\n");
+    folder.write (
+        "device.json",
+        modalDeviceToJson (measurement.model, "With gain and lag of its ceramics at the played level").dump (2) + "\n");
     folder.write ("hysteresis.json", document.dump (2) + "\n");
     folder.commit();
 }
