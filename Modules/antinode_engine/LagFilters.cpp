@@ -92,6 +92,19 @@ Eigen::MatrixXd filtered (const LagFilters& filters, const Eigen::MatrixXd& volt
     return result;
 }
 
+/** How many samples of each column limits have changed, by more than rounding does. */
+std::vector<std::int64_t> changedSamples (const Eigen::MatrixXd& before, const Eigen::MatrixXd& after,
+                                          const Eigen::VectorXd& limits)
+{
+    constexpr double rounding = 1e-9; // of the limit
+    std::vector<std::int64_t> counts;
+
+    for (Eigen::Index i = 0; i < before.cols(); ++i)
+        counts.push_back (((after.col (i) - before.col (i)).cwiseAbs().array() > rounding * limits[i]).count());
+
+    return counts;
+}
+
 void requireRows (const ModalModel& model, const Eigen::MatrixXd& voltages)
 {
     if (voltages.rows() != model.actuators())
@@ -143,10 +156,10 @@ UndoneLags withLagsUndone (const ModalModel& model, const Eigen::MatrixXd& volta
         channels.push_back (asked.col (i).data());
 
     const auto count = static_cast<int> (asked.rows());
+    const Eigen::MatrixXd unlimited = asked;
     SlewLimiter (limits, slewLimits (model), sampleRate).process (channels.data(), channels.data(), count);
-    VoltageLimiter limiter (limits);
-    limiter.process (channels.data(), count);
-    return { asked.transpose(), limiter.limitedSamples(), filters.lateness, filters.misfit };
+    VoltageLimiter (limits).process (channels.data(), count);
+    return { asked.transpose(), changedSamples (unlimited, asked, limits), filters.lateness, filters.misfit };
 }
 
 Eigen::MatrixXd withLags (const ModalModel& model, const Eigen::MatrixXd& voltages, double sampleRate)

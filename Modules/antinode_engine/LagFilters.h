@@ -22,7 +22,7 @@ struct LagFilters
     Eigen::MatrixXd taps;             ///< N_t x N_b: the oldest sample first; N_t is odd.
     std::vector<Eigen::Index> starts; ///< N_b: samples by which the newest tap is late.
     Eigen::Index lateness = 0;        ///< Samples: by how much all that was designed happens later.
-    double misfit = 0;                ///< The largest error of a response in the band of the modes, of 1.
+    double misfit = 0;                ///< The largest error of a response in the band of the modes, of the wanted one.
 
     /** Samples from the oldest that is needed to the newest. [any] */
     Eigen::Index reach() const;
@@ -44,7 +44,7 @@ LagFilters lagFilters (const ModalModel&, double sampleRate, LagDirection);
 struct UndoneLags
 {
     Eigen::MatrixXd voltages;             ///< N_b x N_s, V: longer than what was designed, where anything lags.
-    std::vector<std::int64_t> limited {}; ///< N_b: samples that had to be clamped.
+    std::vector<std::int64_t> limited {}; ///< N_b: samples that limits of voltage or slew rate changed.
     Eigen::Index lateness = 0;            ///< As LagFilters.
     double misfit = 0;                    ///< As LagFilters.
 };

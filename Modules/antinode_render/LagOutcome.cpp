@@ -25,7 +25,8 @@ std::string lagsInWords (const UndoneLags& undone)
 
     if (const auto limited = limitedSamples (undone); limited > 0)
         text +=
-            "; " + std::to_string (limited) + " samples are clamped to their limit: lower the voltage of the design";
+            "; " + std::to_string (limited)
+            + " samples are beyond limits of voltage or slew rate and are cut: lower the voltage limit of the design";
 
     return text;
 }

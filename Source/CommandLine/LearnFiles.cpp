@@ -164,7 +164,10 @@ void writeLearnt (const std::filesystem::path& path, const LearntFocus& learnt, 
     auto summary = learntToJson (learnt);
 
     if (needsLagFilters (known))
+    {
+        summary["trigger_sample"] = outputs.lateness;
         summary["lag"] = lagJson (outputs);
+    }
 
     OutputFolder folder (path);
     folder.write ("voltages.wav", encodeWave (outputs.voltages, known.fullScaleVoltage, settings.sampleRate));

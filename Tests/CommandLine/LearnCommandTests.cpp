@@ -146,6 +146,7 @@ TEST_CASE ("learn knows when ceramics act that lag behind each other", "[command
     const auto summary = nlohmann::json::parse (readContent (folder.path() / "pass2" / "summary.json"));
     CHECK (summary["residual_of_noise"].get<double>() < 1.2);
     CHECK (summary["lag"]["late_samples"].get<int>() >= 3);
+    CHECK (summary["trigger_sample"] == summary["lag"]["late_samples"]);
 }
 
 TEST_CASE ("learn changes nothing where sensors are dead, and says what recordings lack", "[command line]")
