@@ -77,6 +77,24 @@ Eigen::MatrixXd behind (const std::vector<Amplifier>& amplifiers, const Eigen::M
     return result;
 }
 
+/** Amplifiers as their monitors tell them, with noise. */
+std::vector<Amplifier> measuredAt40Decibels (const std::vector<Amplifier>& real)
+{
+    constexpr Eigen::Index lines = 400;
+    const Eigen::VectorXd frequencies = Eigen::VectorXd::LinSpaced (lines, 50, 20000);
+    std::vector<Amplifier> measured;
+
+    for (const auto& amplifier : real)
+    {
+        Eigen::VectorXcd response = frequencies.unaryExpr ([&] (double f) { return responseOf (amplifier, f); });
+        const Eigen::VectorXcd noise = Eigen::VectorXcd::Random (lines);
+        response += 0.01 * response.norm() / noise.norm() * noise;
+        measured.push_back (fitAmplifier (frequencies, response).amplifier);
+    }
+
+    return measured;
+}
+
 /** Velocities of all modes at a sample, from rest. */
 Eigen::VectorXd velocitiesAt (const ModalModel& model, Eigen::MatrixXd voltages, Eigen::Index sample)
 {
@@ -198,7 +216,9 @@ TEST_CASE ("Slew rates stay within their limits", "[lag]")
     auto model = beamThatLags ({ { 0, 3e-5, 0 }, {} });
     model.ceramics[0].slewLimit = 2e4;
     Eigen::MatrixXd voltages = Eigen::MatrixXd::Random (2, 2000);
-    const auto undone = withLagsUndone (model, voltages, voltageLimits (model), lagRate).voltages;
+    const auto [undone, changed, late, misfit] = withLagsUndone (model, voltages, voltageLimits (model), lagRate);
+    CHECK (changed[0] > 0);
+    CHECK (changed[1] == 0);
     const auto last = undone.cols() - 1;
     CHECK ((undone.row (0).tail (last) - undone.row (0).head (last)).cwiseAbs().maxCoeff() * lagRate
            < 2e4 * (1 + 1e-9));
@@ -234,7 +254,7 @@ TEST_CASE ("Behind slow amplifiers that differ the focus is the one that was des
     for (int i = 0; i < 6; ++i)
         amplifiers.push_back ({ 1 + 0.03 * i, (1 + 0.1 * i) / (turn * 5000), (10 + 4.0 * i) * 1e-6 });
 
-    const auto known = throughAmplifiers (bare, amplifiers);
+    const auto known = throughAmplifiers (bare, measuredAt40Decibels (amplifiers));
     const auto design = designFocus (known, narrowFocus(), lagPlayback);
     const auto render = renderOffline (known, design.program, { lagPlayback, 0.03, 512, Eigen::MatrixXd (0, 8) });
     const auto undone = withLagsUndone (known, render.voltages, design.program.voltageLimits, lagRate);
@@ -245,12 +265,12 @@ TEST_CASE ("Behind slow amplifiers that differ the focus is the one that was des
     };
 
     const auto late = static_cast<double> (undone.lateness) / lagRate + amplifiers[0].delay;
-    CHECK (errorOf (undone.voltages, late) < 0.01);
+    CHECK (errorOf (undone.voltages, late) < 0.005);
     auto best = 1.0;
 
     for (auto common = 0.0; common < 1e-4; common += 2e-6)
         best = std::min (best, errorOf (render.voltages, common));
 
     CAPTURE (best, errorOf (undone.voltages, late));
-    CHECK (best > 0.05); // The same amplifiers, the common delay at its best, their differences left.
+    CHECK (best > 0.05); // Without filters, the common delay at its best.
 }
