@@ -194,6 +194,7 @@ int main (int argumentCount, char** arguments)
     AntinodeProcessor processor (ceramics, juce::AudioProcessor::wrapperType_Undefined);
     processor.setRateAndBufferSizeDetails (rate, longestBlock);
     processor.prepareToPlay (rate, longestBlock);
+    processor.session().waitUntilSettled(); // Or a busy computer has no focus to play before all changes.
     Findings findings;
     std::atomic<bool> isPlaying { true };
     std::thread audio (
@@ -210,6 +211,8 @@ int main (int argumentCount, char** arguments)
                  SyscallTrap::firstCaught(), SyscallTrap::isAvailable() ? "" : " (not caught by this kernel)");
     std::printf ("automation there: %lld allocations, first system call %ld\n",
                  static_cast<long long> (findings.automationAllocations), findings.automationSystemCall);
+    std::printf ("outputs: %s, %s\n", findings.areFinite ? "finite" : "NOT FINITE",
+                 findings.isHeard ? "heard" : "nothing heard");
     const auto isSound = findings.areFinite && findings.isHeard && findings.allocations == 0 && findings.locks == 0
                          && SyscallTrap::firstCaught() < 0 && findings.automationAllocations == 0
                          && findings.automationSystemCall < 0;
