@@ -8,6 +8,7 @@
 #include "SurfaceReader.h"
 
 #include <antinode_base/MessageText.h>
+#include <antinode_model/LongestLag.h>
 #include <antinode_text/PhysicalRanges.h>
 
 #include <algorithm>
@@ -139,16 +140,16 @@ void readModes (const JsonObject& device, const std::vector<Eigen::Index>& order
 
 InputLag readLag (const JsonValue& value)
 {
-    constexpr NumberRange delayMicrosecond { 0, 1e4 }, timeConstantMicrosecond { 0, 1e4 }, degrees { -45, 45 };
+    constexpr NumberRange degrees { -45, 45 };
+    const NumberRange microsecond { 0, toMicroseconds (longestLag) };
     const auto object = value.object ({ "delay_us", "time_constant_us", "angle_deg" });
     const auto read = [&] (const char* key, NumberRange range)
     {
         const auto number = object.optional (key);
         return number ? number->number (range) : 0.0;
     };
-    return { fromMicroseconds (read ("delay_us", delayMicrosecond)),
-             fromMicroseconds (read ("time_constant_us", timeConstantMicrosecond)),
-             fromDegrees (read ("angle_deg", degrees)) };
+    return { fromMicroseconds (read ("delay_us", microsecond)),
+             fromMicroseconds (read ("time_constant_us", microsecond)), fromDegrees (read ("angle_deg", degrees)) };
 }
 
 Ceramic readCeramic (const JsonValue& value, const VoltageLimits& limits)

@@ -6,6 +6,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
+#include <antinode_model/LongestLag.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,9 +35,9 @@ double longestDelay (const ModalModel& model)
     for (const auto& ceramic : model.ceramics)
         longest = std::max (longest, ceramic.lag.delay);
 
-    if (longest > longestLagDifference)
+    if (longest > longestLag)
         throw InputError ("lag", "delays of ceramics differ by " + inWords (longest * 1e3) + " ms; allowed: up to "
-                                     + inWords (longestLagDifference * 1e3) + " ms");
+                                     + inWords (longestLag * 1e3) + " ms");
 
     return longest;
 }

@@ -28,15 +28,12 @@ struct LagFilters
     Eigen::Index reach() const;
 };
 
-/** By how much the delays of ceramics may differ, s. */
-inline constexpr double longestLagDifference = 0.01;
-
 /** Whether there is more to do than to wait: ceramics differ in their lags, or have one that is no delay. [any] */
 bool needsLagFilters (const ModalModel&);
 
 /** Filters by least squares over the band of the modes, as long as they have to be, 1025 taps at most.
     @param sampleRate  Hz
-    @throws InputError  where delays differ by more than longestLagDifference
+    @throws InputError  where delays differ by more than longestLag
     [worker] Docs/Theory.md, section 7.9. */
 LagFilters lagFilters (const ModalModel&, double sampleRate, LagDirection);
 

@@ -2,6 +2,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
+#include <antinode_model/LongestLag.h>
 
 #include <Eigen/Cholesky>
 
@@ -14,7 +15,6 @@ namespace antinode
 namespace
 {
 constexpr double fullTurn = 2 * std::numbers::pi;
-constexpr double longestLag = 0.01; // s, of a device's file
 
 void requireResponse (bool isRight, const std::string& what)
 {
