@@ -22,8 +22,9 @@
 #include <string>
 
 // The table of learning from plays, some minutes by hand: Docs/Decisions/0110-learning-from-plays.md.
-// Environment: KNOWS_DELAY=1 (else it is looked for up to 30 ms), CUBIC, BEYOND, RETUNE=1: after one measurement and
-// retune. Usage: antinode_learning_scores DEVICE FOCUS SCATTER_PERCENT SENSORS IDLE PASSES TRIALS [FIRST_SEED]
+// Environment: KNOWS_DELAY=1 (else it is looked for up to 30 ms), CUBIC, RETUNE=1: after one measurement and retune,
+// REACH and BEYOND: highest frequency of the learner's model and of the bench's, by the highest known one. Usage:
+// antinode_learning_scores DEVICE FOCUS SCATTER_PERCENT SENSORS IDLE PASSES TRIALS [FIRST_SEED]
 using namespace antinode;
 
 namespace
@@ -140,10 +141,11 @@ int main (int count, char** arguments)
     const double cubic = std::getenv ("CUBIC") ? std::atof (std::getenv ("CUBIC")) : 0.01;
     const bool retunes = std::getenv ("RETUNE") != nullptr;
     const bool knowsDelay = std::getenv ("KNOWS_DELAY") != nullptr;
-    const double beyond = std::getenv ("BEYOND") ? std::atof (std::getenv ("BEYOND")) : 3.5;
+    const double beyond = std::getenv ("BEYOND") ? std::atof (std::getenv ("BEYOND")) : 3.5,
+                 reach = std::getenv ("REACH") ? std::atof (std::getenv ("REACH")) : 2.5;
     const auto device = loadDevice (deviceName, {});
     const auto designed = solveDevice (device, {}, true);
-    Case of { solveWide (device, designed, 2.5 * designed.frequencyHz (designed.modes() - 1), true),
+    Case of { solveWide (device, designed, reach * designed.frequencyHz (designed.modes() - 1), true),
               {},
               loadFocus (focusName, {}) };
     of.finer = solveWide (device, designed, beyond * designed.frequencyHz (designed.modes() - 1), true).model;
