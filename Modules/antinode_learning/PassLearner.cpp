@@ -187,7 +187,7 @@ LearntModes PassLearner::learntWith (const ModeSpread& own) const
 std::vector<double> PassLearner::delaysToTry (const PlayedRecording& recording, const ModeSpread& own) const
 {
     const auto mean = meanModel (learnt.model, learnt.frequencyDeviations);
-    const auto delays = delaysBy (mean, learnt.sensors, recording, recordings.empty() ? mostLikely : 1);
+    auto delays = delaysBy (mean, learnt.sensors, recording, recordings.empty() ? mostLikely : 1);
 
     if (delays.size() == 1)
         return delays;
