@@ -17,7 +17,7 @@ namespace antinode
 namespace
 {
 constexpr std::size_t mostLikely = 24; // delays of the first play that are compared by the beginning of the record
-constexpr std::size_t mostTried = 4;   // of them that are tried on the whole record
+constexpr std::size_t mostTried = 5;   // of them that are tried on the whole record
 constexpr double surelyRight = 1.5;    // times the noise: a delay that leaves less of the beginning is the right one
 constexpr std::size_t fewCompared = 4; // so many delays are compared before one of them stands out
 constexpr double farLess = 0.2;        // of the next one's misfit: what a delay leaves that stands out
@@ -39,10 +39,10 @@ bool oneStandsOut (std::vector<double> misfits)
 
 using RankedDelays = std::array<std::vector<std::pair<double, double>>, 2>; // misfit and delay, by each bound
 
-/** The delays that explain the beginning best, those of the two bounds in turn. */
-std::vector<double> bestOfBoth (RankedDelays ranked)
+/** The most likely delay, then those that explain the beginning best, those of the two bounds in turn. */
+std::vector<double> bestOfBoth (RankedDelays ranked, double likeliest)
 {
-    std::vector<double> best;
+    std::vector<double> best { likeliest };
 
     for (auto& each : ranked)
         std::sort (each.begin(), each.end());
@@ -210,6 +210,6 @@ std::vector<double> PassLearner::delaysToTry (const PlayedRecording& recording, 
             return { delays[static_cast<std::size_t> (std::min_element (least.begin(), least.end()) - least.begin())] };
     }
 
-    return bestOfBoth (std::move (ranked));
+    return bestOfBoth (std::move (ranked), delaysBy (nominal.model, sensors, recording, 1).front());
 }
 } // namespace antinode
