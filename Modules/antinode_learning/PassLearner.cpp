@@ -39,8 +39,9 @@ bool oneStandsOut (std::vector<double> misfits)
 
 using RankedDelays = std::array<std::vector<std::pair<double, double>>, 2>; // misfit and delay, by each bound
 
-/** The most likely delay, then those that explain the beginning best, those of the two bounds in turn. */
-std::vector<double> bestOfBoth (RankedDelays ranked, double likeliest)
+/** s: the likeliest delay by the correlation, since beginnings can mislead, then those that explain the beginning best,
+    those of the two bounds in turn. */
+std::vector<double> delaysWorthTrying (RankedDelays ranked, double likeliest)
 {
     std::vector<double> best { likeliest };
 
@@ -210,6 +211,6 @@ std::vector<double> PassLearner::delaysToTry (const PlayedRecording& recording, 
             return { delays[static_cast<std::size_t> (std::min_element (least.begin(), least.end()) - least.begin())] };
     }
 
-    return bestOfBoth (std::move (ranked), delaysBy (nominal.model, sensors, recording, 1).front());
+    return delaysWorthTrying (std::move (ranked), delaysBy (nominal.model, sensors, recording, 1).front());
 }
 } // namespace antinode
