@@ -15,14 +15,32 @@ namespace
 constexpr double transition = 0.25; // of the highest frequency, until nothing is left, or up to half the rate
 constexpr double samplesPerPeriod = 2 * (1 + transition);
 
+/** Hz: above the highest frequency, until nothing is left. */
+double fallWidth (double sampleRate, double highest)
+{
+    return std::min (transition * highest, sampleRate / 2 - highest);
+}
+
+/** Samples in which a voltage that is filtered rings, before and after it. */
+double ringing (double sampleRate, double highest)
+{
+    return 8 * sampleRate / (transition * highest);
+}
+
+/** Samples of a rate for one of the lowest rate that holds a frequency. */
+double stepFor (double sampleRate, double highest)
+{
+    return std::max (1.0, std::floor (sampleRate / (samplesPerPeriod * highest)));
+}
+
 /** Rows of samples, filtered and thinned. */
 Eigen::MatrixXd thinned (const Eigen::MatrixXd& rows, double sampleRate, double highest, Eigen::Index step)
 {
-    const auto ringing = 8 * sampleRate / (transition * highest); // samples, before the signal comes round again
-    const auto few = quickLength ((static_cast<double> (rows.cols()) + ringing) / static_cast<double> (step));
+    const auto beforeItComesRound = static_cast<double> (rows.cols()) + ringing (sampleRate, highest);
+    const auto few = quickLength (beforeItComesRound / static_cast<double> (step));
     const auto length = few * step;
     const auto lineWidth = sampleRate / static_cast<double> (length);
-    const auto fallWidth = std::min (transition * highest, sampleRate / 2 - highest);
+    const auto width = fallWidth (sampleRate, highest);
     Eigen::MatrixXd result (rows.rows(), rows.cols() / step);
     FourierTables tables;
 
@@ -32,7 +50,7 @@ Eigen::MatrixXd thinned (const Eigen::MatrixXd& rows, double sampleRate, double 
 
         for (Eigen::Index k = 0; k < spectrum.size(); ++k)
         {
-            const auto beyond = (static_cast<double> (k) * lineWidth - highest) / fallWidth;
+            const auto beyond = (static_cast<double> (k) * lineWidth - highest) / width;
             const auto fall = beyond <= 0 ? 1.0 : beyond >= 1 ? 0.0 : (1 + std::cos (std::numbers::pi * beyond)) / 2;
             spectrum[k] *= fall / static_cast<double> (step);
         }
@@ -41,6 +59,34 @@ Eigen::MatrixXd thinned (const Eigen::MatrixXd& rows, double sampleRate, double 
     }
 
     return result;
+}
+
+/** Hz: up to where a recording is heard so that no mode beyond a model is; of what the same lower rate holds. */
+double highestHeard (double sampleRate, const WideModel& model)
+{
+    constexpr double aboveKnown = 1.05; // of the highest known frequency, which can be off by some percents
+    constexpr double nothingBeyond = 1 / (1 + transition);
+    constexpr double rounding = 1e-9; // so that the step does not become another one
+    const auto known = aboveKnown * model.model.frequencyHz (model.known - 1);
+    const auto held = (1 - rounding) * sampleRate / (samplesPerPeriod * stepFor (sampleRate, known));
+    return std::max (known, std::min (nothingBeyond * model.highestFrequency(), held));
+}
+
+Eigen::MatrixXd afterSilence (const Eigen::MatrixXd& rows, Eigen::Index silence)
+{
+    Eigen::MatrixXd later = Eigen::MatrixXd::Zero (rows.rows(), rows.cols() + silence);
+    later.rightCols (rows.cols()) = rows;
+    return later;
+}
+
+/** Filtered voltages ring for ever; they end where that is 1e-5 of the largest one. */
+void endWhereInaudible (Eigen::MatrixXd& voltages)
+{
+    constexpr double inaudible = 1e-5;
+    const auto least = inaudible * voltages.cwiseAbs().maxCoeff();
+
+    for (auto end = voltages.cols(); end > 0 && voltages.col (end - 1).cwiseAbs().maxCoeff() < least; --end)
+        voltages.col (end - 1).setZero();
 }
 } // namespace
 
@@ -52,11 +98,33 @@ PlayedRecording atLowerRate (const PlayedRecording& recording, double highest)
     if (recording.sampleRate <= 2 * highest)
         return recording;
 
-    const auto step =
-        static_cast<Eigen::Index> (std::max (1.0, std::floor (recording.sampleRate / (samplesPerPeriod * highest))));
+    const auto step = static_cast<Eigen::Index> (stepFor (recording.sampleRate, highest));
     const auto thin = [&] (const Eigen::MatrixXd& rows) { return thinned (rows, recording.sampleRate, highest, step); };
-    return { recording.sampleRate / static_cast<double> (step), thin (recording.voltages), thin (recording.signals),
-             recording.noise / std::sqrt (static_cast<double> (step)), recording.delay };
+    const auto rate = recording.sampleRate / static_cast<double> (step);
+    constexpr double powerOfFall = 3.0 / 8; // of what a raised cosine falls through
+    const auto band = highest + powerOfFall * fallWidth (recording.sampleRate, highest);
+    return { rate,
+             thin (recording.voltages),
+             thin (recording.signals),
+             recording.noise / std::sqrt (static_cast<double> (step)),
+             recording.delay,
+             recording.delaySpan,
+             recording.bandShare * std::min (1.0, 2 * band / rate) };
+}
+
+PlayedRecording withinModel (PlayedRecording recording, const WideModel& model)
+{
+    const auto highest = highestHeard (recording.sampleRate, model);
+
+    if (recording.sampleRate < samplesPerPeriod * highest)
+        return recording;
+
+    const auto silence = static_cast<Eigen::Index> (std::ceil (ringing (recording.sampleRate, highest)));
+    recording.voltages = afterSilence (recording.voltages, silence);
+    recording.signals = afterSilence (recording.signals, silence);
+    recording = atLowerRate (recording, highest);
+    endWhereInaudible (recording.voltages);
+    return recording;
 }
 
 double highestModelled (const ModalModel& model)

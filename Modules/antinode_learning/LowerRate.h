@@ -6,6 +6,8 @@
 
 namespace antinode
 {
+struct WideModel;
+
 /** What of a recording lies below a frequency, voltages and signals alike, at the lowest rate that holds it: a linear
    device answers to the filtered voltages by the filtered signals, without what modes above add.
     @param highest  Hz, passed; above it all falls to 0 within a quarter of it
@@ -13,6 +15,13 @@ namespace antinode
     @throws InputError  where the frequency is not above 0
     [worker] Docs/Theory.md, section 7.7. */
 PlayedRecording atLowerRate (const PlayedRecording&, double highest);
+
+/** What of a recording lies where a model has all modes: all that its known modes do and, as far as the same lower rate
+    holds it, what modes beyond them do. Those beyond the model, which every plate has, are not heard then.
+    @return  begins with silence, as much before voltages and signals, since filtered voltages begin to ring early; the
+             same recording where its rate holds no more than the known modes
+    [worker] Docs/Theory.md, section 7.6. */
+PlayedRecording withinModel (PlayedRecording, const WideModel&);
 
 /** Up to which frequency a model has all modes, Hz: a little below its highest. [any] */
 double highestModelled (const ModalModel&);

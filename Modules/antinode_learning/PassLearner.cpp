@@ -2,6 +2,7 @@
 
 #include "LearningVerdict.h"
 #include "LikelyDelays.h"
+#include "LowerRate.h"
 #include "RecordingEquations.h"
 
 #include <antinode_numerics/Median.h>
@@ -132,12 +133,13 @@ PassLearner::PassLearner (const WideModel& model, const std::vector<Sensor>& lis
 {
 }
 
-LearningPass PassLearner::hear (const PlayedRecording& recording)
+LearningPass PassLearner::hear (const PlayedRecording& whole)
 {
-    requireUsable (nominal.model, sensors, deviations, { recording });
+    requireUsable (nominal.model, sensors, deviations, { whole });
+    const auto recording = withinModel (whole, nominal);
     auto own = deviations;
     LearningPass pass;
-    pass.voltages = recording.voltages;
+    pass.voltages = whole.voltages;
     pass.loudness = loudnessOf (nominal.model, sensors, recording);
     pass.surprise = surprise (learnt.model, learnt.sensors, deviations, recording);
     pass.nominalSurprise =

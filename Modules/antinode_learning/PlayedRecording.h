@@ -22,5 +22,6 @@ struct PlayedRecording
     Eigen::VectorXd noise;    ///< N: standard deviation of each sensor's samples.
     double delay = 0;         ///< s, from the voltages to the signals, as far as it is known.
     double delaySpan = 0;     ///< s: by how much the delay may be longer; it is then looked for. 0: it is known.
+    double bandShare = 1;     ///< Of the frequencies up to half the rate: where the noise lies, at its known density.
 };
 } // namespace antinode

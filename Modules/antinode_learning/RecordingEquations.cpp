@@ -37,13 +37,13 @@ Eigen::MatrixXd heardBy (const Eigen::MatrixXd& sensors, const Histories& histor
     return heard;
 }
 
-/** @param precision  N, of each sensor: 1 over the square of the noise */
 RecordingMisfit misfitOf (const Eigen::MatrixXd& residual, const Eigen::MatrixXd& signals,
-                          const Eigen::VectorXd& precision)
+                          const PlayedRecording& recording)
 {
+    const Eigen::VectorXd precision = recording.noise.cwiseAbs2().cwiseInverse(); // N
     const auto weighed = [&precision] (const Eigen::MatrixXd& values)
     { return (values.cwiseAbs2().colwise().sum() * precision).value(); };
-    return { weighed (residual), weighed (signals), static_cast<double> (residual.size()) };
+    return { weighed (residual), weighed (signals), recording.bandShare * static_cast<double> (residual.size()) };
 }
 } // namespace
 
@@ -93,7 +93,7 @@ RecordingEquations recordingEquations (const LearningPrior& prior, const Learnin
     matrix (drift, drift) = product (byDrift, byDrift);
     matrix (delay, delay) = product (byDelay, byDelay);
     matrix (delay, drift) = product (byDelay, byDrift);
-    equations.misfit = misfitOf (residual, signals, precision);
+    equations.misfit = misfitOf (residual, signals, recording);
     return equations;
 }
 
@@ -106,6 +106,6 @@ RecordingMisfit recordingMisfit (const LearningPrior& prior, const LearningState
     const auto heard = heardBy (state.sensors, modeHistories (state.model, voltages, samples),
                                 decayLogarithms (state.model, voltages.sampleRate()), samples);
     const auto& signals = prior.signals[static_cast<std::size_t> (r)]->earlier (state.delays[r], samples);
-    return misfitOf (signals - heard, signals, recording.noise.cwiseAbs2().cwiseInverse());
+    return misfitOf (signals - heard, signals, recording);
 }
 } // namespace antinode

@@ -9,7 +9,7 @@ struct RecordingMisfit
 {
     double residual = 0; ///< Of squared residuals over the noise.
     double signal = 0;   ///< Of squared signals over the noise.
-    double samples = 0;  ///< How many.
+    double samples = 0;  ///< How many that are independent, over which white noise sums to as much.
 
     RecordingMisfit& operator+= (const RecordingMisfit& other)
     {

@@ -134,6 +134,32 @@ TEST_CASE ("A device that is known nearly to the noise, as after retune, is made
     }
 }
 
+TEST_CASE ("Modes beyond the model are not heard", "[learning]")
+{
+    for (const std::uint64_t seed : { 1, 2, 3 })
+    {
+        Bench bench (0.005, seed);
+        bench.delaySpan = 0.02;
+        bench.nominal = { sineBeam (knownModes + 1, 5), knownModes, {} };
+        std::vector<PlayedRecording> recordings;
+        const auto play = [&] (const Eigen::MatrixXd& volts, int pass)
+        { return recordings.emplace_back (bench (volts, pass)); };
+        const auto learnt = learn (bench, play);
+        CAPTURE (seed, learnt.refusal);
+        REQUIRE (learnt.refusal.empty());
+        CHECK (learnt.learnt.residual < 1.1);
+
+        for (std::size_t pass = 0; pass < recordings.size(); ++pass)
+        {
+            recordings[pass].delay = bench.delay + 61 * static_cast<double> (pass) / benchRate;
+            recordings[pass].delaySpan = 0;
+        }
+
+        const auto spread = sameSpread (knownModes + 1, 0.005, 0.1, 0.05);
+        CHECK (learnModes (bench.nominal.model, bench.sensors(), spread, recordings).residual > 1.2);
+    }
+}
+
 TEST_CASE ("No more is played once the field error is small enough", "[learning]")
 {
     const Bench bench (0.005, 1);
