@@ -18,6 +18,7 @@ constexpr double roughGain = 1e-2; // of the objective, relative: less ends a le
 constexpr double firstPhase = 0.5; // rad: by how much the highest mode may be off at the end of the first length
 constexpr double lengthening = 2;
 constexpr double missed = 1.2; // of the noise is not explained: another minimum may do better
+constexpr double unlikely = 6; // deviations: one of 1e9 normal numbers
 constexpr double unbounded = std::numeric_limits<double>::infinity(); // no bound but the problem's own
 
 constexpr std::array boundsToTry { 8.0, unbounded, 4.0 }; // deviations that no value leaves while the record grows
@@ -77,7 +78,8 @@ LearntModes learntFrom (const LearningPrior& prior, const LearningProblem& probl
     LearntModes learnt { prior.model,         prior.sensors,
                          state.delays,        deviations.frequencies,
                          deviations.dampings, deviations.participation,
-                         solution.residual,   solution.unexplained };
+                         solution.residual,   solution.unexplained,
+                         solution.farthest };
     learnt.model.angularFrequencies = state.model.angularFrequencies;
     learnt.model.dampingRatios = state.model.dampingRatios;
     learnt.model.participation = state.model.participation;
@@ -104,7 +106,69 @@ LearntModes learntFrom (const LearningPrior& prior, const LearningProblem& probl
 
     return learnt;
 }
+
+/** Values of all parameters after the record has grown to its whole length, from the known device.
+    @param furthest  deviations that no value leaves meanwhile */
+Eigen::VectorXd grownWithin (double furthest, const LearningPrior& prior, const LearningProblem& problem,
+                             double longest)
+{
+    Eigen::VectorXd values = Eigen::VectorXd::Zero (problem.all().parameters.size());
+    auto time = firstTime (prior, problem.all().parameters);
+
+    while (time < longest)
+    {
+        values = problem.solve (problem.clearlyHeard(), std::move (values), time, roughGain, furthest).values;
+        time *= lengthening;
+    }
+
+    return values;
+}
+
+/** Which bounds lead to the right minimum differs from device to device: the next ones are tried where it is missed,
+   and where all miss it, what explains most is the best. */
+LearningSolution fromTheBeginning (const LearningPrior& prior, const LearningProblem& problem, double longest)
+{
+    LearningSolution best;
+    Eigen::VectorXd unlikely; // values that were not followed to the end
+    auto nearest = unbounded;
+    best.distance = unbounded;
+
+    for (const auto furthest : boundsToTry)
+    {
+        auto values = grownWithin (furthest, prior, problem, longest);
+
+        if (isUnlikely (problem.farthestHeardWell (values)))
+        {
+            if (const auto distance = problem.distance (values, longest); distance < nearest)
+            {
+                nearest = distance;
+                unlikely = std::move (values);
+            }
+
+            continue;
+        }
+
+        auto solution = problem.finish (std::move (values), longest);
+
+        if (solution.residual < missed && ! isUnlikely (solution.farthest))
+            return solution;
+
+        if (solution.distance < best.distance)
+            best = std::move (solution);
+    }
+
+    if (nearest < best.distance)
+        if (auto solution = problem.finish (std::move (unlikely), longest); solution.distance < best.distance)
+            return solution;
+
+    return best;
+}
 } // namespace
+
+bool isUnlikely (double deviations)
+{
+    return deviations > unlikely;
+}
 
 LearntModes learnModes (const ModalModel& model, const std::vector<Sensor>& sensors, const ModeSpread& deviations,
                         const std::vector<PlayedRecording>& recordings, const LearntModes* before)
@@ -122,31 +186,7 @@ LearntModes learnModes (const ModalModel& model, const std::vector<Sensor>& sens
         return learntFrom (prior, problem, problem.finish (std::move (values), longest));
     }
 
-    // Which bounds lead to the right minimum differs from device to device: the next ones are tried where one is
-    // missed.
-    LearningSolution best;
-
-    for (const auto furthest : boundsToTry)
-    {
-        Eigen::VectorXd values = Eigen::VectorXd::Zero (problem.all().parameters.size());
-        auto time = firstTime (prior, problem.all().parameters);
-
-        while (time < longest)
-        {
-            values = problem.solve (problem.clearlyHeard(), std::move (values), time, roughGain, furthest).values;
-            time *= lengthening;
-        }
-
-        auto solution = problem.finish (std::move (values), longest);
-
-        if (best.values.size() == 0 || solution.residual < best.residual)
-            best = std::move (solution);
-
-        if (best.residual < missed)
-            break;
-    }
-
-    return learntFrom (prior, problem, best);
+    return learntFrom (prior, problem, fromTheBeginning (prior, problem, longest));
 }
 
 std::array<double, 2> misfitsOfBeginning (const ModalModel& model, const std::vector<Sensor>& sensors,

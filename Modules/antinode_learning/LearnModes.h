@@ -21,7 +21,11 @@ struct LearntModes
     Eigen::VectorXd participationDeviations; ///< N_m: RMS over the ceramics.
     double residual = 0;    ///< RMS of what the model does not explain, of the noise: 1 where all is explained.
     double unexplained = 0; ///< The same, of the signals.
+    double farthest = 0;    ///< Deviations by which a frequency was moved most, of modes below .4 of the sample rate.
 };
+
+/** Whether no frequency is so many deviations off by chance: the fit is in the wrong minimum. [any] */
+bool isUnlikely (double deviations);
 
 /** The most probable modes of a device, from what sensors heard while voltages were played: normally distributed
     deviations from the model, normally distributed noise, by Gauss and Newton's method on records that grow from the

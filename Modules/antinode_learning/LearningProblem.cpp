@@ -15,7 +15,7 @@ namespace
 {
 constexpr int mostSteps = 12; // of each length of the records
 constexpr double gainOfEach =
-    0.01; // of the objective for each unknown, in squares of deviations: a step that gains less is the last
+    0.05; // of the objective for each unknown, in squares of deviations: a step that gains less is the last
 constexpr double smallestShare = 0.125;  // of a step
 constexpr double clearlyTold = 10;       // of the prior's information
 constexpr double farthestFrequency = 8;  // deviations: a mode that runs away explains by chance and does not come back
@@ -37,6 +37,11 @@ Unknowns unknownsAbove (double information, const LearningParameters& all)
         unknowns.places.push_back (p);
 
     return unknowns;
+}
+
+double distanceOf (const RecordingMisfit& misfit, const Eigen::VectorXd& values)
+{
+    return std::sqrt ((misfit.residual + values.squaredNorm()) / misfit.samples);
 }
 
 /** Samples of a recording up to a time. */
@@ -67,7 +72,7 @@ LearningSolution LearningProblem::solve (const Unknowns& unknowns, Eigen::Vector
 {
     const Eigen::VectorXd bounds = farthest (unknowns.places).cwiseMin (furthest);
     const auto least = gainOfEach * static_cast<double> (unknowns.parameters.size());
-    LearningSolution solution { std::move (values), {}, 0, 0 };
+    LearningSolution solution { std::move (values), {}, 0, 0, 0, 0 };
     auto gain = std::numeric_limits<double>::infinity(), objective = 0.0;
 
     for (int i = 0; i < mostSteps && gain >= least + enough * objective; ++i)
@@ -106,13 +111,33 @@ LearningSolution LearningProblem::finish (Eigen::VectorXd values, double time) c
     const auto end = misfit (state (solution.values), time);
     solution.residual = std::sqrt (end.residual / end.samples);
     solution.unexplained = std::sqrt (end.residual / end.signal);
+    solution.distance = distanceOf (end, solution.values);
+    solution.farthest = farthestHeardWell (solution.values);
     return solution;
 }
 
 double LearningProblem::distance (const Eigen::VectorXd& values, double time) const
 {
-    const auto end = misfit (state (values), time);
-    return std::sqrt ((end.residual + values.squaredNorm()) / end.samples);
+    return distanceOf (misfit (state (values), time), values);
+}
+
+/** Frequencies beyond half the rate, or near it, are told by what modes do as springs: they explain by chance. */
+double LearningProblem::farthestHeardWell (const Eigen::VectorXd& values) const
+{
+    constexpr double heardWell = 0.4; // of the lowest sample rate
+    auto rate = std::numeric_limits<double>::infinity();
+
+    for (const auto& each : prior.recordings)
+        rate = std::min (rate, each.sampleRate);
+
+    auto most = 0.0;
+
+    for (Eigen::Index p = 0; p < every.parameters.drift(); ++p)
+        if (const auto& parameter = every.parameters.modal[static_cast<std::size_t> (p)];
+            parameter.kind == ParameterKind::frequency && prior.model.frequencyHz (parameter.mode) < heardWell * rate)
+            most = std::max (most, std::abs (values[p]));
+
+    return most;
 }
 
 RecordingMisfit LearningProblem::misfit (const LearningState& now, double time) const

@@ -19,6 +19,8 @@ struct LearningSolution
     Eigen::VectorXd values;               ///< P, of all parameters, in standard deviations.
     Eigen::MatrixXd factored;             ///< The matrix of the last step, as factorLower leaves it.
     double residual = 0, unexplained = 0; ///< As in LearntModes, of whole records; by finish.
+    double distance = 0;                  ///< As LearningProblem::distance; by finish.
+    double farthest = 0;                  ///< As in LearntModes; by finish.
 };
 
 /** What recordings say of all that they hear, the records up to a time. One thread at a time.
@@ -57,6 +59,9 @@ public:
 
     /** The RMS of the residual up to a time and of the values themselves, in units of the noise. [worker] */
     double distance (const Eigen::VectorXd& values, double time) const;
+
+    /** Deviations by which the frequency that is off most is off, of modes below .4 of the sample rate. [any] */
+    double farthestHeardWell (const Eigen::VectorXd& values) const;
 
 private:
     RecordingMisfit misfit (const LearningState&, double time) const;

@@ -12,11 +12,10 @@ namespace
 constexpr double mostUnexplained = 0.3; // of the signals, RMS
 constexpr double farthest = 30;         // standard deviations that a frequency may be moved
 constexpr double wellPredicted = 0.5;   // of what the nominal model does not predict, beyond the noise, RMS
-constexpr double wellNearNoise = 0.5;   // of its power, where there is little of it
+constexpr double wellNearNoise = 0.5;   // of its power, where it is at most twice the noise, RMS
 constexpr double surelyPredicted = 0.1; // of what the nominal model does not predict, RMS
 constexpr double misled = 3;            // of the same: such a model is not played by again
 constexpr double farFromPredicted = 10; // times louder or less loud: no device differs so much from its model
-constexpr double nearNoise = 2;         // of the noise, RMS
 constexpr double leastBeyond = 0.1;     // of the noise's power: less is nothing to learn from
 constexpr double stuck = 3;             // of the noise is not explained
 constexpr double clearlyBetter = 0.8;   // of the first play's error
@@ -42,7 +41,7 @@ bool isWellPredicted (const LearningPass& pass, double residual)
     const auto noise = std::min (1.0, residual * residual);
     const auto learnt = pass.surprise * pass.surprise - noise;
     const auto nominal = pass.nominalSurprise * pass.nominalSurprise - noise;
-    const auto share = pass.nominalSurprise < nearNoise ? wellNearNoise : wellPredicted * wellPredicted;
+    const auto share = std::clamp (1 / pass.nominalSurprise, wellPredicted * wellPredicted, wellNearNoise);
     return nominal > leastBeyond * noise && learnt < share * nominal;
 }
 } // namespace
@@ -92,7 +91,7 @@ std::string refusalOf (const LearntFocus& learnt, const ModalModel& nominal, con
 
 bool isStuck (const LearntModes& learnt)
 {
-    return learnt.residual > stuck;
+    return learnt.residual > stuck || isUnlikely (learnt.farthest);
 }
 
 bool isMisled (const LearningPass& pass, const LearntModes& learnt)

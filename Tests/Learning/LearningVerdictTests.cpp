@@ -34,8 +34,10 @@ TEST_CASE ("What was learnt has to leave a quarter of the power beyond the noise
 
     CHECK (isUsed (25, 60));
     CHECK_FALSE (isUsed (45, 60));
-    CHECK (isUsed (1.2, 2.1));
-    CHECK_FALSE (isUsed (1.5, 2.1));
+    CHECK (isUsed (2.1, 4));
+    CHECK_FALSE (isUsed (2.3, 4));
+    CHECK (isUsed (1.9, 3));
+    CHECK_FALSE (isUsed (2, 3));
     CHECK (isUsed (1.1, 1.3));
     CHECK_FALSE (isUsed (1.25, 1.3));
     // Below .1 of the noise's power there is nothing to learn.
@@ -77,4 +79,18 @@ TEST_CASE ("Plays end where one was predicted three times worse and is not expla
     CHECK (isMisledBy (40, 10, 4));
     CHECK_FALSE (isMisledBy (40, 10, 1.1));
     CHECK_FALSE (isMisledBy (20, 10, 4));
+}
+
+TEST_CASE ("A fit is stuck that leaves three times the noise, or a frequency six deviations off", "[learning]")
+{
+    const auto isStuckWith = [] (double residual, double farthest)
+    {
+        LearntModes learnt;
+        learnt.residual = residual;
+        learnt.farthest = farthest;
+        return isStuck (learnt);
+    };
+    CHECK_FALSE (isStuckWith (2.9, 5.9));
+    CHECK (isStuckWith (3.1, 0));
+    CHECK (isStuckWith (1, 6.1));
 }

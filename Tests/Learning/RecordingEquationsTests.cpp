@@ -102,6 +102,28 @@ TEST_CASE ("Parameters that are clearly heard are those of which recordings tell
     }
 }
 
+TEST_CASE ("How far a frequency is off counts where its mode is heard well", "[learning]")
+{
+    const auto model = test::sineBeam (10, 3); // to 11.5 kHz; of 24 kHz, up to 9.6 are heard well
+    const std::vector<PlayedRecording> recordings { noisePlayed (model) };
+    const std::vector<Sensor> sensors { { shapesAt (model, 0.03, 0), 0 }, { shapesAt (model, -0.05, 0), 0.05 } };
+    const auto deviations = sameSpread (model.modes(), 0.005, 0.1, 0.05);
+    const auto prior = makePrior (model, sensors, deviations, recordings);
+    const LearningProblem problem (prior);
+    int frequencies = 0;
+
+    for (Eigen::Index p = 0; p < problem.all().parameters.drift(); ++p)
+    {
+        const auto& parameter = problem.all().parameters.modal[static_cast<std::size_t> (p)];
+        const auto counts = parameter.kind == ParameterKind::frequency && parameter.mode < 9;
+        const Eigen::VectorXd values = -7 * Eigen::VectorXd::Unit (problem.all().parameters.size(), p);
+        CHECK (problem.farthestHeardWell (values) == (counts ? 7 : 0));
+        frequencies += parameter.kind == ParameterKind::frequency;
+    }
+
+    CHECK (frequencies == 10);
+}
+
 TEST_CASE ("Only the unknowns that are looked for move, and the records are explained better", "[learning]")
 {
     const auto model = test::sineBeam (5, 3);
