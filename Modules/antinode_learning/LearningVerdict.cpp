@@ -89,6 +89,16 @@ std::string refusalOf (const LearntFocus& learnt, const ModalModel& nominal, con
     return {};
 }
 
+std::string warningOf (const LearntFocus& learnt)
+{
+    if (! learnt.refusal.empty() || ! isUnlikely (learnt.learnt.farthest))
+        return {};
+
+    return "A frequency is " + inWords (learnt.learnt.farthest)
+           + " standard deviations off the device as it was known; expected: below 6. Tell larger deviations, or "
+             "retune.";
+}
+
 bool isStuck (const LearntModes& learnt)
 {
     return learnt.residual > stuck || isUnlikely (learnt.farthest);

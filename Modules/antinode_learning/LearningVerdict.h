@@ -16,7 +16,10 @@ std::string doubtOf (const LearningPass& pass, const LearntModes& learnt, const 
 /** Why what was learnt is not used after all plays, a sentence; empty: it is. [any] */
 std::string refusalOf (const LearntFocus&, const ModalModel& nominal, const ModeSpread& deviations);
 
-/** Whether so much stays unexplained that the fit may be in the wrong minimum. [any] */
+/** Why what is used may still be wrong, a sentence; empty: nothing is known against it. [any] */
+std::string warningOf (const LearntFocus&);
+
+/** Whether so much stays unexplained or a frequency is moved so far, that the fit may be in the wrong minimum. [any] */
 bool isStuck (const LearntModes&);
 
 /** Whether a play was predicted three times worse than by the nominal model, and is not explained by what was learnt

@@ -5,6 +5,7 @@
 #include "Progress.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_learning/LearningVerdict.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_render/LagOutcome.h>
 #include <antinode_responses/PointsFile.h>
@@ -38,6 +39,9 @@ void print (const LearnOptions& options, const LearningSetup& setup, const Learn
 
     if (! learnt.refusal.empty())
         std::printf ("  %s%s\n", keptInWords (learnt).c_str(), learnt.refusal.c_str());
+
+    if (const auto warning = warningOf (learnt); ! warning.empty())
+        std::printf ("  %s\n", warning.c_str());
 
     if (needsLagFilters (setup.nominal.model))
         std::printf ("  lags of ceramics: %s\n", lagsInWords (learntOutputs (learnt, settings)).c_str());

@@ -8,6 +8,7 @@
 #include <antinode_base/WholeFile.h>
 #include <antinode_documents/DesignFile.h>
 #include <antinode_documents/DeviceFile.h>
+#include <antinode_learning/LearningVerdict.h>
 #include <antinode_render/LagOutcome.h>
 #include <antinode_text/CsvTable.h>
 #include <antinode_text/OutputFolder.h>
@@ -135,6 +136,7 @@ nlohmann::ordered_json learntToJson (const LearntFocus& learnt)
     nlohmann::ordered_json document { { "schema", "antinode.learnt/1" },
                                       { "is_accepted", learnt.refusal.empty() },
                                       { "refusal", learnt.refusal },
+                                      { "warning", warningOf (learnt) },
                                       { "kept_play", learnt.kept + 1 },
                                       { "unexplained_percent", inPercent * learnt.learnt.unexplained },
                                       { "residual_of_noise", learnt.learnt.residual },

@@ -4,6 +4,7 @@
 
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
+#include <antinode_learning/LearningVerdict.h>
 
 #include <algorithm>
 #include <numbers>
@@ -179,6 +180,8 @@ ReportPage learningReport (const LearntFocus& learnt, const WideModel& nominal, 
 
     if (! learnt.refusal.empty())
         page.warnings = { keptInWords (learnt) + learnt.refusal };
+    else if (const auto warning = warningOf (learnt); ! warning.empty())
+        page.warnings = { warning };
 
     if (! learnt.passes.empty())
     {

@@ -108,6 +108,15 @@ TEST_CASE ("learn finds the frequencies of a drifted beam from one play of a foc
     // The controlled ones, which were .5 % off: a tenth of that where the focus has little of a mode.
     for (Eigen::Index k = 0; k < 6; ++k)
         CHECK (learnt.frequencyHz (k) == Approx (right.frequencyHz (k)).epsilon (5e-4));
+
+    CHECK (summary["warning"] == "");
+    // One who expects a tenth of that is told.
+    run = runProgram (learnArguments (
+        folder.path(), "doubted",
+        { "--latency-ms", "3.1", "--frequency-percent", "0.05", "--recorded", (folder.path() / "pass1").string() }));
+    CHECK (run.exitCode == 0);
+    CHECK_THAT (run.output, Catch::Contains ("standard deviations off the device as it was known; expected: below 6"));
+    CHECK_THAT (readContent (folder.path() / "doubted" / "report.html"), Catch::Contains ("deviations off the device"));
 }
 
 TEST_CASE ("learn knows when ceramics act that lag behind each other", "[command line][lag]")

@@ -81,6 +81,17 @@ TEST_CASE ("Plays end where one was predicted three times worse and is not expla
     CHECK_FALSE (isMisledBy (20, 10, 4));
 }
 
+TEST_CASE ("What is used is doubted where a frequency is more than six deviations off", "[learning]")
+{
+    auto focus = twoPlays (test::sineBeam (4, 2), 1, 60);
+    focus.learnt.farthest = 5.9;
+    CHECK (warningOf (focus).empty());
+    focus.learnt.farthest = 7.3;
+    CHECK_THAT (warningOf (focus), Catch::Contains ("A frequency is 7.3 standard deviations off"));
+    focus.refusal = "Sensors are swapped.";
+    CHECK (warningOf (focus).empty());
+}
+
 TEST_CASE ("A fit is stuck that leaves three times the noise, or a frequency six deviations off", "[learning]")
 {
     const auto isStuckWith = [] (double residual, double farthest)

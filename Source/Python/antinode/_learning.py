@@ -190,6 +190,11 @@ class Learnt(Pictured):
         return str(self.numbers["refusal"])
 
     @property
+    def warning(self) -> str:
+        """Why what is used may still be wrong, a sentence; empty where nothing is known against it."""
+        return str(self.numbers["warning"])
+
+    @property
     def frequency_deviations(self) -> Floats:
         """N_m: relative standard deviations of the frequencies that are left. A view; empty before the first play."""
         return self._core.frequency_deviations
