@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace antinode
@@ -18,7 +19,7 @@ constexpr double roughGain = 1e-2; // of the objective, relative: less ends a le
 constexpr double firstPhase = 0.5; // rad: by how much the highest mode may be off at the end of the first length
 constexpr double lengthening = 2;
 constexpr double missed = 1.2; // of the noise is not explained: another minimum may do better
-constexpr double unlikely = 6; // deviations: one of 1e9 normal numbers
+constexpr double unlikely = 6; // deviations: two of 1e9 normal numbers are farther off
 constexpr double unbounded = std::numeric_limits<double>::infinity(); // no bound but the problem's own
 
 constexpr std::array boundsToTry { 8.0, unbounded, 4.0 }; // deviations that no value leaves while the record grows
@@ -79,7 +80,7 @@ LearntModes learntFrom (const LearningPrior& prior, const LearningProblem& probl
                          state.delays,        deviations.frequencies,
                          deviations.dampings, deviations.participation,
                          solution.residual,   solution.unexplained,
-                         solution.farthest };
+                         solution.distance,   solution.largestMove };
     learnt.model.angularFrequencies = state.model.angularFrequencies;
     learnt.model.dampingRatios = state.model.dampingRatios;
     learnt.model.participation = state.model.participation;
@@ -107,7 +108,12 @@ LearntModes learntFrom (const LearningPrior& prior, const LearningProblem& probl
     return learnt;
 }
 
-/** Values of all parameters after the record has grown to its whole length, from the known device.
+bool isMissed (double residual, double largestMove)
+{
+    return ! (residual < missed) || isUnlikelyMove (largestMove);
+}
+
+/** Values of all parameters after the record has grown to the last length before its whole one, from the known device.
     @param furthest  deviations that no value leaves meanwhile */
 Eigen::VectorXd grownWithin (double furthest, const LearningPrior& prior, const LearningProblem& problem,
                              double longest)
@@ -124,25 +130,25 @@ Eigen::VectorXd grownWithin (double furthest, const LearningPrior& prior, const 
     return values;
 }
 
-/** Which bounds lead to the right minimum differs from device to device: the next ones are tried where it is missed,
-   and where all miss it, what explains most is the best. */
+/** Which bounds lead to the right minimum differs from device to device: the next ones are tried where it is missed.
+    Where all miss it, the one of least distance counts; of those that show it before the last steps, which take most of
+    the time, the nearest alone goes on to the end. */
 LearningSolution fromTheBeginning (const LearningPrior& prior, const LearningProblem& problem, double longest)
 {
-    LearningSolution best;
-    Eigen::VectorXd unlikely; // values that were not followed to the end
+    std::optional<LearningSolution> best;
+    std::optional<Eigen::VectorXd> leftOut;
     auto nearest = unbounded;
-    best.distance = unbounded;
 
     for (const auto furthest : boundsToTry)
     {
         auto values = grownWithin (furthest, prior, problem, longest);
 
-        if (isUnlikely (problem.farthestHeardWell (values)))
+        if (isUnlikelyMove (problem.largestMoveHeardWell (values)))
         {
-            if (const auto distance = problem.distance (values, longest); distance < nearest)
+            if (const auto distance = problem.distance (values, longest); ! leftOut || distance < nearest)
             {
                 nearest = distance;
-                unlikely = std::move (values);
+                leftOut = std::move (values);
             }
 
             continue;
@@ -150,24 +156,30 @@ LearningSolution fromTheBeginning (const LearningPrior& prior, const LearningPro
 
         auto solution = problem.finish (std::move (values), longest);
 
-        if (solution.residual < missed && ! isUnlikely (solution.farthest))
+        if (! isMissed (solution.residual, solution.largestMove))
             return solution;
 
-        if (solution.distance < best.distance)
+        if (! best || solution.distance < best->distance)
             best = std::move (solution);
     }
 
-    if (nearest < best.distance)
-        if (auto solution = problem.finish (std::move (unlikely), longest); solution.distance < best.distance)
-            return solution;
+    if (leftOut && (! best || nearest < best->distance))
+        if (auto solution = problem.finish (std::move (*leftOut), longest);
+            ! best || solution.distance < best->distance)
+            best = std::move (solution);
 
-    return best;
+    return std::move (*best);
 }
 } // namespace
 
-bool isUnlikely (double deviations)
+bool isUnlikelyMove (double deviations)
 {
     return deviations > unlikely;
+}
+
+bool isMissed (const LearntModes& learnt)
+{
+    return isMissed (learnt.residual, learnt.largestMove);
 }
 
 LearntModes learnModes (const ModalModel& model, const std::vector<Sensor>& sensors, const ModeSpread& deviations,

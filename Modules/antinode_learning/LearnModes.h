@@ -21,11 +21,15 @@ struct LearntModes
     Eigen::VectorXd participationDeviations; ///< N_m: RMS over the ceramics.
     double residual = 0;    ///< RMS of what the model does not explain, of the noise: 1 where all is explained.
     double unexplained = 0; ///< The same, of the signals.
-    double farthest = 0;    ///< Deviations by which a frequency was moved most, of modes below .4 of the sample rate.
+    double distance = 0;    ///< RMS of the residual and of all deviations from what was known, of the noise.
+    double largestMove = 0; ///< Of a frequency, in its deviations, of modes below .4 of the lowest sample rate.
 };
 
-/** Whether no frequency is so many deviations off by chance: the fit is in the wrong minimum. [any] */
-bool isUnlikely (double deviations);
+/** Whether a frequency that is moved by so many deviations shows a wrong minimum. [any] */
+bool isUnlikelyMove (double deviations);
+
+/** Whether a fit shows a sign of a wrong minimum: an unlikely move, or more than 1.2 of the noise. [any] */
+bool isMissed (const LearntModes&);
 
 /** The most probable modes of a device, from what sensors heard while voltages were played: normally distributed
     deviations from the model, normally distributed noise, by Gauss and Newton's method on records that grow from the

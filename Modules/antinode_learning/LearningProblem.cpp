@@ -112,7 +112,7 @@ LearningSolution LearningProblem::finish (Eigen::VectorXd values, double time) c
     solution.residual = std::sqrt (end.residual / end.samples);
     solution.unexplained = std::sqrt (end.residual / end.signal);
     solution.distance = distanceOf (end, solution.values);
-    solution.farthest = farthestHeardWell (solution.values);
+    solution.largestMove = largestMoveHeardWell (solution.values);
     return solution;
 }
 
@@ -121,8 +121,8 @@ double LearningProblem::distance (const Eigen::VectorXd& values, double time) co
     return distanceOf (misfit (state (values), time), values);
 }
 
-/** Frequencies beyond half the rate, or near it, are told by what modes do as springs: they explain by chance. */
-double LearningProblem::farthestHeardWell (const Eigen::VectorXd& values) const
+/** Frequencies near half the rate, or beyond it, are told by what modes do as springs: they explain by chance. */
+double LearningProblem::largestMoveHeardWell (const Eigen::VectorXd& values) const
 {
     constexpr double heardWell = 0.4; // of the lowest sample rate
     auto rate = std::numeric_limits<double>::infinity();

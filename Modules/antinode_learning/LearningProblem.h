@@ -20,7 +20,7 @@ struct LearningSolution
     Eigen::MatrixXd factored;             ///< The matrix of the last step, as factorLower leaves it.
     double residual = 0, unexplained = 0; ///< As in LearntModes, of whole records; by finish.
     double distance = 0;                  ///< As LearningProblem::distance; by finish.
-    double farthest = 0;                  ///< As in LearntModes; by finish.
+    double largestMove = 0;               ///< As in LearntModes; by finish.
 };
 
 /** What recordings say of all that they hear, the records up to a time. One thread at a time.
@@ -46,7 +46,7 @@ public:
 
     /** The most probable values of some unknowns, from values nearby; the others stay as they are.
         @param time      s, of each record
-        @param enough    of the objective: a step that gains less than this share and .01 for each unknown is the last
+        @param enough    of the objective: a step that gains less than this share and .05 for each unknown is the last
         @param furthest  deviations that no value leaves
         @throws Cancelled  where the thread's watch says so
         [worker] */
@@ -60,8 +60,8 @@ public:
     /** The RMS of the residual up to a time and of the values themselves, in units of the noise. [worker] */
     double distance (const Eigen::VectorXd& values, double time) const;
 
-    /** Deviations by which the frequency that is off most is off, of modes below .4 of the sample rate. [any] */
-    double farthestHeardWell (const Eigen::VectorXd& values) const;
+    /** Deviations by which a frequency is moved most, of modes below .4 of the lowest sample rate. [any] */
+    double largestMoveHeardWell (const Eigen::VectorXd& values) const;
 
 private:
     RecordingMisfit misfit (const LearningState&, double time) const;

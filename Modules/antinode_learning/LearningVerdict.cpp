@@ -91,17 +91,17 @@ std::string refusalOf (const LearntFocus& learnt, const ModalModel& nominal, con
 
 std::string warningOf (const LearntFocus& learnt)
 {
-    if (! learnt.refusal.empty() || ! isUnlikely (learnt.learnt.farthest))
+    if (! learnt.refusal.empty() || ! isUnlikelyMove (learnt.learnt.largestMove))
         return {};
 
-    return "A frequency is " + inWords (learnt.learnt.farthest)
-           + " standard deviations off the device as it was known; expected: below 6. Tell larger deviations, or "
-             "retune.";
+    return "A frequency is more than 6 of its standard deviations off the device as it was known. Give larger "
+           "deviations "
+           "of the frequencies, or retune the device first.";
 }
 
 bool isStuck (const LearntModes& learnt)
 {
-    return learnt.residual > stuck || isUnlikely (learnt.farthest);
+    return learnt.residual > stuck || isUnlikelyMove (learnt.largestMove);
 }
 
 bool isMisled (const LearningPass& pass, const LearntModes& learnt)

@@ -22,8 +22,8 @@ std::string warningOf (const LearntFocus&);
 /** Whether so much stays unexplained or a frequency is moved so far, that the fit may be in the wrong minimum. [any] */
 bool isStuck (const LearntModes&);
 
-/** Whether a play was predicted three times worse than by the nominal model, and is not explained by what was learnt
-   from it either: no more is played then. [any] */
+/** Whether a play was predicted three times worse than by the nominal model, and what was learnt from it is stuck too:
+    no more is played then. [any] */
 bool isMisled (const LearningPass&, const LearntModes& learnt);
 
 /** The play that was predicted best by what it was designed with: its field is nearest to what was wanted. The first

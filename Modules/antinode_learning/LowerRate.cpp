@@ -28,9 +28,9 @@ double ringing (double sampleRate, double highest)
 }
 
 /** Samples of a rate for one of the lowest rate that holds a frequency. */
-double stepFor (double sampleRate, double highest)
+Eigen::Index stepFor (double sampleRate, double highest)
 {
-    return std::max (1.0, std::floor (sampleRate / (samplesPerPeriod * highest)));
+    return static_cast<Eigen::Index> (std::max (1.0, std::floor (sampleRate / (samplesPerPeriod * highest))));
 }
 
 /** Rows of samples, filtered and thinned. */
@@ -61,15 +61,20 @@ Eigen::MatrixXd thinned (const Eigen::MatrixXd& rows, double sampleRate, double 
     return result;
 }
 
-/** Hz: up to where a recording is heard so that no mode beyond a model is; of what the same lower rate holds. */
-double highestHeard (double sampleRate, const WideModel& model)
+/** What of a recording lies below a frequency, every so many samples. */
+PlayedRecording filtered (const PlayedRecording& recording, double highest, Eigen::Index step)
 {
-    constexpr double aboveKnown = 1.05; // of the highest known frequency, which can be off by some percents
-    constexpr double nothingBeyond = 1 / (1 + transition);
-    constexpr double rounding = 1e-9; // so that the step does not become another one
-    const auto known = aboveKnown * model.model.frequencyHz (model.known - 1);
-    const auto held = (1 - rounding) * sampleRate / (samplesPerPeriod * stepFor (sampleRate, known));
-    return std::max (known, std::min (nothingBeyond * model.highestFrequency(), held));
+    const auto thin = [&] (const Eigen::MatrixXd& rows) { return thinned (rows, recording.sampleRate, highest, step); };
+    const auto rate = recording.sampleRate / static_cast<double> (step);
+    constexpr double powerOfFall = 3.0 / 8; // of what a raised cosine falls through
+    const auto band = highest + powerOfFall * fallWidth (recording.sampleRate, highest);
+    return { rate,
+             thin (recording.voltages),
+             thin (recording.signals),
+             recording.noise / std::sqrt (static_cast<double> (step)),
+             recording.delay,
+             recording.delaySpan,
+             recording.bandShare * std::min (1.0, 2 * band / rate) };
 }
 
 Eigen::MatrixXd afterSilence (const Eigen::MatrixXd& rows, Eigen::Index silence)
@@ -98,31 +103,27 @@ PlayedRecording atLowerRate (const PlayedRecording& recording, double highest)
     if (recording.sampleRate <= 2 * highest)
         return recording;
 
-    const auto step = static_cast<Eigen::Index> (stepFor (recording.sampleRate, highest));
-    const auto thin = [&] (const Eigen::MatrixXd& rows) { return thinned (rows, recording.sampleRate, highest, step); };
-    const auto rate = recording.sampleRate / static_cast<double> (step);
-    constexpr double powerOfFall = 3.0 / 8; // of what a raised cosine falls through
-    const auto band = highest + powerOfFall * fallWidth (recording.sampleRate, highest);
-    return { rate,
-             thin (recording.voltages),
-             thin (recording.signals),
-             recording.noise / std::sqrt (static_cast<double> (step)),
-             recording.delay,
-             recording.delaySpan,
-             recording.bandShare * std::min (1.0, 2 * band / rate) };
+    return filtered (recording, highest, stepFor (recording.sampleRate, highest));
 }
 
 PlayedRecording withinModel (PlayedRecording recording, const WideModel& model)
 {
-    const auto highest = highestHeard (recording.sampleRate, model);
+    constexpr double aboveKnown = 1.05; // of the highest known frequency, which can be off by some percents
+    constexpr double nothingBeyond = 1 / (1 + transition);
+    constexpr Eigen::Index leastSamples = 50 * 128; // so that the 128 that are lost at the end are few
+    const auto known = aboveKnown * model.model.frequencyHz (model.known - 1);
+    const auto rate = recording.sampleRate;
 
-    if (recording.sampleRate < samplesPerPeriod * highest)
+    if (rate < samplesPerPeriod * known)
         return recording;
 
-    const auto silence = static_cast<Eigen::Index> (std::ceil (ringing (recording.sampleRate, highest)));
+    const auto step = std::clamp<Eigen::Index> (recording.voltages.cols() / leastSamples, 1, stepFor (rate, known));
+    const auto held = rate / (samplesPerPeriod * static_cast<double> (step));
+    const auto highest = std::max (known, std::min (nothingBeyond * model.highestFrequency(), held));
+    const auto silence = static_cast<Eigen::Index> (std::ceil (ringing (rate, highest)));
     recording.voltages = afterSilence (recording.voltages, silence);
     recording.signals = afterSilence (recording.signals, silence);
-    recording = atLowerRate (recording, highest);
+    recording = filtered (recording, highest, step);
     endWhereInaudible (recording.voltages);
     return recording;
 }

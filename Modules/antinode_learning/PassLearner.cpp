@@ -124,6 +124,12 @@ double surprise (const ModalModel& model, const std::vector<Sensor>& sensors, co
     const auto misfit = recordingMisfit (prior, state, 0, samples);
     return std::sqrt (misfit.residual / misfit.samples);
 }
+/** A fit without a sign of a wrong minimum comes first, then the more probable one. */
+bool isBetter (const LearntModes& one, const LearntModes& other)
+{
+    const auto isOneMissed = isMissed (one);
+    return isOneMissed == isMissed (other) ? one.distance < other.distance : ! isOneMissed;
+}
 } // namespace
 
 PassLearner::PassLearner (const WideModel& model, const std::vector<Sensor>& listening, const ModeSpread& spread)
@@ -155,7 +161,7 @@ LearningPass PassLearner::hear (const PlayedRecording& whole)
     {
         recordings.push_back (withDelay (recording, delay));
 
-        if (auto now = learntWith (own); ! best || now.residual < best->residual)
+        if (auto now = learntWith (own); ! best || isBetter (now, *best))
         {
             best = std::move (now);
             chosen = delay;
@@ -163,7 +169,7 @@ LearningPass PassLearner::hear (const PlayedRecording& whole)
 
         recordings.pop_back();
 
-        if (best->unexplained < wellExplained)
+        if (best->unexplained < wellExplained && ! isUnlikelyMove (best->largestMove))
             break;
     }
 
@@ -180,7 +186,7 @@ LearntModes PassLearner::learntWith (const ModeSpread& own) const
     auto now = learnModes (nominal.model, sensors, own, recordings, isFirst ? nullptr : &learnt);
 
     if (! isFirst && isStuck (now))
-        if (auto again = learnModes (nominal.model, sensors, own, recordings); again.residual < now.residual)
+        if (auto again = learnModes (nominal.model, sensors, own, recordings); isBetter (again, now))
             return again;
 
     return now;

@@ -115,7 +115,7 @@ TEST_CASE ("learn finds the frequencies of a drifted beam from one play of a foc
         folder.path(), "doubted",
         { "--latency-ms", "3.1", "--frequency-percent", "0.05", "--recorded", (folder.path() / "pass1").string() }));
     CHECK (run.exitCode == 0);
-    CHECK_THAT (run.output, Catch::Contains ("standard deviations off the device as it was known; expected: below 6"));
+    CHECK_THAT (run.output, Catch::Contains ("A frequency is more than 6 of its standard deviations off"));
     CHECK_THAT (readContent (folder.path() / "doubted" / "report.html"), Catch::Contains ("deviations off the device"));
 }
 

@@ -84,10 +84,10 @@ TEST_CASE ("Plays end where one was predicted three times worse and is not expla
 TEST_CASE ("What is used is doubted where a frequency is more than six deviations off", "[learning]")
 {
     auto focus = twoPlays (test::sineBeam (4, 2), 1, 60);
-    focus.learnt.farthest = 5.9;
+    focus.learnt.largestMove = 5.9;
     CHECK (warningOf (focus).empty());
-    focus.learnt.farthest = 7.3;
-    CHECK_THAT (warningOf (focus), Catch::Contains ("A frequency is 7.3 standard deviations off"));
+    focus.learnt.largestMove = 7.3;
+    CHECK_THAT (warningOf (focus), Catch::Contains ("A frequency is more than 6 of its standard deviations off"));
     focus.refusal = "Sensors are swapped.";
     CHECK (warningOf (focus).empty());
 }
@@ -98,7 +98,7 @@ TEST_CASE ("A fit is stuck that leaves three times the noise, or a frequency six
     {
         LearntModes learnt;
         learnt.residual = residual;
-        learnt.farthest = farthest;
+        learnt.largestMove = farthest;
         return isStuck (learnt);
     };
     CHECK_FALSE (isStuckWith (2.9, 5.9));

@@ -117,7 +117,7 @@ TEST_CASE ("How far a frequency is off counts where its mode is heard well", "[l
         const auto& parameter = problem.all().parameters.modal[static_cast<std::size_t> (p)];
         const auto counts = parameter.kind == ParameterKind::frequency && parameter.mode < 9;
         const Eigen::VectorXd values = -7 * Eigen::VectorXd::Unit (problem.all().parameters.size(), p);
-        CHECK (problem.farthestHeardWell (values) == (counts ? 7 : 0));
+        CHECK (problem.largestMoveHeardWell (values) == (counts ? 7 : 0));
         frequencies += parameter.kind == ParameterKind::frequency;
     }
 
