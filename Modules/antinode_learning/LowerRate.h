@@ -17,8 +17,8 @@ struct WideModel;
 PlayedRecording atLowerRate (const PlayedRecording&, double highest);
 
 /** What of a recording lies where a model has modes: all that its known ones do and, as far as the lower rate holds it,
-    what those beyond them do. Modes beyond the model, which every plate has, are not heard then; where it has none up
-   to 1.31 of the highest known frequency, they are heard up to there.
+   what those beyond them do. Modes beyond the model, which every plate has, are not heard then; where it has none up to
+   1.31 of the highest known frequency, they are heard up to there.
     @return  begins with silence, as much before voltages and signals, since filtered voltages begin to ring early; has
              at least 6400 samples where it had; the same recording where its rate is below 2.6 times the highest known
              frequency

@@ -124,6 +124,7 @@ double surprise (const ModalModel& model, const std::vector<Sensor>& sensors, co
     const auto misfit = recordingMisfit (prior, state, 0, samples);
     return std::sqrt (misfit.residual / misfit.samples);
 }
+
 /** A fit without a sign of a wrong minimum comes first, then the more probable one. */
 bool isBetter (const LearntModes& one, const LearntModes& other)
 {

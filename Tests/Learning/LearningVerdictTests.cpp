@@ -34,6 +34,10 @@ TEST_CASE ("What was learnt has to leave a quarter of the power beyond the noise
 
     CHECK (isUsed (25, 60));
     CHECK_FALSE (isUsed (45, 60));
+    CHECK (isUsed (1.2, 2.1));
+    // Here the share is 1 / 2.1, nearly a half.
+    CHECK (isUsed (1.5, 2.1));
+    CHECK_FALSE (isUsed (1.7, 2.1));
     CHECK (isUsed (2.1, 4));
     CHECK_FALSE (isUsed (2.3, 4));
     CHECK (isUsed (1.9, 3));
@@ -94,11 +98,11 @@ TEST_CASE ("What is used is doubted where a frequency is more than six deviation
 
 TEST_CASE ("A fit is stuck that leaves three times the noise, or a frequency six deviations off", "[learning]")
 {
-    const auto isStuckWith = [] (double residual, double farthest)
+    const auto isStuckWith = [] (double residual, double largestMove)
     {
         LearntModes learnt;
         learnt.residual = residual;
-        learnt.largestMove = farthest;
+        learnt.largestMove = largestMove;
         return isStuck (learnt);
     };
     CHECK_FALSE (isStuckWith (2.9, 5.9));
