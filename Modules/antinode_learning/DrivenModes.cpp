@@ -50,6 +50,22 @@ void drive (Histories& histories, Eigen::Index column, MovingMode mode, const do
 
     histories.after[static_cast<std::size_t> (column)] = mode.velocityAfter();
 }
+
+/** The velocities of all modes under what one ceramic alone does to them. */
+Histories drivenAlone (const ModalModel& model, const PlayedVoltages& voltages, const double* force,
+                       const Eigen::VectorXd& participation, Eigen::Index samples)
+{
+    auto histories = emptyHistories (std::min (samples, voltages.drivenSamples()), model.modes());
+    parallelFor (static_cast<std::size_t> (model.modes()),
+                 [&] (std::size_t mode)
+                 {
+                     const auto k = static_cast<Eigen::Index> (mode);
+                     drive (histories, k, modeAtRest (model, k, voltages), force);
+                     histories.driven.col (k) *= participation[k];
+                     histories.after[mode].constant *= participation[k];
+                 });
+    return histories;
+}
 } // namespace
 
 Eigen::Matrix4Xd Histories::parts() const
@@ -103,6 +119,18 @@ Histories modeHistories (const ModalModel& model, const PlayedVoltages& voltages
     std::vector<Eigen::Index> modes (static_cast<std::size_t> (model.modes()));
     std::iota (modes.begin(), modes.end(), Eigen::Index { 0 });
     return drivenBy (model, modes, model.participation, voltages, samples);
+}
+
+Histories drivenByCeramic (const ModalModel& model, const PlayedVoltages& voltages, Eigen::Index ceramic,
+                           Eigen::Index samples)
+{
+    return drivenAlone (model, voltages, voltages.of (ceramic).data(), model.participation.col (ceramic), samples);
+}
+
+Histories drivenByCube (const ModalModel& model, const PlayedVoltages& voltages, Eigen::Index ceramic,
+                        Eigen::Index samples)
+{
+    return drivenAlone (model, voltages, voltages.cubeOf (ceramic).data(), model.participation.col (ceramic), samples);
 }
 
 Histories drivenByEachCeramic (const ModalModel& model, Eigen::Index mode, const PlayedVoltages& voltages,

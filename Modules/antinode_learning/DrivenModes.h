@@ -42,6 +42,12 @@ Histories modeHistories (const ModalModel&, const PlayedVoltages&, Eigen::Index 
 /** The velocities of a mode under each ceramic alone: N_b. [worker] */
 Histories drivenByEachCeramic (const ModalModel&, Eigen::Index mode, const PlayedVoltages&, Eigen::Index samples);
 
+/** The velocities of all modes under one ceramic alone: N_m. [worker] */
+Histories drivenByCeramic (const ModalModel&, const PlayedVoltages&, Eigen::Index ceramic, Eigen::Index samples);
+
+/** The same under the cube of its voltage, per unit of its distortion. [worker] */
+Histories drivenByCube (const ModalModel&, const PlayedVoltages&, Eigen::Index ceramic, Eigen::Index samples);
+
 /** The logarithm of what a sample does to a mode that nothing drives: pole times the sample's length. [any] */
 std::complex<double> decayLogarithm (const ModalModel&, Eigen::Index mode, double sampleRate);
 

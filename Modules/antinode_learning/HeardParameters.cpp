@@ -151,6 +151,10 @@ LearningParameters heardParameters (const LearningPrior& prior)
     LearningParameters parameters;
     parameters.recordings = static_cast<Eigen::Index> (prior.recordings.size());
 
+    for (Eigen::Index i = 0; i < prior.distortionDeviations.size(); ++i)
+        if (prior.distortionDeviations[i] > 0)
+            parameters.distorting.push_back (i);
+
     for (const auto& some : ofModes)
         parameters.modal.insert (parameters.modal.end(), some.begin(), some.end());
 

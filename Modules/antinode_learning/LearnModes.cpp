@@ -76,17 +76,30 @@ LearntModes learntFrom (const LearningPrior& prior, const LearningProblem& probl
     const auto left = deviationsLeft (solution.factored);
     const auto ceramics = static_cast<double> (prior.model.actuators());
     const auto& deviations = prior.deviations;
-    LearntModes learnt { prior.model,         prior.sensors,
-                         state.delays,        deviations.frequencies,
-                         deviations.dampings, deviations.participation,
-                         solution.residual,   solution.unexplained,
-                         solution.distance,   solution.largestMove };
+    LearntModes learnt { prior.model,
+                         prior.sensors,
+                         state.delays,
+                         state.distortions,
+                         prior.distortionDeviations,
+                         deviations.frequencies,
+                         deviations.dampings,
+                         deviations.participation,
+                         solution.residual,
+                         solution.unexplained,
+                         solution.distance,
+                         solution.largestMove };
     learnt.model.angularFrequencies = state.model.angularFrequencies;
     learnt.model.dampingRatios = state.model.dampingRatios;
     learnt.model.participation = state.model.participation;
 
     for (std::size_t m = 0; m < learnt.sensors.size(); ++m)
         learnt.sensors[m].shapes = state.sensors.row (static_cast<Eigen::Index> (m));
+
+    const auto& distorting = problem.all().parameters.distorting;
+
+    for (std::size_t i = 0; i < distorting.size(); ++i)
+        learnt.distortionDeviations[distorting[i]] *=
+            left[problem.all().parameters.distortion (static_cast<Eigen::Index> (i))];
 
     for (std::size_t p = 0; p < problem.all().parameters.modal.size(); ++p)
     {

@@ -53,6 +53,15 @@ void apply (LearningState& state, const LearningParameter& parameter, double val
             break;
     }
 }
+/** 1/V^2, of each ceramic that plays: the deviation by its largest voltage in the first recording. */
+Eigen::VectorXd distortionDeviationsOf (double deviation, const PlayedRecording& first)
+{
+    if (first.cubes.size() == 0)
+        return Eigen::VectorXd::Zero (first.voltages.rows());
+
+    const Eigen::ArrayXd largest = first.voltages.rowwise().lpNorm<Eigen::Infinity>().array();
+    return (largest > 0).select (deviation / largest.square(), 0.0);
+}
 } // namespace
 
 void requireUsable (const ModalModel& model, const std::vector<Sensor>& sensors, const ModeSpread& deviations,
@@ -76,6 +85,10 @@ void requireUsable (const ModalModel& model, const std::vector<Sensor>& sensors,
         require (recording.signals.rows() == static_cast<Eigen::Index> (sensors.size())
                      && recording.signals.cols() == recording.voltages.cols() && recording.signals.allFinite(),
                  "need a finite signal of every sensor, as long as the voltages");
+        require (recording.cubes.size() == 0
+                     || (recording.cubes.rows() == recording.voltages.rows()
+                         && recording.cubes.cols() == recording.voltages.cols() && recording.cubes.allFinite()),
+                 "need finite cubes of all voltages, or none");
         require (recording.noise.size() == recording.signals.rows() && recording.noise.minCoeff() > 0
                      && recording.sampleRate > 0 && recording.delay >= 0,
                  "need noise above 0, a sample rate above 0 and a delay of 0 or more");
@@ -86,14 +99,15 @@ LearningPrior makePrior (const ModalModel& model, const std::vector<Sensor>& sen
                          const std::vector<PlayedRecording>& recordings)
 {
     requireUsable (model, sensors, deviations, recordings);
-    LearningPrior prior { model, sensors, deviations, recordings, {}, {}, {} };
+    LearningPrior prior { model, sensors, deviations, recordings, {}, {}, {}, {} };
+    prior.distortionDeviations = distortionDeviationsOf (deviations.distortion, recordings.front());
     prior.modes.angularFrequencies = model.angularFrequencies;
     prior.modes.dampingRatios = model.dampingRatios;
     prior.modes.participation = model.participation;
 
     for (const auto& recording : recordings)
     {
-        prior.voltages.emplace_back (recording.voltages, recording.sampleRate);
+        prior.voltages.emplace_back (recording.voltages, recording.cubes, recording.sampleRate);
         prior.signals.push_back (std::make_unique<ShiftedSignals> (recording));
     }
 
@@ -102,7 +116,9 @@ LearningPrior makePrior (const ModalModel& model, const std::vector<Sensor>& sen
 
 LearningState stateAt (const LearningPrior& prior, const LearningParameters& parameters, const Eigen::VectorXd& values)
 {
-    LearningState state { prior.modes, {}, Eigen::VectorXd (parameters.recordings) };
+    LearningState state {
+        prior.modes, {}, Eigen::VectorXd (parameters.recordings), Eigen::VectorXd::Zero (prior.model.actuators())
+    };
     state.sensors.resize (static_cast<Eigen::Index> (prior.sensors.size()), prior.model.modes());
 
     for (std::size_t m = 0; m < prior.sensors.size(); ++m)
@@ -117,6 +133,13 @@ LearningState stateAt (const LearningPrior& prior, const LearningParameters& par
         state.delays[r] = prior.recordings[static_cast<std::size_t> (r)].delay
                           + prior.deviations.delay * values[parameters.delay (r)];
 
+    for (std::size_t i = 0; i < parameters.distorting.size(); ++i)
+    {
+        const auto ceramic = parameters.distorting[i];
+        state.distortions[ceramic] =
+            prior.distortionDeviations[ceramic] * values[parameters.distortion (static_cast<Eigen::Index> (i))];
+    }
+
     return state;
 }
 
@@ -129,6 +152,10 @@ Eigen::VectorXd valuesOf (const LearningPrior& prior, const LearningParameters& 
         for (Eigen::Index r = 0; r < std::min (parameters.recordings, before.delays.size()); ++r)
             values[parameters.delay (r)] =
                 (before.delays[r] - prior.recordings[static_cast<std::size_t> (r)].delay) / deviations.delay;
+
+    for (std::size_t i = 0; i < parameters.distorting.size(); ++i)
+        values[parameters.distortion (static_cast<Eigen::Index> (i))] =
+            before.distortions[parameters.distorting[i]] / prior.distortionDeviations[parameters.distorting[i]];
 
     for (Eigen::Index p = 0; p < parameters.drift(); ++p)
     {

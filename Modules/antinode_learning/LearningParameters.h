@@ -28,23 +28,27 @@ struct LearningParameter
     double information = 0;   ///< Of the recordings, divided by that of the prior, where nothing else is unknown.
 };
 
-/** All unknowns: those of modes, then the common drift, then the delay of each recording. */
+/** All unknowns: those of modes, then the common drift, the delay of each recording and the distortion of each ceramic.
+ */
 struct LearningParameters
 {
     std::vector<LearningParameter> modal;
     Eigen::Index recordings = 0;
+    std::vector<Eigen::Index> distorting = {}; ///< The ceramics whose distortion is unknown.
 
     Eigen::Index drift() const { return static_cast<Eigen::Index> (modal.size()); }
     Eigen::Index delay (Eigen::Index recording) const { return drift() + 1 + recording; }
-    Eigen::Index size() const { return drift() + 1 + recordings; }
+    Eigen::Index distortion (Eigen::Index place) const { return drift() + 1 + recordings + place; }
+    Eigen::Index size() const { return distortion (std::ssize (distorting)); }
 };
 
 /** A device, its sensors and delays, as values of the parameters say. */
 struct LearningState
 {
-    ModalModel model;        ///< Without the surface and its shapes.
-    Eigen::MatrixXd sensors; ///< N x N_m
-    Eigen::VectorXd delays;  ///< s, of each recording.
+    ModalModel model;            ///< Without the surface and its shapes.
+    Eigen::MatrixXd sensors;     ///< N x N_m
+    Eigen::VectorXd delays;      ///< s, of each recording.
+    Eigen::VectorXd distortions; ///< N_b, 1/V^2: as of LearntModes.
 };
 
 /** What is known before. One thread at a time. */
@@ -55,7 +59,8 @@ struct LearningPrior
     const ModeSpread& deviations;
     const std::vector<PlayedRecording>& recordings;
     ModalModel modes; ///< The model without the surface and its shapes, which every state would copy.
-    std::vector<PlayedVoltages> voltages;                    ///< Of each recording.
+    Eigen::VectorXd distortionDeviations; ///< N_b, 1/V^2: 0 where a ceramic is linear or plays nothing.
+    std::vector<PlayedVoltages> voltages; ///< Of each recording.
     std::vector<std::unique_ptr<ShiftedSignals>> signals {}; ///< The same.
 };
 

@@ -1,5 +1,7 @@
 #include "LearningPasses.h"
 
+#include "CubedVoltages.h"
+#include "EquivalentLinear.h"
 #include "LearningVerdict.h"
 #include "PassLearner.h"
 #include "PlayedVoltages.h"
@@ -25,13 +27,14 @@ WideModel wideWith (WideModel wide, const ModalModel& learnt)
     return wide;
 }
 
-/** The field at the focus that voltages make, by a model. */
-Eigen::VectorXd fieldOf (const ModalModel& model, const Eigen::MatrixXd& voltages, double focusTime,
+/** The field at the focus that voltages make, by what was learnt. */
+Eigen::VectorXd fieldOf (const LearntModes& learnt, const Eigen::MatrixXd& voltages, double focusTime,
                          const LearningSettings& settings)
 {
     const auto focus = static_cast<Eigen::Index> (std::llround (focusTime * settings.sampleRate));
-    const auto velocities = modeVelocities (model, { voltages, settings.sampleRate }, focus + 1);
-    return model.shapes * velocities.bottomRows (1).transpose();
+    const PlayedVoltages played (voltages, cubedVoltages (voltages), settings.sampleRate);
+    const auto velocities = modeVelocities (learnt.model, played.distorted (learnt.distortions), focus + 1);
+    return learnt.model.shapes * velocities.bottomRows (1).transpose();
 }
 
 /** How far a field is from the one that is wanted: RMS over the surface, of the wanted one's. */
@@ -74,7 +77,7 @@ LearntFocus learnFocus (const WideModel& nominal, const FocusDescription& focus,
     { return playedVoltages (firstModes (result.wide.model, result.wide.known), result.design, settings); };
     auto voltages = voltagesNow();
     const auto byModel = [&] (const Eigen::MatrixXd& played)
-    { return fieldOf (result.learnt.model, played, result.design.program.focusTime, settings); };
+    { return fieldOf (result.learnt, played, result.design.program.focusTime, settings); };
 
     for (int i = 0; i < settings.passes; ++i)
     {
@@ -87,7 +90,9 @@ LearntFocus learnFocus (const WideModel& nominal, const FocusDescription& focus,
             || ! doubtOf (result.passes.back(), result.learnt, nominal.model, deviations).empty())
             break;
 
-        result.wide = wideWith (nominal, result.learnt.model);
+        result.wide =
+            wideWith (nominal, equivalentLinear (result.learnt, result.passes.back().voltages, settings.sampleRate,
+                                                 result.passes.back().design.program.focusTime));
         result.design = designedAgain (result, focus, settings);
         voltages = voltagesNow();
 

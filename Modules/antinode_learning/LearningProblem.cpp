@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace antinode
@@ -21,7 +22,8 @@ constexpr double clearlyTold = 10;       // of the prior's information
 constexpr double farthestFrequency = 8;  // deviations: a mode that runs away explains by chance and does not come back
 constexpr double farthestOfOthers = 1e3; // the same of damping and participation, which take what ceramics distort
 
-/** Those of modes that recordings tell more of than a bound, the drift and the delays. */
+/** Those of modes that recordings tell more of than a bound, the drift and the delays. What ceramics distort is looked
+    for with all. */
 Unknowns unknownsAbove (double information, const LearningParameters& all)
 {
     Unknowns unknowns { { {}, all.recordings }, {} };
@@ -33,9 +35,17 @@ Unknowns unknownsAbove (double information, const LearningParameters& all)
             unknowns.places.push_back (p);
         }
 
-    for (auto p = all.drift(); p < all.size(); ++p)
+    for (auto p = all.drift(); p < all.distortion (0); ++p)
         unknowns.places.push_back (p);
 
+    return unknowns;
+}
+
+Unknowns allOf (LearningParameters all)
+{
+    Unknowns unknowns { std::move (all), {} };
+    unknowns.places.resize (static_cast<std::size_t> (unknowns.parameters.size()));
+    std::iota (unknowns.places.begin(), unknowns.places.end(), 0);
     return unknowns;
 }
 
@@ -53,8 +63,7 @@ Eigen::Index samplesOf (const PlayedRecording& recording, double time)
 } // namespace
 
 LearningProblem::LearningProblem (const LearningPrior& given)
-    : prior (given), every (unknownsAbove (0, heardParameters (given))),
-      clear (unknownsAbove (clearlyTold, every.parameters)),
+    : prior (given), every (allOf (heardParameters (given))), clear (unknownsAbove (clearlyTold, every.parameters)),
       farthest (Eigen::VectorXd::Constant (every.parameters.size(), farthestOfOthers))
 {
     for (Eigen::Index p = 0; p < every.parameters.drift(); ++p)

@@ -36,6 +36,9 @@ Eigen::Index stepFor (double sampleRate, double highest)
 /** Rows of samples, filtered and thinned. */
 Eigen::MatrixXd thinned (const Eigen::MatrixXd& rows, double sampleRate, double highest, Eigen::Index step)
 {
+    if (rows.size() == 0)
+        return rows;
+
     const auto beforeItComesRound = static_cast<double> (rows.cols()) + ringing (sampleRate, highest);
     const auto few = quickLength (beforeItComesRound / static_cast<double> (step));
     const auto length = few * step;
@@ -74,11 +77,15 @@ PlayedRecording filtered (const PlayedRecording& recording, double highest, Eige
              recording.noise / std::sqrt (static_cast<double> (step)),
              recording.delay,
              recording.delaySpan,
-             recording.bandShare * std::min (1.0, 2 * band / rate) };
+             recording.bandShare * std::min (1.0, 2 * band / rate),
+             thin (recording.cubes) };
 }
 
 Eigen::MatrixXd afterSilence (const Eigen::MatrixXd& rows, Eigen::Index silence)
 {
+    if (rows.size() == 0)
+        return rows;
+
     Eigen::MatrixXd later = Eigen::MatrixXd::Zero (rows.rows(), rows.cols() + silence);
     later.rightCols (rows.cols()) = rows;
     return later;
@@ -123,6 +130,7 @@ PlayedRecording withinModel (PlayedRecording recording, const WideModel& model)
     const auto silence = static_cast<Eigen::Index> (std::ceil (ringing (rate, highest)));
     recording.voltages = afterSilence (recording.voltages, silence);
     recording.signals = afterSilence (recording.signals, silence);
+    recording.cubes = afterSilence (recording.cubes, silence);
     recording = filtered (recording, highest, step);
     endWhereInaudible (recording.voltages);
     return recording;

@@ -1,5 +1,6 @@
 #include "PassLearner.h"
 
+#include "CubedVoltages.h"
 #include "LearningVerdict.h"
 #include "LikelyDelays.h"
 #include "LowerRate.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -104,6 +106,12 @@ std::vector<double> delaysBy (const ModalModel& model, const std::vector<Sensor>
     return likelyDelays (recording, predictedWhilePlayed (model, sensors, recording), most);
 }
 
+PlayedRecording withCubes (PlayedRecording recording)
+{
+    recording.cubes = cubedVoltages (recording.voltages);
+    return recording;
+}
+
 PlayedRecording withDelay (PlayedRecording recording, double delay)
 {
     recording.delay = delay;
@@ -111,18 +119,43 @@ PlayedRecording withDelay (PlayedRecording recording, double delay)
     return recording;
 }
 
-/** RMS of what a model does not predict of a recording, of the noise; by the most likely delay for this model. */
-double surprise (const ModalModel& model, const std::vector<Sensor>& sensors, const ModeSpread& deviations,
-                 const PlayedRecording& recording)
+LearntModes unheard (const ModalModel& model, const std::vector<Sensor>& sensors, const ModeSpread& deviations)
 {
-    const std::vector<PlayedRecording> one { withDelay (recording, delaysBy (model, sensors, recording, 1).front()) };
-    const auto prior = makePrior (model, sensors, deviations, one);
+    const Eigen::VectorXd linear = Eigen::VectorXd::Zero (model.actuators());
+    return { model, sensors, {}, linear, linear, deviations.frequencies, deviations.dampings, deviations.participation,
+             0,     0,       0,  0 };
+}
+
+/** RMS of what a device does not predict of a recording, of the noise, by the delay that suits it best: from the most
+    likely one by Gauss and Newton's steps, since a microsecond is much for high modes. */
+double surprise (const LearntModes& device, const ModeSpread& deviations, const PlayedRecording& recording)
+{
+    constexpr int steps = 3;
+    const auto isDelayKnown = ! (recording.delaySpan > 0);
+    const auto delay = delaysBy (device.model, device.sensors, recording, 1).front();
+    const std::vector<PlayedRecording> one { withDelay (recording, delay) };
+    const auto prior = makePrior (device.model, device.sensors, deviations, one);
+    const auto samples = comparableSamples (one.front());
     LearningParameters none;
     none.recordings = 1;
-    const auto state = stateAt (prior, none, Eigen::VectorXd::Zero (none.size()));
-    const auto samples = comparableSamples (one.front());
-    const auto misfit = recordingMisfit (prior, state, 0, samples);
-    return std::sqrt (misfit.residual / misfit.samples);
+    Eigen::VectorXd values = Eigen::VectorXd::Zero (none.size());
+    auto least = std::numeric_limits<double>::infinity();
+
+    for (int i = 0; i <= steps; ++i)
+    {
+        auto state = stateAt (prior, none, values);
+        state.distortions = device.distortions;
+        const auto equations = recordingEquations (prior, none, state, 0, samples);
+        least = std::min (least, std::sqrt (equations.misfit.residual / equations.misfit.samples));
+        const auto place = none.delay (0);
+
+        if (isDelayKnown || ! (equations.matrix (place, place) > 0))
+            break;
+
+        values[place] += equations.right[place] / equations.matrix (place, place);
+    }
+
+    return least;
 }
 
 /** A fit without a sign of a wrong minimum comes first, then the more probable one. */
@@ -134,23 +167,22 @@ bool isBetter (const LearntModes& one, const LearntModes& other)
 } // namespace
 
 PassLearner::PassLearner (const WideModel& model, const std::vector<Sensor>& listening, const ModeSpread& spread)
-    : nominal (model), sensors (listening),
-      deviations (spread), learnt { model.model,          listening, {}, spread.frequencies, spread.dampings,
-                                    spread.participation, 0,         0 }
+    : nominal (model), sensors (listening), deviations (spread), learnt (unheard (model.model, listening, spread))
 {
 }
 
 LearningPass PassLearner::hear (const PlayedRecording& whole)
 {
     requireUsable (nominal.model, sensors, deviations, { whole });
-    const auto recording = withinModel (whole, nominal);
+    const auto recording = withinModel (withCubes (whole), nominal);
     auto own = deviations;
     LearningPass pass;
     pass.voltages = whole.voltages;
     pass.loudness = loudnessOf (nominal.model, sensors, recording);
-    pass.surprise = surprise (learnt.model, learnt.sensors, deviations, recording);
-    pass.nominalSurprise =
-        recordings.empty() ? pass.surprise : surprise (nominal.model, sensors, deviations, recording);
+    pass.surprise = surprise (learnt, deviations, recording);
+    pass.nominalSurprise = recordings.empty()
+                               ? pass.surprise
+                               : surprise (unheard (nominal.model, sensors, deviations), deviations, recording);
 
     if (recording.delaySpan > 0)
         own.delay = std::max (own.delay, foundDelay);

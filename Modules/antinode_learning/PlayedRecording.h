@@ -16,12 +16,13 @@ struct Sensor
 /** Voltages that were played on a surface at rest, and what the sensors recorded meanwhile. */
 struct PlayedRecording
 {
-    double sampleRate = 0;    ///< Hz
-    Eigen::MatrixXd voltages; ///< N_b x N_s, V.
-    Eigen::MatrixXd signals;  ///< N x N_s, in the unit of the sensors' shapes times modal velocities.
-    Eigen::VectorXd noise;    ///< N: standard deviation of each sensor's samples.
-    double delay = 0;         ///< s, from the voltages to the signals, as far as it is known.
-    double delaySpan = 0;     ///< s: by how much the delay may be longer; it is then looked for. 0: it is known.
-    double bandShare = 1;     ///< Of the frequencies up to half the rate: where the noise lies, at its known density.
+    double sampleRate = 0;      ///< Hz
+    Eigen::MatrixXd voltages;   ///< N_b x N_s, V.
+    Eigen::MatrixXd signals;    ///< N x N_s, in the unit of the sensors' shapes times modal velocities.
+    Eigen::VectorXd noise;      ///< N: standard deviation of each sensor's samples.
+    double delay = 0;           ///< s, from the voltages to the signals, as far as it is known.
+    double delaySpan = 0;       ///< s: by how much the delay may be longer; it is then looked for. 0: it is known.
+    double bandShare = 1;       ///< Of the frequencies up to half the rate: where the noise lies, at its known density.
+    Eigen::MatrixXd cubes = {}; ///< N_b x N_s, V^3: of the voltages, as cubedVoltages; none: ceramics are linear.
 };
 } // namespace antinode

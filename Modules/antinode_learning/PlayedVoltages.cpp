@@ -29,6 +29,38 @@ Eigen::Index lastPlayed (const Eigen::MatrixXd& voltages)
     return last;
 }
 
+/** Rows of samples at the places of Gauss and Legendre between them: driven * places x rows. */
+Eigen::MatrixXd betweenSamples (const Eigen::MatrixXd& rows, Eigen::Index driven)
+{
+    constexpr auto places = PlayedVoltages::places;
+
+    if (rows.size() == 0)
+        return {};
+
+    Eigen::MatrixXd values (driven * places, rows.rows());
+    const auto length = quickLength (static_cast<double> (driven + tail)); // before it comes round again
+    FourierTables tables;
+
+    for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    {
+        const auto spectrum = tables.forward (rows.row (i).head (driven).transpose(), length);
+
+        for (Eigen::Index g = 0; g < places; ++g)
+        {
+            const auto turn = 2 * std::numbers::pi * MovingMode::gaussPlaces[static_cast<std::size_t> (g)]
+                              / static_cast<double> (length);
+            const Eigen::VectorXcd turns = Eigen::VectorXcd::NullaryExpr (
+                spectrum.size(), [turn] (Eigen::Index k) { return std::polar (1.0, turn * static_cast<double> (k)); });
+            const Eigen::VectorXd between = tables.inverse (spectrum.cwiseProduct (turns), length);
+
+            for (Eigen::Index n = 0; n < driven; ++n)
+                values (n * places + g, i) = between[n];
+        }
+    }
+
+    return values;
+}
+
 /** Samples of a motion until it ends. */
 template <bool withChanges>
 ModeMotion motionUntilRest (MovingMode mode, const Eigen::VectorXd& force, Eigen::Index samples)
@@ -81,29 +113,24 @@ void fillUp (Eigen::VectorXd& values, Eigen::Index samples)
 } // namespace
 
 PlayedVoltages::PlayedVoltages (const Eigen::MatrixXd& voltages, double sampleRate)
-    : values (std::min (voltages.cols(), lastPlayed (voltages) + tail) * places, voltages.rows()),
-      count (voltages.cols()), rate (sampleRate)
+    : PlayedVoltages (voltages, {}, sampleRate)
 {
-    const auto driven = drivenSamples();
-    const auto length = quickLength (static_cast<double> (driven + tail)); // before it comes round again
-    FourierTables tables;
+}
 
-    for (Eigen::Index i = 0; i < voltages.rows(); ++i)
-    {
-        const auto spectrum = tables.forward (voltages.row (i).head (driven).transpose(), length);
+PlayedVoltages::PlayedVoltages (const Eigen::MatrixXd& voltages, const Eigen::MatrixXd& cubes, double sampleRate)
+    : count (voltages.cols()), driven (std::min (voltages.cols(), lastPlayed (voltages) + tail)),
+      values (betweenSamples (voltages, driven)), cubed (betweenSamples (cubes, driven)), rate (sampleRate)
+{
+}
 
-        for (Eigen::Index g = 0; g < places; ++g)
-        {
-            const auto turn = 2 * std::numbers::pi * MovingMode::gaussPlaces[static_cast<std::size_t> (g)]
-                              / static_cast<double> (length);
-            const Eigen::VectorXcd turns = Eigen::VectorXcd::NullaryExpr (
-                spectrum.size(), [turn] (Eigen::Index k) { return std::polar (1.0, turn * static_cast<double> (k)); });
-            const Eigen::VectorXd between = tables.inverse (spectrum.cwiseProduct (turns), length);
+PlayedVoltages PlayedVoltages::distorted (const Eigen::VectorXd& distortions) const
+{
+    auto acting = *this;
 
-            for (Eigen::Index n = 0; n < driven; ++n)
-                values (n * places + g, i) = between[n];
-        }
-    }
+    if (hasCubes())
+        acting.values += cubed * distortions.asDiagonal();
+
+    return acting;
 }
 
 Eigen::MatrixXd PlayedVoltages::forces (const Eigen::MatrixXd& participation) const

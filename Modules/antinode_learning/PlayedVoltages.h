@@ -14,17 +14,32 @@ public:
     /** @param voltages  N_b x N_s, V, before and after which there are none [worker] */
     PlayedVoltages (const Eigen::MatrixXd& voltages, double sampleRate);
 
+    /** The same, and what ceramics can add by distortion.
+        @param cubes  as many, V^3, as cubedVoltages; or none [worker] */
+    PlayedVoltages (const Eigen::MatrixXd& voltages, const Eigen::MatrixXd& cubes, double sampleRate);
+
+    /** The voltages that linear ceramics would need to act like ceramics that distort, U + c U^3; the same where cubes
+        are not known.
+        @param distortions  c, N_b, 1/V^2
+        [worker] */
+    PlayedVoltages distorted (const Eigen::VectorXd& distortions) const;
+
     /** As many as were played. */
     Eigen::Index samples() const { return count; }
 
     /** After so many samples nothing drives the modes. */
-    Eigen::Index drivenSamples() const { return values.rows() / places; }
+    Eigen::Index drivenSamples() const { return driven; }
 
     Eigen::Index ceramics() const { return values.cols(); }
     double sampleRate() const { return rate; }
 
     /** One ceramic's, N_d * places, N_d the driven samples: those after sample n begin at n * places. */
     auto of (Eigen::Index ceramic) const { return values.col (ceramic); }
+
+    /** The same of its cube, V^3. */
+    auto cubeOf (Eigen::Index ceramic) const { return cubed.col (ceramic); }
+
+    bool hasCubes() const { return cubed.size() > 0; }
 
     /** A modal force: a row of participations in, N_d * places out. */
     Eigen::VectorXd force (const Eigen::RowVectorXd& participation) const { return values * participation.transpose(); }
@@ -33,8 +48,8 @@ public:
     Eigen::MatrixXd forces (const Eigen::MatrixXd& participation) const;
 
 private:
-    Eigen::MatrixXd values; // N_d * places x N_b
-    Eigen::Index count;
+    Eigen::Index count, driven;
+    Eigen::MatrixXd values, cubed; // N_d * places x N_b
     double rate;
 };
 

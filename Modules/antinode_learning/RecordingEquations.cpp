@@ -5,6 +5,8 @@
 #include <antinode_base/Watch.h>
 #include <antinode_numerics/DenseKernels.h>
 
+#include <vector>
+
 namespace antinode
 {
 namespace
@@ -14,19 +16,23 @@ const PlayedRecording& recordingOf (const LearningPrior& prior, Eigen::Index r)
     return prior.recordings[static_cast<std::size_t> (r)];
 }
 
-/** What sensors hear of the velocities or changes of all modes: samples x N. */
-Eigen::MatrixXd heardBy (const Eigen::MatrixXd& sensors, const Histories& histories, const Eigen::VectorXcd& logarithms,
-                         Eigen::Index samples)
+/** What sensors hear of velocities or changes of all modes, of each history: samples x N, side by side. */
+Eigen::MatrixXd heardBy (const Eigen::MatrixXd& sensors, const std::vector<const Histories*>& histories,
+                         const Eigen::VectorXcd& logarithms, Eigen::Index samples)
 {
-    const auto driven = histories.driven.rows();
-    Eigen::MatrixXd heard = Eigen::MatrixXd::Zero (samples, sensors.rows());
-    addTransposedRight (heard.topRows (driven), 1, histories.driven, sensors);
+    const auto count = sensors.rows(), driven = histories.front()->driven.rows();
+    Eigen::MatrixXd heard = Eigen::MatrixXd::Zero (samples, std::ssize (histories) * count);
+    Eigen::MatrixXd weights (4 * logarithms.size(), heard.cols());
 
-    const auto parts = histories.parts();
-    Eigen::MatrixXd weights (4 * parts.cols(), sensors.rows());
+    for (std::size_t i = 0; i < histories.size(); ++i)
+    {
+        const auto first = static_cast<Eigen::Index> (i) * count;
+        addTransposedRight (heard.block (0, first, driven, count), 1, histories[i]->driven, sensors);
+        const auto parts = histories[i]->parts();
 
-    for (Eigen::Index k = 0; k < parts.cols(); ++k)
-        weights.middleRows<4> (4 * k) = parts.col (k) * sensors.col (k).transpose();
+        for (Eigen::Index k = 0; k < parts.cols(); ++k)
+            weights.block (4 * k, first, 4, count) = parts.col (k) * sensors.col (k).transpose();
+    }
 
     forEachDecayPart (logarithms, samples - driven,
                       [&] (const DecayPart& part)
@@ -45,6 +51,60 @@ RecordingMisfit misfitOf (const Eigen::MatrixXd& residual, const Eigen::MatrixXd
     { return (values.cwiseAbs2().colwise().sum() * precision).value(); };
     return { weighed (residual), weighed (signals), recording.bandShare * static_cast<double> (residual.size()) };
 }
+
+/** What each ceramic's distortion changes of the motions of all modes, of those that are looked for. */
+std::vector<Histories> byDistortions (const LearningParameters& parameters, const LearningState& state,
+                                      const PlayedVoltages& voltages, Eigen::Index samples)
+{
+    std::vector<Histories> all;
+
+    if (voltages.hasCubes())
+        for (const auto ceramic : parameters.distorting)
+            all.push_back (drivenByCube (state.model, voltages, ceramic, samples));
+
+    return all;
+}
+
+/** The parameters that all modes share, each of which reaches every sensor in its own form. */
+struct SharedEffects
+{
+    std::vector<Eigen::Index> parameters;
+    Eigen::MatrixXd against; ///< The residual, then what each changes of the prediction: samples x N, side by side.
+    Eigen::MatrixXd byDelay; ///< What the recording's delay changes of the residual: samples x N.
+};
+
+/** Of the drift, the recording's delay and the ceramics' distortions. */
+SharedEffects sharedEffects (const LearningPrior& prior, const LearningParameters& parameters,
+                             const LearningState& state, Eigen::Index r, const PlayedVoltages& voltages,
+                             const DrivenModes& motions, Eigen::Index samples)
+{
+    const auto& deviations = prior.deviations;
+    auto& recorded = *prior.signals[static_cast<std::size_t> (r)];
+    const auto distortions = byDistortions (parameters, state, voltages, samples);
+    std::vector<const Histories*> histories { &motions.velocity, &motions.byFrequency, &motions.velocity };
+    SharedEffects shared { { parameters.drift(), parameters.delay (r) }, {}, {} };
+
+    for (const auto& each : distortions)
+    {
+        shared.parameters.push_back (parameters.distortion (std::ssize (histories) - 3));
+        histories.push_back (&each);
+    }
+
+    shared.against = heardBy (state.sensors, histories, decayLogarithms (state.model, voltages.sampleRate()), samples);
+    const auto sensors = state.sensors.rows();
+    const auto part = [&] (Eigen::Index i) { return shared.against.middleCols (i * sensors, sensors); };
+    // A longer delay moves the signals, not the prediction. The matrix has the slopes of the latter, which have no
+    // noise.
+    part (2) = -deviations.delay * slopesOf (part (0).transpose(), voltages.sampleRate());
+    shared.byDelay = -deviations.delay * recorded.slopesEarlier (state.delays[r], samples);
+    part (0) = recorded.earlier (state.delays[r], samples) - part (0);
+    part (1) *= deviations.drift;
+
+    for (std::size_t i = 0; i < distortions.size(); ++i)
+        part (3 + static_cast<Eigen::Index> (i)) *= prior.distortionDeviations[parameters.distorting[i]];
+
+    return shared;
+}
 } // namespace
 
 RecordingEquations recordingEquations (const LearningPrior& prior, const LearningParameters& parameters,
@@ -52,48 +112,39 @@ RecordingEquations recordingEquations (const LearningPrior& prior, const Learnin
 {
     checkWatch();
     const auto& recording = recordingOf (prior, r);
-    const auto& voltages = prior.voltages[static_cast<std::size_t> (r)];
+    const auto voltages = prior.voltages[static_cast<std::size_t> (r)].distorted (state.distortions);
     const auto motions = driveModes (state.model, voltages, samples);
     const auto logarithms = decayLogarithms (state.model, voltages.sampleRate());
     const auto effects = parameterEffects (prior, parameters, state, voltages, motions, samples);
+    const auto shared = sharedEffects (prior, parameters, state, r, voltages, motions, samples);
     const Eigen::VectorXd precision = recording.noise.cwiseAbs2().cwiseInverse();
-    const auto heard = heardBy (state.sensors, motions.velocity, logarithms, samples);
-    auto& recorded = *prior.signals[static_cast<std::size_t> (r)];
-    const auto& signals = recorded.earlier (state.delays[r], samples);
-    const Eigen::MatrixXd residual = signals - heard;
-    const auto modal = parameters.drift();
-    const auto sensors = state.sensors.rows();
-
-    // What all modes share reaches every sensor in its own form.
-    const Eigen::MatrixXd byDrift =
-        prior.deviations.drift * heardBy (state.sensors, motions.byFrequency, logarithms, samples);
-    // A longer delay moves the signals, not the prediction. The matrix has the slopes of the latter, which have no
-    // noise.
-    const Eigen::MatrixXd byDelay = -prior.deviations.delay * slopesOf (heard.transpose(), recording.sampleRate);
-    const Eigen::MatrixXd signalsByDelay = -prior.deviations.delay * recorded.slopesEarlier (state.delays[r], samples);
-    Eigen::MatrixXd against (samples, 3 * sensors);
-    against << residual, byDrift, byDelay;
+    const Eigen::MatrixXd weighted = precision.asDiagonal() * effects.weights;
+    const auto products = productsWith (effects, logarithms, shared.against);
+    const auto modal = parameters.drift(), sensors = state.sensors.rows();
+    const auto part = [&] (Eigen::Index i) { return shared.against.middleCols (i * sensors, sensors); };
+    const auto summed = [&] (Eigen::Index i) -> Eigen::VectorXd
+    { return products.middleCols (i * sensors, sensors).cwiseProduct (weighted.transpose()).rowwise().sum(); };
+    const auto product = [&] (const auto& a, const auto& b)
+    { return (a.cwiseProduct (b).colwise().sum() * precision).value(); };
     RecordingEquations equations { Eigen::MatrixXd::Zero (parameters.size(), parameters.size()), {}, {} };
     equations.right = Eigen::VectorXd::Zero (parameters.size());
-    const Eigen::MatrixXd weighted = precision.asDiagonal() * effects.weights;
-    const auto products = productsWith (effects, logarithms, against);
-    const auto summed = [&] (Eigen::Index part) -> Eigen::VectorXd
-    { return products.middleCols (part * sensors, sensors).cwiseProduct (weighted.transpose()).rowwise().sum(); };
-    const auto product = [&] (const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
-    { return (a.cwiseProduct (b).colwise().sum() * precision).value(); };
-    const auto drift = parameters.drift(), delay = parameters.delay (r);
     equations.right.head (modal) = summed (0);
-    equations.right[drift] = product (byDrift, residual);
-    equations.right[delay] = product (signalsByDelay, residual);
+    takeGram (effects, weighted, logarithms, samples, equations.matrix.topLeftCorner (modal, modal));
 
-    auto& matrix = equations.matrix;
-    takeGram (effects, weighted, logarithms, samples, matrix.topLeftCorner (modal, modal));
-    matrix.row (drift).head (modal) = summed (1).transpose();
-    matrix.row (delay).head (modal) = summed (2).transpose();
-    matrix (drift, drift) = product (byDrift, byDrift);
-    matrix (delay, delay) = product (byDelay, byDelay);
-    matrix (delay, drift) = product (byDelay, byDrift);
-    equations.misfit = misfitOf (residual, signals, recording);
+    for (Eigen::Index i = 0; i < std::ssize (shared.parameters); ++i)
+    {
+        const auto place = shared.parameters[static_cast<std::size_t> (i)];
+        equations.right[place] = product (part (1 + i), part (0));
+        equations.matrix.row (place).head (modal) = summed (1 + i).transpose();
+
+        for (Eigen::Index j = 0; j <= i; ++j)
+            equations.matrix (place, shared.parameters[static_cast<std::size_t> (j)]) =
+                product (part (1 + i), part (1 + j));
+    }
+
+    equations.right[parameters.delay (r)] = product (shared.byDelay, part (0));
+    const auto& signals = prior.signals[static_cast<std::size_t> (r)]->earlier (state.delays[r], samples);
+    equations.misfit = misfitOf (part (0), signals, recording);
     return equations;
 }
 
@@ -102,9 +153,10 @@ RecordingMisfit recordingMisfit (const LearningPrior& prior, const LearningState
 {
     checkWatch();
     const auto& recording = recordingOf (prior, r);
-    const auto& voltages = prior.voltages[static_cast<std::size_t> (r)];
-    const auto heard = heardBy (state.sensors, modeHistories (state.model, voltages, samples),
-                                decayLogarithms (state.model, voltages.sampleRate()), samples);
+    const auto voltages = prior.voltages[static_cast<std::size_t> (r)].distorted (state.distortions);
+    const auto histories = modeHistories (state.model, voltages, samples);
+    const auto heard =
+        heardBy (state.sensors, { &histories }, decayLogarithms (state.model, voltages.sampleRate()), samples);
     const auto& signals = prior.signals[static_cast<std::size_t> (r)]->earlier (state.delays[r], samples);
     return misfitOf (signals - heard, signals, recording);
 }

@@ -121,6 +121,8 @@ void addDeviationOptions (CLI::App& command, LearnOptions& options)
     add ("--frequency-percent", options.frequency, "Standard deviation of each frequency from the device, %");
     add ("--damping-percent", options.damping, "Standard deviation of each damping ratio, %");
     add ("--participation-percent", options.participation, "Standard deviation of each participation, %");
+    add ("--distortion-percent", options.distortion,
+         "Standard deviation of each ceramic's cubic distortion at its largest voltage, %; 0: ceramics are linear");
 }
 } // namespace
 

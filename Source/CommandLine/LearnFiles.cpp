@@ -8,6 +8,7 @@
 #include <antinode_base/WholeFile.h>
 #include <antinode_documents/DesignFile.h>
 #include <antinode_documents/DeviceFile.h>
+#include <antinode_learning/EquivalentLinear.h>
 #include <antinode_learning/LearningVerdict.h>
 #include <antinode_render/LagOutcome.h>
 #include <antinode_text/CsvTable.h>
@@ -76,6 +77,26 @@ std::string learntTable (const LearntFocus& learnt, const WideModel& nominal, co
     }
 
     return text;
+}
+
+/** What was learnt of each ceramic: at its largest voltage of the last play. */
+nlohmann::ordered_json ceramicsToJson (const LearntFocus& learnt)
+{
+    auto ceramics = nlohmann::ordered_json::array();
+
+    if (learnt.passes.empty())
+        return ceramics;
+
+    const auto& voltages = learnt.passes.back().voltages;
+    const auto shares = distortionShares (learnt.learnt.distortions, voltages);
+    const auto deviations = distortionShares (learnt.learnt.distortionDeviations, voltages);
+
+    for (Eigen::Index i = 0; i < shares.size(); ++i)
+        ceramics.push_back ({ { "name", learnt.learnt.model.ceramics[static_cast<std::size_t> (i)].name },
+                              { "distortion_percent", inPercent * shares[i] },
+                              { "distortion_deviation_percent", inPercent * deviations[i] } });
+
+    return ceramics;
 }
 } // namespace
 
@@ -149,6 +170,7 @@ nlohmann::ordered_json learntToJson (const LearntFocus& learnt)
                             { "surprise_of_noise_nominal", pass.nominalSurprise },
                             { "latency_ms", inMilli * pass.delay } });
 
+    document["ceramics"] = ceramicsToJson (learnt);
     return document;
 }
 

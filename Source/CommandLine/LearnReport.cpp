@@ -4,6 +4,7 @@
 
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
+#include <antinode_learning/EquivalentLinear.h>
 #include <antinode_learning/LearningVerdict.h>
 
 #include <algorithm>
@@ -131,6 +132,29 @@ ReportSection modeSection (const LearntFocus& learnt, const WideModel& nominal, 
     return section;
 }
 
+ReportSection ceramicSection (const LearntFocus& learnt)
+{
+    const auto& voltages = learnt.passes.back().voltages;
+    const auto distortions = distortionShares (learnt.learnt.distortions, voltages);
+    const auto deviations = distortionShares (learnt.learnt.distortionDeviations, voltages);
+    ReportSection section;
+    section.heading = "Ceramics";
+    section.paragraphs = { "A ceramic acts like a linear one under the voltage U + c U^3. What is designed takes the "
+                           "gain that this is for each mode: it is right at about the level that was played." };
+    ReportTable table { "Cubic distortion of each ceramic at its largest voltage of the last play",
+                        { "ceramic", "largest voltage (V)", "distortion (%)", "deviation left (%)" },
+                        {} };
+
+    for (Eigen::Index i = 0; i < distortions.size(); ++i)
+        table.rows.push_back ({ learnt.learnt.model.ceramics[static_cast<std::size_t> (i)].name,
+                                fixedText (voltages.row (i).lpNorm<Eigen::Infinity>(), 1),
+                                fixedText (shownPercent * distortions[i], 3),
+                                fixedText (shownPercent * deviations[i], 3) });
+
+    section.tables.push_back (std::move (table));
+    return section;
+}
+
 /** The modes of which the data said little, as numbers from 1: "3, 5 and 12". */
 std::string untoldModes (const Eigen::VectorXd& now, const Eigen::VectorXd& before, Eigen::Index known)
 {
@@ -190,8 +214,8 @@ ReportPage learningReport (const LearntFocus& learnt, const WideModel& nominal, 
                         { "Last play", fixedText (shownPercent * learnt.passes.back().estimatedError, 2) + " %",
                           "The same." },
                         { "Not explained", fixedText (shownPercent * learnt.learnt.unexplained, 2) + " %",
-                          "Of the signals, RMS: noise, distortion, and what the model does not have." } };
-        page.sections = { passSection (learnt), modeSection (learnt, nominal, before),
+                          "Of the signals, RMS: noise, and what the model does not have." } };
+        page.sections = { passSection (learnt), modeSection (learnt, nominal, before), ceramicSection (learnt),
                           untoldSection (learnt, nominal, before) };
     }
 

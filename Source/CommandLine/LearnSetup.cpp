@@ -146,6 +146,7 @@ LearningSetup learningSetup (const DeviceDescription& device, FocusDescription f
 
     setup.deviations = sameSpread (setup.nominal.model.modes(), options.frequency / 100, options.damping / 100,
                                    options.participation / 100);
+    setup.deviations.distortion = options.distortion / 100;
     return setup;
 }
 

@@ -51,6 +51,7 @@ struct Bench
     ModalModel truth;
     std::vector<double> places { -0.07, -0.033, 0.012, 0.055 };
     double noise = 0.01, delay = 37 / benchRate, delayError = 4e-6;
+    Eigen::VectorXd distortions = Eigen::VectorXd::Zero (5); // 1/V^2, of the ceramics
     double delaySpan = 0; // above 0: nobody says the delay, which is another one in each pass
 
     explicit Bench (double scatter, std::uint64_t seed)
@@ -83,7 +84,7 @@ struct Bench
     {
         const auto isKnown = delaySpan == 0;
         const auto late = static_cast<Eigen::Index> (delay * benchRate) + (isKnown ? 0 : 61 * pass);
-        const auto heard = played (truth, shapes (truth), voltages);
+        const auto heard = played (truth, shapes (truth), acting (voltages));
         Eigen::MatrixXd signals = Eigen::MatrixXd::Zero (heard.rows(), heard.cols());
         signals.rightCols (signals.cols() - late) = heard.leftCols (signals.cols() - late);
         RandomNumbers random (static_cast<std::uint64_t> (100 + pass));
@@ -96,10 +97,20 @@ struct Bench
         return { benchRate, voltages, signals, deviations, isKnown ? delay + delayError : 0, delaySpan };
     }
 
+    /** Voltages that linear ceramics would need to act like these. */
+    Eigen::MatrixXd acting (Eigen::MatrixXd voltages) const
+    {
+        for (Eigen::Index i = 0; i < voltages.rows(); ++i)
+            for (auto& voltage : voltages.row (i))
+                voltage += distortions[i] * voltage * voltage * voltage;
+
+        return voltages;
+    }
+
     /** The field at the focus that voltages make. */
     Eigen::VectorXd field (const Eigen::MatrixXd& voltages) const
     {
-        return played (truth, truth.shapes, voltages)
+        return played (truth, truth.shapes, acting (voltages))
             .col (static_cast<Eigen::Index> (sincFocus().focusTime * benchRate));
     }
 
@@ -115,7 +126,9 @@ struct Bench
 
     double fieldError (const Eigen::MatrixXd& voltages) const
     {
-        return scoreField (truth.surface, field (voltages), field (exactVoltages())).fieldError;
+        const Eigen::VectorXd wanted = played (truth, truth.shapes, exactVoltages())
+                                           .col (static_cast<Eigen::Index> (sincFocus().focusTime * benchRate));
+        return scoreField (truth.surface, field (voltages), wanted).fieldError;
     }
 };
 

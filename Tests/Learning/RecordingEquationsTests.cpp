@@ -1,5 +1,6 @@
 #include "Support/SineBeam.h"
 
+#include <antinode_learning/CubedVoltages.h>
 #include <antinode_learning/HeardParameters.h>
 #include <antinode_learning/LearningProblem.h>
 #include <antinode_learning/RecordingEquations.h>
@@ -37,6 +38,7 @@ PlayedRecording noisePlayed (const ModalModel& model)
     recording.signals.row (1).tail (recordedFor - 10) =
         (velocities * shapesAt (model, -0.05, 0).transpose()).head (recordedFor - 10).transpose();
     recording.noise = 0.01 * recording.signals.rowwise().norm() / std::sqrt (static_cast<double> (recordedFor));
+    recording.cubes = cubedVoltages (recording.voltages);
     return recording;
 }
 } // namespace
@@ -63,6 +65,8 @@ TEST_CASE ("The right sides of a recording's equations are the slopes of its mis
          { ParameterKind::frequency, ParameterKind::damping, ParameterKind::participation, ParameterKind::sensor })
         REQUIRE (std::any_of (parameters.modal.begin(), parameters.modal.end(),
                               [kind] (const auto& parameter) { return parameter.kind == kind; }));
+
+    REQUIRE (std::ssize (parameters.distorting) == model.actuators());
 
     CHECK (equations.misfit.residual == Approx (misfit (values)));
     CHECK (equations.misfit.samples == 2 * samples);

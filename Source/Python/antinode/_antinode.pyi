@@ -580,6 +580,7 @@ class LearnOptions:
     frequency_percent: float
     damping_percent: float
     participation_percent: float
+    distortion_percent: float
     passes: int
     enough_percent: float
     simulate: bool

@@ -180,6 +180,13 @@ class Learnt(Pictured):
         return passes
 
     @property
+    def ceramics(self) -> list[dict[str, Any]]:
+        """What was learnt of each ceramic: its name; distortion_percent, its cubic distortion at its largest voltage of the
+        last play; distortion_deviation_percent, the standard deviation of that which is left. Empty before the first play."""
+        ceramics: list[dict[str, Any]] = self.numbers["ceramics"]
+        return ceramics
+
+    @property
     def is_accepted(self) -> bool:
         """Whether what was learnt is used; else ``design`` is one that was played, and ``refusal`` says why."""
         return bool(self.numbers["is_accepted"])
@@ -255,6 +262,7 @@ def learn(
     frequency_percent: float = 0.5,
     damping_percent: float = 10.0,
     participation_percent: float = 5.0,
+    distortion_percent: float = 2.0,
     sample_rate_Hz: float = 96000.0,
     duration_ms: float = 250.0,
     cache: bool = True,
@@ -284,6 +292,8 @@ def learn(
         sensitivity_mm_s_per_V, input_full_scale_V: the scale of ``recorded.wav``.
         frequency_percent, damping_percent, participation_percent: how far each mode may be off the device: standard
             deviations, 0 to 50 %.
+        distortion_percent: how far the cubic distortion of each ceramic at its largest voltage may be off 0: a standard
+            deviation, 0 to 50 %; 0: ceramics are linear.
         sample_rate_Hz: of voltages and signals, 8000 to 2000000 Hz.
         duration_ms: of each play, 1 to 10000 ms.
         cache: False: the device is solved without the user's cache.
@@ -308,6 +318,7 @@ def learn(
     within("longest_latency_ms", longest_latency_ms, 0, 200)
     within("snr_dB", snr_dB, -20, 300)
     _check_deviations(frequency_percent, damping_percent, participation_percent)
+    within("distortion_percent", distortion_percent, 0, 50)
     within("duration_ms", duration_ms, 1, 10000)
     places = place_pairs("sensors_mm", sensors_mm)
     idle = list(idle_ceramics)
@@ -329,6 +340,7 @@ def learn(
     options.frequency_percent = frequency_percent
     options.damping_percent = damping_percent
     options.participation_percent = participation_percent
+    options.distortion_percent = distortion_percent
     options.sample_rate_Hz = sample_rate_Hz
     options.duration_ms = duration_ms
     options.cache = cache

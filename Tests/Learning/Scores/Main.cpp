@@ -104,7 +104,6 @@ FrequencyResponses measured (const ModalModel& truth, const Eigen::MatrixX2d& po
 void retuneOnce (WideModel& nominal, ModeSpread& deviations, const FrequencyResponses& responses,
                  const KnownSpread& spread)
 {
-    constexpr double least = 5e-5; // Errors of a model are not noise.
     const auto begun = std::clock();
     const auto retuned = retune (nominal.model, responses, spread);
     const auto found = std::count (retuned.found.begin(), retuned.found.end(), true);
@@ -116,9 +115,15 @@ void retuneOnce (WideModel& nominal, ModeSpread& deviations, const FrequencyResp
     std::iota (order.begin(), order.end(), 0);
     std::sort (order.begin(), order.end(), [&] (auto one, auto other) { return moved[one] < moved[other]; });
     nominal.model = retuned.model;
-    deviations.frequencies = retuned.frequencyDeviations (order).cwiseMax (least);
-    deviations.dampings = retuned.dampingDeviations (order).cwiseMax (100 * least);
-    deviations.participation = retuned.participationDeviations (order).cwiseMax (20 * least);
+    // Errors of a model are not noise: what retune says is at most a fifth of what its participations are off, and
+    // beyond the device's own modes, where responses have more modes than the model, it says nothing.
+    const auto beyond = nominal.model.modes() - nominal.known;
+    deviations.frequencies = retuned.frequencyDeviations (order).cwiseMax (5e-5);
+    deviations.dampings = retuned.dampingDeviations (order).cwiseMax (5e-3);
+    deviations.participation = retuned.participationDeviations (order).cwiseMax (0.02);
+    deviations.frequencies.tail (beyond).setConstant (2e-3);
+    deviations.dampings.tail (beyond).setConstant (0.05);
+    deviations.participation.tail (beyond).setConstant (0.1);
 }
 
 double relative (const Surface& surface, const Eigen::VectorXd& a, const Eigen::VectorXd& b)

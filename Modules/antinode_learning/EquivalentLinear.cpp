@@ -1,0 +1,82 @@
+#include "EquivalentLinear.h"
+
+#include "CubedVoltages.h"
+#include "DrivenModes.h"
+
+#include <Eigen/LU>
+
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+// Of the power that ceramics drive into an average mode, and into the mode itself: what is driven less than that, or in
+// another phase only, is hardly changed. Else small differences of large motions would need large changes.
+constexpr double hardlyDriven = 1e-3;
+
+/** The motions of all modes at an instant, as complex numbers of which the velocity is the real part: N_m x N_b. */
+struct MotionsAtOnce
+{
+    Eigen::MatrixXcd byVoltages; ///< Of each ceramic alone.
+    Eigen::MatrixXcd byCubes;    ///< The same per unit of its distortion.
+};
+
+MotionsAtOnce motionsAt (const ModalModel& model, const PlayedVoltages& played, Eigen::Index sample)
+{
+    MotionsAtOnce motions { Eigen::MatrixXcd (model.modes(), model.actuators()),
+                            Eigen::MatrixXcd (model.modes(), model.actuators()) };
+
+    for (Eigen::Index i = 0; i < model.actuators(); ++i)
+    {
+        const auto linear = drivenByCeramic (model, played, i, sample);
+        const auto cubed = drivenByCube (model, played, i, sample);
+
+        for (Eigen::Index k = 0; k < model.modes(); ++k)
+        {
+            motions.byVoltages (k, i) = linear.after[static_cast<std::size_t> (k)].constant;
+            motions.byCubes (k, i) = cubed.after[static_cast<std::size_t> (k)].constant;
+        }
+    }
+
+    return motions;
+}
+
+Eigen::Vector2d parts (const std::complex<double>& number)
+{
+    return { number.real(), number.imag() };
+}
+} // namespace
+
+ModalModel equivalentLinear (const LearntModes& learnt, const Eigen::MatrixXd& voltages, double sampleRate, double time)
+{
+    auto model = learnt.model;
+
+    if ((learnt.distortions.array() == 0).all())
+        return model;
+
+    const auto sample = static_cast<Eigen::Index> (std::llround (time * sampleRate));
+    const auto motions = motionsAt (model, { voltages, cubedVoltages (voltages), sampleRate }, sample);
+    const Eigen::VectorXcd added = motions.byCubes * learnt.distortions;
+    const auto usual = motions.byVoltages.squaredNorm() / static_cast<double> (model.modes());
+
+    for (Eigen::Index k = 0; k < model.modes(); ++k)
+    {
+        Eigen::Matrix2Xd states (2, model.actuators());
+        states << motions.byVoltages.row (k).real(), motions.byVoltages.row (k).imag();
+        Eigen::Matrix2d gram = states * states.transpose();
+        gram.diagonal().array() += hardlyDriven * (usual + gram.trace());
+
+        if (gram.trace() > 0)
+            model.participation.row (k).array() *=
+                1 + (states.transpose() * gram.inverse() * parts (added[k])).transpose().array();
+    }
+
+    return model;
+}
+
+Eigen::VectorXd distortionShares (const Eigen::VectorXd& distortions, const Eigen::MatrixXd& voltages)
+{
+    return distortions.cwiseProduct (voltages.rowwise().lpNorm<Eigen::Infinity>().cwiseAbs2());
+}
+} // namespace antinode
