@@ -21,6 +21,7 @@ Eigen::MatrixXd cubedVoltages (const Eigen::MatrixXd& voltages)
         Eigen::VectorXcd wide = Eigen::VectorXcd::Zero (length + 1);
         const auto lines = length / 2 + 1;
         wide.head (lines) = 2 * tables.forward (voltages.row (i).transpose(), length);
+        wide[lines - 1] /= 2; // Half the rate, which is two lines now.
         const Eigen::VectorXd cubed = tables.inverse (wide, 2 * length).array().cube();
         cubes.row (i) = tables.inverse (tables.forward (cubed).head (lines) / 2, length).head (voltages.cols());
     }

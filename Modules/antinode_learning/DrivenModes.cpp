@@ -51,6 +51,14 @@ void drive (Histories& histories, Eigen::Index column, MovingMode mode, const do
     histories.after[static_cast<std::size_t> (column)] = mode.velocityAfter();
 }
 
+/** The same per unit of the force, times a factor. */
+void driveScaled (Histories& histories, Eigen::Index column, const MovingMode& mode, const double* force, double factor)
+{
+    drive (histories, column, mode, force);
+    histories.driven.col (column) *= factor;
+    histories.after[static_cast<std::size_t> (column)].constant *= factor;
+}
+
 /** The velocities of all modes under what one ceramic alone does to them. */
 Histories drivenAlone (const ModalModel& model, const PlayedVoltages& voltages, const double* force,
                        const Eigen::VectorXd& participation, Eigen::Index samples)
@@ -60,9 +68,7 @@ Histories drivenAlone (const ModalModel& model, const PlayedVoltages& voltages, 
                  [&] (std::size_t mode)
                  {
                      const auto k = static_cast<Eigen::Index> (mode);
-                     drive (histories, k, modeAtRest (model, k, voltages), force);
-                     histories.driven.col (k) *= participation[k];
-                     histories.after[mode].constant *= participation[k];
+                     driveScaled (histories, k, modeAtRest (model, k, voltages), force, participation[k]);
                  });
     return histories;
 }
@@ -139,11 +145,8 @@ Histories drivenByEachCeramic (const ModalModel& model, Eigen::Index mode, const
     auto histories = emptyHistories (std::min (samples, voltages.drivenSamples()), model.actuators());
 
     for (Eigen::Index i = 0; i < model.actuators(); ++i)
-    {
-        drive (histories, i, modeAtRest (model, mode, voltages), voltages.of (i).data());
-        histories.driven.col (i) *= model.participation (mode, i);
-        histories.after[static_cast<std::size_t> (i)].constant *= model.participation (mode, i);
-    }
+        driveScaled (histories, i, modeAtRest (model, mode, voltages), voltages.of (i).data(),
+                     model.participation (mode, i));
 
     return histories;
 }

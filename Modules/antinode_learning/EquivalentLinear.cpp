@@ -11,8 +11,8 @@ namespace antinode
 {
 namespace
 {
-// Of the power that ceramics drive into an average mode, and into the mode itself: what is driven less than that, or in
-// another phase only, is hardly changed. Else small differences of large motions would need large changes.
+// Regularisation, as a share of the power of an average mode and of the mode itself. Without it small differences of
+// large motions would need large changes.
 constexpr double hardlyDriven = 1e-3;
 
 /** The motions of all modes at an instant, as complex numbers of which the velocity is the real part: N_m x N_b. */

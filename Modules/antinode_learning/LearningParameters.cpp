@@ -53,14 +53,20 @@ void apply (LearningState& state, const LearningParameter& parameter, double val
             break;
     }
 }
-/** 1/V^2, of each ceramic that plays: the deviation by its largest voltage in the first recording. */
-Eigen::VectorXd distortionDeviationsOf (double deviation, const PlayedRecording& first)
-{
-    if (first.cubes.size() == 0)
-        return Eigen::VectorXd::Zero (first.voltages.rows());
 
-    const Eigen::ArrayXd largest = first.voltages.rowwise().lpNorm<Eigen::Infinity>().array();
-    return (largest > 0).select (deviation / largest.square(), 0.0);
+/** 1/V^2, of each ceramic that plays: the deviation by its largest voltage, or by a hundredth of that of all ceramics,
+    below which no cube is heard. */
+Eigen::VectorXd distortionDeviationsOf (double deviation, const std::vector<PlayedRecording>& recordings)
+{
+    constexpr double leastShare = 0.01;
+    Eigen::ArrayXd largest = Eigen::ArrayXd::Zero (recordings.front().voltages.rows());
+
+    for (const auto& recording : recordings)
+        if (recording.cubes.size() > 0)
+            largest = largest.max (recording.voltages.rowwise().lpNorm<Eigen::Infinity>().array());
+
+    const Eigen::ArrayXd reference = largest.max (leastShare * largest.maxCoeff());
+    return (largest > 0).select (deviation / reference.square(), 0.0);
 }
 } // namespace
 
@@ -73,6 +79,8 @@ void requireUsable (const ModalModel& model, const std::vector<Sensor>& sensors,
     require (deviations.frequencies.size() == modes && deviations.dampings.size() == modes
                  && deviations.participation.size() == modes,
              "need the deviations of " + std::to_string (modes) + " modes");
+    require (std::isfinite (deviations.distortion) && deviations.distortion >= 0,
+             "need a deviation of the distortion of 0 or more");
 
     for (const auto& sensor : sensors)
         require (sensor.shapes.size() == modes && sensor.shapes.allFinite() && sensor.deviation >= 0,
@@ -80,15 +88,17 @@ void requireUsable (const ModalModel& model, const std::vector<Sensor>& sensors,
 
     for (const auto& recording : recordings)
     {
+        require (recording.voltages.cols() > 0, "need at least one sample");
         require (recording.voltages.rows() == model.actuators() && recording.voltages.allFinite(),
                  "need finite voltages of all " + std::to_string (model.actuators()) + " ceramics");
         require (recording.signals.rows() == static_cast<Eigen::Index> (sensors.size())
                      && recording.signals.cols() == recording.voltages.cols() && recording.signals.allFinite(),
                  "need a finite signal of every sensor, as long as the voltages");
-        require (recording.cubes.size() == 0
-                     || (recording.cubes.rows() == recording.voltages.rows()
-                         && recording.cubes.cols() == recording.voltages.cols() && recording.cubes.allFinite()),
-                 "need finite cubes of all voltages, or none");
+        require ((recording.cubes.size() > 0) == (recordings.front().cubes.size() > 0)
+                     && (recording.cubes.size() == 0
+                         || (recording.cubes.rows() == recording.voltages.rows()
+                             && recording.cubes.cols() == recording.voltages.cols() && recording.cubes.allFinite())),
+                 "need finite cubes of all voltages of all recordings, or none");
         require (recording.noise.size() == recording.signals.rows() && recording.noise.minCoeff() > 0
                      && recording.sampleRate > 0 && recording.delay >= 0,
                  "need noise above 0, a sample rate above 0 and a delay of 0 or more");
@@ -100,7 +110,7 @@ LearningPrior makePrior (const ModalModel& model, const std::vector<Sensor>& sen
 {
     requireUsable (model, sensors, deviations, recordings);
     LearningPrior prior { model, sensors, deviations, recordings, {}, {}, {}, {} };
-    prior.distortionDeviations = distortionDeviationsOf (deviations.distortion, recordings.front());
+    prior.distortionDeviations = distortionDeviationsOf (deviations.distortion, recordings);
     prior.modes.angularFrequencies = model.angularFrequencies;
     prior.modes.dampingRatios = model.dampingRatios;
     prior.modes.participation = model.participation;

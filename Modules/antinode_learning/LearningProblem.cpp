@@ -1,8 +1,7 @@
 #include "LearningProblem.h"
 
+#include "BoundedStep.h"
 #include "HeardParameters.h"
-
-#include <antinode_numerics/DenseKernels.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,13 +16,14 @@ namespace
 constexpr int mostSteps = 12; // of each length of the records
 constexpr double gainOfEach =
     0.05; // of the objective for each unknown, in squares of deviations: a step that gains less is the last
-constexpr double smallestShare = 0.125;  // of a step
-constexpr double clearlyTold = 10;       // of the prior's information
-constexpr double farthestFrequency = 8;  // deviations: a mode that runs away explains by chance and does not come back
-constexpr double farthestOfOthers = 1e3; // the same of damping and participation, which take what ceramics distort
+constexpr double smallestShare = 0.125;   // of a step
+constexpr double clearlyTold = 10;        // of the prior's information
+constexpr double farthestFrequency = 8;   // deviations: a mode that runs away explains by chance and does not come back
+constexpr double farthestDistortion = 16; // the same: of 2 % a third, beyond which a ceramic would move back
+constexpr double farthestOfOthers = 1e3;  // the same of damping and participation, which take what no parameter has
 
-/** Those of modes that recordings tell more of than a bound, the drift and the delays. What ceramics distort is looked
-    for with all. */
+/** Those of modes that recordings tell more of than a bound, the drift and the delays. Distortions are unknowns
+    only where all parameters are. */
 Unknowns unknownsAbove (double information, const LearningParameters& all)
 {
     Unknowns unknowns { { {}, all.recordings }, {} };
@@ -49,68 +49,6 @@ Unknowns allOf (LearningParameters all)
     return unknowns;
 }
 
-/** Takes an unknown with a known change out of normal equations, of which the lower triangle is given. */
-void takeOut (RecordingEquations& equations, Eigen::Index p, double change)
-{
-    auto& matrix = equations.matrix;
-    const auto after = matrix.rows() - p - 1;
-    equations.right.head (p) -= change * matrix.row (p).head (p).transpose();
-    equations.right.tail (after) -= change * matrix.col (p).tail (after);
-    matrix.row (p).setZero();
-    matrix.col (p).setZero();
-    matrix (p, p) = 1;
-    equations.right[p] = change;
-}
-
-/** Which unknowns a step takes to their bounds: 1 to the upper, -1 to the lower one, 0 to neither. */
-Eigen::VectorXi boundsReached (const Eigen::VectorXi& before, const Eigen::VectorXd& slope, const Eigen::VectorXd& next,
-                               const Eigen::VectorXd& bounds)
-{
-    constexpr double rounding = 1e-9;
-    Eigen::VectorXi reached (before.size());
-
-    for (Eigen::Index p = 0; p < reached.size(); ++p)
-    {
-        const auto isPushedOn = before[p] != 0 && before[p] * slope[p] > 0;
-        const auto isBeyond = before[p] == 0 && std::abs (next[p]) > bounds[p] + rounding;
-        reached[p] = isPushedOn ? before[p] : isBeyond ? (next[p] > 0 ? 1 : -1) : 0;
-    }
-
-    return reached;
-}
-
-/** The step to the minimum within bounds, by a quadratic form of which the lower triangle is given. Cut off afterwards,
-   a step may lead up. By sets of unknowns at their bounds, Hintermueller, Ito and Kunisch, SIAM Journal on Optimization
-    13, 2003.
-    @return  of each unknown; the matrix is then factored, as factorLower leaves it, those at bounds taken out */
-Eigen::VectorXd stepWithin (RecordingEquations& equations, const Eigen::VectorXd& values, const Eigen::VectorXd& bounds)
-{
-    constexpr int mostRounds = 8;
-    Eigen::VectorXi atBound = Eigen::VectorXi::Zero (values.size());
-
-    for (int round = 1;; ++round)
-    {
-        auto free = equations;
-
-        for (Eigen::Index p = 0; p < values.size(); ++p)
-            if (atBound[p] != 0)
-                takeOut (free, p, atBound[p] * bounds[p] - values[p]);
-
-        factorLower (free.matrix);
-        const Eigen::VectorXd change = solveFactored (free.matrix, free.right);
-        const Eigen::VectorXd slope = equations.right - equations.matrix.selfadjointView<Eigen::Lower>() * change;
-        const auto reached = boundsReached (atBound, slope, values + change, bounds);
-
-        if (reached == atBound || round == mostRounds)
-        {
-            equations.matrix = std::move (free.matrix);
-            return (values + change).cwiseMax (-bounds).cwiseMin (bounds) - values;
-        }
-
-        atBound = reached;
-    }
-}
-
 double distanceOf (const RecordingMisfit& misfit, const Eigen::VectorXd& values)
 {
     return std::sqrt ((misfit.residual + values.squaredNorm()) / misfit.samples);
@@ -131,6 +69,8 @@ LearningProblem::LearningProblem (const LearningPrior& given)
     for (Eigen::Index p = 0; p < every.parameters.drift(); ++p)
         if (every.parameters.modal[static_cast<std::size_t> (p)].kind == ParameterKind::frequency)
             farthest[p] = farthestFrequency;
+
+    farthest.tail (std::ssize (every.parameters.distorting)).setConstant (farthestDistortion);
 }
 
 LearningState LearningProblem::state (const Eigen::VectorXd& values) const
@@ -153,13 +93,13 @@ LearningSolution LearningProblem::solve (const Unknowns& unknowns, Eigen::Vector
         const auto before = linear.misfit.residual + solution.values.squaredNorm();
         objective = before;
         const Eigen::VectorXd from = solution.values (unknowns.places);
-        const Eigen::VectorXd change = stepWithin (linear, from, bounds);
-        solution.factored = std::move (linear.matrix);
+        auto step = boundedStep (linear.matrix, linear.right, from, bounds);
+        solution.factored = std::move (step.factored);
 
         for (auto share = 1.0; share >= smallestShare && ! (objective < before); share /= 2)
         {
             auto next = solution.values;
-            next (unknowns.places) = (from + share * change).cwiseMax (-bounds).cwiseMin (bounds);
+            next (unknowns.places) = (from + share * step.change).cwiseMax (-bounds).cwiseMin (bounds);
             const auto reached = misfit (state (next), time).residual + next.squaredNorm();
 
             if (reached < before)

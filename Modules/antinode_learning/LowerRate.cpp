@@ -36,9 +36,6 @@ Eigen::Index stepFor (double sampleRate, double highest)
 /** Rows of samples, filtered and thinned. */
 Eigen::MatrixXd thinned (const Eigen::MatrixXd& rows, double sampleRate, double highest, Eigen::Index step)
 {
-    if (rows.size() == 0)
-        return rows;
-
     const auto beforeItComesRound = static_cast<double> (rows.cols()) + ringing (sampleRate, highest);
     const auto few = quickLength (beforeItComesRound / static_cast<double> (step));
     const auto length = few * step;
@@ -83,9 +80,6 @@ PlayedRecording filtered (const PlayedRecording& recording, double highest, Eige
 
 Eigen::MatrixXd afterSilence (const Eigen::MatrixXd& rows, Eigen::Index silence)
 {
-    if (rows.size() == 0)
-        return rows;
-
     Eigen::MatrixXd later = Eigen::MatrixXd::Zero (rows.rows(), rows.cols() + silence);
     later.rightCols (rows.cols()) = rows;
     return later;

@@ -2,9 +2,8 @@
 
 #include "CubedVoltages.h"
 #include "LearningVerdict.h"
-#include "LikelyDelays.h"
 #include "LowerRate.h"
-#include "RecordingEquations.h"
+#include "PlayPrediction.h"
 
 #include <antinode_numerics/Median.h>
 
@@ -60,33 +59,6 @@ std::vector<double> delaysWorthTrying (RankedDelays ranked, double likeliest)
     return best;
 }
 
-/** What sensors would hear without delay until the voltages end: samples x N. Later phases of a model that is off are
-    no help to find a delay. */
-Eigen::MatrixXd predictedWhilePlayed (const ModalModel& model, const std::vector<Sensor>& sensors,
-                                      const PlayedRecording& recording)
-{
-    const PlayedVoltages voltages (recording.voltages, recording.sampleRate);
-    const auto velocities = modeVelocities (model, voltages, voltages.drivenSamples());
-    Eigen::MatrixXd signals (velocities.rows(), std::ssize (sensors));
-
-    for (std::size_t m = 0; m < sensors.size(); ++m)
-        signals.col (static_cast<Eigen::Index> (m)) = velocities * sensors[m].shapes.transpose();
-
-    return signals;
-}
-
-/** What sensors hear until the voltages have ended, of what a model predicts of it: RMS, the median of the sensors. */
-double loudnessOf (const ModalModel& model, const std::vector<Sensor>& sensors, const PlayedRecording& recording)
-{
-    const auto predicted = predictedWhilePlayed (model, sensors, recording);
-    const auto latest = (recording.delay + recording.delaySpan) * recording.sampleRate;
-    const auto samples =
-        std::min (recording.signals.cols(), predicted.rows() + static_cast<Eigen::Index> (std::ceil (latest)));
-    const Eigen::VectorXd heard = recording.signals.leftCols (samples).rowwise().norm();
-    const Eigen::VectorXd ratios = heard.array() / predicted.colwise().norm().transpose().array().max (1e-300);
-    return median ({ ratios.begin(), ratios.end() });
-}
-
 /** The model whose response is the mean response of devices with scattered frequencies: their phases drift apart, which
     acts like more damping.
     @param frequencyDeviations  N_m, relative */
@@ -96,66 +68,21 @@ ModalModel meanModel (ModalModel model, const Eigen::VectorXd& frequencyDeviatio
     return model;
 }
 
-/** s: at most so many delays that a recording may have, the most likely one first; its own where that is known. */
-std::vector<double> delaysBy (const ModalModel& model, const std::vector<Sensor>& sensors,
-                              const PlayedRecording& recording, std::size_t most)
+/** What is learnt from: with cubes where ceramics may distort, and only what lies where the model has modes. */
+PlayedRecording asHeard (PlayedRecording recording, const WideModel& nominal, const ModeSpread& deviations)
 {
-    if (! (recording.delaySpan > 0))
-        return { recording.delay };
+    if (deviations.distortion > 0)
+        recording.cubes = cubedVoltages (recording.voltages);
 
-    return likelyDelays (recording, predictedWhilePlayed (model, sensors, recording), most);
+    return withinModel (std::move (recording), nominal);
 }
 
-PlayedRecording withCubes (PlayedRecording recording)
-{
-    recording.cubes = cubedVoltages (recording.voltages);
-    return recording;
-}
-
-PlayedRecording withDelay (PlayedRecording recording, double delay)
-{
-    recording.delay = delay;
-    recording.delaySpan = 0;
-    return recording;
-}
-
-LearntModes unheard (const ModalModel& model, const std::vector<Sensor>& sensors, const ModeSpread& deviations)
+/** A device before anything is heard of it. */
+LearntModes asGiven (const ModalModel& model, const std::vector<Sensor>& sensors, const ModeSpread& deviations)
 {
     const Eigen::VectorXd linear = Eigen::VectorXd::Zero (model.actuators());
     return { model, sensors, {}, linear, linear, deviations.frequencies, deviations.dampings, deviations.participation,
              0,     0,       0,  0 };
-}
-
-/** RMS of what a device does not predict of a recording, of the noise, by the delay that suits it best: from the most
-    likely one by Gauss and Newton's steps, since a microsecond is much for high modes. */
-double surprise (const LearntModes& device, const ModeSpread& deviations, const PlayedRecording& recording)
-{
-    constexpr int steps = 3;
-    const auto isDelayKnown = ! (recording.delaySpan > 0);
-    const auto delay = delaysBy (device.model, device.sensors, recording, 1).front();
-    const std::vector<PlayedRecording> one { withDelay (recording, delay) };
-    const auto prior = makePrior (device.model, device.sensors, deviations, one);
-    const auto samples = comparableSamples (one.front());
-    LearningParameters none;
-    none.recordings = 1;
-    Eigen::VectorXd values = Eigen::VectorXd::Zero (none.size());
-    auto least = std::numeric_limits<double>::infinity();
-
-    for (int i = 0; i <= steps; ++i)
-    {
-        auto state = stateAt (prior, none, values);
-        state.distortions = device.distortions;
-        const auto equations = recordingEquations (prior, none, state, 0, samples);
-        least = std::min (least, std::sqrt (equations.misfit.residual / equations.misfit.samples));
-        const auto place = none.delay (0);
-
-        if (isDelayKnown || ! (equations.matrix (place, place) > 0))
-            break;
-
-        values[place] += equations.right[place] / equations.matrix (place, place);
-    }
-
-    return least;
 }
 
 /** A fit without a sign of a wrong minimum comes first, then the more probable one. */
@@ -167,14 +94,14 @@ bool isBetter (const LearntModes& one, const LearntModes& other)
 } // namespace
 
 PassLearner::PassLearner (const WideModel& model, const std::vector<Sensor>& listening, const ModeSpread& spread)
-    : nominal (model), sensors (listening), deviations (spread), learnt (unheard (model.model, listening, spread))
+    : nominal (model), sensors (listening), deviations (spread), learnt (asGiven (model.model, listening, spread))
 {
 }
 
 LearningPass PassLearner::hear (const PlayedRecording& whole)
 {
     requireUsable (nominal.model, sensors, deviations, { whole });
-    const auto recording = withinModel (withCubes (whole), nominal);
+    const auto recording = asHeard (whole, nominal, deviations);
     auto own = deviations;
     LearningPass pass;
     pass.voltages = whole.voltages;
@@ -182,7 +109,7 @@ LearningPass PassLearner::hear (const PlayedRecording& whole)
     pass.surprise = surprise (learnt, deviations, recording);
     pass.nominalSurprise = recordings.empty()
                                ? pass.surprise
-                               : surprise (unheard (nominal.model, sensors, deviations), deviations, recording);
+                               : surprise (asGiven (nominal.model, sensors, deviations), deviations, recording);
 
     if (recording.delaySpan > 0)
         own.delay = std::max (own.delay, foundDelay);

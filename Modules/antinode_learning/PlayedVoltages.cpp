@@ -34,9 +34,6 @@ Eigen::MatrixXd betweenSamples (const Eigen::MatrixXd& rows, Eigen::Index driven
 {
     constexpr auto places = PlayedVoltages::places;
 
-    if (rows.size() == 0)
-        return {};
-
     Eigen::MatrixXd values (driven * places, rows.rows());
     const auto length = quickLength (static_cast<double> (driven + tail)); // before it comes round again
     FourierTables tables;

@@ -139,8 +139,12 @@ ReportSection ceramicSection (const LearntFocus& learnt)
     const auto deviations = distortionShares (learnt.learnt.distortionDeviations, voltages);
     ReportSection section;
     section.heading = "Ceramics";
-    section.paragraphs = { "A ceramic acts like a linear one under the voltage U + c U^3. What is designed takes the "
-                           "gain that this is for each mode: it is right at about the level that was played." };
+    section.paragraphs = {
+        "A ceramic acts like a linear one under the voltage U + c U^3: above 0 it moves more than in proportion. "
+        + std::string (learnt.refusal.empty()
+                           ? "The design and device.json allow for it at about the level that was played."
+                           : "The design and device.json know nothing of it.")
+    };
     ReportTable table { "Cubic distortion of each ceramic at its largest voltage of the last play",
                         { "ceramic", "largest voltage (V)", "distortion (%)", "deviation left (%)" },
                         {} };
@@ -215,8 +219,12 @@ ReportPage learningReport (const LearntFocus& learnt, const WideModel& nominal, 
                           "The same." },
                         { "Not explained", fixedText (shownPercent * learnt.learnt.unexplained, 2) + " %",
                           "Of the signals, RMS: noise, and what the model does not have." } };
-        page.sections = { passSection (learnt), modeSection (learnt, nominal, before), ceramicSection (learnt),
-                          untoldSection (learnt, nominal, before) };
+        page.sections = { passSection (learnt), modeSection (learnt, nominal, before) };
+
+        if (learnt.learnt.distortionDeviations.maxCoeff() > 0)
+            page.sections.push_back (ceramicSection (learnt));
+
+        page.sections.push_back (untoldSection (learnt, nominal, before));
     }
 
     page.links = { { "learnt.csv", "learnt.csv" },

@@ -216,6 +216,36 @@ TEST_CASE ("learn plays on a simulated bench until the focus is right, and write
     CHECK (summary["passes"][0]["latency_ms"].get<double>() == Approx (9.87).margin (2e-3));
 }
 
+TEST_CASE ("learn finds how much ceramics distort, or takes them as linear where it is told to", "[command line]")
+{
+    const TemporaryFolder folder;
+    writeSensors (folder.path());
+    const auto distortions = [&] (const char* percent)
+    {
+        const auto run = runProgram (learnArguments (
+            folder.path(), "learnt",
+            { "--simulate", "--passes", "2", "--simulated-cubic-percent", "5", "--distortion-percent", percent }));
+        INFO (run.errors);
+        REQUIRE (run.exitCode == 0);
+        return nlohmann::json::parse (readContent (folder.path() / "learnt" / "summary.json"))["ceramics"];
+    };
+    const auto learnt = distortions ("3");
+    REQUIRE (! learnt.empty());
+
+    for (const auto& ceramic : learnt)
+    {
+        CAPTURE (ceramic.dump());
+        CHECK (ceramic["distortion_deviation_percent"] < 1);
+        CHECK (ceramic["distortion_percent"].get<double>() == Approx (5).margin (1));
+    }
+
+    const auto page = readContent (folder.path() / "learnt" / "report.html");
+    CHECK (page.find ("Cubic distortion of each ceramic") != std::string::npos);
+
+    for (const auto& ceramic : distortions ("0"))
+        CHECK (ceramic["distortion_percent"] == 0);
+}
+
 TEST_CASE ("learn says what it needs to play", "[command line]")
 {
     const TemporaryFolder folder;

@@ -1,7 +1,10 @@
 #include "LearningBench.h"
 
+#include <antinode_base/InputError.h>
 #include <antinode_learning/CubedVoltages.h>
 #include <antinode_learning/EquivalentLinear.h>
+#include <antinode_learning/LearningParameters.h>
+#include <antinode_learning/LowerRate.h>
 #include <antinode_learning/PlayedVoltages.h>
 
 #include <catch2/catch.hpp>
@@ -46,6 +49,88 @@ TEST_CASE ("The cube of a sine is three quarters of it and a quarter of its thir
         CHECK ((cube - wanted).middleCols (middle - some, 2 * some).norm()
                < 0.05 * wanted.middleCols (middle - some, 2 * some).norm());
     }
+}
+
+TEST_CASE ("Voltages of ceramics that distort are added to their cubes, where these are known", "[learning]")
+{
+    const Eigen::MatrixXd voltages = (Eigen::MatrixXd (2, count) << burst (3, 700), burst (1, 900)).finished();
+    const Eigen::Vector2d distortions (0.01, -0.02);
+    const PlayedVoltages linear (voltages, rate), cubic (voltages, cubedVoltages (voltages), rate);
+    CHECK_FALSE (linear.hasCubes());
+    CHECK (linear.distorted (distortions).of (0) == linear.of (0));
+
+    const auto acting = cubic.distorted (distortions);
+
+    for (Eigen::Index i = 0; i < 2; ++i)
+    {
+        const Eigen::VectorXd expected =
+            cubic.of (i).array() + distortions[i] * Eigen::VectorXd (cubic.of (i)).array().cube();
+        CHECK ((acting.of (i) - expected).norm() < 1e-3 * std::abs (distortions[i]) * expected.norm());
+    }
+}
+
+TEST_CASE ("Cubes are filtered and thinned as the voltages are", "[learning]")
+{
+    const WideModel model { sineBeam (allModes, 1), knownModes, {} };
+    PlayedRecording recording { 192000, Eigen::MatrixXd (1, 40000), Eigen::MatrixXd (1, 40000),
+                                Eigen::VectorXd::Constant (1, 0.1) };
+    RandomNumbers random (7);
+    recording.voltages.row (0) = random.normal (40000);
+    recording.signals = recording.voltages;
+    recording.cubes = recording.voltages;
+    const auto heard = withinModel (recording, model);
+    REQUIRE (heard.sampleRate < recording.sampleRate);
+    CHECK (heard.cubes == heard.signals);
+}
+
+TEST_CASE ("Cubes are known of all voltages, or of none", "[learning]")
+{
+    const Bench bench (0.005, 1);
+    const auto deviations = sameSpread (allModes, 0.005, 0.1, 0.05);
+    auto one = bench (bench.exactVoltages(), 0), other = one;
+    const auto isUsable = [&]
+    {
+        try
+        {
+            requireUsable (bench.nominal.model, bench.sensors(), deviations, { one, other });
+            return true;
+        }
+        catch (const InputError&)
+        {
+            return false;
+        }
+    };
+    CHECK (isUsable());
+    other.cubes = cubedVoltages (other.voltages);
+    CHECK_FALSE (isUsable());
+    one.cubes = other.cubes;
+    CHECK (isUsable());
+    one.cubes = other.cubes.leftCols (10);
+    CHECK_FALSE (isUsable());
+    one.cubes = other.cubes;
+    one.cubes (0, 5) = std::nan ("");
+    CHECK_FALSE (isUsable());
+}
+
+TEST_CASE ("A ceramic that hardly plays has a deviation that a hundredth of the others' voltage gives", "[learning]")
+{
+    const auto model = sineBeam (allModes, 3);
+    const std::vector<Sensor> sensors { { shapesAt (model, 0.03, 0), 0 } };
+    const auto deviations = sameSpread (allModes, 0.005, 0.1, 0.05);
+    PlayedRecording recording { rate, Eigen::MatrixXd::Zero (3, count), Eigen::MatrixXd::Zero (1, count),
+                                Eigen::VectorXd::Constant (1, 0.1) };
+    recording.voltages.row (0) = burst (40, 500);
+    recording.voltages.row (1) = burst (1e-6, 500);
+    recording.cubes = cubedVoltages (recording.voltages);
+    auto later = recording;
+    later.voltages.row (2) = burst (20, 500);
+    later.cubes = cubedVoltages (later.voltages);
+    const std::vector<PlayedRecording> first { recording }, both { recording, later };
+    const auto alone = makePrior (model, sensors, deviations, first).distortionDeviations;
+    CHECK (alone[0] == Approx (0.02 / 1600).epsilon (1e-3));
+    CHECK (alone[1] == Approx (0.02 / 0.16).epsilon (1e-3));
+    CHECK (alone[2] == 0);
+    CHECK (makePrior (model, sensors, deviations, both).distortionDeviations[2] == Approx (0.02 / 400).epsilon (1e-3));
 }
 
 TEST_CASE ("Under a long tone a ceramic that distorts acts by the gain of a describing function", "[learning]")

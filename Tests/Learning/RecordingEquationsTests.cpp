@@ -81,6 +81,46 @@ TEST_CASE ("The right sides of a recording's equations are the slopes of its mis
     }
 }
 
+TEST_CASE ("The matrix of a recording's equations is the curvature of its misfit where all is explained", "[learning]")
+{
+    const auto model = test::sineBeam (5, 3);
+    auto recording = noisePlayed (model);
+    recording.delay = 0;
+    const std::vector<Sensor> sensors { { shapesAt (model, 0.03, 0), 0 }, { shapesAt (model, -0.05, 0), 0.05 } };
+    auto deviations = sameSpread (model.modes(), 0.005, 0.1, 0.05);
+    deviations.drift = 0.002;
+    const auto velocities = modeVelocities (model, { recording.voltages, recordedRate }, recordedFor);
+    recording.signals.row (0) = (velocities * sensors[0].shapes.transpose()).transpose();
+    recording.signals.row (1) = (velocities * sensors[1].shapes.transpose()).transpose();
+    const std::vector<PlayedRecording> recordings { recording };
+    const auto prior = makePrior (model, sensors, deviations, recordings);
+    const auto parameters = heardParameters (prior);
+    constexpr Eigen::Index samples = 500;
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero (parameters.size());
+    const auto equations = recordingEquations (prior, parameters, stateAt (prior, parameters, none), 0, samples);
+    const auto misfit = [&] (Eigen::Index p, Eigen::Index q, double onP, double onQ)
+    {
+        Eigen::VectorXd at = none;
+        at[p] += onP;
+        at[q] += onQ;
+        return recordingMisfit (prior, stateAt (prior, parameters, at), 0, samples).residual;
+    };
+    REQUIRE (std::ssize (parameters.distorting) == model.actuators());
+    constexpr double step = 1e-3;
+
+    for (Eigen::Index i = 0; i < model.actuators(); ++i)
+        for (Eigen::Index q = 0; q <= parameters.distortion (i); ++q)
+        {
+            const auto p = parameters.distortion (i);
+            const auto curvature = (misfit (p, q, step, step) - misfit (p, q, step, -step) - misfit (p, q, -step, step)
+                                    + misfit (p, q, -step, -step))
+                                   / (4 * step * step);
+            const auto scale = std::sqrt (equations.matrix (p, p) * equations.matrix (q, q));
+            INFO ("parameters " << p << " and " << q << " of " << parameters.size());
+            CHECK (2 * equations.matrix (p, q) == Approx (curvature).epsilon (1e-3).margin (2e-3 * scale));
+        }
+}
+
 TEST_CASE ("Parameters that are clearly heard are those of which recordings tell most", "[learning]")
 {
     const auto model = test::sineBeam (5, 3);

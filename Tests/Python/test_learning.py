@@ -76,6 +76,7 @@ def test_learning_on_a_simulated_bench_writes_what_the_command_line_writes(progr
     same_files(tmp_path / "wanted", tmp_path / "made", learnt_files)
     first, last = (each["estimated_field_error_percent"] for each in learnt.passes)
     assert learnt.is_accepted and not learnt.refusal and not learnt.warning and last < first
+    assert all(abs(each["distortion_percent"]) < 5 * each["distortion_deviation_percent"] for each in learnt.ceramics)
     assert learnt.plot().axes[0].get_xlabel() == "pass" and learnt._repr_png_().startswith(b"\x89PNG")
 
 
@@ -198,6 +199,7 @@ def test_a_drift_writes_what_the_command_line_writes(program, same_files, tmp_pa
             "beam", voltages_V=np.zeros((1, 9)), signals=np.zeros((1, 9)), sample_rate_Hz=48000, sensors_mm=[0]
         ),
         lambda: an.follow("beam", "missing", sensors_mm=[0], window_s=61),
+        lambda: an.learn(sensors_mm=[0], distortion_percent=51),
     ],
 )
 def test_bad_input_is_refused_in_one_sentence(call):

@@ -181,8 +181,9 @@ class Learnt(Pictured):
 
     @property
     def ceramics(self) -> list[dict[str, Any]]:
-        """What was learnt of each ceramic: its name; distortion_percent, its cubic distortion at its largest voltage of the
-        last play; distortion_deviation_percent, the standard deviation of that which is left. Empty before the first play."""
+        """What was learnt of each ceramic, empty before the first play: name; distortion_percent, its cubic distortion at
+        its largest voltage of the last play, above 0 where it moves more than in proportion;
+        distortion_deviation_percent, the standard deviation that is left of it."""
         ceramics: list[dict[str, Any]] = self.numbers["ceramics"]
         return ceramics
 
