@@ -18,7 +18,7 @@ constexpr double misled = 3;            // of the same: such a model is not play
 constexpr double farFromPredicted = 10; // times louder or less loud: no device differs so much from its model
 constexpr double leastBeyond = 0.1;     // of the noise's power: less is nothing to learn from
 constexpr double stuck = 3;             // of the noise is not explained
-constexpr double clearlyBetter = 0.8;   // of the first play's error
+constexpr double clearlyBetter = 0.5;   // of the first play's error
 
 /** How many of its standard deviations the frequency that was moved most was moved. */
 double farthestMove (const LearntModes& learnt, const ModalModel& nominal, const ModeSpread& deviations)

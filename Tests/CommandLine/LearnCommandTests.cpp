@@ -231,13 +231,18 @@ TEST_CASE ("learn finds how much ceramics distort, or takes them as linear where
     };
     const auto learnt = distortions ("3");
     REQUIRE (! learnt.empty());
+    auto sum = 0.0;
 
+    // The bench has modes that the model does not have, which the deviations do not know of.
     for (const auto& ceramic : learnt)
     {
         CAPTURE (ceramic.dump());
         CHECK (ceramic["distortion_deviation_percent"] < 1);
-        CHECK (ceramic["distortion_percent"].get<double>() == Approx (5).margin (1));
+        CHECK (ceramic["distortion_percent"].get<double>() == Approx (5).margin (2.5));
+        sum += ceramic["distortion_percent"].get<double>();
     }
+
+    CHECK (sum / static_cast<double> (learnt.size()) == Approx (5).margin (0.5));
 
     const auto page = readContent (folder.path() / "learnt" / "report.html");
     CHECK (page.find ("Cubic distortion of each ceramic") != std::string::npos);

@@ -72,6 +72,22 @@ TEST_CASE ("Sensors that are ten times louder or less loud than predicted are re
     }
 }
 
+TEST_CASE ("Near the noise the last play has to be less than half as wrong as the first", "[learning]")
+{
+    const auto model = test::sineBeam (4, 2);
+    const auto spread = sameSpread (model.modes(), 0.01, 0.1, 0.05);
+    const auto isUsed = [&] (double surprise, double nominal, double lastError)
+    {
+        auto focus = twoPlays (model, surprise, nominal);
+        focus.passes.back().estimatedError = lastError;
+        return refusalOf (focus, model, spread).empty();
+    };
+    CHECK (isUsed (1.3, 2.5, 0.045));
+    CHECK_FALSE (isUsed (1.3, 2.5, 0.055));
+    // What predicts ten times better needs no other proof.
+    CHECK (isUsed (1.3, 25, 0.09));
+}
+
 TEST_CASE ("Plays end where one was predicted three times worse and is not explained afterwards", "[learning]")
 {
     const auto model = test::sineBeam (4, 2);
