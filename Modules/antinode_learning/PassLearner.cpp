@@ -1,6 +1,7 @@
 #include "PassLearner.h"
 
 #include "CubedVoltages.h"
+#include "LearningParameters.h"
 #include "LearningVerdict.h"
 #include "LowerRate.h"
 #include "PlayPrediction.h"
@@ -9,8 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
