@@ -11,8 +11,8 @@ struct BoundedStep
     Eigen::MatrixXd factored; ///< P x P: the matrix, those at bounds taken out, as factorLower leaves it.
 };
 
-/** The step to the minimum of a quadratic form, x' M x / 2 - r' x of the step x, that takes no value beyond its bounds.
-   A step that is computed without bounds and cut off at them may lead up.
+/** The step x to the minimum of x' M x / 2 - r' x that takes no value beyond its bounds. A step that is
+    computed without bounds and cut off at them may lead up.
     @param matrix  M, P x P, positive definite; of it the lower triangle
     @param right   r, P
     @param values  P: of the unknowns now, within the bounds

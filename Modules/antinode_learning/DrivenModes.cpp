@@ -59,18 +59,12 @@ void driveScaled (Histories& histories, Eigen::Index column, const MovingMode& m
     histories.after[static_cast<std::size_t> (column)].constant *= factor;
 }
 
-/** The velocities of all modes under what one ceramic alone does to them. */
-Histories drivenAlone (const ModalModel& model, const PlayedVoltages& voltages, const double* force,
-                       const Eigen::VectorXd& participation, Eigen::Index samples)
+std::complex<double> lastMotion (MovingMode mode, const double* force, Eigen::Index samples)
 {
-    auto histories = emptyHistories (std::min (samples, voltages.drivenSamples()), model.modes());
-    parallelFor (static_cast<std::size_t> (model.modes()),
-                 [&] (std::size_t mode)
-                 {
-                     const auto k = static_cast<Eigen::Index> (mode);
-                     driveScaled (histories, k, modeAtRest (model, k, voltages), force, participation[k]);
-                 });
-    return histories;
+    for (Eigen::Index n = 0; n < samples; ++n, force += PlayedVoltages::places)
+        mode.advance<false> (force);
+
+    return mode.velocityAfter().constant;
 }
 } // namespace
 
@@ -127,16 +121,39 @@ Histories modeHistories (const ModalModel& model, const PlayedVoltages& voltages
     return drivenBy (model, modes, model.participation, voltages, samples);
 }
 
-Histories drivenByCeramic (const ModalModel& model, const PlayedVoltages& voltages, Eigen::Index ceramic,
-                           Eigen::Index samples)
-{
-    return drivenAlone (model, voltages, voltages.of (ceramic).data(), model.participation.col (ceramic), samples);
-}
-
 Histories drivenByCube (const ModalModel& model, const PlayedVoltages& voltages, Eigen::Index ceramic,
                         Eigen::Index samples)
 {
-    return drivenAlone (model, voltages, voltages.cubeOf (ceramic).data(), model.participation.col (ceramic), samples);
+    auto histories = emptyHistories (std::min (samples, voltages.drivenSamples()), model.modes());
+    parallelFor (static_cast<std::size_t> (model.modes()),
+                 [&] (std::size_t mode)
+                 {
+                     const auto k = static_cast<Eigen::Index> (mode);
+                     driveScaled (histories, k, modeAtRest (model, k, voltages), voltages.cubeOf (ceramic).data(),
+                                  model.participation (k, ceramic));
+                 });
+    return histories;
+}
+
+LastMotions lastMotions (const ModalModel& model, const PlayedVoltages& voltages, Eigen::Index samples)
+{
+    const auto count = std::min (samples, voltages.drivenSamples());
+    LastMotions last { Eigen::MatrixXcd (model.modes(), model.actuators()),
+                       Eigen::MatrixXcd (model.modes(), model.actuators()) };
+    parallelFor (static_cast<std::size_t> (model.modes()),
+                 [&] (std::size_t mode)
+                 {
+                     const auto k = static_cast<Eigen::Index> (mode);
+                     const auto atRest = modeAtRest (model, k, voltages);
+
+                     for (Eigen::Index i = 0; i < model.actuators(); ++i)
+                     {
+                         const auto participation = model.participation (k, i);
+                         last.byVoltages (k, i) = participation * lastMotion (atRest, voltages.of (i).data(), count);
+                         last.byCubes (k, i) = participation * lastMotion (atRest, voltages.cubeOf (i).data(), count);
+                     }
+                 });
+    return last;
 }
 
 Histories drivenByEachCeramic (const ModalModel& model, Eigen::Index mode, const PlayedVoltages& voltages,

@@ -42,11 +42,21 @@ Histories modeHistories (const ModalModel&, const PlayedVoltages&, Eigen::Index 
 /** The velocities of a mode under each ceramic alone: N_b. [worker] */
 Histories drivenByEachCeramic (const ModalModel&, Eigen::Index mode, const PlayedVoltages&, Eigen::Index samples);
 
-/** The velocities of all modes under one ceramic alone: N_m. [worker] */
-Histories drivenByCeramic (const ModalModel&, const PlayedVoltages&, Eigen::Index ceramic, Eigen::Index samples);
-
-/** The same under the cube of its voltage, per unit of its distortion. [worker] */
+/** The velocities of all modes under the cube of one ceramic's voltage, per unit of its distortion: N_m. [worker] */
 Histories drivenByCube (const ModalModel&, const PlayedVoltages&, Eigen::Index ceramic, Eigen::Index samples);
+
+/** The motions of all modes when each ceramic alone has driven them, as complex numbers of which the velocity is the
+    real part: N_m x N_b. */
+struct LastMotions
+{
+    Eigen::MatrixXcd byVoltages;
+    Eigen::MatrixXcd byCubes; ///< Per unit of the distortion.
+};
+
+/** @param voltages  with their cubes
+    @param samples   until the motions, how many at most while voltages drive the modes
+    [worker] */
+LastMotions lastMotions (const ModalModel&, const PlayedVoltages& voltages, Eigen::Index samples);
 
 /** The logarithm of what a sample does to a mode that nothing drives: pole times the sample's length. [any] */
 std::complex<double> decayLogarithm (const ModalModel&, Eigen::Index mode, double sampleRate);

@@ -16,33 +16,6 @@ namespace
 // large motions would need large changes.
 constexpr double hardlyDriven = 1e-3;
 
-/** The motions of all modes at an instant, as complex numbers of which the velocity is the real part: N_m x N_b. */
-struct MotionsAtOnce
-{
-    Eigen::MatrixXcd byVoltages; ///< Of each ceramic alone.
-    Eigen::MatrixXcd byCubes;    ///< The same per unit of its distortion.
-};
-
-MotionsAtOnce motionsAt (const ModalModel& model, const PlayedVoltages& played, Eigen::Index sample)
-{
-    MotionsAtOnce motions { Eigen::MatrixXcd (model.modes(), model.actuators()),
-                            Eigen::MatrixXcd (model.modes(), model.actuators()) };
-
-    for (Eigen::Index i = 0; i < model.actuators(); ++i)
-    {
-        const auto linear = drivenByCeramic (model, played, i, sample);
-        const auto cubed = drivenByCube (model, played, i, sample);
-
-        for (Eigen::Index k = 0; k < model.modes(); ++k)
-        {
-            motions.byVoltages (k, i) = linear.after[static_cast<std::size_t> (k)].constant;
-            motions.byCubes (k, i) = cubed.after[static_cast<std::size_t> (k)].constant;
-        }
-    }
-
-    return motions;
-}
-
 Eigen::Vector2d parts (const std::complex<double>& number)
 {
     return { number.real(), number.imag() };
@@ -57,7 +30,7 @@ ModalModel equivalentLinear (const LearntModes& learnt, const Eigen::MatrixXd& v
         return model;
 
     const auto sample = static_cast<Eigen::Index> (std::llround (time * sampleRate));
-    const auto motions = motionsAt (model, { voltages, cubedVoltages (voltages), sampleRate }, sample);
+    const auto motions = lastMotions (model, { voltages, cubedVoltages (voltages), sampleRate }, sample);
     const Eigen::VectorXcd added = motions.byCubes * learnt.distortions;
     const auto usual = motions.byVoltages.squaredNorm() / static_cast<double> (model.modes());
 

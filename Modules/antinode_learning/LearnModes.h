@@ -17,7 +17,7 @@ struct LearntModes
     std::vector<Sensor> sensors;             ///< Their most probable shapes.
     Eigen::VectorXd delays;                  ///< s, of each recording.
     Eigen::VectorXd distortions;             ///< N_b, 1/V^2: a ceramic acts as a linear one under U + c U^3.
-    Eigen::VectorXd distortionDeviations;    ///< N_b, 1/V^2
+    Eigen::VectorXd distortionDeviations;    ///< N_b, 1/V^2: standard deviations that are left of them.
     Eigen::VectorXd frequencyDeviations;     ///< N_m: relative standard deviations that are left.
     Eigen::VectorXd dampingDeviations;       ///< N_m
     Eigen::VectorXd participationDeviations; ///< N_m: RMS over the ceramics.

@@ -28,8 +28,7 @@ struct LearningParameter
     double information = 0;   ///< Of the recordings, divided by that of the prior, where nothing else is unknown.
 };
 
-/** All unknowns: those of modes, then the common drift, the delay of each recording and the distortion of each ceramic.
- */
+/** All unknowns: those of modes, then the common drift, the delay of each recording, the distortion of each ceramic. */
 struct LearningParameters
 {
     std::vector<LearningParameter> modal;

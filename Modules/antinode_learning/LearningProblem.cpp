@@ -16,11 +16,11 @@ namespace
 constexpr int mostSteps = 12; // of each length of the records
 constexpr double gainOfEach =
     0.05; // of the objective for each unknown, in squares of deviations: a step that gains less is the last
-constexpr double smallestShare = 0.125;   // of a step
-constexpr double clearlyTold = 10;        // of the prior's information
-constexpr double farthestFrequency = 8;   // deviations: a mode that runs away explains by chance and does not come back
-constexpr double farthestDistortion = 16; // the same: of 2 % a third, beyond which a ceramic would move back
-constexpr double farthestOfOthers = 1e3;  // the same of damping and participation, which take what no parameter has
+constexpr double smallestShare = 0.125; // of a step
+constexpr double clearlyTold = 10;      // of the prior's information
+constexpr double farthestFrequency = 8; // deviations: a mode that runs away explains by chance and does not come back
+constexpr double largestDistortion = 1.0 / 3; // at the largest voltage: beyond it a ceramic would move back
+constexpr double farthestOfOthers = 1e3;      // the same of damping and participation, which take what no parameter has
 
 /** Those of modes that recordings tell more of than a bound, the drift and the delays. Distortions are unknowns
     only where all parameters are. */
@@ -70,7 +70,8 @@ LearningProblem::LearningProblem (const LearningPrior& given)
         if (every.parameters.modal[static_cast<std::size_t> (p)].kind == ParameterKind::frequency)
             farthest[p] = farthestFrequency;
 
-    farthest.tail (std::ssize (every.parameters.distorting)).setConstant (farthestDistortion);
+    farthest.tail (std::ssize (every.parameters.distorting))
+        .setConstant (largestDistortion / given.deviations.distortion);
 }
 
 LearningState LearningProblem::state (const Eigen::VectorXd& values) const

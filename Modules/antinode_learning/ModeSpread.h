@@ -10,8 +10,7 @@ struct ModeSpread
     Eigen::VectorXd frequencies, dampings, participation; ///< N_m each.
     double drift = 0;                                     ///< Of a factor that all frequencies share.
     double delay = 20e-6;                                 ///< Of each recording's delay, s.
-    double distortion =
-        0.02; ///< Of each ceramic's cubic distortion at its largest voltage of all plays; 0: they are linear.
+    double distortion = 0.02; ///< Of each ceramic's cubic distortion at its largest voltage; 0: ceramics are linear.
 };
 
 /** The same deviations for every mode. [any] */

@@ -65,6 +65,8 @@ std::vector<Histories> byDistortions (const LearningParameters& parameters, cons
     return all;
 }
 
+constexpr Eigen::Index ofDrift = 1, ofDelay = 2, ofDistortions = 3; // parts of SharedEffects::against; 0: the residual
+
 /** The parameters that all modes share, each of which reaches every sensor in its own form. */
 struct SharedEffects
 {
@@ -81,12 +83,13 @@ SharedEffects sharedEffects (const LearningPrior& prior, const LearningParameter
     const auto& deviations = prior.deviations;
     auto& recorded = *prior.signals[static_cast<std::size_t> (r)];
     const auto distortions = byDistortions (parameters, state, voltages, samples);
+    // The delay's slopes are written over the second prediction.
     std::vector<const Histories*> histories { &motions.velocity, &motions.byFrequency, &motions.velocity };
     SharedEffects shared { { parameters.drift(), parameters.delay (r) }, {}, {} };
 
     for (const auto& each : distortions)
     {
-        shared.parameters.push_back (parameters.distortion (std::ssize (histories) - 3));
+        shared.parameters.push_back (parameters.distortion (std::ssize (histories) - ofDistortions));
         histories.push_back (&each);
     }
 
@@ -95,13 +98,13 @@ SharedEffects sharedEffects (const LearningPrior& prior, const LearningParameter
     const auto part = [&] (Eigen::Index i) { return shared.against.middleCols (i * sensors, sensors); };
     // A longer delay moves the signals, not the prediction. The matrix has the slopes of the latter, which have no
     // noise.
-    part (2) = -deviations.delay * slopesOf (part (0).transpose(), voltages.sampleRate());
+    part (ofDelay) = -deviations.delay * slopesOf (part (0).transpose(), voltages.sampleRate());
     shared.byDelay = -deviations.delay * recorded.slopesEarlier (state.delays[r], samples);
     part (0) = recorded.earlier (state.delays[r], samples) - part (0);
-    part (1) *= deviations.drift;
+    part (ofDrift) *= deviations.drift;
 
     for (std::size_t i = 0; i < distortions.size(); ++i)
-        part (3 + static_cast<Eigen::Index> (i)) *= prior.distortionDeviations[parameters.distorting[i]];
+        part (ofDistortions + static_cast<Eigen::Index> (i)) *= prior.distortionDeviations[parameters.distorting[i]];
 
     return shared;
 }

@@ -143,7 +143,7 @@ ReportSection ceramicSection (const LearntFocus& learnt)
         "A ceramic acts like a linear one under the voltage U + c U^3: above 0 it moves more than in proportion. "
         + std::string (learnt.refusal.empty()
                            ? "The design and device.json allow for it at about the level that was played."
-                           : "The design and device.json know nothing of it.")
+                           : "This is not used.")
     };
     ReportTable table { "Cubic distortion of each ceramic at its largest voltage of the last play",
                         { "ceramic", "largest voltage (V)", "distortion (%)", "deviation left (%)" },
