@@ -1,8 +1,8 @@
 #pragma once
 
+#include "ForceTaps.h"
 #include "FreeDecay.h"
 
-#include <array>
 #include <cmath>
 #include <complex>
 
@@ -15,9 +15,7 @@ class MovingMode
     using Complex = std::complex<double>;
 
 public:
-    static constexpr std::size_t places = 4; ///< Of Gauss and Legendre in a sample's interval.
-    static constexpr std::array<double, places> gaussPlaces { 0.06943184420297371, 0.33000947820757187,
-                                                              0.6699905217924281, 0.9305681557970263 };
+    static constexpr auto places = ForceTaps::places;
 
     static Complex poleOf (double angularFrequency, double dampingRatio)
     {
@@ -27,14 +25,9 @@ public:
     MovingMode (double angularFrequency, double dampingRatio, double sampleRate)
         : length (1 / sampleRate), pole (poleOf (angularFrequency, dampingRatio)), turn (std::exp (pole * length)),
           turnByPole (turn * length), ratio (dampingRatio / std::sqrt (1 - dampingRatio * dampingRatio)),
-          poleByDamping (angularFrequency * Complex { -dampingRatio, -dampingRatio * ratio })
+          poleByDamping (angularFrequency * Complex { -dampingRatio, -dampingRatio * ratio }),
+          ofForces (forceTaps (pole, length))
     {
-        for (std::size_t g = 0; g < places; ++g)
-        {
-            const auto left = length * (1 - gaussPlaces[g]);
-            taps[g] = length * gaussWeights[g] * std::exp (pole * left);
-            tapsByPole[g] = left * taps[g];
-        }
     }
 
     // q' = Re y - (a / b) Im y; the ratio depends on the damping ratio alone.
@@ -63,10 +56,10 @@ public:
         if (force != nullptr)
             for (std::size_t g = 0; g < places; ++g)
             {
-                added += taps[g] * force[g];
+                added += ofForces.taps[g] * force[g];
 
                 if constexpr (withChanges)
-                    addedByPole += tapsByPole[g] * force[g];
+                    addedByPole += ofForces.byPole[g] * force[g];
             }
 
         if constexpr (withChanges)
@@ -76,9 +69,6 @@ public:
     }
 
 private:
-    static constexpr std::array<double, places> gaussWeights { 0.17392742256872693, 0.32607257743127307,
-                                                               0.32607257743127307, 0.17392742256872693 };
-
     /** Of finite numbers: without the questions that the operator asks. */
     static Complex product (Complex a, Complex b)
     {
@@ -103,7 +93,7 @@ private:
     Complex pole, turn, turnByPole;
     double ratio;
     Complex poleByDamping;
-    std::array<Complex, places> taps, tapsByPole; // a sample makes turn y + sum of taps force of y
+    ForceTaps ofForces; // a sample makes turn y + sum of taps force of y
     Complex y = 0, byPole = 0;
 };
 } // namespace antinode

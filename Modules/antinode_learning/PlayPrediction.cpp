@@ -37,7 +37,7 @@ LearningState stateOf (const LearntModes& device, const LearningPrior& prior, co
 }
 
 /** s: one step of Gauss and Newton's method to the delay that suits a device best, within what a recording may have and
-    a sample, where the misfit is a parabola. */
+    a sample, where the misfit is a parabola. A delay that is known has a deviation too. */
 double betterDelay (const LearningPrior& prior, const LearningParameters& delayOnly, const LearningState& state,
                     const PlayedRecording& recording)
 {
@@ -49,10 +49,13 @@ double betterDelay (const LearningPrior& prior, const LearningParameters& delayO
     if (! (curvature > 0))
         return delay;
 
+    constexpr double farthest = 4; // deviations
+    const auto deviation = prior.deviations.delay;
     const auto sample = 1 / recording.sampleRate;
-    const auto change = prior.deviations.delay * equations.right[place] / curvature;
-    return std::clamp (delay + std::clamp (change, -sample, sample), recording.delay,
-                       recording.delay + recording.delaySpan);
+    const auto change = deviation * equations.right[place] / curvature;
+    return std::clamp (delay + std::clamp (change, -sample, sample),
+                       std::max (0.0, recording.delay - farthest * deviation),
+                       recording.delay + recording.delaySpan + farthest * deviation);
 }
 } // namespace
 
@@ -100,7 +103,7 @@ double surprise (const LearntModes& device, const ModeSpread& deviations, const 
     };
     auto least = misfit (delay);
 
-    for (int i = 0; i < mostSteps && recording.delaySpan > 0; ++i)
+    for (int i = 0; i < mostSteps; ++i)
     {
         const auto next = betterDelay (prior, delayOnly, stateOf (device, prior, delayOnly, delay), recording);
         const auto reached = misfit (next);

@@ -17,8 +17,8 @@ std::vector<double> delaysBy (const ModalModel&, const std::vector<Sensor>&, con
 /** The same recording with a delay that is known, s. [any] */
 PlayedRecording withDelay (PlayedRecording, double delay);
 
-/** RMS of what a device does not predict of a recording, of the noise: by its delay or, where that is not known, by the
-    one that suits this device best.
+/** RMS of what a device does not predict of a recording, of the noise, by the delay that suits this device best: within
+    a few deviations of its own, or where it is looked for.
     @throws InputError, Cancelled  as learnModes
     [worker] Docs/Theory.md, section 7.6. */
 double surprise (const LearntModes&, const ModeSpread&, const PlayedRecording&);

@@ -44,7 +44,7 @@ Eigen::MatrixXd betweenSamples (const Eigen::MatrixXd& rows, Eigen::Index driven
 
         for (Eigen::Index g = 0; g < places; ++g)
         {
-            const auto turn = 2 * std::numbers::pi * MovingMode::gaussPlaces[static_cast<std::size_t> (g)]
+            const auto turn = 2 * std::numbers::pi * ForceTaps::gaussPlaces[static_cast<std::size_t> (g)]
                               / static_cast<double> (length);
             const Eigen::VectorXcd turns = Eigen::VectorXcd::NullaryExpr (
                 spectrum.size(), [turn] (Eigen::Index k) { return std::polar (1.0, turn * static_cast<double> (k)); });

@@ -9,7 +9,7 @@ namespace antinode
 class PlayedVoltages
 {
 public:
-    static constexpr Eigen::Index places = 4; ///< Between two samples: MovingMode::gaussPlaces.
+    static constexpr Eigen::Index places = 4; ///< Between two samples: ForceTaps::gaussPlaces.
 
     /** @param voltages  N_b x N_s, V, before and after which there are none [worker] */
     PlayedVoltages (const Eigen::MatrixXd& voltages, double sampleRate);
