@@ -1,15 +1,13 @@
 #include "PassLearner.h"
 
 #include "CubedVoltages.h"
+#include "FirstDelays.h"
 #include "LearningParameters.h"
 #include "LearningVerdict.h"
 #include "LowerRate.h"
 #include "PlayPrediction.h"
 
-#include <antinode_numerics/Median.h>
-
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <utility>
 
@@ -17,55 +15,8 @@ namespace antinode
 {
 namespace
 {
-constexpr std::size_t mostLikely = 24; // delays of the first play that are compared by the beginning of the record
-constexpr std::size_t mostTried = 5;   // of them that are tried on the whole record
-constexpr double surelyRight = 1.5;    // times the noise: a delay that leaves less of the beginning is the right one
-constexpr std::size_t fewCompared = 4; // so many delays are compared before one of them stands out
-constexpr double farLess = 0.2;        // of the next one's misfit: what a delay leaves that stands out
-constexpr double hardlyAny = 0.05;     // the same of the median of the others
 constexpr double wellExplained = 0.05; // of the signals, RMS: a delay that leaves less of the record is the right one
 constexpr double foundDelay = 100e-6;  // s: deviation of a delay that was found by a model that is off
-
-/** Whether the least one is far less than all others. What modes beyond the model do is left by the right delay too, so
-    the noise alone is no measure. */
-bool oneStandsOut (std::vector<double> misfits)
-{
-    if (misfits.size() < fewCompared)
-        return false;
-
-    std::sort (misfits.begin(), misfits.end());
-    const auto least = misfits[0], next = misfits[1];
-    return least < farLess * next && least < hardlyAny * median ({ misfits.begin() + 1, misfits.end() });
-}
-
-using RankedDelays = std::array<std::vector<std::pair<double, double>>, 2>; // misfit and delay, by each bound
-
-/** s: the likeliest delay by the correlation, since beginnings can mislead, then those that explain the beginning best,
-    those of the two bounds in turn. */
-std::vector<double> delaysWorthTrying (RankedDelays ranked, double likeliest)
-{
-    std::vector<double> best { likeliest };
-
-    for (auto& each : ranked)
-        std::sort (each.begin(), each.end());
-
-    for (std::size_t i = 0; i < ranked[0].size() && best.size() < mostTried; ++i)
-        for (const auto& each : ranked)
-            if (std::find (best.begin(), best.end(), each[i].second) == best.end())
-                best.push_back (each[i].second);
-
-    best.resize (std::min (best.size(), mostTried));
-    return best;
-}
-
-/** The model whose response is the mean response of devices with scattered frequencies: their phases drift apart, which
-    acts like more damping.
-    @param frequencyDeviations  N_m, relative */
-ModalModel meanModel (ModalModel model, const Eigen::VectorXd& frequencyDeviations)
-{
-    model.dampingRatios += frequencyDeviations;
-    return model;
-}
 
 /** What is learnt from: with cubes where ceramics may distort, and only what lies where the model has modes. */
 PlayedRecording asHeard (PlayedRecording recording, const WideModel& nominal, const ModeSpread& deviations)
@@ -154,30 +105,9 @@ LearntModes PassLearner::learntWith (const ModeSpread& own) const
 /** s: the delays to try for a recording: one, or several for the first play. */
 std::vector<double> PassLearner::delaysToTry (const PlayedRecording& recording, const ModeSpread& own) const
 {
-    const auto mean = meanModel (learnt.model, learnt.frequencyDeviations);
-    auto delays = delaysBy (mean, learnt.sensors, recording, recordings.empty() ? mostLikely : 1);
+    if (recordings.empty())
+        return firstDelays (nominal.model, sensors, own, recording);
 
-    if (delays.size() == 1)
-        return delays;
-
-    RankedDelays ranked;
-    std::vector<double> least; // of both bounds
-
-    for (const auto delay : delays)
-    {
-        const auto misfits =
-            misfitsOfBeginning (nominal.model, sensors, own, withDelay (recording, delay), surelyRight);
-        ranked[0].emplace_back (misfits[0], delay);
-        ranked[1].emplace_back (misfits[1], delay);
-        least.push_back (std::min (misfits[0], misfits[1]));
-
-        if (least.back() < surelyRight)
-            return { delay };
-
-        if (oneStandsOut (least))
-            return { delays[static_cast<std::size_t> (std::min_element (least.begin(), least.end()) - least.begin())] };
-    }
-
-    return delaysWorthTrying (std::move (ranked), delaysBy (nominal.model, sensors, recording, 1).front());
+    return delaysBy (meanModel (learnt.model, learnt.frequencyDeviations), learnt.sensors, recording, 1);
 }
 } // namespace antinode

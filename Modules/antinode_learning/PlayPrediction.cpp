@@ -70,6 +70,12 @@ double loudnessOf (const ModalModel& model, const std::vector<Sensor>& sensors, 
     return median ({ ratios.begin(), ratios.end() });
 }
 
+ModalModel meanModel (ModalModel model, const Eigen::VectorXd& frequencyDeviations)
+{
+    model.dampingRatios += frequencyDeviations;
+    return model;
+}
+
 std::vector<double> delaysBy (const ModalModel& model, const std::vector<Sensor>& sensors,
                               const PlayedRecording& recording, std::size_t most)
 {

@@ -10,6 +10,12 @@ namespace antinode
     [worker] */
 double loudnessOf (const ModalModel&, const std::vector<Sensor>&, const PlayedRecording&);
 
+/** The model whose response is the mean response of devices with scattered frequencies: their phases drift apart, which
+    acts like more damping.
+    @param frequencyDeviations  N_m, relative
+    [any] */
+ModalModel meanModel (ModalModel, const Eigen::VectorXd& frequencyDeviations);
+
 /** At most so many delays that a recording may have, by what a model predicts of it, s: the most likely one first; its
     own where that is known. [worker] Docs/Theory.md, section 7.6. */
 std::vector<double> delaysBy (const ModalModel&, const std::vector<Sensor>&, const PlayedRecording&, std::size_t most);
