@@ -7,29 +7,47 @@ namespace antinode
 {
 namespace
 {
-/** The relative change at a mode, from its known neighbours on either side. */
+constexpr int neighbours = 5; // on either side: one alone may differ from the others as much as the mode itself
+
+/** What known modes on one side say, mean values. */
+struct Side
+{
+    double change = 0, angularFrequency = 0; ///< Relative, rad/s.
+    int count = 0;
+};
+
+/** Of the known modes nearest to a mode. @param step  1: above it, -1: below it */
+Side sideOf (const ModalModel& model, const ModeUpdate& update, Eigen::Index mode, Eigen::Index step)
+{
+    Side side;
+
+    for (auto k = mode + step; k >= 0 && k < model.modes() && side.count < neighbours; k += step)
+        if (update.isKnown[static_cast<std::size_t> (k)])
+        {
+            side.change += update.angularFrequencies[k] / model.angularFrequencies[k];
+            side.angularFrequency += model.angularFrequencies[k];
+            ++side.count;
+        }
+
+    side.change /= std::max (1, side.count);
+    side.angularFrequency /= std::max (1, side.count);
+    return side;
+}
+
+/** The relative change at a mode: its own or, where that is not known, between those of its known neighbours. */
 double changeAt (const ModalModel& model, const ModeUpdate& update, Eigen::Index mode)
 {
-    const auto isKnown = [&update] (Eigen::Index k) { return update.isKnown[static_cast<std::size_t> (k)]; };
-    const auto change = [&] (Eigen::Index k) { return update.angularFrequencies[k] / model.angularFrequencies[k]; };
-    auto below = mode, above = mode;
+    if (update.isKnown[static_cast<std::size_t> (mode)])
+        return update.angularFrequencies[mode] / model.angularFrequencies[mode];
 
-    while (below >= 0 && ! isKnown (below))
-        --below;
+    const auto below = sideOf (model, update, mode, -1), above = sideOf (model, update, mode, 1);
 
-    while (above < model.modes() && ! isKnown (above))
-        ++above;
+    if (below.count == 0 || above.count == 0)
+        return below.count > 0 ? below.change : above.count > 0 ? above.change : 1;
 
-    if (below < 0)
-        return above < model.modes() ? change (above) : 1;
-
-    if (above >= model.modes() || above == below)
-        return change (below);
-
-    const auto& omega = model.angularFrequencies;
-    const auto width = omega[above] - omega[below];
-    const auto share = width > 0 ? (omega[mode] - omega[below]) / width : 0.5;
-    return change (below) + share * (change (above) - change (below));
+    const auto width = above.angularFrequency - below.angularFrequency;
+    const auto share = width > 0 ? (model.angularFrequencies[mode] - below.angularFrequency) / width : 0.5;
+    return below.change + share * (above.change - below.change);
 }
 } // namespace
 

@@ -48,17 +48,20 @@ Indices modesNear (const ModalModel& model, const PreparedResponses& data)
     return result;
 }
 
-/** Hz: above it the device may have modes that the model does not, which known ones would be taken for. */
-double highestLine (const ModalModel& model)
+/** Hz: above it the device may have modes that the model does not, which known ones would be taken for: half of the
+    spacing above the last mode, or where the next one may have come down to. */
+double highestLine (const ModalModel& model, const KnownSpread& spread)
 {
+    constexpr double farthest = 2; // deviations
     const auto last = model.modes() - 1, several = std::min<Eigen::Index> (5, last);
 
     if (several < 1)
         return 1e12;
 
-    const auto spacing =
-        (model.angularFrequencies[last] - model.angularFrequencies[last - several]) / static_cast<double> (several);
-    return (model.angularFrequencies[last] + spacing / 2) / (2 * std::numbers::pi);
+    const auto highest = model.angularFrequencies[last];
+    const auto spacing = (highest - model.angularFrequencies[last - several]) / static_cast<double> (several);
+    const auto next = (highest + spacing) * (1 - farthest * spread.frequency);
+    return std::min (highest + spacing / 2, next) / (2 * std::numbers::pi);
 }
 
 KnownModePrior priorOf (const KnownModes& known, const KnownSpread& spread, double drift)
@@ -83,9 +86,10 @@ KnownModePrior priorOf (const KnownModes& known, const KnownSpread& spread, doub
 
 /** What was fitted of some modes, put into the whole device. */
 RetunedModel retuned (const ModalModel& model, const Indices& modes, const KnownModeFit& fit, const KnownPoles& poles,
-                      const KnownSpread& spread)
+                      const KnownSpread& spread, double highest)
 {
     constexpr double seen = 0.5; // of what was not known before
+    constexpr double beside = 2; // half widths of a mode that have to be below the highest line
     const auto all = model.modes();
     ModeUpdate update { Eigen::VectorXd::Zero (all), Eigen::VectorXd::Zero (all),
                         std::vector<bool> (static_cast<std::size_t> (all)) };
@@ -100,7 +104,10 @@ RetunedModel retuned (const ModalModel& model, const Indices& modes, const Known
     {
         const auto k = modes[n], of = static_cast<Eigen::Index> (n);
 
-        if (poles.gains[of] <= 0 || fit.frequencyDeviations[of] > seen * spread.frequency)
+        const auto upperEnd = fit.modes.angularFrequencies[of] * (1 + beside * fit.modes.dampingRatios[of]);
+
+        if (poles.gains[of] <= 0 || fit.frequencyDeviations[of] > seen * spread.frequency
+            || upperEnd > 2 * std::numbers::pi * highest)
             continue;
 
         update.isKnown[static_cast<std::size_t> (k)] = true;
@@ -135,7 +142,8 @@ RetunedModel retune (const ModalModel& model, const FrequencyResponses& response
     validate (responses);
     check (model, responses);
     const auto shapes = shapesAtPlaces (model, responses.points);
-    auto data = prepare (responses, 0, highestLine (model));
+    const auto highest = highestLine (model, spread);
+    auto data = prepare (responses, 0, highest);
     const auto modes = modesNear (model, data);
     const KnownModes known { model.angularFrequencies (modes), model.dampingRatios (modes), shapes (Eigen::all, modes),
                              model.participation (modes, Eigen::all) };
@@ -144,6 +152,6 @@ RetunedModel retune (const ModalModel& model, const FrequencyResponses& response
     start.angularFrequencies = poles.angularFrequencies;
     start.dampingRatios = poles.dampingRatios;
     const auto fit = fitKnownModes (data, start, priorOf (known, spread, poles.drift), poles.delay);
-    return retuned (model, modes, fit, poles, spread);
+    return retuned (model, modes, fit, poles, spread, highest);
 }
 } // namespace antinode

@@ -141,6 +141,61 @@ TEST_CASE ("Modes closer than their widths are followed over several widths from
     CHECK (retuned.delay == Approx (after.delay).margin (1e-7));
 }
 
+// Those that came down into the model's range were taken for its last modes once, and all participations were wrong by
+// some percents.
+TEST_CASE ("Modes beyond the model, which every plate has, do not disturb those that it has", "[identification]")
+{
+    constexpr Eigen::Index known = 90;
+    const auto whole = knownPlate (3, 150);
+    const auto after = scattered (whole, 0.02, 0.1, 0.05, 4);
+    const auto model = makeModel (lowestModes (whole, known));
+    const auto retuned = retune (model, responsesOf (atFewPoints (after, 14), 24000), {});
+    const auto now = frequenciesOf (retuned, model);
+    Eigen::Index found = 0;
+    double participations = 0;
+
+    for (Eigen::Index k = 0; k < known; ++k)
+        if (retuned.found[static_cast<std::size_t> (k)])
+        {
+            CAPTURE (k, after.frequencies[k], now[k]);
+            CHECK (now[k] == Approx (after.frequencies[k]).epsilon (1e-3));
+            Eigen::Index place = 0;
+            (retuned.model.angularFrequencies / (2 * std::numbers::pi) - Eigen::VectorXd::Constant (known, now[k]))
+                .cwiseAbs()
+                .minCoeff (&place);
+            participations += (retuned.model.participation.row (place) - after.participation.row (k)).squaredNorm()
+                              / after.participation.row (k).squaredNorm();
+            ++found;
+        }
+        else
+            CHECK (retuned.frequencyDeviations[k] == Approx (0.02));
+
+    CHECK (found > 75);
+    CHECK (std::sqrt (participations / static_cast<double> (found)) < 0.03);
+    CHECK (retuned.reconstructionError < -36);
+}
+
+TEST_CASE ("Modes that are not found move as several neighbours do, not as one", "[identification]")
+{
+    const auto before = knownPlate (3, 150);
+    const auto after = scattered (before, 0.02, 0.1, 0.05, 4);
+    const auto model = makeModel (before);
+    const auto retuned = retune (model, responsesOf (atFewPoints (after, 14), 12000), {});
+    const auto last = retuned.found.rend() - std::find (retuned.found.rbegin(), retuned.found.rend(), true) - 1;
+    double mean = 0;
+    int count = 0;
+
+    for (auto k = last; count < 5; --k)
+        if (retuned.found[static_cast<std::size_t> (k)])
+        {
+            mean += retuned.frequencyChanges[k] / 5;
+            ++count;
+        }
+
+    REQUIRE (last < model.modes() - 1);
+    CHECK (retuned.frequencyChanges[model.modes() - 1] == Approx (mean));
+}
+
 TEST_CASE ("A mode that no point sees moves with its neighbours and stays as uncertain", "[identification]")
 {
     auto before = beamBefore();
