@@ -115,15 +115,10 @@ void retuneOnce (WideModel& nominal, ModeSpread& deviations, const FrequencyResp
     std::iota (order.begin(), order.end(), 0);
     std::sort (order.begin(), order.end(), [&] (auto one, auto other) { return moved[one] < moved[other]; });
     nominal.model = retuned.model;
-    // Errors of a model are not noise: what retune says is at most a fifth of what its participations are off, and
-    // beyond the device's own modes, where responses have more modes than the model, it says nothing.
-    const auto beyond = nominal.model.modes() - nominal.known;
-    deviations.frequencies = retuned.frequencyDeviations (order).cwiseMax (5e-5);
+    // Errors of a model are not noise, which alone retune knows: participations are .1 % off in the median.
+    deviations.frequencies = retuned.frequencyDeviations (order).cwiseMax (2e-5);
     deviations.dampings = retuned.dampingDeviations (order).cwiseMax (5e-3);
-    deviations.participation = retuned.participationDeviations (order).cwiseMax (0.02);
-    deviations.frequencies.tail (beyond).setConstant (2e-3);
-    deviations.dampings.tail (beyond).setConstant (0.05);
-    deviations.participation.tail (beyond).setConstant (0.1);
+    deviations.participation = retuned.participationDeviations (order).cwiseMax (0.005);
 }
 
 double relative (const Surface& surface, const Eigen::VectorXd& a, const Eigen::VectorXd& b)
