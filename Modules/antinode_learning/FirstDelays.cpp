@@ -100,7 +100,7 @@ ComparedDelay bestBeside (ComparedDelay best, const Compare& compare)
 std::vector<double> firstDelays (const ModalModel& nominal, const std::vector<Sensor>& sensors,
                                  const ModeSpread& deviations, const PlayedRecording& recording)
 {
-    const auto likely = delaysBy (meanModel (nominal, deviations.frequencies), sensors, recording, mostLikely);
+    auto likely = delaysBy (meanModel (nominal, deviations.frequencies), sensors, recording, mostLikely);
 
     if (likely.size() == 1)
         return likely;
