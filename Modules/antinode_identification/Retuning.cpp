@@ -52,7 +52,8 @@ Indices modesNear (const ModalModel& model, const PreparedResponses& data)
     spacing above the last mode, or where the next one may have come down to. */
 double highestLine (const ModalModel& model, const KnownSpread& spread)
 {
-    constexpr double farthest = 2; // deviations
+    constexpr double farthest = 2;     // deviations
+    constexpr double leastLeft = 0.75; // of the model's range, however little is known
     const auto last = model.modes() - 1, several = std::min<Eigen::Index> (5, last);
 
     if (several < 1)
@@ -60,7 +61,7 @@ double highestLine (const ModalModel& model, const KnownSpread& spread)
 
     const auto highest = model.angularFrequencies[last];
     const auto spacing = (highest - model.angularFrequencies[last - several]) / static_cast<double> (several);
-    const auto next = (highest + spacing) * (1 - farthest * spread.frequency);
+    const auto next = (highest + spacing) * std::max (leastLeft, 1 - farthest * spread.frequency);
     return std::min (highest + spacing / 2, next) / (2 * std::numbers::pi);
 }
 
@@ -142,12 +143,15 @@ RetunedModel retune (const ModalModel& model, const FrequencyResponses& response
     validate (responses);
     check (model, responses);
     const auto shapes = shapesAtPlaces (model, responses.points);
-    const auto highest = highestLine (model, spread);
+    auto highest = highestLine (model, spread);
     auto data = prepare (responses, 0, highest);
     const auto modes = modesNear (model, data);
     const KnownModes known { model.angularFrequencies (modes), model.dampingRatios (modes), shapes (Eigen::all, modes),
                              model.participation (modes, Eigen::all) };
     const auto poles = findKnownPoles (data, known, spread);
+    // Modes beyond the model have drifted with the others.
+    highest *= poles.drift;
+    data = prepare (responses, 0, highest);
     auto start = known;
     start.angularFrequencies = poles.angularFrequencies;
     start.dampingRatios = poles.dampingRatios;

@@ -76,14 +76,14 @@ std::vector<double> delaysWorthTrying (const std::vector<ComparedDelay>& compare
 
 /** The best of the delays beside one, or the first that is surely right. */
 template <typename Compare>
-ComparedDelay bestBeside (ComparedDelay best, const Compare& compare)
+ComparedDelay bestBeside (ComparedDelay best, double earliest, double latest, const Compare& compare)
 {
     const auto middle = best.delay;
 
     for (int i = 1; i <= mostSteps; ++i)
         for (const auto delay : { middle - i * step, middle + i * step })
         {
-            if (delay < 0)
+            if (delay < earliest || delay > latest)
                 continue;
 
             if (const auto now = compare (delay); isNearer (now, best))
@@ -121,7 +121,8 @@ std::vector<double> firstDelays (const ModalModel& nominal, const std::vector<Se
             return { std::min_element (compared.begin(), compared.end(), isNearer)->delay };
     }
 
-    compared.push_back (bestBeside (*std::min_element (compared.begin(), compared.end(), isNearer), compare));
+    compared.push_back (bestBeside (*std::min_element (compared.begin(), compared.end(), isNearer), recording.delay,
+                                    recording.delay + recording.delaySpan, compare));
 
     if (compared.back().least() < surelyRight)
         return { compared.back().delay };

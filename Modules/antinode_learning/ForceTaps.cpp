@@ -9,7 +9,7 @@ constexpr auto places = ForceTaps::places;
 constexpr std::size_t moments = places + 1; // one more for the derivative
 
 /** The coefficients of each place's cubic, which is 1 there and 0 at the others: of x^0 to x^3. */
-std::array<std::array<double, places>, places> cubicsOfPlaces()
+constexpr std::array<std::array<double, places>, places> cubicsOfPlaces()
 {
     std::array<std::array<double, places>, places> cubics {};
 
@@ -41,7 +41,7 @@ std::array<std::array<double, places>, places> cubicsOfPlaces()
 std::array<Complex, moments> exponentialMoments (Complex z)
 {
     constexpr double large = 4;
-    constexpr std::size_t farAbove = 48; // terms that large^48 / 48! makes inaudible
+    constexpr std::size_t farAbove = 48; // start from 0: what is left of it, large^48 / 48!, is below rounding
     std::array<Complex, moments> values;
 
     if (std::abs (z) > large)
@@ -70,7 +70,7 @@ std::array<Complex, moments> exponentialMoments (Complex z)
 
 ForceTaps forceTaps (Complex pole, double length)
 {
-    static const auto cubics = cubicsOfPlaces();
+    static constexpr auto cubics = cubicsOfPlaces();
     const auto integrals = exponentialMoments (pole * length);
     ForceTaps result {};
 

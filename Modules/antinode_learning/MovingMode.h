@@ -93,7 +93,7 @@ private:
     Complex pole, turn, turnByPole;
     double ratio;
     Complex poleByDamping;
-    ForceTaps ofForces; // a sample makes turn y + sum of taps force of y
+    ForceTaps ofForces; // a sample makes of y: turn times y and the sum of tap times force
     Complex y = 0, byPole = 0;
 };
 } // namespace antinode

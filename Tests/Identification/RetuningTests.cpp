@@ -147,7 +147,9 @@ TEST_CASE ("Modes beyond the model, which every plate has, do not disturb those 
 {
     constexpr Eigen::Index known = 90;
     const auto whole = knownPlate (3, 150);
-    const auto after = scattered (whole, 0.02, 0.1, 0.05, 4);
+    auto after = scattered (whole, 0.02, 0.1, 0.05, 4);
+    // One that has become softer, too: modes beyond the model come down with the others.
+    after.frequencies *= GENERATE (1.0, 0.97);
     const auto model = makeModel (lowestModes (whole, known));
     const auto retuned = retune (model, responsesOf (atFewPoints (after, 14), 24000), {});
     const auto now = frequenciesOf (retuned, model);
@@ -167,8 +169,6 @@ TEST_CASE ("Modes beyond the model, which every plate has, do not disturb those 
                               / after.participation.row (k).squaredNorm();
             ++found;
         }
-        else
-            CHECK (retuned.frequencyDeviations[k] == Approx (0.02));
 
     CHECK (found > 75);
     CHECK (std::sqrt (participations / static_cast<double> (found)) < 0.03);
@@ -182,17 +182,18 @@ TEST_CASE ("Modes that are not found move as several neighbours do, not as one",
     const auto model = makeModel (before);
     const auto retuned = retune (model, responsesOf (atFewPoints (after, 14), 12000), {});
     const auto last = retuned.found.rend() - std::find (retuned.found.rbegin(), retuned.found.rend(), true) - 1;
+    REQUIRE (last < model.modes() - 1);
     double mean = 0;
     int count = 0;
 
-    for (auto k = last; count < 5; --k)
+    for (auto k = last; k >= 0 && count < 5; --k)
         if (retuned.found[static_cast<std::size_t> (k)])
         {
             mean += retuned.frequencyChanges[k] / 5;
             ++count;
         }
 
-    REQUIRE (last < model.modes() - 1);
+    REQUIRE (count == 5);
     CHECK (retuned.frequencyChanges[model.modes() - 1] == Approx (mean));
 }
 

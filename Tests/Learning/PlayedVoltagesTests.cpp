@@ -28,7 +28,7 @@ TEST_CASE ("A mode under band-limited voltages moves as the plate model says, wh
 
 // The learner summed forces at four places once, which is right below the sample rate only: a prediction by the very
 // device was off by 28 % at 48 kHz.
-TEST_CASE ("Modes far above the sample rate follow a tone as their frequency responses say", "[learning]")
+TEST_CASE ("Modes up to far above the sample rate follow a tone as their frequency responses say", "[learning]")
 {
     constexpr Eigen::Index samples = 4000, middle = 2000;
     constexpr double toneShare = 0.05; // of the sample rate

@@ -115,7 +115,8 @@ void retuneOnce (WideModel& nominal, ModeSpread& deviations, const FrequencyResp
     std::iota (order.begin(), order.end(), 0);
     std::sort (order.begin(), order.end(), [&] (auto one, auto other) { return moved[one] < moved[other]; });
     nominal.model = retuned.model;
-    // Errors of a model are not noise, which alone retune knows: participations are .1 % off in the median.
+    // Errors of a model are not noise, which alone retune knows: frequencies, dampings and participations were up to
+    // 1e-4, 1 % and 1 % off.
     deviations.frequencies = retuned.frequencyDeviations (order).cwiseMax (2e-5);
     deviations.dampings = retuned.dampingDeviations (order).cwiseMax (5e-3);
     deviations.participation = retuned.participationDeviations (order).cwiseMax (0.005);
