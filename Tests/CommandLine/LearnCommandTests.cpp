@@ -105,9 +105,13 @@ TEST_CASE ("learn finds the frequencies of a drifted beam from one play of a foc
     const auto learnt = solveStructure (loadDevice ((folder.path() / "pass2" / "device.json").string(), {}));
     const auto right = solveStructure (driftedBeam());
 
-    // The controlled ones, which were .5 % off: a tenth of that where the focus has little of a mode.
+    // The controlled ones, which were .5 % off. The focus has little of modes 3 and 5: .04 % of deviation is left of
+    // them, by learnt.csv, of the others less than .001 %.
     for (Eigen::Index k = 0; k < 6; ++k)
-        CHECK (learnt.frequencyHz (k) == Approx (right.frequencyHz (k)).epsilon (5e-4));
+    {
+        const auto hardlyDriven = k == 2 || k == 4;
+        CHECK (learnt.frequencyHz (k) == Approx (right.frequencyHz (k)).epsilon (hardlyDriven ? 3 * 4e-4 : 3e-5));
+    }
 
     CHECK (summary["warning"] == "");
     // One who expects a tenth of that is told.
@@ -173,7 +177,7 @@ TEST_CASE ("learn changes nothing where sensors are dead, and says what recordin
     run = runProgram (recorded);
     INFO (run.output);
     CHECK (run.exitCode == 0);
-    CHECK (run.output.find ("Nothing is changed. The model does not explain") != std::string::npos);
+    CHECK (run.output.find ("Nothing is changed. Sensors hear") != std::string::npos);
     CHECK (readContent (folder.path() / "pass2" / "voltages.wav") == readContent (pass / "voltages.wav"));
 
     writeWholeFile (pass / "recorded.csv", "time_s,velocity_mm_s_1\n0,0\n0.0000208333,0\n");
