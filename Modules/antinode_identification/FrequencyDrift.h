@@ -11,9 +11,9 @@ struct ModeUpdate
     std::vector<bool> isKnown;                         ///< N_m
 };
 
-/** The model with what is known put in; the frequency of other modes moves by the mean relative change of a few known
-    neighbours on either side, interpolated, and their damping stays. The order of modes stays. [worker] Docs/Theory.md,
-   section 8.7. */
+/** The model with what is known put in. The frequency of other modes moves by the mean relative change of a few known
+    neighbours on either side, interpolated; their damping stays, and so does the order of modes.
+    [worker] Docs/Theory.md, section 8.7. */
 ModalModel updated (ModalModel, const ModeUpdate&);
 
 /** The model with its modes in ascending order of frequency. [worker] */

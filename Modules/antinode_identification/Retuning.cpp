@@ -104,7 +104,6 @@ RetunedModel retuned (const ModalModel& model, const Indices& modes, const Known
     for (std::size_t n = 0; n < modes.size(); ++n)
     {
         const auto k = modes[n], of = static_cast<Eigen::Index> (n);
-
         const auto upperEnd = fit.modes.angularFrequencies[of] * (1 + beside * fit.modes.dampingRatios[of]);
 
         if (poles.gains[of] <= 0 || fit.frequencyDeviations[of] > seen * spread.frequency

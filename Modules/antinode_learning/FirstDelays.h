@@ -6,8 +6,8 @@
 
 namespace antinode
 {
-/** The delays that the first play may have, to be tried on its whole record: one where the beginning of the record
-   tells it, else the best few, s.
+/** The delays that the first play may have, to be tried on its whole record, s: one where its beginning tells it, else
+    the best few.
     @param deviations  of the nominal device
     @param recording   with the range of delays that is looked through; without one its own delay is given
     @throws InputError, Cancelled  as learnModes

@@ -3,6 +3,7 @@
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_measurement/SimulatedBench.h>
+#include <antinode_numerics/RandomNumbers.h>
 #include <antinode_text/JsonText.h>
 #include <antinode_text/OutputFolder.h>
 #include <antinode_text/WaveFile.h>
@@ -64,8 +65,15 @@ Eigen::MatrixXd comeLate (const Eigen::MatrixXd& asked)
     return late;
 }
 
+void writeRecording (const std::filesystem::path& pass, const Eigen::MatrixXd& velocities)
+{
+    writeWholeFile (
+        pass / "recorded.csv",
+        encodeCsv (1000 * velocities, { "velocity_mm_s_1", "velocity_mm_s_2", "velocity_mm_s_3" }, rate, 0));
+}
+
 /** What the three sensors record of a pass on it. */
-void recordPass (const std::filesystem::path& pass, double signalScale, bool isLate = false)
+void recordPass (const std::filesystem::path& pass, double signalScale, bool isLate = false, double signalToNoise = 40)
 {
     const auto truth = solveStructure (driftedBeam());
     auto wave = readWaveFile (pass / "voltages.wav");
@@ -78,11 +86,10 @@ void recordPass (const std::filesystem::path& pass, double signalScale, bool isL
     SimulatedBenchSettings bench;
     bench.sampleRate = rate;
     bench.delay = 0.0031;
+    bench.signalToNoise = signalToNoise;
     const auto recording = simulateBench (truth, shapes, truth.fullScaleVoltage * wave.samples,
                                           Eigen::VectorXd::Ones (wave.samples.cols()), bench);
-    writeWholeFile (pass / "recorded.csv",
-                    encodeCsv (1000 * signalScale * recording.sensors,
-                               { "velocity_mm_s_1", "velocity_mm_s_2", "velocity_mm_s_3" }, rate, 0));
+    writeRecording (pass, signalScale * recording.sensors);
 }
 } // namespace
 
@@ -93,9 +100,11 @@ TEST_CASE ("learn finds the frequencies of a drifted beam from one play of a foc
     auto run = runProgram (learnArguments (folder.path(), "pass1", {}));
     INFO (run.errors);
     REQUIRE (run.exitCode == 0);
-    recordPass (folder.path() / "pass1", 1);
-    run = runProgram (learnArguments (folder.path(), "pass2",
-                                      { "--latency-ms", "3.1", "--recorded", (folder.path() / "pass1").string() }));
+    // The focus has little of modes 3 and 5: with noise of 40 dB a deviation of 4e-4 is left of their frequencies.
+    recordPass (folder.path() / "pass1", 1, false, 52);
+    run = runProgram (
+        learnArguments (folder.path(), "pass2",
+                        { "--latency-ms", "3.1", "--snr-db", "52", "--recorded", (folder.path() / "pass1").string() }));
     INFO (run.errors);
     REQUIRE (run.exitCode == 0);
 
@@ -105,13 +114,12 @@ TEST_CASE ("learn finds the frequencies of a drifted beam from one play of a foc
     const auto learnt = solveStructure (loadDevice ((folder.path() / "pass2" / "device.json").string(), {}));
     const auto right = solveStructure (driftedBeam());
 
-    // The controlled ones, which were .5 % off. The focus has little of modes 3 and 5: .04 % of deviation is left of
-    // them, by learnt.csv, of the others less than .001 %.
+    // The controlled ones, which were .5 % off: a tenth of that where the focus has little of a mode.
     for (Eigen::Index k = 0; k < 6; ++k)
-    {
-        const auto hardlyDriven = k == 2 || k == 4;
-        CHECK (learnt.frequencyHz (k) == Approx (right.frequencyHz (k)).epsilon (hardlyDriven ? 3 * 4e-4 : 3e-5));
-    }
+        CHECK (learnt.frequencyHz (k) == Approx (right.frequencyHz (k)).epsilon (5e-4));
+
+    for (const Eigen::Index driven : { 0, 1, 3, 5 })
+        CHECK (learnt.frequencyHz (driven) == Approx (right.frequencyHz (driven)).epsilon (1e-5));
 
     CHECK (summary["warning"] == "");
     // One who expects a tenth of that is told.
@@ -162,7 +170,8 @@ TEST_CASE ("learn knows when ceramics act that lag behind each other", "[command
     CHECK (summary["trigger_sample"] == summary["lag"]["late_samples"]);
 }
 
-TEST_CASE ("learn changes nothing where sensors are dead, and says what recordings lack", "[command line]")
+TEST_CASE ("learn changes nothing where sensors are dead or hear something else, and says what recordings lack",
+           "[command line]")
 {
     const TemporaryFolder folder;
     writeSensors (folder.path());
@@ -178,6 +187,14 @@ TEST_CASE ("learn changes nothing where sensors are dead, and says what recordin
     INFO (run.output);
     CHECK (run.exitCode == 0);
     CHECK (run.output.find ("Nothing is changed. Sensors hear") != std::string::npos);
+    CHECK (readContent (folder.path() / "pass2" / "voltages.wav") == readContent (pass / "voltages.wav"));
+
+    const Eigen::VectorXd noise = RandomNumbers (1).normal (3 * 4800);
+    writeRecording (pass, 1e-3 * noise.reshaped (3, 4800));
+    run = runProgram (recorded);
+    INFO (run.output);
+    CHECK (run.exitCode == 0);
+    CHECK (run.output.find ("Nothing is changed. The model does not explain") != std::string::npos);
     CHECK (readContent (folder.path() / "pass2" / "voltages.wav") == readContent (pass / "voltages.wav"));
 
     writeWholeFile (pass / "recorded.csv", "time_s,velocity_mm_s_1\n0,0\n0.0000208333,0\n");

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 using namespace antinode;
 using namespace antinode::test;
@@ -32,19 +33,19 @@ TEST_CASE ("Modes up to far above the sample rate follow a tone as their frequen
 {
     constexpr Eigen::Index samples = 4000, middle = 2000;
     constexpr double toneShare = 0.05; // of the sample rate
-    constexpr double turn = 2 * 3.14159265358979 * toneShare;
+    constexpr double turn = 2 * std::numbers::pi * toneShare;
     constexpr double tone = turn * benchRate; // rad/s
     Eigen::MatrixXd voltage (1, samples);
 
     for (Eigen::Index n = 0; n < samples; ++n)
-        voltage (0, n) = std::pow (std::sin (3.14159265358979 * static_cast<double> (n) / samples), 4)
+        voltage (0, n) = std::pow (std::sin (std::numbers::pi * static_cast<double> (n) / samples), 4)
                          * std::sin (turn * static_cast<double> (n));
 
     const PlayedVoltages played (voltage, benchRate);
 
     for (const auto rates : { 0.3, 0.9, 2.3, 11.7 })
     {
-        const auto own = 2 * 3.14159265358979 * rates * benchRate;
+        const auto own = 2 * std::numbers::pi * rates * benchRate;
         constexpr double damping = 0.05;
         const auto motion =
             modeMotion (own, damping, played.force (Eigen::RowVectorXd::Ones (1)), benchRate, samples, false);
