@@ -1,6 +1,7 @@
 #include "KnownModeEquations.h"
 
 #include <antinode_base/Watch.h>
+#include <antinode_numerics/BoundedStep.h>
 #include <antinode_numerics/DenseKernels.h>
 
 #include <array>
@@ -10,6 +11,7 @@ namespace antinode
 {
 namespace
 {
+constexpr double ridge = 1e-12; // relative: against rounding
 constexpr std::array polesAndDelay { ModalFunction::frequency, ModalFunction::damping, ModalFunction::delay };
 
 Eigen::MatrixXd productsOf (const KnownModeState& state, ModalFunction row, ModalFunction column)
@@ -196,21 +198,21 @@ KnownModeEquations knownModeEquations (const KnownModeState& state, const KnownM
     return equations;
 }
 
-std::optional<KnownModeStep> solve (const KnownModeEquations& equations, double damping)
+KnownModeStep solve (const KnownModeEquations& equations, double reach)
 {
+    const auto unknowns = equations.gradient.size();
     const Eigen::VectorXd scale = equations.poles.diagonal().cwiseMax (1e-300).cwiseSqrt().cwiseInverse();
     Eigen::MatrixXd matrix = scale.asDiagonal() * equations.poles * scale.asDiagonal();
-    matrix.diagonal().array() += damping;
-
-    if (! factorLower (matrix))
-        return {};
-
-    const Eigen::VectorXd poles =
-        scale.cwiseProduct (solveFactored (matrix, scale.cwiseProduct (equations.gradient)).col (0));
+    matrix.diagonal().array() += ridge;
+    const Eigen::VectorXd bounds = reach * scale.cwiseInverse(), start = Eigen::VectorXd::Zero (unknowns),
+                          scaled = boundedStep (matrix, scale.cwiseProduct (equations.gradient), start, bounds).change,
+                          poles = scale.cwiseProduct (scaled);
     const auto count = (poles.size() - 1) / 2;
     KnownModeStep step { poles.head (2 * count),
                          Eigen::MatrixXd (count, static_cast<Eigen::Index> (equations.factors.size())),
-                         poles[2 * count] * equations.delayUnit, equations.gradient.dot (poles) / 2 };
+                         poles[2 * count] * equations.delayUnit,
+                         equations.gradient.dot (poles)
+                             - poles.dot (equations.poles.selfadjointView<Eigen::Lower>() * poles) / 2 };
 
     for (std::size_t i = 0; i < equations.factors.size(); ++i)
     {

@@ -3,8 +3,6 @@
 #include "KnownModeFit.h"
 #include "KnownModeState.h"
 
-#include <optional>
-
 namespace antinode
 {
 /** Gauss and Newton's equations of the log posterior density. Unknowns: frequencies in half widths, relative changes of
@@ -29,8 +27,11 @@ struct KnownModeStep
     double delay = 0, gain = 0;
 };
 
-/** @param damping  relative, on the diagonal @return  nothing where the equations are singular [worker] */
-std::optional<KnownModeStep> solve (const KnownModeEquations&, double damping);
+/** The step that gains most where no frequency moves farther than `reach` half widths, no damping ratio by a larger
+   share and the delay no farther than so many radians of the highest mode.
+    @param reach  above 0
+    [worker] Docs/Theory.md, section 8.7, and reference 18. */
+KnownModeStep solve (const KnownModeEquations&, double reach);
 
 /** Standard deviations of the unknowns: those of strengths with poles as they are. [worker] */
 struct KnownModeDeviations

@@ -12,19 +12,20 @@ namespace antinode
 {
 namespace
 {
-constexpr double enough = 1e-3; ///< Of log posterior: a step that is worth less is the last one.
+constexpr double enough = 0.05;  ///< Of log posterior: a step that gains less is the last one.
+constexpr double roughly = 1e-5; ///< Of the noise's variance: the same where weights and scales are found.
 constexpr int maximumSteps = 30;
+constexpr double firstReach = 1, farthest = 8, nearest = 1e-3; ///< Half widths that a pole may move in a step.
+constexpr double littleGained = 0.25, mostGained = 0.75;       ///< Of what a step was to gain.
 
-/** Modes after a step; no pole moves further than a half width at a time. */
-KnownModes afterStep (KnownModes modes, const Eigen::VectorXd& poles, const Eigen::MatrixXd& strengths)
+KnownModes afterStep (KnownModes modes, const KnownModeStep& step)
 {
     for (Eigen::Index k = 0; k < modes.modes(); ++k)
     {
         const auto resonance = modes.angularFrequencies[k], before = modes.dampingRatios[k];
-        modes.angularFrequencies[k] *= 1 + before * std::clamp (poles[k], -1.0, 1.0);
-        modes.dampingRatios[k] =
-            std::clamp (before * std::exp (std::clamp (poles[modes.modes() + k], -0.7, 0.7)), 1e-9, 0.9);
-        modes.participation.row (k) += resonance * strengths.row (k);
+        modes.angularFrequencies[k] *= std::exp (before * step.poles[k]);
+        modes.dampingRatios[k] = std::clamp (before * std::exp (step.poles[modes.modes() + k]), 1e-9, 0.9);
+        modes.participation.row (k) += resonance * step.strengths.row (k);
     }
 
     return modes;
@@ -79,32 +80,26 @@ public:
         return { std::move (modes), delay, std::move (state), cost };
     }
 
-    /** Goes on until nothing is gained. @return  the equations there */
-    KnownModeEquations run (Search& best)
+    /** Goes on until a step gains less of log posterior. @return  the equations there */
+    KnownModeEquations run (Search& best, double leastGain)
     {
         auto equations = knownModeEquations (best.state, best.modes, prior);
-        double damping = 1e-4;
+        auto reach = firstReach;
 
-        for (int steps = 0; steps < maximumSteps; ++steps)
+        for (int steps = 0; steps < maximumSteps && reach > nearest; ++steps)
         {
-            const auto step = solve (equations, damping);
+            const auto step = solve (equations, reach);
 
-            if (! step || step->gain < enough)
+            if (! (step.gain >= leastGain))
                 break;
 
-            auto next = at (afterStep (best.modes, step->poles, step->strengths), best.delay + step->delay);
+            auto next = at (afterStep (best.modes, step), best.delay + step.delay);
+            const auto share = (best.cost - next.cost) / step.gain;
+            reach = share > mostGained ? std::min (2 * reach, farthest) : share > littleGained ? reach : reach / 4;
 
             if (! (next.cost <= best.cost))
-            {
-                damping = std::max (damping, 1e-6) * 10;
-
-                if (damping > 1e6)
-                    break;
-
                 continue;
-            }
 
-            damping /= 10;
             best = std::move (next);
             equations = knownModeEquations (best.state, best.modes, prior);
         }
@@ -135,9 +130,9 @@ KnownModeFit fitKnownModes (PreparedResponses& data, const KnownModes& start, co
     Searcher searcher (data, prior, delay);
     auto best = searcher.at (start, delay);
     KnownModeFit result;
-    searcher.run (best);
+    searcher.run (best, roughly * best.state.values / 2);
     result.participationScales = searcher.learnFromFirst (best);
-    const auto deviations = deviationsOf (searcher.run (best));
+    const auto deviations = deviationsOf (searcher.run (best, enough));
     const auto modes = best.modes.modes();
     result.frequencyDeviations = deviations.poles.head (modes).cwiseProduct (best.modes.dampingRatios);
     result.dampingDeviations = deviations.poles.segment (modes, modes);

@@ -27,10 +27,10 @@ struct KnownModeFit
     double reconstructionError = 0; ///< dB, of the responses.
 };
 
-/** All poles and participations and the common delay at once, with shapes as they are known, by Levenberg and
-    Marquardt's method on the posterior density, with a factor of each ceramic from a first pass. Participations are
-   eliminated in each step, ceramic by ceramic; modes outside the band are powers of frequency, free at each point and
-   reference.
+/** All poles and participations and the common delay at once, with shapes as they are known, by steps of Gauss and
+    Newton on the posterior density within bounds, with a factor of each ceramic from a first pass. Participations are
+    eliminated in each step, ceramic by ceramic; modes outside the band are powers of frequency, free at each point and
+    reference.
     @param start  poles near to the most probable ones, participations, and shapes
     @param delay  s, near to the most probable one
     @throws Cancelled  as checkWatch()

@@ -1,7 +1,8 @@
 #include "LearningProblem.h"
 
-#include "BoundedStep.h"
 #include "HeardParameters.h"
+
+#include <antinode_numerics/BoundedStep.h>
 
 #include <algorithm>
 #include <cmath>
@@ -86,16 +87,19 @@ LearningSolution LearningProblem::solve (const Unknowns& unknowns, Eigen::Vector
     const auto least = gainOfEach * static_cast<double> (unknowns.parameters.size());
     LearningSolution solution { std::move (values), {}, 0, 0, 0, 0 };
     auto gain = std::numeric_limits<double>::infinity(), objective = 0.0;
+    BoundedStep step;
+    Eigen::MatrixXd matrix; // the step's
 
     for (int i = 0; i < mostSteps && gain >= least + enough * objective; ++i)
     {
-        solution.factored.resize (0, 0); // before another one of its size is made
+        step.factored.resize (0, 0); // before others of its size are made
+        matrix.resize (0, 0);
         auto linear = equations (unknowns, solution.values, time);
         const auto before = linear.misfit.residual + solution.values.squaredNorm();
         objective = before;
         const Eigen::VectorXd from = solution.values (unknowns.places);
-        auto step = boundedStep (linear.matrix, linear.right, from, bounds);
-        solution.factored = std::move (step.factored);
+        step = boundedStep (linear.matrix, linear.right, from, bounds);
+        matrix = std::move (linear.matrix);
 
         for (auto share = 1.0; share >= smallestShare && ! (objective < before); share /= 2)
         {
@@ -113,6 +117,7 @@ LearningSolution LearningProblem::solve (const Unknowns& unknowns, Eigen::Vector
         gain = before - objective;
     }
 
+    solution.factored = factorOfFree (std::move (step), std::move (matrix));
     return solution;
 }
 

@@ -41,7 +41,7 @@ Json corner (const std::string& more)
         + more + "}");
 }
 
-std::string errorOf (const Json& json)
+std::string boundaryError (const Json& json)
 {
     return errorText ([&] { readDevice (json, "my.json"); });
 }
@@ -82,18 +82,18 @@ TEST_CASE ("The outline of a modal device is checked like that of a plate", "[fi
     CHECK (model.surface.xMaximum == 0.06);
     CHECK_THROWS_AS (shapesAt (model, 0.04, 0.04), InputError);
 
-    CHECK_THAT (errorOf (corner (R"(, "held_edges": ["left"])")),
+    CHECK_THAT (boundaryError (corner (R"(, "held_edges": ["left"])")),
                 Catch::StartsWith ("my.json: /held_edges/0") && Catch::Contains ("'left'") && Catch::Contains ("'6'"));
 
     auto outside = corner ("");
     outside["points_mm"][3] = { 40, 40 };
-    CHECK_THAT (errorOf (outside), Catch::StartsWith ("my.json: /outline") && Catch::Contains ("(40, 40) mm"));
+    CHECK_THAT (boundaryError (outside), Catch::StartsWith ("my.json: /outline") && Catch::Contains ("(40, 40) mm"));
 
     auto without = corner (R"(, "held_edges": ["1"])");
     without.erase ("outline");
-    CHECK_THAT (errorOf (without), Catch::StartsWith ("my.json: /held_edges"));
+    CHECK_THAT (boundaryError (without), Catch::StartsWith ("my.json: /held_edges"));
 
     auto line = corner ("");
     line["points_mm"] = { { 10, 10 }, { 20, 10 }, { 30, 10 }, { 40, 10 } };
-    CHECK_THAT (errorOf (line), Catch::Contains ("line"));
+    CHECK_THAT (boundaryError (line), Catch::Contains ("line"));
 }

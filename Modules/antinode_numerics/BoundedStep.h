@@ -8,7 +8,8 @@ namespace antinode
 struct BoundedStep
 {
     Eigen::VectorXd change;   ///< P
-    Eigen::MatrixXd factored; ///< P x P: the matrix, those at bounds taken out, as factorLower leaves it.
+    Eigen::MatrixXd factored; ///< P x P: the whole matrix, as factorLower leaves it.
+    Eigen::VectorXi held;     ///< P: 1 of those that end at their upper bound, -1 at the lower one, 0 of the others.
 };
 
 /** The step x to the minimum of x' M x / 2 - r' x that takes no value beyond its bounds. A step that is
@@ -20,4 +21,10 @@ struct BoundedStep
     [worker] Docs/Theory.md, section 7.6, and reference 18. */
 BoundedStep boundedStep (const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right, const Eigen::VectorXd& values,
                          const Eigen::VectorXd& bounds);
+
+/** The factor of the matrix of a step, P x P, as factorLower leaves it; the rows of those that are held are those of
+   the unit matrix.
+    @param matrix  as in boundedStep
+    [worker] */
+Eigen::MatrixXd factorOfFree (BoundedStep, Eigen::MatrixXd matrix);
 } // namespace antinode

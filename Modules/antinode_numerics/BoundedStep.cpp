@@ -1,0 +1,165 @@
+#include "BoundedStep.h"
+
+#include "DenseKernels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+using Places = Eigen::VectorX<Eigen::Index>;
+
+Places placesWhere (const Eigen::Array<bool, Eigen::Dynamic, 1>& wanted)
+{
+    Places places (wanted.count());
+    Eigen::Index next = 0;
+
+    for (Eigen::Index p = 0; p < wanted.size(); ++p)
+        if (wanted[p])
+            places[next++] = p;
+
+    return places;
+}
+
+/** Unknowns that are held in a step. */
+struct Held
+{
+    Places places;
+    Eigen::VectorXd changes; ///< Theirs.
+};
+
+Held heldAt (const Eigen::VectorXi& atBound, const Eigen::VectorXd& values, const Eigen::VectorXd& bounds)
+{
+    auto places = placesWhere (atBound.array() != 0);
+    Eigen::VectorXd changes = (atBound.cast<double>().cwiseProduct (bounds) - values) (places);
+    return { std::move (places), std::move (changes) };
+}
+
+/** A step of all unknowns, and the slope that holding leaves, downhill: 0 of those that are free. */
+struct HeldStep
+{
+    Eigen::VectorXd change, slope;
+};
+
+/** Columns of the inverse of a factor, places ascending: each begins at its own row. */
+Eigen::MatrixXd columnsOfInverse (const Eigen::MatrixXd& factored, const Places& places)
+{
+    constexpr Eigen::Index width = 64; // columns at a time
+    const auto count = places.size();
+    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero (factored.rows(), count);
+
+    for (Eigen::Index i = 0; i < count; ++i)
+        columns (places[i], i) = 1;
+
+    for (Eigen::Index first = 0; first < count; first += width)
+    {
+        const auto rows = factored.rows() - places[first];
+        solveLower (factored.bottomRightCorner (rows, rows),
+                    columns.block (factored.rows() - rows, first, rows, std::min (width, count - first)));
+    }
+
+    return columns;
+}
+
+/** Where few are held: by the forces f that hold them, M x = r + E f with E' x = changes, from the factor of the whole
+    matrix.
+    @param half  L^-1 r */
+HeldStep heldByForces (const Eigen::MatrixXd& factored, const Eigen::VectorXd& half, const Held& held)
+{
+    const auto columns = columnsOfInverse (factored, held.places);
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero (columns.cols(), columns.cols()); // E' M^-1 E
+    addGram (gram, 1, columns.transpose());
+    factorLower (gram);
+    const Eigen::VectorXd forces = solveFactored (gram, held.changes - columns.transpose() * half);
+    HeldStep step { half + columns * forces, Eigen::VectorXd::Zero (half.size()) };
+    solveLowerTransposed (factored, step.change);
+    step.slope (held.places) = -forces;
+    return step;
+}
+
+/** Where most are held: from the equations of the others. */
+HeldStep mostlyHeld (const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right, const Places& free, const Held& held)
+{
+    const auto whole = matrix.selfadjointView<Eigen::Lower>();
+    HeldStep step { Eigen::VectorXd::Zero (right.size()), {} };
+    step.change (held.places) = held.changes;
+    const Eigen::VectorXd rest = right - whole * step.change;
+    Eigen::MatrixXd some = matrix (free, free);
+    factorLower (some);
+    step.change (free) = solveFactored (some, rest (free));
+    step.slope = right - whole * step.change;
+    step.slope (free).setZero();
+    return step;
+}
+
+/** Which unknowns are at their bounds after a step: 1 at the upper, -1 at the lower one, 0 at neither.
+    @param before  those that were held there in this step
+    @param slope   downhill, after the step
+    @param next    values after it */
+Eigen::VectorXi boundsReached (const Eigen::VectorXi& before, const Eigen::VectorXd& slope, const Eigen::VectorXd& next,
+                               const Eigen::VectorXd& bounds)
+{
+    constexpr double rounding = 1e-9;
+    Eigen::VectorXi reached (before.size());
+
+    for (Eigen::Index p = 0; p < reached.size(); ++p)
+    {
+        const auto isPushedOn = before[p] != 0 && before[p] * slope[p] > 0;
+        const auto isBeyond = before[p] == 0 && std::abs (next[p]) > bounds[p] + rounding;
+        reached[p] = isPushedOn ? before[p] : isBeyond ? (next[p] > 0 ? 1 : -1) : 0;
+    }
+
+    return reached;
+}
+} // namespace
+
+BoundedStep boundedStep (const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right, const Eigen::VectorXd& values,
+                         const Eigen::VectorXd& bounds)
+{
+    constexpr int mostRounds = 8; // Seldom more than three; what is left is cut off.
+    BoundedStep result { {}, matrix, Eigen::VectorXi::Zero (values.size()) };
+    factorLower (result.factored);
+    Eigen::VectorXd half = right;
+    solveLower (result.factored, half);
+
+    for (int round = 1;; ++round)
+    {
+        const auto held = heldAt (result.held, values, bounds);
+        const auto free = placesWhere (result.held.array() == 0);
+        const auto [change, slope] = held.places.size() < free.size() ? heldByForces (result.factored, half, held)
+                                                                      : mostlyHeld (matrix, right, free, held);
+        auto reached = boundsReached (result.held, slope, values + change, bounds);
+
+        if (reached == result.held || round == mostRounds)
+        {
+            result.change = (values + change).cwiseMax (-bounds).cwiseMin (bounds) - values;
+            return result;
+        }
+
+        result.held = std::move (reached);
+    }
+}
+
+Eigen::MatrixXd factorOfFree (BoundedStep step, Eigen::MatrixXd matrix)
+{
+    const auto held = placesWhere (step.held.array() != 0);
+
+    if (held.size() == 0)
+        return std::move (step.factored);
+
+    step.factored.resize (0, 0); // before the other one is factored
+
+    for (const auto p : held)
+    {
+        matrix.row (p).setZero();
+        matrix.col (p).setZero();
+        matrix (p, p) = 1;
+    }
+
+    factorLower (matrix);
+    return matrix;
+}
+} // namespace antinode
