@@ -180,12 +180,11 @@ FocusDesign designFocus (const ModalModel& model, const FocusDescription& descri
 }
 
 FocusDesign designModes (const ModalModel& model, const FocusDescription& description, const std::vector<int>& modes,
-                         const Eigen::VectorXd& wanted, Playback playback)
+                         const Eigen::VectorXd& wanted, Playback playback, DesignExtent extent)
 {
     requireRealModes (model, "wanted velocities of single modes");
     const Eigen::VectorXd field = model.shapes (Eigen::all, modes) * wanted;
     FocusMoment moment { description.focusTime, {}, projectField (model, field), wanted, field, 1 };
-    constexpr auto extent = DesignExtent::complete;
     auto design = makeDesign (description, modes, { std::move (moment) }, playback, field.cwiseAbs().maxCoeff());
     return finishDesign (withProgram (std::move (design), model, extent), model, extent);
 }

@@ -27,7 +27,7 @@ FocusDesign designFocus (const ModalModel&, const FocusDescription&, Playback,
     @throws        as designFocus
     [worker] Docs/Theory.md, sections 3 and 4. */
 FocusDesign designModes (const ModalModel&, const FocusDescription&, const std::vector<int>& modes,
-                         const Eigen::VectorXd& wanted, Playback);
+                         const Eigen::VectorXd& wanted, Playback, DesignExtent extent = DesignExtent::complete);
 
 /** The largest voltage of any ceramic that the drives of a design and their release ask for, before any limiter. V.
     [any] */

@@ -1,5 +1,6 @@
 #include "LearningPasses.h"
 
+#include "CorrectedDesign.h"
 #include "CubedVoltages.h"
 #include "EquivalentLinear.h"
 #include "LearningVerdict.h"
@@ -16,6 +17,8 @@ namespace antinode
 {
 namespace
 {
+constexpr double correctable = 0.03; // of the field, RMS: designs that are farther off are made again
+
 Playback playbackOf (const LearningSettings& settings)
 {
     return { Reconstruction::bandLimited, settings.sampleRate };
@@ -27,14 +30,13 @@ WideModel wideWith (WideModel wide, const ModalModel& learnt)
     return wide;
 }
 
-/** The field at the focus that voltages make, by what was learnt. */
-Eigen::VectorXd fieldOf (const LearntModes& learnt, const Eigen::MatrixXd& voltages, double focusTime,
+/** Velocities of all modes at the focus that voltages make, by what was learnt. */
+Eigen::VectorXd modesOf (const LearntModes& learnt, const Eigen::MatrixXd& voltages, double focusTime,
                          const LearningSettings& settings)
 {
     const auto focus = static_cast<Eigen::Index> (std::llround (focusTime * settings.sampleRate));
     const PlayedVoltages played (voltages, cubedVoltages (voltages), settings.sampleRate);
-    const auto velocities = modeVelocities (learnt.model, played.distorted (learnt.distortions), focus + 1);
-    return learnt.model.shapes * velocities.bottomRows (1).transpose();
+    return modeVelocities (learnt.model, played.distorted (learnt.distortions), focus + 1).bottomRows (1).transpose();
 }
 
 /** How far a field is from the one that is wanted: RMS over the surface, of the wanted one's. */
@@ -42,6 +44,13 @@ double fieldError (const Surface& surface, const Eigen::VectorXd& field, const E
 {
     return std::sqrt (surface.areas.dot ((field - wanted).cwiseAbs2()) / surface.areas.dot (wanted.cwiseAbs2()));
 }
+
+/** A design that is corrected from play to play, and its voltages. */
+struct Base
+{
+    FocusDesign design;
+    Eigen::MatrixXd voltages;
+};
 
 /** The focus by what was learnt, or as it was played last where the limits allow no other. */
 FocusDesign designedAgain (const LearntFocus& learnt, const FocusDescription& focus, const LearningSettings& settings)
@@ -76,8 +85,11 @@ LearntFocus learnFocus (const WideModel& nominal, const FocusDescription& focus,
     const auto voltagesNow = [&]
     { return playedVoltages (firstModes (result.wide.model, result.wide.known), result.design, settings); };
     auto voltages = voltagesNow();
-    const auto byModel = [&] (const Eigen::MatrixXd& played)
-    { return fieldOf (result.learnt, played, result.design.program.focusTime, settings); };
+    auto base = Base { result.design, voltages };
+    const auto byModes = [&] (const Eigen::MatrixXd& played)
+    { return modesOf (result.learnt, played, result.design.program.focusTime, settings); };
+    const auto byModel = [&] (const Eigen::MatrixXd& played) -> Eigen::VectorXd
+    { return nominal.model.shapes * byModes (played); };
 
     for (int i = 0; i < settings.passes; ++i)
     {
@@ -95,6 +107,17 @@ LearntFocus learnFocus (const WideModel& nominal, const FocusDescription& focus,
                                                  result.passes.back().design.program.focusTime));
         result.design = designedAgain (result, focus, settings);
         voltages = voltagesNow();
+        const auto asBase = fieldError (nominal.model.surface, byModel (base.voltages), byModel (voltages));
+
+        if (const auto corrected = asBase < correctable ? correctedDesign (base.design, result.wide.model,
+                                                                           byModes (voltages) - byModes (base.voltages))
+                                                        : std::nullopt)
+        {
+            result.design = *corrected;
+            voltages = voltagesNow();
+        }
+        else
+            base = { result.design, voltages };
 
         if (fieldError (nominal.model.surface, byModel (result.passes.back().voltages), byModel (voltages))
             < settings.enough)

@@ -1,0 +1,77 @@
+#include "CorrectedDesign.h"
+
+#include <antinode_base/NumberText.h>
+#include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/SpillOver.h>
+
+#include <numeric>
+
+namespace antinode
+{
+namespace
+{
+constexpr double highestCorrected = 0.4; // of the sample rate
+
+/** How many modes are corrected: the lowest ones. */
+Eigen::Index correctedModes (const ModalModel& model, double sampleRate)
+{
+    Eigen::Index count = 0;
+
+    while (count < model.modes() && model.frequencyHz (count) < highestCorrected * sampleRate)
+        ++count;
+
+    return count;
+}
+
+/** The two programs at once. */
+VoltageProgram sum (VoltageProgram program, const VoltageProgram& more)
+{
+    const auto before = program.allocation.cols();
+    program.oscillations.insert (program.oscillations.end(), more.oscillations.begin(), more.oscillations.end());
+    program.allocation.conservativeResize (Eigen::NoChange, before + more.allocation.cols());
+    program.allocation.rightCols (more.allocation.cols()) = more.allocation;
+    return program;
+}
+
+/** Velocities of some modes at a time, by drives for these alone, within the same limits. */
+FocusDesign designCorrection (const FocusDesign& design, const ModalModel& model, const Eigen::VectorXd& velocities)
+{
+    FocusDescription description;
+    description.targets = design.description.targets;
+    description.focusTime = design.program.focusTime;
+    description.allocation.voltageLimit = design.description.allocation.voltageLimit;
+    std::vector<int> all (static_cast<std::size_t> (model.modes()));
+    std::iota (all.begin(), all.end(), 0);
+    return designModes (model, description, all, velocities, design.playback, DesignExtent::compared);
+}
+} // namespace
+
+std::optional<FocusDesign> correctedDesign (const FocusDesign& design, const ModalModel& learnt,
+                                            const Eigen::VectorXd& missing)
+{
+    if (design.program.samples || design.moments.size() != 1)
+        return {};
+
+    try
+    {
+        const auto count = correctedModes (learnt, design.playback.sampleRate);
+        const auto correction = designCorrection (design, firstModes (learnt, count), missing.head (count));
+        auto corrected = design;
+        auto& certificate = corrected.certificate;
+        certificate.peakRatio += correction.certificate.peakRatio;
+        certificate.peakVoltage += correction.certificate.peakVoltage;
+
+        if (certificate.peakRatio > 1)
+            return {};
+
+        corrected.program = sum (std::move (corrected.program), correction.program);
+        corrected.choices.push_back ("Corrected by what was learnt from plays: " + inWords (peakVoltage (correction))
+                                     + " V at most are added, for " + std::to_string (count) + " modes.");
+        return corrected;
+    }
+    catch (const LimitError&)
+    {
+        return {};
+    }
+}
+} // namespace antinode
