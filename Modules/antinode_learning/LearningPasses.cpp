@@ -45,12 +45,35 @@ double fieldError (const Surface& surface, const Eigen::VectorXd& field, const E
     return std::sqrt (surface.areas.dot ((field - wanted).cwiseAbs2()) / surface.areas.dot (wanted.cwiseAbs2()));
 }
 
-/** A design that is corrected from play to play, and its voltages. */
-struct Base
+/** A design to play, and its voltages. */
+struct Planned
 {
     FocusDesign design;
     Eigen::MatrixXd voltages;
 };
+
+Planned planned (FocusDesign design, const WideModel& wide, const LearningSettings& settings)
+{
+    auto voltages = playedVoltages (firstModes (wide.model, wide.known), design, settings);
+    return { std::move (design), std::move (voltages) };
+}
+
+/** The base with what it lacks of the field that a new design makes, by what was learnt. None where it is too far off
+    or cannot be corrected. */
+std::optional<Planned> correctedPlan (const Planned& base, const Planned& again, const LearntFocus& learnt,
+                                      const LearningSettings& settings)
+{
+    const auto& model = learnt.wide.model;
+    const auto time = again.design.program.focusTime;
+    const auto made = modesOf (learnt.learnt, base.voltages, time, settings),
+               wanted = modesOf (learnt.learnt, again.voltages, time, settings);
+
+    if (! (fieldError (model.surface, model.shapes * made, model.shapes * wanted) < correctable))
+        return {};
+
+    auto design = correctedDesign (base.design, model, wanted - made);
+    return design ? std::optional (planned (std::move (*design), learnt.wide, settings)) : std::nullopt;
+}
 
 /** The focus by what was learnt, or as it was played last where the limits allow no other. */
 FocusDesign designedAgain (const LearntFocus& learnt, const FocusDescription& focus, const LearningSettings& settings)
@@ -82,18 +105,13 @@ LearntFocus learnFocus (const WideModel& nominal, const FocusDescription& focus,
     PassLearner learner (nominal, sensors, deviations);
     result.learnt = learner.now();
     result.design = designWithin (nominal, focus, playbackOf (settings), DesignExtent::compared);
-    const auto voltagesNow = [&]
-    { return playedVoltages (firstModes (result.wide.model, result.wide.known), result.design, settings); };
-    auto voltages = voltagesNow();
-    auto base = Base { result.design, voltages };
-    const auto byModes = [&] (const Eigen::MatrixXd& played)
-    { return modesOf (result.learnt, played, result.design.program.focusTime, settings); };
+    auto next = planned (result.design, nominal, settings), base = next;
     const auto byModel = [&] (const Eigen::MatrixXd& played) -> Eigen::VectorXd
-    { return nominal.model.shapes * byModes (played); };
+    { return nominal.model.shapes * modesOf (result.learnt, played, result.design.program.focusTime, settings); };
 
     for (int i = 0; i < settings.passes; ++i)
     {
-        auto pass = learner.hear (play (voltages, i));
+        auto pass = learner.hear (play (next.voltages, i));
         pass.design = result.design;
         result.passes.push_back (std::move (pass));
         result.learnt = learner.now();
@@ -105,21 +123,16 @@ LearntFocus learnFocus (const WideModel& nominal, const FocusDescription& focus,
         result.wide =
             wideWith (nominal, equivalentLinear (result.learnt, result.passes.back().voltages, settings.sampleRate,
                                                  result.passes.back().design.program.focusTime));
-        result.design = designedAgain (result, focus, settings);
-        voltages = voltagesNow();
-        const auto asBase = fieldError (nominal.model.surface, byModel (base.voltages), byModel (voltages));
+        auto again = planned (designedAgain (result, focus, settings), result.wide, settings);
 
-        if (const auto corrected = asBase < correctable ? correctedDesign (base.design, result.wide.model,
-                                                                           byModes (voltages) - byModes (base.voltages))
-                                                        : std::nullopt)
-        {
-            result.design = *corrected;
-            voltages = voltagesNow();
-        }
+        if (auto corrected = correctedPlan (base, again, result, settings))
+            next = std::move (*corrected);
         else
-            base = { result.design, voltages };
+            next = base = std::move (again);
 
-        if (fieldError (nominal.model.surface, byModel (result.passes.back().voltages), byModel (voltages))
+        result.design = next.design;
+
+        if (fieldError (nominal.model.surface, byModel (result.passes.back().voltages), byModel (next.voltages))
             < settings.enough)
             break;
 
@@ -127,7 +140,7 @@ LearntFocus learnFocus (const WideModel& nominal, const FocusDescription& focus,
             progress (static_cast<double> (i + 1) / settings.passes);
     }
 
-    const auto wanted = byModel (voltages);
+    const auto wanted = byModel (next.voltages);
 
     for (auto& pass : result.passes)
         pass.estimatedError = fieldError (nominal.model.surface, byModel (pass.voltages), wanted);
