@@ -27,9 +27,10 @@ struct KnownModeStep
     double delay = 0, gain = 0;
 };
 
-/** The step that gains most where no frequency moves farther than `reach` half widths, no damping ratio by a larger
-   share and the delay no farther than so many radians of the highest mode.
+/** The step that gains most within a reach: half widths of a frequency, of the logarithm of a damping ratio, and for
+   the delay radians of the highest mode.
     @param reach  above 0
+    @return       not finite where the equations are singular
     [worker] Docs/Theory.md, section 8.7, and reference 18. */
 KnownModeStep solve (const KnownModeEquations&, double reach);
 

@@ -5,6 +5,8 @@
 #include <antinode_focus/SpillOver.h>
 
 #include <numeric>
+#include <utility>
+#include <vector>
 
 namespace antinode
 {
@@ -61,7 +63,7 @@ std::optional<FocusDesign> correctedDesign (const FocusDesign& design, const Mod
         certificate.peakRatio += correction.certificate.peakRatio;
         certificate.peakVoltage += correction.certificate.peakVoltage;
 
-        if (certificate.peakRatio > 1)
+        if (! (certificate.peakRatio <= 1))
             return {};
 
         corrected.program = sum (std::move (corrected.program), correction.program);

@@ -72,7 +72,14 @@ std::optional<Planned> correctedPlan (const Planned& base, const Planned& again,
         return {};
 
     auto design = correctedDesign (base.design, model, wanted - made);
-    return design ? std::optional (planned (std::move (*design), learnt.wide, settings)) : std::nullopt;
+
+    if (! design)
+        return {};
+
+    if (design->spillOver)
+        design->spillOver->share = spillOverShare (learnt.wide, *design);
+
+    return planned (std::move (*design), learnt.wide, settings);
 }
 
 /** The focus by what was learnt, or as it was played last where the limits allow no other. */

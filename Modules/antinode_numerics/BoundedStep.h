@@ -22,8 +22,7 @@ struct BoundedStep
 BoundedStep boundedStep (const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right, const Eigen::VectorXd& values,
                          const Eigen::VectorXd& bounds);
 
-/** The factor of the matrix of a step, P x P, as factorLower leaves it; the rows of those that are held are those of
-   the unit matrix.
+/** The factor of a step's matrix, P x P, as factorLower leaves it; rows of those that are held are of the unit matrix.
     @param matrix  as in boundedStep
     [worker] */
 Eigen::MatrixXd factorOfFree (BoundedStep, Eigen::MatrixXd matrix);
