@@ -44,6 +44,17 @@ TEST_CASE ("A correction adds what a design lacks on another device, for little 
     CHECK (corrected->program.allocation.leftCols (before) == missed.design.program.allocation);
 }
 
+TEST_CASE ("Where a design lacks nothing, nothing is added", "[learning]")
+{
+    const Missed missed;
+    const auto corrected =
+        correctedDesign (missed.design, missed.bench.truth, Eigen::VectorXd::Zero (missed.missing.size()));
+    REQUIRE (corrected);
+    const auto added = corrected->program.allocation.cols() - missed.design.program.allocation.cols();
+    CHECK (corrected->program.allocation.rightCols (added).isZero (0));
+    CHECK (peakVoltage (*corrected) == peakVoltage (missed.design));
+}
+
 TEST_CASE ("Designs that leave no room below their limits are not corrected, nor are trains", "[learning]")
 {
     Missed missed;
