@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace antinode
@@ -105,8 +106,13 @@ std::vector<double> firstDelays (const ModalModel& nominal, const std::vector<Se
     if (likely.size() == 1)
         return likely;
 
-    const auto compare = [&] (double delay) -> ComparedDelay {
-        return { delay, misfitsOfBeginning (nominal, sensors, deviations, withDelay (recording, delay), surelyRight) };
+    auto least = std::numeric_limits<double>::infinity();
+    const auto compare = [&] (double delay) -> ComparedDelay
+    {
+        const ComparedDelay now { delay, misfitsOfBeginning (nominal, sensors, deviations, withDelay (recording, delay),
+                                                             surelyRight, least / hardlyAny) };
+        least = std::min (least, now.least());
+        return now;
     };
     std::vector<ComparedDelay> compared;
 

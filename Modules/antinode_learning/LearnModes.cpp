@@ -21,6 +21,7 @@ constexpr double lengthening = 2;
 constexpr double missed = 1.2; // of the noise is not explained: another minimum may do better
 constexpr double unlikely = 6; // deviations: two of 1e9 normal numbers are farther off
 constexpr double unbounded = std::numeric_limits<double>::infinity(); // no bound but the problem's own
+constexpr double notTried = unbounded;                                // a misfit
 
 constexpr std::array boundsToTry { 8.0, unbounded, 4.0 }; // deviations that no value leaves while the record grows
 
@@ -215,18 +216,20 @@ LearntModes learnModes (const ModalModel& model, const std::vector<Sensor>& sens
 }
 
 std::array<double, 2> misfitsOfBeginning (const ModalModel& model, const std::vector<Sensor>& sensors,
-                                          const ModeSpread& deviations, PlayedRecording recording, double enough)
+                                          const ModeSpread& deviations, PlayedRecording recording, double enough,
+                                          double hopeless)
 {
     const std::vector<PlayedRecording> one { std::move (recording) };
     const auto prior = makePrior (model, sensors, deviations, one);
     const LearningProblem problem (prior);
     const auto time = firstTime (prior, problem.all().parameters);
     const Eigen::VectorXd nominal = Eigen::VectorXd::Zero (problem.all().parameters.size());
-    const auto misfit = [&] (double furthest) {
-        return problem.distance (problem.solve (problem.clearlyHeard(), nominal, time, roughGain, furthest).values,
-                                 time);
+    const auto misfit = [&] (double furthest)
+    {
+        return problem.distance (
+            problem.solve (problem.clearlyHeard(), nominal, time, roughGain, furthest, hopeless).values, time);
     };
     const auto first = misfit (boundsToTry[0]);
-    return { first, first < enough ? std::numeric_limits<double>::infinity() : misfit (boundsToTry[1]) };
+    return { first, first < enough || first > hopeless ? notTried : misfit (boundsToTry[1]) };
 }
 } // namespace antinode

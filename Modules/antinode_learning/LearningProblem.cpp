@@ -17,6 +17,7 @@ namespace
 constexpr int mostSteps = 12; // of each length of the records
 constexpr double gainOfEach =
     0.05; // of the objective for each unknown, in squares of deviations: a step that gains less is the last
+constexpr int stepsToJudge = 4;         // by then what comes close has left the worst behind
 constexpr double smallestShare = 0.125; // of a step
 constexpr double clearlyTold = 10;      // of the prior's information
 constexpr double farthestFrequency = 8; // deviations: a mode that runs away explains by chance and does not come back
@@ -50,9 +51,14 @@ Unknowns allOf (LearningParameters all)
     return unknowns;
 }
 
+double distanceOf (double objective, double samples)
+{
+    return std::sqrt (objective / samples);
+}
+
 double distanceOf (const RecordingMisfit& misfit, const Eigen::VectorXd& values)
 {
-    return std::sqrt ((misfit.residual + values.squaredNorm()) / misfit.samples);
+    return distanceOf (misfit.residual + values.squaredNorm(), misfit.samples);
 }
 
 /** Samples of a recording up to a time. */
@@ -81,7 +87,7 @@ LearningState LearningProblem::state (const Eigen::VectorXd& values) const
 }
 
 LearningSolution LearningProblem::solve (const Unknowns& unknowns, Eigen::VectorXd values, double time, double enough,
-                                         double furthest) const
+                                         double furthest, double hopeless) const
 {
     const Eigen::VectorXd bounds = farthest (unknowns.places).cwiseMin (furthest);
     const auto least = gainOfEach * static_cast<double> (unknowns.parameters.size());
@@ -115,6 +121,9 @@ LearningSolution LearningProblem::solve (const Unknowns& unknowns, Eigen::Vector
         }
 
         gain = before - objective;
+
+        if (i + 1 == stepsToJudge && distanceOf (objective, linear.misfit.samples) > hopeless)
+            break;
     }
 
     solution.factored = factorOfFree (std::move (step), std::move (matrix));

@@ -2,6 +2,7 @@
 
 #include "RecordingEquations.h"
 
+#include <limits>
 #include <vector>
 
 namespace antinode
@@ -48,9 +49,11 @@ public:
         @param time      s, of each record
         @param enough    of the objective: a step that gains less than this share and .05 for each unknown is the last
         @param furthest  deviations that no value leaves
+        @param hopeless  a distance, below: where the first four steps leave more, they are the last
         @throws Cancelled  where the thread's watch says so
         [worker] */
-    LearningSolution solve (const Unknowns&, Eigen::VectorXd values, double time, double enough, double furthest) const;
+    LearningSolution solve (const Unknowns&, Eigen::VectorXd values, double time, double enough, double furthest,
+                            double hopeless = std::numeric_limits<double>::infinity()) const;
 
     /** The same of all unknowns, to the end, and how well they explain the records.
         @param values  close to the solution
