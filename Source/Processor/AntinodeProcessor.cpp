@@ -124,6 +124,7 @@ void AntinodeProcessor::prepareToPlay (double sampleRate, int)
 {
     bufferChannels.lay (*this, wrapper);
     player->prepare (sampleRate);
+    describedModel.prepare();
     reportLatency();
     changes.post();
 }
@@ -207,12 +208,8 @@ void AntinodeProcessor::reportChanges()
     reportLatency();
     controls->stepReports().tell();
 
-    // Texts of places are in mm of the device.
-    if (auto model = player->snapshot()->model; model != describedModel)
-    {
-        describedModel = std::move (model);
+    if (describedModel.replace (player->snapshot()->model))
         updateHostDisplay (ChangeDetails().withParameterInfoChanged (true));
-    }
 
     if (onChange)
         onChange();

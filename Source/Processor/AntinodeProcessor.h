@@ -2,6 +2,7 @@
 
 #include "BufferChannels.h"
 #include "ChangeMessages.h"
+#include "DescribedModel.h"
 #include "Parameters.h"
 
 #include <antinode_graph/MidiTriggers.h>
@@ -121,8 +122,7 @@ private:
     std::atomic<std::uint64_t> mutedCeramics { 0 };
     BufferChannels bufferChannels;
     juce::CriticalSection latencyReports; ///< One at a time.
-    std::shared_ptr<const ModalModel>
-        describedModel; ///< The model of the parameters' texts that the host knows. Of the message thread.
+    DescribedModel describedModel;
 
     mutable juce::CriticalSection documents; ///< For the next lines.
     std::shared_ptr<const DeviceDocument> loadedDevice;

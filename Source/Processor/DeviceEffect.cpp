@@ -133,6 +133,7 @@ void DeviceEffect::prepareToPlay (double sampleRate, int)
 {
     orderWires();
     prepareSession (sampleRate);
+    describedModel.prepare();
     reportLatency();
     changes.post();
 }
@@ -190,12 +191,8 @@ void DeviceEffect::reportChanges()
     reportLatency();
     stepReports().tell();
 
-    // Texts of places are in mm of the device.
-    if (auto model = solvedModel(); model != describedModel)
-    {
-        describedModel = std::move (model);
+    if (describedModel.replace (solvedModel()))
         updateHostDisplay (ChangeDetails().withParameterInfoChanged (true));
-    }
 
     if (onChange)
         onChange();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ChangeMessages.h"
+#include "DescribedModel.h"
 #include "StepParameters.h"
 
 #include <antinode_model/ModalModel.h>
@@ -141,10 +142,10 @@ private:
     WrapperType wrapper;
     const char* schema;
     ChangeMessages changes { [this] { reportChanges(); } };
-    std::vector<int> inputOrder, outputOrder;         ///< Buffer channel of channel k.
-    int sensorChannel = -1;                           ///< Of the buffer; below 0: the host does not use the bus.
-    juce::CriticalSection latencyReports;             ///< One at a time.
-    std::shared_ptr<const ModalModel> describedModel; ///< What the host knows the parameters' texts of.
+    std::vector<int> inputOrder, outputOrder; ///< Buffer channel of channel k.
+    int sensorChannel = -1;                   ///< Of the buffer; below 0: the host does not use the bus.
+    juce::CriticalSection latencyReports;     ///< One at a time.
+    DescribedModel describedModel;
 
     mutable juce::CriticalSection documents; ///< For the next lines.
     std::shared_ptr<const DeviceDocument> loadedDevice;

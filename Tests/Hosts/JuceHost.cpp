@@ -1,6 +1,7 @@
 #include "JuceHost.h"
 
 #include "Support/Environment.h"
+#include "Support/JuceMessages.h"
 
 #include <Processor/VST3Channels.h>
 
@@ -12,16 +13,6 @@
 #include <numeric>
 #include <stdexcept>
 #include <thread>
-
-// Of juce_events, for those who run no loop of its own; no header has it.
-#if JUCE_MAJOR_VERSION < 8
-namespace juce
-#else
-namespace juce::detail
-#endif
-{
-bool dispatchNextMessageOnSystemQueue (bool returnIfNoPendingMessages);
-}
 
 namespace antinode::test
 {
@@ -199,15 +190,6 @@ void waitForSteps (juce::AudioPluginInstance& instance, const BuiltPlugin& plugi
     }
 
     play (instance, plugin, 64, 64, -1);
-}
-
-bool answerNextMessage()
-{
-    using namespace juce;
-#if JUCE_MAJOR_VERSION >= 8
-    using namespace juce::detail;
-#endif
-    return dispatchNextMessageOnSystemQueue (true);
 }
 
 void runInBackground (const std::function<void()>& work)

@@ -47,10 +47,6 @@ void setState (juce::AudioPluginInstance&, const juce::MemoryBlock&);
    them after a state, too. [main thread] @throws std::runtime_error  where that takes more than 10 s */
 void waitForSteps (juce::AudioPluginInstance&, const BuiltPlugin&);
 
-/** Answers the next message of the system, if one waits. [main thread]
-    @return  whether one did */
-bool answerNextMessage();
-
 /** Runs work on another thread while this one answers messages. [main thread] */
 void runInBackground (const std::function<void()>&);
 } // namespace antinode::test

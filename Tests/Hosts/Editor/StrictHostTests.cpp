@@ -1,3 +1,5 @@
+#include "Support/JuceMessages.h"
+
 #include <Hosts/JuceHost.h>
 
 #include <catch2/catch.hpp>
