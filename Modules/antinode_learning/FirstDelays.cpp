@@ -106,12 +106,17 @@ std::vector<double> firstDelays (const ModalModel& nominal, const std::vector<Se
     if (likely.size() == 1)
         return likely;
 
-    auto least = std::numeric_limits<double>::infinity();
+    constexpr auto none = std::numeric_limits<double>::infinity();
+    std::array least { none, none }; // of each bound
     const auto compare = [&] (double delay) -> ComparedDelay
     {
-        const ComparedDelay now { delay, misfitsOfBeginning (nominal, sensors, deviations, withDelay (recording, delay),
-                                                             surelyRight, least / hardlyAny) };
-        least = std::min (least, now.least());
+        const ComparedDelay now { delay,
+                                  misfitsOfBeginning (nominal, sensors, deviations, withDelay (recording, delay),
+                                                      surelyRight, { least[0] / hardlyAny, least[1] / hardlyAny }) };
+
+        for (std::size_t bound = 0; bound < least.size(); ++bound)
+            least[bound] = std::min (least[bound], now.misfits[bound]);
+
         return now;
     };
     std::vector<ComparedDelay> compared;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -217,19 +218,21 @@ LearntModes learnModes (const ModalModel& model, const std::vector<Sensor>& sens
 
 std::array<double, 2> misfitsOfBeginning (const ModalModel& model, const std::vector<Sensor>& sensors,
                                           const ModeSpread& deviations, PlayedRecording recording, double enough,
-                                          double hopeless)
+                                          const std::array<double, 2>& hopeless)
 {
     const std::vector<PlayedRecording> one { std::move (recording) };
     const auto prior = makePrior (model, sensors, deviations, one);
     const LearningProblem problem (prior);
     const auto time = firstTime (prior, problem.all().parameters);
     const Eigen::VectorXd nominal = Eigen::VectorXd::Zero (problem.all().parameters.size());
-    const auto misfit = [&] (double furthest)
+    const auto misfit = [&] (std::size_t bound)
     {
-        return problem.distance (
-            problem.solve (problem.clearlyHeard(), nominal, time, roughGain, furthest, hopeless).values, time);
+        const auto values =
+            problem.solve (problem.clearlyHeard(), nominal, time, roughGain, boundsToTry[bound], hopeless[bound])
+                .values;
+        return problem.distance (values, time);
     };
-    const auto first = misfit (boundsToTry[0]);
-    return { first, first < enough || first > hopeless ? notTried : misfit (boundsToTry[1]) };
+    const auto first = misfit (0);
+    return { first, first < enough || first > hopeless[0] ? notTried : misfit (1) };
 }
 } // namespace antinode

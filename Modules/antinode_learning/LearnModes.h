@@ -46,10 +46,11 @@ LearntModes learnModes (const ModalModel&, const std::vector<Sensor>&, const Mod
 /** How well some device explains the beginning of a recording, in which no mode can be half a turn wrong: the RMS of
    the residual and of the deviations, in units of the noise. Of several delays, the right one leaves least.
     @param enough    in units of the noise: where the first bound leaves less, the second one is not tried
-    @param hopeless  the same: where the first bound still leaves more after a few steps, that is all that is tried
+    @param hopeless  the same, of each bound: a fit that still leaves more after a few steps ends there, and where it is
+                     that of the first bound, the second one is not tried either
     @return  with all parameters bounded, and with the frequencies alone bounded: infinite where it was not tried
     @throws  as learnModes
     [worker] Docs/Theory.md, section 7.6. */
 std::array<double, 2> misfitsOfBeginning (const ModalModel&, const std::vector<Sensor>&, const ModeSpread&,
-                                          PlayedRecording, double enough, double hopeless);
+                                          PlayedRecording, double enough, const std::array<double, 2>& hopeless);
 } // namespace antinode

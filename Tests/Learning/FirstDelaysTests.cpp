@@ -16,8 +16,10 @@ TEST_CASE ("A delay that leaves far more than another one is left after a few st
     const Bench bench (0.02, 3);
     const auto heard = bench (bench.exactVoltages(), 0);
     const auto spread = sameSpread (allModes, 0.02, 0.1, 0.05);
-    const auto misfits = [&] (double delay, double hopeless) {
-        return misfitsOfBeginning (bench.nominal.model, bench.sensors(), spread, withDelay (heard, delay), 0, hopeless);
+    const auto misfits = [&] (double delay, double hopeless)
+    {
+        return misfitsOfBeginning (bench.nominal.model, bench.sensors(), spread, withDelay (heard, delay), 0,
+                                   { hopeless, hopeless });
     };
     const auto right = misfits (bench.delay, never), wrong = misfits (bench.delay + 2e-3, never);
     CHECK (wrong[0] > 5 * right[0]);
