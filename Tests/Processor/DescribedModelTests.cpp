@@ -4,7 +4,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <chrono>
 #include <thread>
 
 using namespace antinode;
@@ -23,30 +22,34 @@ struct TextListener : juce::AudioProcessorListener
     int told = 0;
 };
 
-void answerMessagesFor (std::chrono::milliseconds time)
+/** Answers all messages that wait now: they come in the order in which they were sent. */
+void answerMessages()
 {
-    for (const auto end = std::chrono::steady_clock::now() + time; std::chrono::steady_clock::now() < end;)
+    bool isLastAnswered = false;
+    juce::MessageManager::callAsync ([&isLastAnswered] { isLastAnswered = true; });
+
+    while (! isLastAnswered)
         if (! test::answerNextMessage())
-            std::this_thread::sleep_for (std::chrono::milliseconds (1));
+            std::this_thread::yield();
 }
 } // namespace
 
 TEST_CASE ("A model that is ready before a host has prepared the plug-in is told of once it has", "[plugin]")
 {
-    AntinodeProcessor processor (8, juce::AudioProcessor::wrapperType_VST3);
+    AntinodeProcessor processor (8, juce::AudioProcessor::wrapperType_VST3); // It sends a message itself.
     TextListener host;
     processor.addListener (&host);
     processor.session().waitUntilSettled();
-    answerMessagesFor (std::chrono::milliseconds (50));
+    answerMessages();
     REQUIRE (processor.session().snapshot()->model != nullptr);
     CHECK (host.told == 0);
 
     processor.prepareToPlay (48000, 512);
-    answerMessagesFor (std::chrono::milliseconds (50));
+    answerMessages();
     CHECK (host.told == 1);
 
     processor.prepareToPlay (48000, 512);
-    answerMessagesFor (std::chrono::milliseconds (50));
+    answerMessages();
     CHECK (host.told == 1); // It knows them.
     processor.removeListener (&host);
 }
