@@ -18,6 +18,7 @@ constexpr double misled = 3;            // of the same: such a model is not play
 constexpr double farFromPredicted = 10; // times louder or less loud: no device differs so much from its model
 constexpr double leastBeyond = 0.1;     // of the noise's power: less is nothing to learn from
 constexpr double stuck = 3;             // of the noise is not explained
+constexpr double sameMove = 1.1;        // times: a move that is no farther is the one of before
 constexpr double clearlyBetter = 0.5;   // of the first play's error
 
 /** How many of its standard deviations the frequency that was moved most was moved. */
@@ -99,9 +100,10 @@ std::string warningOf (const LearntFocus& learnt)
            "of the frequencies, or retune the device first.";
 }
 
-bool isStuck (const LearntModes& learnt)
+bool isStuck (const LearntModes& learnt, double settledMove)
 {
-    return learnt.residual > stuck || isUnlikelyMove (learnt.largestMove);
+    return learnt.residual > stuck
+           || (isUnlikelyMove (learnt.largestMove) && ! (learnt.largestMove < sameMove * settledMove));
 }
 
 bool isMisled (const LearningPass& pass, const LearntModes& learnt)

@@ -19,8 +19,10 @@ std::string refusalOf (const LearntFocus&, const ModalModel& nominal, const Mode
 /** Why what is used may still be wrong, a sentence; empty: nothing is known against it. [any] */
 std::string warningOf (const LearntFocus&);
 
-/** Whether so much stays unexplained or a frequency is moved so far, that the fit may be in the wrong minimum. [any] */
-bool isStuck (const LearntModes&);
+/** Whether so much stays unexplained or a frequency is moved so far, that the fit may be in the wrong minimum.
+    @param settledMove  in deviations: a frequency that is moved about so far is no sign of it any more
+    [any] */
+bool isStuck (const LearntModes&, double settledMove = 0);
 
 /** Whether a play was predicted three times worse than by the nominal model, and what was learnt from it is stuck too:
     no more is played then. [any] */

@@ -89,16 +89,22 @@ LearningPass PassLearner::hear (const PlayedRecording& whole)
     return pass;
 }
 
-/** The device by all recordings; from its beginning again where the way from what was known gets stuck. */
-LearntModes PassLearner::learntWith (const ModeSpread& own) const
+/** The device by all recordings; from its beginning again where the way from what was known gets stuck. A frequency
+   that is as far off then too is so: later plays need not ask again. */
+LearntModes PassLearner::learntWith (const ModeSpread& own)
 {
     const auto isFirst = recordings.size() == 1;
     auto now = learnModes (nominal.model, sensors, own, recordings, isFirst ? nullptr : &learnt);
 
-    if (! isFirst && isStuck (now))
-        if (auto again = learnModes (nominal.model, sensors, own, recordings); isBetter (again, now))
-            return again;
+    if (isFirst || ! isStuck (now, settledMove))
+        return now;
 
+    auto again = learnModes (nominal.model, sensors, own, recordings);
+
+    if (isBetter (again, now))
+        now = std::move (again);
+
+    settledMove = now.largestMove;
     return now;
 }
 

@@ -24,12 +24,13 @@ public:
 
 private:
     std::vector<double> delaysToTry (const PlayedRecording&, const ModeSpread&) const;
-    LearntModes learntWith (const ModeSpread&) const;
+    LearntModes learntWith (const ModeSpread&);
 
     const WideModel& nominal;
     const std::vector<Sensor>& sensors;
     const ModeSpread& deviations;
     std::vector<PlayedRecording> recordings;
     LearntModes learnt;
+    double settledMove = 0; ///< Of a frequency, in its deviations: a fit from the beginning does not take it back.
 };
 } // namespace antinode

@@ -22,6 +22,14 @@ LearntFocus twoPlays (const ModalModel& model, double surprise, double nominalSu
     focus.passes.back().nominalSurprise = nominalSurprise;
     return focus;
 }
+
+LearntModes fitWith (double residual, double largestMove)
+{
+    LearntModes learnt;
+    learnt.residual = residual;
+    learnt.largestMove = largestMove;
+    return learnt;
+}
 } // namespace
 
 TEST_CASE ("What was learnt has to leave a quarter of the power beyond the noise, half of it near the noise",
@@ -114,14 +122,14 @@ TEST_CASE ("What is used is doubted where a frequency is more than six deviation
 
 TEST_CASE ("A fit is stuck that leaves three times the noise, or a frequency six deviations off", "[learning]")
 {
-    const auto isStuckWith = [] (double residual, double largestMove)
-    {
-        LearntModes learnt;
-        learnt.residual = residual;
-        learnt.largestMove = largestMove;
-        return isStuck (learnt);
-    };
-    CHECK_FALSE (isStuckWith (2.9, 5.9));
-    CHECK (isStuckWith (3.1, 0));
-    CHECK (isStuckWith (1, 6.1));
+    CHECK_FALSE (isStuck (fitWith (2.9, 5.9)));
+    CHECK (isStuck (fitWith (3.1, 0)));
+    CHECK (isStuck (fitWith (1, 6.1)));
+}
+
+TEST_CASE ("A frequency that is as far off by a second fit is no sign of a wrong minimum", "[learning]")
+{
+    CHECK_FALSE (isStuck (fitWith (1, 7.6), 7));
+    CHECK (isStuck (fitWith (1, 7.8), 7));
+    CHECK (isStuck (fitWith (3.1, 7), 7));
 }
