@@ -1,5 +1,8 @@
 #include "FocusScore.h"
 
+#include "FocusDesign.h"
+#include "Prediction.h"
+
 #include <cmath>
 
 namespace antinode
@@ -25,5 +28,19 @@ FocusScore scoreFocus (const ModalModel& model, const Eigen::VectorXd& modalVelo
 {
     return { scoreField (model.surface, model.shapes * modalVelocities, wanted),
              shapesAt (model, wantedPeak.x, wantedPeak.y).dot (modalVelocities) / wantedPeak.velocity };
+}
+
+double largestFieldError (const ModalModel& model, const FocusDesign& design)
+{
+    double largest = 0;
+
+    for (const auto& moment : design.moments)
+    {
+        const auto velocities = modalVelocities (model, predictStates (model, design.program, moment.time));
+        const auto score = scoreField (model.surface, model.shapes * velocities, moment.truncatedField);
+        largest = std::max (largest, score.fieldError);
+    }
+
+    return largest;
 }
 } // namespace antinode

@@ -8,6 +8,8 @@
 
 namespace antinode
 {
+struct FocusDesign;
+
 /** How much a field resembles a wanted one. Docs/Theory.md, section 5; paper (33). */
 struct FieldScore
 {
@@ -31,4 +33,10 @@ FieldScore scoreField (const Surface&, const Eigen::VectorXd& reached, const Eig
     [worker] */
 FocusScore scoreFocus (const ModalModel&, const Eigen::VectorXd& modalVelocities, const Eigen::VectorXd& wanted,
                        const FieldPeak& wantedPeak);
+
+/** The field error of a design against what its controlled modes represent, the largest of its foci, by the closed
+   form.
+    @param model  all modes that are played, on the points of the design's
+    [worker] Docs/Theory.md, section 5. */
+double largestFieldError (const ModalModel& model, const FocusDesign&);
 } // namespace antinode

@@ -1,6 +1,7 @@
 #include "SpillOver.h"
 
 #include "DesignSteps.h"
+#include "FocusScore.h"
 #include "Prediction.h"
 
 #include <antinode_base/InputError.h>
@@ -145,6 +146,14 @@ std::optional<FocusDesign> guardedDesign (const WideModel& wide, FocusDescriptio
     {
         return {}; // The limits leave no room for these guards.
     }
+}
+
+/** Whether more guards gain something beyond the known modes, and lose nothing among these: the fewer drives there are,
+    the less they leave to keep known modes at rest that are not controlled. */
+bool isWorthwhile (const WideModel& wide, const FocusDesign& next, const FocusDesign& best)
+{
+    return next.spillOver->share < worthwhileShare * best.spillOver->share
+           && largestFieldError (wide.model, next) <= largestFieldError (wide.model, best);
 }
 
 void sayWhatItCost (FocusDesign& design, const FocusDesign& first)
@@ -293,7 +302,7 @@ FocusDesign designWithin (const WideModel& wide, const FocusDescription& descrip
 
         auto next = guardedDesign (wide, description, playback, extent, designed);
 
-        if (next && next->spillOver->share < worthwhileShare * best.spillOver->share)
+        if (next && isWorthwhile (wide, *next, best))
             best = std::move (*next);
     }
 

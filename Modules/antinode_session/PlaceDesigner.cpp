@@ -2,6 +2,7 @@
 
 #include <antinode_documents/FocusFile.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/FocusScore.h>
 #include <antinode_focus/LimitError.h>
 
 #include <nlohmann/json.hpp>
@@ -91,14 +92,16 @@ FocusDesign PlaceDesigner::designKeepingGuards (const FocusDescription& focus, P
     return design;
 }
 
-/** Guards all modes that are known of where that leaves less in them, and limits allow it. */
+/** Guards all modes that are known of where that leaves less in them and no more elsewhere, and limits allow it. */
 FocusDesign PlaceDesigner::withAllGuards (FocusDesign design, double share, const FocusDescription& focus,
                                           Playback playback) const
 {
     try
     {
         auto more = designGuarding (wide->model, wide->known, focus, playback);
-        return spillOverShare (*wide, more) < share ? std::move (more) : std::move (design);
+        const auto isBetter = spillOverShare (*wide, more) < share
+                              && largestFieldError (wide->model, more) <= largestFieldError (wide->model, design);
+        return isBetter ? std::move (more) : std::move (design);
     }
     catch (const LimitError&)
     {

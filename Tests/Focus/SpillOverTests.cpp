@@ -4,6 +4,7 @@
 #include <antinode_allocation/BoundedWaveform.h>
 #include <antinode_base/InputError.h>
 #include <antinode_engine/OfflineRender.h>
+#include <antinode_focus/FocusScore.h>
 #include <antinode_focus/SpillOver.h>
 
 #include <catch2/catch.hpp>
@@ -100,6 +101,25 @@ TEST_CASE ("A design that leaves little in modes beyond stays as it is, to the b
     CHECK (within.spillOver->share < allowedSpillOver);
     CHECK (within.spillOver->guardedBeyond == 0);
     CHECK (within.spillOver->playedFrequency > widePlay * within.spillOver->designedFrequency);
+}
+
+TEST_CASE ("Guards beyond are not taken where known modes lose more than they gain", "[spillOver]")
+{
+    // Four ceramics drive six modes of twelve: what guards take of the drives no longer keeps the other six at rest.
+    const auto wide = withModesBeyond (test::sineBeam (12, 4), test::sineBeam (24, 4));
+    auto focus = wideFocus (AllocationMethod::exact, 1e5);
+    focus.focusTime = 0.004;
+    focus.modes.count = 6;
+    const auto first = designFocus (firstModes (wide.model, 12), focus, playback, DesignExtent::compared);
+    const auto guarded = designGuarding (firstModes (wide.model, 14), 12, focus, playback);
+    REQUIRE (spillOverShare (wide, guarded) < 0.3 * spillOverShare (wide, first));
+    REQUIRE (largestFieldError (wide.model, guarded) > 2 * largestFieldError (wide.model, first));
+
+    const auto design = designWithin (wide, focus, playback, DesignExtent::compared);
+    CHECK (design.spillOver->guardedBeyond == 0);
+    CHECK (largestFieldError (wide.model, design) == largestFieldError (wide.model, first));
+    CHECK (std::any_of (design.warnings.begin(), design.warnings.end(),
+                        [] (const auto& warning) { return warning.find ("beyond the 12") != std::string::npos; }));
 }
 
 TEST_CASE ("Samples of less cost take more of the energy: without limits they are rows over costs", "[spillOver]")
