@@ -9,6 +9,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_engine/OfflineRender.h>
+#include <antinode_focus/ModeWeighing.h>
 
 #include <cmath>
 #include <utility>
@@ -82,9 +83,39 @@ std::optional<Planned> correctedPlan (const Planned& base, const Planned& again,
     return planned (std::move (*design), learnt.wide, settings);
 }
 
+/** The focus with as many modes as at first, where it leaves their number open: with another one it would be another
+    field, though no better. None where that cannot be done, or nothing is left open. */
+std::optional<FocusDesign> designedAlike (const LearntFocus& learnt, const FocusDescription& focus,
+                                          const LearningSettings& settings)
+{
+    const auto& first = learnt.passes.front().design;
+
+    if (! leavesModesOpen (focus) || first.moments.size() != 1)
+        return {};
+
+    auto alike = focus;
+    alike.modes.count = static_cast<int> (first.controlledModes.size());
+
+    try
+    {
+        auto design = designWithin (learnt.wide, alike, playbackOf (settings), DesignExtent::compared);
+        design.description.modes = focus.modes;
+        design.choices.push_back (
+            "As many modes are controlled as in the first play: " + std::to_string (*alike.modes.count) + ".");
+        return design;
+    }
+    catch (const InputError&)
+    {
+        return {};
+    }
+}
+
 /** The focus by what was learnt, or as it was played last where the limits allow no other. */
 FocusDesign designedAgain (const LearntFocus& learnt, const FocusDescription& focus, const LearningSettings& settings)
 {
+    if (auto alike = designedAlike (learnt, focus, settings))
+        return std::move (*alike);
+
     try
     {
         return designWithin (learnt.wide, focus, playbackOf (settings), DesignExtent::compared);

@@ -58,9 +58,10 @@ struct LearntFocus
                           ///< that was much better.
 };
 
-/** Plays a focus, learns, and designs it again; a design that is hardly off is corrected instead. What was learnt is
-    used only if it explains the signals, and if it predicted the last play much better than the nominal model: so a
-    sensor that is unplugged, clipped or at another place makes nothing worse. Plays end where what was learnt misleads.
+/** Plays a focus, learns, and designs it again, with as many modes as at first; a design that is hardly off is
+   corrected instead. What was learnt is used only if it explains the signals, and if it predicted the last play much
+   better than the nominal model: so a sensor that is unplugged, clipped or at another place makes nothing worse. Plays
+   end where what was learnt misleads.
     @param nominal  with modes beyond those that are designed for
     @throws LimitError, InputError, Cancelled  as designFocus and learnModes
     [worker] Docs/Theory.md, section 7.6. */

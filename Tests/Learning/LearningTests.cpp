@@ -1,5 +1,6 @@
 #include "LearningBench.h"
 
+#include <antinode_focus/DesignFocus.h>
 #include <antinode_learning/LearningProblem.h>
 #include <antinode_learning/LikelyDelays.h>
 #include <antinode_learning/LowerRate.h>
@@ -169,6 +170,38 @@ TEST_CASE ("A frequency that would be six deviations off is looked for again", "
 
     CHECK (learnt.largestMove < 6);
     CHECK (learnt.residual < missed.residual);
+}
+
+TEST_CASE ("A focus keeps its number of modes while it is learnt", "[learning]")
+{
+    constexpr int modes = 8, ceramics = 3;
+    const Playback playback { Reconstruction::bandLimited, benchRate };
+    Bench bench (0, 1);
+    bench.nominal = { sineBeam (modes, ceramics), modes, {} };
+    bench.distortions = Eigen::VectorXd::Zero (ceramics);
+    auto& device = bench.nominal.model;
+    device.fullScaleVoltage = 1e5;
+
+    for (auto& ceramic : device.ceramics)
+        ceramic.voltageLimit = 1e5;
+
+    FocusDescription focus;
+    focus.targets = { { TargetShape::gaussian, 0.02, 0, 0.04, 0.04, 1 } };
+    focus.focusTime = 0.01;
+    focus.allocation.voltageLimit = 1e5;
+    const auto free = designWithin (bench.nominal, focus, playback, DesignExtent::compared);
+
+    // Up to a quarter of the limit the fewest modes are taken. A weaker device needs more, and others are weighed.
+    focus.allocation.voltageLimit = 4.04 * peakVoltage (free);
+    bench.truth = device;
+    bench.truth.participation *= 0.95;
+    const auto learnt = learnFocus (bench.nominal, focus, bench.sensors(), sameSpread (modes, 1e-4, 0.01, 0.05),
+                                    std::cref (bench), { benchRate, 0.05, 2 });
+    const auto open = designWithin (learnt.wide, focus, playback, DesignExtent::compared);
+    REQUIRE (open.controlledModes.size() > free.controlledModes.size());
+    CHECK (learnt.refusal.empty());
+    CHECK (learnt.design.controlledModes.size() == free.controlledModes.size());
+    CHECK_FALSE (learnt.design.description.modes.count);
 }
 
 TEST_CASE ("Modes beyond the model are not heard", "[learning]")

@@ -231,7 +231,10 @@ int main (int count, char** arguments)
             const auto begun = std::clock();
             const auto learnt = learnFocus (idleModel, of.focus, sensors, known, play, settings);
             const auto spent = static_cast<double> (std::clock() - begun) / CLOCKS_PER_SEC - played;
-            const auto exact = designWithin ({ idleTruth, of.nominal.known, {} }, of.focus,
+            // The same focus: another number of modes would be another field.
+            auto same = of.focus;
+            same.modes.count = static_cast<int> (learnt.passes.front().design.controlledModes.size());
+            const auto exact = designWithin ({ idleTruth, of.nominal.known, {} }, same,
                                              { Reconstruction::bandLimited, 96000 }, DesignExtent::compared);
             const auto wanted = fieldOf (idleTruth, exact.program, 0);
             std::printf ("%4d:", seed);
