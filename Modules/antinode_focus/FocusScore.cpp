@@ -3,6 +3,7 @@
 #include "FocusDesign.h"
 #include "Prediction.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace antinode

@@ -95,6 +95,14 @@ bool leavesModesOpen (const FocusDescription& description)
            && method.hasExactRows && ! method.asksForMinimumPeak && ! description.allocation.robust;
 }
 
+FocusDescription withModesOf (FocusDescription description, const FocusDesign& design)
+{
+    if (leavesModesOpen (description) && design.moments.size() == 1)
+        description.modes.count = static_cast<int> (design.controlledModes.size());
+
+    return description;
+}
+
 FocusDesign weighModes (const ModalModel& model, const ModeTrials& trials)
 {
     auto chosen = trials.choose ({});

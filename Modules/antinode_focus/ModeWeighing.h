@@ -17,6 +17,10 @@ struct ModeTrials
    guards at the least norm. [any] Docs/Decisions/0047-number-of-modes.md */
 bool leavesModesOpen (const FocusDescription&);
 
+/** A focus with as many modes as a design of it controls, where it leaves their number open and the design has one
+    focus; else as it is. [any] Docs/Decisions/0178-the-same-number-of-modes.md */
+FocusDescription withModesOf (FocusDescription, const FocusDesign&);
+
 /** A design with its program, where the number of modes is open: the fewest that capture 0.99, or more where these
    need much of a limit and more modes need less of it. Says in the choices what was weighed.
     @throws LimitError  where no number keeps the limits; Cancelled, InputError as the trials

@@ -312,6 +312,15 @@ double PlacedDesigns::shareBeyond (const Eigen::VectorXd& velocities) const
     return whole > 0 ? std::sqrt (outside.dot (shapeOverlaps.bottomRightCorner (beyond, beyond) * outside) / whole) : 0;
 }
 
+/** As largestFieldError. */
+double PlacedDesigns::fieldError (const Trial& trial) const
+{
+    Eigen::VectorXd wanted = Eigen::VectorXd::Zero (modes.modes());
+    wanted (trial.design.controlledModes) = trial.design.moments.front().wanted;
+    const Eigen::VectorXd wrong = trial.velocities - wanted;
+    return std::sqrt (wrong.dot (shapeOverlaps * wrong) / wanted.dot (shapeOverlaps * wanted));
+}
+
 std::optional<PlacedDesign> PlacedDesigns::design (const ProjectedTarget& target) const
 {
     try
@@ -327,7 +336,8 @@ std::optional<PlacedDesign> PlacedDesigns::design (const ProjectedTarget& target
 
             auto next = weighed (target, designed);
 
-            if (shareBeyond (next.velocities) < worthwhileRest * shareBeyond (best.velocities))
+            if (shareBeyond (next.velocities) < worthwhileRest * shareBeyond (best.velocities)
+                && fieldError (next) <= fieldError (best))
                 best = std::move (next);
         }
 

@@ -44,6 +44,7 @@ private:
     Trial allocated (FocusDesign, Eigen::Index designed) const;
     Trial weighed (const ProjectedTarget&, Eigen::Index designed) const;
     double shareBeyond (const Eigen::VectorXd& velocities) const;
+    double fieldError (const Trial&) const;
     Eigen::MatrixXd sharesOf (const FocusDesign&, Eigen::Index designed) const;
 
     FocusDescription description;

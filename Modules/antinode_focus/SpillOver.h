@@ -41,9 +41,10 @@ double spillOverShare (const WideModel&, const Eigen::VectorXd& modalVelocities)
 double spillOverShare (const WideModel&, const FocusDesign&);
 
 /** Designs a focus with the device's own modes. Where more than allowedSpillOver of the field is then in modes beyond,
-   more and more of these are guarded until it is not; where that does not help, the first design stays, with a warning.
+   more and more of these are guarded until it is not; where that does not help, or makes the field worse, the first
+   design stays, with a warning.
     @throws  as designFocus
-    [worker] Docs/Decisions/0071-scores-that-do-not-flatter.md */
+    [worker] Docs/Theory.md, section 5.2. */
 FocusDesign designWithin (const WideModel&, const FocusDescription&, Playback,
                           DesignExtent extent = DesignExtent::complete);
 

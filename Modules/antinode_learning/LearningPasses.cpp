@@ -88,13 +88,10 @@ std::optional<Planned> correctedPlan (const Planned& base, const Planned& again,
 std::optional<FocusDesign> designedAlike (const LearntFocus& learnt, const FocusDescription& focus,
                                           const LearningSettings& settings)
 {
-    const auto& first = learnt.passes.front().design;
+    const auto alike = withModesOf (focus, learnt.passes.front().design);
 
-    if (! leavesModesOpen (focus) || first.moments.size() != 1)
+    if (alike.modes.count == focus.modes.count)
         return {};
-
-    auto alike = focus;
-    alike.modes.count = static_cast<int> (first.controlledModes.size());
 
     try
     {

@@ -5,6 +5,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/FocusScore.h>
+#include <antinode_focus/PlacedDesigns.h>
 #include <antinode_focus/SpillOver.h>
 
 #include <catch2/catch.hpp>
@@ -107,7 +108,7 @@ TEST_CASE ("Guards beyond are not taken where known modes lose more than they ga
 {
     // Four ceramics drive six modes of twelve: what guards take of the drives no longer keeps the other six at rest.
     const auto wide = withModesBeyond (test::sineBeam (12, 4), test::sineBeam (24, 4));
-    auto focus = wideFocus (AllocationMethod::exact, 1e5);
+    auto focus = wideFocus (AllocationMethod::exact, 150);
     focus.focusTime = 0.004;
     focus.modes.count = 6;
     const auto first = designFocus (firstModes (wide.model, 12), focus, playback, DesignExtent::compared);
@@ -120,6 +121,12 @@ TEST_CASE ("Guards beyond are not taken where known modes lose more than they ga
     CHECK (largestFieldError (wide.model, design) == largestFieldError (wide.model, first));
     CHECK (std::any_of (design.warnings.begin(), design.warnings.end(),
                         [] (const auto& warning) { return warning.find ("beyond the 12") != std::string::npos; }));
+
+    // Many places of a map choose as one design does.
+    REQUIRE (PlacedDesigns::suits (wide, focus));
+    const auto placed = PlacedDesigns (wide, focus, playback).design (design.target);
+    REQUIRE (placed);
+    CHECK (spillOverShare (wide, placed->velocities) == Approx (design.spillOver->share).epsilon (0.05));
 }
 
 TEST_CASE ("Samples of less cost take more of the energy: without limits they are rows over costs", "[spillOver]")

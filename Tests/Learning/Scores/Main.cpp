@@ -2,6 +2,7 @@
 #include <antinode_base/Processes.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/Detuning.h>
+#include <antinode_focus/ModeWeighing.h>
 #include <antinode_identification/FrequencyDrift.h>
 #include <antinode_identification/Retuning.h>
 #include <antinode_learning/LearningPasses.h>
@@ -232,8 +233,7 @@ int main (int count, char** arguments)
             const auto learnt = learnFocus (idleModel, of.focus, sensors, known, play, settings);
             const auto spent = static_cast<double> (std::clock() - begun) / CLOCKS_PER_SEC - played;
             // The same focus: another number of modes would be another field.
-            auto same = of.focus;
-            same.modes.count = static_cast<int> (learnt.passes.front().design.controlledModes.size());
+            const auto same = withModesOf (of.focus, learnt.passes.front().design);
             const auto exact = designWithin ({ idleTruth, of.nominal.known, {} }, same,
                                              { Reconstruction::bandLimited, 96000 }, DesignExtent::compared);
             const auto wanted = fieldOf (idleTruth, exact.program, 0);
