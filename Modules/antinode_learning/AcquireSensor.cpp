@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace antinode
 {
@@ -120,23 +121,52 @@ private:
     Eigen::VectorXcd heard; // spectrum of the compared part, the rest silent
     double norm = 0;
 };
+
+/** Those that explain nearly as much as the best, each at a delay of its own.
+    @param apart  s: delays that differ by less are the same */
+std::vector<AcquiredSensor> likeliest (std::vector<AcquiredSensor> found, double apart)
+{
+    constexpr double nearly = 0.9;
+    constexpr std::size_t most = 4;
+    std::sort (found.begin(), found.end(), [] (const auto& a, const auto& b) { return a.explained > b.explained; });
+    std::vector<AcquiredSensor> likely;
+
+    for (const auto& sensor : found)
+    {
+        const auto isSame = [&] (const AcquiredSensor& other) { return std::abs (other.delay - sensor.delay) < apart; };
+
+        if (likely.size() < most && sensor.explained >= nearly * found.front().explained
+            && std::none_of (likely.begin(), likely.end(), isSame))
+            likely.push_back (sensor);
+    }
+
+    return likely;
+}
 } // namespace
 
-AcquiredSensor acquireSensor (const ModalModel& nominal, const Eigen::RowVectorXd& shapes,
-                              const PlayedRecording& recording, const DriftSettings& settings, double longest)
+std::vector<AcquiredSensor> likelySensors (const ModalModel& nominal, const Eigen::RowVectorXd& shapes,
+                                           const PlayedRecording& recording, const DriftSettings& settings,
+                                           double longest)
 {
     constexpr Eigen::Index finer = 8;
     const auto model = firstModes (nominal, modesForSearch (nominal));
     Correlations correlations (model, shapes.head (model.modes()), atLowerRate (recording, highestModelled (model)),
                                settings.memory, longest);
-    const auto step = jumpStep (nominal, settings);
+    // Halfway between steps of the jump search the wrong delay explains more.
+    constexpr double parts = 4;
+    const auto step = jumpStep (nominal, settings) / parts;
     const auto steps = std::lround (settings.largestJump / step);
-    AcquiredSensor best;
+    std::vector<AcquiredSensor> found;
 
     for (auto i = -steps; i <= steps; ++i)
-        if (const auto found = correlations.at (static_cast<double> (i) * step, 1); found.explained > best.explained)
-            best = found;
+        if (const auto sensor = correlations.at (static_cast<double> (i) * step, 1); sensor.explained > 0)
+            found.push_back (sensor);
 
-    return best.explained > 0 ? correlations.at (best.jump, finer) : best;
+    auto likely = likeliest (std::move (found), std::numbers::pi / (2 * model.angularFrequencies[model.modes() - 1]));
+
+    for (auto& sensor : likely)
+        sensor = correlations.at (sensor.jump, finer);
+
+    return likely;
 }
 } // namespace antinode

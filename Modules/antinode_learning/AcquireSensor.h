@@ -2,6 +2,8 @@
 
 #include "FollowDrift.h"
 
+#include <vector>
+
 namespace antinode
 {
 /** How a sensor hears a device: what is not known where it is plugged in. */
@@ -13,14 +15,16 @@ struct AcquiredSensor
     double explained = 0; ///< Share of the signal, RMS, 0 to 1: the correlation at this delay.
 };
 
-/** The delay, scale and common drift by which the lowest modes explain most of a signal: of every drift the model's
-    answer is compared with the signal at all delays at once, by their correlation.
+/** The delays, scales and common drifts by which the lowest modes may explain a signal, the best first: of every drift
+   the model's answer is compared with the signal at all delays at once, by their correlation. Half a period later, with
+   another drift, a mode looks almost the same: what explains nearly as much at another delay is likely, too.
     @param nominal    the device; more modes than modesForSearch() are left out
     @param shapes     of one sensor, of all modes
     @param recording  with the signal of this sensor alone; its delay is not looked at
     @param longest    delay that is searched, s
+    @return  at most 4; none where nothing was played or heard
     @throws InputError  as atLowerRate; Cancelled as checkWatch()
     [worker] Docs/Theory.md, section 7.10. */
-AcquiredSensor acquireSensor (const ModalModel& nominal, const Eigen::RowVectorXd& shapes, const PlayedRecording&,
-                              const DriftSettings&, double longest);
+std::vector<AcquiredSensor> likelySensors (const ModalModel& nominal, const Eigen::RowVectorXd& shapes,
+                                           const PlayedRecording&, const DriftSettings&, double longest);
 } // namespace antinode

@@ -77,4 +77,11 @@ DriftEstimate estimateOfFirst (const DriftEstimate&, const DriftLayout& layout, 
 
 /** The device with the frequencies and damping ratios of an estimate. [worker] */
 ModalModel driftedModel (const ModalModel& nominal, const DriftLayout&, const Eigen::VectorXd& values);
+
+/** The change of all frequencies that a device has by an estimate of its lowest modes: those above follow the mean,
+   weighted by what is known of each. N_m logarithms. [any] */
+Eigen::VectorXd frequencyChanges (const DriftEstimate&, const DriftLayout&, Eigen::Index modes);
+
+/** The device with these changes, and with the damping ratios of the tracked modes. [worker] */
+ModalModel retunedModel (const ModalModel& nominal, const DriftEstimate&, const DriftLayout&);
 } // namespace antinode

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace antinode
 {
@@ -88,12 +90,21 @@ DriftSettings withSensor (DriftSettings settings, const ModalModel& nominal, con
     return settings;
 }
 
-/** The sensor as it was found, with all frequencies where it was found; none where too little is explained. */
-AcquiredSensor search (const ModalModel& nominal, const TrackedSensor& sensor, const TrackedDrift& drift,
-                       const PlayedRecording& recording, const DriftSettings& settings)
+/** A window: of which device, by which sensor. */
+struct Heard
 {
-    const auto layout = driftLayout (nominal, 1);
-    return acquireSensor (driftedModel (nominal, layout, drift.estimate.values), sensor.shapes, recording, settings,
+    const ModalModel& nominal;
+    const TrackedSensor& sensor;
+    const PlayedRecording& recording;
+    const DriftSettings& settings;
+};
+
+/** The sensors that may be, with all frequencies where they were found. */
+std::vector<AcquiredSensor> search (const Heard& heard, const TrackedDrift& drift)
+{
+    const auto layout = driftLayout (heard.nominal, 1);
+    return likelySensors (driftedModel (heard.nominal, layout, drift.estimate.values), heard.sensor.shapes,
+                          prepared (heard.recording, heard.nominal, heard.sensor.quantity), heard.settings,
                           longestDelay);
 }
 
@@ -140,6 +151,69 @@ TrackedWindow followKnown (const ModalModel& nominal, const TrackedSensor& senso
 
     return { std::move (drift), std::move (followed) };
 }
+/** A step with the newest part of the recording. */
+TrackedWindow followNewest (const Heard& heard, TrackedDrift drift)
+{
+    const auto newest = newestOf (heard.recording, heard.settings.memory + trackedWindow + drift.delay + edges);
+    return followKnown (heard.nominal, heard.sensor, std::move (drift),
+                        prepared (newest, heard.nominal, heard.sensor.quantity), heard.settings);
+}
+
+/** A step from one of several sensors: the one that leaves least unexplained counts, whatever the lowest modes alone
+   say. A delay is linear only where it is small: from the one that was found the same window is followed once more. */
+TrackedWindow followLikeliest (const Heard& heard, const std::vector<TrackedDrift>& likely)
+{
+    const auto isBetter = [] (const TrackedWindow& a, const TrackedWindow& b) {
+        return std::pair (a.followed.state, a.followed.unexplained)
+               < std::pair (b.followed.state, b.followed.unexplained);
+    };
+    auto known = likely.front();
+    auto result = followNewest (heard, known);
+
+    for (auto other = likely.begin() + 1; other != likely.end(); ++other)
+        if (auto window = followNewest (heard, *other); isBetter (window, result))
+        {
+            known = *other;
+            result = std::move (window);
+        }
+
+    for (int i = 0; i < mostDelaySteps && result.followed.state == DriftState::following
+                    && std::abs (result.drift.delay - known.delay) > smallestDelayStep;
+         ++i)
+    {
+        known.delay = result.drift.delay;
+        result = followNewest (heard, known);
+    }
+
+    return result;
+}
+
+/** A step with a sensor that has to be found first. */
+TrackedWindow acquire (const Heard& heard, TrackedDrift drift)
+{
+    const auto found = search (heard, drift);
+    const auto explained = found.empty() ? 0 : found.front().explained;
+
+    if (explained < leastExplained)
+        return lostWindow (std::move (drift), 1 - explained,
+                           "The sensor does not hear what is played, or something else.");
+
+    std::vector<TrackedDrift> likely;
+
+    for (const auto& one : found)
+        likely.push_back (withAcquired (drift, heard.nominal, heard.sensor, one, heard.settings));
+
+    auto result = followLikeliest (heard, likely);
+
+    // A sensor that was found but does not lead anywhere is as unknown as before.
+    if (result.followed.state == DriftState::following)
+        return result;
+
+    if (result.followed.state == DriftState::lost)
+        return lostWindow (std::move (drift), result.followed.unexplained, std::move (result.followed.reason));
+
+    return { drift, nothingNew (drift, DriftState::silent, 0, {}) };
+}
 } // namespace
 
 TrackedDrift startOfTracking (const DriftLayout& layout, const DriftSpread& spread)
@@ -182,64 +256,9 @@ TrackedWindow trackWindow (const ModalModel& nominal, const TrackedSensor& senso
     }
 
     recording.noise = Eigen::VectorXd::Constant (1, std::max ({ noiseShare * level, leastNoise, drift.quietest }));
-    const auto follow = [&] (TrackedDrift known)
-    {
-        const auto newest = newestOf (recording, settings.memory + trackedWindow + known.delay + edges);
-        return followKnown (nominal, sensor, std::move (known), prepared (newest, nominal, sensor.quantity), settings);
-    };
 
-    if (drift.scale != 0 && drift.lost < patience)
-        return follow (std::move (drift));
-
-    const auto heard = prepared (recording, nominal, sensor.quantity);
-    const auto found = search (nominal, sensor, drift, heard, settings);
-
-    if (found.explained < leastExplained)
-        return lostWindow (std::move (drift), 1 - found.explained,
-                           "The sensor does not hear what is played, or something else.");
-
-    auto known = withAcquired (drift, nominal, sensor, found, settings);
-    auto result = follow (known);
-
-    // A delay is linear only where it is small: from the one that was found the same window is followed once more.
-    for (int i = 0; i < mostDelaySteps && result.followed.state == DriftState::following
-                    && std::abs (result.drift.delay - known.delay) > smallestDelayStep;
-         ++i)
-    {
-        known.delay = result.drift.delay;
-        result = follow (known);
-    }
-
-    // A sensor that was found but does not lead anywhere is as unknown as before.
-    if (result.followed.state == DriftState::following)
-        return result;
-
-    if (result.followed.state == DriftState::lost)
-        return lostWindow (std::move (drift), result.followed.unexplained, std::move (result.followed.reason));
-
-    return { drift, nothingNew (drift, DriftState::silent, 0, {}) };
-}
-
-Eigen::VectorXd frequencyChanges (const DriftEstimate& estimate, const DriftLayout& layout, Eigen::Index modes)
-{
-    const auto tracked = layout.modes;
-    const Eigen::VectorXd values = estimate.values.head (tracked);
-    const Eigen::VectorXd weights =
-        estimate.factor.topRows (tracked).rowwise().squaredNorm().cwiseMax (1e-24).cwiseInverse();
-    Eigen::VectorXd changes = Eigen::VectorXd::Constant (modes, weights.dot (values) / weights.sum());
-    changes.head (std::min (modes, tracked)) = values.head (std::min (modes, tracked));
-    return changes;
-}
-
-ModalModel retunedModel (const ModalModel& nominal, const DriftEstimate& estimate, const DriftLayout& layout)
-{
-    constexpr double largestDampingRatio = 0.9;
-    const auto tracked = std::min (layout.modes, nominal.modes());
-    auto model = nominal;
-    model.angularFrequencies.array() *= frequencyChanges (estimate, layout, nominal.modes()).array().exp();
-    model.dampingRatios.head (tracked) = (nominal.dampingRatios.head (tracked).array()
-                                          * estimate.values.segment (layout.damping (0), tracked).array().exp())
-                                             .min (largestDampingRatio);
-    return model;
+    const Heard heard { nominal, sensor, recording, settings };
+    const auto isKnown = drift.scale != 0 && drift.lost < patience;
+    return isKnown ? followNewest (heard, std::move (drift)) : acquire (heard, std::move (drift));
 }
 } // namespace antinode

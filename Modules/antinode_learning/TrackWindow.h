@@ -68,11 +68,4 @@ double trackingMemory (const ModalModel&);
     [worker] Docs/Theory.md, section 7.10. */
 TrackedWindow trackWindow (const ModalModel& nominal, const TrackedSensor&, const TrackedDrift& before,
                            PlayedRecording recording, const DriftSettings&);
-
-/** The change of all frequencies that a device has by an estimate of its lowest modes: those above follow the mean,
-   weighted by what is known of each. N_m logarithms. [any] */
-Eigen::VectorXd frequencyChanges (const DriftEstimate&, const DriftLayout&, Eigen::Index modes);
-
-/** The device with these changes, and with the damping ratios of the tracked modes. [worker] */
-ModalModel retunedModel (const ModalModel& nominal, const DriftEstimate&, const DriftLayout&);
 } // namespace antinode

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 using namespace antinode;
 using namespace antinode::test;
@@ -135,6 +136,34 @@ TEST_CASE ("What is played again and again is not taken for a delay of its perio
     INFO (window.followed.reason);
     REQUIRE (window.followed.state == DriftState::following);
     CHECK (window.drift.delay == Approx (static_cast<double> (late) / driftRate).margin (2e-5));
+}
+
+// One mode alone looks almost the same a part of its period later, on a device with another drift.
+TEST_CASE ("Where foci ring in one mode, the delay is not taken for another part of its period", "[learning][tracking]")
+{
+    constexpr double period = 0.2, centre = 0.05; // s
+    constexpr Eigen::Index late = 241;            // samples
+    const auto [drift, mode] = GENERATE (std::pair (-0.006, 4), std::pair (-0.002, 3), std::pair (0.002, 5));
+    DriftingBeam beam (drift, 0.001);
+    const auto omega = beam.nominal.angularFrequencies[mode], width = 12 / omega;
+    Eigen::MatrixXd voltages = Eigen::MatrixXd::Zero (5, static_cast<Eigen::Index> (length * driftRate));
+
+    for (Eigen::Index n = 0; n < voltages.cols(); ++n)
+    {
+        const auto time = std::fmod (static_cast<double> (n) / driftRate, period) - centre;
+        voltages.col (n).head (idle) =
+            Eigen::Vector4d (20, 10, 5, -7) * std::sin (omega * time) * std::exp (-0.5 * std::pow (time / width, 2));
+    }
+
+    auto recording = beam.hear (voltages);
+    const auto level = recording.signals.cwiseAbs().maxCoeff();
+    recording = throughInterface (std::move (recording), late, 0.2 / level);
+    const auto window = trackWindow (trackedModes (beam.nominal, driftRate), idleCeramic (beam), nothingKnown (beam),
+                                     recording, usual());
+    INFO (window.followed.reason);
+    REQUIRE (window.followed.state == DriftState::following);
+    CHECK (window.drift.delay == Approx (static_cast<double> (late) / driftRate).margin (2e-5));
+    CHECK (window.followed.unexplained < 0.01);
 }
 
 TEST_CASE ("The charge of an idle ceramic tells what its current tells", "[learning][tracking]")
