@@ -199,6 +199,7 @@ TrackedWindow acquire (const Heard& heard, TrackedDrift drift)
                            "The sensor does not hear what is played, or something else.");
 
     std::vector<TrackedDrift> likely;
+    likely.reserve (found.size());
 
     for (const auto& one : found)
         likely.push_back (withAcquired (drift, heard.nominal, heard.sensor, one, heard.settings));
