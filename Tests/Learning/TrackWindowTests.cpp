@@ -100,6 +100,20 @@ TrackedDrift nothingKnown (const DriftingBeam& beam)
 {
     return startOfTracking (driftLayout (beam.nominal, 1), usual().spread);
 }
+/** The delay is found in a window of what is heard 10 ms after it is played, of which nothing is known before. */
+TrackedWindow checkFound (const DriftingBeam& beam, const Eigen::MatrixXd& voltages)
+{
+    constexpr Eigen::Index late = 241; // samples
+    auto recording = beam.hear (voltages);
+    const auto level = recording.signals.cwiseAbs().maxCoeff();
+    recording = throughInterface (std::move (recording), late, 0.2 / level);
+    auto window = trackWindow (trackedModes (beam.nominal, driftRate), idleCeramic (beam), nothingKnown (beam),
+                               recording, usual());
+    INFO (window.followed.reason);
+    REQUIRE (window.followed.state == DriftState::following);
+    CHECK (window.drift.delay == Approx (static_cast<double> (late) / driftRate).margin (2e-5));
+    return window;
+}
 } // namespace
 
 TEST_CASE ("A sensor of unknown delay, scale and sign is found, and the drift followed to 50 ppm",
@@ -118,7 +132,7 @@ TEST_CASE ("A sensor of unknown delay, scale and sign is found, and the drift fo
 
 TEST_CASE ("What is played again and again is not taken for a delay of its period", "[learning][tracking]")
 {
-    constexpr Eigen::Index period = 4800, late = 241; // samples: .2 s, 10 ms
+    constexpr Eigen::Index period = 4800; // samples: .2 s
     DriftingBeam beam (0.004, 0.001);
     const auto once = beam.recordAll (0.05).voltages;
     Eigen::MatrixXd voltages = Eigen::MatrixXd::Zero (once.rows(), static_cast<Eigen::Index> (length * driftRate));
@@ -128,21 +142,13 @@ TEST_CASE ("What is played again and again is not taken for a delay of its perio
     for (Eigen::Index begin = phase; begin + once.cols() < voltages.cols(); begin += period)
         voltages.middleCols (begin, once.cols()) = once;
 
-    auto recording = beam.hear (voltages);
-    const auto level = recording.signals.cwiseAbs().maxCoeff();
-    recording = throughInterface (std::move (recording), late, 0.2 / level);
-    const auto window = trackWindow (trackedModes (beam.nominal, driftRate), idleCeramic (beam), nothingKnown (beam),
-                                     recording, usual());
-    INFO (window.followed.reason);
-    REQUIRE (window.followed.state == DriftState::following);
-    CHECK (window.drift.delay == Approx (static_cast<double> (late) / driftRate).margin (2e-5));
+    checkFound (beam, voltages);
 }
 
 // One mode alone looks almost the same a part of its period later, on a device with another drift.
 TEST_CASE ("Where foci ring in one mode, the delay is not taken for another part of its period", "[learning][tracking]")
 {
     constexpr double period = 0.2, centre = 0.05; // s
-    constexpr Eigen::Index late = 241;            // samples
     const auto [drift, mode] = GENERATE (std::pair (-0.006, 4), std::pair (-0.002, 3), std::pair (0.002, 5));
     DriftingBeam beam (drift, 0.001);
     const auto omega = beam.nominal.angularFrequencies[mode], width = 12 / omega;
@@ -155,15 +161,7 @@ TEST_CASE ("Where foci ring in one mode, the delay is not taken for another part
             Eigen::Vector4d (20, 10, 5, -7) * std::sin (omega * time) * std::exp (-0.5 * std::pow (time / width, 2));
     }
 
-    auto recording = beam.hear (voltages);
-    const auto level = recording.signals.cwiseAbs().maxCoeff();
-    recording = throughInterface (std::move (recording), late, 0.2 / level);
-    const auto window = trackWindow (trackedModes (beam.nominal, driftRate), idleCeramic (beam), nothingKnown (beam),
-                                     recording, usual());
-    INFO (window.followed.reason);
-    REQUIRE (window.followed.state == DriftState::following);
-    CHECK (window.drift.delay == Approx (static_cast<double> (late) / driftRate).margin (2e-5));
-    CHECK (window.followed.unexplained < 0.01);
+    CHECK (checkFound (beam, voltages).followed.unexplained < 0.01);
 }
 
 TEST_CASE ("The charge of an idle ceramic tells what its current tells", "[learning][tracking]")
