@@ -15,12 +15,13 @@ struct WaveSamples
     Eigen::MatrixXd samples; ///< Channels x N_s; 1 is full scale.
 };
 
-/** Samples of a WAV file: integers of 16, 24 or 32 bits, floats of 32 or 64, the plain or the extensible header, any
-   channel count; chunks of other kinds are skipped. A last frame that is cut off, as by a recorder that was switched
-   off, is left out.
+/** Samples of a WAV, RF64 or BW64 file: integers of 16, 20, 24 or 32 bits, floats of 32 or 64, the plain or the
+   extensible header, any channel count; chunks of other kinds are skipped. Samples with more bytes than they need are
+   read by the block. Sizes that recorders leave when they are killed (0, 0x7fffffff, 0xffffffff) mean the end of the
+   file; its last frame is left out where it is cut off.
     @param source  how errors name it
-    @throws InputError  when it is no such file, has no samples, or one that is not finite
-    [worker] Docs/FileFormats.md. */
+    @throws InputError  when it is no such file, contradicts itself, has fewer samples than it says or none, or one that
+   is not finite [worker] Docs/FileFormats.md. */
 WaveSamples decodeWave (std::string_view bytes, const std::string& source);
 
 /** The same of a file of at most 4 GiB. @throws InputError  also when it cannot be read [worker] */
