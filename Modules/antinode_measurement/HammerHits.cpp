@@ -8,20 +8,25 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 namespace antinode
 {
 namespace
 {
-constexpr double leadTime = 10e-3;                    // s before the trigger: longer than the rise of the softest tip
-constexpr double reboundTime = 0.25;                  // s: what follows so soon belongs to the same hit
-constexpr double longestBlock = 4;                    // s, where nothing else says
-constexpr double longestGivenBlock = 60;              // s
-constexpr double lowestRate = 100, highestRate = 1e7; // Hz
-constexpr double secondRise = 0.1;                    // of the peak: the same share as the trigger's usual one
-constexpr double aboveNoise = 10;                     // of the largest force over the noise's standard deviation
+constexpr double leadTime = 10e-3;                  // s before the trigger: longer than the rise of the softest tip
+constexpr double reboundTime = 0.25;                // s: what follows so soon belongs to the same hit
+constexpr double longestBlock = 4;                  // s, where nothing else says
+constexpr double longestGivenBlock = 600;           // s
+constexpr double lowestRate = 1, highestRate = 1e7; // Hz: from buildings on
+constexpr Eigen::Index fewestLeading = 8;           // samples before the trigger, at low rates longer than leadTime
+constexpr double slowBlock = 4096;                  // samples: at low rates longer than longestBlock
+constexpr double risen = 0.02;                      // of the peak: where a hit has begun
+constexpr double secondRise = 0.1;                  // of the peak: the same share as the trigger's usual one
+constexpr double aboveNoise = 10;                   // of the largest force over the noise's standard deviation
 constexpr double fullScaleShare = 0.999;
 constexpr double restLeft = 1e-3;            // of the motion at the end of a block
+constexpr double mostRestLeft = 5e-3;        // of the motion of a hit at which its recording ends
 constexpr double deviationOfMedian = 1.4826; // of normal noise: standard deviation over median magnitude
 
 /** The force without offset, its hits upwards. */
@@ -70,7 +75,7 @@ Eigen::Index chosenBlock (const std::vector<HammerRecording>& recordings, const 
     if (settings.block)
         return quickLength (*settings.block * rate);
 
-    auto shortest = static_cast<Eigen::Index> (longestBlock * rate);
+    auto shortest = static_cast<Eigen::Index> (std::max (longestBlock * rate, slowBlock));
 
     for (std::size_t i = 0; i < recordings.size(); ++i)
     {
@@ -189,6 +194,26 @@ std::string doubleHitFault (const Eigen::VectorXd& force, double noise, double s
                       second.after > 0 ? "after" : "before");
 }
 
+/** Samples of a block that a recording has. */
+struct RecordedPart
+{
+    Eigen::Index first = 0, count = 0;
+};
+
+RecordedPart recordedPart (const HammerTest& test, const HammerHit& hit, Eigen::Index samples)
+{
+    const auto begin = hit.trigger - test.lead, first = std::max<Eigen::Index> (0, begin);
+    return { first, std::min (begin + test.block, samples) - first };
+}
+
+/** Whether a recording goes on to the end of a hit's block. Before its beginning everything is at rest. */
+bool isComplete (const HammerTest& test, const HammerHit& hit, Eigen::Index samples)
+{
+    return hit.trigger - test.lead + test.block <= samples;
+}
+
+constexpr std::string_view endsEarly = "incomplete: the recording ends before its motion has decayed";
+
 void refuseFaults (const HammerRecording& recording, const HammerTest& test, std::vector<HammerHit>& hits)
 {
     const auto force = uprightForce (recording);
@@ -200,20 +225,19 @@ void refuseFaults (const HammerRecording& recording, const HammerTest& test, std
 
     for (auto& hit : hits)
     {
-        const auto first = hit.trigger - test.lead;
+        const auto [first, count] = recordedPart (test, hit, force.size());
+        hit.fault = doubleHitFault (force, noise, recording.sampleRate, first, count, hit);
 
-        if (first < 0 || first + test.block > force.size())
-        {
-            hit.fault = "incomplete: the recording does not have all of its block";
-            continue;
-        }
-
-        hit.fault = doubleHitFault (force, noise, recording.sampleRate, first, test.block, hit);
+        if (hit.trigger < test.lead && force[0] > std::max (risen * hit.peak, aboveNoise * noise))
+            hit.fault = "incomplete: the recording begins within the hit";
 
         for (std::size_t c = 0; c < channels.size() && hit.fault.empty(); ++c)
             if (OverloadedSamples (channels[c], recording.fullScales[static_cast<Eigen::Index> (c)])
-                    .isIn (first, test.block))
+                    .isIn (first, count))
                 hit.fault = c == 0 ? "overload of the force" : "overload of response " + std::to_string (c);
+
+        if (hit.fault.empty() && ! isComplete (test, hit, force.size()))
+            hit.fault = endsEarly;
     }
 }
 
@@ -228,22 +252,24 @@ struct MotionShares
 MotionShares motionShares (const HammerRecording& recording, const HammerTest& test, const HammerHit& hit)
 {
     constexpr Eigen::Index parts = 10;
-    const auto length = test.block / parts, first = hit.trigger - test.lead;
+    const auto part = recordedPart (test, hit, recording.force.size());
+    const auto begin = part.first - (hit.trigger - test.lead); // Within the block.
+    const auto length = std::max<Eigen::Index> (1, part.count / parts);
     MotionShares shares;
 
     for (const auto& response : recording.responses.rowwise())
     {
-        const auto offset = response.segment (first, test.quiet()).mean();
-        const auto power = [&] (Eigen::Index begin, Eigen::Index count)
-        { return (response.segment (begin, count).array() - offset).square().mean(); };
+        const auto block = hitBlock (response.transpose(), test, hit);
+        const auto power = [&] (Eigen::Index first, Eigen::Index count)
+        { return block.segment (first, count).square().mean(); };
         double most = 0, last = 0;
 
-        for (Eigen::Index part = 0; part < parts; ++part)
-            most = std::max (most, last = power (first + part * length, length));
+        for (auto first = begin; first + length <= begin + part.count; first += length)
+            most = std::max (most, last = power (first, length));
 
         if (most > 0)
         {
-            shares.before = std::max (shares.before, std::sqrt (power (first, test.quiet()) / most));
+            shares.before = std::max (shares.before, std::sqrt (power (0, test.quiet()) / most));
             shares.atEnd = std::max (shares.atEnd, std::sqrt (last / most));
         }
     }
@@ -251,13 +277,15 @@ MotionShares motionShares (const HammerRecording& recording, const HammerTest& t
     return shares;
 }
 
-MotionShares largestShares (const std::vector<HammerRecording>& recordings, const HammerTest& test)
+/** The largest shares of all hits without a fault, or with this one. */
+MotionShares largestShares (const std::vector<HammerRecording>& recordings, const HammerTest& test,
+                            std::string_view fault)
 {
     MotionShares largest;
 
     for (std::size_t i = 0; i < recordings.size(); ++i)
         for (const auto& hit : test.hits[i])
-            if (hit.fault.empty())
+            if (hit.fault == fault)
             {
                 const auto shares = motionShares (recordings[i], test, hit);
                 largest = { std::max (largest.before, shares.before), std::max (largest.atEnd, shares.atEnd) };
@@ -269,6 +297,35 @@ MotionShares largestShares (const std::vector<HammerRecording>& recordings, cons
 double chosenDecay (double atEnd, double seconds)
 {
     return atEnd > restLeft ? std::log (atEnd / restLeft) / seconds : 0;
+}
+
+/** Takes the hits back whose recording ends early, but when so little of their motion is left under the window as at
+   the end of the others, or next to nothing. At least half of the block is needed. */
+void takeDecayedHits (const std::vector<HammerRecording>& recordings, HammerTest& test, double mostLeft)
+{
+    for (std::size_t i = 0; i < recordings.size(); ++i)
+        for (auto& hit : test.hits[i])
+        {
+            const auto count = hit.fault == endsEarly ? recordedPart (test, hit, recordings[i].force.size()).count : 0;
+            const auto seconds = static_cast<double> (count) / recordings[i].sampleRate;
+
+            if (2 * count >= test.block
+                && motionShares (recordings[i], test, hit).atEnd * std::exp (-test.windowDecay * seconds) <= mostLeft)
+                hit.fault.clear();
+        }
+}
+
+/** The exponential window, and which hits of recordings that end early are used with it. */
+void chooseWindow (const std::vector<HammerRecording>& recordings, const HammerSettings& settings, HammerTest& test)
+{
+    const auto seconds = static_cast<double> (test.block) / recordings.front().sampleRate;
+    const auto areComplete = test.usedHits() > 0;
+    const auto shares = largestShares (recordings, test, areComplete ? std::string_view {} : endsEarly);
+    test.motionBefore = shares.before;
+    test.windowDecay = settings.windowDecay.value_or (chosenDecay (shares.atEnd, seconds));
+    takeDecayedHits (
+        recordings, test,
+        std::max (mostRestLeft, areComplete ? 2 * shares.atEnd * std::exp (-test.windowDecay * seconds) : 0));
 }
 
 void requireUsable (const std::vector<HammerRecording>& recordings, const HammerSettings& settings)
@@ -316,9 +373,10 @@ HammerTest examineHits (const std::vector<HammerRecording>& recordings, const Ha
 {
     requireUsable (recordings, settings);
     constexpr Eigen::Index fewestSamples = 64;
+    constexpr double milli = 1e3;
+    const auto rate = recordings.front().sampleRate;
     HammerTest test;
-    test.lead =
-        std::max<Eigen::Index> (2, static_cast<Eigen::Index> (std::ceil (leadTime * recordings.front().sampleRate)));
+    test.lead = std::max (fewestLeading, static_cast<Eigen::Index> (std::ceil (leadTime * rate)));
 
     for (const auto& recording : recordings)
         test.hits.push_back (triggeredHits (recording, settings));
@@ -326,7 +384,9 @@ HammerTest examineHits (const std::vector<HammerRecording>& recordings, const Ha
     test.block = chosenBlock (recordings, test, settings);
 
     if (test.block < 2 * test.lead)
-        throw InputError ("hammer", "leaves less than 20 ms from hit to hit; --block-s gives the duration of a hit");
+        throw InputError ("hammer",
+                          formatted ("leaves less than %.0f ms from hit to hit; --block-s gives the duration of a hit",
+                                     milli * static_cast<double> (2 * test.lead) / rate));
 
     if (test.block < fewestSamples)
         throw InputError (recordings.front().source,
@@ -336,15 +396,24 @@ HammerTest examineHits (const std::vector<HammerRecording>& recordings, const Ha
     for (std::size_t i = 0; i < recordings.size(); ++i)
         refuseFaults (recordings[i], test, test.hits[i]);
 
+    chooseWindow (recordings, settings, test);
+
     if (test.usedHits() == 0)
         throw InputError (recordings.front().source, (recordings.size() > 1 ? "as all other recordings " : "")
                                                          + std::string ("has no usable hit; the first one: ")
                                                          + test.hits.front().front().fault);
 
-    const auto shares = largestShares (recordings, test);
-    test.motionBefore = shares.before;
-    test.windowDecay = settings.windowDecay.value_or (
-        chosenDecay (shares.atEnd, static_cast<double> (test.block) / recordings.front().sampleRate));
     return test;
+}
+
+Eigen::ArrayXd hitBlock (const Eigen::VectorXd& channel, const HammerTest& test, const HammerHit& hit)
+{
+    const auto begin = hit.trigger - test.lead;
+    const auto part = recordedPart (test, hit, channel.size());
+    const auto quiet = std::max<Eigen::Index> (1, begin < 0 ? std::min (test.quiet(), hit.trigger / 2) : test.quiet());
+    Eigen::ArrayXd block = Eigen::ArrayXd::Zero (test.block);
+    block.segment (part.first - begin, part.count) =
+        channel.segment (part.first, part.count).array() - channel.segment (part.first, quiet).mean();
+    return block;
 }
 } // namespace antinode

@@ -51,7 +51,12 @@ struct HammerTest
     Eigen::Index usedHits() const;
 };
 
-/** Finds the hits and refuses those that must not be averaged: incomplete ones, double hits (the force rises again by a
+/** The block of a hit of a channel, without the offset that it has before the hit: 0 before the recording begins, as
+   with the short lead of a triggered analyser, and after it ends. [worker] */
+Eigen::ArrayXd hitBlock (const Eigen::VectorXd& channel, const HammerTest&, const HammerHit&);
+
+/** Finds the hits and refuses those that must not be averaged: incomplete ones (the recording begins within the hit, or
+   ends before its motion has decayed), double hits (the force rises again by a
     tenth of its peak) and overloads (samples at full scale, or at least three at the channel's extreme with steps
     beside them that are no quantisation). The exponential window is chosen so that of the motion at most a thousandth
     is left at the end of a block.

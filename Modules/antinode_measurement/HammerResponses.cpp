@@ -41,13 +41,6 @@ Eigen::ArrayXd exponentialWindow (const HammerTest& test, double sampleRate)
         [&] (Eigen::Index n) { return std::exp (-test.windowDecay * static_cast<double> (n) / sampleRate); });
 }
 
-/** A block of a channel without the offset that it has before the hit. */
-Eigen::ArrayXd blockOf (const Eigen::VectorXd& channel, const HammerTest& test, const HammerHit& hit)
-{
-    const auto first = hit.trigger - test.lead;
-    return channel.segment (first, test.block).array() - channel.segment (first, test.quiet()).mean();
-}
-
 /** 1 while the tip touches, for as long again after it, and at least 2 ms; then faded out over the same time. */
 Eigen::ArrayXd forceWindow (const Eigen::ArrayXd& force, const HammerTest& test, double sampleRate)
 {
@@ -72,7 +65,7 @@ Eigen::ArrayXd forceWindow (const Eigen::ArrayXd& force, const HammerTest& test,
 Eigen::VectorXcd forceSpectrum (FourierTables& tables, const UsedHit& used, const HammerTest& test)
 {
     const auto rate = used.recording.sampleRate;
-    const auto force = blockOf (used.recording.force, test, used.hit);
+    const auto force = hitBlock (used.recording.force, test, used.hit);
     return tables.forward ((force * forceWindow (force, test, rate) * exponentialWindow (test, rate)).matrix());
 }
 } // namespace
@@ -146,7 +139,7 @@ EstimatedResponses hammerResponses (const std::vector<HammerRecording>& recordin
         for (Eigen::Index h = 0; h < hits; ++h)
         {
             const auto& [recording, hit] = used[static_cast<std::size_t> (h)];
-            const auto motion = blockOf (recording.responses.row (sensor), test, hit);
+            const auto motion = hitBlock (recording.responses.row (sensor), test, hit);
             output.col (h) = tables.forward ((motion * exponentialWindow (test, recording.sampleRate)).matrix())
                                  .segment (lines.first, count);
         }
