@@ -9,8 +9,11 @@
 #include <antinode_text/CsvTable.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <set>
 
 namespace antinode
 {
@@ -23,6 +26,7 @@ struct ColumnPair
 {
     CsvHeading first, second;
     Eigen::Index firstColumn = 0, secondColumn = 0; ///< The second is 0 as long as it is not found.
+    Eigen::Index abscissaColumn = 0;                ///< Of its frequencies.
 };
 
 bool isFirst (CsvColumnKind kind)
@@ -50,16 +54,25 @@ void applyForm (CsvForm form, ColumnPair& pair)
 std::vector<ColumnPair> pairsByOrder (const std::vector<CsvHeading>& headings, CsvForm form, const std::string& source)
 {
     std::vector<ColumnPair> pairs;
+    Eigen::Index abscissa = 0;
+    std::vector<std::size_t> columns; // Without frequencies.
 
-    if (headings.size() % 2 == 0 || headings.size() < 3)
+    for (std::size_t c = 1; c < headings.size(); ++c)
+        if (headings[c].kind != CsvColumnKind::frequency)
+            columns.push_back (c);
+
+    if (columns.size() % 2 != 0 || columns.empty())
         throw InputError (source,
                           "has " + std::to_string (headings.size())
                               + " columns; allowed: one of frequencies and two per response, or columns with headings");
 
-    for (std::size_t c = 1; c + 1 < headings.size(); c += 2)
+    for (std::size_t i = 0; i < columns.size(); i += 2)
     {
-        ColumnPair pair { headings[c], headings[c + 1], static_cast<Eigen::Index> (c),
-                          static_cast<Eigen::Index> (c + 1) };
+        const auto first = columns[i], second = columns[i + 1];
+        abscissa =
+            headings[first - 1].kind == CsvColumnKind::frequency ? static_cast<Eigen::Index> (first - 1) : abscissa;
+        ColumnPair pair { headings[first], headings[second], static_cast<Eigen::Index> (first),
+                          static_cast<Eigen::Index> (second), abscissa };
         applyForm (form, pair);
         pairs.push_back (pair);
     }
@@ -67,9 +80,27 @@ std::vector<ColumnPair> pairsByOrder (const std::vector<CsvHeading>& headings, C
     return pairs;
 }
 
+/** The pair that a second column completes: that with its names, or the last one where it has none. */
+std::vector<ColumnPair>::iterator partnerOf (const CsvHeading& heading, std::vector<ColumnPair>& pairs)
+{
+    const auto isOpen = [&] (const auto& pair)
+    { return pair.secondColumn == 0 && belongTogether (pair.first.kind, heading.kind); };
+    const auto named = std::find_if (pairs.begin(), pairs.end(),
+                                     [&] (const auto& pair) {
+                                         return isOpen (pair) && pair.first.point == heading.point
+                                                && pair.first.reference == heading.reference;
+                                     });
+
+    if (named != pairs.end() || pairs.empty() || ! heading.point.empty() || ! heading.reference.empty())
+        return named;
+
+    return isOpen (pairs.back()) ? std::prev (pairs.end()) : pairs.end();
+}
+
 std::vector<ColumnPair> pairsByHeadings (const std::vector<CsvHeading>& headings, const std::string& source)
 {
     std::vector<ColumnPair> pairs;
+    Eigen::Index abscissa = 0;
 
     for (std::size_t c = 1; c < headings.size(); ++c)
     {
@@ -81,23 +112,23 @@ std::vector<ColumnPair> pairsByHeadings (const std::vector<CsvHeading>& headings
         if (heading.kind == CsvColumnKind::coherence)
             continue;
 
+        if (heading.kind == CsvColumnKind::frequency)
+        {
+            abscissa = column;
+            continue;
+        }
+
         if (heading.kind == CsvColumnKind::unknown)
             fail ("has an unknown content; allowed: real, imag, magnitude, dB, phase or coherence in its "
                   "heading");
 
         if (isFirst (heading.kind))
         {
-            pairs.push_back ({ heading, {}, column, 0 });
+            pairs.push_back ({ heading, {}, column, 0, abscissa });
             continue;
         }
 
-        const auto partner = std::find_if (pairs.begin(), pairs.end(),
-                                           [&] (const auto& pair)
-                                           {
-                                               return pair.secondColumn == 0 && pair.first.point == heading.point
-                                                      && pair.first.reference == heading.reference
-                                                      && belongTogether (pair.first.kind, heading.kind);
-                                           });
+        const auto partner = partnerOf (heading, pairs);
 
         if (partner == pairs.end())
             fail ("has no preceding column with the other part of its response");
@@ -149,7 +180,34 @@ double abscissaFactor (const std::vector<std::string>& words)
 
 bool isTime (const std::vector<std::string>& words)
 {
-    return ! words.empty() && (words.front() == "time" || words.front() == "t");
+    constexpr std::array<std::string_view, 7> times { "time", "t", "times", "zeit", "temps", "timestamp", "elapsed" };
+    return ! words.empty() && std::find (times.begin(), times.end(), words.front()) != times.end();
+}
+
+/** A column of frequencies that does not stand first, behind numbers of the lines, comes there. */
+void beginWithFrequencies (CsvTable& table, std::vector<CsvHeading>& headings)
+{
+    const auto isFrequency = [] (const auto& heading) { return heading.kind == CsvColumnKind::frequency; };
+    const auto isResponse = [] (const auto& heading) { return heading.kind > CsvColumnKind::frequency; };
+    const auto first = std::find_if (headings.begin(), headings.end(), isFrequency);
+
+    if (first == headings.end() || std::any_of (headings.begin(), first, isResponse))
+        return;
+
+    const auto before = first - headings.begin();
+    headings.erase (headings.begin(), first);
+    table.headings.erase (table.headings.begin(), table.headings.begin() + before);
+    table.numbers = table.numbers.rightCols (table.numbers.cols() - before).eval();
+}
+
+/** Columns that repeat the first one are its frequencies again, whatever their headings say. */
+void markRepeatedFrequencies (const CsvTable& table, std::vector<CsvHeading>& headings)
+{
+    constexpr Eigen::Index fewest = 3; // Rows, of which a few could agree by chance.
+
+    for (Eigen::Index c = 1; c < table.numbers.cols(); ++c)
+        if (table.numbers.rows() > fewest && table.numbers.col (c) == table.numbers.col (0))
+            headings[static_cast<std::size_t> (c)].kind = CsvColumnKind::frequency;
 }
 
 std::vector<CsvHeading> readHeadings (const CsvTable& table)
@@ -170,6 +228,30 @@ std::optional<ResponseUnit> findUnit (const CsvTable& table)
             return unit;
 
     return std::nullopt;
+}
+
+/** Names the labels that stand for units and are not known, of headings, and of comments where nothing else says one.
+ */
+void addUnknownUnits (const std::vector<CsvHeading>& headings, const CsvTable& table, MeasurementFile& file,
+                      const std::string& source)
+{
+    std::set<std::string> labels;
+    auto isStated = false;
+
+    for (const auto& heading : headings)
+    {
+        isStated = isStated || heading.unit;
+
+        if (! heading.unknownUnit.empty())
+            labels.insert (heading.unknownUnit);
+    }
+
+    for (const auto& comment : table.comments)
+        if (const auto label = unknownUnitInText (comment); ! isStated && ! label.empty())
+            labels.insert (label);
+
+    for (const auto& label : labels)
+        file.remarks.push_back (unknownUnitRemark (source, label));
 }
 
 /** Motion and force over time are no impulse responses. */
@@ -201,10 +283,48 @@ void refuseTimes (const Eigen::VectorXd& frequencies, const std::string& source)
                                 "where none is above 20 Hz; the heading of a column of times is 'time'");
 }
 
+/** The power of ten of which all times are multiples: that of their last digit; nothing where it is very small. */
+std::optional<double> lastDigit (const Eigen::VectorXd& times)
+{
+    constexpr double tolerance = 1e-6;
+    constexpr int mostDigits = 9;
+
+    for (int digits = 0; digits <= mostDigits; ++digits)
+    {
+        const auto unit = std::pow (10.0, -digits);
+        const Eigen::ArrayXd scaled = times.array() / unit;
+
+        if (((scaled - scaled.round()).abs() < tolerance).all())
+            return unit;
+    }
+
+    return std::nullopt;
+}
+
+/** The interval of the straight line through times that are rounded to their last digit; nothing where one is further
+   from it than the rounding says, or the line is not known to a thousandth. */
+std::optional<double> roundedInterval (const Eigen::VectorXd& times)
+{
+    constexpr double mostDeviation = 0.75, accuracy = 1e-3; // of the last digit
+    const auto unit = times.allFinite() ? lastDigit (times) : std::nullopt;
+
+    if (! unit)
+        return std::nullopt;
+
+    const auto count = static_cast<double> (times.size());
+    const Eigen::ArrayXd index =
+        Eigen::ArrayXd::LinSpaced (times.size(), 0, count - 1) - (count - 1) / 2; // Around its mean.
+    const auto interval = (index * times.array()).sum() / index.square().sum();
+    const auto deviation = (times.array() - times.mean() - interval * index).abs().maxCoeff();
+    const auto isKnown = *unit < accuracy * interval * count * std::sqrt (count);
+    return isKnown && deviation <= mostDeviation * *unit ? std::optional (interval) : std::nullopt;
+}
+
 void addImpulseResponses (const CsvTable& table, const std::vector<CsvHeading>& headings, const Eigen::VectorXd& times,
                           MeasurementFile& file, MeasuredResponse common)
 {
     const auto interval = samplingInterval (times, common.source);
+    const auto unit = common.unit;
 
     for (Eigen::Index c = 1; c < table.numbers.cols(); ++c)
     {
@@ -212,6 +332,7 @@ void addImpulseResponses (const CsvTable& table, const std::vector<CsvHeading>& 
         const auto spectrum = impulseSpectrum (table.numbers.col (c), interval);
         common.point = heading.point;
         common.reference = heading.reference;
+        common.unit = heading.unit.value_or (unit);
         common.frequencies = sharedFrequencies (spectrum.frequencies, file.responses);
         common.values = spectrum.values;
         common.recordLength = spectrum.recordLength;
@@ -228,31 +349,43 @@ double samplingInterval (const Eigen::VectorXd& times, const std::string& source
     constexpr double tolerance = 1e-3;
     const auto count = times.size();
     const auto interval = count > 1 ? (times[count - 1] - times[0]) / static_cast<double> (count - 1) : 0;
+    auto isEven = interval > 0;
 
-    for (Eigen::Index n = 1; n < count; ++n)
-        if (! (interval > 0
-               && std::abs (times[n] - times[n - 1] - interval)
-                      < tolerance * interval + 1e-6 * times.cwiseAbs().maxCoeff()))
-            throw InputError (source, "has unevenly spaced times; allowed: samples at a constant rate");
+    for (Eigen::Index n = 1; isEven && n < count; ++n)
+        isEven =
+            std::abs (times[n] - times[n - 1] - interval) < tolerance * interval + 1e-6 * times.cwiseAbs().maxCoeff();
 
-    if (! (interval > 0))
-        throw InputError (source, "has less than two samples");
+    if (count < 2 || isEven)
+    {
+        if (! (interval > 0))
+            throw InputError (source, "has less than two samples");
 
-    return interval;
+        return interval;
+    }
+
+    const auto rounded = roundedInterval (times);
+
+    if (! rounded)
+        throw InputError (source, "has unevenly spaced times; allowed: samples at a constant rate");
+
+    return *rounded;
 }
 
 MeasurementFile measurementFromCsv (std::string_view text, const std::string& source, CsvForm form)
 {
-    const auto table = readCsvTable (text, source);
-    const auto headings = readHeadings (table);
+    auto table = readCsvTable (text, source);
+    auto headings = readHeadings (table);
+    beginWithFrequencies (table, headings);
+    markRepeatedFrequencies (table, headings);
     const auto words = table.headings.empty() ? std::vector<std::string> {} : splitWords (table.headings.front());
-    const Eigen::VectorXd abscissae = table.numbers.col (0) * abscissaFactor (words);
+    const auto factor = abscissaFactor (words);
+    const Eigen::VectorXd abscissae = table.numbers.col (0) * factor;
     const auto unit = findUnit (table);
     MeasurementFile file;
     MeasuredResponse response;
     response.source = source;
     response.unit = unit.value_or (ResponseUnit {});
-    response.frequencies = sharedFrequencies (abscissae, {});
+    addUnknownUnits (headings, table, file, source);
 
     if (isTime (words))
     {
@@ -261,7 +394,7 @@ MeasurementFile measurementFromCsv (std::string_view text, const std::string& so
         return file;
     }
 
-    const auto isKnown = [] (const auto& heading) { return heading.kind != CsvColumnKind::unknown; };
+    const auto isKnown = [] (const auto& heading) { return heading.kind > CsvColumnKind::frequency; };
     const auto areTold = form == CsvForm::byHeadings && std::any_of (headings.begin() + 1, headings.end(), isKnown);
 
     if (! areTold)
@@ -273,6 +406,7 @@ MeasurementFile measurementFromCsv (std::string_view text, const std::string& so
         response.reference = pair.first.reference;
         response.unit = pair.first.unit.value_or (unit.value_or (ResponseUnit {}));
         response.values = readValues (pair, table, file, source);
+        response.frequencies = sharedFrequencies (factor * table.numbers.col (pair.abscissaColumn), file.responses);
         file.responses.push_back (response);
     }
 

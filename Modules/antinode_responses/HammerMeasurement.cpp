@@ -55,6 +55,7 @@ HammerSetup addRecording (const RecordedSignals& signals, const HammerOptions& o
     HammerRecording recording { signals.source, signals.sampleRate, {}, {}, {} };
     const auto motions = std::ssize (signals.signals) - 1;
     recording.fullScales.resize (motions + 1);
+    measurement.remarks.insert (measurement.remarks.end(), signals.remarks.begin(), signals.remarks.end());
 
     for (const auto& signal : signals.signals)
     {

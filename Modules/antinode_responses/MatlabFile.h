@@ -6,7 +6,8 @@
 
 namespace antinode
 {
-/** A variable of a MATLAB file: an array of numbers, or text. Fields of structures are variables "structure.field". */
+/** A variable of a MATLAB file: an array of numbers, or text. Fields of structures are variables "structure.field"; of
+   arrays of structures and cells, "structure(2).field" and "cells{2}". */
 struct MatlabVariable
 {
     std::string name;
@@ -17,10 +18,16 @@ struct MatlabVariable
     std::string className; ///< Of an object such as `frd`, of which nothing can be read; then all else is empty.
 };
 
-/** Variables of a MATLAB file of level 5 (versions 5 to 7, compressed or not, either byte order). Arrays of numbers and
-   text are read, with those in structures of one element; objects are named with their class; what else there is is
-   left out. Files are read by our own
-   code, not by libmatio, which takes memory by what a file says of itself (Docs/Decisions/0030).
+/** The name in lower case without the structures and the place in an array that it is in. [any] */
+std::string shortName (const MatlabVariable&);
+
+/** Whether these bytes begin with a matrix of level 4, which has no other mark. [any] */
+bool isMatlabLevel4 (std::string_view bytes);
+
+/** Variables of a MATLAB file of level 5 (versions 5 to 7, compressed or not, either byte order) or level 4. Arrays of
+   numbers and text are read, with those in structures and cells; objects are named with their class; what else there is
+   is left out. Files are read by our own code, not by libmatio, which takes memory by what a file says of itself
+   (Docs/Decisions/0030).
     @param source  how errors name the file
     @throws InputError  when it is no such file or is damaged, or unpacks to more than 16 times its size and 16 MB
     [worker] MATLAB, MAT-File Format, The MathWorks. */

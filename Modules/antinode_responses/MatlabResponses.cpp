@@ -1,15 +1,19 @@
 #include "MatlabResponses.h"
 
 #include "CsvHeading.h"
+#include "MatlabArrays.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
+#include <antinode_text/NaturalOrder.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <functional>
-#include <numbers>
+#include <complex>
+#include <iterator>
+#include <map>
+#include <set>
 
 namespace antinode
 {
@@ -17,25 +21,12 @@ namespace
 {
 using Variables = std::vector<MatlabVariable>;
 
-constexpr std::array<std::string_view, 9> frequencyNames { "f",         "freq",        "freqs",
-                                                           "frequency", "frequencies", "frequency_hz",
-                                                           "freq_hz",   "f_hz",        "hz" };
-constexpr std::array<std::string_view, 3> angularNames { "w", "omega", "om" };
 constexpr std::array<std::string_view, 9> responseNames { "h",           "frf",        "frfs",
                                                           "h1",          "hv",         "mobility",
                                                           "accelerance", "receptance", "frequency_responses" };
 constexpr std::array<std::string_view, 8> placeNames { "points", "points_mm",   "xy",     "xyz",
                                                        "nodes",  "coordinates", "coords", "geometry" };
-constexpr std::array<std::string_view, 4> unitNames { "unit", "units", "quantity", "response_unit" };
-
-/** The name in lower case without the structures it is in. */
-std::string shortName (const MatlabVariable& variable)
-{
-    auto name = variable.name.substr (variable.name.rfind ('.') + 1);
-    std::transform (name.begin(), name.end(), name.begin(),
-                    [] (unsigned char c) { return static_cast<char> (std::tolower (c)); });
-    return name;
-}
+constexpr std::array<std::string_view, 5> unitNames { "unit", "units", "quantity", "response_unit", "label" };
 
 template <typename Names>
 bool isOneOf (const MatlabVariable& variable, const Names& names)
@@ -43,104 +34,154 @@ bool isOneOf (const MatlabVariable& variable, const Names& names)
     return std::find (names.begin(), names.end(), shortName (variable)) != names.end();
 }
 
-bool isVector (const MatlabVariable& variable)
+using Arrays = std::vector<ResponseArray>;
+
+/** Whether a name says that an array is a spectrum or a coherence, not a response. */
+bool isSpectrum (const ResponseArray& array)
 {
-    return variable.real.size() > 1 && variable.imaginary.empty()
-           && *std::max_element (variable.sizes.begin(), variable.sizes.end()) == variable.real.size();
+    constexpr std::array<std::string_view, 9> parts {
+        "spec", "cross", "auto", "psd", "csd", "coh", "gxx", "gxy", "gyy"
+    };
+    const auto name = shortName (array.values);
+    return std::any_of (parts.begin(), parts.end(), [&] (auto part) { return name.find (part) != std::string::npos; });
 }
 
-/** What to save instead of an object, which only MATLAB can read; empty where there is none. */
-std::string adviceOnObjects (const Variables& variables)
+/** "'H1', 'H2' and more". */
+std::string namesOf (const Arrays& arrays)
 {
-    const auto object = std::find_if (variables.begin(), variables.end(),
-                                      [] (const auto& variable) { return ! variable.className.empty(); });
+    constexpr std::size_t most = 8;
+    std::vector<std::string_view> names;
 
-    if (object == variables.end())
-        return {};
+    for (const auto& array : arrays)
+        if (names.size() < most)
+            names.emplace_back (array.values.name);
 
-    const auto name = object->name.empty() ? std::string ("G") : object->name;
-    return "; objects can be read by MATLAB only: save arrays, of an frd or idfrd by G = chgFreqUnit (" + name
-           + ", 'Hz'); f = G.Frequency; H = G.ResponseData; save ('responses.mat', 'f', 'H', '-v7')";
+    return listed (names) + (arrays.size() > most ? " and more" : "");
 }
 
-/** The variables of a file: "'f' (1001 x 1), 'H' (1001 x 12)". */
-std::string inventory (const Variables& variables)
+/** The arrays with the names that the user gives, in full or without the structures they are in. */
+Arrays namedArrays (const Arrays& all, const std::vector<std::string>& names, const std::string& source)
 {
-    constexpr std::size_t maximum = 8;
-    std::string text;
+    Arrays chosen;
 
-    for (std::size_t i = 0; i < std::min (maximum, variables.size()); ++i)
+    for (const auto& name : names)
     {
-        text += (i > 0 ? ", " : "") + inQuotes (variables[i].name) + " (";
+        const auto before = chosen.size();
+        std::copy_if (all.begin(), all.end(), std::back_inserter (chosen),
+                      [&] (const auto& array) {
+                          return array.values.name == name || shortName (array.values) == name
+                                 || pathOf (array.values).back() == name;
+                      });
 
-        if (! variables[i].className.empty())
-        {
-            text += "an object of class " + variables[i].className + ")";
-            continue;
-        }
-
-        for (std::size_t s = 0; s < variables[i].sizes.size() && s < maximum; ++s)
-            text += (s > 0 ? " x " : "") + std::to_string (variables[i].sizes[s]);
-
-        text += variables[i].imaginary.empty() ? ")" : ", complex)";
+        if (chosen.size() == before)
+            throw InputError (source, "has no responses in a variable " + inQuotes (name)
+                                          + "; allowed for --variables: " + namesOf (all));
     }
 
-    return (variables.empty() ? "no readable variable" : text + (variables.size() > maximum ? " and more" : ""))
-           + adviceOnObjects (variables);
+    return chosen;
 }
 
-bool hasSize (const MatlabVariable& variable, std::size_t size)
+/** Whether two arrays estimate the same responses, as H1 and H2 of one measurement do. */
+bool areEstimatesOfOne (const Arrays& arrays)
 {
-    return std::find (variable.sizes.begin(), variable.sizes.end(), size) != variable.sizes.end();
+    constexpr double close = 0.1;
+
+    if (arrays.size() != 2 || shortName (arrays[0].values) != "h1" || shortName (arrays[1].values) != "h2"
+        || arrays[0].values.sizes != arrays[1].values.sizes)
+        return false;
+
+    double difference = 0, power = 0;
+
+    for (std::size_t i = 0; i < arrays[0].values.real.size(); ++i)
+    {
+        const std::complex<double> one (arrays[0].values.real[i], arrays[0].values.imaginary[i]),
+            other (arrays[1].values.real[i], arrays[1].values.imaginary[i]);
+        difference += std::norm (one - other);
+        power += std::norm (one);
+    }
+
+    return difference < close * close * power;
 }
 
-/** Whether a vector could be the frequencies of a complex array, whatever it is called. */
-bool couldBeFrequencies (const MatlabVariable& variable, const Variables& variables)
+/** The arrays that are read where the user names none: the only one, or all of those whose names differ in numbers; of
+   several kinds the one with a name of responses, or that is no spectrum.
+    @param left  gets those that are not read */
+Arrays chosenArrays (const Arrays& all, Arrays& left, const std::string& source)
 {
-    const auto fits = [&] (const auto& each)
-    { return ! each.imaginary.empty() && hasSize (each, variable.real.size()); };
-    return isVector (variable) && variable.real.front() >= 0
-           && std::adjacent_find (variable.real.begin(), variable.real.end(), std::greater_equal<>())
-                  == variable.real.end()
-           && std::any_of (variables.begin(), variables.end(), fits);
+    std::map<std::string, Arrays> kinds; // By the forms of their names.
+
+    for (const auto& array : all)
+        kinds[numberedName (array.values.name).form].push_back (array);
+
+    const auto isNamed = [] (const auto& kind)
+    {
+        return std::any_of (kind.second.begin(), kind.second.end(),
+                            [] (const auto& array) { return isOneOf (array.values, responseNames); });
+    };
+    const auto isResponse = [] (const auto& kind) { return ! isSpectrum (kind.second.front()); };
+    auto chosen = kinds.begin();
+
+    if (kinds.size() > 1)
+    {
+        if (std::count_if (kinds.begin(), kinds.end(), isNamed) >= 1)
+            chosen = std::find_if (kinds.begin(), kinds.end(), isNamed);
+        else if (std::count_if (kinds.begin(), kinds.end(), isResponse) == 1)
+            chosen = std::find_if (kinds.begin(), kinds.end(), isResponse);
+        else
+            throw InputError (source,
+                              "has " + std::to_string (all.size())
+                                  + " complex arrays with as many lines as frequencies; allowed: one, arrays whose "
+                                    "names differ in numbers, or the name 'H' or 'FRF'; --variables names those "
+                                    "to read: "
+                                  + namesOf (all));
+    }
+
+    for (auto kind = kinds.begin(); kind != kinds.end(); ++kind)
+        if (kind != chosen)
+            left.insert (left.end(), kind->second.begin(), kind->second.end());
+
+    auto arrays = chosen->second;
+
+    if (areEstimatesOfOne (arrays))
+    {
+        left.push_back (arrays.back());
+        arrays.pop_back();
+    }
+
+    return arrays;
 }
 
-const MatlabVariable& frequencyVariable (const Variables& variables, const std::string& source)
+/** Point and reference that a variable's name says. */
+struct VariableRole
 {
-    const auto isNamed = [] (const auto& each)
-    { return isVector (each) && (isOneOf (each, frequencyNames) || isOneOf (each, angularNames)); };
-    const auto couldBe = [&] (const auto& each) { return couldBeFrequencies (each, variables); };
+    std::string point, reference;
+};
 
-    if (const auto named = std::find_if (variables.begin(), variables.end(), isNamed); named != variables.end())
-        return *named;
-
-    if (std::count_if (variables.begin(), variables.end(), couldBe) != 1)
-        throw InputError (source, "has no vector of frequencies; allowed: one named "
-                                      + listed ({ frequencyNames.begin(), frequencyNames.end() }) + " or "
-                                      + listed ({ angularNames.begin(), angularNames.end() }) + "; it has "
-                                      + inventory (variables));
-
-    return *std::find_if (variables.begin(), variables.end(), couldBe);
-}
-
-const MatlabVariable& responseVariable (const Variables& variables, std::size_t lines, const std::string& source)
+/** What tells several variables apart: one number of their names is the point, of two the second one the reference;
+   names without numbers are points themselves. */
+std::vector<VariableRole> rolesOf (const Arrays& arrays)
 {
-    const auto fits = [&] (const auto& each) { return ! each.imaginary.empty() && hasSize (each, lines); };
-    const auto named = std::find_if (variables.begin(), variables.end(),
-                                     [&] (const auto& each) { return fits (each) && isOneOf (each, responseNames); });
+    std::vector<NumberedName> names;
 
-    if (named != variables.end())
-        return *named;
+    for (const auto& array : arrays)
+        names.push_back (numberedName (array.values.name));
 
-    const auto count = std::count_if (variables.begin(), variables.end(), fits);
+    const auto isAlike = [&] (const auto& name) { return name.form == names.front().form; };
+    const auto areAlike = std::all_of (names.begin(), names.end(), isAlike);
+    std::vector<VariableRole> roles (arrays.size());
 
-    if (count != 1)
-        throw InputError (source, "has " + std::to_string (count) + " complex arrays with a size of "
-                                      + std::to_string (lines)
-                                      + ", the number of frequencies; allowed: one, or the name 'H' or 'FRF'; it has "
-                                      + inventory (variables));
+    for (std::size_t i = 0; i < arrays.size() && arrays.size() > 1; ++i)
+        for (std::size_t n = 0; n < (areAlike ? names[i].numbers.size() : 1); ++n)
+        {
+            const auto isSame = [&] (const auto& name) { return name.numbers[n] == names.front().numbers[n]; };
 
-    return *std::find_if (variables.begin(), variables.end(), fits);
+            if (! areAlike)
+                roles[i].point = pathOf (arrays[i].values).back();
+            else if (! std::all_of (names.begin(), names.end(), isSame))
+                (roles[i].point.empty() ? roles[i].point : roles[i].reference) += names[i].numbers[n];
+        }
+
+    return roles;
 }
 
 /** An axis of an array: how many entries it has, how far apart they are. */
@@ -206,35 +247,46 @@ PointPlaces readPlaces (const MatlabVariable& variable)
     return places;
 }
 
-ResponseUnit findUnit (const Variables& variables, const MatlabVariable& responses)
+/** The unit of an array: by the text of the structure it is in, or of one around it, or by its name. */
+ResponseUnit findUnit (const Variables& variables, const MatlabVariable& responses, const std::string& source,
+                       std::vector<std::string>& remarks)
 {
-    for (const auto& each : variables)
-    {
-        const auto unit = isOneOf (each, unitNames) ? unitInText (each.text) : std::nullopt;
+    const MatlabVariable* best = nullptr;
 
-        if (unit)
+    for (const auto& each : variables)
+        if (isOneOf (each, unitNames) && ! each.text.empty()
+            && (shortName (each) != "label" || sharedPath (each, responses) > 0)
+            && (best == nullptr || sharedPath (each, responses) > sharedPath (*best, responses)))
+            best = &each;
+
+    if (best != nullptr)
+    {
+        if (const auto unit = responseUnit (best->text))
             return *unit;
+
+        if (const auto unit = unitInText (best->text))
+            return *unit;
+
+        if (const auto remark = unknownUnitRemark (source, best->text);
+            isUnknownUnit (best->text) && std::find (remarks.begin(), remarks.end(), remark) == remarks.end())
+            remarks.push_back (remark);
     }
 
     return quantityWord (shortName (responses)).value_or (ResponseUnit {});
 }
-} // namespace
 
-MeasurementFile measurementFromMatlab (const std::vector<MatlabVariable>& variables, const std::string& source)
+/** The responses of an array, of which a variable's name may say point or reference. */
+void addResponses (const ResponseArray& array, const VariableRole& role, std::size_t places, MeasuredResponse response,
+                   MeasurementFile& file)
 {
-    const auto& abscissa = frequencyVariable (variables, source);
-    const auto lines = abscissa.real.size();
-    const auto& array = responseVariable (variables, lines, source);
-    const auto* const places = placeVariable (variables);
-    const auto axes = findAxes (array, lines, places != nullptr ? places->sizes[0] : 0, source);
-    const auto factor = isOneOf (abscissa, angularNames) ? 1 / (2 * std::numbers::pi) : 1.0;
-    MeasurementFile file;
-    MeasuredResponse response;
-    response.source = source;
-    response.unit = findUnit (variables, array);
-    response.frequencies = sharedFrequencies (
-        factor * Eigen::Map<const Eigen::VectorXd> (abscissa.real.data(), static_cast<Eigen::Index> (lines)), {});
-    response.values.resize (static_cast<Eigen::Index> (lines));
+    const auto& values = array.values;
+    const auto lines = static_cast<std::size_t> (array.frequencies.size());
+    const auto axes = findAxes (values, lines, places, response.source);
+    response.frequencies = sharedFrequencies (array.frequencies, file.responses);
+    response.values.resize (array.frequencies.size());
+    const auto hasPoints = axes[1].size > 1;
+    const auto nameOf = [] (const Axis& axis, std::size_t index, const std::string& otherwise)
+    { return axis.size > 1 ? std::to_string (index + 1) : otherwise; };
 
     for (std::size_t reference = 0; reference < axes[2].size; ++reference)
         for (std::size_t point = 0; point < axes[1].size; ++point)
@@ -242,15 +294,45 @@ MeasurementFile measurementFromMatlab (const std::vector<MatlabVariable>& variab
             for (std::size_t f = 0; f < lines; ++f)
             {
                 const auto at = f * axes[0].stride + point * axes[1].stride + reference * axes[2].stride;
-                response.values[static_cast<Eigen::Index> (f)] = { array.real[at], array.imaginary[at] };
+                response.values[static_cast<Eigen::Index> (f)] = { values.real[at], values.imaginary[at] };
             }
 
-            response.point = axes[1].size > 1 ? std::to_string (point + 1) : "";
-            response.reference = axes[2].size > 1 ? std::to_string (reference + 1) : "";
+            // A variable with several points is one of several references.
+            response.point = nameOf (axes[1], point, role.point);
+            response.reference =
+                nameOf (axes[2], reference, hasPoints && role.reference.empty() ? role.point : role.reference);
             file.responses.push_back (response);
         }
+}
+} // namespace
 
-    if (places != nullptr && places->sizes[0] == axes[1].size)
+MeasurementFile measurementFromMatlab (const std::vector<MatlabVariable>& variables, const std::string& source,
+                                       CsvForm form, const std::vector<std::string>& names)
+{
+    const auto all = responseArrays (variables, form, source);
+    MeasurementFile file;
+    Arrays left;
+    const auto arrays = names.empty() ? chosenArrays (all, left, source) : namedArrays (all, names, source);
+    const auto roles = rolesOf (arrays);
+    const auto* const places = placeVariable (variables);
+    std::set<std::string> points;
+
+    if (! left.empty())
+        file.remarks.push_back (source + ": " + namesOf (arrays) + " is read, " + namesOf (left)
+                                + " is not; --variables names others.");
+
+    for (std::size_t i = 0; i < arrays.size(); ++i)
+    {
+        MeasuredResponse response;
+        response.source = source;
+        response.unit = findUnit (variables, arrays[i].values, source, file.remarks);
+        addResponses (arrays[i], roles[i], places != nullptr ? places->sizes[0] : 0, response, file);
+    }
+
+    for (const auto& response : file.responses)
+        points.insert (response.point);
+
+    if (places != nullptr && places->sizes[0] == points.size())
         file.places = readPlaces (*places);
 
     return file;

@@ -1,5 +1,7 @@
 #include "MeasurementForm.h"
 
+#include "MatlabFile.h"
+
 #include <algorithm>
 #include <array>
 
@@ -17,7 +19,7 @@ bool isUniversal (std::string_view bytes)
 bool isMatlab (std::string_view bytes)
 {
     return bytes.starts_with ("MATLAB") || bytes.starts_with ("\x89HDF") || bytes.substr (0, 128).ends_with ("IM")
-           || bytes.substr (0, 128).ends_with ("MI");
+           || bytes.substr (0, 128).ends_with ("MI") || isMatlabLevel4 (bytes);
 }
 
 /** Words like P3, point12, c1. */
@@ -31,8 +33,9 @@ bool isNumberedRole (const std::string& word)
 
 MeasurementForm measurementForm (std::string_view bytes)
 {
-    if (bytes.starts_with ("RIFF") || bytes.starts_with ("RF64"))
-        return MeasurementForm::wave;
+    for (const std::string_view mark : { "RIFF", "RF64", "BW64", "RIFX", "riff", "fLaC", "OggS", "caff" })
+        if (bytes.starts_with (mark)) // What of these is not read, the reader of WAV files names.
+            return MeasurementForm::wave;
 
     return isMatlab (bytes)      ? MeasurementForm::matlab
            : isUniversal (bytes) ? MeasurementForm::universal

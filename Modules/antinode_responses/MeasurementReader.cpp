@@ -53,14 +53,15 @@ void nameByFile (const std::string& source, MeasurementFile& file)
     }
 }
 
-MeasurementFile decodeForm (std::string_view bytes, const std::string& source, CsvForm form)
+MeasurementFile decodeForm (std::string_view bytes, const std::string& source, CsvForm form,
+                            const std::vector<std::string>& variables)
 {
     switch (measurementForm (bytes))
     {
         case MeasurementForm::wave:
             return measurementFromWave (bytes, source);
         case MeasurementForm::matlab:
-            return measurementFromMatlab (readMatlabFile (bytes, source), source);
+            return measurementFromMatlab (readMatlabFile (bytes, source), source, form, variables);
         case MeasurementForm::universal:
             return measurementFromUniversal (readUniversalFile (bytes, source), source);
         case MeasurementForm::text:
@@ -71,16 +72,18 @@ MeasurementFile decodeForm (std::string_view bytes, const std::string& source, C
 }
 } // namespace
 
-MeasurementFile decodeMeasurement (std::string_view bytes, const std::string& source, CsvForm form)
+MeasurementFile decodeMeasurement (std::string_view bytes, const std::string& source, CsvForm form,
+                                   const std::vector<std::string>& variables)
 {
-    auto file = decodeForm (bytes, source, form);
+    auto file = decodeForm (bytes, source, form, variables);
     nameByFile (source, file);
     return file;
 }
 
-MeasurementFile readMeasurement (const std::filesystem::path& path, CsvForm form)
+MeasurementFile readMeasurement (const std::filesystem::path& path, CsvForm form,
+                                 const std::vector<std::string>& variables)
 {
     constexpr FileKind measurement { "a measurement", std::uintmax_t { 4 } << 30, "cannot be read" };
-    return decodeMeasurement (readWholeFile (path, measurement), path.filename().string(), form);
+    return decodeMeasurement (readWholeFile (path, measurement), path.filename().string(), form, variables);
 }
 } // namespace antinode

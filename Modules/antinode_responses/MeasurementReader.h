@@ -9,11 +9,13 @@ namespace antinode
 /** Frequency responses of a file of any kind that is read: universal file, MATLAB, WAV (an impulse response a channel),
    else a table of text. What it is its bytes say, not its name; names as in point3_driver2.csv tell point and reference
    where the file does not.
-    @param source  how errors and remarks name the file, without folders
+    @param source     how errors and remarks name the file, without folders
+    @param variables  of a MATLAB file those to read; empty: as measurementFromMatlab chooses
     @throws InputError  source, place, what is wrong
     [worker] Docs/FileFormats.md. */
-MeasurementFile decodeMeasurement (std::string_view bytes, const std::string& source, CsvForm);
+MeasurementFile decodeMeasurement (std::string_view bytes, const std::string& source, CsvForm,
+                                   const std::vector<std::string>& variables = {});
 
 /** The same of a file of at most 4 GiB. @throws InputError  also when it cannot be read [worker] */
-MeasurementFile readMeasurement (const std::filesystem::path&, CsvForm);
+MeasurementFile readMeasurement (const std::filesystem::path&, CsvForm, const std::vector<std::string>& variables = {});
 } // namespace antinode

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <set>
@@ -68,6 +69,29 @@ DriveQuantity commonDrive (const Responses& responses, const MeasurementOptions&
                                                    + "; allowed: responses to voltages only or to forces only");
 
     return first;
+}
+
+/** Lines from high to low are turned round. */
+void sortDescending (Responses& responses)
+{
+    std::map<std::shared_ptr<const Eigen::VectorXd>, std::shared_ptr<const Eigen::VectorXd>> turned;
+
+    for (auto& response : responses)
+    {
+        const auto& lines = *response.frequencies;
+
+        if (std::is_sorted (lines.begin(), lines.end())
+            || ! std::is_sorted (lines.begin(), lines.end(), std::greater<>()))
+            continue;
+
+        auto& ascending = turned[response.frequencies];
+
+        if (! ascending)
+            ascending = std::make_shared<const Eigen::VectorXd> (lines.reverse());
+
+        response.values.reverseInPlace();
+        response.frequencies = ascending;
+    }
 }
 
 void requireSameFrequencies (const MeasuredResponse& first, const MeasuredResponse& other)
@@ -279,6 +303,8 @@ Measurement mergedResponses (const std::vector<MeasurementFile>& files, const Me
     for (const auto& response : responses)
         if (response.frequencies->size() < 2 || response.values.size() != response.frequencies->size())
             throw InputError (response.source, "has a response with less than two lines");
+
+    sortDescending (responses);
 
     for (const auto& file : files)
         measurement.remarks.insert (measurement.remarks.end(), file.remarks.begin(), file.remarks.end());

@@ -2,6 +2,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
+#include <antinode_base/NumberText.h>
 
 #include <algorithm>
 #include <set>
@@ -29,7 +30,7 @@ bool coincide (const Eigen::MatrixX2d& points)
 void placePoints (const std::vector<MeasurementFile>& files, const MeasurementOptions& options,
                   Measurement& measurement)
 {
-    constexpr double apart = 1e-3;
+    constexpr double apart = 1e-3, unlikely = 5; // m
     auto places = options.places;
     auto& points = measurement.responses.points;
     const auto& names = measurement.pointNames;
@@ -56,8 +57,17 @@ void placePoints (const std::vector<MeasurementFile>& files, const MeasurementOp
         points.col (0) = apart * Eigen::VectorXd::LinSpaced (points.rows(), 0, static_cast<double> (points.rows() - 1));
         measurement.remarks.emplace_back (
             "No file gives positions of all points: they are placed 1 mm apart on a line.");
+        return;
     }
-    else if (points.rows() > 1 && (points.col (0).array() == points (0, 0)).all()) // A line lies along x.
+
+    if (const Eigen::RowVector2d span = points.colwise().maxCoeff() - points.colwise().minCoeff();
+        options.places.empty() && span.maxCoeff() > unlikely)
+        measurement.remarks.push_back (formatted (
+            "The points of the files span %g m x %g m. Are their lengths in mm? A set 164 of a universal file says "
+            "so, points_mm of a MATLAB file, or --points.",
+            span[0], span[1]));
+
+    if (points.rows() > 1 && (points.col (0).array() == points (0, 0)).all()) // A line lies along x.
         points.col (0).swap (points.col (1));
 }
 } // namespace antinode

@@ -32,8 +32,9 @@ std::optional<Eigen::RowVector2d> placeIn (std::string_view line)
 }
 } // namespace
 
-Eigen::MatrixX2d decodePoints (std::string_view text, const std::string& source)
+Eigen::MatrixX2d decodePoints (std::string_view bytes, const std::string& source)
 {
+    const auto text = csvText (bytes);
     std::vector<Eigen::RowVector2d> places;
     bool mayBeHeading = true;
 

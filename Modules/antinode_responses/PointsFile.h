@@ -14,7 +14,7 @@ namespace antinode
     @return        N x 2: x and y, m
     @throws InputError  source, line, what is wrong, what is allowed
     [worker] Docs/FileFormats.md. */
-Eigen::MatrixX2d decodePoints (std::string_view text, const std::string& source);
+Eigen::MatrixX2d decodePoints (std::string_view bytes, const std::string& source);
 
 /** The same of a file of at most 16 MiB. @throws InputError  also when it cannot be read [worker] */
 Eigen::MatrixX2d readPointsFile (const std::filesystem::path&);

@@ -22,14 +22,8 @@ const MatlabVariable* findVariable (const std::vector<MatlabVariable>& variables
 {
     for (const auto name : names)
         for (const auto& variable : variables)
-        {
-            auto own = variable.name.substr (variable.name.rfind ('.') + 1);
-            std::transform (own.begin(), own.end(), own.begin(),
-                            [] (unsigned char c) { return static_cast<char> (std::tolower (c)); });
-
-            if (own == name && ! variable.real.empty() && variable.imaginary.empty())
+            if (shortName (variable) == name && ! variable.real.empty() && variable.imaginary.empty())
                 return &variable;
-        }
 
     return nullptr;
 }
@@ -61,6 +55,16 @@ constexpr std::array<std::string_view, 13> motionNames { "acceleration", "accele
                                                          "velocity",     "velocities",    "vel",  "v",
                                                          "displacement", "displacements", "disp", "response",
                                                          "responses" };
+
+/** The text of a variable with one of these names; empty where there is none. */
+std::string textNamed (const std::vector<MatlabVariable>& variables, const std::vector<std::string_view>& names)
+{
+    for (const auto& variable : variables)
+        if (std::find (names.begin(), names.end(), shortName (variable)) != names.end())
+            return variable.text;
+
+    return {};
+}
 
 /** The quantity that a motion's name means. */
 ResponseUnit unitByName (std::string name)
@@ -116,12 +120,21 @@ RecordingFile recordingsFromMatlab (const std::vector<MatlabVariable>& variables
                                       + " samples of the force; allowed: samples x channels, or channels x samples");
 
     RecordedSignals recording { source, matlabRate (variables, source), {}, {} };
-    recording.signals.push_back ({ true, {}, 0, { {}, 1, DriveQuantity::force }, 0, numbersOf (*force) });
+    const auto motionText = textNamed (variables, { "unit", "units", "response_unit" }),
+               forceText = textNamed (variables, { "force_unit", "drive_unit" });
+    const auto motionUnit = responseUnit (motionText).value_or (unitByName (motion->name));
+    const auto forceUnit = driveUnit (forceText).value_or (ResponseUnit { {}, 1, DriveQuantity::force });
+    recording.signals.push_back ({ true, {}, 0, forceUnit, 0, numbersOf (*force) });
+
+    for (const auto& text : { motionText, forceText })
+        if (isUnknownUnit (text))
+            recording.remarks.push_back (unknownUnitRemark (source, text));
+
     const auto areColumns = static_cast<Eigen::Index> (motion->sizes[0]) == samples;
 
     for (Eigen::Index c = 0; c < channels; ++c)
         recording.signals.push_back (
-            { false, std::to_string (c + 1), 0, unitByName (motion->name), 0,
+            { false, std::to_string (c + 1), 0, motionUnit, 0,
               areColumns ? Eigen::VectorXd (numbersOf (*motion).segment (c * samples, samples))
                          : Eigen::VectorXd (numbersOf (*motion) (Eigen::seqN (c, samples, channels))) });
 
@@ -145,11 +158,15 @@ RecordingFile recordingsFromUniversal (const std::vector<UniversalSet>& sets, co
             throw InputError (source, "has a time record without a constant time step; allowed: a step above 0 s");
 
         auto signal = toSignal (*function, units);
+        const auto& unit = function->ordinate.unit;
         // The n-th record of a channel belongs to the n-th one of all others.
         const auto number = occurrences[{ signal.isForce, signal.point, signal.direction }]++;
 
         if (number == file.recordings.size())
             file.recordings.push_back ({ source, 1 / function->step, {}, {} });
+
+        if (number == 0 && isUnknownUnit (unit))
+            file.recordings.front().remarks.push_back (unknownUnitRemark (source, unit));
 
         file.recordings[std::min (number, file.recordings.size() - 1)].signals.push_back (std::move (signal));
     }

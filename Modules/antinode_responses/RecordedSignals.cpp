@@ -74,16 +74,30 @@ std::string textInBrackets (const std::string& heading)
                : heading.substr (begin + 1, end - begin - 1);
 }
 
+/** The unit of a heading: in brackets, or its last word, "force lbf", "acc_g", where a single letter needs a quantity
+   before it. */
+std::string unitOfHeading (const std::string& heading)
+{
+    if (heading.find_first_of ("([") != std::string::npos)
+        return textInBrackets (heading);
+
+    const auto begin = heading.find_last_of (" _,") + 1; // 0 where there is none.
+    const auto last = heading.substr (begin);
+    const auto isSaid = unitInText (heading).has_value() || heading.find ("orce") != std::string::npos;
+    return begin > 0 && (last.size() > 1 || isSaid) && (responseUnit (last) || driveUnit (last)) ? last : "";
+}
+
 /** "P3 x (m/s^2)", "force (N)", "acc 4 -z [g]". */
 RecordedSignal signalByHeading (const std::string& heading)
 {
     RecordedSignal signal;
-    const auto unit = textInBrackets (heading);
-    const auto name = heading.substr (0, heading.find_first_of ("(["));
+    const auto unit = unitOfHeading (heading);
+    const auto name = heading.substr (0, std::min (heading.find_first_of ("(["), heading.size() - unit.size()));
     const auto words = splitWords (name);
     const auto has = [&words] (std::string_view word)
     { return std::find (words.begin(), words.end(), word) != words.end(); };
-    signal.isForce = has ("force") || has ("hammer") || driveUnit (unit).has_value();
+    const auto drive = driveUnit (unit);
+    signal.isForce = has ("force") || has ("hammer") || (drive && drive->drive == DriveQuantity::force);
     signal.unit = signal.isForce ? driveUnit (unit).value_or (ResponseUnit { {}, 1, DriveQuantity::force })
                                  : responseUnit (unit).value_or (unitInText (heading).value_or (ResponseUnit {}));
 
@@ -116,7 +130,13 @@ RecordingFile recordingsFromText (std::string_view bytes, const std::string& sou
 
     if (names.empty() && ! table.headings.empty())
         for (Eigen::Index c = 1; c <= count; ++c)
-            recording.signals.push_back (signalByHeading (table.headings[static_cast<std::size_t> (c)]));
+        {
+            const auto& heading = table.headings[static_cast<std::size_t> (c)];
+            recording.signals.push_back (signalByHeading (heading));
+
+            if (const auto unit = textInBrackets (heading); isUnknownUnit (unit))
+                recording.remarks.push_back (unknownUnitRemark (source, unit));
+        }
     else
         recording.signals = channelsInOrder (names, count, source);
 

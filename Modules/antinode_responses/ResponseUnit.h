@@ -3,6 +3,7 @@
 #include <antinode_identification/FrequencyResponses.h>
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace antinode
@@ -24,13 +25,21 @@ struct ResponseUnit
     std::optional<DriveQuantity> drive;
 };
 
-/** A unit as people write it: "(m/s^2)/N", "mm/s/V", "g/N", "(1/N)*(m/s²)", "um V^-1", "1/kg", also of a motion alone.
-   g is the acceleration of gravity. Empty if the text is no unit of a motion, or of a motion per volt or newton. [any]
- */
+/** A unit as physicalUnit knows them: "(m/s^2)/N", "mm/s/V", "g's/lbf", "(1/N)*(m/s²)", "um V^-1", "1/kg", also of a
+   motion alone, and "(m/s^2)(N)" for the ratio of the two. g is the acceleration of gravity. Empty if the text is no
+   unit of a motion, or of a motion per volt or newton. [any] */
 std::optional<ResponseUnit> responseUnit (std::string_view text);
 
 /** The factor of a unit of drive alone, "N" or "mV". Empty if it is none. [any] */
 std::optional<ResponseUnit> driveUnit (std::string_view text);
+
+/** Whether a label that stands for a unit is neither of these nor says that there is none ("NONE", "ratio", "EU").
+ * [any]
+ */
+bool isUnknownUnit (std::string_view label);
+
+/** The remark that a label is no known unit. @param source  the file [any] */
+std::string unknownUnitRemark (const std::string& source, const std::string& label);
 
 /** The meaning of a word for a response: accelerance, mobility, velocity, receptance, ...; empty if it has none. [any]
  */

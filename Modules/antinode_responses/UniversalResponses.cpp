@@ -156,6 +156,26 @@ ResponseUnit findUnit (const UniversalFunction& function, const UniversalUnits& 
     return *motion;
 }
 
+/** Names the units of axes that are not known. A motion may have the unit of a motion per drive. */
+void addUnknownUnits (const Functions& functions, const std::string& source, std::vector<std::string>& remarks)
+{
+    std::set<std::string> labels;
+
+    for (const auto* function : functions)
+    {
+        const auto &motion = function->ordinate.unit, &drive = function->denominator.unit;
+
+        if (! responseUnit (motion) && (driveUnit (motion) || isUnknownUnit (motion)))
+            labels.insert (motion);
+
+        if (! driveUnit (drive) && (responseUnit (drive) || isUnknownUnit (drive)))
+            labels.insert (drive);
+    }
+
+    for (const auto& label : labels)
+        remarks.push_back (unknownUnitRemark (source, label));
+}
+
 /** Hz of each value. */
 Eigen::VectorXd computeAbscissae (const UniversalFunction& function)
 {
@@ -228,7 +248,8 @@ std::optional<ResponseUnit> universalUnit (const UniversalAxis& axis, const Univ
 bool isForceRecord (const UniversalFunction& function, const UniversalUnits& units)
 {
     const auto unit = universalUnit (function.ordinate, units);
-    return driveUnit (function.ordinate.unit).has_value() || (unit && ! unit->quantity && unit->drive);
+    const auto drive = driveUnit (function.ordinate.unit);
+    return (drive && drive->drive == DriveQuantity::force) || (unit && ! unit->quantity && unit->drive);
 }
 
 UniversalUnits universalUnits (const std::vector<UniversalSet>& sets)
@@ -284,6 +305,7 @@ MeasurementFile measurementFromUniversal (const std::vector<UniversalSet>& sets,
         file.remarks.push_back (source + ": " + std::to_string (others)
                                 + " responses in minority directions are left out.");
 
+    addUnknownUnits (functions, source, file.remarks);
     const PlaceNames points (functions, &UniversalFunction::response),
         references (functions, &UniversalFunction::reference);
     std::map<std::string, std::set<int>> directions;

@@ -12,9 +12,18 @@ namespace antinode
 {
 namespace
 {
-constexpr std::array<std::pair<std::string_view, std::string_view>, 6> spellings { {
+constexpr std::array<std::pair<std::string_view, std::string_view>, 15> spellings { {
+    { "\xc2\xb9", "^1" },
     { "\xc2\xb2", "^2" },
     { "\xc2\xb3", "^3" },
+    { "\xe2\x81\xbb", "^-" },
+    { "\xe2\x88\x92", "-" },
+    { "\xe2\x80\x99", "'" },
+    { "\xe2\x8b\x85", "*" },
+    { "\xe2\x88\x99", "*" },
+    { "\xc3\x97", "*" },
+    { "\xc2\xa0", " " },
+    { "\xc2\xba", "deg" },
     { "\xc2\xb5", "u" },
     { "\xce\xbc", "u" },
     { "\xc2\xb7", "*" },

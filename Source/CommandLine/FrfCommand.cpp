@@ -5,6 +5,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_documents/ExcitationFolder.h>
 #include <antinode_reports/MeasurementReport.h>
+#include <antinode_text/NaturalOrder.h>
 #include <antinode_text/OutputFolder.h>
 #include <antinode_universal/UniversalFile.h>
 
@@ -42,7 +43,8 @@ void estimateFromHammer (const FrfOptions& options)
 void estimateFromExcitation (const FrfOptions& options)
 {
     auto recordings = options.recordings;
-    recordings.files.assign (options.files.begin() + 1, options.files.end());
+    const std::vector<std::string> given (options.files.begin() + 1, options.files.end());
+    recordings.files = inNaturalOrder (given);
     recordings.estimator = estimatorNamed (options.estimator);
     const auto sheet = readSheet (options.files.front());
     const auto measurement = estimateResponses (sheet, recordings);
@@ -52,6 +54,9 @@ void estimateFromExcitation (const FrfOptions& options)
 
     writeWholeFile (options.outputFile, measurementText (measurement));
     printMeasurement (measurement, sheet);
+
+    if (const auto remark = orderRemark (given, recordings.files); ! remark.empty())
+        std::printf ("%s\n", remark.c_str());
 }
 
 /** With a sheet first: of an excitation; else of a hammer. */

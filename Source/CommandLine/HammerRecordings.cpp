@@ -4,6 +4,7 @@
 #include <antinode_base/MessageText.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_responses/PointsFile.h>
+#include <antinode_text/NaturalOrder.h>
 
 #include <cmath>
 #include <cstdio>
@@ -169,8 +170,8 @@ void addHammerRecordingOptions (CLI::App& command, HammerRecordingOptions& optio
             ->capture_default_str());
     keep (command
               .add_option ("--block-s", options.block,
-                           "Hammer: duration of a hit, s; default: up to the next one, at most 4 s")
-              ->check (CLI::Range (1e-3, 60.0)));
+                           "Hammer: duration of a hit, s; default: up to the next one, at most 4 s or 4096 samples")
+              ->check (CLI::Range (1e-3, 600.0)));
     keep (command
               .add_option ("--window-decay", options.windowDecay,
                            "Hammer: decay rate of the exponential window, 1/s; 0: none; default: chosen")
@@ -181,7 +182,7 @@ void addHammerRecordingOptions (CLI::App& command, HammerRecordingOptions& optio
     keep (command
               .add_option ("--highest-hz", options.highest,
                            "Hammer: upper end of the band, Hz; default: where the force has fallen by 30 dB")
-              ->check (CLI::Range (1.0, 1e6)));
+              ->check (CLI::Range (1e-3, 1e6)));
 }
 
 HammerMeasurement measureHammerFiles (const std::vector<std::string>& files, const std::string& pointsFile,
@@ -190,10 +191,17 @@ HammerMeasurement measureHammerFiles (const std::vector<std::string>& files, con
     std::vector<RecordingFile> recordings;
     recordings.reserve (files.size());
 
-    for (const auto& file : files)
-        recordings.push_back (readRecordings (file, options.channels));
+    const auto names = inNaturalOrder (files);
 
-    return measureByHammer (recordings, hammerOptions (options, pointsFile, estimator));
+    for (const auto& name : names)
+        recordings.push_back (readRecordings (name, options.channels));
+
+    auto measurement = measureByHammer (recordings, hammerOptions (options, pointsFile, estimator));
+
+    if (const auto remark = orderRemark (files, names); ! remark.empty())
+        measurement.remarks.push_back (remark);
+
+    return measurement;
 }
 
 void printHammer (const HammerMeasurement& measurement)

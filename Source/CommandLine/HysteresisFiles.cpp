@@ -50,7 +50,7 @@ std::pair<Eigen::VectorXcd, Eigen::VectorXcd> inBoth (const Eigen::MatrixXcd& lo
 HysteresisMeasurement hysteresisByFiles (const DeviceDescription& device, const HysteresisFiles& files, bool usesCache)
 {
     HysteresisMeasurement measurement { solveDevice (device, {}, usesCache), {}, {} };
-    const auto low = responsesOfFiles (files.low), high = responsesOfFiles (files.high);
+    const auto low = responsesOfFiles (files.low).responses, high = responsesOfFiles (files.high).responses;
     requireSame (low, high, measurement.model);
     std::vector<Hysteresis> all;
     measurement.playedLevels.resize (measurement.model.actuators());

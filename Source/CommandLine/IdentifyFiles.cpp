@@ -9,6 +9,7 @@
 #include <antinode_identification/IdentifiedModel.h>
 #include <antinode_library/Library.h>
 #include <antinode_reports/IdentificationDiagram.h>
+#include <antinode_text/NaturalOrder.h>
 #include <antinode_text/OutputFolder.h>
 #include <antinode_universal/UniversalFile.h>
 
@@ -25,12 +26,18 @@ namespace
 Measurement readFiles (const IdentifyOptions& options)
 {
     const auto said = toMeasurementOptions (options);
+    const auto names = inNaturalOrder (options.files);
     std::vector<MeasurementFile> files;
 
-    for (const auto& file : options.files)
-        files.push_back (readMeasurement (file, toCsvForm (options)));
+    for (const auto& name : names)
+        files.push_back (readMeasurement (name, toCsvForm (options), options.variables));
 
-    return mergedResponses (files, said);
+    auto measurement = mergedResponses (files, said);
+
+    if (const auto remark = orderRemark (options.files, names); ! remark.empty())
+        measurement.remarks.push_back (remark);
+
+    return measurement;
 }
 
 /** The device with these modes. Forces in N become voltages in V, since a device has no other excitation. */

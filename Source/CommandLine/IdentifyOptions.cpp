@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace antinode
 {
@@ -45,6 +46,10 @@ void addInputOptions (CLI::App& command, IdentifyOptions& options)
     command.add_option ("--points", options.pointsFile,
                         "Positions of the points: CSV of x and y in mm, in the order of the points");
     command.add_option ("--drivers", options.references, "Names of the references in the order of the ceramics")
+        ->delimiter (',');
+    command
+        .add_option ("--variables", options.variables,
+                     "Variables of MATLAB files to read; default: H, FRF, or those whose names differ in numbers")
         ->delimiter (',');
     command
         .add_option ("--window-decay", options.windowDecay,
@@ -201,7 +206,6 @@ MeasurementOptions toMeasurementOptions (const IdentifyOptions& options)
 IdentificationOptions toIdentificationOptions (const IdentifyOptions& options, Eigen::Index points)
 {
     constexpr double micro = 1e-6;
-    constexpr double largestOrder = 500;
     IdentificationOptions search;
     search.method = options.usesPeaks ? IdentificationMethod::peakPicking : IdentificationMethod::maximumLikelihood;
 
@@ -230,11 +234,13 @@ IdentificationOptions toIdentificationOptions (const IdentifyOptions& options, E
     {
         const auto orders = parseBand ("--orders", options.orders);
 
-        if (orders.minimum < 1 || orders.maximum > largestOrder)
-            throw InputError ("--orders", "is " + inQuotes (options.orders) + "; allowed: whole numbers from 1 to 500");
+        constexpr double large = 1e6; // What is allowed says identify.
 
-        search.minimumOrder = static_cast<int> (orders.minimum);
-        search.maximumOrder = static_cast<int> (orders.maximum);
+        if (std::floor (orders.minimum) != orders.minimum || std::floor (orders.maximum) != orders.maximum)
+            throw InputError ("--orders", "is " + inQuotes (options.orders) + "; allowed: whole numbers");
+
+        search.minimumOrder = static_cast<int> (std::min (orders.minimum, large));
+        search.maximumOrder = static_cast<int> (std::min (orders.maximum, large));
     }
 
     if (options.delay)

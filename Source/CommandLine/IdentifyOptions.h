@@ -25,7 +25,7 @@ struct IdentifyOptions
     std::vector<double> selected, rejected; ///< Hz
     std::optional<double> delay;            ///< us
     std::string form, quantity, responseUnit, drive, driveUnit, pointsFile;
-    std::vector<std::string> references;
+    std::vector<std::string> references, variables;
     std::optional<double> mass;        ///< kg
     std::optional<double> windowDecay; ///< 1/s; none: as the files say
     double voltageLimit = 150;

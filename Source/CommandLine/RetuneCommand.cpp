@@ -78,6 +78,10 @@ void retuneDevice (const RetuneOptions& options)
         retuneByFiles (loadDevice (options.device, {}), options.files, options.deviations, options.usesCache);
     writeWholeFile (options.outputFile, retunedDeviceText (retuned.now));
     print (retuned.before, retuned.now);
+
+    for (const auto& remark : retuned.remarks)
+        std::printf ("  note: %s\n", remark.c_str());
+
     warnOfMisfit (retuned.now);
 }
 } // namespace

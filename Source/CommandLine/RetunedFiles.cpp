@@ -3,6 +3,7 @@
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_library/Library.h>
 #include <antinode_responses/MeasurementReader.h>
+#include <antinode_text/NaturalOrder.h>
 
 #include <nlohmann/json.hpp>
 
@@ -10,15 +11,15 @@
 
 namespace antinode
 {
-FrequencyResponses responsesOfFiles (const std::vector<std::string>& names)
+Measurement responsesOfFiles (const std::vector<std::string>& names)
 {
     std::vector<MeasurementFile> files;
     files.reserve (names.size());
 
-    for (const auto& name : names)
+    for (const auto& name : inNaturalOrder (names))
         files.push_back (readMeasurement (name, CsvForm::byHeadings));
 
-    return mergedResponses (files, {}).responses;
+    return mergedResponses (files, {});
 }
 
 RetunedDevice retuneByFiles (const DeviceDescription& device, const std::vector<std::string>& names,
@@ -28,8 +29,16 @@ RetunedDevice retuneByFiles (const DeviceDescription& device, const std::vector<
     const KnownSpread spread { percent * deviations.frequency, percent * deviations.damping,
                                percent * deviations.participation, percent * deviations.drift };
     auto model = solveDevice (device, {}, usesCache);
-    auto retuned = retune (model, responsesOfFiles (names), spread);
-    return { std::move (model), std::move (retuned) };
+    auto measured = responsesOfFiles (names);
+
+    if (measured.responses.drive == DriveQuantity::force) // As identify makes a device of such.
+    {
+        measured.responses.drive = DriveQuantity::voltage;
+        measured.remarks.emplace_back ("Forces excite the surface: 1 N counts as 1 V of the device.");
+    }
+
+    auto retuned = retune (model, measured.responses, spread);
+    return { std::move (model), std::move (retuned), std::move (measured.remarks) };
 }
 
 std::string retunedDeviceText (const RetunedModel& retuned)

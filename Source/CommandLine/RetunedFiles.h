@@ -1,6 +1,7 @@
 #pragma once
 
 #include <antinode_identification/Retuning.h>
+#include <antinode_responses/MeasuredResponse.h>
 #include <antinode_structure/DeviceDescription.h>
 
 #include <string>
@@ -13,11 +14,12 @@ struct RetunedDevice
 {
     ModalModel before;
     RetunedModel now;
+    std::vector<std::string> remarks; ///< What was assumed of the responses, as sentences.
 };
 
 /** The responses of all files together, as `frf` and `measure` write them. @throws InputError  as readMeasurement
     [worker] Docs/FileFormats.md. */
-FrequencyResponses responsesOfFiles (const std::vector<std::string>& files);
+Measurement responsesOfFiles (const std::vector<std::string>& files);
 
 /** Standard deviations of a device from its model, as options say them. */
 struct RetuneDeviations

@@ -73,6 +73,7 @@ void bindOptions (py::module_& module)
     options.def_readwrite ("drive_unit", &IdentifyOptions::driveUnit);
     options.def_readwrite ("points", &IdentifyOptions::pointsFile);
     options.def_readwrite ("references", &IdentifyOptions::references);
+    options.def_readwrite ("variables", &IdentifyOptions::variables);
     options.def_readwrite ("mass_kg", &IdentifyOptions::mass);
     options.def_readwrite ("voltage_limit_V", &IdentifyOptions::voltageLimit);
     options.def_readwrite ("full_scale_V", &IdentifyOptions::fullScaleVoltage);

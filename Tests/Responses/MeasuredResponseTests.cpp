@@ -1,5 +1,6 @@
 #include "Support/ErrorText.h"
 
+#include <antinode_responses/CsvHeading.h>
 #include <antinode_responses/MeasurementReader.h>
 #include <antinode_responses/UniversalResponses.h>
 #include <antinode_universal/UniversalFile.h>
@@ -85,9 +86,66 @@ TEST_CASE ("Units of motion per drive are read as people write them", "[files][m
     for (const auto* const other : { "", "NONE", "Pa", "m/s^3", "V", "m^2", "m/", "((((((((((((m", "g^2/Hz", "N/m" })
         CHECK_FALSE ((responseUnit (other) && unitScale (other) != 1));
 
+    for (const auto* const inGravity :
+         { "g's/N", "G/N", "gn/N", "gee/N", "g rms/N", "Grms/N", "1000 mg/N", "980.665 Gal/N" })
+        CHECK (unitScale (inGravity) == Approx (gravity));
+
+    constexpr double pound = 4.4482216152605, inch = 0.0254;
+    CHECK (unitScale ("g's/lb") == Approx (gravity / pound));
+    CHECK (unitScale ("(g)/(lbs)") == Approx (gravity / pound));
+    CHECK (unitScale ("in/sec^2/LBF") == Approx (inch / pound));
+    CHECK (unitScale ("ft/s^2") == Approx (0.3048));
+    CHECK (unitScale ("ips/V") == Approx (inch));
+    CHECK (unitScale ("mils/ozf") == Approx (1e-3 * inch * 16 / pound));
+    CHECK (unitScale ("um/kgf") == Approx (1e-6 / gravity));
+    CHECK (unitScale ("m/kp") == Approx (1 / gravity));
+    CHECK (unitScale ("MM/S/V") == Approx (1e-3));
+    CHECK (unitScale ("cm/dyn") == Approx (1e3));
+    CHECK (unitScale ("micron/kN") == Approx (1e-9));
+    CHECK (unitScale ("(m/s^2)/Newton") == 1);
+    CHECK (unitScale ("millimeters per second per volt") == Approx (1e-3));
+    CHECK (unitScale ("m\xc2\xb7s\xe2\x81\xbb\xc2\xb2/N") == 1);
+    CHECK (unitScale ("m/s\xb2") == 1);                      // Latin-1
+    CHECK (unitScale ("(g)(mN)") == Approx (1e3 * gravity)); // Side by side they are a ratio.
+    CHECK (unitScale ("1e-6 m/s/N") == Approx (1e-6));
+    CHECK (driveUnit ("lbs")->factor == Approx (pound));
+    CHECK (driveUnit ("MN")->factor == Approx (1e6));
+    CHECK_FALSE (responseUnit ("Nm"));
     CHECK (driveUnit ("mV")->factor == 1e-3);
     CHECK (driveUnit ("N")->drive == DriveQuantity::force);
     CHECK_FALSE (driveUnit ("m"));
+}
+
+TEST_CASE ("Units stand in headings in many forms, and a label that is not known is named", "[files][measurement]")
+{
+    for (const auto* const heading :
+         { "Real (g's/N)", "Real [g/N]", "real_P3_C1 g/N", "Acceleration [g] / Force [N] real", "P1 g's per N imag",
+           "Magnitude (dB re 1 g/N)", "Accel (g) Force (N)", "Mag, g / N" })
+    {
+        const auto unit = unitInText (heading);
+        REQUIRE (unit);
+        CHECK (unit->factor == Approx (9.80665));
+        CHECK (unit->drive == DriveQuantity::force);
+    }
+
+    CHECK (csvHeading ("P3 (m/s^2)/N real").point == "p3");
+    const auto table = merged ({ { "a.csv", "f,Real (furlong/N),Imag (furlong/N)\n1,1,0\n2,1,0\n" } });
+    REQUIRE_FALSE (table.remarks.empty());
+    CHECK (table.remarks[0].starts_with ("a.csv: 'furlong/N' is no known unit"));
+
+    UniversalFunction function;
+    function.functionType = 4;
+    function.values = Eigen::VectorXcd::Ones (8);
+    function.step = 1;
+    function.ordinate = { 12, {}, "Acceleration", "g's" };
+    function.denominator = { 13, {}, "Force", "lb" };
+    const auto read = measurementFromUniversal ({ function }, "a.uff");
+    CHECK (read.responses[0].unit.factor == Approx (9.80665 / 4.4482216));
+    CHECK (read.remarks.empty());
+    function.denominator.unit = "stone";
+    const auto other = measurementFromUniversal ({ function }, "a.uff");
+    REQUIRE (other.remarks.size() == 1);
+    CHECK (other.remarks[0].starts_with ("a.uff: 'stone' is no known unit"));
 }
 
 TEST_CASE ("Displacement times i omega and acceleration over i omega are the same velocity", "[files][measurement]")
@@ -238,7 +296,8 @@ TEST_CASE ("Inconsistent files are refused with a reason", "[files][measurement]
     CHECK (refusal ({ { "a.csv", "f,real,real\n1,1,0\n" } })
            == "a.csv: column 2 has no column with the other part of its response");
     CHECK (refusal ({ { "a.csv", "nothing" } }) == "a.csv: has no line of numbers");
-    CHECK (refusal ({ { "a.csv", "2,1,0\n1,1,0\n" } }) == "frequency responses: have frequencies that do not ascend");
+    CHECK (refusal ({ { "a.csv", "2,1,0\n1,1,0\n3,1,0\n" } })
+           == "frequency responses: have frequencies that do not ascend");
 }
 
 TEST_CASE ("Recordings over time are not taken for responses", "[files][measurement]")

@@ -204,6 +204,7 @@ def identify(
     drive_unit: Optional[str] = None,
     points: Optional[Folder] = None,
     references: Sequence[str] = (),
+    variables: Sequence[str] = (),
     against: Union[None, Source, Device] = None,
     voltage_limit_V: float = 150.0,
     full_scale_V: Optional[float] = None,
@@ -216,7 +217,7 @@ def identify(
         *files: universal files, MATLAB files, text tables, WAV files of impulse responses.
         name: of the device.
         bands_Hz: in which modes are searched, ``[(300, 4000)]``; default: where the measurement is good.
-        orders: of the polynomials, lowest and highest, 1 to 500; None: automatic.
+        orders: of the polynomials, lowest and highest, 1 to 100; None: automatic.
         kind: 'real' or 'complex' modes; None: as a test decides.
         peaks: uses peaks and their half-power widths, for comparison.
         selected_Hz, rejected_Hz: keeps only, or leaves out, the modes nearest to these frequencies.
@@ -224,6 +225,7 @@ def identify(
         mass_kg: that the points represent, evenly distributed: scales the shapes.
         quantity, response_unit, drive, drive_unit, points, references: where files do not say them: 'velocity',
             'm/s', 'voltage', 'V', a CSV of x and y in mm, the names of the references in the order of the ceramics.
+        variables: of MATLAB files those to read; empty: ``H``, ``FRF``, or those whose names differ in numbers.
         against: a computed device to compare with: :func:`antinode.device`, or what that takes.
         voltage_limit_V, full_scale_V: of the device.
 
@@ -263,6 +265,7 @@ def identify(
     options.drive_unit = drive_unit or ""
     options.points = os.fspath(points) if points else ""
     options.references = list(references)
+    options.variables = list(variables)
     options.voltage_limit_V = voltage_limit_V
     options.full_scale_V = full_scale_V
     options.cache = cache

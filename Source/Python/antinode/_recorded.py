@@ -293,7 +293,7 @@ def frf(
         response_unit, response_scale: of the motion: ``"m/s^2"``, ``"g"``, and what a sample of 1 is in it.
         force_unit, force_scale: of the force likewise; empty: as the files say, or N.
         trigger_percent: of the largest force of a file, 0.1 to 99 %.
-        block_s: duration of a hit, 0.001 to 60 s; None: up to the next one, at most 4 s.
+        block_s: duration of a hit, 0.001 to 600 s; None: up to the next one, at most 4 s or 4096 samples.
         window_decay_per_s: of the exponential window, 1/s; 0: none; None: chosen.
         lowest_frequency_Hz, highest_frequency_Hz: of a hammer: the band, Hz; None: as far as the force drives.
 
@@ -329,7 +329,7 @@ def frf(
     within("response_scale", response_scale, 1e-300, 1e300)
     within("force_scale", force_scale, 1e-300, 1e300)
     within("trigger_percent", trigger_percent, 0.1, 99)
-    within("block_s", block_s, 1e-3, 60)
+    within("block_s", block_s, 1e-3, 600)
     within("window_decay_per_s", window_decay_per_s, 0, 1e300)
     within("lowest_frequency_Hz", lowest_frequency_Hz, 0, 1e6)
     within("highest_frequency_Hz", highest_frequency_Hz, 1, 1e6)
