@@ -2,7 +2,10 @@
 
 #include "OscBytes.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <string_view>
 
 namespace antinode
 {
@@ -46,6 +49,26 @@ std::optional<OscArgument> readArgument (char type, OscBytes& bytes)
     }
 }
 
+constexpr std::array ending { OscPacket::stop, OscPacket::lift };
+
+bool endsSomething (std::string_view address)
+{
+    return std::find (ending.begin(), ending.end(), address) != ending.end();
+}
+
+/** Whether an address stands anywhere in a packet that cannot be read: up to a byte that no address has. */
+bool mentions (std::string_view packet, std::string_view address)
+{
+    constexpr auto endsOfAddresses = std::string_view ("\0 ,#", 4);
+
+    for (auto at = packet.find (address); at != packet.npos; at = packet.find (address, at + 1))
+        if (const auto end = at + address.size();
+            end == packet.size() || endsOfAddresses.find (packet[end]) != endsOfAddresses.npos)
+            return true;
+
+    return false;
+}
+
 Fault readMessage (Bytes element, OscPacket& packet)
 {
     OscBytes bytes (element);
@@ -70,6 +93,10 @@ Fault readMessage (Bytes element, OscPacket& packet)
         if (! argument)
         {
             ++packet.unknownTypes;
+
+            if (endsSomething (message.address))
+                packet.messages.push_back ({ message.address, {} });
+
             return std::nullopt;
         }
 
@@ -128,7 +155,13 @@ OscPacket readOscPacket (Bytes bytes)
     OscPacket packet;
 
     if (const auto fault = readElement (bytes, 0, packet))
-        return { {}, 0, fault };
+    {
+        packet = { {}, 0, fault };
+
+        for (const auto address : ending)
+            if (mentions ({ reinterpret_cast<const char*> (bytes.data()), bytes.size() }, address))
+                packet.messages.push_back ({ std::string (address), {} });
+    }
 
     return packet;
 }

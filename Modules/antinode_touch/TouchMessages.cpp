@@ -77,14 +77,13 @@ void TouchMessages::readFinger (const OscMessage& message, std::vector<Touch>& t
 void TouchMessages::readLift (const OscMessage& message, std::vector<Touch>& touches, TouchCounters& counters)
 {
     const auto numbers = readNumbers (message);
-
-    if (numbers.size() != message.arguments.size() || numbers.size() > 1
-        || ! std::all_of (numbers.begin(), numbers.end(), isFingerNumber))
-        return counters.count (TouchFault::wrongArguments);
-
     auto lifted = fingers;
 
-    if (! numbers.empty())
+    // Rather too many fingers are lifted than one too few.
+    if (numbers.size() != message.arguments.size() || numbers.size() > 1
+        || ! std::all_of (numbers.begin(), numbers.end(), isFingerNumber))
+        counters.count (TouchFault::wrongArguments);
+    else if (! numbers.empty())
         lifted = { static_cast<std::int64_t> (numbers[0]) };
 
     for (const auto finger : lifted)
@@ -94,7 +93,7 @@ void TouchMessages::readLift (const OscMessage& message, std::vector<Touch>& tou
     }
 }
 
-std::vector<Touch> TouchMessages::read (std::span<const std::byte> bytes, TouchCounters& counters)
+std::vector<Touch> TouchMessages::read (std::span<const std::byte> bytes, Time now, TouchCounters& counters)
 {
     ++counters.packets;
     const auto packet = readOscPacket (bytes);
@@ -108,26 +107,33 @@ std::vector<Touch> TouchMessages::read (std::span<const std::byte> bytes, TouchC
     std::vector<Touch> touches;
 
     for (const auto& message : packet.messages)
-        readMessage (message, touches, counters);
+        readMessage (message, now, touches, counters);
 
-    sources.endPacket (counters);
     return touches;
 }
 
-void TouchMessages::readMessage (const OscMessage& message, std::vector<Touch>& touches, TouchCounters& counters)
+std::vector<Touch> TouchMessages::endSilent (Time now)
+{
+    std::vector<Touch> touches;
+    sources.endSilent (now, touches);
+    return touches;
+}
+
+void TouchMessages::readMessage (const OscMessage& message, Time now, std::vector<Touch>& touches,
+                                 TouchCounters& counters)
 {
     if (message.address == "/antinode/focus")
         readPlace (message, true, touches, counters);
     else if (message.address == "/antinode/touch")
         readPlace (message, false, touches, counters);
-    else if (message.address == "/antinode/stop")
+    else if (message.address == OscPacket::stop)
         touches.push_back ({ TouchKind::stopAll, false, 0, 0, 0 });
     else if (message.address == "/antinode/finger")
         readFinger (message, touches, counters);
-    else if (message.address == "/antinode/lift")
+    else if (message.address == OscPacket::lift)
         readLift (message, touches, counters);
     else if (message.address == TuioSources::address)
-        sources.read (message, touches, counters);
+        sources.read (message, now, touches, counters);
     else if (! message.address.starts_with ("/tuio/"))
         counters.count (TouchFault::unknownAddress);
 }

@@ -18,8 +18,9 @@ namespace antinode
     - `/antinode/focus x_mm [y_mm [amplitude]]`: a focus at a place in mm; y = 0, amplitude = 1 where left out;
     - `/antinode/touch x y [amplitude]`: a focus at fractions of the surface;
     - `/antinode/finger number x y`: a finger rests at fractions of the surface, or moves there;
-    - `/antinode/lift [number]`: it is lifted; without a number all that `/antinode/finger` put down;
-    - `/antinode/stop`, whatever stands behind it: fades everything out;
+    - `/antinode/lift [number]`: it is lifted; without a number, or with what is none, all that `/antinode/finger` put
+      down;
+    - `/antinode/stop`, whatever stands behind it or is wrong with its packet: fades everything out;
     - `/tuio/2Dcur` of TUIO 1.1: see TuioCursors. Other profiles below `/tuio/` are skipped.
 
     Numbers are of the types i f h d. Addresses are compared as they stand: patterns with wildcards are unknown ones.
@@ -29,14 +30,20 @@ class TouchMessages
 public:
     explicit TouchMessages (const TouchOptions& options = {}) : sources (options) {}
 
+    using Time = TuioCursors::Time;
+
     /** The touches of a packet in their order; packets and faults are counted.
+        @param now  times do not go back
         [any] throws nothing but std::bad_alloc; memory is bounded by the size of the packet */
-    std::vector<Touch> read (std::span<const std::byte> packet, TouchCounters&);
+    std::vector<Touch> read (std::span<const std::byte> packet, Time now, TouchCounters&);
+
+    /** What is lifted because its TUIO source has ended without a word. Call it now and then. [any] */
+    std::vector<Touch> endSilent (Time now);
 
 private:
     void readFinger (const OscMessage&, std::vector<Touch>&, TouchCounters&);
     void readLift (const OscMessage&, std::vector<Touch>&, TouchCounters&);
-    void readMessage (const OscMessage&, std::vector<Touch>&, TouchCounters&);
+    void readMessage (const OscMessage&, Time now, std::vector<Touch>&, TouchCounters&);
 
     TuioSources sources;
     std::set<std::int64_t> fingers; ///< Put down by numbers.

@@ -81,18 +81,24 @@ void TouchReceiver::run()
 
     // One wait for both sockets; juce's waits for one, and the other's touches would wait with it.
     while (! isStopping)
+    {
         for (const auto i : waitForSockets (handles, pollMilliseconds))
         {
             const auto size = sockets[i]->read (buffer.data(), static_cast<int> (buffer.size()), false);
-            receive (std::span (buffer).first (static_cast<std::size_t> (std::max (size, 0))));
+            receive ([&, packet = std::span (buffer).first (static_cast<std::size_t> (std::max (size, 0)))]
+                     { return messages.read (packet, Clock::now(), current); });
         }
+
+        receive ([this] { return messages.endSilent (Clock::now()); });
+    }
 }
 
-void TouchReceiver::receive (std::span<const std::byte> packet)
+template <typename Read>
+void TouchReceiver::receive (const Read& read)
 {
     try
     {
-        for (const auto& touch : messages.read (packet, current))
+        for (const auto& touch : read())
             forward (touch);
     }
     catch (const std::exception&)
@@ -106,7 +112,7 @@ void TouchReceiver::receive (std::span<const std::byte> packet)
 
 void TouchReceiver::forward (const Touch& touch)
 {
-    if (touch.kind == TouchKind::focusAt && ! limit.allows (std::chrono::steady_clock::now()))
+    if (touch.kind == TouchKind::focusAt && ! limit.allows (Clock::now()))
     {
         ++current.limited;
         return;

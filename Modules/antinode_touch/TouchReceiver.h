@@ -7,6 +7,7 @@
 #include <juce_core/juce_core.h>
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -38,9 +39,12 @@ public:
     TouchCounters counters() const;
 
 private:
+    using Clock = std::chrono::steady_clock;
+
     int open (const char* name, int port);
     void run();
-    void receive (std::span<const std::byte> packet);
+    template <typename Read>
+    void receive (const Read&);
     void forward (const Touch&);
 
     TouchPorts openPorts;

@@ -6,10 +6,12 @@
 
 namespace antinode
 {
-void TuioCursors::play (const TuioFrame& frame, std::vector<Touch>& touches, TouchCounters& counters)
+void TuioCursors::play (const TuioFrame& frame, Time now, std::vector<Touch>& touches, TouchCounters& counters)
 {
-    if (! advanceTo (frame.sequence, touches))
+    if (! advanceTo (frame.sequence, now, touches))
         return counters.count (TouchFault::staleFrame);
+
+    heard = now;
 
     const std::set<std::int32_t> alive (frame.alive->begin(), frame.alive->end());
     std::erase_if (lastTouches,
@@ -46,19 +48,22 @@ std::int64_t TuioCursors::fingerOf (std::int32_t session) const
     return (std::int64_t { source } << 32) + session;
 }
 
-bool TuioCursors::advanceTo (std::int32_t sequence, std::vector<Touch>& touches)
+bool TuioCursors::advanceTo (std::int32_t sequence, Time now, std::vector<Touch>& touches)
 {
+    constexpr auto longestDelay = std::chrono::milliseconds (200); // of a packet that others overtake
+    constexpr int longestGap = 100, first = 1;                     // frames
+
     // -1 marks a repetition of the whole state, which has no place in the order. Some senders know only 0.
     if (sequence <= 0)
         return true;
 
-    const auto behind = std::int64_t { newest } - sequence;
+    if (const auto behind = std::int64_t { newest } - sequence; behind > 0)
+    {
+        if (sequence != first && behind <= longestGap && now - heard <= longestDelay)
+            return false;
 
-    if (behind > 0 && behind <= 100)
-        return false;
-
-    if (behind > 100)
         liftAll (touches);
+    }
 
     newest = sequence;
     return true;

@@ -37,23 +37,29 @@ std::optional<TuioCursor> readCursor (Arguments arguments)
 }
 } // namespace
 
-void TuioSources::read (const OscMessage& message, std::vector<Touch>& touches, TouchCounters& counters)
+void TuioSources::read (const OscMessage& message, TuioCursors::Time now, std::vector<Touch>& touches,
+                        TouchCounters& counters)
 {
     const Arguments arguments (message.arguments);
     const auto* command = arguments.empty() ? nullptr : std::get_if<std::string> (&arguments.front());
-    isInFrame = true;
 
-    if (command == nullptr || ! readPart (*command, arguments.subspan (1)))
+    if (command == nullptr || ! readPart (*command, arguments.subspan (1), counters))
         counters.count (TouchFault::wrongArguments);
     else if (*command == "fseq")
-        endFrame (touches, counters);
+        endFrame (now, touches, counters);
 }
 
-bool TuioSources::readPart (const std::string& command, Arguments arguments)
+bool TuioSources::readPart (const std::string& command, Arguments arguments, TouchCounters& counters)
 {
     if (command == "set")
     {
         const auto cursor = readCursor (arguments);
+
+        if (cursor && frame.cursors.size() == maximumCursors)
+        {
+            counters.count (TouchFault::brokenFrame);
+            frame = {};
+        }
 
         if (cursor)
             frame.cursors.push_back (*cursor);
@@ -66,7 +72,7 @@ bool TuioSources::readPart (const std::string& command, Arguments arguments)
         const auto* name = arguments.size() == 1 ? std::get_if<std::string> (&arguments.front()) : nullptr;
 
         if (name != nullptr)
-            frame.source = *name;
+            beginFrame (*name, counters);
 
         return name != nullptr;
     }
@@ -74,7 +80,10 @@ bool TuioSources::readPart (const std::string& command, Arguments arguments)
     const auto integers = readIntegers (arguments);
 
     if (command == "alive" && integers)
+    {
+        beginFrame (frame.source, counters);
         frame.alive = integers;
+    }
     else if (command == "fseq" && integers && integers->size() == 1)
         frame.sequence = integers->front();
     else
@@ -83,24 +92,42 @@ bool TuioSources::readPart (const std::string& command, Arguments arguments)
     return true;
 }
 
-void TuioSources::endFrame (std::vector<Touch>& touches, TouchCounters& counters)
+/** Of the one before, if no fseq has ended it, only where cursors are is kept. */
+void TuioSources::beginFrame (const std::string& source, TouchCounters& counters)
 {
     if (frame.alive)
-        findCursors (frame.source, touches).play (frame, touches, counters);
+        counters.count (TouchFault::brokenFrame);
+
+    frame.alive.reset();
+
+    if (! frame.source.empty() && frame.source != source)
+        frame.cursors.clear();
+
+    frame.source = source;
+}
+
+void TuioSources::endFrame (TuioCursors::Time now, std::vector<Touch>& touches, TouchCounters& counters)
+{
+    if (frame.alive)
+        findCursors (frame.source, touches).play (frame, now, touches, counters);
     else
         counters.count (TouchFault::brokenFrame);
 
     frame = {};
-    isInFrame = false;
 }
 
-void TuioSources::endPacket (TouchCounters& counters)
+void TuioSources::endSilent (TuioCursors::Time now, std::vector<Touch>& touches)
 {
-    if (isInFrame)
-        counters.count (TouchFault::brokenFrame);
+    std::erase_if (sources,
+                   [&] (auto& source)
+                   {
+                       const auto hasEnded = source.second.hasEnded (now);
 
-    frame = {};
-    isInFrame = false;
+                       if (hasEnded)
+                           source.second.liftAll (touches);
+
+                       return hasEnded;
+                   });
 }
 
 TuioCursors& TuioSources::findCursors (const std::string& source, std::vector<Touch>& touches)

@@ -130,7 +130,7 @@ TEST_CASE ("100 000 random and mutated packets give good touches or counted faul
         // Of the exact size on the heap: the address sanitizer sees a read of one byte too many.
         auto packet = randomPacket (good, random);
         packet.shrink_to_fit();
-        const auto found = messages.read (packet, counters);
+        const auto found = messages.read (packet, {}, counters);
         touches += static_cast<std::int64_t> (found.size());
 
         if (! std::all_of (found.begin(), found.end(), isGood))
@@ -149,5 +149,5 @@ TEST_CASE ("100 000 random and mutated packets give good touches or counted faul
     for (const auto count : counters.faults)
         CHECK (count > 0); // Every kind of fault was met: the packets are mean enough.
 
-    CHECK (messages.read (good[0], counters).size() == 1);
+    CHECK (messages.read (good[0], {}, counters).size() == 1);
 }

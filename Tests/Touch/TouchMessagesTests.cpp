@@ -25,7 +25,7 @@ struct Reading
 Reading read (const Packet& packet)
 {
     Reading reading;
-    reading.touches = TouchMessages().read (packet, reading.counters);
+    reading.touches = TouchMessages().read (packet, {}, reading.counters);
     CHECK (reading.counters.packets == 1);
     return reading;
 }
@@ -84,6 +84,45 @@ TEST_CASE ("A stop stops, whatever stands behind it: buttons send their state", 
     CHECK (read (OscWriter::message ("/antinode/stop", 0.0F)).touches.at (0).kind == TouchKind::stopAll);
 }
 
+TEST_CASE ("A stop stops, whatever is wrong with its types, its padding or the packet around it", "[touch]")
+{
+    const auto stops = [] (const Packet& packet)
+    {
+        const auto touches = read (packet).touches;
+        return touches.size() == 1 && touches[0].kind == TouchKind::stopAll;
+    };
+    const auto plain = toPacket ("/antinode/stop\0\0,\0\0\0"sv), focus = OscWriter::message ("/antinode/focus", 1);
+    CHECK (stops (toPacket ("/antinode/stop\0\0,S\0\0now\0"sv))); // A type that is not read.
+    CHECK (stops (toPacket ("/antinode/stop\0\0,[i]\0\0\0\0\0\0\0\1"sv)));
+    CHECK (stops (toPacket ("/antinode/stop\0\0,f\0\0"sv)));          // Its number is missing,
+    CHECK (stops (toPacket ("/antinode/stop\0\0,\0\0\0\0\0\0\1"sv))); // one is left over,
+    CHECK (stops (toPacket ("/antinode/stop\0\0f\0\0\0"sv)));         // types without a comma,
+    CHECK (stops (toPacket ("/antinode/stop\0x,\0\0\0"sv)));          // padding,
+    CHECK (stops (toPacket ("/antinode/stop\0,\0"sv)));               // none,
+    CHECK (stops (toPacket ("/antinode/stop"sv)));                    // no end at all.
+    CHECK (stops (OscWriter::bundle ({ plain, toPacket ("/a\0x,\0\0\0"sv) })));
+    CHECK (stops (OscWriter::bundle ({ toPacket ("/a\0x,\0\0\0"sv), plain, focus })));
+    CHECK (stops (OscWriter::bundle ({ toPacket ("odd"sv), plain })));
+
+    auto cut = OscWriter::bundle ({ focus, plain, focus });
+    cut.resize (cut.size() - 9);
+    CHECK (stops (cut));
+    auto deep = plain;
+
+    for (int depth = 0; depth < 9; ++depth)
+        deep = OscWriter::bundle ({ deep });
+
+    CHECK (stops (deep));
+
+    // In its place among others where the packet can be read; other addresses are others.
+    const auto unread = toPacket ("/antinode/stop\0\0,S\0\0now\0"sv);
+    const auto touches = read (OscWriter::bundle ({ focus, unread, focus })).touches;
+    REQUIRE (touches.size() == 3);
+    CHECK (touches[1].kind == TouchKind::stopAll);
+    CHECK (onlyFault (toPacket ("/antinode/stopped\0\0\0,f\0\0"sv)) == TouchFault::truncated);
+    CHECK (onlyFault (toPacket ("/antinode/stop/not\0\0,f\0\0"sv)) == TouchFault::truncated);
+}
+
 TEST_CASE ("Wrong arguments, numbers that are not finite and unknown addresses are dropped and counted", "[touch]")
 {
     CHECK (onlyFault (OscWriter::message ("/antinode/focus")) == TouchFault::wrongArguments);
@@ -134,7 +173,7 @@ TEST_CASE ("OSC puts fingers down by numbers and lifts one or all of them", "[to
 {
     TouchMessages messages;
     TouchCounters counters;
-    const auto read = [&] (const auto& packet) { return messages.read (packet, counters); };
+    const auto read = [&] (const auto& packet) { return messages.read (packet, {}, counters); };
     const auto down = read (OscWriter::message ("/antinode/finger", std::int32_t { 1 }, 0.25F, 0.5F));
     REQUIRE (down.size() == 1);
     CHECK (down[0] == Touch { TouchKind::rest, false, 0.25, 0.5, 1, 1 });
@@ -149,8 +188,15 @@ TEST_CASE ("OSC puts fingers down by numbers and lifts one or all of them", "[to
 
     CHECK (read (OscWriter::message ("/antinode/finger", 1.5F, 0.25F, 0.5F)).empty());
     CHECK (read (OscWriter::message ("/antinode/finger", std::int32_t { 1 }, 0.25F)).empty());
-    CHECK (read (OscWriter::message ("/antinode/lift", std::int32_t { -1 })).empty());
+    CHECK (counters.of (TouchFault::wrongArguments) == 2);
+
+    // A lift that does not say which lifts all: rather one too many than one too few.
+    read (OscWriter::message ("/antinode/finger", std::int32_t { 2 }, 0.25F, 0.5F));
+    CHECK (read (OscWriter::message ("/antinode/lift", std::int32_t { -1 })).size() == 1);
     CHECK (counters.of (TouchFault::wrongArguments) == 3);
+    read (OscWriter::message ("/antinode/finger", std::int32_t { 2 }, 0.25F, 0.5F));
+    CHECK (read (toPacket ("/antinode/lift\0\0,S\0\0two\0"sv)).size() == 1);
+    CHECK (counters.of (TouchFault::unknownType) == 1);
     CHECK (read (OscWriter::message ("/antinode/finger", std::int32_t { 1 }, 1.25F, 0.5F)).empty());
     CHECK (counters.of (TouchFault::outside) == 1);
 }

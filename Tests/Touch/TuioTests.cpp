@@ -56,11 +56,12 @@ Packet frame (std::int32_t sequence, const std::vector<std::int32_t>& sessions, 
 /** Reads frame after frame. */
 struct Reader
 {
-    std::vector<Touch> operator() (const Packet& packet) { return messages.read (packet, counters); }
+    std::vector<Touch> operator() (const Packet& packet) { return messages.read (packet, now, counters); }
     int countTouches (const Packet& packet) { return static_cast<int> ((*this) (packet).size()); }
 
     TouchMessages messages;
     TouchCounters counters;
+    TouchMessages::Time now {}; ///< It does not pass by itself.
 };
 } // namespace
 
@@ -96,7 +97,7 @@ TEST_CASE ("A cursor gives one touch, however it moves, and when it has vanished
 
 TEST_CASE ("With a repeat distance a cursor gives a touch whenever it has gone so far since the last", "[touch]")
 {
-    Reader reader { TouchMessages ({ 0.2, 500 }), {} };
+    Reader reader { TouchMessages ({ 0.2, 500 }), {}, {} };
     CHECK (reader.countTouches (frame (1, { 5 }, { { 5, 0.1F, 0.5F } })) == 1);
     CHECK (reader.countTouches (frame (2, { 5 }, { { 5, 0.25F, 0.5F } })) == 0);
     CHECK (reader.countTouches (frame (3, { 5 }, { { 5, 0.25F, 0.65F } })) == 1); // 0.21 from the first.
@@ -185,13 +186,103 @@ TEST_CASE ("Frames without alive or fseq, and cursors that are not alive, give n
     const auto end = OscWriter::message ("/tuio/2Dcur", "fseq"s, 1);
     CHECK (reader.countTouches (OscWriter::bundle ({ set, end })) == 0);
     CHECK (reader.counters.of (TouchFault::brokenFrame) == 1);
-    CHECK (reader.countTouches (OscWriter::bundle ({ alive ({ 1 }), set })) == 0);
+    CHECK (reader.countTouches (end) == 0);
     CHECK (reader.counters.of (TouchFault::brokenFrame) == 2);
-    CHECK (reader.countTouches (end) == 0); // The frame before was dropped with its packet.
-    CHECK (reader.counters.of (TouchFault::brokenFrame) == 3);
     CHECK (reader.countTouches (OscWriter::bundle ({ alive ({ 2 }), set, end })) == 0);
+    CHECK (reader.counters.of (TouchFault::brokenFrame) == 3);
+    CHECK (reader.countTouches (alive ({ 1 })) == 0);
+    CHECK (reader.countTouches (OscWriter::bundle ({ alive ({ 1 }), set, end })) == 1); // The first has no fseq.
     CHECK (reader.counters.of (TouchFault::brokenFrame) == 4);
-    CHECK (reader.countTouches (OscWriter::bundle ({ alive ({ 1 }), set, end })) == 1);
+}
+
+// Source: TuioClient::processOSC of TUIO's reference client for C++: state lasts from message to message, whatever the
+// packets; an fseq takes what came before it.
+TEST_CASE ("The messages of a frame may come in packets of their own, and a lost fseq costs no place", "[touch]")
+{
+    TouchOptions options;
+    options.cursorsRest = true;
+    Reader reader { TouchMessages (options), {}, {} };
+    const auto source = OscWriter::message ("/tuio/2Dcur", "source"s, "pad@here"s);
+    const auto set = [] (float x) { return OscWriter::message ("/tuio/2Dcur", "set"s, 1, x, 0.25F, 0.0F, 0.0F, 0.0F); };
+    const auto end = [] (int sequence) { return OscWriter::message ("/tuio/2Dcur", "fseq"s, sequence); };
+
+    for (const auto& packet : { source, alive ({ 1 }), set (0.5F) })
+        CHECK (reader.countTouches (packet) == 0);
+
+    const auto down = reader (end (1));
+    REQUIRE (down.size() == 1);
+    CHECK (down[0].x == 0.5);
+    CHECK (down[0].y == 0.75);
+    CHECK (reader.counters.faults == TouchCounters {}.faults);
+
+    for (const auto& packet : { source, alive ({ 1 }), set (0.625F), source, alive ({ 1 }) })
+        CHECK (reader.countTouches (packet) == 0);
+
+    const auto moved = reader (end (3));
+    REQUIRE (moved.size() == 1);
+    CHECK (moved[0].x == 0.625);
+    CHECK (reader.counters.of (TouchFault::brokenFrame) == 1);
+
+    // Nothing of a frame that is not ended goes to another source.
+    for (const auto& packet : { source, alive ({ 1 }), set (0.75F),
+                                OscWriter::message ("/tuio/2Dcur", "source"s, "wall@there"s), alive ({ 1 }) })
+        CHECK (reader.countTouches (packet) == 0);
+
+    CHECK (reader.countTouches (end (1)) == 0);
+}
+
+TEST_CASE ("Places without end and without fseq take no more memory than a frame", "[touch]")
+{
+    Reader reader;
+    const auto set = OscWriter::message ("/tuio/2Dcur", "set"s, 1, 0.5F, 0.25F, 0.0F, 0.0F, 0.0F);
+
+    for (std::size_t i = 0; i < 2 * TuioSources::maximumCursors + 1; ++i)
+        CHECK (reader.countTouches (set) == 0);
+
+    CHECK (reader.counters.of (TouchFault::brokenFrame) == 2);
+}
+
+TEST_CASE ("What a source holds ends with it: after three seconds without a frame, or when it begins again", "[touch]")
+{
+    using namespace std::chrono_literals;
+    TouchOptions options;
+    options.cursorsRest = true;
+    Reader reader { TouchMessages (options), {}, {} };
+    const auto lifted = [&reader] (TouchMessages::Time::duration passed)
+    {
+        reader.now += passed;
+        return reader.messages.endSilent (reader.now).size();
+    };
+    const auto down = [&reader] (std::int32_t sequence, const std::string& source) {
+        return reader (frame (sequence, { 1 }, { { 1, 0.5F, 0.5F } }, source));
+    };
+
+    CHECK (down (1, "pad@here").size() == 1);
+    CHECK (lifted (2900ms) == 0);
+    CHECK (reader.countTouches (frame (2, { 1 }, {}, "pad@here")) == 0); // What is alive, again.
+    CHECK (lifted (2900ms) == 0);
+    CHECK (lifted (200ms) == 1);
+    CHECK (lifted (5s) == 0);
+    CHECK (down (3, "pad@here").size() == 1); // It was only asleep.
+
+    // One that begins again under another name cannot be told from a second one, so the old one has to end.
+    CHECK (down (1, "pad@here, again").size() == 1);
+    CHECK (lifted (2900ms) == 0);
+    CHECK (reader.countTouches (frame (2, { 1 }, {}, "pad@here, again")) == 0);
+    CHECK (lifted (200ms) == 1);
+
+    // One that begins again is seen at its first frame, and where that is lost at the next one that comes so late.
+    for (std::int32_t sequence = 3; sequence < 60; ++sequence)
+        down (sequence, "pad@here, again");
+
+    const auto again = down (1, "pad@here, again");
+    REQUIRE (again.size() == 2);
+    CHECK (again[0].kind == TouchKind::lift);
+    CHECK (again[1].kind == TouchKind::rest);
+    CHECK (down (60, "pad@here, again").size() == 1);
+    reader.now += 500ms;
+    CHECK (down (2, "pad@here, again").size() == 2);
+    CHECK (reader.counters.of (TouchFault::staleFrame) == 0);
 }
 
 TEST_CASE ("TUIO messages with wrong arguments are counted", "[touch]")
@@ -224,7 +315,7 @@ TEST_CASE ("Where cursors rest as fingers, each says where it is and when it lea
 {
     TouchOptions options;
     options.cursorsRest = true;
-    Reader reader { TouchMessages (options), {} };
+    Reader reader { TouchMessages (options), {}, {} };
     const auto down = reader (frame (1, { 7, 8 }, { { 7, 0.25F, 0.5F }, { 8, 0.75F, 0.5F } }, "pad@here"));
     REQUIRE (down.size() == 2);
     CHECK (down[0].kind == TouchKind::rest);
