@@ -2,9 +2,14 @@
 
 namespace antinode
 {
-/** From now on the first SIGINT or SIGTERM only sets a flag; a second one ends the program as usual. [message thread]
- */
+/** From now on the first signal of each kind that would end the program only sets a flag: of the keyboard, a closed
+    terminal, other programs. A second one of its kind ends the program as usual. [message thread] */
 void catchInterruptions();
+
+/** From now on outputs are driven, which must ramp to 0 V before the program ends: a second signal that follows the
+   first too soon for that does nothing, and a standard output that nobody reads any more is an interruption too.
+   [message thread] after catchInterruptions */
+void protectRamps();
 
 /** Whether such a signal has arrived and has not been answered yet. [any] */
 bool isInterrupted();

@@ -30,8 +30,16 @@ void keepFreedMemory();
 /** Whether standard error goes to a terminal, which shows a line that is written again and again. [any] */
 bool errorsGoToTerminal();
 
-/** Calls a function at the first signal of a number; the next one does what it does by default. [any] */
-void handleOnce (int signal, void (*handler) (int));
+/** Calls a function at each signal that would end this process: of the keyboard, a closed terminal, other programs and
+    timers. Those that it was started to ignore, as nohup does, stay ignored, but for what the keyboard and `kill` send.
+    On Windows the next one of a kind does what it does by default. [message thread] */
+void handleEndingSignals (void (*handler) (int));
+
+/** The same at the signal of a pipe whose reader has gone, where there is one. [message thread] */
+void handleBrokenPipes (void (*handler) (int));
+
+/** Ends this process by a signal as if nothing handled it. [any] from within its handler too */
+void endBySignal (int signal);
 
 /** What a command did. */
 struct CommandOutcome

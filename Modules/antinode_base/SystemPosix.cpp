@@ -26,6 +26,22 @@ namespace antinode
 {
 namespace
 {
+void handle (int signal, void (*handler) (int))
+{
+    struct sigaction action = {};
+    action.sa_handler = handler;
+    sigaction (signal, &action, nullptr);
+}
+
+void handleUnlessIgnored (int signal, void (*handler) (int))
+{
+    struct sigaction before = {};
+    sigaction (signal, nullptr, &before);
+
+    if (before.sa_handler != SIG_IGN)
+        handle (signal, handler);
+}
+
 /** The folder of a variable, else one at home; a path that is not absolute counts as not set. */
 std::optional<std::filesystem::path> userHome (const char* variable, const char* usual)
 {
@@ -114,12 +130,24 @@ bool errorsGoToTerminal()
     return isatty (STDERR_FILENO) != 0;
 }
 
-void handleOnce (int signal, void (*handler) (int))
+void handleEndingSignals (void (*handler) (int))
 {
-    struct sigaction action = {};
-    action.sa_handler = handler;
-    action.sa_flags = static_cast<int> (SA_RESETHAND);
-    sigaction (signal, &action, nullptr);
+    for (const auto signal : { SIGINT, SIGTERM, SIGQUIT })
+        handle (signal, handler);
+
+    for (const auto signal : { SIGHUP, SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF, SIGXCPU })
+        handleUnlessIgnored (signal, handler);
+}
+
+void handleBrokenPipes (void (*handler) (int))
+{
+    handleUnlessIgnored (SIGPIPE, handler);
+}
+
+void endBySignal (int signal)
+{
+    std::signal (signal, SIG_DFL);
+    raise (signal);
 }
 
 std::optional<CommandOutcome> runShellCommand (const std::string& command)

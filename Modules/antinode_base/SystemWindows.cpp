@@ -214,9 +214,18 @@ bool errorsGoToTerminal()
     return _isatty (_fileno (stderr)) != 0;
 }
 
-void handleOnce (int signal, void (*handler) (int))
+void handleEndingSignals (void (*handler) (int))
 {
-    std::signal (signal, handler);
+    for (const auto signal : { SIGINT, SIGTERM, SIGBREAK })
+        std::signal (signal, handler);
+}
+
+void handleBrokenPipes (void (*) (int)) {}
+
+void endBySignal (int signal)
+{
+    std::signal (signal, SIG_DFL);
+    std::raise (signal);
 }
 
 std::optional<CommandOutcome> runShellCommand (const std::string& command)

@@ -63,6 +63,7 @@ AudioBench::AudioBench (AudioChoice choice, BenchChannels channelsToUse, Eigen::
     choice.outputs = openOutputs;
     choice.inputs = openInputs;
     openAudio (manager, choice);
+    protectRamps();
     manager.addAudioCallback (&player);
 }
 

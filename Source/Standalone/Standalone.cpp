@@ -88,6 +88,7 @@ void run (const StandaloneOptions& options)
 {
     const juce::ScopedJuceInitialiser_GUI juce;
     catchInterruptions();
+    protectRamps();
     silenceAudioLibraries();
 
     if (options.listsDevices)
