@@ -10,7 +10,8 @@
 namespace antinode
 {
 /** Events that come out a number of samples later, in the order in which they came, whatever the blocks are. A delay
-    that becomes shorter never lets an event overtake an earlier one. */
+    that becomes shorter never lets an event overtake an earlier one. A stop does not wait, and what waits then is void.
+ */
 class EventDelay
 {
 public:
@@ -34,8 +35,11 @@ private:
         FocusEvent event;
     };
 
+    void takeDue (std::int64_t end);
+
     std::array<Waiting, mostWaiting> ring {};
     std::array<FocusEvent, mostPerBlock> out {};
+    std::size_t taken = 0;               ///< Of `out`.
     std::size_t first = 0, waiting = 0;  ///< In the ring.
     std::int64_t clock = 0, lastDue = 0; ///< Samples.
 };

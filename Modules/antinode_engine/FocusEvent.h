@@ -17,4 +17,10 @@ struct FocusEvent
     int place = 0;        ///< Of the bank.
     double amplitude = 1; ///< Of a trigger: times the velocity that the focus was designed for, 0 to 1.
 };
+
+/** [any] */
+inline bool isStop (const FocusEvent& event)
+{
+    return event.kind == FocusEventKind::stopAll;
+}
 } // namespace antinode

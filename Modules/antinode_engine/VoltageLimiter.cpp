@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace antinode
@@ -15,8 +16,10 @@ constexpr int limiterPiece =
 } // namespace
 
 VoltageLimiter::VoltageLimiter (Eigen::VectorXd voltageLimits)
-    : limits (std::move (voltageLimits)), clamped (static_cast<std::size_t> (limits.size()), 0),
-      doubles (limiterKernel<double>()), floats (limiterKernel<float>())
+    : limits (std::move (voltageLimits)),
+      further (Eigen::VectorXd::Constant (limits.size(), std::numeric_limits<double>::infinity())),
+      clamped (static_cast<std::size_t> (limits.size()), 0), doubles (limiterKernel<double>()),
+      floats (limiterKernel<float>())
 {
     if (! limits.allFinite() || (limits.array() < 0).any())
         throw InputError ("voltage limit", "must be finite and at least 0 V for every ceramic");
@@ -44,7 +47,8 @@ const LimiterKernel<float>& VoltageLimiter::kernel<float>() const
 template <typename Sample>
 void VoltageLimiter::limit (std::size_t ceramic, Sample* samples, int valid, int count)
 {
-    const auto exact = std::min (common, limits[static_cast<Eigen::Index> (ceramic)]);
+    const auto index = static_cast<Eigen::Index> (ceramic);
+    const auto exact = std::min (further[index], limits[index]);
     auto maximum = static_cast<Sample> (exact);
 
     if (! (static_cast<double> (maximum) <= exact)) // rounding must not raise a limit

@@ -4,8 +4,9 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <utility>
 #include <vector>
 
 namespace antinode
@@ -23,9 +24,12 @@ public:
         [worker] allocates */
     explicit VoltageLimiter (Eigen::VectorXd limits);
 
-    /** A limit for all ceramics, where it is below their own. @param volts  at least 0; what is not counts as 0
+    /** Another limit of a ceramic, where it is below its own. @param volts  at least 0; what is not counts as 0
         [audio thread] */
-    void setCommonLimit (double volts) { common = volts > 0 ? volts : 0; }
+    void setFurtherLimit (std::size_t ceramic, double volts)
+    {
+        further[static_cast<Eigen::Index> (ceramic)] = volts > 0 ? volts : 0;
+    }
 
     /** Limits in place. @param channels  N_b pointers to count samples each, V; in float, limits are rounded down
         [audio thread] allocates nothing, locks nothing, any count >= 0 */
@@ -37,6 +41,9 @@ public:
 
     /** The number of clamped samples of each ceramic since the last reset. [audio thread] */
     const std::vector<std::int64_t>& limitedSamples() const { return clamped; }
+
+    /** The same of one ceramic, counted from 0 again from now on. [audio thread] */
+    std::int64_t takeLimitedSamples (std::size_t ceramic) { return std::exchange (clamped[ceramic], 0); }
 
     /** Whether a non-finite sample has muted the output. [audio thread] */
     bool isMuted() const { return muted; }
@@ -50,8 +57,7 @@ private:
     template <typename Sample>
     void limit (std::size_t ceramic, Sample* samples, int valid, int count);
 
-    Eigen::VectorXd limits;
-    double common = std::numeric_limits<double>::infinity();
+    Eigen::VectorXd limits, further; ///< V
     std::vector<std::int64_t> clamped;
     LimiterKernel<double> doubles;
     LimiterKernel<float> floats;

@@ -6,8 +6,16 @@
 namespace antinode
 {
 LimiterNode::LimiterNode (const Eigen::VectorXd& limits)
-    : channels (static_cast<int> (limits.size())), voltageLimiter (limits)
+    : channels (static_cast<int> (limits.size())), focusLimits (static_cast<std::size_t> (channels)),
+      voltageLimiter (limits)
 {
+    setFocusLimits (limits);
+}
+
+void LimiterNode::setFocusLimits (const Eigen::VectorXd& volts)
+{
+    for (Eigen::Index i = 0; i < channels; ++i)
+        focusLimits[static_cast<std::size_t> (i)] = volts[i];
 }
 
 void LimiterNode::prepare (const NodeFormat& format)
@@ -30,7 +38,12 @@ void LimiterNode::limit (const NodeBlock<Sample>& block)
     }
 
     ramp.process (block.outputs, channels, block.count);
-    voltageLimiter.setCommonLimit (wantedLimit.load (std::memory_order_relaxed));
+
+    const auto ofAll = wantedLimit.load (std::memory_order_relaxed);
+
+    for (std::size_t i = 0; i < focusLimits.size(); ++i)
+        voltageLimiter.setFurtherLimit (i, std::min (ofAll, focusLimits[i].load (std::memory_order_relaxed)));
+
     voltageLimiter.process (block.outputs, block.count);
 }
 

@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <limits>
+#include <vector>
 
 namespace antinode
 {
@@ -33,10 +34,18 @@ public:
        is no ramp, but silence or not, as was said before. [any] */
     void setArmed (bool shouldBeArmed) { wantsArmed = shouldBeArmed; }
 
-    /** From the next block on, no ceramic gets more than this, and its own limit. [any] @param volts  at least 0 */
+    /** From the next block on, no ceramic gets more than this, nor than its own limit or that of what plays. [any]
+        @param volts  at least 0 */
     void setVoltageLimit (double volts) { wantedLimit = volts; }
 
-    /** The limiter, for its counters. [audio thread] */
+    /** What the focus that plays allows each ceramic, from the next block on: however many foci add up. [any]
+        @param volts  N_b, at least 0 */
+    void setFocusLimits (const Eigen::VectorXd& volts);
+
+    /** VoltageLimiter::takeLimitedSamples. [audio thread] */
+    std::int64_t takeLimitedSamples (std::size_t ceramic) { return voltageLimiter.takeLimitedSamples (ceramic); }
+
+    /** The limiter, for its state. [audio thread] */
     const VoltageLimiter& limiter() const { return voltageLimiter; }
 
 private:
@@ -46,6 +55,7 @@ private:
     int channels;
     std::atomic<bool> wantsArmed { true };
     std::atomic<double> wantedLimit { std::numeric_limits<double>::infinity() };
+    std::vector<std::atomic<double>> focusLimits; ///< V
     bool isArmed = true;
     std::int64_t rampSamples = 1;
     SafetyRamp ramp { 1 };

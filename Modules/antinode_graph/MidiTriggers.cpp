@@ -17,12 +17,20 @@ std::optional<FocusEvent> eventFrom (const juce::MidiMessage& message, const Vel
     if (message.isNoteOff())
         return FocusEvent { offset, FocusEventKind::release, message.getNoteNumber(), 0 };
 
-    if (message.isAllNotesOff() || message.isAllSoundOff())
+    if (stopsAll (message))
         return FocusEvent { offset, FocusEventKind::stopAll, 0, 0 };
 
     return std::nullopt;
 }
 } // namespace
+
+bool stopsAll (const juce::MidiMessage& message)
+{
+    constexpr int allSoundOff = 120, allNotesOff = 123, systemReset = 0xff;
+    const auto isReset = message.getRawDataSize() == 1 && message.getRawData()[0] == systemReset;
+    const auto controller = message.isController() ? message.getControllerNumber() : 0;
+    return isReset || controller == allSoundOff || controller >= allNotesOff;
+}
 
 double VelocityCurve::amplitude (int velocity) const
 {
@@ -36,9 +44,6 @@ std::span<const FocusEvent> MidiTriggers::read (const juce::MidiBuffer& midi, in
 
     for (const auto metadata : midi)
     {
-        if (count == events.size())
-            break;
-
         // Longer messages are never notes; getMessage() would allocate for them.
         if (metadata.numBytes > 3)
             continue;
@@ -46,7 +51,13 @@ std::span<const FocusEvent> MidiTriggers::read (const juce::MidiBuffer& midi, in
         const auto offset = std::clamp (metadata.samplePosition, 0, std::max (0, blockLength - 1));
 
         if (const auto event = eventFrom (metadata.getMessage(), curve, offset))
-            events[count++] = *event;
+        {
+            // What comes before a stop ends with it.
+            count = isStop (*event) ? std::min (count, events.size() - 1) : count;
+
+            if (count < events.size())
+                events[count++] = *event;
+        }
     }
 
     return { events.data(), count };

@@ -19,13 +19,17 @@ struct VelocityCurve
     double amplitude (int velocity) const;
 };
 
-/** MIDI as focus events: note number = place, on every channel; all-notes-off and all-sound-off stop everything. */
+/** Whether a message ends all that sounds: all sound off, all notes off and the changes of mode that imply it, system
+    reset. [any] Source: MIDI 1.0 Detailed Specification, channel mode messages 120 and 123 to 127, and FF. */
+bool stopsAll (const juce::MidiMessage&);
+
+/** MIDI as focus events: note number = place, on every channel; what ends all that sounds stops everything. */
 class MidiTriggers
 {
 public:
     explicit MidiTriggers (VelocityCurve curveToUse) : curve (curveToUse) {}
 
-    /** The events of a block, in the order of their samples. Those beyond 1024 in one block are left out.
+    /** The events of a block, in the order of their samples. Those beyond 1024 in one block are left out, but no stop.
         @return  valid until the next call
         [audio thread] allocates nothing, locks nothing */
     std::span<const FocusEvent> read (const juce::MidiBuffer&, int blockLength);

@@ -3,6 +3,7 @@
 #include "NoteBank.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace antinode
 {
@@ -10,6 +11,7 @@ void AudioEntry::prepare (double sampleRate)
 {
     preparedRate = sampleRate;
     paths.reset();
+    stopCount.stop();
 }
 
 int AudioEntry::eventPlace (const FocusEvent& event) const
@@ -20,20 +22,20 @@ int AudioEntry::eventPlace (const FocusEvent& event) const
 /** The events of the block with those that came from elsewhere before them; a note's place becomes the bank's. */
 std::span<const FocusEvent> AudioEntry::gather (std::span<const FocusEvent> events)
 {
-    std::size_t waiting = 0;
+    const std::span all (blockEvents);
+    const auto [waiting, stop] = triggers.pop (all.subspan (1, TriggerQueue::capacity));
+    const auto isStopped = std::exchange (playedStop, stop) != stop;
+    all.front() = { 0, FocusEventKind::stopAll, 0, 0 };
+    const auto own = all.subspan (1 + waiting, std::min (events.size(), mostOfBlock));
+    std::copy_n (events.begin(), own.size(), own.begin());
 
-    if (isStopRequested.exchange (false))
-        blockEvents[waiting++] = { 0, FocusEventKind::stopAll, 0, 0 };
+    for (auto& event : own)
+        if (isStop (event))
+            playedStop = stopCount.stopByNote(); // Touches that are being designed were asked for before it.
+        else
+            event.place = eventPlace (event);
 
-    waiting +=
-        static_cast<std::size_t> (triggers.pop (std::span (blockEvents).subspan (waiting, blockEvents.size() / 2)));
-    const auto count = std::min (events.size(), blockEvents.size() - waiting);
-    std::copy_n (events.begin(), count, blockEvents.begin() + static_cast<std::ptrdiff_t> (waiting));
-
-    for (auto& event : std::span (blockEvents).subspan (waiting, count))
-        event.place = eventPlace (event);
-
-    return { blockEvents.data(), waiting + count };
+    return all.subspan (isStopped ? 0 : 1, own.size() + waiting + (isStopped ? 1 : 0));
 }
 
 template <typename Sample>
@@ -48,6 +50,10 @@ void AudioEntry::process (const OutputBlock<Sample>& block, std::span<const Focu
         current->process (block, gather (events), now, levels, trace);
         return;
     }
+
+    // Triggers wait for a path, but not beyond a stop.
+    if (std::any_of (events.begin(), events.end(), isStop))
+        stopCount.stopByNote();
 
     for (auto* const channel : block.ceramics)
         std::fill_n (channel, block.count, Sample (0));

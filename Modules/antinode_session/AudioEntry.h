@@ -6,6 +6,7 @@
 
 #include <array>
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -24,11 +25,16 @@ public:
     /** The sample rate from the next block on; what plays comes to rest. Nothing may be processing. [worker] */
     void prepare (double sampleRate);
 
-    /** Fires a place of the bank with the next block. @param amplitude  0 to 1 [any but the audio thread] */
-    void fire (int place, double amplitude) { triggers.push ({ 0, FocusEventKind::trigger, place, amplitude }); }
+    /** Fires a place of the bank with the next block, unless there was a stop since it was asked for.
+        @param amplitude  0 to 1 @param askedAt  number of the stop before it [any but the audio thread] */
+    void fire (int place, double amplitude, std::uint64_t askedAt)
+    {
+        triggers.push ({ 0, FocusEventKind::trigger, place, amplitude }, askedAt);
+    }
 
-    /** Fades all voices out with the next block. [any] */
-    void stopAll() { isStopRequested = true; }
+    /** Fades all voices out with the next block, and voids what was asked for before: a stop by a button, by a message,
+        by all notes off among the events of a block, and by prepare(). [any] */
+    StopCount& stops() { return stopCount; }
 
     /** The place of the bank that an event means. [any] */
     int eventPlace (const FocusEvent&) const;
@@ -52,10 +58,14 @@ public:
 private:
     std::span<const FocusEvent> gather (std::span<const FocusEvent> events);
 
-    std::atomic<bool> isStopRequested { false }, playsSpotOnly { false };
+    static constexpr std::size_t mostOfBlock = 1024; ///< Events that come with one.
+
+    std::atomic<bool> playsSpotOnly { false };
     std::atomic<double> preparedRate { 0 }, fullScale { 0 };
-    TriggerQueue triggers;
-    std::array<FocusEvent, 1024> blockEvents {}; ///< Of the audio thread.
+    StopCount stopCount;
+    TriggerQueue triggers { stopCount };
+    std::uint64_t playedStop = 0; ///< Of the audio thread, as the next line: the newest one.
+    std::array<FocusEvent, 1 + TriggerQueue::capacity + mostOfBlock> blockEvents {};
     LevelMeters levels;
     ProbeTrace trace;
     PathExchange<AudioPath> paths;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace antinode
 {
@@ -30,6 +31,13 @@ AudioPath::AudioPath (std::shared_ptr<const ModalModel> model, double sampleRate
     standard.graph.prepare ({ rate, graph.isOpen ? longestOpenPart : longestPart });
     outputLimiter = standard.lags.limiterIn (standard.graph);
     designs = std::make_unique<DesignWorker> (standard.voiceNode().voices().handOver());
+}
+
+void AudioPath::setFocusLimits (const Eigen::VectorXd& volts)
+{
+    for (auto* const limiter : { &standard.limiterNode(), outputLimiter })
+        if (limiter != nullptr)
+            limiter->setFocusLimits (volts);
 }
 
 bool AudioPath::isSilentAfter (std::int64_t passed) const
@@ -96,23 +104,25 @@ void AudioPath::write (const OutputBlock<Sample>& block, int offset, int count, 
 
 void AudioPath::note (int count, Outputs outputs, LevelMeters& meters, ProbeTrace& trace)
 {
-    const auto& limiter = standard.limiterNode().limiter();
+    auto& limiter = standard.limiterNode();
     const auto* const asked = askedFor (outputs);
     const auto ceramics = static_cast<std::size_t> (modes->actuators());
 
     for (std::size_t i = 0; i < std::min<std::size_t> (ceramics, LevelMeters::ceramics); ++i)
     {
         meters.notePeak (static_cast<int> (i), static_cast<float> (absolutePeak (asked[i], count)));
-        meters.noteLimited (static_cast<int> (i),
-                            limiter.limitedSamples()[i]
-                                + (outputLimiter != nullptr ? outputLimiter->limiter().limitedSamples()[i] : 0));
+        meters.addLimited (static_cast<int> (i),
+                           limiter.takeLimitedSamples (i)
+                               + (outputLimiter != nullptr ? outputLimiter->takeLimitedSamples (i) : 0));
     }
 
     for (std::size_t i = 0; i < probes; ++i)
         meters.noteProbe (static_cast<int> (i), static_cast<float> (absolutePeak (outputs[ceramics + i], count)));
 
     const auto& voices = standard.voiceNode().voices();
-    meters.noteState (limiter.isMuted(), voices.activeVoices(), voices.counters().triggered);
+    const auto triggered = voices.counters().triggered;
+    meters.addTriggered (triggered - std::exchange (countedTriggers, triggered));
+    meters.noteState (limiter.limiter().isMuted(), voices.activeVoices());
     trace.write (outputs[ceramics], count);
 }
 

@@ -49,6 +49,9 @@ public:
     const ModalModel& model() const { return *modes; }
     double sampleRate() const { return rate; }
 
+    /** LimiterNode::setFocusLimits, of all outputs. [any] */
+    void setFocusLimits (const Eigen::VectorXd& volts);
+
     /** By how much all that is designed happens later, because lags of ceramics are undone, samples. [worker] */
     std::int64_t lateSamples();
 
@@ -81,5 +84,6 @@ private:
     Listening listening;
     LimiterNode* outputLimiter = nullptr; ///< Of the graph, behind the filters of lags; none: nothing lags.
     double toFullScale, monitorGain = 1;
+    std::int64_t countedTriggers = 0; ///< Of its voices, by the meters.
 };
 } // namespace antinode

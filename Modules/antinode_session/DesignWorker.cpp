@@ -67,14 +67,15 @@ void DesignWorker::abandon()
     changed.notify_all();
 }
 
-bool DesignWorker::touch (double x, double y, std::function<void (int)> ready)
+bool DesignWorker::touch (double x, double y, std::function<void (int)> ready, std::function<bool()> isWanted)
 {
     const std::lock_guard lock (mutex);
+    std::erase_if (touches, [] (const auto& waiting) { return waiting.isVoid(); });
 
     if (touches.size() >= FocusBank::touchPlaces)
         return false;
 
-    touches.push_back ({ x, y, std::move (ready) });
+    touches.push_back ({ x, y, std::move (ready), std::move (isWanted) });
     changed.notify_all();
     return true;
 }
@@ -213,18 +214,22 @@ void DesignWorker::designTouches()
     }
 
     for (const auto& touch : asked)
-    {
-        const auto place = FocusBank::firstTouchPlace + nextTouchPlace;
-
-        const auto isDesigned = accepted && designPlace (*accepted, place, movedTo (accepted->focus, touch.x, touch.y))
-                                && bank.foci[static_cast<std::size_t> (place)] != nullptr;
-        nextTouchPlace = (nextTouchPlace + 1) % FocusBank::touchPlaces;
-        handOverBank();
-        touch.ready (isDesigned ? place : -1);
-    }
+        if (! touch.isVoid())
+            designTouch (touch);
 }
 
-/** Touches are outdated by nothing: who asked waits for an answer. */
+void DesignWorker::designTouch (const Touch& touch)
+{
+    const WatchScope scope ([&touch] { return ! touch.isVoid(); });
+    const auto place = FocusBank::firstTouchPlace + nextTouchPlace;
+    const auto isDesigned = accepted && designPlace (*accepted, place, movedTo (accepted->focus, touch.x, touch.y))
+                            && bank.foci[static_cast<std::size_t> (place)] != nullptr;
+    nextTouchPlace = (nextTouchPlace + 1) % FocusBank::touchPlaces;
+    handOverBank();
+    touch.ready (isDesigned ? place : -1);
+}
+
+/** Touches are outdated by a stop alone: who asked waits for an answer. */
 bool DesignWorker::mayContinue (int place, Clock::time_point begin) const
 {
     const std::lock_guard lock (mutex);

@@ -42,11 +42,13 @@ public:
 
     /** Designs the newest request's focus at another place; calls back, on the worker's thread, when it has been handed
        over. The last 16 touched places are kept. More than 16 that wait are not taken.
-        @param x, y   m
-        @param ready  gets the place of the bank, or -1 where no focus could be designed there
-        @return       whether it was taken
+        @param x, y      m
+        @param ready     gets the place of the bank, or -1 where no focus could be designed there
+        @param isWanted  none: always. Once it says no the touch is forgotten and its design given up; called on several
+            threads
+        @return          whether it was taken
         [any but the audio thread] */
-    bool touch (double x, double y, std::function<void (int place)> ready);
+    bool touch (double x, double y, std::function<void (int place)> ready, std::function<bool()> isWanted = {});
 
     /** Waits until the newest request is designed and handed over at these places, which come before all others.
         @throws Cancelled  where a watch of this thread says no
@@ -65,6 +67,9 @@ private:
     {
         double x = 0, y = 0;
         std::function<void (int)> ready;
+        std::function<bool()> isWanted;
+
+        bool isVoid() const { return isWanted && ! isWanted(); }
     };
 
     void run();
@@ -72,6 +77,7 @@ private:
     bool designPlace (const DesignRequest&, int place, const FocusDescription&);
     bool mayContinue (int place, Clock::time_point begin) const;
     void designTouches();
+    void designTouch (const Touch&);
     bool isOutdated() const;
     void handOverBank();
     void noteReady (const DesignRequest&, const Places& isDone, Clock::time_point asked);

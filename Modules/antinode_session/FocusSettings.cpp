@@ -151,8 +151,9 @@ FocusDescription withSettings (const FocusDescription& document, const PlaySetti
     if (settings.brake > 1)
         focus.transients.brake = static_cast<double> (settings.brake);
 
-    if (settings.voltageLimitVolts > 0)
-        focus.allocation.voltageLimit = static_cast<double> (settings.voltageLimitVolts);
+    // It only lowers: what the focus allows holds too.
+    if (const auto limit = static_cast<double> (settings.voltageLimitVolts); limit > 0)
+        focus.allocation.voltageLimit = std::min (limit, focus.allocation.voltageLimit.value_or (limit));
 
     if (settings.modeCount > 0)
         focus.modes = { settings.modeCount, focus.modes.order, {}, {}, {} };

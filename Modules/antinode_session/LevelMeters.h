@@ -8,7 +8,9 @@
 
 namespace antinode
 {
-/** Meters of the audio thread for other threads: peaks since the last read, and counters. */
+/** Meters of the audio thread for other threads: peaks since the last read, and counters, which go on from path to
+ * path.
+ */
 class LevelMeters
 {
 public:
@@ -18,12 +20,16 @@ public:
     /** [audio thread] @param volts  the largest magnitude in a block */
     void notePeak (int ceramic, float volts) { peaks.note (ceramic, volts); }
     void noteProbe (int probe, float metresPerSecond) { probePeaks.note (probe, metresPerSecond); }
-    void noteLimited (int ceramic, std::int64_t samples) { limited[static_cast<std::size_t> (ceramic)] = samples; }
-    void noteState (bool isMutedForBadNumbers, int voices, std::int64_t triggered)
+    void addLimited (int ceramic, std::int64_t samples)
+    {
+        if (samples > 0)
+            limited[static_cast<std::size_t> (ceramic)] += samples;
+    }
+    void addTriggered (std::int64_t voices) { triggers += voices; }
+    void noteState (bool isMutedForBadNumbers, int voices)
     {
         badNumbers = isMutedForBadNumbers;
         activeVoices = voices;
-        triggers = triggered;
     }
 
     /** The largest voltage since the last call, V. One reader. [any] */
@@ -32,12 +38,13 @@ public:
     /** The largest velocity since the last call, m/s. One reader. [any] */
     float takeProbe (int probe) { return probePeaks.take (probe); }
 
-    /** The number of samples clamped by the limiter since the path was made. [any] */
+    /** The number of samples clamped by limiters. [any] */
     std::int64_t limitedSamples (int ceramic) const { return limited[static_cast<std::size_t> (ceramic)]; }
 
     /** Whether a number that was not finite has muted the output. [any] */
     bool isMutedForBadNumbers() const { return badNumbers; }
 
+    /** Foci that play now, and all that began. [any] */
     int voices() const { return activeVoices; }
     std::int64_t triggered() const { return triggers; }
 

@@ -68,7 +68,7 @@ void PlatePath::process (const SurfaceBlock<Sample>& block, const SurfaceControl
                                     note (count, outputs, meters);
                                     captureMotion (count);
                                 });
-    meters.noteState (limiterNode().limiter().isMuted(), 0, 0);
+    meters.noteState (limiterNode().limiter().isMuted(), 0);
 }
 
 template <typename Sample>
@@ -86,13 +86,12 @@ void PlatePath::write (const SurfaceBlock<Sample>& block, int offset, int count,
 
 void PlatePath::note (int count, Outputs outputs, LevelMeters& meters)
 {
-    const auto& limited = limiterNode().limiter().limitedSamples();
     const auto ceramics = static_cast<int> (modes->actuators());
 
     for (int i = 0; i < std::min (ceramics, LevelMeters::ceramics); ++i)
     {
         meters.notePeak (i, static_cast<float> (absolutePeak (outputs[i], count)));
-        meters.noteLimited (i, limited[static_cast<std::size_t> (i)]);
+        meters.addLimited (i, limiterNode().takeLimitedSamples (static_cast<std::size_t> (i)));
     }
 
     for (int i = 0; i < probes; ++i)

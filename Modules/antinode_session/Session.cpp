@@ -73,11 +73,12 @@ void Session::insertNodes (InsertNodes insert)
 
 void Session::fire (double amplitude)
 {
-    entry->fire (FocusBank::livePlace, amplitude);
+    entry->fire (FocusBank::livePlace, amplitude, stops().now());
 }
 
 Session::TouchResult Session::fireAt (double x, double y, double amplitude)
 {
+    const auto askedAt = stops().now();
     const auto now = snapshot();
 
     if (now->model == nullptr)
@@ -89,12 +90,13 @@ Session::TouchResult Session::fireAt (double x, double y, double amplitude)
     if (! liesOn (surface, x, y))
         return TouchResult::outsideSurface;
 
-    return requests->touch ({ x, isLine ? 0.0 : y, amplitude }) ? TouchResult::taken : TouchResult::notAccepted;
+    return requests->touch ({ x, isLine ? 0.0 : y, amplitude, askedAt }) ? TouchResult::taken
+                                                                         : TouchResult::notAccepted;
 }
 
 void Session::stopAll()
 {
-    entry->stopAll();
+    stops().stop();
 }
 
 std::shared_ptr<const SessionSnapshot> Session::snapshot() const

@@ -100,8 +100,12 @@ public:
     /** Designs and fires a focus at another position. @param x, y  m [any but the audio thread] */
     TouchResult fireAt (double x, double y, double amplitude);
 
-    /** Fades all voices out with the next block. [any] */
+    /** Fades all voices out with the next block, and voids what was asked for before and waits: touches, their designs,
+        triggers. [any] */
     void stopAll();
+
+    /** The stops so far: by stopAll(), by prepare(), by all notes off among the events of a block. [any] */
+    StopCount& stops() { return entry->stops(); }
 
     /** [any but the audio thread] */
     std::shared_ptr<const SessionSnapshot> snapshot() const;

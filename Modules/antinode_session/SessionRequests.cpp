@@ -60,6 +60,7 @@ void SessionRequests::setAmplifiers (std::vector<double> volts)
 bool SessionRequests::touch (const SessionTouch& touch)
 {
     const std::lock_guard lock (mutex);
+    std::erase_if (asked.touches, [&touch] (const auto& earlier) { return earlier.askedAt < touch.askedAt; });
 
     if (asked.touches.size() >= FocusBank::touchPlaces)
         return false;

@@ -20,6 +20,7 @@ namespace antinode
 struct SessionTouch
 {
     double x = 0, y = 0, amplitude = 1;
+    std::uint64_t askedAt = 0; ///< StopCount::now() then.
 };
 
 /** What is new in a round of a session's thread. */
@@ -61,7 +62,8 @@ public:
     void setGraphOpen (bool shouldBeOpen) { wantsOpenGraph = shouldBeOpen; }
     bool isGraphOpen() const { return wantsOpenGraph; }
 
-    /** @return  whether it was taken: not where too many wait [any but the audio thread] */
+    /** Those from before its last stop wait no longer. @return  whether it was taken: not where too many wait [any but
+     * the audio thread] */
     bool touch (const SessionTouch&);
 
     /** Asks for the path of a sample rate, and waits until it is there and its focus designed, or the patience has

@@ -17,6 +17,7 @@ void SessionWorker::requestDesigns (const std::vector<int>& firstNotes)
     auto asWritten = written();
     requests->setLatencySamples (estimateLatency (focus->description, settings, rate) + path->lateSamples());
     entry->setPlaysSpotOnly (settings.noteLayout == NoteLayout::spot || asWritten != nullptr);
+    path->setFocusLimits (limitsInPlay (*model, description, asWritten.get()));
     isFocusNew = false;
 
     try
@@ -96,11 +97,13 @@ void SessionWorker::forwardTouches (const std::vector<SessionTouch>& touches)
 
     // The path is the entry's: it outlives the path's thread, which calls back.
     for (const auto& touch : touches)
-        path->worker().touch (touch.x, touch.y,
-                              [&target = *entry, amplitude = touch.amplitude] (int place)
-                              {
-                                  if (place >= 0)
-                                      target.fire (place, amplitude);
-                              });
+        path->worker().touch (
+            touch.x, touch.y,
+            [&target = *entry, touch] (int place)
+            {
+                if (place >= 0)
+                    target.fire (place, touch.amplitude, touch.askedAt);
+            },
+            [&target = *entry, touch] { return target.stops().now() == touch.askedAt; });
 }
 } // namespace antinode

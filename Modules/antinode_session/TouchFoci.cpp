@@ -101,6 +101,8 @@ void TouchFoci::begin (TouchPath& path, const FociSurface& surface)
     error.clear();
     meaning = NoteMeaning::nothing;
     isWhole = false;
+    path.setFocusLimits (served != nullptr ? limitsInPlay (path.model(), served->description, served->design.get())
+                                           : voltageLimits (path.model()));
 
     try
     {

@@ -69,22 +69,32 @@ void TouchPath::reset()
     delay.reset();
 }
 
-/** Notes as places of the bank, as loud as the gain has them. */
+/** Notes as places of the bank, as loud as the gain has them; stops where notes mean nothing, too. */
 std::span<const FocusEvent> TouchPath::placed (std::span<const FocusEvent> notes, const TouchControls& controls)
 {
-    if (controls.notes == NoteMeaning::nothing)
-        return {};
+    std::size_t count = 0;
 
-    const auto count = std::min (notes.size(), placedNotes.size());
+    if (controls.stops)
+        placedNotes[count++] = { 0, FocusEventKind::stopAll, 0, 0 };
 
-    for (std::size_t k = 0; k < count; ++k)
+    for (const auto& note : notes.first (std::min (notes.size(), EventDelay::mostPerBlock)))
     {
-        placedNotes[k] = notes[k];
-        placedNotes[k].place = bankPlaceOf (notes[k].place, controls.notes == NoteMeaning::spotOnly);
-        placedNotes[k].amplitude *= controls.focusGain;
+        if (controls.notes == NoteMeaning::nothing && ! isStop (note))
+            continue;
+
+        auto& placed = placedNotes[count++] = note;
+        placed.place = bankPlaceOf (note.place, controls.notes == NoteMeaning::spotOnly);
+        placed.amplitude *= controls.focusGain;
     }
 
     return { placedNotes.data(), count };
+}
+
+void TouchPath::setFocusLimits (const Eigen::VectorXd& volts)
+{
+    for (auto* const node : { &limiterNode(), outputLimiter })
+        if (node != nullptr)
+            node->setFocusLimits (volts);
 }
 
 bool TouchPath::isSilentAfter (std::int64_t passed) const
@@ -128,7 +138,7 @@ void TouchPath::process (const TouchBlock<Sample>& block, const TouchControls& c
         fingerMeters.felt.note (j, filterNode().motion().takeFelt (finger));
     }
 
-    meters.noteState (limiterNode().limiter().isMuted(), 0, 0);
+    meters.noteState (limiterNode().limiter().isMuted(), 0);
 }
 
 /** Before anything is written: the outputs may lie where the inputs are. */
@@ -176,14 +186,13 @@ void TouchPath::write (const TouchBlock<Sample>& block, int offset, int count, O
 void TouchPath::note (int count, Outputs outputs, LevelMeters& meters)
 {
     const auto* const asked = askedFor (outputs);
-    const auto& limited = limiterNode().limiter().limitedSamples();
 
     for (int i = 0; i < std::min (static_cast<int> (modes->actuators()), LevelMeters::ceramics); ++i)
     {
         const auto place = static_cast<std::size_t> (i);
         meters.notePeak (i, static_cast<float> (absolutePeak (asked[i], count)));
-        meters.noteLimited (i, limited[place]
-                                   + (outputLimiter != nullptr ? outputLimiter->limiter().limitedSamples()[place] : 0));
+        meters.addLimited (i, limiterNode().takeLimitedSamples (place)
+                                  + (outputLimiter != nullptr ? outputLimiter->takeLimitedSamples (place) : 0));
     }
 }
 

@@ -63,6 +63,12 @@ public:
     template <typename Sample>
     void process (const TouchBlock<Sample>&, const TouchControls&, bool isLeaving, LevelMeters&, FingerMeters&);
 
+    /** The device. [any] */
+    const ModalModel& model() const { return *modes; }
+
+    /** LimiterNode::setFocusLimits, of all outputs: tracks and foci add up below them. [any] */
+    void setFocusLimits (const Eigen::VectorXd& volts);
+
     /** By how much all comes later than its latency, because lags of ceramics are undone, samples. [worker] */
     std::int64_t lateSamples() const { return late; }
 
@@ -96,7 +102,7 @@ private:
     std::int64_t late = 0;                                ///< Samples, because lags are undone.
     LimiterNode* outputLimiter = nullptr; ///< Of the graph, behind the filters of lags; none: nothing lags.
     std::array<std::int64_t, touchLatencies.size()> latencies {}; ///< Samples.
-    std::array<FocusEvent, EventDelay::mostPerBlock> placedNotes {};
+    std::array<FocusEvent, 1 + EventDelay::mostPerBlock> placedNotes {};
     EventDelay delay;
     std::unique_ptr<DesignWorker> focusDesigns; ///< Ends before the graph whose voices it gives banks to.
 };

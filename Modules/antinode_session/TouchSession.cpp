@@ -35,6 +35,16 @@ void TouchSession::process (const TouchBlock<Sample>& block, const TouchControls
     worker->process (block, controls);
 }
 
+void TouchSession::stopAll()
+{
+    stops().stop();
+}
+
+StopCount& TouchSession::stops() const
+{
+    return worker->stops();
+}
+
 void TouchSession::waitUntilSettled (std::span<const FocusEvent> notes)
 {
     worker->waitUntilSettled (notes);

@@ -2,6 +2,7 @@
 
 #include "Documents.h"
 #include "SessionOwner.h"
+#include "StopCount.h"
 #include "TouchDesigner.h"
 #include "TouchFoci.h"
 #include "TouchPath.h"
@@ -67,6 +68,13 @@ public:
     /** Plays a block, or silence where there is no path yet. [audio thread] allocates nothing, locks nothing */
     template <typename Sample>
     void process (const TouchBlock<Sample>&, const TouchControls&);
+
+    /** Fades the foci of notes out with the next block, and voids those that wait for their time. Inputs play on.
+        [any] */
+    void stopAll();
+
+    /** The stops so far: by stopAll() and by prepare(). [any] */
+    StopCount& stops() const;
 
     /** Waits until all that was loaded is taken up, and filters are designed for what the parameters say, and the focus
         at its own place and at those of these notes. One caller at a time. [any but a real-time audio thread] */

@@ -66,7 +66,8 @@ struct TouchControls
     std::array<double, mostFingers> levels {}; ///< m that 1.0 of an input moves its finger; 0: silent.
     double focusGain = 1;                      ///< Factor of the foci that begin from now on, 0 to 1.
     std::size_t latency = 0;                   ///< Index in touchLatencies: by how much foci wait for the filters.
-    NoteMeaning notes = NoteMeaning::nothing;  ///< Set by the session.
+    NoteMeaning notes = NoteMeaning::nothing;  ///< Set by the session, as the next line.
+    bool stops = false;                        ///< Foci that play or wait end before the block's notes.
 };
 
 /** Levels of the audio thread for other threads. */

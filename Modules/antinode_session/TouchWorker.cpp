@@ -43,6 +43,7 @@ void TouchWorker::prepare (double sampleRate, int inputs)
 {
     preparedRate = sampleRate;
     paths.reset();
+    stopCount.stop();
     ask ({ sampleRate, inputs });
 }
 
@@ -222,6 +223,8 @@ void TouchWorker::process (const TouchBlock<Sample>& block, const TouchControls&
         fullScale.store (current->fullScaleVolts(), std::memory_order_relaxed);
         auto now = controls;
         now.notes = foci.notes();
+        const auto stop = stopCount.now();
+        now.stops = std::exchange (playedStop, stop) != stop;
         current->process (block, now, paths.isLeaving(), levels, fingerLevels);
         return;
     }

@@ -4,6 +4,7 @@
 #include "DeviceTracking.h"
 #include "FingerMovement.h"
 #include "PathExchange.h"
+#include "StopCount.h"
 #include "TouchFoci.h"
 #include "TouchSession.h"
 
@@ -45,6 +46,7 @@ public:
     DesignProgress focusProgress() const { return foci.progress(); }
     FociUnderFingers fociUnderFingers() const { return foci.underFingers(); }
     void waitUntilSettled (std::span<const FocusEvent> notes);
+    StopCount& stops() { return stopCount; }
     LevelMeters& meters() { return levels; }
     FingerMeters& fingerMeters() { return fingerLevels; }
     std::int64_t latencySamples (std::size_t latency) const;
@@ -95,6 +97,8 @@ private:
     bool isPathNew = false;    ///< Whether no focus was asked for it yet.
     TouchPath* path = nullptr; ///< The newest one, which `paths` owns.
 
+    StopCount stopCount;
+    std::uint64_t playedStop = 0; ///< Of the audio thread: the newest one.
     PathExchange<TouchPath> paths;
     LevelMeters levels;
     FingerMeters fingerLevels;

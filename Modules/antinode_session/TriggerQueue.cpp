@@ -4,19 +4,22 @@
 
 namespace antinode
 {
-bool TriggerQueue::push (const FocusEvent& event)
+bool TriggerQueue::push (const FocusEvent& event, std::uint64_t askedAt)
 {
     const std::lock_guard lock (pushing);
-    return waiting.push (event);
+    return waiting.push ({ event, askedAt });
 }
 
-int TriggerQueue::pop (std::span<FocusEvent> events)
+TriggerQueue::Taken TriggerQueue::pop (std::span<FocusEvent> events)
 {
-    std::size_t count = 0;
+    // First how many, then the stop: so none of them was asked for after a stop that is not seen yet.
+    auto left = std::min (waiting.size(), events.size());
+    Taken taken { 0, stops.now() };
 
-    for (auto left = std::min (waiting.size(), events.size()); left > 0; --left)
-        events[count++] = waiting.pop().value();
+    for (; left > 0; --left)
+        if (const auto next = waiting.pop().value(); next.askedAt == taken.stop)
+            events[taken.count++] = next.event;
 
-    return static_cast<int> (count);
+    return taken;
 }
 } // namespace antinode

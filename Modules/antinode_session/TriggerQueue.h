@@ -1,8 +1,11 @@
 #pragma once
 
+#include "StopCount.h"
+
 #include <antinode_base/RingQueue.h>
 #include <antinode_engine/FocusEvent.h>
 
+#include <cstdint>
 #include <mutex>
 #include <span>
 
@@ -13,14 +16,34 @@ namespace antinode
 class TriggerQueue
 {
 public:
-    /** @return  false where 256 wait already: then this one is dropped. [any but the audio thread] */
-    bool push (const FocusEvent&);
+    static constexpr std::size_t capacity = 256;
 
-    /** Takes the oldest ones. @return  how many were taken [audio thread] */
-    int pop (std::span<FocusEvent> events);
+    /** @param stopsToCount  outlive this */
+    explicit TriggerQueue (const StopCount& stopsToCount) : stops (stopsToCount) {}
+
+    /** @param askedAt  StopCount::now() of when it was asked for
+        @return         false where `capacity` wait already: then this one is dropped. [any but the audio thread] */
+    bool push (const FocusEvent&, std::uint64_t askedAt);
+
+    /** What was taken: those that were asked for since the newest stop, which the audio thread is to play first. */
+    struct Taken
+    {
+        std::size_t count = 0;
+        std::uint64_t stop = 0;
+    };
+
+    /** Takes all that wait, the oldest first. @param events  room for `capacity` [audio thread] */
+    Taken pop (std::span<FocusEvent> events);
 
 private:
+    struct Waiting
+    {
+        FocusEvent event;
+        std::uint64_t askedAt = 0;
+    };
+
+    const StopCount& stops;
     std::mutex pushing;
-    RingQueue<FocusEvent, 256> waiting;
+    RingQueue<Waiting, capacity> waiting;
 };
 } // namespace antinode

@@ -3,6 +3,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_documents/FocusFile.h>
+#include <antinode_focus/DriveAllocation.h>
 
 #include <nlohmann/json.hpp>
 
@@ -29,6 +30,24 @@ std::shared_ptr<const DesignDocument> writtenFor (const FocusDocument& document,
     const auto& design = document.design;
     const auto isWanted = design != nullptr && textWithoutFingers (design->origin.focus) == textWithoutFingers (wanted);
     return isWanted ? design : nullptr;
+}
+
+Eigen::VectorXd limitsInPlay (const ModalModel& model, const FocusDescription& focus, const DesignDocument* written)
+{
+    auto limits = voltageLimits (model, focus.allocation);
+
+    if (written == nullptr || ! written->json->contains ("voltage_limits_V"))
+        return limits;
+
+    // What is no number there is refused when the design is read.
+    const auto& volts = written->json->at ("voltage_limits_V");
+
+    for (std::size_t i = 0; i < std::min (volts.size(), static_cast<std::size_t> (limits.size())); ++i)
+        if (volts[i].is_number())
+            limits[static_cast<Eigen::Index> (i)] =
+                std::min (limits[static_cast<Eigen::Index> (i)], volts[i].get<double>());
+
+    return limits;
 }
 
 FocusDesign designAsWritten (const DesignDocument& document, const ModalModel& model)

@@ -12,6 +12,11 @@ namespace antinode
     [worker] */
 std::shared_ptr<const DesignDocument> writtenFor (const FocusDocument&, const FocusDescription& wanted);
 
+/** What each ceramic may get while a focus plays, however many of it add up, N_b, V: the lowest of the limits of the
+    ceramics, their outputs, the focus and the design that was written for it.
+    @param written  none: the focus is designed [worker] */
+Eigen::VectorXd limitsInPlay (const ModalModel&, const FocusDescription&, const DesignDocument* written);
+
 /** A design as it was written, for a model with the modes that it knew.
     @throws InputError  as readDesign [worker] */
 FocusDesign designAsWritten (const DesignDocument&, const ModalModel&);

@@ -22,8 +22,9 @@ bool isAbsent (const FingerParameters& finger)
 }
 } // namespace
 
-NetworkFingers::NetworkFingers (TouchParameters& parametersToSet, std::function<int()> inputsOf)
-    : parameters (parametersToSet), inputs (std::move (inputsOf))
+NetworkFingers::NetworkFingers (TouchParameters& parametersToSet, std::function<int()> inputsOf,
+                                std::function<void()> stopFoci)
+    : parameters (parametersToSet), inputs (std::move (inputsOf)), stop (std::move (stopFoci))
 {
 }
 
@@ -69,6 +70,9 @@ TouchCounters NetworkFingers::counters() const
 
 void NetworkFingers::take (const Touch& touch)
 {
+    if (touch.kind == TouchKind::stopAll)
+        stop();
+
     fingers.take (touch);
     triggerAsyncUpdate();
 }

@@ -17,8 +17,11 @@ namespace antinode
 class NetworkFingers : private juce::AsyncUpdater
 {
 public:
-    /** @param parametersToSet  outlive this @param inputsOf  gives how many fingers have an input [message thread] */
-    NetworkFingers (TouchParameters& parametersToSet, std::function<int()> inputsOf);
+    /** @param parametersToSet  outlive this
+        @param inputsOf  gives how many fingers have an input
+        @param stopFoci  called where touches stop everything, on any thread but the audio thread
+        [message thread] */
+    NetworkFingers (TouchParameters& parametersToSet, std::function<int()> inputsOf, std::function<void()> stopFoci);
     ~NetworkFingers() override;
 
     /** Lifts all touches, closes the ports that are open and opens these; `finger` is what fingers that are put down
@@ -49,6 +52,7 @@ private:
 
     TouchParameters& parameters;
     std::function<int()> inputs;
+    std::function<void()> stop;
     TouchedFingers fingers;
     mutable std::mutex mutex; ///< For the next lines.
     TouchPorts wantedPorts { 0, 0, "127.0.0.1" };

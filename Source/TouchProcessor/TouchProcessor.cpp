@@ -37,9 +37,10 @@ TouchProcessor::TouchProcessor (int ceramics, WrapperType wrapper)
 {
     controls = std::make_unique<TouchParameters> (*this, [this]
                                                   { return player != nullptr ? player->snapshot()->model : nullptr; });
-    touches = std::make_unique<NetworkFingers> (*controls, [this] { return inputs(); });
     player = std::make_unique<TouchSession> (
         *device(), [this] { return readSettings(); }, [this] { post(); });
+    touches = std::make_unique<NetworkFingers> (
+        *controls, [this] { return inputs(); }, [this] { player->stopAll(); });
     begin();
 }
 

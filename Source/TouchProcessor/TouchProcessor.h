@@ -42,6 +42,10 @@ public:
     /** Touches by OSC and TUIO, whose ports the state keeps. None are open at first. */
     NetworkFingers& network() { return *touches; }
 
+    /** Ends all that touches and notes have begun: lifts the fingers of touches, fades foci out. [any but the audio
+        thread] */
+    void stopAll() { touches->take ({ TouchKind::stopAll }); }
+
     /** What notes play on top of the tracks; none: nothing. The state keeps it. [message thread] */
     void loadFocus (const std::shared_ptr<const FocusDocument>&);
     std::shared_ptr<const FocusDocument> focus() const { return player->focus(); }
@@ -55,6 +59,7 @@ public:
     const juce::String getName() const override { return "Antinode Touch"; }
     juce::AudioProcessorParameter* getBypassParameter() const override { return &controls->bypass(); }
     double getTailLengthSeconds() const override { return player->tailSeconds(); }
+    void reset() override { player->stopAll(); }
     bool acceptsMidi() const override { return true; }
     juce::AudioProcessorEditor* createEditor() override { return makeEditor ? makeEditor (*this) : nullptr; }
     bool hasEditor() const override { return makeEditor != nullptr; }

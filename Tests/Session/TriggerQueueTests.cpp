@@ -10,7 +10,8 @@ using namespace antinode;
 TEST_CASE ("Triggers of many threads arrive once each, in the order of each thread", "[session]")
 {
     constexpr int threads = 4, each = 20000;
-    TriggerQueue queue;
+    StopCount stops;
+    TriggerQueue queue { stops };
     std::vector<std::thread> pushing;
 
     for (int t = 0; t < threads; ++t)
@@ -18,7 +19,7 @@ TEST_CASE ("Triggers of many threads arrive once each, in the order of each thre
             [&queue, t]
             {
                 for (int i = 0; i < each;)
-                    i += queue.push ({ i, FocusEventKind::trigger, t, 1 });
+                    i += queue.push ({ i, FocusEventKind::trigger, t, 1 }, 0);
             });
 
     std::vector<int> next (threads, 0);
@@ -26,7 +27,7 @@ TEST_CASE ("Triggers of many threads arrive once each, in the order of each thre
 
     for (int count = 0; count < threads * each;)
     {
-        const auto got = queue.pop (taken);
+        const auto got = static_cast<int> (queue.pop (taken).count);
         count += got;
 
         for (int i = 0; i < got; ++i)
@@ -39,15 +40,33 @@ TEST_CASE ("Triggers of many threads arrive once each, in the order of each thre
     for (auto& thread : pushing)
         thread.join();
 
-    CHECK (queue.pop (taken) == 0);
+    CHECK (queue.pop (taken).count == 0);
 }
 
 TEST_CASE ("A full queue drops what comes, and says so", "[session]")
 {
-    TriggerQueue queue;
+    StopCount stops;
+    TriggerQueue queue { stops };
 
     for (int i = 0; i < 256; ++i)
-        REQUIRE (queue.push ({}));
+        REQUIRE (queue.push ({}, 0));
 
-    CHECK_FALSE (queue.push ({}));
+    CHECK_FALSE (queue.push ({}, 0));
+}
+
+TEST_CASE ("What was asked for before a stop is void, be it pushed later, and what was asked for after it is not",
+           "[session]")
+{
+    StopCount stops;
+    TriggerQueue queue { stops };
+    const auto before = stops.now();
+    queue.push ({ 0, FocusEventKind::trigger, 1, 1 }, before);
+    stops.stop();
+    queue.push ({ 0, FocusEventKind::trigger, 2, 1 }, stops.now());
+    queue.push ({ 0, FocusEventKind::trigger, 3, 1 }, before);
+    std::array<FocusEvent, TriggerQueue::capacity> taken;
+    const auto got = queue.pop (taken);
+    CHECK (got.stop == stops.now());
+    REQUIRE (got.count == 1);
+    CHECK (taken.front().place == 2);
 }
