@@ -43,7 +43,7 @@ private:
 };
 
 /** The notes of all tracks of a standard MIDI file, with its changes of tempo.
-    @throws InputError  when it cannot be read, is no MIDI file or has no notes
+    @throws InputError  when it cannot be read, is no MIDI file, has no notes or a heading or tempo that says no time
     [worker] */
 std::vector<TimedNote> readMidiFile (const std::filesystem::path&);
 } // namespace antinode

@@ -83,6 +83,79 @@ TEST_CASE ("a MIDI file's notes fall where its tempi say")
            == std::vector<std::pair<int, int>> { { 0, 60 }, { 24000, 61 }, { 36000, 62 } });
 }
 
+namespace
+{
+/** A file of one track: a tempo, and notes 60 at 0 and 61 after so many ticks. */
+std::string midiFile (int format, int division, int tempo, int ticks)
+{
+    std::string track ("\0\xFF\x51\3", 4);
+
+    for (const auto shift : { 16, 8, 0 })
+        track += static_cast<char> (tempo >> shift & 255);
+
+    track += std::string ("\0\x90\x3C\x64", 4);
+
+    for (const auto shift : { 21, 14, 7 })
+        track += static_cast<char> ((ticks >> shift & 127) | 128);
+
+    track += static_cast<char> (ticks & 127);
+    track += std::string ("\x90\x3D\x64\0\xFF\x2F\0", 7);
+    std::string file ("MThd\0\0\0\6\0", 9);
+    file += static_cast<char> (format);
+    file += std::string ("\0\1", 2);
+    file += static_cast<char> (division >> 8 & 255);
+    file += static_cast<char> (division & 255);
+    file += std::string ("MTrk\0\0\0", 7);
+    file += static_cast<char> (track.size());
+    return file + track;
+}
+
+int framesWith (int frames, int ticks)
+{
+    return (256 - frames) << 8 | ticks;
+}
+} // namespace
+
+TEST_CASE ("a MIDI file that counts frames has a second where its rate says")
+{
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "frames.mid";
+    const auto secondNote = [&] (int division, int ticks)
+    {
+        std::ofstream (path, std::ios::binary) << midiFile (1, division, 250000, ticks);
+        const auto notes = readMidiFile (path);
+        REQUIRE (notes.size() == 2);
+        CHECK (notes[0].seconds == 0);
+        return notes[1].seconds;
+    };
+    CHECK (secondNote (framesWith (24, 80), 24 * 80) == Approx (1).epsilon (1e-14));
+    CHECK (secondNote (framesWith (25, 40), 25 * 40) == Approx (1).epsilon (1e-14));
+    CHECK (secondNote (framesWith (30, 255), 30 * 255) == Approx (1).epsilon (1e-14));
+    CHECK (secondNote (framesWith (29, 1), 30000) == Approx (1001).epsilon (1e-14)); // 30000 / 1001 per second
+    CHECK (secondNote (framesWith (29, 100), 2997) == Approx (0.999999).epsilon (1e-14));
+    CHECK (secondNote (960, 960) == Approx (0.25).epsilon (1e-14));
+    CHECK (secondNote (32767, 32767) == Approx (0.25).epsilon (1e-14));
+}
+
+TEST_CASE ("a MIDI file whose times are none is an error in a sentence")
+{
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "timeless.mid";
+    const auto refusal = [&] (const std::string& bytes)
+    {
+        std::ofstream (path, std::ios::binary) << bytes;
+        return errorText ([&] { readMidiFile (path); });
+    };
+    const auto where = path.string() + ": ";
+    CHECK (refusal (midiFile (1, 0, 500000, 960)) == where + "has 0 ticks per quarter note; allowed: 1 to 32767");
+    CHECK (refusal (midiFile (1, framesWith (25, 0), 500000, 960))
+           == where + "has 0 ticks per frame; allowed: 1 to 255");
+    CHECK (refusal (midiFile (1, framesWith (60, 4), 500000, 960)).find (where + "counts 60 frames per second") == 0);
+    CHECK (refusal (midiFile (1, 960, 0, 960)).find (where + "has a tempo of 0") == 0);
+    CHECK (refusal (midiFile (2, 960, 500000, 960)).find (where + "has format 2") == 0);
+    CHECK (refusal (midiFile (0, 960, 500000, 960)).empty());
+}
+
 TEST_CASE ("a file that is no MIDI file is an error in a sentence")
 {
     const TemporaryFolder folder;
