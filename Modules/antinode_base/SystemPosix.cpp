@@ -2,6 +2,7 @@
 
 #include "Processes.h"
 #include "Sockets.h"
+#include "StandardStreams.h"
 #include "SystemFiles.h"
 #include "UserFolders.h"
 
@@ -123,6 +124,16 @@ int ownUser()
 std::vector<std::string> programArguments (int count, char** arguments)
 {
     return { arguments, arguments + count };
+}
+
+void guardStandardStreams()
+{
+    // Not ignored, which the commands that we run would inherit.
+    std::signal (SIGPIPE, [] (int) {});
+
+    for (const auto stream : { STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO })
+        if (fcntl (stream, F_GETFD) < 0)
+            open ("/dev/null", O_RDONLY); // The lowest number that is free is this one's.
 }
 
 bool errorsGoToTerminal()

@@ -2,6 +2,7 @@
 
 #include "Processes.h"
 #include "Sockets.h"
+#include "StandardStreams.h"
 #include "SystemFiles.h"
 #include "UserFolders.h"
 
@@ -208,6 +209,8 @@ std::vector<std::string> programArguments (int count, char** arguments)
     LocalFree (static_cast<void*> (wide));
     return texts;
 }
+
+void guardStandardStreams() {}
 
 bool errorsGoToTerminal()
 {

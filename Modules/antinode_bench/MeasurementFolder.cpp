@@ -41,7 +41,7 @@ MeasurementFolder::MeasurementFolder (std::filesystem::path folderToUse, const E
 {
     const auto sheetText = excitationToJson (sheet, signalFile).dump (2) + "\n", places = pointsText (points);
 
-    if (std::filesystem::exists (folder / sheetFile))
+    if (std::error_code unknown; std::filesystem::exists (folder / sheetFile, unknown))
     {
         if (readWholeFile (folder / sheetFile, {}) != sheetText || readWholeFile (folder / pointsFile, {}) != places)
             throw InputError (folder.string(),

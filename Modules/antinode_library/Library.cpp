@@ -200,7 +200,9 @@ nlohmann::json loadDocument (LibraryKind kind, const std::string& nameOrFile)
     if (const auto* const file = findFactory (kind, nameOrFile))
         return parseJson (file->text(), documentSource (kind, nameOrFile));
 
-    if (const auto file = userFile (kind, nameOrFile); file && std::filesystem::exists (*file))
+    std::error_code unknown;
+
+    if (const auto file = userFile (kind, nameOrFile); file && std::filesystem::exists (*file, unknown))
         return readDocumentFile (kind, *file);
 
     std::string allowed;

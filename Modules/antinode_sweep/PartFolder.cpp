@@ -58,7 +58,7 @@ void writeAtomically (const fs::path& path, std::string_view content)
     fs::rename (temporary, path, error);
 
     // Another process may have tidied up, since the same file is there.
-    if (error && ! fs::exists (path))
+    if (std::error_code unknown; error && ! fs::exists (path, unknown))
         fail (path, "cannot be written: " + error.message());
 }
 
@@ -88,7 +88,7 @@ PartFolder::PartFolder (const std::filesystem::path& path, const std::string& ha
 
     fs::create_directories (folder / "parts", error);
 
-    if (! fs::is_directory (folder / "parts"))
+    if (std::error_code unknown; ! fs::is_directory (folder / "parts", unknown))
         fail (folder, "cannot be created: " + error.message());
 }
 

@@ -81,7 +81,7 @@ OutputFolder::OutputFolder (const std::filesystem::path& targetFolder)
 
     madeTarget = fs::create_directories (target, error);
 
-    if (! fs::is_directory (target))
+    if (std::error_code unknown; ! fs::is_directory (target, unknown))
         fail (targetFolder, "cannot be created: " + error.message());
 
     removeStaleFolders (target);

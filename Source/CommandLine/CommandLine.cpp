@@ -5,10 +5,13 @@
 
 #include <antinode_audio/Interruption.h>
 #include <antinode_base/InputError.h>
+#include <antinode_base/MessageText.h>
+#include <antinode_base/StandardStreams.h>
 #include <antinode_base/Watch.h>
 
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 
@@ -31,9 +34,7 @@ int complain (const char* text)
     std::fprintf (stderr, "antinode: %s\n", text);
     return badInput;
 }
-} // namespace
-
-int runCommandLine (int argumentCount, const char* const* arguments)
+int runCommand (int argumentCount, const char* const* arguments)
 {
     CLI::App app ("Antinode: the voltages that focus the vibration of a surface at a chosen position and instant.",
                   "antinode");
@@ -81,6 +82,10 @@ int runCommandLine (int argumentCount, const char* const* arguments)
         app.exit (error, std::cout, std::cerr);
         return wrongUsage;
     }
+    catch (const std::filesystem::filesystem_error& error)
+    {
+        return complain ((printable (error.path1().string(), 300) + ": " + error.code().message()).c_str());
+    }
     catch (const std::bad_alloc&)
     {
         return complain ("not enough memory; choose a shorter duration, a lower sample rate or fewer modes");
@@ -89,5 +94,22 @@ int runCommandLine (int argumentCount, const char* const* arguments)
     {
         return complain (withKeysAndOptions (error.what()).c_str());
     }
+}
+} // namespace
+
+int runCommandLine (int argumentCount, const char* const* arguments)
+{
+    const auto code = runCommand (argumentCount, arguments);
+
+    try
+    {
+        requireWholeOutput();
+    }
+    catch (const InputError& error)
+    {
+        return code == done ? complain (error.what()) : code;
+    }
+
+    return code;
 }
 } // namespace antinode

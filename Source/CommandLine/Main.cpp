@@ -3,11 +3,13 @@
 #include <antinode_audio/Interruption.h>
 #include <antinode_base/ArgumentPointers.h>
 #include <antinode_base/Processes.h>
+#include <antinode_base/StandardStreams.h>
 
 #include <juce_events/juce_events.h>
 
 int main (int argumentCount, char** arguments)
 {
+    antinode::guardStandardStreams();
     antinode::keepFreedMemory();
     // Fonts and pictures share objects of JUCE that are freed with it.
     const juce::ScopedJuceInitialiser_GUI juce;

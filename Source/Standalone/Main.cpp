@@ -2,9 +2,11 @@
 
 #include <antinode_base/ArgumentPointers.h>
 #include <antinode_base/Processes.h>
+#include <antinode_base/StandardStreams.h>
 
 int main (int argumentCount, char** arguments)
 {
+    antinode::guardStandardStreams();
     antinode::keepFreedMemory();
     auto texts = antinode::programArguments (argumentCount, arguments);
     const auto pointers = antinode::argumentPointers (texts);

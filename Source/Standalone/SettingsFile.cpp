@@ -19,8 +19,9 @@ fs::path freeName (const fs::path& file)
 {
     auto name = file;
     name += ".broken";
+    int i = 2;
 
-    for (int i = 2; fs::exists (name); ++i)
+    for (std::error_code unknown; fs::exists (name, unknown); ++i)
         (name = file) += ".broken-" + std::to_string (i);
 
     return name;

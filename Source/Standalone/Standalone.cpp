@@ -9,6 +9,7 @@
 #include <antinode_audio/Interruption.h>
 #include <antinode_audio/QuietLibraries.h>
 #include <antinode_base/InputError.h>
+#include <antinode_base/StandardStreams.h>
 
 #include <cstdio>
 #include <exception>
@@ -116,6 +117,7 @@ int runStandalone (int argumentCount, const char* const* arguments)
     {
         app.parse (argumentCount, arguments);
         run (options);
+        requireWholeOutput();
         return done;
     }
     catch (const CLI::Success& success) // --help

@@ -125,3 +125,26 @@ TEST_CASE ("The user's devices are found in the folder that the system has for t
     CHECK (runProgram ({ "modes", "own-beam" }, environment).exitCode == 0);
     CHECK (runProgram ({ "modes", "own-beam" }).exitCode == 1);
 }
+
+TEST_CASE ("Names that are too long for the system are a sentence, in whatever writes", "[command line][paths]")
+{
+    const TemporaryFolder folder;
+    const std::string longest (300, 'a');
+
+    for (const auto& arguments :
+         std::vector<test::ProgramArguments> { { "design", "--out", folder.path() / longest },
+                                               { "render", "--no-report", "--out", folder.path() / "folder" / longest },
+                                               { "place", "staple", "--count", "2", "--out", folder.path() / longest },
+                                               { "map", "--places", "5", "--out", folder.path() / longest },
+                                               { "excite", "--device", "staple", "--out", folder.path() / longest },
+                                               { "modes", "staple", "--csv", folder.path() / longest },
+                                               { "modes", longest } })
+    {
+        const auto run = runProgram (arguments);
+        INFO (run.errors);
+        CHECK (run.exitCode == 1);
+        CHECK (test::linesIn (run.errors) == 1);
+        CHECK (run.errors.find ("filesystem error") == std::string::npos);
+        CHECK (run.errors.find ("terminate") == std::string::npos);
+    }
+}
