@@ -3,6 +3,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
+#include <antinode_model/PlaceOnLine.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,6 +72,7 @@ void validate (const std::vector<Finger>& fingers, const Surface& surface)
         if (surface.kind == SurfaceKind::plate)
             requireInside (where + " y", finger.y, surface.yMinimum, surface.yMaximum);
 
+        requireOnLine (surface, finger.y, where + " y");
         requireWithinBoundary (surface, finger.x, finger.y, where);
 
         for (std::size_t j = 0; j < i; ++j)

@@ -1,5 +1,6 @@
 #include "ModalModel.h"
 
+#include "PlaceOnLine.h"
 #include "ShapeInterpolation.h"
 
 #include <antinode_base/InputError.h>
@@ -99,6 +100,7 @@ Eigen::RowVectorXd shapesAt (const ModalModel& model, double x, double y)
     }
 
     requireWithinBoundary (surface, x, y, "point");
+    requireOnLine (surface, y, "point (" + millimetres (x) + ", " + millimetres (y) + ") y");
 
     if (isLine)
         return interpolateOnLine (surface.points.col (0), model.shapes, model.slopes, x);

@@ -61,7 +61,7 @@ Eigen::VectorXd decayRates (const ModalModel&);
 Eigen::VectorXd dampedFrequencies (const ModalModel&);
 
 /** The row of mode shapes at one place of the surface.
-    @param x, y  m, inside the surface (y is ignored on a line)
+    @param x, y  m, inside the surface (y is 0 on a line)
     @return      N_c values, kg^-1/2: cubic Hermite between points on a line, the polynomial of a grid's segments on a
    computed plate, thin-plate spline through scattered points
     @throws InputError  when the place lies outside the surface

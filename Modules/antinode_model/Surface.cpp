@@ -1,9 +1,12 @@
 #include "Surface.h"
 
+#include "PlaceOnLine.h"
+
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace antinode
 {
@@ -42,6 +45,14 @@ void requireWithinBoundary (const Surface& surface, double x, double y, const st
                                  + ") mm is outside the outline of the surface or in a hole; allowed: places on it, "
                                    "the nearest at ("
                                  + inWords (nearest.x()) + ", " + inWords (nearest.y()) + ") mm");
+}
+
+void requireOnLine (const Surface& surface, double y, const std::string& where)
+{
+    constexpr double rounding = 1e-9; // m
+
+    if (surface.kind == SurfaceKind::line && ! (std::abs (y) <= rounding))
+        throw InputError (where, "is " + inWords (y * 1000) + " mm, but the surface is a line; allowed: 0");
 }
 
 std::vector<Eigen::Index> pointsOn (const Surface& surface)

@@ -3,6 +3,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
+#include <antinode_model/PlaceOnLine.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,9 +25,8 @@ void requireOnSurface (const Surface& surface, double x, double y, const std::st
 
     if (surface.kind == SurfaceKind::plate)
         requireInside (y, surface.yMinimum, surface.yMaximum, which + " y");
-    else
-        requireInside (y, 0, 0, which + " y");
 
+    requireOnLine (surface, y, which + " y");
     requireWithinBoundary (surface, x, y, which);
 }
 

@@ -27,11 +27,22 @@ void checkKindOfPlaces (const ModalModel& model, const FocusDescription& focus)
     if (model.surface.kind == SurfaceKind::plate)
         return;
 
-    for (std::size_t i = 0; i < focus.targets.size(); ++i)
-        if (const auto y = focus.targets[i].y; y != 0)
-            throw InputError ("focus: target " + std::to_string (i + 1) + " y",
+    const auto check = [&model] (const char* place, std::size_t index, double y)
+    {
+        if (y != 0)
+            throw InputError ("focus: " + std::string (place) + " " + std::to_string (index + 1) + " y",
                               "is " + inWords (y * milli) + " mm, but the surface of '" + model.name
                                   + "' is a line; allowed: 0, or a plate as --device");
+    };
+
+    for (std::size_t i = 0; i < focus.targets.size(); ++i)
+        check ("target", i, focus.targets[i].y);
+
+    for (std::size_t i = 0; i < focus.probes.size(); ++i)
+        check ("probe", i, focus.probes[i].second);
+
+    for (std::size_t i = 0; i < focus.fingers.size(); ++i)
+        check ("finger", i, focus.fingers[i].y);
 }
 
 WideModel wideOf (const DeviceDescription& device, const ModalModel& known, Playback playback, bool usesCache)

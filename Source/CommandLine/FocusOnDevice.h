@@ -11,8 +11,8 @@ namespace antinode
 /** Refuses a sample rate that no voltages are played at. @throws InputError  outside 8 kHz to 2 MHz [any] */
 void checkSampleRate (double rate);
 
-/** Refuses a focus that was made for a plate on a line, whose targets have no y.
-    @throws InputError  naming the target [any] */
+/** Refuses a focus that was made for a plate on a line, whose places have no y.
+    @throws InputError  naming the target, probe or finger [any] */
 void checkKindOfPlaces (const ModalModel&, const FocusDescription&);
 
 /** A device with modes to widePlay times its own. @param known  as solveDevice gave it

@@ -148,3 +148,28 @@ TEST_CASE ("Names that are too long for the system are a sentence, in whatever w
         CHECK (run.errors.find ("terminate") == std::string::npos);
     }
 }
+
+TEST_CASE ("On a line every place with a y is refused, by whatever option or key it comes", "[command line]")
+{
+    const TemporaryFolder folder;
+    const auto points = folder.path() / "points.csv";
+    writeFile (points, "x_mm,y_mm\n10,0\n20,5\n");
+    const auto out = folder.path() / "out";
+
+    for (const auto& arguments : std::vector<test::ProgramArguments> {
+             { "render", "--probe", "12,5", "--no-report", "--out", out },
+             { "render", "--finger", "12,5", "--no-report", "--out", out },
+             { "design", "--finger", "12,-5,firm", "--out", out },
+             { "design", "--set", "focus.targets.0.y_mm=5", "--out", out },
+             { "design", "--device", "beam", "--set", "focus.probes_mm=[[10,5]]", "--out", out },
+             { "render", "--set", "focus.probes_mm=[[10,5]]", "--no-report", "--out", out },
+             { "design", "--set", "focus.fingers=[{\"x_mm\":10,\"y_mm\":5,\"kind\":\"medium\"}]", "--out", out } })
+    {
+        const auto run = runProgram (arguments);
+        INFO (run.errors);
+        CHECK (run.exitCode == 1);
+        CHECK (test::linesIn (run.errors) == 1);
+        CHECK (run.errors.find ("is a line; allowed: 0") != std::string::npos);
+        CHECK_FALSE (std::filesystem::exists (out));
+    }
+}
