@@ -1,4 +1,4 @@
-# Installs into a fresh folder and checks what is there. Usage: cmake -DBINARY=... -DFOLDER=... -DSTANDALONE=... -DPYTHON=... -DCLASSES=...
+# Installs into a fresh folder and checks what is there. Usage: cmake -DBINARY=... -DFOLDER=... -DSTANDALONE=... -DCLASSES=...
 # -P Installed.cmake
 file (REMOVE_RECURSE ${FOLDER})
 execute_process (COMMAND ${CMAKE_COMMAND} --install ${BINARY} --prefix ${FOLDER} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
@@ -43,15 +43,6 @@ if (STANDALONE)
     foreach (size 16 22 24 32 48 64 128 256)
         list (APPEND expected share/icons/hicolor/${size}x${size}/apps/${identifier}.png)
     endforeach()
-endif()
-
-if (PYTHON)
-    foreach (module __init__.py _antinode.pyi _checks.py _compared.py _designs.py _documents.py _imported.py _learning.py _maps.py _measured.py
-             _modes.py _pictures.py _places.py _plots.py _progress.py _recorded.py _sweeps.py _tracks.py errors.py py.typed)
-        list (APPEND expected lib/python3/dist-packages/antinode/${module})
-    endforeach()
-    list (APPEND expected share/doc/python3-antinode/changelog.Debian.gz share/doc/python3-antinode/copyright
-        share/lintian/overrides/python3-antinode ${PYTHON})
 endif()
 
 file (GLOB_RECURSE installed RELATIVE ${FOLDER} ${FOLDER}/*)
