@@ -2,7 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +13,31 @@
 
 namespace antinode::test
 {
+namespace
+{
+/** By Taylor's series of a small part of the matrix, squared. Eigen's own takes more than a minute to compile. */
+Eigen::MatrixXd exponential (const Eigen::MatrixXd& matrix)
+{
+    constexpr int terms = 16; // 0.5^17 / 17! is 2e-20
+    const auto norm = matrix.cwiseAbs().rowwise().sum().maxCoeff();
+    const auto squarings = norm > 0 ? std::max (0, std::ilogb (norm) + 2) : 0;
+    const Eigen::MatrixXd part = std::ldexp (1.0, -squarings) * matrix;
+    Eigen::MatrixXd result = Eigen::MatrixXd::Identity (matrix.rows(), matrix.cols());
+    Eigen::MatrixXd term = result;
+
+    for (int k = 1; k <= terms; ++k)
+    {
+        term = term * part / k;
+        result += term;
+    }
+
+    for (int k = 0; k < squarings; ++k)
+        result = result * result;
+
+    return result;
+}
+} // namespace
+
 Eigen::MatrixXd ViscousChain::stateMatrix() const
 {
     const auto n = size();
@@ -151,7 +175,7 @@ Eigen::VectorXd chainMotion (const ViscousChain& chain, const VoltageProgram& pr
         }
 
         generator *= end - begin;
-        state = (generator.exp() * all).head (n);
+        state = (exponential (generator) * all).head (n);
     }
 
     state.head (chain.size()) /= ViscousChain::rate;

@@ -1,4 +1,4 @@
-#include "Immersed/Scores/OutlineScores.h"
+#include "OutlineScores.h"
 
 #include <cstdio>
 #include <cstdlib>
