@@ -70,7 +70,7 @@ foreach (plugin IN LISTS plugins)
     endif()
 endforeach()
 
-foreach (ceramics 8 16 32 64)
+foreach (ceramics IN LISTS ANTINODE_LV2_CERAMICS)
     foreach (plugin IN LISTS plugins)
         if (TARGET ${plugin}LV2_${ceramics}_LV2)
             antinode_install_bundle (${plugin}LV2_${ceramics}_LV2 ${ANTINODE_PLUGIN_DIRECTORY}/lv2)

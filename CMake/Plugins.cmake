@@ -15,15 +15,17 @@ function (antinode_plugin target name ceramics uri code format entry editor is_s
 endfunction()
 
 # antinode_plugins (TARGET NAME SLUG CODE ENTRY EDITOR ISSYNTH TAKESMIDI CATEGORIES...): a plug-in as VST3 and as LV2, which freezes its ports when it is
-# built: each number of ceramics is a bundle of its own. CODE has three letters.
+# built: each number of ceramics is a bundle of its own. CODE has three letters; with its number it stays what sessions know.
+set (ANTINODE_LV2_CERAMICS 32 CACHE STRING "Numbers of ceramics that LV2 plug-ins are built for, of 8;16;32;64")
 function (antinode_plugins target name slug code)
     set (uri "https://antinode.example/plugins/${slug}")
     antinode_plugin (${target}VST3 "${name}" 32 "${uri}-32" ${code}0 VST3 ${ARGN})
     if (WIN32)
         return() # LV2's tables are written by a program that loads the plug-in, which a cross compiler cannot do.
     endif()
-    set (number 0)
-    foreach (ceramics IN ITEMS 8 16 32 64)
+    set (lv2_numbers 8 16 32 64)
+    foreach (ceramics IN LISTS ANTINODE_LV2_CERAMICS)
+        list (FIND lv2_numbers ${ceramics} number)
         math (EXPR number "${number} + 1")
         antinode_plugin (${target}LV2_${ceramics} "${name} ${ceramics}" ${ceramics} "${uri}-${ceramics}" ${code}${number} LV2 ${ARGN})
     endforeach()

@@ -19,7 +19,7 @@ void scramble (juce::AudioPluginInstance& instance, std::mt19937& random)
 
 TEST_CASE ("What a host reads is what it gets back, to the bit", "[hosted]")
 {
-    const auto plugin = GENERATE (BuiltPlugin { PluginKind::vst3, 8 }, BuiltPlugin { PluginKind::lv2, 8 });
+    const auto plugin = GENERATE (from_range (builtPair()));
     CAPTURE (pluginName (plugin));
     const auto first = hosted (plugin);
     first->prepareToPlay (48000, 64);

@@ -32,31 +32,22 @@ struct BuiltEffect
     int ceramics = 8;
 };
 
-/** Of those, the ones that are built for this system: LV2 is not for Windows. */
-inline std::vector<BuiltEffect> builtOf (std::vector<BuiltEffect> effects)
-{
-#ifdef _WIN32
-    std::erase_if (effects, [] (const BuiltEffect& effect) { return effect.isLv2; });
-#endif
-    return effects;
-}
-
+/** VST3 of several numbers of ceramics, and every LV2: none on Windows. */
 inline std::vector<BuiltEffect> builtEffects()
 {
-    return builtOf ({ { false, 2 },
-                      { false, 8 },
-                      { false, 29 },
-                      { false, 64 },
-                      { true, 8 },
-                      { true, 16 },
-                      { true, 32 },
-                      { true, 64 } });
+    std::vector<BuiltEffect> built { { false, 2 }, { false, 8 }, { false, 29 }, { false, 64 } };
+
+    for (const auto ceramics : std::initializer_list<int> { ANTINODE_LV2_BUILT })
+        built.push_back ({ true, ceramics });
+
+    return built;
 }
 
-/** As VST3 and as LV2. */
-inline std::vector<BuiltEffect> builtEffects (int ceramics)
+/** An LV2, and the VST3 with as many ceramics; without LV2 a VST3. */
+inline std::vector<BuiltEffect> builtPair()
 {
-    return builtOf ({ { false, ceramics }, { true, ceramics } });
+    const auto last = builtEffects().back();
+    return last.isLv2 ? std::vector<BuiltEffect> { { false, last.ceramics }, last } : std::vector<BuiltEffect> { last };
 }
 
 /** An effect in a host of JUCE's, which has prepared it. */

@@ -61,7 +61,7 @@ TEST_CASE ("A state comes back to the bit in another instance of any number of c
 
 TEST_CASE ("What a state plays is what it was kept from", "[hosted]")
 {
-    const auto plugin = GENERATE (BuiltPlugin { PluginKind::vst3, 8 }, BuiltPlugin { PluginKind::lv2, 8 });
+    const auto plugin = GENERATE (from_range (builtPair()));
     CAPTURE (pluginName (plugin));
     const auto first = hostedOffline (plugin), second = hostedOffline (plugin);
     findParameter (*first, "Focus x").setValue (0.27F);
@@ -77,7 +77,7 @@ TEST_CASE ("What a state plays is what it was kept from", "[hosted]")
 TEST_CASE ("States are kept and set on another thread while blocks are played", "[hosted]")
 {
     const auto plugin = GENERATE (BuiltPlugin { PluginKind::vst3, 8 }, BuiltPlugin { PluginKind::vst3, 64 },
-                                  BuiltPlugin { PluginKind::lv2, 8 });
+                                  BuiltPlugin (builtPair().back()));
     CAPTURE (pluginName (plugin));
     const auto instance = hosted (plugin), other = hostedOffline (plugin);
     findParameter (*other, "Focus x").setValue (0.27F);
@@ -165,7 +165,7 @@ TEST_CASE ("Parameters have names, texts both ways, and the numbers of values th
 
 TEST_CASE ("The same parameters are there in both formats", "[hosted]")
 {
-    const auto vst3 = hosted ({ PluginKind::vst3, 8 }), lv2 = hosted ({ PluginKind::lv2, 8 });
+    const auto vst3 = hosted (builtPair().front()), lv2 = hosted (builtPair().back());
     juce::StringArray ofLv2;
 
     for (auto* const parameter : lv2->getParameters())
@@ -199,7 +199,7 @@ TEST_CASE ("Blocks before prepare, after release, and of no samples do no harm",
 TEST_CASE ("A plug-in in a buffer of more channels than agreed plays in those that are its own", "[hosted]")
 {
     const auto reference = demonstratorReference (stateRate, 1600);
-    const auto plugin = GENERATE (BuiltPlugin { PluginKind::vst3, 8 }, BuiltPlugin { PluginKind::lv2, 8 });
+    const auto plugin = GENERATE (from_range (builtPair()));
     CAPTURE (pluginName (plugin));
     const auto instance = hostedOffline (plugin, stateRate, 1600);
     juce::AudioBuffer<float> buffer (80, 1600);

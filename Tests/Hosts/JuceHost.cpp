@@ -106,9 +106,21 @@ std::string pluginName (const BuiltPlugin& plugin)
 
 std::vector<BuiltPlugin> builtPlugins()
 {
-    return { { PluginKind::vst3, 2 },  { PluginKind::vst3, 8 },  { PluginKind::vst3, 16 },
-             { PluginKind::vst3, 32 }, { PluginKind::vst3, 64 }, { PluginKind::lv2, 8 },
-             { PluginKind::lv2, 16 },  { PluginKind::lv2, 32 },  { PluginKind::lv2, 64 } };
+    std::vector<BuiltPlugin> built;
+
+    for (const auto ceramics : { 2, 8, 16, 32, 64 })
+        built.push_back ({ PluginKind::vst3, ceramics });
+
+    for (const auto ceramics : { ANTINODE_LV2_BUILT })
+        built.push_back ({ PluginKind::lv2, ceramics });
+
+    return built;
+}
+
+std::vector<BuiltPlugin> builtPair()
+{
+    const auto lv2 = builtPlugins().back();
+    return { { PluginKind::vst3, lv2.ceramics }, lv2 };
 }
 
 std::unique_ptr<juce::AudioPluginInstance> hosted (const BuiltPlugin& plugin, double rate, int block)

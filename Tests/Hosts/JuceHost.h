@@ -25,6 +25,9 @@ std::string pluginName (const BuiltPlugin&);
 /** All LV2 bundles, and the VST3 with 2, 8, 16, 32 and 64 channels. */
 std::vector<BuiltPlugin> builtPlugins();
 
+/** The VST3 and the last LV2, of as many ceramics. */
+std::vector<BuiltPlugin> builtPair();
+
 /** An instance in JUCE's own hosting. @throws std::runtime_error  with the host's reason [main thread] */
 std::unique_ptr<juce::AudioPluginInstance> hosted (const BuiltPlugin&, double rate = 48000, int block = 512);
 

@@ -42,8 +42,8 @@ bool isLoaded (const std::string& library)
 
 TEST_CASE ("A host unloads the library while a thread of it solves a device", "[hosted]")
 {
-    const auto plugin = GENERATE (BuiltPlugin { PluginKind::vst3, 64 }, BuiltPlugin { PluginKind::lv2, 64 });
-    const std::string library = plugin.kind == PluginKind::vst3 ? "Antinode.so" : "libAntinode 64.so";
+    const auto plugin = GENERATE (from_range (builtPair()));
+    const std::string library = plugin.kind == PluginKind::vst3 ? std::string ("Antinode.so") : "libAntinode " + std::to_string (plugin.ceramics) + ".so";
     CAPTURE (pluginName (plugin));
 
     for (int i = 0; i < 5; ++i)

@@ -1,5 +1,5 @@
 # Installs into a fresh folder and checks what is there. Usage: cmake -DBINARY=... -DFOLDER=... -DSTANDALONE=... -DCLASSES=...
-# -P Installed.cmake
+# -DLV2=... -P Installed.cmake
 file (REMOVE_RECURSE ${FOLDER})
 execute_process (COMMAND ${CMAKE_COMMAND} --install ${BINARY} --prefix ${FOLDER} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 
@@ -24,7 +24,7 @@ if (CLASSES)
         list (APPEND expected "lib/vst3/${plugin}.vst3/Contents/Resources/moduleinfo.json")
     endforeach()
 endif()
-foreach (ceramics 8 16 32 64)
+foreach (ceramics IN LISTS LV2)
     foreach (plugin "Antinode ${ceramics}" "Antinode Plate ${ceramics}" "Antinode Touch ${ceramics}")
         set (bundle "lib/lv2/${plugin}.lv2")
         list (APPEND expected "${bundle}/dsp.ttl" "${bundle}/lib${plugin}.so" "${bundle}/manifest.ttl")
@@ -64,7 +64,8 @@ foreach (page Manual/index.md FileFormats.md Theory.md Pictures/focus.png)
 endforeach()
 
 execute_process (COMMAND ${FOLDER}/bin/antinode version COMMAND_ERROR_IS_FATAL ANY)
-foreach (plugin "Antinode 8" "Antinode Plate 8" "Antinode Touch 8")
+list (GET LV2 0 first)
+foreach (plugin "Antinode ${first}" "Antinode Plate ${first}" "Antinode Touch ${first}")
     file (SIZE "${FOLDER}/lib/lv2/${plugin}.lv2/dsp.ttl" size)
     if (size LESS 1000)
         message (FATAL_ERROR "dsp.ttl of the LV2 bundle ${plugin} has ${size} bytes: it describes no ports")

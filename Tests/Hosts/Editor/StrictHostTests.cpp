@@ -205,7 +205,7 @@ private:
 
 TEST_CASE ("Plug-ins stand what a strict tester does, in any order and again", "[hosted][strict]")
 {
-    const auto plugin = GENERATE (BuiltPlugin { PluginKind::vst3, 8 }, BuiltPlugin { PluginKind::lv2, 8 });
+    const auto plugin = GENERATE (from_range (builtPair()));
     const auto start = Clock::now();
     StrictHost host (plugin, 17);
     std::vector<std::function<void()>> steps { [&] { host.automateEditor (50); },   [&] { host.restoreInBackground(); },

@@ -15,7 +15,7 @@ namespace antinode::test
 class JackClient
 {
 public:
-    static constexpr auto longestWait = std::chrono::seconds (20);
+    static constexpr auto longestWait = std::chrono::seconds (600); ///< Ends what would never end; no fact depends on it.
 
     explicit JackClient (const std::string& name) : client (jack_client_open (name.c_str(), JackNoStartServer, nullptr))
     {
@@ -37,6 +37,13 @@ public:
 
         if (jack_activate (client.get()) != 0)
             throw std::runtime_error ("the JACK server does not activate the client");
+    }
+
+    /** Whether the server calls its clients as fast as they compute, and no clock counts (JACK's freewheel mode). */
+    void runFreely (bool isFree)
+    {
+        if (jack_set_freewheel (client.get(), isFree ? 1 : 0) != 0)
+            throw std::runtime_error ("the JACK server cannot run freely");
     }
 
     /** Waits for ports that do not exist yet, or whose client is not active yet. */

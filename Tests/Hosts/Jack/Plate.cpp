@@ -38,14 +38,14 @@ public:
     PlateClient (const PlateClient&) = delete;
     PlateClient& operator= (const PlateClient&) = delete;
 
-    const PlateBench& play (double seconds)
+    const PlateBench& play()
     {
         for (std::size_t i = 0; i < ports.size(); ++i)
             client.connect ("Antinode:out_" + std::to_string (i + 1), jack_port_name (ports[i]));
 
         client.connect (jack_port_name (sensor), "Antinode:in_1");
 
-        if (! ended.try_acquire_for (2 * JackClient::longestWait + std::chrono::duration<double> (2 * seconds)))
+        if (! ended.try_acquire_for (JackClient::longestWait))
             throw std::runtime_error ("nothing is played, or the server does not call any longer");
 
         if (isGoingOn)
@@ -110,7 +110,7 @@ int main (int count, char** arguments)
         PlateClient client (setup);
         std::printf ("ready\n");
         std::fflush (stdout);
-        const auto& bench = client.play (setup.seconds);
+        const auto& bench = client.play();
 
         for (const auto& focus : bench.foci())
             std::printf ("%.3f %.2f\n", focus.time, 100 * focus.error);

@@ -14,8 +14,9 @@
 
 /** Records ports of a JACK server. Usage: antinode_jack_recorder FILE SECONDS [FROM>TO]... PORT...
 
-    Arguments FROM>TO are connected first; it waits for ports that do not exist yet. FILE becomes 32-bit floats, one
-    channel after the other. It never waits without an end and says why it fails, which JACK's own recorder does not. */
+    Arguments FROM>TO are connected first; it waits for ports that do not exist yet. While it records, the server runs
+    freely, as fast as its clients compute: nothing depends on a clock. FILE becomes 32-bit floats, one channel after the
+    other. It never waits without an end and says why it fails, which JACK's own recorder does not. */
 namespace
 {
 using antinode::test::JackClient;
@@ -47,10 +48,12 @@ public:
     /** The samples by channel. */
     const std::vector<std::vector<float>>& record()
     {
+        client.runFreely (true);
         isRecording = true;
-        const auto lasting = std::chrono::seconds (length / static_cast<std::size_t> (client.sampleRate()));
+        const auto hasEnded = ended.try_acquire_for (JackClient::longestWait);
+        client.runFreely (false);
 
-        if (! ended.try_acquire_for (JackClient::longestWait + lasting))
+        if (! hasEnded)
             throw std::runtime_error ("recorded " + std::to_string (position) + " of " + std::to_string (length)
                                       + " samples; the server does not call any longer");
 

@@ -41,10 +41,10 @@ TEST_CASE ("Wire k of a hosted plate is ceramic k, and its outputs are the probe
 
 TEST_CASE ("A hosted plate keeps its device and its probes, and a broken state changes nothing", "[hosted][plate]")
 {
-    const auto plugin = GENERATE (from_range (builtEffects (8)));
+    const auto plugin = GENERATE (from_range (builtPair()));
     CAPTURE (plugin.isLv2);
     auto first = hosted (plugin), second = hosted (plugin);
-    const auto voltages = sines (8, length);
+    const auto voltages = sines (plugin.ceramics, length);
     const Eigen::MatrixXd unmoved = first.play (voltages);
 
     for (auto* const parameter : first->getParameters())
@@ -68,7 +68,7 @@ TEST_CASE ("A hosted plate keeps its device and its probes, and a broken state c
 
 TEST_CASE ("Ten hosted plates move beside each other", "[hosted][plate]")
 {
-    const auto plugin = GENERATE (from_range (builtEffects (16)));
+    const auto plugin = GENERATE (from_range (builtPair()));
     CAPTURE (plugin.isLv2);
     std::vector<HostedEffect> all;
 
@@ -76,5 +76,5 @@ TEST_CASE ("Ten hosted plates move beside each other", "[hosted][plate]")
         all.push_back (hosted (plugin));
 
     for (auto& instance : all)
-        CHECK (instance.play (sines (16, length)).cwiseAbs().maxCoeff() > 1e-5);
+        CHECK (instance.play (sines (plugin.ceramics, length)).cwiseAbs().maxCoeff() > 1e-5);
 }

@@ -105,7 +105,7 @@ TEST_CASE ("Wire k of a hosted touch plug-in is ceramic k, input k finger k", "[
 
 TEST_CASE ("A hosted touch plug-in keeps its fingers, and a broken state changes nothing", "[hosted][touch-plugin]")
 {
-    const auto plugin = GENERATE (from_range (builtEffects (8)));
+    const auto plugin = GENERATE (from_range (builtPair()));
     CAPTURE (plugin.isLv2);
     auto first = hosted (plugin), second = hosted (plugin);
     const auto& reference = combReference();
@@ -131,7 +131,7 @@ TEST_CASE ("A hosted touch plug-in keeps its fingers, and a broken state changes
 
 TEST_CASE ("Ten hosted touch plug-ins play beside each other", "[hosted][touch-plugin]")
 {
-    const auto plugin = GENERATE (from_range (builtEffects (16)));
+    const auto plugin = GENERATE (from_range (builtPair()));
     CAPTURE (plugin.isLv2);
     std::vector<HostedEffect> all;
 
