@@ -148,6 +148,48 @@ TEST_CASE ("A hammer's responses become a device of newtons, with a word about i
     CHECK (modes[0]["frequency_Hz"].get<double>() == Approx (modeFrequency (0)).epsilon (1e-4));
 }
 
+TEST_CASE ("Files in the order of a shell are read in that of their numbers", "[command line][identify]")
+{
+    const TemporaryFolder folder;
+    const auto path = [&] (const std::string& name) { return (folder.path() / name).string(); };
+    const auto responses = measuredBeam();
+    std::string places = "x_mm,y_mm\n";
+    ProgramArguments ascending { "identify" }, byShell { "identify" };
+
+    for (const auto p : { 0, 9, 10, 11, 1, 2, 3, 4, 5, 6, 7, 8 }) // 1, 10, 11, 12, 2 ...
+    {
+        std::string table = "frequency_Hz,real (m/s)/V,imag (m/s)/V\n";
+
+        for (Eigen::Index f = 0; f < responses.frequencies.size(); ++f)
+            table += std::to_string (responses.frequencies[f]) + ","
+                     + std::to_string (1e3 * responses.values[0](f, p).real()) + ","
+                     + std::to_string (1e3 * responses.values[0](f, p).imag()) + "\n";
+
+        write (path ("FRF_" + std::to_string (p + 1) + ".csv"), table);
+        byShell.emplace_back (path ("FRF_" + std::to_string (p + 1) + ".csv"));
+    }
+
+    for (int p = 0; p < pointCount; ++p)
+    {
+        places += std::to_string (10 * p) + ",0\n";
+        ascending.emplace_back (path ("FRF_" + std::to_string (p + 1) + ".csv"));
+    }
+
+    write (path ("points.csv"), places);
+    const auto deviceBy = [&] (ProgramArguments arguments, bool isReordered)
+    {
+        arguments.insert (arguments.end(), { "--points", path ("points.csv"), "--out", path ("beam.json") });
+        const auto run = runProgram (arguments);
+        INFO (run.errors);
+        REQUIRE (run.exitCode == 0);
+        CHECK ((run.output.find ("in the order of the numbers in their names: FRF_1.csv, FRF_2.csv to FRF_12.csv")
+                != std::string::npos)
+               == isReordered);
+        return readContent (path ("beam.json"));
+    };
+    CHECK (deviceBy (byShell, true) == deviceBy (ascending, false));
+}
+
 TEST_CASE ("identify refuses in one line and writes nothing", "[command line][identify]")
 {
     const TemporaryFolder folder;
@@ -168,6 +210,8 @@ TEST_CASE ("identify refuses in one line and writes nothing", "[command line][id
            == "antinode: --transfer: needs a computed device; allowed only with --against DEVICE\n");
     CHECK (refusal ({ "--band", "300" })
            == "antinode: --band: is '300'; allowed: two ascending numbers, for example 300:4000\n");
+    CHECK (refusal ({ "--orders", "3:200" }) == "antinode: --orders: are 3 to 200; allowed: 1 to 100, ascending\n");
+    CHECK (refusal ({ "--orders", "0:20" }) == "antinode: --orders: are 0 to 20; allowed: 1 to 100, ascending\n");
     CHECK (refusal ({ "--response-unit", "Pa" })
            == "antinode: --response-unit: is 'Pa'; allowed: a unit, for example m/s, um, g or (mm/s)/V\n");
     CHECK (refusal ({ "--quantity", "velocity", "--response-unit", "g" })
