@@ -56,8 +56,9 @@ void requireAgreement (const WaveFormat& format, std::uint64_t block, std::uint6
         fail (source, "contradicts itself: it has " + std::to_string (format.channels) + " channels in blocks of "
                           + std::to_string (block) + " bytes; record it again, or write it by another program");
 
-    const auto ofBlock = format.rate * format.bytes * format.channels,
-               ofBits = format.rate * ((format.bits + 7) / 8) * format.channels;
+    constexpr std::uint64_t field = 0xffffffff; // Of many channels only the lower bits are written.
+    const auto ofBlock = format.rate * format.bytes * format.channels & field,
+               ofBits = format.rate * ((format.bits + 7) / 8) * format.channels & field;
 
     if (bytesASecond != 0 && bytesASecond != ofBlock && bytesASecond != ofBits)
         fail (source, "contradicts itself: it has " + std::to_string (format.rate) + " blocks of "
