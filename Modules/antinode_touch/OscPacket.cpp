@@ -92,10 +92,10 @@ Fault readMessage (Bytes element, OscPacket& packet)
 
         if (! argument)
         {
-            ++packet.unknownTypes;
-
             if (endsSomething (message.address))
                 packet.messages.push_back ({ message.address, {} });
+            else
+                ++packet.unknownTypes;
 
             return std::nullopt;
         }

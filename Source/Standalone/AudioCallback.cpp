@@ -139,6 +139,10 @@ void AudioCallback::gatherNotes (int count)
         schedulePosition = 0;
     }
 
+    // All its notes were asked for at once.
+    if (queue.stops().commands() != scheduleCommands)
+        schedule.end();
+
     if (schedulePosition >= 0)
     {
         schedule.addTo (notes, schedulePosition, count, rate);

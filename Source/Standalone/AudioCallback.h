@@ -38,8 +38,12 @@ public:
     /** Notes that begin with startSchedule(). [message thread] before a device calls */
     void setSchedule (EventSchedule wanted) { schedule = std::move (wanted); }
 
-    /** Begins the schedule with the next block. [any] */
-    void startSchedule() { scheduleWanted = true; }
+    /** Begins the schedule with the next block; a stop ends it. [any] */
+    void startSchedule()
+    {
+        scheduleCommands = queue.stops().commands();
+        scheduleWanted = true;
+    }
 
     /** Samples since the schedule began; below 0 before. [any] */
     std::int64_t scheduleSamples() const { return schedulePosition; }
@@ -83,6 +87,7 @@ private:
     EventSchedule schedule;
     InputTap inputTap;
     std::atomic<bool> scheduleWanted { false };
+    std::atomic<std::uint64_t> scheduleCommands { 0 }; ///< StopCount::commands() when it was asked for.
     std::atomic<std::int64_t> schedulePosition { -1 }, played { 0 };
     std::atomic<double> rate { 0 };
     std::atomic<int> firstInput { -1 };

@@ -52,12 +52,15 @@ void AudioHost::openAudio (const AudioChoice& choice)
     muteAll();
     waitForSilence();
     deviceManager.closeAudioDevice();
+    watch.end();
+    ownWarning.clear();
 
     if (! wasMuted)
         outputRouter.release();
 
     antinode::openAudio (deviceManager, choice);
-    kept.audio = audioToKeep (openedAudio (deviceManager));
+    watch.begin (juce::Time::getMillisecondCounter());
+    keepOpened();
     triggerAsyncUpdate();
 }
 
@@ -125,13 +128,28 @@ void AudioHost::shutDown()
     save();
     muteAll();
     waitForSilence();
+    watch.end();
     deviceManager.closeAudioDevice();
+}
+
+float AudioHost::takePeakVolts()
+{
+    float peak = 0;
+
+    for (int i = 0; i < LevelMeters::ceramics; ++i)
+        peak = std::max (peak, meters().takePeak (i));
+
+    return peak;
 }
 
 juce::String AudioHost::warning()
 {
     if (ownWarning.isNotEmpty())
         return ownWarning;
+
+    if (hasDeviceStopped())
+        return "The audio device has stopped, and nothing plays. Once it is there again, press Refresh in Settings, "
+               "Audio device.";
 
     const auto ofPlayer = playerWarning();
     return ofPlayer.isNotEmpty() ? ofPlayer : silentCeramics();
@@ -158,15 +176,24 @@ juce::String AudioHost::silentCeramics()
 
 void AudioHost::changeListenerCallback (juce::ChangeBroadcaster*)
 {
-    // A device that is gone for now is not forgotten; another one makes old warnings pointless.
-    if (auto opened = openedAudio (deviceManager); ! opened.type.empty())
-        if (auto toKeep = audioToKeep (std::move (opened)); toKeep != kept.audio)
-        {
-            kept.audio = std::move (toKeep);
-            ownWarning.clear();
-        }
-
+    keepOpened();
     triggerAsyncUpdate();
+}
+
+/** A device that is gone for now is not forgotten, and one that has died says nothing that is worth keeping; another
+   one makes old warnings pointless. */
+void AudioHost::keepOpened()
+{
+    auto opened = openedAudio (deviceManager);
+
+    if (! (opened.sampleRate > 0 && opened.blockSize > 0))
+        return;
+
+    if (auto toKeep = audioToKeep (std::move (opened)); toKeep != kept.audio)
+    {
+        kept.audio = std::move (toKeep);
+        ownWarning.clear();
+    }
 }
 
 void AudioHost::handleAsyncUpdate()
@@ -188,6 +215,9 @@ void AudioHost::timerCallback()
         triggerAsyncUpdate();
     }
 
+    if (watch.look (audio->samplesPlayed(), juce::Time::getMillisecondCounter()))
+        triggerAsyncUpdate();
+
     if (auto failure = audio->takeError(); failure.isNotEmpty())
     {
         warn ("The audio device has failed: " + failure.toStdString());
@@ -200,13 +230,8 @@ void AudioHost::timerCallback()
 void AudioHost::passRouting()
 {
     passAmplifiers (amplifierVoltages (kept.routing));
-    std::vector<double> limits;
-
-    if (const auto now = model(); now != nullptr)
-        for (std::size_t i = 0; i < now->ceramics.size(); ++i)
-            limits.push_back (voltageLimit (*now, i));
-
-    outputRouter.setRouting (kept.routing, limits);
+    const auto volts = limits();
+    outputRouter.setRouting (kept.routing, { volts.begin(), volts.end() });
 }
 
 void AudioHost::save()

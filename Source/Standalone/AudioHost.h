@@ -1,7 +1,10 @@
 #pragma once
 
 #include "AudioCallback.h"
+#include "DeviceWatch.h"
 #include "SettingsFile.h"
+
+#include <antinode_session/LevelMeters.h>
 
 #include <functional>
 #include <memory>
@@ -28,6 +31,9 @@ public:
     virtual void openAudio (const AudioChoice&);
     void setRouting (const OutputRouting&);
     virtual void setTouch (const TouchPorts&) = 0;
+
+    /** Whether the device that was opened has stopped to call. [message thread] */
+    bool hasDeviceStopped() const { return watch.hasStopped(); }
 
     /** Kept only: the window shows it. [message thread] */
     void setDark (bool isDark);
@@ -58,11 +64,14 @@ public:
 
     virtual juce::AudioParameterBool& arm() = 0;
 
-    /** Ends what plays, as far as it ends by itself. [any but the audio thread] */
-    virtual void stopAll() {}
+    /** Ends what plays, as far as it ends by itself, and voids what waits to play. [any but the audio thread] */
+    virtual void stopAll() = 0;
+
+    /** Of what plays. [any but the audio thread] */
+    virtual LevelMeters& meters() = 0;
 
     /** The largest voltage of all ceramics since the last call, V. [any but the audio thread] */
-    virtual float takePeakVolts() = 0;
+    float takePeakVolts();
 
     /** What touches came in and what became of them, in lines. [message thread] */
     virtual juce::String touchStatus() = 0;
@@ -110,6 +119,7 @@ private:
     virtual void keepState (StandaloneSettings&) = 0; ///< What plays, into the settings.
     virtual void passAmplifiers (const std::vector<double>& /*volts*/) {}
     virtual juce::String playerWarning() = 0;
+    virtual Eigen::VectorXd limits() = 0;   ///< Of the ceramics while this plays, V; none: no device is solved.
     virtual std::uint64_t generation() = 0; ///< Another one where limits may have changed.
     virtual void tick() {}                  ///< 20 times a second.
     virtual AudioChoice audioToKeep (AudioChoice opened) const { return opened; }
@@ -120,6 +130,7 @@ private:
     void handleAsyncUpdate() override;
     void timerCallback() override;
     void passRouting();
+    void keepOpened();
     void waitForSilence();
     void save();
 
@@ -130,6 +141,7 @@ private:
     juce::AudioProcessor* played = nullptr;
     std::unique_ptr<AudioCallback> audio;
     juce::AudioDeviceManager deviceManager;
+    DeviceWatch watch;
     std::uint64_t seenGeneration = 0; ///< When it was looked at last.
 };
 } // namespace antinode

@@ -56,7 +56,8 @@ AudioPanel::AudioPanel (AudioHost& hostToUse) : host (hostToUse), inputView (hos
     input.setVisible (host.playsFoci());
 
     type.setTooltip (deviceTypeDifference());
-    refresh.setTooltip ("Searches for devices that were plugged in since the start");
+    refresh.setTooltip ("Searches for devices that were plugged in since the start, and opens the present one again "
+                        "where it has stopped");
     failure.setFont (EditorLook::font (EditorLook::smallTextHeight));
     failure.setJustificationType (juce::Justification::topLeft);
     addAndMakeVisible (failure);
@@ -64,21 +65,34 @@ AudioPanel::AudioPanel (AudioHost& hostToUse) : host (hostToUse), inputView (hos
     addAndMakeVisible (inputView);
     input.setTooltip ("What tracking listens to; its level and spectrum are below. Nothing that comes in is played or "
                       "kept.");
-    type.onChange = [this] { open ({ boxText (type), {}, 0, 0, {} }); };
-    device.onChange = [this] { open ({ boxText (type), boxText (device), 0, 0, {} }); };
+    type.onChange = [this]
+    {
+        shownType = boxText (type);
+        open ({ shownType, {}, 0, 0, {} });
+    };
+    device.onChange = [this] { open ({ shownType, boxText (device), 0, 0, {} }); };
     rate.onChange = block.onChange = outputs.onChange = input.onChange = [this] { open (shownFormat()); };
     refresh.onClick = [this]
     {
         scannedType.clear();
-        update();
+
+        if (isPlaying() || host.settings().audio.type.empty())
+            update();
+        else
+            open (host.settings().audio);
     };
     update();
+}
+
+bool AudioPanel::isPlaying() const
+{
+    return host.devices().getCurrentAudioDevice() != nullptr && ! host.hasDeviceStopped();
 }
 
 AudioChoice AudioPanel::shownFormat() const
 {
     AudioChoice wanted {
-        boxText (type), boxText (device), rate.getText().getDoubleValue(), block.getText().getIntValue(), {}
+        shownType, boxText (device), rate.getText().getDoubleValue(), block.getText().getIntValue(), {}
     };
     wanted.outputs.resize (static_cast<std::size_t> (outputs.getText().getIntValue()));
     std::iota (wanted.outputs.begin(), wanted.outputs.end(), 0);
@@ -117,17 +131,22 @@ void AudioPanel::update()
 void AudioPanel::updateDevices (const AudioChoice& opened)
 {
     const auto types = deviceTypes (host.devices());
-    const auto shown = ! opened.type.empty()                       ? opened.type
-                       : boxText (type).empty() && ! types.empty() ? types.front()
-                                                                   : boxText (type);
-    fill (type, types, shown);
+
+    if (! opened.type.empty())
+        shownType = opened.type;
+    else if (shownType.empty() && ! types.empty())
+        shownType = types.front();
+
+    // What does not play is not chosen, so that it can be chosen again.
+    fill (type, types, isPlaying() ? shownType : std::string());
+    type.setTextWhenNothingSelected (text (shownType));
 
     // Looking for devices takes its time and may disturb one that plays: so not whenever something is shown.
-    if (shown != scannedType)
-        scannedDevices = outputDevices (host.devices(), shown);
+    if (shownType != scannedType)
+        scannedDevices = outputDevices (host.devices(), shownType);
 
-    scannedType = shown;
-    fill (device, scannedDevices, opened.device);
+    scannedType = shownType;
+    fill (device, scannedDevices, isPlaying() ? opened.device : std::string());
     device.setTextWhenNothingSelected (device.getNumItems() > 0 ? "choose" : "none");
 }
 
@@ -135,7 +154,7 @@ void AudioPanel::updateFormat (const AudioChoice& opened)
 {
     std::vector<std::string> rates, blocks, counts, inputs { noInput };
 
-    if (auto* const present = host.devices().getCurrentAudioDevice())
+    if (auto* const present = host.devices().getCurrentAudioDevice(); isPlaying())
     {
         for (const auto available : present->getAvailableSampleRates())
             rates.push_back (std::to_string (juce::roundToInt (available)));
@@ -150,7 +169,7 @@ void AudioPanel::updateFormat (const AudioChoice& opened)
             inputs.push_back (std::to_string (i));
     }
 
-    const auto isOpen = ! opened.type.empty();
+    const auto isOpen = isPlaying();
     fill (rate, rates, isOpen ? std::to_string (juce::roundToInt (opened.sampleRate)) : std::string());
     fill (block, blocks, isOpen ? std::to_string (opened.blockSize) : std::string());
     fill (input, inputs, opened.inputs.empty() ? noInput : std::to_string (opened.inputs.front() + 1));

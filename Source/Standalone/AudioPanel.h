@@ -27,6 +27,7 @@ private:
     void updateFormat (const AudioChoice&);
     void open (const AudioChoice&);
     AudioChoice shownFormat() const;
+    bool isPlaying() const;
 
     AudioHost& host;
     juce::ComboBox type, device, rate, block, outputs, input;
@@ -34,6 +35,7 @@ private:
     juce::TextButton refresh { "Refresh" };
     juce::Label failure;
     InputView inputView;
+    std::string shownType;   ///< Also where its device does not play.
     std::string scannedType; ///< Of the next line.
     std::vector<std::string> scannedDevices;
 };

@@ -2,6 +2,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/WholeFile.h>
+#include <antinode_graph/MidiTriggers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -102,10 +103,10 @@ std::vector<TimedNote> readMidiFile (const std::filesystem::path& path)
 
     for (int i = 0; i < midi.getNumTracks(); ++i)
         for (const auto* const event : *midi.getTrack (i))
-            if (const auto& message = event->message; message.isNoteOnOrOff())
-                notes.push_back ({ message.getTimeStamp() * tick.value_or (1), message });
+            if (const auto& message = event->message; message.isNoteOnOrOff() || stopsAll (message))
+                notes.push_back ({ std::max (0.0, message.getTimeStamp()) * tick.value_or (1), message });
 
-    if (notes.empty())
+    if (std::none_of (notes.begin(), notes.end(), [] (const auto& note) { return note.message.isNoteOnOrOff(); }))
         throw InputError (path.string(), "contains no notes");
 
     return notes;

@@ -32,6 +32,9 @@ public:
     /** Back to its beginning. [audio thread] */
     void rewind() { next = 0; }
 
+    /** As if all had been played. [audio thread] */
+    void end() { next = notes.size(); }
+
     std::size_t size() const { return notes.size(); }
 
     /** The numbers of the notes that begin, each once, in the order in which they first do. [any] */
@@ -42,7 +45,7 @@ private:
     std::size_t next = 0;
 };
 
-/** The notes of all tracks of a standard MIDI file, with its changes of tempo.
+/** The notes of all tracks of a standard MIDI file, and what stops them, with its changes of tempo.
     @throws InputError  when it cannot be read, is no MIDI file, has no notes or a heading or tempo that says no time
     [worker] */
 std::vector<TimedNote> readMidiFile (const std::filesystem::path&);

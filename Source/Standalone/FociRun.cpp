@@ -67,7 +67,6 @@ void FociRun::tick()
                         static_cast<double> (foci.callback().scheduleSamples()) / rate - armTime);
 }
 
-/** As it was before the device was closed, which leaves nothing to hear. */
 std::string FociRun::outcomeText()
 {
     return tracking.ending();

@@ -12,7 +12,6 @@ namespace antinode
 namespace
 {
 constexpr int tickMilliseconds = 10;
-constexpr juce::uint32 devicePatience = 3000; // ms without a call
 } // namespace
 
 std::string HeadlessRun::counted (std::int64_t count, const std::string& what)
@@ -34,28 +33,29 @@ void HeadlessRun::run()
 {
     std::printf ("%s\n", waitingFor().c_str());
     std::fflush (stdout);
-    seenAt = juce::Time::getMillisecondCounter();
     startTimer (tickMilliseconds);
     juce::MessageManager::getInstance()->runDispatchLoop();
 
     if (! failureText.empty())
         throw InputError ("", failureText);
 
-    std::printf ("%s\n", endText().c_str());
+    std::printf ("%s\n", ending.c_str());
 }
 
+/** What there is to tell is asked for while ports and device are open. */
 void HeadlessRun::end (const std::string& failure)
 {
     failureText = failure;
     stopTimer();
-    xruns = std::max (0, host.devices().getXRunCount());
+    ending = endText();
     host.shutDown();
     juce::MessageManager::getInstance()->stopDispatchLoop();
 }
 
 void HeadlessRun::timerCallback()
 {
-    checkDevice();
+    if (host.hasDeviceStopped())
+        end ("the audio device has stopped");
 
     if (isTimerRunning() && ! hasBegun)
         beginWhenReady();
@@ -67,22 +67,11 @@ void HeadlessRun::timerCallback()
     const auto played = static_cast<double> (host.callback().samplesPlayed() - beginSamples);
     const auto isOver = hasBegun && duration > 0 && rate > 0 && played >= (armTime + duration) * rate;
 
-    if (isTimerRunning() && (isOver || isInterrupted()))
+    // Libraries of audio may block the signal of a pipe that nobody reads any more.
+    const auto isUnread = std::ferror (stdout) != 0;
+
+    if (isTimerRunning() && (isOver || isInterrupted() || isUnread))
         end ({});
-}
-
-void HeadlessRun::checkDevice()
-{
-    const auto now = juce::Time::getMillisecondCounter();
-
-    if (const auto samples = host.callback().samplesPlayed(); samples != seenSamples)
-    {
-        seenSamples = samples;
-        seenAt = now;
-    }
-
-    if (now - seenAt > devicePatience)
-        end ("the audio device has stopped");
 }
 
 void HeadlessRun::beginWhenReady()
@@ -124,17 +113,34 @@ std::string HeadlessRun::startText() const
 
 std::string HeadlessRun::endText()
 {
-    auto& outputs = host.router().meters();
-    std::int64_t clamped = 0;
-
-    for (int i = 0; i < OutputRouting::maximumOutputs; ++i)
-        clamped += outputs.clampedSamples (i);
-
     char volts[32];
     std::snprintf (volts, sizeof volts, "%.1f", static_cast<double> (host.takePeakVolts()));
-    return "ended: " + playedText() + ", at most " + volts + " V, " + counted (clamped, "clamped sample") + ", "
-           + counted (outputs.badNumbers(), "block") + " with invalid samples, " + counted (xruns, "xrun")
-           + outcomeText() + touchText();
+    return "ended: " + playedText() + ", at most " + volts + " V, " + clampedText() + ", "
+           + counted (host.router().meters().badNumbers(), "block") + " with invalid samples, "
+           + counted (std::max (0, host.devices().getXRunCount()), "xrun") + outcomeText() + touchText();
+}
+
+/** What was held at the limits of ceramics and at the full scale of outputs, and where. */
+std::string HeadlessRun::clampedText()
+{
+    std::int64_t all = 0;
+    std::string places;
+    const auto add = [&] (const std::string& place, int index, std::int64_t samples)
+    {
+        if (samples == 0)
+            return;
+
+        all += samples;
+        places += (places.empty() ? " (" : ", ") + place + std::to_string (index + 1) + ": " + std::to_string (samples);
+    };
+
+    for (int i = 0; i < LevelMeters::ceramics; ++i)
+        add ("ceramic ", i, host.meters().limitedSamples (i));
+
+    for (int i = 0; i < OutputRouting::maximumOutputs; ++i)
+        add ("output ", i, host.router().meters().clampedSamples (i));
+
+    return counted (all, "clamped sample") + (places.empty() ? "" : places + ")");
 }
 
 /** Nothing if no touch came in. */

@@ -44,19 +44,16 @@ private:
 
     void timerCallback() override;
     void beginWhenReady();
-    void checkDevice();
     void end (const std::string& failure);
     std::string startText() const;
     std::string endText();
+    std::string clampedText();
     std::string touchText();
 
     AudioHost& host;
     double duration;
     bool arms, hasBegun = false;
     std::int64_t beginSamples = 0;
-    std::int64_t seenSamples = 0;
-    juce::uint32 seenAt = 0; ///< ms, when the device called last.
-    std::string failureText;
-    int xruns = 0; ///< When it ended.
+    std::string failureText, ending; ///< When it ended.
 };
 } // namespace antinode

@@ -130,8 +130,13 @@ juce::String MainComponent::statusText (const juce::String& latency) const
     if (opened.type.empty())
         return "No audio device is open. Choose one in Settings, Audio device.";
 
-    return juce::String::fromUTF8 (opened.type.c_str()) + " " + juce::String::fromUTF8 (opened.device.c_str()) + ", "
-           + juce::String (juce::roundToInt (opened.sampleRate)) + " Hz, " + juce::String (opened.blockSize)
+    const auto name =
+        juce::String::fromUTF8 (opened.type.c_str()) + " " + juce::String::fromUTF8 (opened.device.c_str());
+
+    if (host.hasDeviceStopped())
+        return name + " has stopped.";
+
+    return name + ", " + juce::String (juce::roundToInt (opened.sampleRate)) + " Hz, " + juce::String (opened.blockSize)
            + " samples, " + juce::String (opened.outputs.size()) + " outputs, "
            + juce::String (std::max (0, host.devices().getXRunCount())) + " xruns, "
            + juce::String (juce::roundToInt (100 * host.devices().getCpuUsage())) + " % CPU"

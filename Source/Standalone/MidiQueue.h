@@ -1,6 +1,7 @@
 #pragma once
 
 #include <antinode_base/RingQueue.h>
+#include <antinode_session/StopCount.h>
 
 #include <juce_audio_basics/juce_audio_basics.h>
 
@@ -10,13 +11,20 @@
 
 namespace antinode
 {
-/** Notes on their way from MIDI inputs to the audio thread, which neither locks nor waits; inputs are serialised. */
+/** Notes on their way from MIDI inputs to the audio thread, which neither locks nor waits; inputs are serialised. A
+   stop voids those that wait. */
 class MidiQueue
 {
 public:
     static constexpr std::size_t capacity = 1024;
 
-    /** Messages of more than 3 bytes are never notes and are left out.
+    /** @param stopsToCount  of what plays the notes; outlives this */
+    explicit MidiQueue (StopCount& stopsToCount) : stopCount (stopsToCount) {}
+
+    /** [any] */
+    const StopCount& stops() const { return stopCount; }
+
+    /** Messages of more than 3 bytes are never notes and are left out. All notes off stops even where there is no room.
         @return  false where it was left out, or `capacity` wait already [any but the audio thread] */
     bool push (const juce::MidiMessage&, double milliseconds);
 
@@ -35,8 +43,10 @@ private:
         std::array<std::uint8_t, 3> bytes {};
         int size = 0;
         double milliseconds = 0;
+        std::uint64_t askedAt = 0; ///< StopCount::now() then.
     };
 
+    StopCount& stopCount;
     std::mutex pushing;
     RingQueue<Entry, capacity> waiting;
 };

@@ -4,6 +4,7 @@
 #include "TriggerLatency.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_focus/DriveAllocation.h>
 
 #include <algorithm>
 #include <chrono>
@@ -68,14 +69,10 @@ void StandaloneHost::shutDown()
     AudioHost::shutDown();
 }
 
-float StandaloneHost::takePeakVolts()
+Eigen::VectorXd StandaloneHost::limits()
 {
-    float peak = 0;
-
-    for (int i = 0; i < LevelMeters::ceramics; ++i)
-        peak = std::max (peak, player.session().meters().takePeak (i));
-
-    return peak;
+    const auto now = player.session().snapshot();
+    return now->model != nullptr ? voltageLimits (*now->model, now->focus.allocation) : Eigen::VectorXd();
 }
 
 juce::String StandaloneHost::touchStatus()

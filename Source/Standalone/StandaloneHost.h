@@ -33,7 +33,7 @@ public:
     double fullScaleVolts() override { return player.session().fullScaleVolts(); }
     juce::AudioParameterBool& arm() override { return player.parameters().arm(); }
     void stopAll() override { player.session().stopAll(); }
-    float takePeakVolts() override;
+    LevelMeters& meters() override { return player.session().meters(); }
     juce::String touchStatus() override;
     std::string touchOutcome() override;
     std::int64_t touchPackets() override { return touchInput.counters().packets; }
@@ -45,11 +45,12 @@ private:
     void keepState (StandaloneSettings& settings) override { settings.state = player.state(); }
     void passAmplifiers (const std::vector<double>& volts) override { player.session().setAmplifiers (volts); }
     juce::String playerWarning() override { return player.warning(); }
+    Eigen::VectorXd limits() override;
     std::uint64_t generation() override { return player.session().snapshot()->generation; }
     void tick() override;
 
     AntinodeProcessor player { AntinodeProcessor::maximumCeramics, juce::AudioProcessor::wrapperType_Undefined };
-    MidiQueue midiQueue;
+    MidiQueue midiQueue { player.session().stops() };
     MidiInputs midiInputs { midiQueue };
     TouchInput touchInput { player.session() };
     std::uint64_t seenMutes = 0; ///< When they were looked at last.

@@ -5,6 +5,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
+#include <antinode_focus/DriveAllocation.h>
 
 #include <algorithm>
 #include <utility>
@@ -113,26 +114,28 @@ juce::String TouchHost::playerWarning()
     return player.warning();
 }
 
-/** Of the models: filters come and go too often to ramp to 0 V for each. */
-std::uint64_t TouchHost::generation()
+Eigen::VectorXd TouchHost::limits()
 {
-    if (auto now = model(); now != seenModel)
-    {
-        seenModel = std::move (now);
-        ++models;
-    }
-
-    return models;
+    const auto now = model();
+    const auto focus = player.focus();
+    const auto choice = focus != nullptr ? focus->description.allocation : AllocationChoice {};
+    return now != nullptr ? voltageLimits (*now, choice) : Eigen::VectorXd();
 }
 
-float TouchHost::takePeakVolts()
+/** Of models and focuses: filters come and go too often to ramp to 0 V for each. */
+std::uint64_t TouchHost::generation()
 {
-    float peak = 0;
+    auto now = model();
+    auto focus = player.focus();
 
-    for (int i = 0; i < LevelMeters::ceramics; ++i)
-        peak = std::max (peak, player.session().meters().takePeak (i));
+    if (now != seenModel || focus != seenFocus)
+    {
+        seenModel = std::move (now);
+        seenFocus = std::move (focus);
+        ++seen;
+    }
 
-    return peak;
+    return seen;
 }
 
 juce::String TouchHost::touchStatus()

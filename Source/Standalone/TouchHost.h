@@ -52,7 +52,8 @@ public:
     std::shared_ptr<const ModalModel> model() override { return player.session().snapshot()->model; }
     double fullScaleVolts() override { return player.session().fullScaleVolts(); }
     juce::AudioParameterBool& arm() override { return player.parameters().arm(); }
-    float takePeakVolts() override;
+    void stopAll() override { player.stopAll(); }
+    LevelMeters& meters() override { return player.session().meters(); }
     juce::String touchStatus() override;
     std::string touchOutcome() override;
     std::int64_t touchPackets() override { return player.network().counters().packets; }
@@ -67,16 +68,18 @@ private:
     void keepState (StandaloneSettings&) override;
     void passAmplifiers (const std::vector<double>& volts) override { player.session().setAmplifiers (volts); }
     juce::String playerWarning() override;
+    Eigen::VectorXd limits() override;
     std::uint64_t generation() override;
     AudioChoice audioToKeep (AudioChoice opened) const override;
     std::map<std::string, double> fingerValues (const Surface&);
 
     TouchProcessor player { TouchProcessor::maximumCeramics, juce::AudioProcessor::wrapperType_Undefined };
-    MidiQueue midiQueue;
+    MidiQueue midiQueue { player.session().stops() };
     MidiInputs midiInputs { midiQueue };
     std::vector<WantedFinger> wantedFingers;
     std::string fingerFailure;
     std::shared_ptr<const ModalModel> seenModel;
-    std::uint64_t models = 0; ///< That were seen.
+    std::shared_ptr<const FocusDocument> seenFocus;
+    std::uint64_t seen = 0; ///< How many models and focuses were.
 };
 } // namespace antinode

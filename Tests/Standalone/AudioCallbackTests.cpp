@@ -77,7 +77,7 @@ struct CallbackRig
 
     AntinodeProcessor processor { AntinodeProcessor::maximumCeramics, juce::AudioProcessor::wrapperType_Undefined };
     OutputRouter router;
-    MidiQueue queue;
+    MidiQueue queue { processor.session().stops() };
     AudioCallback callback { processor, router, queue, levelsOf (processor) };
 };
 
@@ -157,7 +157,7 @@ TEST_CASE ("what an output cannot give limits the foci, so that no sample is cla
 {
     AntinodeProcessor processor { AntinodeProcessor::maximumCeramics, juce::AudioProcessor::wrapperType_Undefined };
     OutputRouter router;
-    MidiQueue queue;
+    MidiQueue queue { processor.session().stops() };
     AudioCallback callback { processor, router, queue, levelsOf (processor) };
     auto device = nlohmann::json::parse (processor.device()->text);
     device["limits"] = { { "voltage_V", 10 }, { "full_scale_V", 3 } };
@@ -222,7 +222,7 @@ TEST_CASE ("the first open input is what the sensor hears, whatever the blocks, 
 {
     ListeningProcessor processor { AntinodeProcessor::maximumCeramics, juce::AudioProcessor::wrapperType_Undefined };
     OutputRouter router;
-    MidiQueue queue;
+    MidiQueue queue { processor.session().stops() };
     AudioCallback callback { processor, router, queue, levelsOf (processor) };
     juce::BigInteger outputs, inputs;
     outputs.setRange (0, 8, true);

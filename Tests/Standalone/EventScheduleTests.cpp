@@ -167,7 +167,8 @@ TEST_CASE ("a file that is no MIDI file is an error in a sentence")
 
 TEST_CASE ("notes from an input keep their distances, a block later")
 {
-    MidiQueue queue;
+    StopCount stops;
+    MidiQueue queue { stops };
     juce::MidiBuffer buffer;
     CHECK (queue.push (note (60), 1000));
     CHECK (queue.push (note (61), 1002));
@@ -192,7 +193,8 @@ TEST_CASE ("notes from an input keep their distances, a block later")
 
 TEST_CASE ("a queue that is full, and messages that are no notes, drop what comes")
 {
-    MidiQueue queue;
+    StopCount stops;
+    MidiQueue queue { stops };
     const juce::uint8 longMessage[] { 0xf0, 1, 2, 3, 0xf7 };
     CHECK_FALSE (queue.push (juce::MidiMessage (longMessage, 5), 0));
 
