@@ -221,7 +221,8 @@ std::vector<CeramicDescription> readPlateCeramics (const JsonValue& list, const 
         ceramics.push_back (read (place, size));
     }
 
-    if (std::all_of (ceramics.begin(), ceramics.end(), fillsItsRectangle))
+    // On a plate with an outline the solver looks at all of them, once they are known to lie on it.
+    if (size && std::all_of (ceramics.begin(), ceramics.end(), fillsItsRectangle))
         requireNoOverlap (places, ceramics);
 
     return ceramics;

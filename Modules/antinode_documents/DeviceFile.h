@@ -2,7 +2,7 @@
 
 #include <antinode_structure/DeviceDescription.h>
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
 #include <string>
 
@@ -15,6 +15,10 @@ namespace antinode
 DeviceDescription readDevice (const nlohmann::json&, const std::string& source);
 
 /** A device of kind modal as JSON: what any other program can read. Written and read again it is the same to the bit:
-   what Hz and mm cannot express is added in SI units, under "exact". [worker] */
-nlohmann::ordered_json modalDeviceToJson (const ModalModel&, const std::string& description);
+   what Hz and mm cannot express is added in SI units, under "exact". Only shapes of more than 100 000 numbers are
+   rounded to 7 digits.
+    @param limits  as files have them; none: the largest ones of its ceramics
+    [worker] */
+nlohmann::ordered_json modalDeviceToJson (const ModalModel&, const std::string& description,
+                                          const nlohmann::ordered_json& limits = {});
 } // namespace antinode

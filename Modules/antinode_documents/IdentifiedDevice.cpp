@@ -12,9 +12,9 @@
 namespace antinode
 {
 nlohmann::ordered_json identifiedDeviceToJson (const ModalModel& model, const IdentifiedModes& modes,
-                                               const std::string& description)
+                                               const std::string& description, const nlohmann::ordered_json& limits)
 {
-    auto device = modalDeviceToJson (model, description);
+    auto device = modalDeviceToJson (model, description, limits);
     const auto& deviations = modes.deviations;
     const auto areKnown = [&] (const auto& values) { return values.rows() == model.modes() && values.allFinite(); };
     device["delay_s"] = modes.delay;

@@ -1,5 +1,7 @@
 #include "ModalReader.h"
 
+#include "CeramicLag.h"
+#include "CompactShapes.h"
 #include "DampingReader.h"
 #include "FileUnits.h"
 #include "LimitsReader.h"
@@ -8,7 +10,6 @@
 #include "SurfaceReader.h"
 
 #include <antinode_base/MessageText.h>
-#include <antinode_model/LongestLag.h>
 #include <antinode_text/PhysicalRanges.h>
 
 #include <algorithm>
@@ -29,6 +30,12 @@ Eigen::VectorXd readVector (const JsonValue& list, Eigen::Index size, const Numb
     const auto count = static_cast<std::size_t> (size);
     const auto numbers = list.numbers (count, count, range);
     return Eigen::Map<const Eigen::VectorXd> (numbers.data(), size);
+}
+
+/** A shape of so many points: a list of numbers, or the same compact. */
+Eigen::VectorXd readShape (const JsonValue& shape, Eigen::Index points)
+{
+    return shape.isString() ? readCompactNumbers (shape, points) : readVector (shape, points, anyNumber);
 }
 
 /** Whether an optional key is given. @throws InputError  when some modes have it and others do not */
@@ -64,10 +71,10 @@ void readImaginaryParts (const JsonObject& mode, const std::vector<Eigen::Index>
     const auto points = model.points(), imaginary = model.modes() + k;
     model.participation.row (imaginary) =
         readVector (mode.required ("participation_imaginary_per_V"), model.actuators(), anyNumber);
-    model.shapes.col (imaginary) = readVector (mode.required ("shape_imaginary"), points, anyNumber) (order);
+    model.shapes.col (imaginary) = readShape (mode.required ("shape_imaginary"), points) (order);
 
     if (model.slopes.rows() > 0)
-        model.slopes.col (imaginary) = readVector (mode.required ("slope_imaginary"), points, anyNumber) (order);
+        model.slopes.col (imaginary) = readShape (mode.required ("slope_imaginary"), points) (order);
 }
 
 /** One mode. The model has its sizes already. */
@@ -77,10 +84,10 @@ void readMode (const JsonObject& mode, const std::vector<Eigen::Index>& order, E
     model.angularFrequencies[k] = fromHertz (mode.required ("frequency_Hz").number (ranges::frequencyHz));
     model.dampingRatios[k] = readDampingRatio (mode);
     model.participation.row (k) = readVector (mode.required ("participation_per_V"), model.actuators(), anyNumber);
-    model.shapes.col (k) = readVector (mode.required ("shape"), points, anyNumber) (order);
+    model.shapes.col (k) = readShape (mode.required ("shape"), points) (order);
 
     if (model.slopes.rows() > 0)
-        model.slopes.col (k) = readVector (mode.required ("slope"), points, anyNumber) (order);
+        model.slopes.col (k) = readShape (mode.required ("slope"), points) (order);
 
     if (model.hasComplexModes())
         readImaginaryParts (mode, order, k, model);
@@ -136,20 +143,6 @@ void readModes (const JsonObject& device, const std::vector<Eigen::Index>& order
 
     for (Eigen::Index k = 0; k < modeCount; ++k)
         readMode (modes[static_cast<std::size_t> (k)], order, k, model);
-}
-
-InputLag readLag (const JsonValue& value)
-{
-    constexpr NumberRange degrees { -45, 45 };
-    const NumberRange microsecond { 0, toMicroseconds (longestLag) };
-    const auto object = value.object ({ "delay_us", "time_constant_us", "angle_deg" });
-    const auto read = [&] (const char* key, NumberRange range)
-    {
-        const auto number = object.optional (key);
-        return number ? number->number (range) : 0.0;
-    };
-    return { fromMicroseconds (read ("delay_us", microsecond)),
-             fromMicroseconds (read ("time_constant_us", microsecond)), fromDegrees (read ("angle_deg", degrees)) };
 }
 
 Ceramic readCeramic (const JsonValue& value, const VoltageLimits& limits)

@@ -1,3 +1,5 @@
+#include "CeramicLag.h"
+#include "CompactShapes.h"
 #include "DeviceFile.h"
 #include "FileUnits.h"
 #include "ModalBoundary.h"
@@ -24,15 +26,31 @@ double largestLimit (const ModalModel& model)
     return largest > 0 ? largest : model.fullScaleVoltage;
 }
 
+/** What the ceramics and amplifiers of a device may do, as its file says it, or as its ceramics do. */
+Json limitsOf (const ModalModel& model, const Json& given)
+{
+    auto limits = given.is_object() ? given : Json { { "voltage_V", largestLimit (model) } };
+    limits["full_scale_V"] = model.fullScaleVoltage;
+    limits.erase ("current_mA"); // Its ceramics have the slew limits that follow from it.
+    return limits;
+}
+
+/** A shape or slope: numbers that people can read, or compact where they would fill a file. */
+Json shapeToJson (const ModalModel& model, const Eigen::VectorXd& shape)
+{
+    constexpr Eigen::Index mostNumbers = 100000; // as text
+    return model.shapes.size() > mostNumbers ? Json (compactNumbers (shape)) : toJsonList (shape);
+}
+
 /** Behind the real parts, which are as those of real modes. */
 void addImaginaryParts (Json& mode, const ModalModel& model, Eigen::Index k)
 {
     const auto imaginary = model.modes() + k;
     mode["participation_imaginary_per_V"] = toJsonList (model.participation.row (imaginary));
-    mode["shape_imaginary"] = toJsonList (model.shapes.col (imaginary));
+    mode["shape_imaginary"] = shapeToJson (model, model.shapes.col (imaginary));
 
     if (model.slopes.size() > 0)
-        mode["slope_imaginary"] = toJsonList (model.slopes.col (imaginary));
+        mode["slope_imaginary"] = shapeToJson (model, model.slopes.col (imaginary));
 }
 
 Json modesToJson (const ModalModel& model)
@@ -49,10 +67,10 @@ Json modesToJson (const ModalModel& model)
             mode["frequency_error_relative"] = model.frequencyErrors[k];
 
         mode["participation_per_V"] = toJsonList (model.participation.row (k));
-        mode["shape"] = toJsonList (model.shapes.col (k));
+        mode["shape"] = shapeToJson (model, model.shapes.col (k));
 
         if (model.slopes.size() > 0)
-            mode["slope"] = toJsonList (model.slopes.col (k));
+            mode["slope"] = shapeToJson (model, model.slopes.col (k));
 
         if (model.hasComplexModes())
             addImaginaryParts (mode, model, k);
@@ -63,10 +81,11 @@ Json modesToJson (const ModalModel& model)
     return modes;
 }
 
-Json ceramicsToJson (const ModalModel& model)
+Json ceramicsToJson (const ModalModel& model, const Json& limits)
 {
     auto ceramics = Json::array();
-    const auto limit = largestLimit (model);
+    const auto limit = limits["voltage_V"].get<double>();
+    const auto slew = fromVoltsPerMicrosecond (limits.value ("slew_V_per_us", 0.0));
 
     for (const auto& ceramic : model.ceramics)
     {
@@ -80,19 +99,17 @@ Json ceramicsToJson (const ModalModel& model)
         if (ceramic.voltageLimit != limit)
             item["voltage_limit_V"] = ceramic.voltageLimit;
 
-        if (ceramic.slewLimit > 0)
+        if (ceramic.slewLimit != slew)
             item["slew_limit_V_per_us"] = toVoltsPerMicrosecond (ceramic.slewLimit);
 
         if (ceramic.capacitance > 0)
-        {
             item["capacitance_nF"] = toNanofarads (ceramic.capacitance);
+
+        if (ceramic.capacitance > 0 || ceramic.lossFactor != usualLossFactor)
             item["loss_factor"] = ceramic.lossFactor;
-        }
 
         if (ceramic.lag != InputLag {})
-            item["lag"] = { { "delay_us", toMicroseconds (ceramic.lag.delay) },
-                            { "time_constant_us", toMicroseconds (ceramic.lag.timeConstant) },
-                            { "angle_deg", toDegrees (ceramic.lag.angle) } };
+            item["lag"] = lagToJson (ceramic.lag);
 
         if (! ceramic.outline.paths.empty())
             item["outline"] = outlineToJson (ceramic.outline);
@@ -141,7 +158,8 @@ Json exactToJson (const ModalModel& model)
 }
 } // namespace
 
-nlohmann::ordered_json modalDeviceToJson (const ModalModel& given, const std::string& description)
+nlohmann::ordered_json modalDeviceToJson (const ModalModel& given, const std::string& description,
+                                          const nlohmann::ordered_json& givenLimits)
 {
     const auto model = withoutGrid (given);
     Json device { { "schema", "antinode.device/1" }, { "name", model.name } };
@@ -155,8 +173,8 @@ nlohmann::ordered_json modalDeviceToJson (const ModalModel& given, const std::st
         points.push_back ({ toMillimetres (model.surface.points (p, 0)), toMillimetres (model.surface.points (p, 1)) });
 
     device["kind"] = "modal";
-    device["limits"] = { { "voltage_V", largestLimit (model) }, { "full_scale_V", model.fullScaleVoltage } };
-    device["ceramics"] = ceramicsToJson (model);
+    device["limits"] = limitsOf (model, givenLimits);
+    device["ceramics"] = ceramicsToJson (model, device["limits"]);
     device["rigid_body_modes"] = model.rigidBodyModes;
     device["covers_whole_body"] = model.coversWholeBody;
     device["modes"] = modesToJson (model);

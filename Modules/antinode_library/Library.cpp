@@ -92,20 +92,14 @@ std::optional<DeviceDescription> reaching (DeviceDescription device, const Reach
 {
     const auto ask = [&] (auto& body)
     {
-        if constexpr (std::is_same_v<std::decay_t<decltype (body)>, ModalModel>)
-            return false;
-        else
+        if constexpr (requires { body.common; })
         {
             body.common.modeCount = reach.count;
             body.common.maximumFrequency = reach.frequency;
-            return true;
         }
     };
-
-    if (! std::visit (ask, device.body))
-        return {};
-
-    return device;
+    std::visit (ask, device.body);
+    return isComputed (device) ? std::optional (std::move (device)) : std::nullopt;
 }
 
 ModalModel solveWithCache (const DeviceDescription& device, std::optional<int> modeCount, bool usesCache,
@@ -113,7 +107,9 @@ ModalModel solveWithCache (const DeviceDescription& device, std::optional<int> m
 {
     const auto folder = usesCache ? userCacheFolder() : std::nullopt;
     const auto cache = folder ? std::optional (ModeCache (*folder)) : std::nullopt;
-    return solveCached (device, modeCount, cache ? &*cache : nullptr, shapes);
+    auto model = solveCached (device, modeCount, cache ? &*cache : nullptr, shapes);
+    model.warnings.insert (model.warnings.begin(), device.warnings.begin(), device.warnings.end());
+    return model;
 }
 
 /** A wide model of what one solution gives; none where it cannot be solved or gives no more modes. */

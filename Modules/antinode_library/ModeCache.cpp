@@ -4,6 +4,7 @@
 
 #include <antinode_base/UserFolders.h>
 #include <antinode_base/WholeFile.h>
+#include <antinode_structure/MeasuredModel.h>
 #include <antinode_structure/OutlinedModel.h>
 #include <antinode_structure/StaticShare.h>
 #include <antinode_text/OutputFolder.h>
@@ -184,6 +185,9 @@ std::optional<std::filesystem::path> userCacheFolder()
 ModalModel solveCached (const DeviceDescription& device, std::optional<int> modeCount, const ModeCache* cache,
                         SolvedShapes shapes)
 {
+    if (const auto* const measured = std::get_if<MeasuredDevice> (&device.body))
+        return measuredModel (*measured, solveCached (*measured->drawing, {}, cache));
+
     if (cache != nullptr)
         if (auto found = cache->find (device, modeCount, shapes))
             return *std::move (found);

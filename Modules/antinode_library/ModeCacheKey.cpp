@@ -14,7 +14,7 @@ constexpr int cacheFormat = 4; // To be raised when an entry is written in anoth
 std::optional<std::string> modeCacheKey (const DeviceDescription& device, std::optional<int> modeCount,
                                          SolvedShapes shapes)
 {
-    if (std::holds_alternative<ModalModel> (device.body))
+    if (! isComputed (device))
         return {};
 
     FieldWriter writer;
@@ -23,7 +23,7 @@ std::optional<std::string> modeCacheKey (const DeviceDescription& device, std::o
     std::visit (
         [&] (const auto& body)
         {
-            if constexpr (! std::is_same_v<decltype (body), const ModalModel&>)
+            if constexpr (requires { body.common; })
                 writer (body);
         },
         device.body);

@@ -17,7 +17,7 @@ namespace
 /** Half as many modes again as the design knows, where the device is solved; a measured one has no more. */
 std::optional<int> judgedModes (const DeviceDescription& description, const ModalModel& known)
 {
-    if (std::holds_alternative<ModalModel> (description.body))
+    if (! isComputed (description))
         return {};
 
     const auto modes = known.modes() - (hasStaticShare (description) ? known.actuators() : 0);

@@ -4,6 +4,7 @@
 
 #include <antinode_identification/Comparison.h>
 #include <antinode_model/ModalModel.h>
+#include <antinode_structure/DeviceDescription.h>
 
 #include <optional>
 
@@ -19,6 +20,7 @@ struct IdentificationResult
     std::vector<std::string> remarks;         ///< What was assumed when files were read.
     std::optional<ModeComparison> comparison; ///< With a computed device.
     std::optional<ModalModel> computed;
+    std::optional<DeviceDescription> described; ///< What was computed.
 };
 
 /** Warnings about the files, the whole identification and every mode, as sentences. [any] */

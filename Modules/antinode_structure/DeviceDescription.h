@@ -4,6 +4,7 @@
 
 #include <antinode_model/ModalModel.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -150,6 +151,40 @@ struct OutlinedPlate
     std::vector<PlatePoint> points;
 };
 
+struct DeviceDescription;
+
+/** A mode of a drawn device as it was measured: its shape is the drawing's. */
+struct MeasuredMode
+{
+    /** What the drawing's mode has of one ceramic: it tells whether a solution has the mode with the other sign. */
+    struct Reference
+    {
+        Eigen::Index ceramic = 0;
+        double participation = 0; ///< N kg^-1/2 / V
+    };
+
+    Eigen::Index drawn = 0;      ///< Which mode of the drawing it is, from 0.
+    double angularFrequency = 0; ///< rad/s
+    double dampingRatio = 0;
+    Eigen::MatrixXd participation; ///< 1 x N_b, of a complex mode 2 x N_b with the imaginary parts below; N kg^-1/2 / V
+    std::optional<Reference> reference;
+};
+
+/** What was measured of a ceramic and its amplifier. */
+struct MeasuredCeramic
+{
+    std::optional<double> voltageLimit, slewLimit; ///< V, V/s; none: the drawing's.
+    InputLag lag;
+};
+
+/** A drawn device of which modes were measured, but no shapes. */
+struct MeasuredDevice
+{
+    std::shared_ptr<const DeviceDescription> drawing; ///< A beam, staple or plate.
+    std::vector<MeasuredMode> modes;                  ///< All that the device has, ascending in frequency.
+    std::vector<MeasuredCeramic> ceramics;            ///< N_b, or empty.
+};
+
 /** The kinds of device whose modes are computed, for messages. */
 inline constexpr auto computedKinds = "beam, staple, plate";
 
@@ -158,9 +193,14 @@ struct DeviceDescription
 {
     std::string name;
     std::string description;
-    std::variant<BeamDescription, StapleDescription, PlateDescription, OutlinedPlate, ModalModel> body;
-    bool requiresArming = false; ///< Stays silent after loading until the user arms the output.
+    std::variant<BeamDescription, StapleDescription, PlateDescription, OutlinedPlate, ModalModel, MeasuredDevice> body;
+    bool requiresArming = false;          ///< Stays silent after loading until the user arms the output.
+    std::vector<std::string> warnings {}; ///< Sentences about values that hardly any device has.
+    std::string document {}; ///< Its file as JSON, without modes and points that are given; empty: made without one.
 };
+
+/** Whether the modes of a device are computed from its description, not given. [any] */
+bool isComputed (const DeviceDescription&);
 
 /** The extent of the surface of a described device, before it is solved. [any] */
 Surface deviceExtent (const DeviceDescription&);

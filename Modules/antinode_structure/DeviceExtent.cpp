@@ -9,6 +9,7 @@ struct Extent
     Surface operator() (const BeamDescription& beam) const { return line (beam.length); }
     Surface operator() (const StapleDescription& staple) const { return line (staple.topLength); }
     Surface operator() (const ModalModel& model) const { return model.surface; }
+    Surface operator() (const MeasuredDevice& measured) const { return deviceExtent (*measured.drawing); }
 
     Surface operator() (const PlateDescription& plate) const
     {

@@ -11,8 +11,22 @@ struct KindWord
     const char* operator() (const PlateDescription&) const { return "plate"; }
     const char* operator() (const OutlinedPlate&) const { return "plate"; }
     const char* operator() (const ModalModel&) const { return "modal"; }
+    const char* operator() (const MeasuredDevice& measured) const { return deviceKind (*measured.drawing); }
 };
 } // namespace
+
+bool isComputed (const DeviceDescription& device)
+{
+    return std::visit (
+        [] (const auto& body)
+        {
+            return requires
+            {
+                body.common;
+            };
+        },
+        device.body);
+}
 
 const char* deviceKind (const DeviceDescription& device)
 {

@@ -109,12 +109,15 @@ struct CandidateFinder
 
     PlacementCandidates operator() (const OutlinedPlate& plate) const { return outlinedCandidates (plate, like, grid); }
 
-    PlacementCandidates operator() (const ModalModel&) const
-    {
-        throw InputError ("device '" + device.name + "'", std::string ("is of kind modal; allowed: ") + computedKinds);
-    }
+    PlacementCandidates operator() (const ModalModel&) const { throwGiven ("is of kind modal"); }
+    PlacementCandidates operator() (const MeasuredDevice&) const { throwGiven ("has measured modes"); }
 
 private:
+    [[noreturn]] void throwGiven (const std::string& what) const
+    {
+        throw InputError ("device '" + device.name + "'", what + "; allowed: " + computedKinds);
+    }
+
     template <typename Body>
     PlacementCandidates onLine (const Body& body, double length, EdgeCondition left, EdgeCondition right) const
     {
@@ -166,7 +169,7 @@ DeviceDescription withCeramics (DeviceDescription device, const std::vector<Cera
 {
     const auto set = [&] (auto& body)
     {
-        if constexpr (! std::is_same_v<std::decay_t<decltype (body)>, ModalModel>)
+        if constexpr (requires { body.common; })
             body.common.ceramics = ceramics;
     };
     std::visit (set, device.body);

@@ -4,6 +4,7 @@
 #include "DescribedModel.h"
 #include "DescriptionChecks.h"
 #include "DeviceDescription.h"
+#include "MeasuredModel.h"
 #include "ModeLimits.h"
 #include "OutlinedModel.h"
 #include "SolvedPlate.h"
@@ -174,6 +175,11 @@ struct BodySolver
             model.warnings.push_back (complexModesInWords (model));
 
         return model;
+    }
+
+    ModalModel operator() (const MeasuredDevice& measured) const
+    {
+        return measuredModel (measured, solveStructure (*measured.drawing));
     }
 
     const std::string& name;

@@ -137,7 +137,44 @@ private:
     std::vector<Json*> containers; ///< The open ones, outermost first.
     std::vector<std::string> keys; ///< The key last seen in each of them.
 };
+bool hasObjects (const nlohmann::ordered_json& value)
+{
+    return value.is_object()
+           || (value.is_array()
+               && std::any_of (value.begin(), value.end(), [] (const auto& item) { return hasObjects (item); }));
+}
+
+void appendReadable (std::string& text, const nlohmann::ordered_json& value, const std::string& indent)
+{
+    if (value.empty() || ! hasObjects (value))
+    {
+        text += value.dump();
+        return;
+    }
+
+    const auto deeper = indent + "  ";
+    text += value.is_object() ? '{' : '[';
+
+    for (auto item = value.begin(); item != value.end(); ++item)
+    {
+        text += (item == value.begin() ? "\n" : ",\n") + deeper;
+
+        if (value.is_object())
+            text += nlohmann::json (item.key()).dump() + ": ";
+
+        appendReadable (text, *item, deeper);
+    }
+
+    text += "\n" + indent + (value.is_object() ? '}' : ']');
+}
 } // namespace
+
+std::string readableJson (const nlohmann::ordered_json& value)
+{
+    std::string text;
+    appendReadable (text, value, {});
+    return text + "\n";
+}
 
 nlohmann::json parseJson (std::string_view text, const std::string& source)
 {

@@ -20,6 +20,9 @@ nlohmann::json parseJson (std::string_view text, const std::string& source);
     [worker] */
 nlohmann::json readJsonFile (const std::filesystem::path&);
 
+/** JSON for people: an entry per line, lists without objects in one line. Ends with a line break. [any] */
+std::string readableJson (const nlohmann::ordered_json&);
+
 /** Sets one value, as `--set focus.targets.0.x_mm=24` gives it. A key that is a number indexes a list; the value is
    JSON where it parses as such, else a string. Missing objects on the way are made; a list grows by one at most.
     @param root        the document

@@ -4,6 +4,7 @@
 #include "ExcitationOptions.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_library/Inputs.h>
 #include <antinode_numerics/RandomNumbers.h>
 
 #include <cstdio>
@@ -76,7 +77,8 @@ void calibrate (const CalibrateOptions& options)
                                if (asks)
                                    askForMonitor (sheet.ceramics[static_cast<std::size_t> (ceramic)]);
                            });
-    writeCalibration (options.folder, model, measurement);
+    writeCalibration (options.folder, loadDevice (options.excitation.device, options.excitation.assignments), model,
+                      measurement);
     printCalibration (options.folder, model, measurement);
 }
 

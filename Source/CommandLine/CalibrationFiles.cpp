@@ -2,7 +2,7 @@
 
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
-#include <antinode_documents/DeviceFile.h>
+#include <antinode_documents/ChangedDevice.h>
 #include <antinode_reports/Report.h>
 #include <antinode_text/OutputFolder.h>
 
@@ -132,13 +132,13 @@ ReportPage calibrationReport (const ModalModel& model, const AmplifierMeasuremen
 }
 } // namespace
 
-void writeCalibration (const std::filesystem::path& path, const ModalModel& model,
+void writeCalibration (const std::filesystem::path& path, const DeviceDescription& device, const ModalModel& model,
                        const AmplifierMeasurement& measurement)
 {
     const auto calibrated = throughAmplifiers (model, amplifiersOf (measurement));
     OutputFolder folder (path);
     folder.write ("device.json",
-                  modalDeviceToJson (calibrated, "With its amplifiers as they were measured").dump (2) + "\n");
+                  changedDeviceText (device, model, calibrated, "With its amplifiers as they were measured"));
     folder.write ("calibration.json", calibrationToJson (model, measurement).dump (2) + "\n");
     folder.write ("report.html", renderReport (calibrationReport (model, measurement)));
     folder.commit();

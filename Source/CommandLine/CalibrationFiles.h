@@ -2,6 +2,7 @@
 
 #include <antinode_bench/MeasureAmplifiers.h>
 #include <antinode_model/ModalModel.h>
+#include <antinode_structure/DeviceDescription.h>
 
 #include <filesystem>
 #include <string>
@@ -12,7 +13,8 @@ namespace antinode
    calibration.json and report.html.
     @throws InputError  when the folder cannot be written
     [worker] Docs/FileFormats.md. */
-void writeCalibration (const std::filesystem::path& folder, const ModalModel&, const AmplifierMeasurement&);
+void writeCalibration (const std::filesystem::path& folder, const DeviceDescription&, const ModalModel&,
+                       const AmplifierMeasurement&);
 
 /** The same as a table on the terminal. */
 void printCalibration (const std::string& folder, const ModalModel&, const AmplifierMeasurement&);

@@ -14,6 +14,13 @@ namespace antinode
 namespace
 {
 constexpr double lowestRate = 8000, highestRate = 2e6; // Hz
+
+void checkKindOfPlace (const ModalModel& model, double y, const std::string& where)
+{
+    if (y != 0 && model.surface.kind == SurfaceKind::line)
+        throw InputError (where, "is " + inWords (y * milli) + " mm, but the surface of '" + model.name
+                                     + "' is a line; allowed: 0, or a plate as --device");
+}
 } // namespace
 
 void checkSampleRate (double rate)
@@ -24,25 +31,20 @@ void checkSampleRate (double rate)
 
 void checkKindOfPlaces (const ModalModel& model, const FocusDescription& focus)
 {
-    if (model.surface.kind == SurfaceKind::plate)
-        return;
-
-    const auto check = [&model] (const char* place, std::size_t index, double y)
-    {
-        if (y != 0)
-            throw InputError ("focus: " + std::string (place) + " " + std::to_string (index + 1) + " y",
-                              "is " + inWords (y * milli) + " mm, but the surface of '" + model.name
-                                  + "' is a line; allowed: 0, or a plate as --device");
-    };
-
     for (std::size_t i = 0; i < focus.targets.size(); ++i)
-        check ("target", i, focus.targets[i].y);
+        checkKindOfPlace (model, focus.targets[i].y, "focus: target " + std::to_string (i + 1) + " y");
 
     for (std::size_t i = 0; i < focus.probes.size(); ++i)
-        check ("probe", i, focus.probes[i].second);
+        checkKindOfPlace (model, focus.probes[i].second, "focus: probe " + std::to_string (i + 1) + " y");
 
     for (std::size_t i = 0; i < focus.fingers.size(); ++i)
-        check ("finger", i, focus.fingers[i].y);
+        checkKindOfPlace (model, focus.fingers[i].y, "focus: finger " + std::to_string (i + 1) + " y");
+}
+
+void checkKindOfPlaces (const ModalModel& model, const Eigen::MatrixX2d& places, const std::string& what)
+{
+    for (Eigen::Index p = 0; p < places.rows(); ++p)
+        checkKindOfPlace (model, places (p, 1), what + " " + std::to_string (p + 1) + " y");
 }
 
 WideModel wideOf (const DeviceDescription& device, const ModalModel& known, Playback playback, bool usesCache)

@@ -15,6 +15,9 @@ void checkSampleRate (double rate);
     @throws InputError  naming the target, probe or finger [any] */
 void checkKindOfPlaces (const ModalModel&, const FocusDescription&);
 
+/** Refuses places beside a line. @param what  "point" @throws InputError  naming the place [any] */
+void checkKindOfPlaces (const ModalModel&, const Eigen::MatrixX2d& places, const std::string& what);
+
 /** A device with modes to widePlay times its own. @param known  as solveDevice gave it
     @throws InputError  for anything that cannot be solved. [worker] */
 WideModel wideOf (const DeviceDescription&, const ModalModel& known, Playback, bool usesCache);

@@ -54,7 +54,7 @@ void follow (const FollowOptions& options)
         [&] (const ModalModel& known, Eigen::Index sensors)
         { return readPlayedRecording (options.recorded, known, sensors, options.sensor); },
         [&] (const std::string& what, double share) { progress.show (what, share); });
-    writeDrift (options.folder, followed.nominal, followed.known, followed.trace);
+    writeDrift (options.folder, followed);
 
     if (! options.isQuiet)
         print (options, followed.nominal, followed.trace);

@@ -1,7 +1,7 @@
 #include "FollowFiles.h"
 
 #include <antinode_base/NumberText.h>
-#include <antinode_documents/DeviceFile.h>
+#include <antinode_documents/ChangedDevice.h>
 #include <antinode_focus/SpillOver.h>
 #include <antinode_reports/Report.h>
 #include <antinode_text/CsvText.h>
@@ -111,8 +111,9 @@ const char* driftStateWord (DriftState state)
     return state == DriftState::following ? "following" : state == DriftState::silent ? "silent" : "lost";
 }
 
-ReportPage driftReport (const ModalModel& nominal, Eigen::Index known, const DriftTrace& trace)
+ReportPage driftReport (const FollowedDevice& followed)
 {
+    const auto& [device, nominal, known, trace] = followed;
     ReportSection section;
     section.heading = "Frequencies";
     section.figures.push_back (
@@ -157,21 +158,22 @@ nlohmann::ordered_json driftToJson (const DriftTrace& trace)
              { "last_state", driftStateWord (last.state) },
              { "last_reason", last.reason } };
 }
-std::string driftedDeviceText (const ModalModel& nominal, Eigen::Index known, const DriftTrace& trace)
+
+std::string driftedDeviceText (const FollowedDevice& followed)
 {
-    const auto layout = driftLayout (nominal, 1);
-    const auto now = firstModes (driftedModel (nominal, layout, trace.estimate.values), known);
-    return modalDeviceToJson (now, "Followed while it was played").dump (2) + "\n";
+    const auto& [device, nominal, known, trace] = followed;
+    const auto drifted = driftedModel (nominal, driftLayout (nominal, 1), trace.estimate.values);
+    return changedDeviceText (device, firstModes (nominal, known), firstModes (drifted, known),
+                              "Followed while it was played");
 }
 
-void writeDrift (const std::filesystem::path& path, const ModalModel& nominal, Eigen::Index known,
-                 const DriftTrace& trace)
+void writeDrift (const std::filesystem::path& path, const FollowedDevice& followed)
 {
     OutputFolder folder (path);
-    folder.write ("drift.csv", driftTable (trace, known));
-    folder.write ("device.json", driftedDeviceText (nominal, known, trace));
-    folder.write ("summary.json", driftToJson (trace).dump (2) + "\n");
-    folder.write ("report.html", renderReport (driftReport (nominal, known, trace)));
+    folder.write ("drift.csv", driftTable (followed.trace, followed.known));
+    folder.write ("device.json", driftedDeviceText (followed));
+    folder.write ("summary.json", driftToJson (followed.trace).dump (2) + "\n");
+    folder.write ("report.html", renderReport (driftReport (followed)));
     folder.commit();
 }
 } // namespace antinode

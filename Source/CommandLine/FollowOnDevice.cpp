@@ -70,6 +70,7 @@ FollowedDevice followOnDevice (const DeviceDescription& device, const FollowRequ
     };
     show ("Modes of the device", 0);
     const auto known = solveDevice (device, {}, request.usesCache);
+    checkKindOfPlaces (known, request.places, "sensor");
     auto recording = readRecording (known, sensorCount (request, known));
     const auto wide =
         wideOf (device, known, { Reconstruction::bandLimited, recording.sampleRate }, request.usesCache).model;
@@ -85,6 +86,6 @@ FollowedDevice followOnDevice (const DeviceDescription& device, const FollowRequ
     auto trace = followRecording (nominal, sensors, recording, settingsOf (request, nominal, sensors), request.window,
                                   [&] (double share) { show ("Following", share); });
     const auto own = std::min (known.modes(), nominal.modes());
-    return { std::move (nominal), own, std::move (trace) };
+    return { device, std::move (nominal), own, std::move (trace) };
 }
 } // namespace antinode

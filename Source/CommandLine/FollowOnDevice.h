@@ -28,6 +28,7 @@ using ReadRecording = std::function<PlayedRecording (const ModalModel& known, Ei
 /** A drift, and what it is a drift of. */
 struct FollowedDevice
 {
+    DeviceDescription device;
     ModalModel nominal;     ///< As it was before, with modes beyond its own.
     Eigen::Index known = 0; ///< How many are its own.
     DriftTrace trace;

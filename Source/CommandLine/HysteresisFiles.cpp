@@ -4,7 +4,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
-#include <antinode_documents/DeviceFile.h>
+#include <antinode_documents/ChangedDevice.h>
 #include <antinode_library/Library.h>
 #include <antinode_text/OutputFolder.h>
 
@@ -49,15 +49,16 @@ std::pair<Eigen::VectorXcd, Eigen::VectorXcd> inBoth (const Eigen::MatrixXcd& lo
 
 HysteresisMeasurement hysteresisByFiles (const DeviceDescription& device, const HysteresisFiles& files, bool usesCache)
 {
-    HysteresisMeasurement measurement { solveDevice (device, {}, usesCache), {}, {} };
+    HysteresisMeasurement measurement { device, solveDevice (device, {}, usesCache), {}, {}, {} };
+    const auto& model = measurement.before;
     const auto low = responsesOfFiles (files.low).responses, high = responsesOfFiles (files.high).responses;
-    requireSame (low, high, measurement.model);
+    requireSame (low, high, model);
     std::vector<Hysteresis> all;
-    measurement.playedLevels.resize (measurement.model.actuators());
+    measurement.playedLevels.resize (model.actuators());
 
     for (std::size_t i = 0; i < low.references.size(); ++i)
     {
-        const auto& ceramic = measurement.model.ceramics[i];
+        const auto& ceramic = model.ceramics[i];
         const auto limit = ceramic.voltageLimit;
 
         if (files.playedLevel > limit)
@@ -72,7 +73,7 @@ HysteresisMeasurement hysteresisByFiles (const DeviceDescription& device, const 
         all.push_back (measurement.ceramics.back().hysteresis);
     }
 
-    measurement.model = withHysteresis (std::move (measurement.model), all, measurement.playedLevels);
+    measurement.model = withHysteresis (model, all, measurement.playedLevels);
     return measurement;
 }
 
@@ -94,9 +95,8 @@ void writeHysteresis (const std::filesystem::path& path, const HysteresisMeasure
     }
 
     OutputFolder folder (path);
-    folder.write (
-        "device.json",
-        modalDeviceToJson (measurement.model, "With gain and lag of its ceramics at the played level").dump (2) + "\n");
+    folder.write ("device.json", changedDeviceText (measurement.device, measurement.before, measurement.model,
+                                                    "With gain and lag of its ceramics at the played level"));
     folder.write ("hysteresis.json", document.dump (2) + "\n");
     folder.commit();
 }

@@ -19,7 +19,9 @@ struct HysteresisFiles
 /** What they say: N_b each. */
 struct HysteresisMeasurement
 {
-    ModalModel model; ///< As it answers at the played level.
+    DeviceDescription device;
+    ModalModel before; ///< As it was said to be.
+    ModalModel model;  ///< As it answers at the played level.
     std::vector<MeasuredHysteresis> ceramics;
     Eigen::VectorXd playedLevels; ///< Of each ceramic's limit.
 };

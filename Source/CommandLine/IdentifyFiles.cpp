@@ -3,7 +3,7 @@
 #include "BoundaryOption.h"
 
 #include <antinode_base/NumberText.h>
-#include <antinode_documents/DeviceFile.h>
+#include <antinode_documents/ChangedDevice.h>
 #include <antinode_documents/IdentifiedDevice.h>
 #include <antinode_documents/UniversalModes.h>
 #include <antinode_identification/IdentifiedModel.h>
@@ -84,6 +84,18 @@ std::string describeResult (const IdentificationResult& result)
            + " Hz, reconstruction error " + reconstructionError (result);
 }
 
+/** Those of the device that was measured; where it has other ceramics, whether it has to be armed. */
+nlohmann::ordered_json limitsOf (const IdentificationResult& result)
+{
+    const auto limits = result.described ? limitsInFile (*result.described) : nlohmann::ordered_json();
+
+    if (limits.is_null() || result.computed->ceramics.size() == result.model.ceramics.size())
+        return limits;
+
+    return { { "voltage_V", voltageLimits (result.model).maxCoeff() },
+             { "requires_arming", limits.value ("requires_arming", false) } };
+}
+
 std::string reportName (const IdentifyOptions& options)
 {
     if (! options.reportFile.empty())
@@ -120,7 +132,10 @@ IdentificationResult identifyFiles (const IdentifyOptions& options, const std::o
     IdentificationResult result;
 
     if (against)
+    {
         result.computed = solveDevice (*against, std::nullopt, options.usesCache);
+        result.described = against;
+    }
 
     show ("Identifying", 0.1);
     const RecordEffects effects { measurement.recordLength, options.windowDecay.value_or (measurement.windowDecay) };
@@ -153,7 +168,7 @@ std::string reconstructionError (const IdentificationResult& result)
 
 std::string identifiedDeviceText (const IdentificationResult& result)
 {
-    return identifiedDeviceToJson (result.model, result.modes, describeResult (result)).dump (2) + "\n";
+    return deviceText (identifiedDeviceToJson (result.model, result.modes, describeResult (result), limitsOf (result)));
 }
 
 void writeIdentified (const IdentificationResult& result, const IdentifyOptions& options, bool hasReport)
@@ -172,10 +187,9 @@ void writeIdentified (const IdentificationResult& result, const IdentifyOptions&
 
     if (! options.transferFile.empty())
         files.emplace_back (options.transferFile,
-                            modalDeviceToJson (transferred (*result.computed, result.modes, *result.comparison),
-                                               "Computed, with measured frequencies and damping ratios")
-                                    .dump (2)
-                                + "\n");
+                            changedDeviceText (*result.described, *result.computed,
+                                               transferred (*result.computed, result.modes, *result.comparison),
+                                               "Computed, with measured frequencies and damping ratios"));
 
     if (! options.deviceFile.empty())
         files.emplace_back (options.deviceFile, identifiedDeviceText (result));

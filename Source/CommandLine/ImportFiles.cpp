@@ -3,6 +3,7 @@
 #include "BoundaryOption.h"
 
 #include <antinode_base/WholeFile.h>
+#include <antinode_documents/ChangedDevice.h>
 #include <antinode_documents/DeviceFile.h>
 
 #include <nlohmann/json.hpp>
@@ -46,6 +47,6 @@ ImportedDevice importFiles (const ImportOptions& options)
 
 std::string importedDeviceText (const ImportedDevice& device)
 {
-    return modalDeviceToJson (device.model, "Imported from results of finite elements").dump (2) + "\n";
+    return deviceText (modalDeviceToJson (device.model, "Imported from results of finite elements"));
 }
 } // namespace antinode

@@ -66,7 +66,7 @@ void learn (const LearnOptions& options)
     const auto learnt =
         learnFocus (setup.nominal, setup.focus, setup.sensors, setup.deviations, passesOf (options, setup), settings,
                     [&] (double share) { progress.show ("Learning", share); });
-    writeLearnt (options.folder, learnt, setup.nominal, setup.deviations, settings);
+    writeLearnt (options.folder, setup, learnt, settings);
 
     if (! options.isQuiet)
         print (options, setup, learnt, settings);

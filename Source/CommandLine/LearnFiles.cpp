@@ -6,8 +6,8 @@
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_base/WholeFile.h>
+#include <antinode_documents/ChangedDevice.h>
 #include <antinode_documents/DesignFile.h>
-#include <antinode_documents/DeviceFile.h>
 #include <antinode_learning/EquivalentLinear.h>
 #include <antinode_learning/LearningVerdict.h>
 #include <antinode_render/LagOutcome.h>
@@ -174,15 +174,23 @@ nlohmann::ordered_json learntToJson (const LearntFocus& learnt)
     return document;
 }
 
-std::string learntDeviceText (const LearntFocus& learnt)
+std::string learntDeviceText (const LearningSetup& setup, const LearntFocus& learnt)
 {
-    const auto known = firstModes (learnt.wide.model, learnt.wide.known);
-    return modalDeviceToJson (known, "Learnt from plays of a focus").dump (2) + "\n";
+    const auto before = firstModes (setup.device, setup.nominal.known);
+    auto now = firstModes (learnt.wide.model, learnt.wide.known);
+
+    for (Eigen::Index i = 0; i < now.actuators(); ++i)
+        if (setup.nominal.model.participation.col (i).isZero (0)) // They only listened.
+            now.participation.col (i) = before.participation.col (i);
+
+    return changedDeviceText (setup.described, before, now, "Learnt from plays of a focus");
 }
 
-void writeLearnt (const std::filesystem::path& path, const LearntFocus& learnt, const WideModel& nominal,
-                  const ModeSpread& before, const LearningSettings& settings)
+void writeLearnt (const std::filesystem::path& path, const LearningSetup& setup, const LearntFocus& learnt,
+                  const LearningSettings& settings)
 {
+    const auto& nominal = setup.nominal;
+    const auto& before = setup.deviations;
     const auto known = firstModes (learnt.wide.model, learnt.wide.known);
     const auto outputs = learntOutputs (learnt, settings);
     auto summary = learntToJson (learnt);
@@ -196,7 +204,7 @@ void writeLearnt (const std::filesystem::path& path, const LearntFocus& learnt, 
     OutputFolder folder (path);
     folder.write ("voltages.wav", encodeWave (outputs.voltages, known.fullScaleVoltage, settings.sampleRate));
     folder.write ("design.json", designToJson (learnt.design, known).dump (2) + "\n");
-    folder.write ("device.json", learntDeviceText (learnt));
+    folder.write ("device.json", learntDeviceText (setup, learnt));
     folder.write ("learnt.csv", learntTable (learnt, nominal, before));
     folder.write ("summary.json", summary.dump (2) + "\n");
     folder.write ("report.html", renderReport (learningReport (learnt, nominal, before)));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "LearnSetup.h"
 #include "SensorOptions.h"
 
 #include <antinode_engine/LagFilters.h>
@@ -33,12 +34,12 @@ std::string keptInWords (const LearntFocus&);
 nlohmann::ordered_json learntToJson (const LearntFocus&);
 
 /** The file of the device as it was learnt. [worker] Docs/FileFormats.md. */
-std::string learntDeviceText (const LearntFocus&);
+std::string learntDeviceText (const LearningSetup&, const LearntFocus&);
 
 /** Writes what is to be played next and what was learnt: voltages.wav, design.json, device.json, learnt.csv,
     summary.json and report.html.
     @throws InputError  when the folder cannot be written
     [worker] Docs/FileFormats.md. */
-void writeLearnt (const std::filesystem::path& folder, const LearntFocus&, const WideModel& nominal, const ModeSpread&,
+void writeLearnt (const std::filesystem::path& folder, const LearningSetup&, const LearntFocus&,
                   const LearningSettings&);
 } // namespace antinode

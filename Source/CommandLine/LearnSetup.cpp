@@ -133,8 +133,9 @@ LearningSetup learningSetup (const DeviceDescription& device, FocusDescription f
     const auto known = solveDevice (device, {}, options.usesCache);
     auto wide = wideOf (device, known, { Reconstruction::bandLimited, options.rate }, options.usesCache);
     checkIdleCeramics (options.idleCeramics, known);
-    LearningSetup setup { wide.model, wide, std::move (focus), std::move (places), {}, {} };
+    LearningSetup setup { device, wide.model, wide, std::move (focus), std::move (places), {}, {} };
     checkKindOfPlaces (known, setup.focus);
+    checkKindOfPlaces (known, setup.places, "sensor");
     setup.nominal.model = withoutDrive (setup.device, options.idleCeramics);
     const auto shapes = heardShapes (setup.device, setup.places, options.idleCeramics);
 

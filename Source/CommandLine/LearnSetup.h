@@ -32,8 +32,9 @@ struct LearnOptions
 /** What is learnt on. */
 struct LearningSetup
 {
-    ModalModel device; ///< With modes beyond its own and all of its ceramics.
-    WideModel nominal; ///< The same; idle ceramics move nothing.
+    DeviceDescription described; ///< What is learnt.
+    ModalModel device;           ///< With modes beyond its own and all of its ceramics.
+    WideModel nominal;           ///< The same; idle ceramics move nothing.
     FocusDescription focus;
     Eigen::MatrixX2d places;     ///< Of the velocity sensors, m.
     std::vector<Sensor> sensors; ///< Those at places, then the idle ceramics.

@@ -1,6 +1,7 @@
 #include "AudioBenchOptions.h"
 #include "Commands.h"
 #include "ExcitationOptions.h"
+#include "FocusOnDevice.h"
 #include "MeasuredFiles.h"
 
 #include <antinode_base/InputError.h>
@@ -62,6 +63,7 @@ void measure (const MeasureOptions& options)
     const auto model = excitedDevice (options.excitation);
     const auto sheet = excitationFor (model, options.excitation);
     const auto points = readPointsFile (options.pointsFile);
+    checkKindOfPlaces (model, points, "point");
 
     if (options.onlyChecks)
     {

@@ -157,15 +157,20 @@ nlohmann::json placedDevice (nlohmann::json device, const nlohmann::json& like,
 
 CeramicDescription describedCeramic (nlohmann::json document, const nlohmann::json& ceramic)
 {
+    if (document.contains ("base") || document.value ("kind", "") == "modal")
+        throw InputError ("device",
+                          (document.contains ("base") ? "has measured modes; allowed: " : "is of kind modal; allowed: ")
+                              + std::string (computedKinds));
+
     document["ceramics"] = nlohmann::json::array ({ ceramic });
     const auto described = readDevice (document, "--size-mm");
     return std::visit (
-        [] (const auto& body) -> CeramicDescription
+        [] (const auto& body)
         {
-            if constexpr (std::is_same_v<std::decay_t<decltype (body)>, ModalModel>)
-                throw InputError ("device", std::string ("is of kind modal; allowed: ") + computedKinds);
-            else
+            if constexpr (requires { body.common; })
                 return body.common.ceramics.front();
+            else
+                return CeramicDescription {};
         },
         described.body);
 }

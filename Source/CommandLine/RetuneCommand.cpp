@@ -76,7 +76,7 @@ void retuneDevice (const RetuneOptions& options)
 {
     const auto retuned =
         retuneByFiles (loadDevice (options.device, {}), options.files, options.deviations, options.usesCache);
-    writeWholeFile (options.outputFile, retunedDeviceText (retuned.now));
+    writeWholeFile (options.outputFile, retunedDeviceText (retuned));
     print (retuned.before, retuned.now);
 
     for (const auto& remark : retuned.remarks)

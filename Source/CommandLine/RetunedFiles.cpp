@@ -1,11 +1,9 @@
 #include "RetunedFiles.h"
 
-#include <antinode_documents/DeviceFile.h>
+#include <antinode_documents/ChangedDevice.h>
 #include <antinode_library/Library.h>
 #include <antinode_responses/MeasurementReader.h>
 #include <antinode_text/NaturalOrder.h>
-
-#include <nlohmann/json.hpp>
 
 #include <utility>
 
@@ -38,11 +36,11 @@ RetunedDevice retuneByFiles (const DeviceDescription& device, const std::vector<
     }
 
     auto retuned = retune (model, measured.responses, spread);
-    return { std::move (model), std::move (retuned), std::move (measured.remarks) };
+    return { device, std::move (model), std::move (retuned), std::move (measured.remarks) };
 }
 
-std::string retunedDeviceText (const RetunedModel& retuned)
+std::string retunedDeviceText (const RetunedDevice& retuned)
 {
-    return modalDeviceToJson (retuned.model, "Retuned from a few points").dump (2) + "\n";
+    return changedDeviceText (retuned.device, retuned.before, retuned.now.model, "Retuned from a few points");
 }
 } // namespace antinode

@@ -12,6 +12,7 @@ namespace antinode
 /** A device before and after a drift. */
 struct RetunedDevice
 {
+    DeviceDescription device;
     ModalModel before;
     RetunedModel now;
     std::vector<std::string> remarks; ///< What was assumed of the responses, as sentences.
@@ -38,5 +39,5 @@ RetunedDevice retuneByFiles (const DeviceDescription&, const std::vector<std::st
                              bool usesCache);
 
 /** The device file. [worker] Docs/FileFormats.md. */
-std::string retunedDeviceText (const RetunedModel&);
+std::string retunedDeviceText (const RetunedDevice&);
 } // namespace antinode

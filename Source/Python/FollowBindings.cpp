@@ -167,12 +167,10 @@ void bindFollow (py::module_& module)
     bound.def_static ("of_signals", &followSignals);
     bound.def_property_readonly ("numbers",
                                  [] (const FollowedDevice& value) { return driftToJson (value.trace).dump(); });
-    bound.def_property_readonly ("device", [] (const FollowedDevice& value)
-                                 { return driftedDeviceText (value.nominal, value.known, value.trace); });
+    bound.def_property_readonly ("device", [] (const FollowedDevice& value) { return driftedDeviceText (value); });
     bound.def ("save", [] (const FollowedDevice& value, const std::string& folder)
-               { workAway ([&] { writeDrift (folder, value.nominal, value.known, value.trace); }); });
-    bindFigures (bound,
-                 [] (const FollowedDevice& value) { return driftReport (value.nominal, value.known, value.trace); });
+               { workAway ([&] { writeDrift (folder, value); }); });
+    bindFigures (bound, [] (const FollowedDevice& value) { return driftReport (value); });
     bindMoments (bound);
 }
 } // namespace antinode

@@ -134,7 +134,8 @@ void bindLearn (py::module_& module)
     bound.def_static ("make", &learnFrom);
     bound.def_property_readonly ("numbers",
                                  [] (const LearntValue& value) { return learntToJson (value.learnt).dump(); });
-    bound.def_property_readonly ("device", [] (const LearntValue& value) { return learntDeviceText (value.learnt); });
+    bound.def_property_readonly ("device", [] (const LearntValue& value)
+                                 { return learntDeviceText (value.setup, value.learnt); });
     bound.def_property_readonly ("design", &learntDesign);
     bound.def ("voltages_V", [] (const LearntValue& value)
                { return arrayOf (Work (py::none()).run ([&] { return nextVoltages (value); })); });
@@ -146,13 +147,7 @@ void bindLearn (py::module_& module)
         "damping_deviations",
         viewProperty<LearntValue> ([] (const LearntValue& value)
                                    { return ownModes (value, value.learnt.learnt.dampingDeviations); }));
-    bound.def (
-        "save",
-        [] (const LearntValue& value, const std::string& folder)
-        {
-            workAway (
-                [&]
-                { writeLearnt (folder, value.learnt, value.setup.nominal, value.setup.deviations, value.settings); });
-        });
+    bound.def ("save", [] (const LearntValue& value, const std::string& folder)
+               { workAway ([&] { writeLearnt (folder, value.setup, value.learnt, value.settings); }); });
 }
 } // namespace antinode

@@ -5,6 +5,7 @@
 #include "Work.h"
 
 #include <CommandLine/ExcitationOptions.h>
+#include <CommandLine/FocusOnDevice.h>
 #include <CommandLine/MeasuredFiles.h>
 #include <antinode_base/InputError.h>
 #include <antinode_base/Prefixes.h>
@@ -79,6 +80,7 @@ Measured measure (const DeviceValue& device, const PlacePairs& points, const std
         {
             const auto places = placesOf (points, "points_mm");
             const auto model = excitable (device, excitation.usesCache);
+            checkKindOfPlaces (model, places, "point");
             const auto bench = excitable (onBench, excitation.usesCache);
             return std::make_shared<MeasuredValue> (
                 MeasuredValue { simulate (model, bench, places, folder, excitation, settings, show) });

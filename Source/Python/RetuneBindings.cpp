@@ -58,9 +58,9 @@ void bindRetune (py::module_& module)
     deviations.def_readwrite ("participation_percent", &RetuneDeviations::participation);
     py::class_<RetunedDevice, Retuned> bound (module, "Retuned");
     bound.def_static ("make", &retuneDevice);
-    bound.def_property_readonly ("device", [] (const RetunedDevice& value) { return retunedDeviceText (value.now); });
+    bound.def_property_readonly ("device", [] (const RetunedDevice& value) { return retunedDeviceText (value); });
     bound.def ("save", [] (const RetunedDevice& value, const std::string& file)
-               { workAway ([&] { writeWholeFile (file, retunedDeviceText (value.now)); }); });
+               { workAway ([&] { writeWholeFile (file, retunedDeviceText (value)); }); });
     bindChanges (bound);
 }
 } // namespace antinode

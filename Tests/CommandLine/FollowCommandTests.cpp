@@ -67,6 +67,7 @@ void writeRecording (const std::filesystem::path& folder, bool isSwapped)
 ProgramArguments followArguments (const std::filesystem::path& folder)
 {
     return { "follow",       "beam",
+             "--set",        "device.limits.requires_arming=true",
              "--recorded",   folder.string(),
              "--out",        (folder / "drift").string(),
              "--sensors",    (folder / "sensors.csv").string(),
@@ -94,7 +95,9 @@ TEST_CASE ("follow tells the drift of a beam from noise that was played on it", 
     CHECK (summary["common_ppm"] < -770);
 
     // 50 ppm are what designs notice.
-    const auto followed = solveStructure (loadDevice ((folder.path() / "drift" / "device.json").string(), {}));
+    const auto device = loadDevice ((folder.path() / "drift" / "device.json").string(), {});
+    CHECK (device.requiresArming);
+    const auto followed = solveStructure (device);
     const auto right = driftedBeam();
 
     for (Eigen::Index k = 0; k < followed.modes(); ++k)

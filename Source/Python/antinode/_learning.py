@@ -164,7 +164,7 @@ class Learnt(Pictured):
 
     @property
     def device(self) -> Device:
-        """The device as it was learnt, of kind 'modal'."""
+        """The device as it was learnt; a drawn one stays one."""
         return _make_device(json.loads(self._core.device))
 
     @property
@@ -363,7 +363,7 @@ class Followed(Reported):
 
     @property
     def device(self) -> Device:
-        """The device as it is in the end, of kind 'modal'."""
+        """The device as it is in the end; a drawn one stays one."""
         return _make_device(json.loads(self._core.device))
 
     @property

@@ -53,7 +53,7 @@ def plot_device(device: Device) -> Any:
     figure, axes = _figure(1, 1, (7.6, 5.0 if modes._core.is_plate else 2.0))
     axis = axes[0, 0]
     axis.plot(modes.points_m[:, 0] * 1e3, modes.points_m[:, 1] * 1e3, ".", markersize=2, color="0.7")
-    for ceramic in document.get("ceramics", []):
+    for ceramic in document.get("base", document).get("ceramics", []):
         if "size_x_mm" in ceramic:
             corner, size = (ceramic["x_mm"], ceramic["y_mm"]), (ceramic["size_x_mm"], ceramic["size_y_mm"])
         elif "length_mm" in ceramic:

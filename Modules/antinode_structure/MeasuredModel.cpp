@@ -1,0 +1,217 @@
+#include "MeasuredModel.h"
+
+#include <antinode_base/InputError.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+void requireModes (const MeasuredDevice& measured, const ModalModel& drawn)
+{
+    const auto parts = drawn.coordinates() / drawn.modes();
+    const auto where = "device '" + drawn.name + "'";
+
+    for (const auto& mode : measured.modes)
+    {
+        if (mode.drawn >= drawn.modes())
+            throw InputError (where, "has measured mode " + std::to_string (mode.drawn + 1)
+                                         + " of its drawing, which gives " + std::to_string (drawn.modes())
+                                         + "; allowed: as many modes in the base as when they were measured");
+
+        if (mode.participation.rows() != parts || mode.participation.cols() != drawn.actuators())
+            throw InputError (where, "has measured modes of " + std::to_string (mode.participation.cols())
+                                         + " ceramics, its drawing " + std::to_string (drawn.actuators())
+                                         + (parts > 1 ? ", or lacks the imaginary parts of complex modes" : "")
+                                         + "; allowed: the base as it was when they were measured");
+    }
+}
+
+/** Real parts, and of complex modes imaginary parts below. */
+Eigen::MatrixXd participationOf (const ModalModel& model, Eigen::Index mode)
+{
+    Eigen::MatrixXd rows (model.coordinates() / model.modes(), model.actuators());
+
+    for (Eigen::Index part = 0; part < rows.rows(); ++part)
+        rows.row (part) = model.participation.row (mode + part * model.modes());
+
+    return rows;
+}
+
+bool isTurnedOver (const MeasuredMode& mode, const ModalModel& drawn)
+{
+    return mode.reference
+           && drawn.participation (mode.drawn, mode.reference->ceramic) * mode.reference->participation < 0;
+}
+
+MeasuredMode::Reference referenceOf (const ModalModel& drawn, Eigen::Index mode)
+{
+    Eigen::Index ceramic = 0;
+    drawn.participation.row (mode).cwiseAbs().maxCoeff (&ceramic);
+    return { ceramic, drawn.participation (mode, ceramic) };
+}
+
+/** The reference of a mode for the sign that a solution gave it. */
+std::optional<MeasuredMode::Reference> referenceOf (const MeasuredMode& mode, const Eigen::MatrixXd& participation)
+{
+    auto reference = mode.reference;
+
+    if (reference && participation != mode.participation)
+        reference->participation *= -1;
+
+    return reference;
+}
+
+/** The mode of another model that has the same shape to the bit: the same number in most, a near one in others. */
+std::optional<Eigen::Index> sameShape (const ModalModel& model, Eigen::Index mode, const ModalModel& other)
+{
+    const auto isSame = [&] (Eigen::Index k)
+    {
+        const auto shape = model.shapes.col (mode), candidate = other.shapes.col (k);
+        return std::equal (shape.begin(), shape.end(), candidate.begin(), candidate.end());
+    };
+
+    for (Eigen::Index distance = 0; distance < other.modes(); ++distance)
+        for (const auto k : { mode - distance, mode + distance })
+            if (k >= 0 && k < other.modes() && isSame (k))
+                return k;
+
+    return {};
+}
+
+/** The modes as modes of the drawing; none where one has another shape. */
+std::optional<std::vector<MeasuredMode>> modesOfDrawing (const MeasuredDevice* measuredBefore, const ModalModel& before,
+                                                         const ModalModel& now)
+{
+    if (now.shapes.rows() != before.shapes.rows() || now.surface.points != before.surface.points
+        || now.actuators() != before.actuators())
+        return {};
+
+    std::vector<MeasuredMode> modes;
+
+    for (Eigen::Index k = 0; k < now.modes(); ++k)
+    {
+        const auto same = sameShape (now, k, before);
+
+        if (! same)
+            return {};
+
+        const auto* const earlier =
+            measuredBefore != nullptr ? &measuredBefore->modes[static_cast<std::size_t> (*same)] : nullptr;
+        MeasuredMode mode { earlier != nullptr ? earlier->drawn : *same,
+                            now.angularFrequencies[k],
+                            now.dampingRatios[k],
+                            participationOf (now, k),
+                            {} };
+
+        if (earlier != nullptr)
+            mode.reference = referenceOf (*earlier, participationOf (before, *same));
+        else if (now.actuators() > 0)
+            mode.reference = referenceOf (before, *same);
+
+        modes.push_back (std::move (mode));
+    }
+
+    return modes;
+}
+
+std::vector<MeasuredCeramic> ceramicChanges (const MeasuredDevice* measuredBefore, const ModalModel& before,
+                                             const ModalModel& now)
+{
+    auto ceramics = measuredBefore != nullptr ? measuredBefore->ceramics : std::vector<MeasuredCeramic> {};
+    ceramics.resize (now.ceramics.size());
+
+    for (std::size_t i = 0; i < ceramics.size(); ++i)
+    {
+        const auto &then = before.ceramics[i], &is = now.ceramics[i];
+
+        if (is.voltageLimit != then.voltageLimit)
+            ceramics[i].voltageLimit = is.voltageLimit;
+
+        if (is.slewLimit != then.slewLimit)
+            ceramics[i].slewLimit = is.slewLimit;
+
+        ceramics[i].lag = is.lag;
+    }
+
+    return ceramics;
+}
+
+} // namespace
+
+void sortByFrequency (std::vector<MeasuredMode>& modes)
+{
+    std::stable_sort (modes.begin(), modes.end(),
+                      [] (const MeasuredMode& one, const MeasuredMode& other)
+                      { return one.angularFrequency < other.angularFrequency; });
+}
+
+ModalModel measuredModel (const MeasuredDevice& measured, const ModalModel& drawn)
+{
+    requireModes (measured, drawn);
+    auto model = drawn;
+    const auto count = static_cast<Eigen::Index> (measured.modes.size());
+    const auto parts = drawn.coordinates() / drawn.modes();
+    std::vector<Eigen::Index> order, coordinates;
+
+    for (const auto& mode : measured.modes)
+        order.push_back (mode.drawn);
+
+    for (Eigen::Index part = 0; part < parts; ++part)
+        for (const auto k : order)
+            coordinates.push_back (k + part * drawn.modes());
+
+    model.shapes = drawn.shapes (Eigen::all, coordinates);
+    model.angularFrequencies.resize (count);
+    model.dampingRatios.resize (count);
+    model.participation.resize (parts * count, drawn.actuators());
+
+    if (drawn.slopes.size() > 0)
+        model.slopes = drawn.slopes (Eigen::all, coordinates);
+
+    model.frequencyErrors.resize (0); // Those of the solver are no longer of these frequencies.
+
+    for (Eigen::Index k = 0; k < count; ++k)
+    {
+        const auto& mode = measured.modes[static_cast<std::size_t> (k)];
+        model.angularFrequencies[k] = mode.angularFrequency;
+        model.dampingRatios[k] = mode.dampingRatio;
+
+        for (Eigen::Index part = 0; part < parts; ++part)
+            model.participation.row (k + part * count) =
+                (isTurnedOver (mode, drawn) ? -1.0 : 1.0) * mode.participation.row (part);
+    }
+
+    for (std::size_t i = 0; i < measured.ceramics.size(); ++i)
+    {
+        auto& ceramic = model.ceramics[i];
+        ceramic.voltageLimit = measured.ceramics[i].voltageLimit.value_or (ceramic.voltageLimit);
+        ceramic.slewLimit = measured.ceramics[i].slewLimit.value_or (ceramic.slewLimit);
+        ceramic.lag = measured.ceramics[i].lag;
+    }
+
+    validate (model);
+    return model;
+}
+
+std::optional<MeasuredDevice> measuredChanges (const DeviceDescription& device, const ModalModel& before,
+                                               const ModalModel& now)
+{
+    const auto* const measuredBefore = std::get_if<MeasuredDevice> (&device.body);
+
+    if (measuredBefore == nullptr && ! isComputed (device))
+        return {};
+
+    auto modes = modesOfDrawing (measuredBefore, before, now);
+
+    if (! modes)
+        return {};
+
+    sortByFrequency (*modes);
+    return MeasuredDevice { measuredBefore != nullptr ? measuredBefore->drawing
+                                                      : std::make_shared<const DeviceDescription> (device),
+                            std::move (*modes), ceramicChanges (measuredBefore, before, now) };
+}
+} // namespace antinode
