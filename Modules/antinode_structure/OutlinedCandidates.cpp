@@ -66,7 +66,9 @@ double distanceToEdge (const Outline& plate, const CeramicDescription& ceramic)
     if (ceramic.shape != CeramicShape::rectangle)
         return nearest - ceramic.sizeX / 2;
 
-    for (const auto& piece : ceramicOutline (ceramic).paths.front())
+    const auto covered = ceramicOutline (ceramic);
+
+    for (const auto& piece : covered.paths.front())
         for (const auto share : { 0.0, 0.25, 0.5, 0.75 })
         {
             const auto place = piece.at (share);

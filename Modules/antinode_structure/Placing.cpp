@@ -62,6 +62,9 @@ PlacementCandidates outside (const std::vector<KeepOut>& zones, PlacementCandida
             ceramics.push_back (candidates.ceramics[i]);
         }
 
+    if (candidates.ceramics.empty())
+        throw InputError ("placement: edge distance", "leaves no position for a ceramic; allowed: a larger distance");
+
     if (kept.empty())
         throw InputError ("placement: keep-out zones", "leaves no position for a ceramic; allowed: smaller zones");
 
@@ -91,6 +94,9 @@ PlacedCeramics placeCeramics (const DeviceDescription& device, const CeramicDesc
             progress (share);
     };
     auto placement = searchPlacement (problem, [&] (double share) { report (begins * share); });
+
+    if (options.better)
+        options.better (chosenCeramics (candidates, placement.chosen));
 
     if (options.cost)
     {

@@ -29,6 +29,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 24> fields {
     { "device: current limit", "device: /limits/current_mA" },
     { "device: slew limit", "device: /limits/slew_V_per_us" },
     { "placement: keep-out zones", "--keep-out-mm" },
+    { "placement: edge distance", "--rim-mm" },
     { "placement: step", "--step-mm" },
     { "placement: ceramic size", "--size-mm" },
     { "placement: number of ceramics", "--count" },

@@ -8,7 +8,7 @@
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_base/Watch.h>
-#include <antinode_documents/DeviceFile.h>
+#include <antinode_documents/ChangedDevice.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_structure/CeramicShapes.h>
 #include <antinode_structure/Placing.h>
@@ -68,55 +68,70 @@ void printOutcomes (const ModalModel& model, const std::vector<FocusDescription>
                      inWords (outcome.contrast).c_str());
 }
 
-/** What each number of ceramics comes to: the worst of all focuses. */
-void printCurve (const DeviceDescription& device, const CeramicDescription& like, PlacingOptions placing,
-                 const std::vector<FocusDescription>& focuses, const PlaceOptions& options)
+/** What some ceramics come to: the worst of all focuses. */
+void printRow (const DeviceDescription& device, const std::vector<CeramicDescription>& ceramics,
+               const std::vector<FocusDescription>& focuses, const char* remark = "")
 {
-    std::printf ("ceramics  peak voltage  field error  contrast  (the worst of %zu focuses)\n", focuses.size());
+    PlacementOutcome worst { {}, 0, 0, 0, std::numeric_limits<double>::infinity() };
 
-    for (const auto count : options.counts)
+    for (const auto& each : placementOutcomes (solveStructure (withCeramics (device, ceramics)), focuses))
     {
-        Progress progress (options.isQuiet);
-        placing.count = count;
-        const auto placed =
-            placeCeramics (device, like, placing, [&] (double share) { progress.show ("Placing ceramics", share); });
-        PlacementOutcome worst { {}, 0, 0, 0, std::numeric_limits<double>::infinity() };
-
-        for (const auto& each : placementOutcomes (solveStructure (withCeramics (device, placed.ceramics)), focuses))
-        {
-            worst.peakVoltage = std::max (worst.peakVoltage, each.peakVoltage);
-            worst.fieldError = std::max (worst.fieldError, each.fieldError);
-            worst.contrast = std::min (worst.contrast, each.contrast);
-        }
-
-        std::printf ("%8d  %10s V  %9.2f %%  %8s\n", count, inWords (worst.peakVoltage).c_str(), 100 * worst.fieldError,
-                     inWords (worst.contrast).c_str());
+        worst.peakVoltage = std::max (worst.peakVoltage, each.peakVoltage);
+        worst.fieldError = std::max (worst.fieldError, each.fieldError);
+        worst.contrast = std::min (worst.contrast, each.contrast);
     }
+
+    std::printf ("%8zu  %10s V  %9.2f %%  %8s%s\n", ceramics.size(), inWords (worst.peakVoltage).c_str(),
+                 100 * worst.fieldError, inWords (worst.contrast).c_str(), remark);
+    std::fflush (stdout);
 }
 
-/** Where the user interrupts, the best places so far are written. @throws Cancelled  then */
+using KeepPlaces = std::function<void (const std::vector<CeramicDescription>&)>;
+
+/** Where the user interrupts, the best places so far are kept. @throws Cancelled  then */
 PlacedCeramics placedOrBest (const DeviceDescription& device, const CeramicDescription& like, PlacingOptions placing,
-                             const PlaceOptions& options,
-                             const std::function<void (const std::vector<CeramicDescription>&)>& write)
+                             const PlaceOptions& options, const std::string& what, const KeepPlaces& keep)
 {
-    Progress progress (options.isQuiet);
     std::vector<CeramicDescription> best;
     placing.better = [&] (const std::vector<CeramicDescription>& ceramics) { best = ceramics; };
 
     try
     {
-        return placeCeramics (device, like, placing, [&] (double share) { progress.show ("Placing ceramics", share); });
+        Progress progress (options.isQuiet);
+        progress.show (what, 0);
+        return placeCeramics (device, like, placing, [&] (double share) { progress.show (what, share); });
     }
     catch (const Cancelled&)
     {
         if (! best.empty())
         {
             answerInterruption();
-            write (best);
+            keep (best);
             std::fprintf (stderr, "The best places so far are in %s\n", options.file.c_str());
         }
 
         throw;
+    }
+}
+
+/** What each number of ceramics comes to. */
+void printCurve (const DeviceDescription& device, const CeramicDescription& like, PlacingOptions placing,
+                 const std::vector<FocusDescription>& focuses, const PlaceOptions& options, const KeepPlaces& write)
+{
+    std::printf ("ceramics  peak voltage  field error  contrast  (the worst of %zu focuses)\n", focuses.size());
+    std::fflush (stdout);
+    const auto keep = [&] (const std::vector<CeramicDescription>& ceramics)
+    {
+        write (ceramics);
+        printRow (device, ceramics, focuses, "  the best so far");
+    };
+
+    for (const auto count : options.counts)
+    {
+        placing.count = count;
+        const auto placed =
+            placedOrBest (device, like, placing, options, "Placing " + std::to_string (count) + " ceramics", keep);
+        printRow (device, placed.ceramics, focuses);
     }
 }
 
@@ -136,15 +151,16 @@ void place (PlaceOptions options)
     else if (! options.counts.empty())
         throw InputError ("--counts", "needs --focus: it compares what focuses come to with each number of ceramics");
 
-    if (! options.counts.empty())
-        return printCurve (device, ceramic, placing, focuses, options);
-
     if (options.file.empty())
         options.file = device.name + "-placed.json";
 
     const auto write = [&] (const std::vector<CeramicDescription>& ceramics)
-    { writeWholeFile (options.file, placedDevice (document, like, ceramics).dump (2) + "\n"); };
-    const auto placed = placedOrBest (device, ceramic, placing, options, write);
+    { writeWholeFile (options.file, deviceText (placedDevice (document, like, ceramics))); };
+
+    if (! options.counts.empty())
+        return printCurve (device, ceramic, placing, focuses, options, write);
+
+    const auto placed = placedOrBest (device, ceramic, placing, options, "Placing ceramics", write);
     write (placed.ceramics);
 
     if (options.isQuiet)

@@ -1,6 +1,7 @@
 #include "PlateExamples.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_library/Inputs.h>
 #include <antinode_outline/OutlineShapes.h>
 #include <antinode_structure/Controllability.h>
 #include <antinode_structure/Placing.h>
@@ -236,5 +237,33 @@ TEST_CASE ("Candidates on a laminate on tape have its frequencies, losses and pa
         CHECK (candidates.dampingRatios[k] == Approx (model.dampingRatios[k]).epsilon (0.02));
         CHECK (std::abs (participation[k])
                == Approx (std::abs (model.participation (k, 0))).epsilon (0.02).margin (0.01 * largest));
+    }
+}
+
+TEST_CASE ("Every embedded device has places for its ceramics by every option of positions", "[structure][placement]")
+{
+    constexpr double step = 0.01, rim = 0.02, margin = 0.003;
+
+    for (const auto& name : factoryNames (LibraryKind::device))
+    {
+        INFO (name);
+        const auto device = loadDevice (name, {});
+        const auto ceramics = std::visit (
+            [] (const auto& body)
+            {
+                if constexpr (requires { body.common; })
+                    return body.common.ceramics;
+                else
+                    return std::vector<CeramicDescription> {};
+            },
+            device.body);
+
+        for (const auto edgeDistance : { std::optional<double>(), std::optional (rim) })
+        {
+            auto like = ceramics.empty() ? plateCeramic (0, 0, 0.01, 0.01) : ceramics.front();
+            const auto found = placementCandidates (device, like, { step, edgeDistance, margin, 6 });
+            CHECK_FALSE (found.ceramics.empty());
+            CHECK (found.participation.allFinite());
+        }
     }
 }
