@@ -66,7 +66,9 @@ std::string remedyForNothing (const Surface& surface, const Target& target)
 
     return "the nearest of its " + std::to_string (points.rows()) + " points lies " + inWords (distance * 1000)
            + " mm from the target, at " + inWords (points (nearest, 0) * 1000) + ", "
-           + inWords (points (nearest, 1) * 1000) + " mm: measure more points, or widen the target";
+           + inWords (points (nearest, 1) * 1000)
+           + " mm: give a drawn device what these points say (antinode retune, or antinode identify with --against and "
+             "--transfer), measure more points, or widen the target";
 }
 } // namespace
 

@@ -36,6 +36,16 @@ std::string slewNeed (const ModalModel& model, const LimitUses& uses, double rat
                : need + ", and " + limitedCeramic (model, uses.voltage) + " " + minimumAmount (uses.voltage, ratio)
                      + " of its " + limitAmount (uses.voltage.kind, uses.voltage.allowed);
 }
+/** The allocation that reaches most within the limits, where it is another one. */
+std::string wayOut (const FocusDesign& design, const ModalModel& model)
+{
+    const auto waveforms = methodTraits (design.description.allocation.method).waveforms;
+
+    if (! model.hasComplexModes() && waveforms != AllocatedWaveforms::samples)
+        return "; the allocation 'least_voltage' reaches as much as any waveform can";
+
+    return waveforms == AllocatedWaveforms::drives ? "; the allocation 'dictionary' may reach more" : "";
+}
 } // namespace
 
 LimitError::LimitError (const std::string& where, const std::string& wrong, double minimumPeakVoltageToUse,
@@ -60,14 +70,11 @@ void throwWhereBeyondLimit (const FocusDesign& design, const ModalModel& model)
     const auto isSlew = uses.slew && uses.slew->share() >= touchingShare * ratio;
     const auto& limit = isSlew ? *uses.slew : uses.voltage;
     const auto reachable = design.reachablePeakVelocity / ratio;
-    const auto* const wayOut = method.waveforms == AllocatedWaveforms::dictionary
-                                   ? ""
-                                   : "; the allocation 'dictionary' may reach more"; // has most drives
     throw LimitError (limitField (limit.kind),
                       "is " + limitAmount (limit.kind, limit.allowed) + ", too low for "
                           + velocityInWords (design.reachablePeakVelocity) + ": "
                           + (isSlew ? slewNeed (model, uses, ratio) : voltageNeed (limit, ratio))
-                          + "; this limit allows " + velocityInWords (reachable) + wayOut,
+                          + "; this limit allows " + velocityInWords (reachable) + wayOut (design, model),
                       design.program.voltageLimits.maxCoeff() * ratio, reachable);
 }
 } // namespace antinode
