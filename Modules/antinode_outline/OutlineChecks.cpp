@@ -255,6 +255,10 @@ void checkParts (const Outline& plate, const std::vector<OutlinePart>& parts)
 
     const auto nesting = nestingOf (all.paths, touching * extentOf (plate).size().minCoeff());
 
+    if (nesting.conflict && all.owner[nesting.conflict->path] > 0 && parts.size() > 1)
+        for (const auto& part : parts) // What is wrong with one alone is said first.
+            checkParts (plate, { part });
+
     if (nesting.conflict)
         checkApart (all, *nesting.conflict, parts);
 

@@ -14,6 +14,8 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <string>
+#include <vector>
 
 namespace antinode
 {
@@ -29,11 +31,46 @@ int sayInterrupted()
     return bySignal + interruptingSignal();
 }
 
+/** Commands, or the options of one, that may be meant by a word. */
+std::vector<std::string> knownWords (const CLI::App& app, bool areOptions)
+{
+    std::vector<std::string> words;
+
+    if (areOptions)
+        for (const auto* const option : app.get_options())
+            for (const auto& name : option->get_lnames())
+                words.push_back ("--" + name);
+    else
+        for (const auto* const command : app.get_subcommands ([] (const CLI::App*) { return true; }))
+            words.push_back (command->get_name());
+
+    return words;
+}
+
+/** Where a command or an option is none, but near to one: a sentence, else empty. */
+std::string meantInstead (const CLI::App& app)
+{
+    const auto chosen = app.get_subcommands();
+    const auto* const command = chosen.empty() ? &app : chosen.front();
+
+    for (const auto& word : command->remaining())
+    {
+        const auto given = word.substr (0, word.find ('='));
+        const auto known = knownWords (*command, given.starts_with ("--"));
+
+        if (const auto near = didYouMean (given, { known.begin(), known.end() }); ! near.empty())
+            return inQuotes (given) + " is unknown" + near;
+    }
+
+    return {};
+}
+
 int complain (const char* text)
 {
     std::fprintf (stderr, "antinode: %s\n", text);
     return badInput;
 }
+
 int runCommand (int argumentCount, const char* const* arguments)
 {
     CLI::App app ("Antinode: the voltages that focus the vibration of a surface at a chosen position and instant.",
@@ -79,7 +116,11 @@ int runCommand (int argumentCount, const char* const* arguments)
     }
     catch (const CLI::ParseError& error)
     {
-        app.exit (error, std::cout, std::cerr);
+        if (const auto meant = meantInstead (app); ! meant.empty())
+            std::fprintf (stderr, "antinode: %s\n", meant.c_str());
+        else
+            app.exit (error, std::cout, std::cerr);
+
         return wrongUsage;
     }
     catch (const std::filesystem::filesystem_error& error)
