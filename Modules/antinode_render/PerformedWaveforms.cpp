@@ -70,7 +70,10 @@ void play (PerformedWaveforms& performed, const ModalModel& judge)
 {
     const auto fingers = restingFingers (performed.design.description);
     performed.judge = fingers.empty() ? judge : loadedModel (judge, fingers);
-    performed.played = playTracks (performed.judge, performed.design.description, performed.design.voltages, listening);
+    const auto& voltages = performed.design.voltages;
+    performed.played = playTracks (performed.judge, performed.design.description, voltages, listening);
+    performed.power = focusPower (judge, voltages.values, voltages.playback,
+                                  voltages.playback.sampleRate / static_cast<double> (voltages.values.cols()));
 }
 
 void score (PerformedWaveforms& performed, const SkinThreshold& threshold)
@@ -290,6 +293,7 @@ nlohmann::ordered_json performedToJson (const PerformedWaveforms& performed)
 
     json["felt_share"] = performed.felt.feltShare;
     json["threshold"] = performed.felt.threshold;
+    json["power"] = powerToJson (performed.judge, performed.power);
     json["warnings"] = design.warnings;
     return json;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "FeltOutcome.h"
+#include "FocusPower.h"
 #include "PlayedTracks.h"
 #include "TrackCorrection.h"
 #include "TrackScores.h"
@@ -24,6 +25,7 @@ struct PerformedWaveforms
     PlayedTracks played;
     TrackScores scores;
     FeltOutcome felt;                          ///< Its targets are the touched points, those with tracks first.
+    FocusPower power;                          ///< On the surface without fingers; repeated: one play after the other.
     std::optional<TrackCorrection> correction; ///< Where recorded passes were given.
     std::optional<UndoneLags> undone; ///< What is asked for so that ceramics get the designed voltages, where they lag.
     std::optional<double> likeness; ///< Of voltages from elsewhere: how alike reached and wanted motions are, -1 to 1.

@@ -3,6 +3,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
 #include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_responses/PointsFile.h>
 #include <antinode_text/CsvText.h>
@@ -20,8 +21,10 @@ namespace antinode
 {
 namespace
 {
-constexpr std::array moreIsBetter { "v_score",  "v_score_truncated", "peak_ratio",        "peak_ratio_truncated",
-                                    "contrast", "captured",          "shortest_period_ms" };
+constexpr std::array moreIsBetter {
+    "v_score",  "v_score_truncated",  "peak_ratio",    "peak_ratio_truncated", "contrast",
+    "captured", "shortest_period_ms", "felt_level_dB", "felt_contrast_dB",     "event_contrast"
+};
 
 /** Letters, digits, points and hyphens; what else there is becomes a hyphen. */
 std::string folderName (const std::string& name)
@@ -57,6 +60,45 @@ std::vector<std::string> numberKeys (const std::vector<SeriesResult>& results)
     return keys;
 }
 
+using Numbers = std::vector<std::pair<std::string, double>>;
+
+/** The numbers of an object and of objects in it, whose names stand before theirs: felt_contrast_dB. Lists are of
+   single targets, ceramics and places. */
+void addNumbers (Numbers& numbers, const nlohmann::ordered_json& object, const std::string& before)
+{
+    for (const auto& [key, value] : object.items())
+        if (value.is_number())
+            numbers.emplace_back (before + key, value.get<double>());
+        else if (value.is_object())
+            addNumbers (numbers, value, before + key + "_");
+}
+
+/** The weakest target's. */
+void addFeltLevel (Numbers& numbers, const nlohmann::ordered_json& summary)
+{
+    if (! summary.contains ("felt"))
+        return;
+
+    auto weakest = std::numeric_limits<double>::infinity();
+
+    for (const auto& target : summary["felt"]["targets"])
+        weakest = std::min (weakest, target["level_dB"].get<double>());
+
+    if (std::isfinite (weakest))
+        numbers.emplace_back ("felt_level_dB", weakest);
+}
+
+/** Of all ceramics, in SI units. */
+void addPower (Numbers& numbers, const nlohmann::ordered_json& summary)
+{
+    if (! summary.contains ("power") || ! summary["power"].contains ("per_focus"))
+        return;
+
+    const auto& once = summary["power"]["per_focus"];
+    numbers.emplace_back ("energy_J", once["electrical_in_uJ"].get<double>() / micro);
+    numbers.emplace_back ("peak_current_A", once["peak_current_mA"].get<double>() / milli);
+    numbers.emplace_back ("peak_power_W", once["peak_power_mW"].get<double>() / milli);
+}
 } // namespace
 
 std::vector<SeriesFocus> readSeries (const std::vector<std::string>& names, const std::string& placesFile,
@@ -100,13 +142,9 @@ std::vector<std::pair<std::string, double>> summaryNumbers (const nlohmann::orde
         numbers = { { "x_mm", place[0].get<double>() }, { "y_mm", place[1].get<double>() } };
     }
 
-    if (summary.contains ("felt") && summary["felt"]["contrast_dB"].is_number())
-        numbers.emplace_back ("felt_contrast_dB", summary["felt"]["contrast_dB"].get<double>());
-
-    for (const auto& [key, value] : summary.items())
-        if (value.is_number())
-            numbers.emplace_back (key, value.get<double>());
-
+    addFeltLevel (numbers, summary);
+    addPower (numbers, summary);
+    addNumbers (numbers, summary, {});
     return numbers;
 }
 

@@ -1,6 +1,7 @@
 #include "Support/RunProgram.h"
 
 #include <antinode_documents/FocusFile.h>
+#include <antinode_text/OutputFolder.h>
 #include <antinode_text/WaveReader.h>
 
 #include <nlohmann/json.hpp>
@@ -8,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <sstream>
 #include <tuple>
 
 using namespace antinode;
@@ -50,6 +52,50 @@ TEST_CASE ("Help ends with 0, wrong usage with 2, bad input with 1 and one line"
         CHECK (linesIn (run.errors) == 1);
         CHECK (run.output.empty());
     }
+}
+
+TEST_CASE ("Misspelt commands and options are told what is meant", "[command line]")
+{
+    const auto answer = [] (const ProgramArguments& arguments)
+    {
+        const auto run = runProgram (arguments);
+        CHECK (run.exitCode == 2);
+        return run.errors;
+    };
+    CHECK (answer ({ "rendr" }) == "antinode: 'rendr' is unknown (did you mean 'render'?)\n");
+    CHECK (answer ({ "render", "--rates", "48000" }) == "antinode: '--rates' is unknown (did you mean '--rate'?)\n");
+    CHECK (answer ({ "render", "--rates=48000" }) == "antinode: '--rates' is unknown (did you mean '--rate'?)\n");
+    CHECK_THAT (answer ({ "xyzzy" }), Catch::Contains ("subcommand"));
+    CHECK_THAT (answer ({ "render", "--no-such-thing-at-all" }), Catch::Contains ("--no-such-thing-at-all"));
+}
+
+TEST_CASE ("The table of several focuses has felt level, energy and current, and ranks by them", "[command line]")
+{
+    const TemporaryFolder folder;
+    writeWholeFile (folder.path() / "places.csv", "x_mm,y_mm\n-24,0\n10,0\n");
+    const auto run = runProgram ({ "render", "demonstrator", "--places", folder.path() / "places.csv", "--rate",
+                                   "48000", "--rank-by", "energy_J", "--quiet", "--out", folder.path() / "out" });
+    INFO (run.errors);
+    REQUIRE (run.exitCode == 0);
+    std::istringstream table (readContent (folder.path() / "out" / "scores.csv"));
+    std::string headings;
+    std::getline (table, headings);
+
+    for (const auto* const column : { ",felt_level_dB,", ",felt_contrast_dB,", ",energy_J,", ",peak_current_A,",
+                                      ",peak_power_W,", ",power_repeated_real_power_mW,", ",spill_over_share," })
+        CHECK_THAT (headings, Catch::Contains (column));
+
+    std::vector<double> energies;
+
+    for (std::string line; std::getline (table, line);)
+    {
+        const auto name = line.substr (0, line.find (','));
+        const auto summary = nlohmann::json::parse (readContent (folder.path() / "out" / name / "summary.json"));
+        energies.push_back (summary["power"]["per_focus"]["electrical_in_uJ"].get<double>());
+    }
+
+    REQUIRE (energies.size() == 2);
+    CHECK (energies[0] < energies[1]);
 }
 
 TEST_CASE ("A limit that cannot be met is answered with the reachable velocity", "[command line]")

@@ -69,6 +69,7 @@ TEST_CASE ("Every finger gets its track, played on the modes of the surface with
     CHECK (json["fingers"][2]["name"] == "silent finger 1");
     CHECK_FALSE (json["fingers"][2].contains ("normalised_error"));
     CHECK (json["peak_voltage_V"].get<double>() > 0);
+    CHECK (json.contains ("power"));
 }
 
 TEST_CASE ("A point that moves is played, felt and told about on its way", "[tracks][render]")
