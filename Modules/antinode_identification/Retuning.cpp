@@ -157,4 +157,12 @@ RetunedModel retune (const ModalModel& model, const FrequencyResponses& response
     const auto fit = fitKnownModes (data, start, priorOf (known, spread, poles.drift), poles.delay);
     return retuned (model, modes, fit, poles, spread, highest);
 }
+
+std::optional<double> usualModelError (const ModalModel& model)
+{
+    const KnownSpread spread;
+    return model.unknowns > 0 && model.frequencyErrors.size() > 0
+               ? std::optional (std::hypot (spread.frequency, spread.drift))
+               : std::nullopt;
+}
 } // namespace antinode

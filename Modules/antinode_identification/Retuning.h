@@ -5,6 +5,8 @@
 
 #include <antinode_model/ModalModel.h>
 
+#include <optional>
+
 namespace antinode
 {
 /** A known device after a drift, and what has changed, in the order of the modes before. N_m modes, N_b ceramics. */
@@ -31,4 +33,8 @@ struct RetunedModel
     @throws InputError  when references or points do not fit the model, or none of its modes is found
     [worker] Docs/Theory.md, section 8.7. */
 RetunedModel retune (const ModalModel& model, const FrequencyResponses& responses, const KnownSpread&);
+
+/** By how much frequencies of a device usually differ from those that a solver computes, relative; none where they were
+   measured. [any] */
+std::optional<double> usualModelError (const ModalModel&);
 } // namespace antinode

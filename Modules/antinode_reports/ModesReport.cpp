@@ -3,6 +3,7 @@
 #include <antinode_base/NumberText.h>
 #include <antinode_charts/ModeCharts.h>
 #include <antinode_charts/PlateCharts.h>
+#include <antinode_identification/Retuning.h>
 
 #include <algorithm>
 #include <array>
@@ -27,8 +28,7 @@ ReportSection deviceSection (const ModalModel& model)
     section.heading = "Device";
     section.figures.push_back (
         { "The surface from above, with the ceramics. Ceramic k is output channel k. Hatched edges are held: clamped "
-          "or "
-          "simply supported.",
+          "or simply supported.",
           {},
           deviceChart (model),
           reportFigureWidth,
@@ -74,6 +74,9 @@ std::vector<std::string> tableRow (const ModalModel& model, Eigen::Index mode)
     if (model.frequencyErrors.size() > 0)
         row.push_back (formatted ("%.1e", model.frequencyErrors[mode]));
 
+    if (const auto error = usualModelError (model))
+        row.push_back (formatted ("%.1e", *error));
+
     if (model.actuators() > 0)
     {
         Eigen::Index best = 0;
@@ -90,7 +93,10 @@ ReportSection tableSection (const ModalModel& model)
     ReportTable table { "Modes", { "mode", "frequency (Hz)", "Q" }, {} };
 
     if (model.frequencyErrors.size() > 0)
-        table.header.emplace_back ("estimated error");
+        table.header.emplace_back (usualModelError (model) ? "error of the solver" : "estimated error");
+
+    if (usualModelError (model))
+        table.header.emplace_back ("of the model, usually");
 
     if (model.actuators() > 0)
         table.header.insert (
@@ -102,10 +108,13 @@ ReportSection tableSection (const ModalModel& model)
 
     ReportSection section;
     section.heading = "Table of modes";
-    section.paragraphs = {
-        "Q is the quality factor. The estimated error is relative to the frequency and includes the numerical "
-        "solution, but not the description of the device."
-    };
+    section.paragraphs = { "Q is the quality factor. Errors are relative to the frequency." };
+
+    if (usualModelError (model))
+        section.paragraphs.push_back ("The error of the solver is that of the numerical solution alone. That of the "
+                                      "model is what devices usually differ from their description by, in dimensions, "
+                                      "materials and edges; a few measured points (antinode retune) take it away.");
+
     section.tables.push_back (std::move (table));
     return section;
 }

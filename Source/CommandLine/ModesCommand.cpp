@@ -1,9 +1,11 @@
 #include "Commands.h"
 #include "CommonOptions.h"
 
+#include <antinode_base/NumberText.h>
 #include <antinode_documents/MatlabTables.h>
 #include <antinode_documents/ModeTable.h>
 #include <antinode_documents/UniversalModes.h>
+#include <antinode_identification/Retuning.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_reports/ModesReport.h>
 #include <antinode_structure/DeviceKind.h>
@@ -58,31 +60,41 @@ nlohmann::ordered_json modesJson (const ModalModel& model, const std::string& ki
         modes.push_back (mode);
     }
 
-    return { { "device", model.name },
-             { "kind", kind },
-             { "modes", modes },
-             { "rigid_body_modes", model.rigidBodyModes },
-             { "unknowns", model.unknowns },
-             { "warnings", model.warnings },
-             { "time_ms", milliseconds } };
+    nlohmann::ordered_json json { { "device", model.name }, { "kind", kind }, { "modes", modes } };
+
+    if (const auto error = usualModelError (model))
+        json["usual_model_error_relative"] = *error;
+
+    json.update ({ { "rigid_body_modes", model.rigidBodyModes },
+                   { "unknowns", model.unknowns },
+                   { "warnings", model.warnings },
+                   { "time_ms", milliseconds } });
+    return json;
 }
 
 void printTable (const ModalModel& model)
 {
+    const auto modelError = usualModelError (model);
     std::printf ("%s: %td modes, %td ceramics, %d rigid-body modes\n", model.name.c_str(), model.modes(),
                  model.actuators(), model.rigidBodyModes);
-    std::printf ("%5s %14s %8s %16s   %s\n", "mode", "frequency/Hz", "Q", "frequency error",
+    std::printf ("%5s %14s %8s %16s%s   %s\n", "mode", "frequency/Hz", "Q",
+                 modelError ? "error of solver" : "frequency error", modelError ? "  of model" : "",
                  "largest participation, N kg^-1/2 / V");
 
     for (Eigen::Index k = 0; k < model.modes(); ++k)
     {
         Eigen::Index best = 0;
         const auto largest = model.actuators() > 0 ? model.participation.row (k).cwiseAbs().maxCoeff (&best) : 0.0;
-        const auto error = model.frequencyErrors.size() > 0 ? model.frequencyErrors[k] : 0.0;
-        std::printf ("%5td %14.3f %8.1f %16.1e %14.4g (%s)\n", k + 1, model.frequencyHz (k),
-                     0.5 / model.dampingRatios[k], error, largest,
+        const auto error = model.frequencyErrors.size() > 0 ? formatted ("%.1e", model.frequencyErrors[k]) : "unknown";
+        const auto ofModel = modelError ? formatted ("%10.1e", *modelError) : "";
+        std::printf ("%5td %14.3f %8.1f %16s%s %14.4g (%s)\n", k + 1, model.frequencyHz (k),
+                     0.5 / model.dampingRatios[k], error.c_str(), ofModel.c_str(), largest,
                      model.actuators() > 0 ? model.ceramics[static_cast<std::size_t> (best)].name.c_str() : "none");
     }
+
+    if (modelError)
+        std::printf ("Errors are relative: of the numerical solution; of the model, what devices usually differ from "
+                     "their description by.\n");
 
     for (const auto& warning : model.warnings)
         std::printf ("%s\n", warning.c_str());
