@@ -63,3 +63,23 @@ def test_bad_input_is_refused_in_one_sentence(call, tmp_path, monkeypatch):
         call()
     assert str(error.value) and "\n" not in str(error.value)
     assert not list(tmp_path.iterdir()), "nothing is half written"
+
+
+@pytest.mark.parametrize(
+    "wrong, right", [({"x_m": 3}, "x_mm"), ({"width": 20}, "width_mm"), ({"focus_time_s": 0.03}, "focus_time_ms")]
+)
+def test_an_argument_that_is_misspelt_is_named(wrong, right):
+    with pytest.raises(an.InputError, match=f"did you mean '{right}'"):
+        an.focus(**wrong)
+
+
+def test_a_limit_that_is_too_low_names_the_way_that_reaches_most():
+    with pytest.raises(an.LimitError, match="'least_voltage' reaches"):
+        an.render(an.focus(voltage_limit_V=1), "staple")
+
+
+def test_every_value_shows_what_it_is():
+    values = [getattr(an, name) for name in an.__all__ if isinstance(getattr(an, name), type)]
+    shown = [value for value in values if not issubclass(value, Exception)]
+    assert len(shown) > 15
+    assert not [value for value in shown if value.__repr__ is object.__repr__]

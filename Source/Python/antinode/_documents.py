@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import inspect
 import json
 import os
 from typing import Any, Mapping, Optional, Union
 
 from . import _antinode
+from ._checks import with_suggestion
 from ._pictures import Pictured, Style
 from .errors import InputError
 from ._modes import Modes
@@ -90,7 +92,7 @@ class Device(Document, Pictured):
 
     @property
     def kind(self) -> str:
-        """'beam', 'staple', 'plate' or 'modal'."""
+        """'beam', 'staple', 'plate' or 'modal'; with measured modes still that of the drawing."""
         return str(self._core.kind)
 
     def modes(self, count: Optional[int] = None, *, cache: bool = True) -> Modes:
@@ -228,7 +230,10 @@ def focus(
         "transients.brake_duration_ms": brake_duration_ms,
     }
     # What replaces a whole key comes before what changes a part of it.
-    return Focus(_core_of(_antinode.Focus, start, {**keys, **first, **(changes or {})}))
+    try:
+        return Focus(_core_of(_antinode.Focus, start, {**keys, **first, **(changes or {})}))
+    except InputError as error:
+        raise with_suggestion(error, keys, list(inspect.signature(focus).parameters)[1:-2]) from None
 
 
 def waveforms(

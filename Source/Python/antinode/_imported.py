@@ -19,6 +19,9 @@ class Imported:
     def __init__(self, core: _antinode.Imported) -> None:
         self._core = core
 
+    def __repr__(self) -> str:
+        return f"<antinode.Imported '{self.device.name}': {self.surface_nodes} nodes of its surface>"
+
     @property
     def device(self) -> Device:
         """The device, of kind 'modal'."""

@@ -25,6 +25,9 @@ class Measured:
     def __init__(self, core: _antinode.Measured) -> None:
         self._core = core
 
+    def __repr__(self) -> str:
+        return f"<antinode.Measured: {len(self.points_m)} points, {len(self.frequencies_Hz)} lines>"
+
     @property
     def frequencies_Hz(self) -> Floats:
         """N_f lines, Hz. A view."""
@@ -124,6 +127,9 @@ class Identified:
 
     def __init__(self, core: _antinode.Identified) -> None:
         self._core = core
+
+    def __repr__(self) -> str:
+        return f"<antinode.Identified: {len(self.frequencies_Hz)} modes, error {self.reconstruction_error_dB:.1f} dB>"
 
     @property
     def device(self) -> Device:
@@ -279,6 +285,9 @@ class Placed:
 
     def __init__(self, core: _antinode.Placed) -> None:
         self._core = core
+
+    def __repr__(self) -> str:
+        return f"<antinode.Placed '{self.device.name}': the best of {self.candidates} positions>"
 
     @property
     def device(self) -> Device:

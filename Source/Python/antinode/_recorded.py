@@ -360,7 +360,7 @@ class Retuned:
 
     @property
     def device(self) -> Device:
-        """The device as it is now, of kind 'modal'."""
+        """The device as it is now; a drawn one stays one."""
         return _make_device(json.loads(self._core.device))
 
     @property

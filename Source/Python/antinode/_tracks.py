@@ -27,6 +27,11 @@ class Performed:
         self._core = core
         self._scores: Optional[dict[str, Any]] = None
 
+    def __repr__(self) -> str:
+        scores = self.scores
+        volts = f"{scores['peak_voltage_V']:.4g} V"
+        return f"<antinode.Performed '{scores['waveforms']}' on '{scores['device']}': {len(self.fingers)} fingers, {volts}>"
+
     @property
     def fingers(self) -> list[str]:
         """N_f names, as in ``report.html``."""
