@@ -5,6 +5,7 @@
 /** MATLAB files. */
 void antinode::test::fuzz (std::string_view bytes)
 {
-    const auto measurement = mergedResponses ({ measurementFromMatlab (readMatlabFile (bytes, "file"), "file", CsvForm::byHeadings, {}) }, {});
+    const auto measurement = mergedResponses (
+        { measurementFromMatlab (readMatlabFile (bytes, "file"), "file", CsvForm::byHeadings, {}) }, {});
     validate (measurement.responses);
 }
