@@ -89,7 +89,8 @@ TEST_CASE ("The rate of a hosted plug-in may change on the fly", "[hosted]")
         const auto samples = static_cast<int> (other * 0.03);
         instance->releaseResources();
         instance->prepareToPlay (other, 480);
-        REQUIRE (deviation (play (*instance, plugin, samples, 480, 0), plugin.ceramics, demonstratorReference (other, samples), 0)
+        REQUIRE (deviation (play (*instance, plugin, samples, 480, 0), plugin.ceramics,
+                            demonstratorReference (other, samples), 0)
                  < wireTolerance);
     }
 }
@@ -134,7 +135,8 @@ TEST_CASE ("Twenty hosted instances play beside each other", "[hosted]")
         all.push_back (hostedOffline (plugin, rate, 512));
 
     for (const auto& instance : all)
-        CHECK (deviation (play (*instance, plugin, length, 512, noteAt), plugin.ceramics, reference, noteAt) < wireTolerance);
+        CHECK (deviation (play (*instance, plugin, length, 512, noteAt), plugin.ceramics, reference, noteAt)
+               < wireTolerance);
 }
 
 TEST_CASE ("A hosted plug-in that is bypassed gives 0 V, and plays on afterwards", "[hosted]")

@@ -43,7 +43,9 @@ bool isLoaded (const std::string& library)
 TEST_CASE ("A host unloads the library while a thread of it solves a device", "[hosted]")
 {
     const auto plugin = GENERATE (from_range (builtPair()));
-    const std::string library = plugin.kind == PluginKind::vst3 ? std::string ("Antinode.so") : "libAntinode " + std::to_string (plugin.ceramics) + ".so";
+    const std::string library = plugin.kind == PluginKind::vst3
+                                    ? std::string ("Antinode.so")
+                                    : "libAntinode " + std::to_string (plugin.ceramics) + ".so";
     CAPTURE (pluginName (plugin));
 
     for (int i = 0; i < 5; ++i)

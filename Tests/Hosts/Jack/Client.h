@@ -15,7 +15,8 @@ namespace antinode::test
 class JackClient
 {
 public:
-    static constexpr auto longestWait = std::chrono::seconds (600); ///< Ends what would never end; no fact depends on it.
+    static constexpr auto longestWait =
+        std::chrono::seconds (600); ///< Ends what would never end; no fact depends on it.
 
     explicit JackClient (const std::string& name) : client (jack_client_open (name.c_str(), JackNoStartServer, nullptr))
     {

@@ -15,8 +15,8 @@
 /** Records ports of a JACK server. Usage: antinode_jack_recorder FILE SECONDS [FROM>TO]... PORT...
 
     Arguments FROM>TO are connected first; it waits for ports that do not exist yet. While it records, the server runs
-    freely, as fast as its clients compute: nothing depends on a clock. FILE becomes 32-bit floats, one channel after the
-    other. It never waits without an end and says why it fails, which JACK's own recorder does not. */
+    freely, as fast as its clients compute: nothing depends on a clock. FILE becomes 32-bit floats, one channel after
+   the other. It never waits without an end and says why it fails, which JACK's own recorder does not. */
 namespace
 {
 using antinode::test::JackClient;
