@@ -72,3 +72,28 @@ TEST_CASE ("More events than fit are left out, and a reset forgets all", "[engin
     line->reset();
     CHECK (line->process ({}, 1000, 0).empty());
 }
+
+TEST_CASE ("A stop does not wait, and what waits then is void, for all blocks", "[engine]")
+{
+    for (const auto block : { 1, 64, 100, 512 })
+    {
+        const auto line = std::make_unique<EventDelay>();
+        std::vector<std::pair<int, bool>> out; // Sample, and whether it is a stop.
+
+        for (int done = 0; done < 1024; done += block)
+        {
+            std::vector<FocusEvent> events;
+
+            for (const auto& [sample, isStopping] :
+                 { std::pair (0, false), { 90, false }, { 120, true }, { 130, false } })
+                if (sample >= done && sample < done + block)
+                    events.push_back (
+                        { sample - done, isStopping ? FocusEventKind::stopAll : FocusEventKind::trigger, 0, 1 });
+
+            for (const auto& event : line->process (events, block, 100))
+                out.emplace_back (done + event.offset, isStop (event));
+        }
+
+        CHECK (out == std::vector<std::pair<int, bool>> { { 100, false }, { 120, true }, { 230, false } });
+    }
+}
