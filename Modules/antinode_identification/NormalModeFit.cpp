@@ -112,6 +112,7 @@ NormalModeFit fitNormalModes (const PreparedResponses& data, const NormalModeSta
     auto equations = normalEquations (state, ridge);
     const auto values = 2 * static_cast<double> (data.lines() * (data.columnWeights.array() > 0).count());
     const auto energy = state.reduced.energies.dot (data.columnWeights);
+    constexpr double whole = 1e-3; // of damping: hardly any
     double damping = 1e-4;
     int iteration = 0;
     auto isConverged = false;
@@ -137,7 +138,11 @@ NormalModeFit fitNormalModes (const PreparedResponses& data, const NormalModeSta
         auto nextState = stateAt (data, moments, nextModes, ridge);
         auto next = normalEquations (nextState, ridge);
 
-        if (next.cost > equations.cost * (1 + 1e-9) + 1e-14 * energy)
+        const auto rounding = 1e-9 * equations.cost + 1e-14 * energy;
+        // A whole step that changes the cost by its rounding ends a fit that has converged.
+        isConverged = damping <= whole && std::abs (next.cost - equations.cost) <= rounding;
+
+        if (next.cost > equations.cost + rounding)
         {
             damping = std::max (damping, 1e-6) * 10;
 
@@ -151,6 +156,9 @@ NormalModeFit fitNormalModes (const PreparedResponses& data, const NormalModeSta
         modes = std::move (nextModes);
         state = std::move (nextState);
         equations = std::move (next);
+
+        if (isConverged)
+            break;
     }
 
     modes.shapes = state.shapes;
