@@ -128,7 +128,7 @@ bool explains (const Hypothesis& hypothesis, const Hypothesis& none, double phas
 
 std::string hertz (double timeConstant)
 {
-    return fixedText (1 / (2 * std::numbers::pi * timeConstant), 0) + " Hz";
+    return inWords (1 / (2 * std::numbers::pi * timeConstant)) + " Hz";
 }
 
 /** What a group is called. */

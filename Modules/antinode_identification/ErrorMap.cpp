@@ -82,8 +82,8 @@ std::string sayWhere (const FrequencyResponses& responses, const IdentifiedModes
     byColumn.maxCoeff (&column);
     const auto share = [] (double part, double all)
     { return fixedText (100 * part / std::max (all, 1e-300), 0) + " %"; };
-    auto text = share (bySpan[span], bySpan.sum()) + " of the error lies from " + fixedText (map.edges[span], 0)
-                + " to " + fixedText (map.edges[span + 1], 0) + " Hz";
+    auto text = share (bySpan[span], bySpan.sum()) + " of the error lies from " + inWords (map.edges[span]) + " to "
+                + inWords (map.edges[span + 1]) + " Hz";
 
     if (byColumn.size() > 1)
         text += ", " + share (byColumn[column], byColumn.sum()) + " of it at point "

@@ -167,7 +167,7 @@ std::string sizeInWords (const IdentificationResult& result)
     const auto& modes = result.modes;
     return std::to_string (modes.modes()) + " modes from " + std::to_string (result.measured.points.rows())
            + " points and " + std::to_string (result.measured.references.size()) + " references, "
-           + fixedText (modes.minimumFrequency, 1) + " to " + fixedText (modes.maximumFrequency, 1) + " Hz";
+           + inWords (modes.minimumFrequency) + " to " + inWords (modes.maximumFrequency) + " Hz";
 }
 
 std::vector<std::string> warningColumn (const IdentificationResult& result)

@@ -37,8 +37,8 @@ std::vector<ReportScore> measurementScores (const SurfaceMeasurement& measuremen
           "Positions at which the velocity of the surface was measured." },
         { "ceramics", std::to_string (responses.references.size()), "Each played alone, one after the other." },
         { "lines", std::to_string (responses.frequencies.size()),
-          "From " + fixedText (responses.frequencies[0], 1) + " to "
-              + fixedText (responses.frequencies[responses.frequencies.size() - 1], 1) + " Hz." },
+          "From " + inWords (responses.frequencies[0]) + " to "
+              + inWords (responses.frequencies[responses.frequencies.size() - 1]) + " Hz." },
         { "coherence", coherenceText (measurement),
           "Mean fraction of the velocity's power that is due to the voltage; 1 is best." }
     };

@@ -3,6 +3,7 @@
 #include "Progress.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_reports/IdentificationTables.h>
 
@@ -16,8 +17,8 @@ namespace
 void print (const IdentificationResult& result)
 {
     const auto& modes = result.modes;
-    std::printf ("%s: %td modes from %.1f to %.1f Hz, reconstruction error %s, delay %s us\n%s",
-                 result.model.name.c_str(), modes.modes(), modes.minimumFrequency, modes.maximumFrequency,
+    std::printf ("%s: %td modes from %s to %s Hz, reconstruction error %s, delay %s us\n%s", result.model.name.c_str(),
+                 modes.modes(), inWords (modes.minimumFrequency).c_str(), inWords (modes.maximumFrequency).c_str(),
                  reconstructionError (result).c_str(), delayInWords (modes).c_str(),
                  tableText (modeTable (result)).c_str());
 
