@@ -1,7 +1,6 @@
 #include "IdentificationCharts.h"
 
 #include <antinode_identification/FitDiagram.h>
-#include <antinode_identification/ResponseLines.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,21 +51,16 @@ Eigen::VectorXd meanMagnitude (const FrequencyResponses& responses)
     return sum.sqrt();
 }
 
-/** The magnitude in decades, stretched between two orders, at the lines that were used. */
-Series magnitudeBehind (const FrequencyResponses& responses, const IdentifiedModes& modes, double lowest,
-                        double highest)
+/** The magnitude in decades, stretched between two orders. */
+Series magnitudeBehind (const FrequencyResponses& responses, double lowest, double highest)
 {
-    const auto lines = usedLines (responses, modes);
     Series series;
     series.name = "mean magnitude (logarithmic, arbitrary scale)";
     series.colour = series_colour::neutral;
 
-    if (lines.empty())
-        return series;
-
-    const Eigen::ArrayXd magnitude = meanMagnitude (responses) (lines);
+    const Eigen::ArrayXd magnitude = meanMagnitude (responses);
     const Eigen::ArrayXd decades = (magnitude / magnitude.maxCoeff()).max (1e-12).log10();
-    series.x = responses.frequencies (lines);
+    series.x = responses.frequencies;
     series.y = lowest + (highest - lowest) * (decades - decades.minCoeff()) / std::max (-decades.minCoeff(), 1e-12);
     return series;
 }
@@ -128,7 +122,7 @@ LineChart stabilisationChart (const IdentifiedModes& modes, const FrequencyRespo
     LineChart chart;
     chart.xLabel = "frequency (Hz)";
     chart.yLabel = "model order";
-    chart.xRange = AxisRange { modes.minimumFrequency, modes.maximumFrequency };
+    chart.xRange = AxisRange { measured.frequencies[0], measured.frequencies[measured.frequencies.size() - 1] };
     auto lowest = std::numeric_limits<int>::max(), highest = 0;
 
     for (const auto& point : modes.stabilisation)
@@ -140,8 +134,8 @@ LineChart stabilisationChart (const IdentifiedModes& modes, const FrequencyRespo
     if (modes.stabilisation.empty())
         return chart;
 
-    chart.series = { magnitudeBehind (measured, modes, lowest, highest + 1),
-                     dots ("alone", modes.stabilisation, false, 1), dots ("of a mode", modes.stabilisation, true, 0) };
+    chart.series = { magnitudeBehind (measured, lowest, highest + 1), dots ("alone", modes.stabilisation, false, 1),
+                     dots ("of a mode", modes.stabilisation, true, 0) };
 
     for (Eigen::Index k = 0; k < modes.modes(); ++k)
         chart.markers.push_back ({ modes.angularFrequencies[k] / (2 * std::numbers::pi), std::to_string (k + 1) });

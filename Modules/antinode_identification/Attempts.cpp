@@ -4,7 +4,9 @@
 #include "ChannelFilters.h"
 #include "ChannelPhases.h"
 #include "ErrorMap.h"
+#include "MeasuredQuantity.h"
 #include "ModalRange.h"
+#include "PointDrift.h"
 #include "PointSample.h"
 
 #include <antinode_base/InputError.h>
@@ -20,7 +22,8 @@ struct Attempt
 {
     IdentificationOptions options;
     IdentifiedModes modes;
-    std::string said; ///< What was changed and why, as a sentence; empty if nothing was.
+    std::string said;             ///< What was changed and why, as a sentence; empty if nothing was.
+    std::string contradiction {}; ///< What contradicts the quantity that was stated; empty if nothing does.
 };
 
 /** dB: above, a result does not stand alone, and above, its cause is sought. */
@@ -71,6 +74,13 @@ bool isWorthFiltering (const IdentifiedModes& modes, const IdentifiedModes& filt
     return filtered.misfit < (becomeReal ? same : worth) * modes.misfit;
 }
 
+/** Whether less modes explain as much. */
+bool isSimpler (const IdentifiedModes& one, const IdentifiedModes& other)
+{
+    constexpr double same = 1; // dB
+    return one.modes() < other.modes() && one.measuredReconstructionError < other.measuredReconstructionError + same;
+}
+
 class Attempts
 {
 public:
@@ -99,7 +109,8 @@ public:
         attempt (options, said, isLower);
     }
 
-    bool isDone() const { return best && isGood (best->modes); }
+    /** Nothing makes a result better: it is good, or of another quantity than what was measured. */
+    bool isDone() const { return best && (isGood (best->modes) || ! best->contradiction.empty()); }
     bool isUsable() const { return best && best->modes.reconstructionError < doubtful; }
     bool isFair() const { return best && best->modes.reconstructionError < unknown; }
     const std::optional<Attempt>& result() const { return best; }
@@ -116,14 +127,19 @@ public:
         if (! best->said.empty())
             modes.warnings.insert (modes.warnings.begin(), best->said);
 
+        if (! best->contradiction.empty())
+        {
+            modes.warnings.insert (modes.warnings.begin(), best->contradiction);
+            return modes;
+        }
+
         if (modes.misfit < likeNoise)
             return modes;
 
         if (modes.reconstructionError > poor)
             modes.warnings.insert (modes.warnings.begin(), sayWhere (responses, modes));
 
-        // Modes that move more than all that was measured, residual terms against them, are of another quantity.
-        if (modes.reconstructionError > doubtful || modes.modalReconstructionError > 0 || seemsInverted (modes))
+        if (modes.reconstructionError > doubtful || seemsInverted (modes))
             if (const auto cause = likelyCause (responses, best->options, modes, identifyWith); ! cause.empty())
                 modes.warnings.insert (modes.warnings.begin(), cause);
 
@@ -141,7 +157,8 @@ private:
             if (best && ! isBetter (modes, best->modes))
                 return false;
 
-            best = { options, std::move (modes), said };
+            auto contradiction = quantityContradiction (responses, options, modes);
+            best = { options, std::move (modes), said, std::move (contradiction) };
             return true;
         }
         catch (const InputError& error)
@@ -168,17 +185,32 @@ private:
     std::optional<InputError> failure;
 };
 
-std::string sayRange (const FrequencyBand& band, const FrequencyResponses& responses)
+/** "150 and 310 Hz" */
+std::string inHertz (const std::vector<double>& frequencies)
+{
+    std::string text;
+
+    for (std::size_t n = 0; n < frequencies.size(); ++n)
+        text += (n == 0 ? "" : n + 1 < frequencies.size() ? ", " : " and ") + inWords (frequencies[n]);
+
+    return text + " Hz";
+}
+
+std::string sayRange (const FrequencyBand& band, const FrequencyResponses& responses,
+                      const IdentificationOptions& options)
 {
     std::string text;
 
     if (band.minimum > responses.frequencies[0])
-        text = "lines below " + fixedText (band.minimum, 1)
+        text = "lines below " + inWords (band.minimum)
                + " Hz are left out: what they hold (drift, suspension) hides the modes; --band sets another range";
 
     if (band.maximum < responses.frequencies[responses.frequencies.size() - 1])
-        text += std::string (text.empty() ? "" : "; ") + "lines above " + fixedText (band.maximum, 1)
+        text += std::string (text.empty() ? "" : "; ") + "lines above " + inWords (band.maximum)
                 + " Hz are left out: they hold noise";
+
+    if (const auto outside = resonancesOutside (band, responses, options); ! outside.empty())
+        text += "; what is left out has resonances at " + inHertz (outside);
 
     return text;
 }
@@ -215,11 +247,13 @@ void tryRanges (Attempts& attempts, const FrequencyResponses& responses, Identif
     constexpr int enough = 2;
     auto inVain = 0;
 
-    for (const auto& candidate : candidateRanges (responses, options))
+    const auto whole = options;
+
+    for (const auto& candidate : candidateRanges (responses, whole))
     {
         options.minimumFrequency = candidate.minimum;
         options.maximumFrequency = candidate.maximum;
-        inVain = attempts.tryRange (options, sayRange (candidate, responses), gainOfRanges) ? 0 : inVain + 1;
+        inVain = attempts.tryRange (options, sayRange (candidate, responses, whole), gainOfRanges) ? 0 : inVain + 1;
 
         if (attempts.isUsable() || (inVain >= enough && attempts.isFair()))
             break;
@@ -277,6 +311,18 @@ IdentifiedModes bestOfAttempts (const FrequencyResponses& responses, const Ident
 {
     Attempts attempts (responses, identifyWith);
     attempts.tryRange (options, {}, 0);
+
+    if (const auto drift = attempts.result() ? findPointDrift (responses, attempts.result()->modes) : std::nullopt)
+    {
+        Attempts straight (drift->responses, identifyWith);
+
+        if (straight.tryRange (options, {}, 0) && isSimpler (straight.result()->modes, attempts.result()->modes))
+        {
+            auto modes = finishAttempts (straight, drift->responses, options);
+            modes.warnings.insert (modes.warnings.begin(), drift->said);
+            return modes;
+        }
+    }
 
     // Before ranges: phases of channels are no reason to leave lines out.
     if (const auto filters = attempts.result() ? suspectedFilters (responses, *attempts.result()) : std::nullopt)

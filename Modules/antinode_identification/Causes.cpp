@@ -28,7 +28,6 @@ constexpr double clearly = 4, fair = -15;
 struct Remedy
 {
     std::function<Complex (const Complex& value, double omega, Eigen::Index column)> change;
-    int integrations = 0; ///< As FrequencyResponses::integrations.
     std::string said;
 };
 
@@ -37,7 +36,6 @@ FrequencyResponses remedied (const FrequencyResponses& responses, const std::vec
                              const Remedy& remedy)
 {
     auto result = atPoints (responses, points);
-    result.integrations = remedy.integrations;
 
     for (std::size_t i = 0; i < result.values.size(); ++i)
         for (std::size_t n = 0; n < points.size(); ++n)
@@ -55,26 +53,9 @@ FrequencyResponses remedied (const FrequencyResponses& responses, const std::vec
     return result;
 }
 
-std::string quantityName (int integrations)
+Remedy conjugated()
 {
-    return integrations > 0 ? "acceleration" : integrations < 0 ? "displacement" : "velocity";
-}
-
-/** As if another quantity had been measured than the one that was stated. */
-Remedy otherQuantity (const FrequencyResponses& responses, int integrations)
-{
-    const auto power = responses.integrations - integrations;
-    return { [power] (const Complex& value, double omega, Eigen::Index)
-             { return omega > 0 ? value * std::pow (Complex (0, omega), power) : Complex(); },
-             integrations,
-             "as " + quantityName (integrations) + " the responses fit modes, as "
-                 + quantityName (responses.integrations)
-                 + " they do not: the quantity is probably stated wrongly; --quantity " + quantityName (integrations) };
-}
-
-Remedy conjugated (const FrequencyResponses& responses)
-{
-    return { [] (const Complex& value, double, Eigen::Index) { return std::conj (value); }, responses.integrations,
+    return { [] (const Complex& value, double, Eigen::Index) { return std::conj (value); },
              "the complex conjugates of the responses fit modes: the file has the other sign of "
              "time; allowed: the convention exp (+i omega t)" };
 }
@@ -99,7 +80,6 @@ std::optional<Remedy> ownDelays (const FrequencyResponses& responses, const Eige
 
     return Remedy { [delays] (const Complex& value, double at, Eigen::Index column)
                     { return value * std::polar (1.0, at * delays[static_cast<std::size_t> (column)]); },
-                    responses.integrations,
                     "delays differ from channel to channel by up to " + fixedText (micro * (*most - *least), 0)
                         + " us: " + name (most) + " is the latest, " + name (least) + " the earliest" };
 }
@@ -121,7 +101,7 @@ std::optional<Remedy> ownLowPasses (const FrequencyResponses& responses, const E
 
         if (corners.back() > 0 && named.size() < 200)
             named += (named.empty() ? "" : "; ") + channelName (responses, c) + " at "
-                     + fixedText (corners.back() / (2 * std::numbers::pi), 0) + " Hz";
+                     + inWords (corners.back() / (2 * std::numbers::pi)) + " Hz";
     }
 
     if (named.empty())
@@ -132,7 +112,7 @@ std::optional<Remedy> ownLowPasses (const FrequencyResponses& responses, const E
                         const auto corner = corners[static_cast<std::size_t> (column)];
                         return corner > 0 ? value * Complex (1, at / corner) : value;
                     },
-                    responses.integrations, "channels have a low-pass of first order: " + named };
+                    "channels have a low-pass of first order: " + named };
 }
 
 /** Channels of the opposite sign from what the other references and points say of them. An inverted channel spoils
@@ -162,7 +142,7 @@ std::optional<Remedy> inverted (const FrequencyResponses& responses, Eigen::Matr
         return {};
 
     return Remedy { [signs] (const Complex& value, double, Eigen::Index column) { return value * signs[column]; },
-                    responses.integrations, "inverted against the other channels: " + named };
+                    "inverted against the other channels: " + named };
 }
 } // namespace
 
@@ -181,38 +161,18 @@ std::string likelyCause (const FrequencyResponses& responses, const Identificati
             return std::numeric_limits<double>::infinity();
         }
     };
-    const auto sayIfLower = [&] (const Remedy& remedy, double error, double highest)
+    const auto test = [&] (const Remedy& remedy, const IdentificationOptions& chosen, double highest)
     {
+        const auto error = errorOf (remedy, chosen);
         return error < std::min (modes.reconstructionError - clearly, highest)
                    ? remedy.said + " (error then " + fixedText (error, 1) + " instead of "
                          + fixedText (modes.reconstructionError, 1) + " dB)"
                    : std::string();
     };
-    const auto test = [&] (const Remedy& remedy, const IdentificationOptions& chosen, double highest)
-    { return sayIfLower (remedy, errorOf (remedy, chosen), highest); };
     const auto residues = channelResidues (responses, modes);
     const auto& omega = modes.angularFrequencies;
 
-    // Two integrations more or less turn no phase: what fits best is named.
-    std::optional<Remedy> quantity;
-    auto least = std::numeric_limits<double>::infinity();
-
-    for (const auto integrations : { -1, 1, 0 })
-        if (integrations != responses.integrations)
-        {
-            auto other = otherQuantity (responses, integrations);
-
-            if (const auto error = errorOf (other, options); error < least)
-            {
-                least = error;
-                quantity = std::move (other);
-            }
-        }
-
-    if (auto said = quantity ? sayIfLower (*quantity, least, fair) : std::string(); ! said.empty())
-        return said;
-
-    if (auto said = test (conjugated (responses), options, fair); ! said.empty())
+    if (auto said = test (conjugated(), options, fair); ! said.empty())
         return said;
 
     for (const auto& remedy : { inverted (responses, residues), ownDelays (responses, residues, omega),
@@ -225,7 +185,7 @@ std::string likelyCause (const FrequencyResponses& responses, const Identificati
     complex.complexModes = true;
     return modes.complexShapes.size() > 0
                ? std::string()
-               : test ({ [] (const Complex& value, double, Eigen::Index) { return value; }, responses.integrations,
+               : test ({ [] (const Complex& value, double, Eigen::Index) { return value; },
                          "complex modes describe the responses better: damping is not proportional; --complex" },
                        complex, 0);
 }

@@ -39,6 +39,9 @@ struct FrequencyResponses
     /** How often what was measured was integrated to velocities: 1 accelerations, -1 displacements. Its noise is taken
         to be white. */
     int integrations = 0;
+    /** Whether something says what was measured. If nothing does, values are the numbers as they are, as if they were
+        velocities, and identification finds out what they are. */
+    bool isQuantityStated = true;
 };
 
 /** Checks what all who read them rely on: sizes agree, frequencies ascend, references' points exist. Values may be not

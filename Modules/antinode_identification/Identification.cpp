@@ -5,12 +5,14 @@
 #include "ComplexFit.h"
 #include "Deviations.h"
 #include "FitErrors.h"
+#include "MeasuredQuantity.h"
 #include "ModeDescription.h"
 #include "ModeSelection.h"
 #include "Orthogonalisation.h"
 #include "PeakPicking.h"
 #include "PointSample.h"
 #include "PoleSearch.h"
+#include "ResponseOnset.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
@@ -56,6 +58,27 @@ void checkOptions (const FrequencyResponses& responses, const IdentificationOpti
                                               + "; allowed: 1 to 100, ascending");
 }
 
+/** Values that are all 0 have a cause that no fit can say. */
+void requireVibration (const FrequencyResponses& responses)
+{
+    auto isMeasured = false;
+
+    for (const auto& values : responses.values)
+        for (const auto& value : values.reshaped())
+            if (std::isfinite (value.real()) && std::isfinite (value.imag()))
+            {
+                if (value != 0.0)
+                    return;
+
+                isMeasured = true;
+            }
+
+    if (isMeasured)
+        throw InputError ("frequency responses",
+                          "contain no mode: all their values are 0, as of a signal that is constant; allowed: signals "
+                          "that vibrate; check sensor, channel and level");
+}
+
 PreparedResponses weighted (PreparedResponses data, const Eigen::VectorXd& pointWeights)
 {
     if (pointWeights.size() > 0)
@@ -77,16 +100,8 @@ Eigen::MatrixXcd residuesWithout (double delay, Eigen::MatrixXcd residues, const
 NormalModeStart startFrom (const PreparedResponses& data, const std::vector<PoleCluster>& clusters,
                            const IdentificationOptions& options)
 {
-    const auto modes = static_cast<Eigen::Index> (clusters.size());
-    NormalModeStart start { Eigen::VectorXd (modes), Eigen::VectorXd (modes), {}, 0, options.delay.has_value() };
-
-    for (Eigen::Index k = 0; k < modes; ++k)
-    {
-        const auto pole = clusters[static_cast<std::size_t> (k)].pole;
-        start.angularFrequencies[k] = std::abs (pole);
-        start.dampingRatios[k] = -pole.real() / std::abs (pole);
-    }
-
+    const auto poles = polesOf (clusters, 0);
+    NormalModeStart start { poles.angularFrequencies, poles.dampingRatios, {}, 0, options.delay.has_value() };
     const auto basis = makeBasis (start.angularFrequencies, start.dampingRatios, data);
     const auto residues = complexResidues (basis, modalProducts (basis, data, 0), options.ridge);
     start.delay = options.delay.value_or (estimateDelay (start.angularFrequencies, residues, data.columnWeights));
@@ -182,7 +197,7 @@ void warnOfLeftOut (IdentifiedModes& result, const std::vector<PoleCluster>& wan
 
         if (std::none_of (fitted.begin(), fitted.end(), isSame))
             result.warnings.push_back ("the selected pole at "
-                                       + fixedText (std::abs (cluster.pole) / (2 * std::numbers::pi), 2)
+                                       + inWords (std::abs (cluster.pole) / (2 * std::numbers::pi))
                                        + " Hz is left out: it does not stand out of noise and misfit");
     }
 }
@@ -218,16 +233,22 @@ constexpr auto noPole = "contain no pole that is stable over model orders, hence
                                    "allowed: the convention exp (+i omega t)");
 }
 
-/** @param explains  whether it is said why there are no modes: that takes as long as the search for them */
-IdentifiedModes fitModes (const FrequencyResponses& responses, const IdentificationOptions& options, bool explains)
+/** What is known before responses are fitted for the first time. */
+struct FirstLook
+{
+    std::optional<FoundPoles> poles; ///< In the range of the options.
+    bool explains = true; ///< Whether it is said why there are no modes: that takes as long as the search for them.
+};
+
+IdentifiedModes fitModes (const FrequencyResponses& responses, const IdentificationOptions& options, FirstLook look)
 {
     auto data =
         weighted (prepare (responses, options.minimumFrequency, options.maximumFrequency), options.pointWeights);
     auto said = leaveOutDisturbed (data);
-    auto found = searchPoles (data, options);
+    auto found = look.poles ? std::move (*look.poles) : searchPoles (data, options);
     auto clusters = picked (options.selected.empty() ? found.clusters : found.candidates, options);
 
-    if (clusters.empty() && explains)
+    if (clusters.empty() && look.explains)
         explainNoModes (responses, options);
 
     if (clusters.empty())
@@ -275,19 +296,73 @@ IdentifiedModes fitModes (const FrequencyResponses& responses, const Identificat
     result.candidates = candidatesOf (found.candidates, clusters, fit.modes.angularFrequencies);
     return result;
 }
+
+/** By the method of the options. @param look  for the first attempt; the reason that it gives is said where all fail */
+IdentifiedModes identifyBy (const FrequencyResponses& responses, const IdentificationOptions& options, FirstLook look)
+{
+    const auto fit = [&look] (const FrequencyResponses& tried, const IdentificationOptions& chosen) {
+        return fitModes (tried, chosen, std::exchange (look, { {}, false }));
+    };
+    return options.method == IdentificationMethod::peakPicking ? pickPeaks (responses, options)
+                                                               : bestOfAttempts (responses, options, fit);
+}
+
+/** As the quantity that is stated or, where none is, as that which explains the responses best. */
+IdentifiedModes identifyQuantity (const FrequencyResponses& responses, const IdentificationOptions& options)
+{
+    if (responses.isQuantityStated)
+        return identifyBy (responses, options, {});
+
+    auto data =
+        weighted (prepare (responses, options.minimumFrequency, options.maximumFrequency), options.pointWeights);
+    leaveOutDisturbed (data);
+    // What was measured has the same poles whatever it is.
+    auto found = searchPoles (data, options);
+    const auto clusters = picked (options.selected.empty() ? found.clusters : found.candidates, options);
+
+    if (clusters.empty())
+        return identifyBy (responses, options, { std::move (found), true });
+
+    const auto likely = likelyQuantity (fitQuantities (responses, options, clusters), responses);
+    auto result = identifyBy (asQuantity (responses, likely.integrations), options, { std::move (found), true });
+    result.warnings.insert (result.warnings.begin(), likely.said);
+    return result;
+}
+
+/** Whether some quantity makes modes of what is no impulse response by its course: what is narrow in much noise. */
+bool holdsModes (const FrequencyResponses& all, const IdentificationOptions& allOptions)
+{
+    constexpr double fair = -6; // dB
+    const auto points = samplePoints (all);
+    const auto responses = atPoints (all, points);
+    const auto options = atPoints (allOptions, points);
+    const auto data = prepare (responses, options.minimumFrequency, options.maximumFrequency);
+    const auto clusters = searchPoles (data, options).clusters;
+    return ! clusters.empty() && fitQuantities (responses, options, clusters).front().error < fair;
+}
 } // namespace
 
 IdentifiedModes identify (const FrequencyResponses& responses, const IdentificationOptions& options)
 {
     validate (responses);
     checkOptions (responses, options);
+    requireVibration (responses);
 
-    // The first attempt's reason is what is said where all fail.
-    auto isFirst = true;
-    const auto fit = [&isFirst] (const FrequencyResponses& tried, const IdentificationOptions& chosen)
-    { return fitModes (tried, chosen, std::exchange (isFirst, false)); };
-    auto result = options.method == IdentificationMethod::peakPicking ? pickPeaks (responses, options)
-                                                                      : bestOfAttempts (responses, options, fit);
+    const auto impulse = impulseEnergy (responses, options.minimumFrequency, options.maximumFrequency);
+
+    if (impulse && seemsStationary (*impulse) && ! holdsModes (responses, options))
+        throw InputError ("frequency responses",
+                          "contain no mode: their impulse responses neither begin nor decay, as noise or a record of "
+                          "ambient vibration without a force; allowed: impulse responses, responses per voltage or "
+                          "force, and recordings with their force, from which 'antinode frf' makes responses");
+
+    // Taken out before anything else: a long delay hides poles.
+    const auto delay = options.delay.value_or (impulse ? onsetDelay (*impulse) : 0);
+    auto without = options;
+    without.delay = options.delay ? std::optional (0.0) : std::nullopt;
+    auto result =
+        delay != 0 ? identifyQuantity (delayed (responses, -delay), without) : identifyQuantity (responses, without);
+    result.delay += delay;
 
     if (options.gramSchmidt)
         orthogonalise (result, options.pointMasses);

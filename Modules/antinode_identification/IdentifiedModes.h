@@ -70,6 +70,7 @@ struct PoleCandidate
 struct IdentifiedModes
 {
     DriveQuantity drive = DriveQuantity::voltage;
+    int integrations = 0; ///< As FrequencyResponses::integrations: of what was measured, also where nothing stated it.
     std::vector<Reference> references;  ///< N_b
     Eigen::MatrixX2d points;            ///< N_p x 2, m.
     Eigen::VectorXd angularFrequencies; ///< N_m: omega_k, rad/s, undamped.

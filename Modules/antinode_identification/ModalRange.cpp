@@ -116,7 +116,53 @@ Eigen::Index lastAboveNoise (const LinePowers& lines)
 
     return last;
 }
+/** Lines of peaks that stand out of both valleys beside them, and of noise. */
+std::vector<Eigen::Index> prominentPeaks (const LinePowers& lines)
+{
+    constexpr double prominence = 10;
+    std::vector<Eigen::Index> peaks;
+    Eigen::Index lowest = 0, highest = 0;
+    auto isRising = false;
+
+    for (Eigen::Index f = 1; f < lines.power.size(); ++f)
+    {
+        if (lines.power[f] > lines.power[highest])
+            highest = f;
+
+        if (lines.power[f] < lines.power[lowest])
+            lowest = f;
+
+        if (! isRising && lines.power[f] > prominence * lines.power[lowest])
+        {
+            isRising = true;
+            highest = f;
+        }
+        else if (isRising && lines.power[f] * prominence < lines.power[highest])
+        {
+            if (lines.power[highest] > prominence * lines.noise[highest])
+                peaks.push_back (highest);
+
+            isRising = false;
+            lowest = f;
+        }
+    }
+
+    return peaks;
+}
 } // namespace
+
+std::vector<double> resonancesOutside (const FrequencyBand& band, const FrequencyResponses& responses,
+                                       const IdentificationOptions& options)
+{
+    const auto lines = linePowers (prepare (responses, options.minimumFrequency, options.maximumFrequency));
+    std::vector<double> frequencies;
+
+    for (const auto peak : prominentPeaks (lines))
+        if (const auto frequency = lines.frequencies[peak]; frequency < band.minimum || frequency > band.maximum)
+            frequencies.push_back (frequency);
+
+    return frequencies;
+}
 
 std::vector<FrequencyBand> candidateRanges (const FrequencyResponses& responses, const IdentificationOptions& options)
 {

@@ -10,4 +10,9 @@ namespace antinode
     @throws InputError  when no line, or no column, has values
     [worker] Docs/Theory.md, section 8.2. */
 std::vector<FrequencyBand> candidateRanges (const FrequencyResponses&, const IdentificationOptions&);
+
+/** Frequencies of resonances outside of a band and within the range of the options, Hz: peaks ten times above both
+   valleys beside them and above their noise.
+    @throws InputError  as candidateRanges [worker] */
+std::vector<double> resonancesOutside (const FrequencyBand&, const FrequencyResponses&, const IdentificationOptions&);
 } // namespace antinode

@@ -45,6 +45,7 @@ std::vector<ResidualTerm> residualTerms (const FitState& state, Eigen::Index poi
 void describeData (IdentifiedModes& result, const PreparedResponses& data)
 {
     result.drive = data.responses->drive;
+    result.integrations = data.responses->integrations;
     result.references = data.responses->references;
     result.points = data.responses->points;
     result.minimumFrequency = data.omega[0] / (2 * std::numbers::pi);

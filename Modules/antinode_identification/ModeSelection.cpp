@@ -110,6 +110,21 @@ std::vector<Eigen::Index> standOut (const FitState& state, double variance, doub
     return kept;
 }
 
+NormalModes polesOf (const std::vector<PoleCluster>& clusters, double delay)
+{
+    const auto count = static_cast<Eigen::Index> (clusters.size());
+    NormalModes modes { Eigen::VectorXd (count), Eigen::VectorXd (count), {}, {}, delay };
+
+    for (Eigen::Index k = 0; k < count; ++k)
+    {
+        const auto pole = clusters[static_cast<std::size_t> (k)].pole;
+        modes.angularFrequencies[k] = std::abs (pole);
+        modes.dampingRatios[k] = -pole.real() / std::abs (pole);
+    }
+
+    return modes;
+}
+
 std::vector<PoleCluster> chosen (const std::vector<PoleCluster>& clusters, const std::vector<Eigen::Index>& indices)
 {
     std::vector<PoleCluster> result;

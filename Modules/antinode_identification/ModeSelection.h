@@ -17,6 +17,9 @@ std::vector<PoleCluster> picked (const std::vector<PoleCluster>&, const Identifi
     [worker] Docs/Theory.md, section 8.5. */
 std::vector<Eigen::Index> standOut (const FitState&, double variance, double ridge);
 
+/** The poles of clusters as modes without shapes. @param delay  s [any] */
+NormalModes polesOf (const std::vector<PoleCluster>&, double delay);
+
 /** Only some of the clusters, or modes, in ascending frequency. [any] */
 std::vector<PoleCluster> chosen (const std::vector<PoleCluster>&, const std::vector<Eigen::Index>&);
 NormalModes chosen (const NormalModes&, const std::vector<Eigen::Index>&);

@@ -125,6 +125,7 @@ IdentifiedModes pickPeaks (const FrequencyResponses& responses, const Identifica
     const auto modes = static_cast<Eigen::Index> (peaks.size());
     IdentifiedModes result;
     result.drive = responses.drive;
+    result.integrations = responses.integrations;
     result.references = responses.references;
     result.points = responses.points;
     result.delay = options.delay.value_or (0);

@@ -18,10 +18,14 @@ std::vector<Eigen::Index> samplePoints (const FrequencyResponses& responses)
 
 FrequencyResponses atPoints (const FrequencyResponses& responses, const std::vector<Eigen::Index>& points)
 {
-    auto result = FrequencyResponses {
-        responses.frequencies, responses.drive, responses.references, responses.points (points, Eigen::all), {}, {},
-        responses.integrations
-    };
+    auto result = FrequencyResponses { responses.frequencies,
+                                       responses.drive,
+                                       responses.references,
+                                       responses.points (points, Eigen::all),
+                                       {},
+                                       {},
+                                       responses.integrations,
+                                       responses.isQuantityStated };
 
     for (const auto& values : responses.values)
         result.values.emplace_back (values (Eigen::all, points));

@@ -72,8 +72,8 @@ std::vector<Eigen::Index> thinnedLines (const std::vector<Eigen::Index>& lines, 
 FrequencyResponses atLines (const FrequencyResponses& responses, const std::vector<Eigen::Index>& lines)
 {
     auto result = FrequencyResponses {
-        responses.frequencies (lines), responses.drive, responses.references, responses.points, {}, {},
-        responses.integrations
+        responses.frequencies (lines), responses.drive,           responses.references, responses.points, {}, {},
+        responses.integrations,        responses.isQuantityStated
     };
 
     for (const auto& values : responses.values)

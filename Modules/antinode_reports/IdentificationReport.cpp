@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace antinode
@@ -57,18 +58,31 @@ std::vector<Pair> strongestPairs (const FrequencyResponses& measured)
     return chosen;
 }
 
-/** One response as a measurement of its own, at some lines. */
-FrequencyResponses onlyPair (const FrequencyResponses& measured, const Pair& pair,
-                             const std::vector<Eigen::Index>& lines)
+/** One response as a measurement of its own. */
+FrequencyResponses onlyPair (const FrequencyResponses& measured, const Pair& pair)
 {
-    const auto& values = measured.values[static_cast<std::size_t> (pair.reference)];
-    return { measured.frequencies (lines),
+    return { measured.frequencies,
              measured.drive,
              { measured.references[static_cast<std::size_t> (pair.reference)] },
              measured.points.row (pair.point),
-             { values (lines, Eigen::seqN (pair.point, 1)) },
+             { measured.values[static_cast<std::size_t> (pair.reference)].col (pair.point) },
              {},
              measured.integrations };
+}
+
+/** What modes give where they were fitted; elsewhere residual terms mean nothing. */
+FrequencyResponses synthesisedWithin (const IdentifiedModes& modes, const FrequencyResponses& measured)
+{
+    auto result = synthesise (modes, measured.frequencies);
+    auto& values = result.values.front();
+    const auto lines = usedLines (measured, modes);
+    const auto nothing = std::complex<double> (std::numeric_limits<double>::quiet_NaN(), 0);
+
+    for (Eigen::Index f = 0; f < values.rows(); ++f)
+        if (! std::binary_search (lines.begin(), lines.end(), f))
+            values.row (f).setConstant (nothing);
+
+    return result;
 }
 
 /** The modes as one point and one reference see them. */
@@ -113,23 +127,24 @@ ReportSection stabilisationSection (const IdentificationResult& result)
 ReportSection responseSection (const IdentificationResult& result)
 {
     const auto& measured = result.measured;
-    const auto lines = usedLines (measured, result.modes);
     ReportSection section;
     section.heading = "Measured and synthesised responses";
-    section.paragraphs = { "In the band in which the modes were fitted. The phases are without the common delay; where "
-                           "the noise of a response is more than half of it, its phase is left out." };
+    section.paragraphs = { "Modes were fitted from " + inWords (result.modes.minimumFrequency) + " to "
+                           + inWords (result.modes.maximumFrequency)
+                           + " Hz; all that was measured is shown. The phases are without the common delay; where "
+                             "the noise of a response is more than half of it, its phase is left out." };
 
     for (const auto& pair : strongestPairs (measured))
     {
-        const auto ofPair = onlyPair (measured, pair, lines);
-        section.figures.push_back (
-            { "Point " + result.pointNames[static_cast<std::size_t> (pair.point)] + ", reference "
-                  + measured.references[static_cast<std::size_t> (pair.reference)].name + ".",
-              {},
-              responseChart (ofPair, synthesise (onlyPair (result.modes, pair), ofPair.frequencies), 0, 0,
-                             result.modes.delay),
-              reportFigureWidth,
-              440 });
+        const auto ofPair = onlyPair (measured, pair);
+        section.figures.push_back ({ "Point " + result.pointNames[static_cast<std::size_t> (pair.point)]
+                                         + ", reference "
+                                         + measured.references[static_cast<std::size_t> (pair.reference)].name + ".",
+                                     {},
+                                     responseChart (ofPair, synthesisedWithin (onlyPair (result.modes, pair), ofPair),
+                                                    0, 0, result.modes.delay),
+                                     reportFigureWidth,
+                                     440 });
     }
 
     return section;

@@ -58,11 +58,11 @@ struct Measurement
     std::vector<std::string> remarks;
 };
 
-/** Puts the responses of several files together: converted to velocity per volt or newton (velocity where no file and
-   no option says what it is, per volt), points and references numbered where they have no names, lines at 0 Hz left
-   out. Points that are named by numbers stand in their order, references as in the first file where it has all of them,
-   which is that of the channels. Where forces act at many points and few are measured, points and references change
-   places, which reciprocity allows.
+/** Puts the responses of several files together: converted to velocity per volt or newton (where no file and no option
+   says what was measured, numbers as they are; per volt where none says what excites), points and references numbered
+   where they have no names, lines at 0 Hz left out. Points that are named by numbers stand in their order, references
+   as in the first file where it has all of them, which is that of the channels. Where forces act at many points and few
+   are measured, points and references change places, which reciprocity allows.
     @throws InputError  when frequencies, units or drives of two files do not fit together, or none has a response
     [worker] Docs/Theory.md, section 8.1. */
 Measurement mergedResponses (const std::vector<MeasurementFile>&, const MeasurementOptions&);

@@ -34,26 +34,40 @@ ResponseUnit findUnit (const MeasuredResponse& response, const MeasurementOption
     return unit;
 }
 
-void addUnitRemarks (const Responses& responses, const MeasurementOptions& options, std::vector<std::string>& remarks)
-{
-    const auto lacks = [&] (auto member)
-    {
-        return std::any_of (responses.begin(), responses.end(),
-                            [&] (const auto& response)
-                            { return ! (findUnit (response, options).*member).has_value(); });
-    };
-
-    if (lacks (&ResponseUnit::quantity))
-        remarks.emplace_back ("No file says what was measured: assumed to be velocity in m/s.");
-
-    if (lacks (&ResponseUnit::drive))
-        remarks.emplace_back ("No file says what excites the surface: assumed to be a voltage in V.");
-}
-
 /** How the first response is named in a message on another one that differs from it. */
 std::string namedBeside (const MeasuredResponse& first, const MeasuredResponse& other)
 {
     return first.source == other.source ? "an earlier response of it" : inQuotes (first.source);
+}
+
+/** Responses that do not say what was measured are taken to be of the quantity of those that do, and said.
+    @return  whether any says it */
+bool completeQuantities (Responses& responses, const MeasurementOptions& options, std::vector<std::string>& remarks)
+{
+    const auto isStated = [&options] (const MeasuredResponse& response)
+    { return findUnit (response, options).quantity.has_value(); };
+    const auto stated = std::find_if (responses.begin(), responses.end(), isStated);
+    const auto silent = std::find_if_not (responses.begin(), responses.end(), isStated);
+
+    if (stated == responses.end() || silent == responses.end())
+        return stated != responses.end();
+
+    remarks.push_back (silent->source + " does not say what was measured: taken as " + namedBeside (*stated, *silent)
+                       + " says.");
+    const auto quantity = stated->unit.quantity;
+
+    for (auto& response : responses)
+        if (! isStated (response))
+            response.unit.quantity = quantity;
+
+    return true;
+}
+
+void addDriveRemark (const Responses& responses, const MeasurementOptions& options, std::vector<std::string>& remarks)
+{
+    if (std::any_of (responses.begin(), responses.end(),
+                     [&] (const auto& response) { return ! findUnit (response, options).drive.has_value(); }))
+        remarks.emplace_back ("No file says what excites the surface: assumed to be a voltage in V.");
 }
 
 DriveQuantity commonDrive (const Responses& responses, const MeasurementOptions& options)
@@ -309,8 +323,9 @@ Measurement mergedResponses (const std::vector<MeasurementFile>& files, const Me
     for (const auto& file : files)
         measurement.remarks.insert (measurement.remarks.end(), file.remarks.begin(), file.remarks.end());
 
-    addUnitRemarks (responses, options, measurement.remarks);
     auto& table = measurement.responses;
+    table.isQuantityStated = completeQuantities (responses, options, measurement.remarks);
+    addDriveRemark (responses, options, measurement.remarks);
     table.drive = commonDrive (responses, options);
     table.integrations = countIntegrations (responses, options);
     exchangeByReciprocity (responses, table.drive, measurement.remarks);

@@ -115,7 +115,7 @@ double meanCoherenceOf (const HammerMeasurement& measurement)
 
 void printOutcome (const HammerMeasurement& measurement)
 {
-    const auto& [frequencies, drive, references, points, values, variances, integrations] = measurement.responses;
+    const auto& frequencies = measurement.responses.frequencies;
     const auto rate = measurement.recordings.front().sampleRate;
     const auto spacing = rate / static_cast<double> (measurement.test.block);
     const auto coherence = meanCoherenceOf (measurement);
@@ -136,8 +136,9 @@ void printOutcome (const HammerMeasurement& measurement)
     else
         std::printf ("No exponential window: the motion has decayed at the end of a hit\n");
 
-    std::printf ("%.1f to %.1f Hz every %.4g Hz, responses of %td points and directions to %zu references, ",
-                 frequencies[0], frequencies[frequencies.size() - 1], spacing, points.rows(), references.size());
+    std::printf ("%s to %s Hz every %.4g Hz, responses of %td points and directions to %zu references, ",
+                 inWords (frequencies[0]).c_str(), inWords (frequencies[frequencies.size() - 1]).c_str(), spacing,
+                 measurement.responses.points.rows(), measurement.responses.references.size());
     std::printf ("%s\n", std::isfinite (coherence) ? formatted ("mean coherence %.4f", coherence).c_str()
                                                    : "no coherence: one hit each");
 }

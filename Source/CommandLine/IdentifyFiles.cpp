@@ -7,6 +7,7 @@
 #include <antinode_documents/IdentifiedDevice.h>
 #include <antinode_documents/UniversalModes.h>
 #include <antinode_identification/IdentifiedModel.h>
+#include <antinode_identification/MeasuredQuantity.h>
 #include <antinode_library/Library.h>
 #include <antinode_reports/IdentificationDiagram.h>
 #include <antinode_text/NaturalOrder.h>
@@ -80,7 +81,7 @@ std::string describeResult (const IdentificationResult& result)
 {
     return "Identified from " + std::to_string (result.measured.points.rows()) + " points and "
            + std::to_string (result.measured.references.size()) + " references, "
-           + fixedText (result.modes.minimumFrequency, 1) + " to " + fixedText (result.modes.maximumFrequency, 1)
+           + inWords (result.modes.minimumFrequency) + " to " + inWords (result.modes.maximumFrequency)
            + " Hz, reconstruction error " + reconstructionError (result);
 }
 
@@ -147,7 +148,7 @@ IdentificationResult identifyFiles (const IdentifyOptions& options, const std::o
     if (result.computed)
         result.comparison = compareModes (result.modes, *result.computed);
 
-    result.measured = std::move (measurement.responses);
+    result.measured = asQuantity (std::move (measurement.responses), result.modes.integrations);
     result.pointNames = std::move (measurement.pointNames);
     return result;
 }

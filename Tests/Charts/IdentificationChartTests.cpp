@@ -72,12 +72,15 @@ TEST_CASE ("The phase of a response is that without the delay, with gaps where i
     CHECK (phase.y.tail (180).array().isNaN().all());
 }
 
-TEST_CASE ("Charts of an identification end with its band", "[views]")
+TEST_CASE ("A stabilisation diagram shows all that was measured, also what no mode was fitted to", "[views]")
 {
     IdentifiedModes modes;
     modes.minimumFrequency = 200;
     modes.maximumFrequency = 400;
     modes.stabilisation = { { 3, 250, 0.01, true } };
     const auto chart = stabilisationChart (modes, someResponses());
-    CHECK (chart.series[0].x == Eigen::Vector3d (200, 300, 400));
+    CHECK (chart.series[0].x == someResponses().frequencies);
+    REQUIRE (chart.xRange);
+    CHECK (chart.xRange->minimum == 100);
+    CHECK (chart.xRange->maximum == 500);
 }
