@@ -19,9 +19,21 @@ namespace
 using Fits = std::array<QuantityFit, 3>;
 using Powers = std::vector<int>;
 
-/** dB: up to this much apart two quantities fit alike; by this much one contradicts another, which then leaves this
-   much at most. */
-constexpr double alike = 3, clearly = 2, fair = -15;
+constexpr double fair = -15; // dB: what explains less contradicts nothing
+
+/** dB: by how much the better of two quantities must be better to count. Small differences of phase, between
+   acceleration and displacement, mean something only where little else is left. */
+double marginBetween (const QuantityFit& better, const QuantityFit& other)
+{
+    constexpr double little = -40;
+    const auto isQuarterTurn = better.integrations * other.integrations == 0;
+    return isQuarterTurn ? 4 : better.error < little ? 2 : 6;
+}
+
+bool areAlike (const QuantityFit& better, const QuantityFit& other)
+{
+    return other.error < better.error + marginBetween (better, other);
+}
 
 const char* nameOf (int integrations)
 {
@@ -196,11 +208,11 @@ std::vector<const QuantityFit*> fitsAlike (const Fits& fits, double highestFrequ
     auto shortest = std::abs (fits.front().delay);
 
     for (const auto& fit : fits)
-        if (fit.error < fits.front().error + alike)
+        if (areAlike (fits.front(), fit))
             shortest = std::min (shortest, std::abs (fit.delay));
 
     for (const auto& fit : fits)
-        if (fit.error < fits.front().error + alike && std::abs (fit.delay) < shortest + longer / highestFrequency)
+        if (areAlike (fits.front(), fit) && std::abs (fit.delay) < shortest + longer / highestFrequency)
             result.push_back (&fit);
 
     return result;
@@ -254,7 +266,7 @@ std::string contradiction (const Fits& fits, const FrequencyResponses& responses
                       [&responses] (const auto& fit) { return fit.integrations == responses.integrations; });
     const auto name = std::string (nameOf (stated->integrations)), other = std::string (nameOf (best.integrations));
 
-    if (best.error < std::min (stated->error - clearly, fair))
+    if (best.error < fair && ! areAlike (best, *stated))
         return "as " + other + " the responses fit modes better than as " + name
                + " (errors of what was measured: " + fixedText (best.error, 1) + " and " + fixedText (stated->error, 1)
                + " dB): the quantity is probably stated wrongly; --quantity " + other;
@@ -263,7 +275,7 @@ std::string contradiction (const Fits& fits, const FrequencyResponses& responses
         fits.begin(), fits.end(),
         [&stated] (const auto& fit) { return stated->integrations != 0 && fit.integrations == -stated->integrations; });
 
-    if (opposite != fits.end() && opposite->error < std::min (stated->error + alike, fair)
+    if (opposite != fits.end() && opposite->error < fair && areAlike (*stated, *opposite)
         && signOfDrivingPoints (*stated, responses) < 0)
         return "at the driving point the responses have the sign of " + std::string (nameOf (opposite->integrations))
                + ", not of " + name
@@ -319,7 +331,7 @@ std::string quantityContradiction (const FrequencyResponses& responses, const Id
     if (! responses.isQuantityStated)
         return {};
 
-    if (std::max (modes.reconstructionError, modes.measuredReconstructionError) < doubtful)
+    if (modes.measuredReconstructionError < doubtful)
     {
         const auto sample = atPoints (responses, samplePoints (responses));
         const auto data = sampled (sample, modes.minimumFrequency * (1 - 1e-9), modes.maximumFrequency * (1 + 1e-9));
