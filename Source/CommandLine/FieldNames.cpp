@@ -11,7 +11,7 @@ namespace
 {
 /** The fields that errors name, and what the user writes for them. A field that begins like another one stands before
     it. */
-constexpr std::array<std::pair<std::string_view, std::string_view>, 24> fields { {
+constexpr auto fields = std::to_array<std::pair<std::string_view, std::string_view>> ({
     { "focus: targets", "focus: /targets" },
     { "focus: focus time", "focus: /focus_time_ms" },
     { "focus: controlled modes", "focus: /modes" },
@@ -37,7 +37,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 24> fields {
     { "measurement: reference names", "--drivers" },
     { "measurement: point positions", "--points" },
     { "model orders", "--orders" },
-} };
+});
 
 void replace (std::string& text, std::string_view field, std::string_view word)
 {
