@@ -340,6 +340,47 @@ bool holdsModes (const FrequencyResponses& all, const IdentificationOptions& all
     const auto clusters = searchPoles (data, options).clusters;
     return ! clusters.empty() && fitQuantities (responses, options, clusters).front().error < fair;
 }
+/** Without a delay, which is taken out before anything else: a long one hides poles. */
+IdentifiedModes identifyAfter (double delay, const FrequencyResponses& responses, const IdentificationOptions& options)
+{
+    auto without = options;
+    without.delay = options.delay ? std::optional (0.0) : std::nullopt;
+    auto result =
+        delay != 0 ? identifyQuantity (delayed (responses, -delay), without) : identifyQuantity (responses, without);
+    result.delay += delay;
+    return result;
+}
+
+/** Noise may look like an onset: where the responses are not explained well after it, they are fitted as they are, too.
+ */
+IdentifiedModes identifyAfterOnset (double delay, const FrequencyResponses& responses,
+                                    const IdentificationOptions& options)
+{
+    constexpr double good = -20; // dB
+    std::optional<IdentifiedModes> late;
+
+    try
+    {
+        late = identifyAfter (delay, responses, options);
+    }
+    catch (const InputError&)
+    {
+        return identifyAfter (0, responses, options);
+    }
+
+    if (late->reconstructionError <= good)
+        return std::move (*late);
+
+    try
+    {
+        auto unchanged = identifyAfter (0, responses, options);
+        return unchanged.reconstructionError < late->reconstructionError ? std::move (unchanged) : std::move (*late);
+    }
+    catch (const InputError&)
+    {
+        return std::move (*late);
+    }
+}
 } // namespace
 
 IdentifiedModes identify (const FrequencyResponses& responses, const IdentificationOptions& options)
@@ -356,13 +397,9 @@ IdentifiedModes identify (const FrequencyResponses& responses, const Identificat
                           "ambient vibration without a force; allowed: impulse responses, responses per voltage or "
                           "force, and recordings with their force, from which 'antinode frf' makes responses");
 
-    // Taken out before anything else: a long delay hides poles.
     const auto delay = options.delay.value_or (impulse ? onsetDelay (*impulse) : 0);
-    auto without = options;
-    without.delay = options.delay ? std::optional (0.0) : std::nullopt;
-    auto result =
-        delay != 0 ? identifyQuantity (delayed (responses, -delay), without) : identifyQuantity (responses, without);
-    result.delay += delay;
+    auto result = options.delay || delay == 0 ? identifyAfter (delay, responses, options)
+                                              : identifyAfterOnset (delay, responses, options);
 
     if (options.gramSchmidt)
         orthogonalise (result, options.pointMasses);

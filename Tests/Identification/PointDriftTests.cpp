@@ -56,7 +56,7 @@ FrequencyResponses driftingResponses (const KnownStructure& truth, const Eigen::
     return responses;
 }
 
-std::string joined (const std::vector<std::string>& warnings)
+std::string driftWarnings (const std::vector<std::string>& warnings)
 {
     std::string text;
 
@@ -82,7 +82,7 @@ TEST_CASE ("A mode that drifts from point to point stays one mode, and its drift
     CHECK (result.falseOnes == 0);
     CHECK (quantile (result.assurance, 1) < 1e-3);
     CHECK (quantile (result.damping, 1) < 0.02);
-    const auto said = joined (modes.warnings);
+    const auto said = driftWarnings (modes.warnings);
     const auto at = said.find (ppm > 0 ? "rises by " : "falls by ");
     REQUIRE (at != std::string::npos);
     CHECK (std::stod (said.substr (at + 9)) == Approx (std::abs (ppm)).epsilon (0.2));
@@ -97,5 +97,5 @@ TEST_CASE ("Two modes 60 ppm apart stay two", "[identification]")
                                  {});
     CHECK (modes.modes() == 3);
     CHECK (modes.angularFrequencies[1] / modes.angularFrequencies[0] - 1 == Approx (60e-6).epsilon (0.05));
-    CHECK_THAT (joined (modes.warnings), ! Catch::Contains ("ppm"));
+    CHECK_THAT (driftWarnings (modes.warnings), ! Catch::Contains ("ppm"));
 }

@@ -12,7 +12,7 @@ using namespace antinode::test;
 namespace
 {
 /** Three modes at four points, accelerations per force; lines every hertz. */
-KnownStructure threeModes()
+KnownStructure delayedStructure()
 {
     KnownStructure structure;
     structure.points.setZero (4, 2);
@@ -38,7 +38,7 @@ FrequencyResponses measurement (int integrations, double delay, double highest =
 
         return responses;
     };
-    auto truth = threeModes();
+    auto truth = delayedStructure();
     truth.delay = delay;
     auto responses = accelerations (idealResponses (truth, lines (1, highest, 1)));
     addNoise (responses, 60, 1);
@@ -60,7 +60,7 @@ TEST_CASE ("A delay costs no mode, however long it is", "[identification]")
     CAPTURE (milliseconds, integrations);
     const auto delay = 1e-3 * milliseconds;
     const auto modes = identify (measurement (integrations, delay), {});
-    const auto result = score (modes, threeModes());
+    const auto result = score (modes, delayedStructure());
     CHECK (result.found == 3);
     CHECK (result.falseOnes == 0);
     CHECK (quantile (result.frequency, 1) < 5e-6);
@@ -74,7 +74,7 @@ TEST_CASE ("A delay that is known may be long, too", "[identification]")
     IdentificationOptions options;
     options.delay = 0.02;
     const auto modes = identify (measurement (1, 0.02), options);
-    CHECK (score (modes, threeModes()).found == 3);
+    CHECK (score (modes, delayedStructure()).found == 3);
     CHECK (modes.modes() == 3);
     CHECK (modes.delay == 0.02);
 }
