@@ -42,11 +42,13 @@ void checkAgainstProbes (const ModalModel& model, const FocusDescription& focus)
     for (int i = 0; i < 24; ++i)
         for (const auto radius : { 0.0003, 0.001, 0.003 })
         {
-            const auto x = peak.x + radius * std::cos (0.26 * i), y = peak.y + radius * std::sin (0.26 * i);
             const auto& surface = model.surface;
+            const auto isLine = surface.kind == SurfaceKind::line;
+            const auto x = peak.x + radius * std::cos (0.26 * i);
+            const auto y = isLine ? 0 : peak.y + radius * std::sin (0.26 * i);
 
             if (x > surface.xMinimum && x < surface.xMaximum
-                && (surface.kind == SurfaceKind::line || (y > surface.yMinimum && y < surface.yMaximum)))
+                && (isLine || (y > surface.yMinimum && y < surface.yMaximum)))
                 places.emplace_back (x, y);
         }
 

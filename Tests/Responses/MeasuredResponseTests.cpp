@@ -241,7 +241,8 @@ TEST_CASE ("Tables without headings hold pairs of real and imaginary part, or wh
     const auto measured = merged ({ { "a.txt", text } });
     CHECK (measured.responses.frequencies == Eigen::Vector2d (1.5, 3)); // At 0 Hz nothing moves.
     CHECK (measured.responses.values[0](0, 0) == Complex (3, 4));
-    CHECK (measured.remarks.size() == 3); // Of quantity, drive and places.
+    CHECK (measured.remarks.size() == 2); // Of drive and places.
+    CHECK (! measured.responses.isQuantityStated);
     const auto polar = merged ({ { "a.txt", text } }, {}, CsvForm::magnitudeRadians);
     CHECK (std::abs (polar.responses.values[0](0, 0) - std::polar (3.0, 4.0)) < 1e-15);
 }
