@@ -1,9 +1,9 @@
--- Plays one note of Antinode 8 in a headless session and records all its outputs. FOLDER, in the environment, gets the session.
+-- Plays one note of Antinode 32 in a headless session and records all its outputs. FOLDER, in the environment, gets the session.
 local channels, rate = 10, 48000
 local solving, rolling, playing = 8, 1, 2 -- s
 local session = create_session (os.getenv ("FOLDER"), "antinode", rate)
-local info = ARDOUR.LuaAPI.new_plugin_info ("https://antinode.example/plugins/antinode-8", ARDOUR.PluginType.LV2)
-assert (not info:isnil (), "Antinode 8 is not in LV2_PATH")
+local info = ARDOUR.LuaAPI.new_plugin_info ("https://antinode.example/plugins/antinode-32", ARDOUR.PluginType.LV2)
+assert (not info:isnil (), "Antinode 32 is not in LV2_PATH")
 
 local function count (kind, n)
     return ARDOUR.ChanCount (ARDOUR.DataType (kind), n)
