@@ -416,8 +416,9 @@ TEST_CASE ("A device that stops to call is seen after three seconds, and when it
     CHECK_FALSE (watch.hasStopped());
 }
 
-TEST_CASE ("Each signal that would end the program is only noted, so that outputs ramp first; what nohup ignores stays "
-           "ignored")
+TEST_CASE (
+    "Each signal that would end the program is only noted, so that outputs ramp first, and what nohup ignores stays "
+    "ignored")
 {
     const auto noted = [] (int signal, bool isIgnored)
     {
