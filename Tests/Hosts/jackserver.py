@@ -38,7 +38,7 @@ def stop(process):
     """Ends a program, by force where it does not end by itself."""
     process.terminate()
     try:
-        process.wait(timeout=60)
+        process.wait(timeout=10)
     except subprocess.TimeoutExpired:
         process.kill()
         process.wait()
