@@ -42,7 +42,7 @@ Json baseOf (Json document)
 
 std::string deviceText (const nlohmann::ordered_json& device)
 {
-    const auto text = readableJson (device);
+    auto text = readableJson (device);
     const auto name = "device '" + device.value ("name", "") + "'";
 
     if (const auto most = FileKind {}.maximumBytes; text.size() > most)

@@ -100,7 +100,11 @@ void visit (std::vector<std::string>& sentences, const nlohmann::json& value, co
 
     if (value.is_structured())
         for (const auto& [name, item] : value.items())
-            visit (sentences, item, place + "/" + name, value.is_array() ? path : path + "/" + name);
+        {
+            const auto step = std::string ("/").append (name);
+            visit (sentences, item, std::string (place).append (step),
+                   value.is_array() ? path : std::string (path).append (step));
+        }
 }
 } // namespace
 

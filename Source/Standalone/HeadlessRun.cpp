@@ -91,13 +91,12 @@ void HeadlessRun::beginWhenReady()
 
     hasBegun = true;
     beginSamples = host.callback().samplesPlayed();
+    begin(); // Before anybody is told: who reads it may let the device's time pass at once.
     std::printf ("%s\n", startText().c_str());
     std::fflush (stdout);
 
     if (const auto warning = host.silentCeramics(); warning.isNotEmpty())
         complain (warning.toStdString());
-
-    begin();
 }
 
 std::string HeadlessRun::startText() const
