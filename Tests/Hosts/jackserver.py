@@ -1,4 +1,4 @@
-"""A JACK server without hardware and a recorder at it. The server waits for its clients (synchronous, a minute for each block), and runs freely
+"""A JACK server without hardware and a recorder at it. The server waits for its clients (synchronous, a minute for each block), and may run freely
 while it is recorded, so that a busy computer makes a test slower, not wrong."""
 
 import array
@@ -44,10 +44,10 @@ def stop(process):
         process.wait()
 
 
-def record(environment, recorder, seconds, ports, connection=None):
-    """Records the ports with our recorder, and gives their samples by channel. The connection is a pair of ports that it makes first."""
+def record(environment, recorder, seconds, ports, connection=None, freely=True):
+    """Records the ports with our recorder, and gives their samples by channel. Freely: no clock counts meanwhile. The connection is a pair of ports that it makes first."""
     with tempfile.NamedTemporaryFile() as file:
-        command = [recorder, file.name, str(seconds), *([">".join(connection)] if connection else []), *ports]
+        command = [recorder, file.name, str(seconds), *(["freely"] if freely else []), *([">".join(connection)] if connection else []), *ports]
         done = subprocess.run(command, env=environment, check=False, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
         if done.returncode != 0:
             raise RuntimeError(done.stderr.strip())

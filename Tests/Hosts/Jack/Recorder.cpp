@@ -8,14 +8,15 @@
 #include <exception>
 #include <fstream>
 #include <semaphore>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-/** Records ports of a JACK server. Usage: antinode_jack_recorder FILE SECONDS [FROM>TO]... PORT...
+/** Records ports of a JACK server. Usage: antinode_jack_recorder FILE SECONDS [freely] [FROM>TO]... PORT...
 
-    Arguments FROM>TO are connected first; it waits for ports that do not exist yet. While it records, the server runs
-    freely, as fast as its clients compute: nothing depends on a clock. FILE becomes 32-bit floats, one channel after
+    Arguments FROM>TO are connected first; it waits for ports that do not exist yet. Freely: while it records, the
+    server calls its clients as fast as they compute, and no clock counts. FILE becomes 32-bit floats, one channel after
    the other. It never waits without an end and says why it fails, which JACK's own recorder does not. */
 namespace
 {
@@ -46,12 +47,16 @@ public:
     std::string portName (std::size_t channel) const { return jack_port_name (ports[channel]); }
 
     /** The samples by channel. */
-    const std::vector<std::vector<float>>& record()
+    const std::vector<std::vector<float>>& record (bool runsFreely)
     {
-        client.runFreely (true);
+        if (runsFreely)
+            client.runFreely (true);
+
         isRecording = true;
         const auto hasEnded = ended.try_acquire_for (JackClient::longestWait);
-        client.runFreely (false);
+
+        if (runsFreely)
+            client.runFreely (false);
 
         if (! hasEnded)
             throw std::runtime_error ("recorded " + std::to_string (position) + " of " + std::to_string (length)
@@ -115,8 +120,9 @@ void write (const std::string& path, const std::vector<std::vector<float>>& chan
 void run (const std::string& path, double seconds, const std::vector<std::string>& names)
 {
     std::vector<std::string> connections, recordedPorts;
+    const auto runsFreely = names.front() == "freely";
 
-    for (const auto& name : names)
+    for (const auto& name : std::span (names).subspan (runsFreely ? 1 : 0))
         (name.find (connectionMark) == std::string::npos ? recordedPorts : connections).push_back (name);
 
     Recorder recorder (recordedPorts.size(), seconds);
@@ -128,7 +134,7 @@ void run (const std::string& path, double seconds, const std::vector<std::string
         recorder.connect (connection.substr (0, connection.find (connectionMark)),
                           connection.substr (connection.find (connectionMark) + 1));
 
-    write (path, recorder.record());
+    write (path, recorder.record (runsFreely));
 }
 } // namespace
 
@@ -137,7 +143,7 @@ int main (int count, char** arguments)
     try
     {
         if (count < 4)
-            throw std::runtime_error ("usage: FILE SECONDS [FROM>TO]... PORT...");
+            throw std::runtime_error ("usage: FILE SECONDS [freely] [FROM>TO]... PORT...");
 
         run (arguments[1], std::stod (arguments[2]), { arguments + 3, arguments + count });
         return 0;
