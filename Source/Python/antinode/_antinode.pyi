@@ -206,6 +206,7 @@ class IdentifyOptions:
     drive: str
     drive_unit: str
     points: str
+    variables: Sequence[str]
     references: Sequence[str]
     mass_kg: Optional[float]
     voltage_limit_V: float
