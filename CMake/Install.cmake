@@ -106,6 +106,8 @@ if (TARGET antinode_python)
     install (FILES ${layer} DESTINATION ${python_package} COMPONENT python)
     set (python_documents ${CMAKE_INSTALL_DATADIR}/doc/python3-antinode)
     install (FILES ${resources}/Debian/copyright DESTINATION ${python_documents} COMPONENT python)
+    # Scripts/python builds this target alone and packs what it installs.
+    add_dependencies (antinode_python compressed_changelog.Debian)
     install (FILES ${CMAKE_BINARY_DIR}/compressed/changelog.Debian.gz DESTINATION ${python_documents} COMPONENT python)
     install (FILES ${resources}/Debian/python-lintian-overrides
         DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides RENAME python3-antinode COMPONENT python)
